@@ -1,0 +1,76 @@
+"""The one family of errors that a user can cause, and the exit codes they end in.
+
+Every error carries a ``code`` (kebab-case, stable, listed in ``docs/messages.md``) and a message of
+one sentence or two: what happened, where, and what to do.  Anything else that escapes the engine is
+a defect of the engine and ends in :attr:`ExitCode.ENGINE`.
+"""
+
+from enum import IntEnum
+
+
+class ExitCode(IntEnum):
+    """Exit status of the ``gaussiancad`` command."""
+
+    DONE = 0
+    SOME_SHEETS_FAILED = 1
+    USAGE = 2
+    UNREADABLE = 3
+    NO_MODEL = 4
+    LIMIT = 5
+    ENGINE = 6
+    CANCELLED = 130
+
+
+class GaussianCadError(Exception):
+    """Root of all errors that are told to a person instead of shown as a traceback.
+
+    Args:
+        code: kebab-case identifier, stable between versions.
+        message: what happened, where, what to do; no trailing newline.
+    """
+
+    exit_code: ExitCode = ExitCode.ENGINE
+
+    def __init__(self, code: str, message: str) -> None:
+        super().__init__(message)
+        self.code = code
+        self.message = message
+
+
+class UsageError(GaussianCadError, ValueError):
+    """The command was called in a way that cannot work."""
+
+    exit_code = ExitCode.USAGE
+
+
+class UnreadableError(GaussianCadError, OSError):
+    """A file cannot be read: missing, not of its kind, damaged, too large, empty."""
+
+    exit_code = ExitCode.UNREADABLE
+
+    def __str__(self) -> str:
+        return self.message
+
+
+class NoModelError(GaussianCadError, ValueError):
+    """The sheet was read, but no model follows from it."""
+
+    exit_code = ExitCode.NO_MODEL
+
+
+class LimitError(GaussianCadError, RuntimeError):
+    """A limit of time, memory or disk was reached."""
+
+    exit_code = ExitCode.LIMIT
+
+
+class EngineError(GaussianCadError, RuntimeError):
+    """The engine itself is incomplete or broken."""
+
+    exit_code = ExitCode.ENGINE
+
+
+class CancelledError(GaussianCadError):
+    """The run was stopped by the user or by the end of its parent process."""
+
+    exit_code = ExitCode.CANCELLED

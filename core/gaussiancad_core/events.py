@@ -1,0 +1,134 @@
+"""What a run tells while it goes on: JSON lines on stdout, and how it is stopped.
+
+The protocol (version 1) is one JSON object a line with the key ``event``: ``hello``, ``stage``,
+``progress``, ``preview``, ``warning``, ``result``, ``error``.  Logs go to stderr.  Libraries print
+to file descriptor 1 (OpenCASCADE's STEP writer does), so :func:`open_event_stream` keeps a duplicate
+of it for the events and points 1 at stderr.
+"""
+
+import json
+import os
+import signal
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import Any, Protocol, TextIO
+
+from gaussiancad_core.errors import CancelledError
+
+PROTOCOL = 1
+
+
+class Listener(Protocol):
+    """Where the events of a run go."""
+
+    def send(self, event: str, **fields: Any) -> None:  # noqa: ANN401
+        """Take one event; ``fields`` are JSON values."""
+
+
+class Silence:
+    """A listener that hears nothing."""
+
+    def send(self, event: str, **fields: Any) -> None:  # noqa: ANN401
+        """Drop the event."""
+
+
+@dataclass(frozen=True)
+class JsonLines:
+    """A listener that writes JSON lines.
+
+    Attributes:
+        stream: text stream in UTF-8.
+    """
+
+    stream: TextIO
+
+    def send(self, event: str, **fields: Any) -> None:  # noqa: ANN401
+        """Write one event and flush it; a reader that has gone away is no error of the run."""
+        try:
+            self.stream.write(json.dumps({"event": event, **fields}, ensure_ascii=False) + "\n")
+            self.stream.flush()
+        except (BrokenPipeError, ValueError):
+            return
+
+
+@dataclass
+class Progress:
+    """The running stage's way to say how far it is; it also times the stages.
+
+    Attributes:
+        listener: where the events go.
+        total: number of stages.
+        seconds: duration of each finished stage, in order.
+    """
+
+    listener: Listener
+    total: int
+    seconds: dict[str, float] = field(default_factory=dict)
+    _name: str = ""
+    _started: float = 0.0
+    _last_sent: float = 0.0
+
+    @contextmanager
+    def stage(self, name: str) -> Iterator[None]:
+        """Announce a stage, and note its duration when it ends well."""
+        self._name, self._started, self._last_sent = name, time.monotonic(), 0.0
+        self.listener.send("stage", name=name, index=len(self.seconds) + 1, of=self.total)
+        yield
+        self.seconds[name] = round(time.monotonic() - self._started, 3)
+        self.listener.send("progress", stage=name, fraction=1.0, eta_s=0.0)
+
+    @property
+    def current(self) -> str:
+        """Name of the stage that runs, or ran last."""
+        return self._name
+
+    def __call__(self, fraction: float, loss: float | None = None) -> None:
+        """Tell the fraction of the running stage that is done; at most ten times a second."""
+        now = time.monotonic()
+        if now - self._last_sent < 0.1:
+            return
+        self._last_sent = now
+        elapsed = now - self._started
+        fields: dict[str, Any] = {"stage": self._name, "fraction": round(fraction, 4)}
+        if loss is not None:
+            fields["loss"] = round(float(loss), 6)
+        if fraction > 0:
+            fields["eta_s"] = round(elapsed * (1.0 - fraction) / fraction, 1)
+        self.listener.send("progress", **fields)
+
+
+def open_event_stream() -> JsonLines:
+    """Take stdout for events; everything else that is printed goes to stderr from now on."""
+    sys.stdout.flush()
+    own = os.dup(1)
+    os.dup2(2, 1)
+    sys.stdout = sys.stderr
+    return JsonLines(os.fdopen(own, "w", encoding="utf-8", newline="\n"))
+
+
+def cancel_on_signals() -> None:
+    """Let SIGINT and SIGTERM raise :class:`CancelledError` in the main thread, once."""
+
+    def handle(number: int, _frame: object) -> None:
+        for name in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(name, signal.SIG_IGN)
+        raise CancelledError("cancelled", f"stopped by {signal.Signals(number).name}")
+
+    for name in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(name, handle)
+
+
+def cancel_on_stdin() -> None:
+    """Stop the run when a line ``cancel`` comes on stdin, or stdin ends (the parent is gone)."""
+
+    def watch() -> None:
+        for line in sys.stdin:
+            if line.strip() == "cancel":
+                break
+        signal.raise_signal(signal.SIGTERM)
+
+    threading.Thread(target=watch, name="stdin", daemon=True).start()

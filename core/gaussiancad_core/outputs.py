@@ -1,0 +1,113 @@
+"""Files appear under their name only when whole.
+
+A run writes into a staging folder inside its output folder and moves the finished files to their
+names at the end, ``report.json`` last.  A failed or cancelled run removes the staging folder and
+leaves what was there before; what a killed one left behind is swept by the next run.
+"""
+
+import errno
+import os
+import shutil
+from pathlib import Path
+
+from gaussiancad_core.errors import GaussianCadError, LimitError, UsageError
+
+STAGING_PREFIX = ".gaussiancad-"
+
+RUN_FILES = (
+    "solid.step",
+    "alternatives",
+    "surface.stl",
+    "surface.ply",
+    "surface.step",
+    "gaussians.ply",
+    "cameras",
+    "overlay.png",
+    "preview.png",
+)
+"""What a ``reconstruct`` run owns in its folder beside the report; replaced as a whole."""
+
+
+class OutputFolder:
+    """A folder that receives the files of one run together.
+
+    Args:
+        path: the folder; made if it does not exist.
+        owned: names that belong to the run: those that it did not write anew are removed.
+        report: name of the file that is put in place last.
+
+    Raises:
+        UsageError: the folder cannot be made or written.
+    """
+
+    def __init__(self, path: Path, owned: tuple[str, ...], report: str) -> None:
+        self.path = path
+        self._owned = owned
+        self._report = report
+        try:
+            path.mkdir(parents=True, exist_ok=True)
+            _sweep(path)
+            self.staging = path / f"{STAGING_PREFIX}{os.getpid()}"
+            self.staging.mkdir(exist_ok=True)
+        except OSError as error:
+            raise _folder_error(path, error) from error
+
+    def commit(self) -> None:
+        """Move what is in the staging folder to its names, the report last.
+
+        Raises:
+            UsageError, LimitError: the folder can no longer be written, or the disk is full.
+        """
+        try:
+            (self.path / self._report).unlink(missing_ok=True)
+            for name in self._owned:
+                if not (self.staging / name).exists():
+                    _remove(self.path / name)
+            entries = sorted(self.staging.iterdir(), key=lambda entry: entry.name == self._report)
+            for entry in entries:
+                target = self.path / entry.name
+                if target.is_dir():
+                    _remove(target)
+                entry.replace(target)
+            self.staging.rmdir()
+        except OSError as error:
+            raise _folder_error(self.path, error) from error
+
+    def discard(self) -> None:
+        """Remove the staging folder and what is in it."""
+        shutil.rmtree(self.staging, ignore_errors=True)
+
+
+def os_error(path: Path, error: OSError) -> GaussianCadError:
+    """The engine's error for a file operation that failed under ``path``."""
+    return _folder_error(path, error)
+
+
+def _folder_error(path: Path, error: OSError) -> GaussianCadError:
+    if error.errno in (errno.ENOSPC, errno.EDQUOT):
+        return LimitError("disk-full", f"no space left on the disk of {path}: free some, then retry")
+    reason = error.strerror or str(error)
+    return UsageError(
+        "output-not-writable", f"cannot write to {path} ({reason}): choose another output folder"
+    )
+
+
+def _remove(path: Path) -> None:
+    if path.is_dir() and not path.is_symlink():
+        shutil.rmtree(path)
+    else:
+        path.unlink(missing_ok=True)
+
+
+def _sweep(path: Path) -> None:
+    """Remove staging folders whose process is gone."""
+    for entry in path.glob(f"{STAGING_PREFIX}*"):
+        suffix = entry.name.removeprefix(STAGING_PREFIX)
+        if suffix.isdigit() and not _alive(int(suffix)):
+            shutil.rmtree(entry, ignore_errors=True)
+
+
+def _alive(pid: int) -> bool:
+    import psutil
+
+    return psutil.pid_exists(pid)
