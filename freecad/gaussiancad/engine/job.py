@@ -1,0 +1,172 @@
+"""What the user asks of the engine, as data, and as the engine's arguments."""
+
+from dataclasses import dataclass, replace
+from enum import Enum
+
+MODULE_ARGUMENTS = ("-I", "-u", "-m", "gaussiancad_core")
+"""How the engine's interpreter is told to run the engine, isolated and unbuffered."""
+
+
+class Projection(Enum):
+    """How the views are arranged on the sheet."""
+
+    AUTO = "auto"
+    FIRST = "first"
+    THIRD = "third"
+
+
+class Preset(Enum):
+    """How much work the engine does."""
+
+    DRAFT = "draft"
+    STANDARD = "standard"
+    FINE = "fine"
+
+
+class Outcome(Enum):
+    """Which models are made."""
+
+    BOTH = "both"
+    SOLID = "solid"
+    SURFACE = "surface"
+
+
+class Recipe(Enum):
+    """Which cameras train the Gaussians: parallel ones, or those of the paper."""
+
+    ORTHOGRAPHIC = "orthographic"
+    PAPER = "paper"
+
+
+class ScaleKind(Enum):
+    """What is known about the size of the part."""
+
+    UNKNOWN = "unknown"
+    LENGTH_X = "x"
+    LENGTH_Y = "y"
+    LENGTH_Z = "z"
+    MM_PER_PIXEL = "mm-per-pixel"
+
+
+@dataclass(frozen=True)
+class Scale:
+    """The size of the part.
+
+    Attributes:
+        kind: what is known.
+        value: mm along the axis, or mm per pixel; unused where nothing is known.
+    """
+
+    kind: ScaleKind = ScaleKind.UNKNOWN
+    value: float = 0.0
+
+    def arguments(self) -> list[str]:
+        """The engine's options."""
+        if self.kind is ScaleKind.UNKNOWN:
+            return []
+        if self.kind is ScaleKind.MM_PER_PIXEL:
+            return ["--mm-per-pixel", f"{self.value:.10g}"]
+        return ["--length", f"{self.kind.value}={self.value:.10g}"]
+
+
+@dataclass(frozen=True)
+class ReconstructJob:
+    """One sheet to be reconstructed.
+
+    Attributes:
+        sheet: path of the drawing.
+        output: folder for the engine's files.
+        projection, preset, outcome, recipe, scale: see their types.
+        colour: of the part, ``#RRGGBB``.
+        page: page of a PDF, from 1.
+        seed: of everything random.
+    """
+
+    sheet: str
+    output: str
+    projection: Projection = Projection.AUTO
+    preset: Preset = Preset.STANDARD
+    outcome: Outcome = Outcome.BOTH
+    recipe: Recipe = Recipe.ORTHOGRAPHIC
+    scale: Scale = Scale()
+    colour: str = "#b0b8c0"
+    page: int = 1
+    seed: int = 0
+
+    def arguments(self) -> list[str]:
+        """``reconstruct SHEET --output DIR ... --events``."""
+        return [
+            "reconstruct",
+            self.sheet,
+            "--output",
+            self.output,
+            *self.options(),
+            "--events",
+        ]
+
+    def options(self) -> list[str]:
+        """The options that say what is to be made, without the paths."""
+        return [
+            *("--projection", self.projection.value),
+            *("--preset", self.preset.value),
+            *("--result", self.outcome.value),
+            *("--recipe", self.recipe.value),
+            *("--colour", self.colour),
+            *("--page", str(self.page)),
+            *("--seed", str(self.seed)),
+            *self.scale.arguments(),
+        ]
+
+    def settings(self) -> dict[str, str]:
+        """The same for people and for the document: one text a setting."""
+        scale = (
+            self.scale.kind.value
+            if self.scale.kind is ScaleKind.UNKNOWN
+            else f"{self.scale.kind.value} = {self.scale.value:.10g}"
+        )
+        return {
+            "projection": self.projection.value,
+            "preset": self.preset.value,
+            "result": self.outcome.value,
+            "recipe": self.recipe.value,
+            "scale": scale,
+            "colour": self.colour,
+            "page": str(self.page),
+            "seed": str(self.seed),
+        }
+
+    def into(self, output: str) -> "ReconstructJob":
+        """The same job with another output folder."""
+        return replace(self, output=output)
+
+
+@dataclass(frozen=True)
+class CompareJob:
+    """A result to be measured against a reference.
+
+    Attributes:
+        result, reference: paths of STEP, BREP, STL, PLY or OBJ files.
+        output: folder for ``comparison.json`` and ``deviation.ply``.
+        points: samples on each side, or None for the engine's default.
+        seed: of the samples.
+    """
+
+    result: str
+    reference: str
+    output: str
+    points: int | None = None
+    seed: int = 0
+
+    def arguments(self) -> list[str]:
+        """``compare RESULT REFERENCE --output DIR ...``."""
+        points = [] if self.points is None else ["--points", str(self.points)]
+        return [
+            "compare",
+            self.result,
+            self.reference,
+            "--output",
+            self.output,
+            *points,
+            "--seed",
+            str(self.seed),
+        ]

@@ -1,0 +1,211 @@
+"""``report.json`` and ``comparison.json`` as data.
+
+Missing fields read as nothing, since fields may be added and older engines lack some; a file that
+is no report at all is an error.
+"""
+
+import json
+import math
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+from typing import Any
+
+from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
+from freecad.gaussiancad.language import translate
+
+ViewBox = tuple[float, float, float, float]
+
+
+class Status(Enum):
+    """How far the result can be trusted."""
+
+    VERIFIED = "verified"
+    APPROXIMATE = "approximate"
+    FAILED = "failed"
+
+
+@dataclass(frozen=True)
+class Remark:
+    """A reason or a warning.
+
+    Attributes:
+        code: kebab-case, for machines.
+        message: for people.
+    """
+
+    code: str
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.code}: {self.message}" if self.message else self.code
+
+
+@dataclass(frozen=True)
+class ViewReport:
+    """A view of the sheet.
+
+    Attributes:
+        role: front, top, right, left, bottom or rear.
+        box: (x0, y0, x1, y1) in sheet pixels, y down; None if it was not told.
+        agreement: recall and precision of the result's lines against the sheet's, 0 to 1; keys
+            ``visible_recall``, ``visible_precision``, ``hidden_recall``, ``hidden_precision``.
+    """
+
+    role: str
+    box: ViewBox | None
+    agreement: dict[str, float]
+
+
+@dataclass(frozen=True)
+class Report:
+    """A run's report.
+
+    Attributes:
+        text: the file as it is.
+        values: the file's JSON.
+        status: verified, approximate or failed.
+        reasons, warnings: see :class:`Remark`.
+        views: in the order of the file.
+        mm_per_pixel: scale, or None.
+        seconds: duration of each stage.
+    """
+
+    text: str
+    values: dict[str, Any]
+    status: Status
+    reasons: tuple[Remark, ...]
+    warnings: tuple[Remark, ...]
+    views: tuple[ViewReport, ...]
+    mm_per_pixel: float | None
+    seconds: dict[str, float]
+
+    def word(self, key: str) -> str:
+        """A top-level field as text, empty if it is missing."""
+        value = self.values.get(key)
+        return "" if value is None else str(value)
+
+    def group(self, key: str) -> dict[str, Any]:
+        """A top-level object, empty if it is missing or null."""
+        value = self.values.get(key)
+        return value if isinstance(value, dict) else {}
+
+
+def read_report(path: Path) -> Report:
+    """Read a run's ``report.json``.
+
+    Raises:
+        WorkbenchError: the file is missing, or is no report.
+    """
+    text, values = _read_object(path)
+    try:
+        status = Status(values.get("status"))
+    except ValueError as error:
+        raise _unreadable(path, str(error)) from error
+    return Report(
+        text,
+        values,
+        status,
+        _remarks(values.get("reasons")),
+        _remarks(values.get("warnings")),
+        _views(values.get("views")),
+        _number(values.get("scale_mm_per_pixel")),
+        _numbers(values.get("seconds")),
+    )
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """A comparison's report.
+
+    Attributes:
+        text: the file as it is.
+        values: the file's JSON.
+        distances: ``chamfer``, ``hausdorff``, ``emd``, ``point_to_surface``, ``volume_iou`` as far
+            as they were told.
+        floor: what two samplings of the same reference give, same keys.
+    """
+
+    text: str
+    values: dict[str, Any]
+    distances: dict[str, float]
+    floor: dict[str, float]
+
+
+COMPARED = ("chamfer", "hausdorff", "emd", "point_to_surface", "volume_iou")
+
+
+def read_comparison(path: Path) -> Comparison:
+    """Read a ``comparison.json``.
+
+    Raises:
+        WorkbenchError: the file is missing, or is no comparison.
+    """
+    text, values = _read_object(path)
+    distances = _numbers({key: values.get(key) for key in COMPARED})
+    if not distances:
+        raise _unreadable(path, "no distances")
+    return Comparison(text, values, distances, _numbers(values.get("floor")))
+
+
+def _read_object(path: Path) -> tuple[str, dict[str, Any]]:
+    try:
+        text = path.read_text(encoding="utf-8")
+        values = json.loads(text)
+    except (OSError, ValueError) as error:
+        raise _unreadable(path, str(error)) from error
+    if not isinstance(values, dict):
+        raise _unreadable(path, "not an object")
+    return text, values
+
+
+def _unreadable(path: Path, reason: str) -> WorkbenchError:
+    message = translate(
+        "GaussianCAD",
+        "The engine's report {path} cannot be read ({reason}). Run it again; if that does not "
+        "help, choose GaussianCAD > Check Engine.",
+    )
+    return WorkbenchError(ErrorCode.RESULT_UNREADABLE, message.format(path=path, reason=reason))
+
+
+def _remarks(values: object) -> tuple[Remark, ...]:
+    if not isinstance(values, list):
+        return ()
+    return tuple(
+        Remark(str(value.get("code", "")), str(value.get("message", "")))
+        for value in values
+        if isinstance(value, dict)
+    )
+
+
+def _views(values: object) -> tuple[ViewReport, ...]:
+    if not isinstance(values, dict):
+        return ()
+    return tuple(
+        ViewReport(str(role), _box(view.get("box")), _numbers(view))
+        for role, view in values.items()
+        if isinstance(view, dict)
+    )
+
+
+def _box(value: object) -> ViewBox | None:
+    if not isinstance(value, list) or len(value) != 4:
+        return None
+    numbers = [_number(entry) for entry in value]
+    x0, y0, x1, y1 = numbers
+    if None in numbers or not (x0 < x1 and y0 < y1):
+        return None
+    return (x0, y0, x1, y1)
+
+
+def _numbers(values: object) -> dict[str, float]:
+    if not isinstance(values, dict):
+        return {}
+    numbers = {str(key): _number(value) for key, value in values.items()}
+    return {key: value for key, value in numbers.items() if value is not None}
+
+
+def _number(value: object) -> float | None:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return None
+    return float(value) if math.isfinite(value) else None
