@@ -1,0 +1,233 @@
+"""Find the views on a sheet and say which is which.
+
+A view is a cluster of ink.  Views that show the same axis side by side have the same interval on the
+sheet: the view that shares its columns with one neighbour and its rows with another is the front
+view, and the others' roles follow from where they stand and from the projection (ISO 5456-2).
+"""
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.errors import NoModelError, UsageError
+
+Box = tuple[float, float, float, float]
+"""x0, y0, x1, y1 in px of the sheet, y down."""
+
+_REACH = 6
+"""Ink closer than this many px belongs to the same cluster."""
+
+_MIN_SIDE = 12
+"""Clusters smaller than this in both directions are specks."""
+
+_FRAME_SHARE = 0.8
+"""A cluster that spans this share of the sheet both ways, around others, is its frame."""
+
+
+@dataclass(frozen=True)
+class Layout:
+    """The views of a sheet.
+
+    Attributes:
+        boxes: role -> box of the view's ink.
+        projection: the reading of the arrangement.
+        source: ``given``, ``inferred`` or ``default``, as in the report.
+        alternatives: other projections that fit the arrangement as well.
+        left_out: boxes of clusters that are no view.
+    """
+
+    boxes: dict[Role, Box]
+    projection: Projection
+    source: str
+    alternatives: tuple[Projection, ...]
+    left_out: tuple[Box, ...]
+
+
+def find_layout(
+    ink: npt.NDArray[np.bool_], given: dict[Role, Box], projection: Projection | None
+) -> Layout:
+    """Name the views of a sheet.
+
+    Args:
+        ink: (h, w) bool.
+        given: views that the user named, each by a box around it; two or more of them are taken
+            as they are, one fixes where the others are looked for.
+        projection: as told by the user, or None to take third angle.
+
+    Raises:
+        NoModelError: there are fewer than two views that belong together.
+        UsageError: a given box holds no ink.
+    """
+    clusters = find_clusters(ink)
+    source = "default" if projection is None else "given"
+    chosen = projection or Projection.THIRD
+    if given:
+        named = {role: _inside(clusters, box, role) for role, box in given.items()}
+        if len(named) >= 2:
+            rest = tuple(box for box in clusters if box not in named.values())
+            return Layout(named, chosen, "given" if projection else source, (), rest)
+        clusters = _with_merged(clusters, next(iter(named.values())))
+        boxes = _arrange(clusters, chosen, named)
+    else:
+        boxes = _arrange(clusters, chosen, {})
+    rest = tuple(box for box in clusters if box not in boxes.values())
+    alternatives = (chosen.other,) if projection is None else ()
+    return Layout(boxes, chosen, source, alternatives, rest)
+
+
+def find_clusters(ink: npt.NDArray[np.bool_]) -> list[Box]:
+    """Boxes of connected groups of ink, largest first; a drawing frame is left out."""
+    height, width = ink.shape
+    kernel = np.ones((_REACH, _REACH), np.uint8)
+    closed = cv2.morphologyEx(ink.astype(np.uint8), cv2.MORPH_CLOSE, kernel)
+    count, _, stats, _ = cv2.connectedComponentsWithStats(closed, connectivity=8)
+    boxes = [
+        (float(x), float(y), float(x + w), float(y + h))
+        for x, y, w, h, _ in stats[1:count]
+        if max(w, h) >= 3
+    ]
+    frames = [box for box in boxes if _is_frame(box, boxes, width, height)]
+    merged = _merge_overlapping([box for box in boxes if box not in frames])
+    views = [box for box in merged if max(_width(box), _height(box)) >= _MIN_SIDE]
+    return sorted(views, key=lambda box: -_width(box) * _height(box))
+
+
+def _is_frame(box: Box, boxes: list[Box], width: int, height: int) -> bool:
+    spans = _width(box) > _FRAME_SHARE * width and _height(box) > _FRAME_SHARE * height
+    return spans and sum(_contains(box, other) for other in boxes if other != box) >= 2
+
+
+def _merge_overlapping(boxes: list[Box]) -> list[Box]:
+    """Unite boxes until none overlaps another (dashes inside an outline join it)."""
+    merged: list[Box] = []
+    for box in sorted(boxes, key=lambda b: -_width(b) * _height(b)):
+        current = box
+        while True:
+            touching = [other for other in merged if _overlap(current, other)]
+            if not touching:
+                break
+            merged = [other for other in merged if other not in touching]
+            current = _union([current, *touching])
+        merged.append(current)
+    return merged
+
+
+def _arrange(
+    clusters: list[Box], projection: Projection, named: dict[Role, Box]
+) -> dict[Role, Box]:
+    """The arrangement around a front view that explains the most ink area."""
+    best: dict[Role, Box] = {}
+    best_score = (0, 0, 0.0)
+    for front in clusters:
+        found = _around(front, clusters, projection)
+        if any(found.get(role) != box for role, box in named.items()):
+            continue
+        shown_axes = len({role.frame.look_axis[0] for role in found})
+        # Two views alone do not tell which is the front: usual are a top view and a view beside it
+        # on the right.
+        usual = sum(role is Role.TOP or role.slot(projection) == (1, 0) for role in found)
+        score = (shown_axes, usual, sum(_width(box) * _height(box) for box in found.values()))
+        if score > best_score:
+            best, best_score = found, score
+    if len(best) < 2:
+        raise _no_views(clusters)
+    return best
+
+
+def _around(front: Box, clusters: list[Box], projection: Projection) -> dict[Role, Box]:
+    """Roles of the clusters aligned with ``front``, the nearest on each side."""
+    by_slot = {
+        role.slot(projection): role for role in (Role.TOP, Role.BOTTOM, Role.LEFT, Role.RIGHT)
+    }
+    found = {Role.FRONT: front}
+    for slot, role in by_slot.items():
+        column, row = slot
+        neighbours = [
+            (gap, box)
+            for box in clusters
+            if box != front and (gap := _gap(front, box, column, row)) is not None
+        ]
+        if neighbours:
+            found[role] = min(neighbours)[1]
+    return found
+
+
+def _gap(front: Box, box: Box, column: int, row: int) -> float | None:
+    """Distance from ``front`` to an aligned ``box`` on the given side, or None."""
+    if row:
+        aligned = _same_interval(front[0], front[2], box[0], box[2])
+        gap = front[1] - box[3] if row > 0 else box[1] - front[3]
+    else:
+        aligned = _same_interval(front[1], front[3], box[1], box[3])
+        gap = box[0] - front[2] if column > 0 else front[0] - box[2]
+    return gap if aligned and gap > 0 else None
+
+
+def alignment_tolerance(extent: float) -> float:
+    """How far in px the ends of two intervals of this extent may differ: a drawing that was edited
+    by a few per cent is still read."""
+    return max(4.0, 0.03 * extent)
+
+
+def _same_interval(a0: float, a1: float, b0: float, b1: float) -> bool:
+    tolerance = alignment_tolerance(max(a1 - a0, b1 - b0))
+    return abs(a0 - b0) <= tolerance and abs(a1 - b1) <= tolerance
+
+
+def _no_views(clusters: list[Box]) -> NoModelError:
+    places = ", ".join("({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*box) for box in clusters[:4])
+    if len(clusters) < 2:
+        return NoModelError(
+            "one-view",
+            f"only one view was found, at {places} px: a model needs two orthogonal views or more",
+        )
+    return NoModelError(
+        "views-not-aligned",
+        f"{len(clusters)} groups of lines were found ({places} px), but none is aligned with two "
+        "others as views are: name the views with --view ROLE=X0,Y0,X1,Y1",
+    )
+
+
+def _inside(clusters: list[Box], box: Box, role: Role) -> Box:
+    """Union of the clusters whose centre lies in a given box."""
+    x0, y0, x1, y1 = box
+    found = [c for c in clusters if x0 <= (c[0] + c[2]) / 2 <= x1 and y0 <= (c[1] + c[3]) / 2 <= y1]
+    if not found:
+        raise UsageError(
+            "empty-view-box",
+            f"--view {role.value}: there are no lines in the box {x0:g},{y0:g},{x1:g},{y1:g}",
+        )
+    return _union(found)
+
+
+def _with_merged(clusters: list[Box], union: Box) -> list[Box]:
+    return [union, *(box for box in clusters if not _overlap(box, union))]
+
+
+def _width(box: Box) -> float:
+    return box[2] - box[0]
+
+
+def _height(box: Box) -> float:
+    return box[3] - box[1]
+
+
+def _overlap(a: Box, b: Box) -> bool:
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+
+
+def _contains(outer: Box, inner: Box) -> bool:
+    return (
+        outer[0] <= inner[0]
+        and outer[1] <= inner[1]
+        and outer[2] >= inner[2]
+        and outer[3] >= inner[3]
+    )
+
+
+def _union(boxes: list[Box]) -> Box:
+    x0, y0, x1, y1 = zip(*boxes, strict=True)
+    return min(x0), min(y0), max(x1), max(y1)

@@ -1,0 +1,200 @@
+"""Masks of the views: where the part covers the plane of a view.
+
+The contours (Suzuki and Abe 1985) of the solid ink are filled, and brought from the strokes' outer
+edge to their centre line.  The paper stops there; this module can also open the through holes, for
+which the hidden lines of the other views are the evidence.
+"""
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.sheet.clean import CleanSheet
+
+Mask = npt.NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Region:
+    """A blank area inside a view's outline.
+
+    Attributes:
+        mask: (h, w) bool at the outline's resolution, up to the centre lines around it.
+        corner: (x, y) px of the outline's mask where this mask starts.
+        parents: indices of the regions that go around it, innermost first.
+    """
+
+    mask: Mask
+    corner: tuple[int, int]
+    parents: tuple[int, ...]
+
+    @property
+    def box(self) -> tuple[float, float, float, float]:
+        """(x0, y0, x1, y1) extent in px of the outline's mask."""
+        ys, xs = np.nonzero(self.mask)
+        x, y = self.corner
+        return (
+            float(x + xs.min()),
+            float(y + ys.min()),
+            float(x + xs.max() + 1),
+            float(y + ys.max() + 1),
+        )
+
+
+@dataclass(frozen=True)
+class Outline:
+    """The filled outline of a view and the blank regions inside.
+
+    Attributes:
+        depth: (h, w) float32 mask px inside the centre line of the outermost strokes; negative
+            outside.
+        regions: blank areas of the view, largest first.
+        supersampling: mask px per sheet px.
+        offset: (x, y) sheet px of the mask's upper left corner.
+    """
+
+    depth: npt.NDArray[np.float32]
+    regions: tuple[Region, ...]
+    supersampling: int
+    offset: tuple[float, float]
+
+    @property
+    def mask(self) -> Mask:
+        """(h, w) bool, the filled outline."""
+        return self.depth > 0
+
+    @property
+    def box(self) -> tuple[float, float, float, float]:
+        """(x0, y0, x1, y1) extent of the filled outline in sheet px."""
+        ys, xs = np.nonzero(self.mask)
+        x, y = self.offset
+        scale = 1.0 / self.supersampling
+        return (
+            float(x + xs.min() * scale),
+            float(y + ys.min() * scale),
+            float(x + (xs.max() + 1) * scale),
+            float(y + (ys.max() + 1) * scale),
+        )
+
+    def without(self, regions: tuple[Region, ...]) -> npt.NDArray[np.float32]:
+        """(h, w) float32 depth inside the material when some regions are holes."""
+        depth = self.depth.copy()
+        for region in regions:
+            x, y = region.corner
+            height, width = region.mask.shape
+            pad = np.pad(region.mask, 1).astype(np.uint8)
+            inside = cv2.distanceTransform(pad, cv2.DIST_L2, 5)[1:-1, 1:-1]
+            outside = cv2.distanceTransform(1 - pad, cv2.DIST_L2, 5)[1:-1, 1:-1]
+            window = depth[y : y + height, x : x + width]
+            signed = np.where(region.mask, 0.5 - inside, outside - 0.5)
+            # Beyond its crop a region is at least the crop's margin away.
+            np.minimum(window, signed, out=window)
+        return depth
+
+
+def find_outline(
+    sheet: CleanSheet, box: tuple[float, float, float, float], supersampling: int
+) -> Outline | None:
+    """Fill the contours of the view inside a box; None if its outline is open.
+
+    Args:
+        sheet: the cleaned sheet.
+        box: of the view's ink in sheet px.
+        supersampling: mask px per sheet px.
+    """
+    margin = int(np.ceil(sheet.stroke_width)) + 3
+    x0, y0 = max(0, int(box[0]) - margin), max(0, int(box[1]) - margin)
+    x1, y1 = int(np.ceil(box[2])) + margin, int(np.ceil(box[3])) + margin
+    weight = sheet.weight[y0:y1, x0:x1] * _near(sheet.ink[y0:y1, x0:x1])
+    factor = supersampling
+    fine = cv2.resize(weight, None, fx=factor, fy=factor, interpolation=cv2.INTER_CUBIC)
+    ink = (fine > 0.5).astype(np.uint8)
+    # A pixel or two missing at a corner would open the outline.
+    reach = 2 * factor + 1
+    ink = cv2.morphologyEx(ink, cv2.MORPH_CLOSE, np.ones((reach, reach), np.uint8))
+    contours, _ = cv2.findContours(ink, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+    if not contours:
+        return None
+    filled = np.zeros_like(ink)
+    cv2.drawContours(filled, contours, -1, 1, cv2.FILLED)
+    half = _outline_width(ink, filled) / 2
+    # Distances count from the first pixel outside, half a pixel beyond the edge.
+    inside = cv2.distanceTransform(filled, cv2.DIST_L2, 5) - 0.5
+    outside = cv2.distanceTransform(1 - filled, cv2.DIST_L2, 5) - 0.5
+    depth = np.where(filled > 0, inside, -outside) - half
+    covered = float((depth > 0).sum()) / max((box[2] - box[0]) * (box[3] - box[1]) * factor**2, 1.0)
+    if covered < 0.1:
+        return None
+    regions = _regions(ink, filled, half)
+    return Outline(depth.astype(np.float32), regions, factor, (float(x0), float(y0)))
+
+
+def _near(ink: Mask) -> npt.NDArray[np.float32]:
+    """1 on the ink and the pixel around it, 0 elsewhere: keeps specks that were filtered out."""
+    return cv2.dilate(ink.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(np.float32)
+
+
+def supersampling_for(side: float) -> int:
+    """Mask px per sheet px for views of a side in px: a mask px is small against a stroke."""
+    return int(np.clip(1600 // max(side, 1.0), 1, 3))
+
+
+def _outline_width(ink: npt.NDArray[np.uint8], filled: npt.NDArray[np.uint8]) -> float:
+    """Width in px of the stroke along the outline: the depth at which most of the ink has ended."""
+    depth = cv2.distanceTransform(filled, cv2.DIST_L2, 5)
+    bins = np.floor(depth[filled > 0] * 2).astype(int)
+    inked = ink[filled > 0].astype(np.float64)
+    total = np.bincount(bins)
+    share = np.bincount(bins, weights=inked) / np.maximum(total, 1)
+    blank = np.flatnonzero((share < 0.5) & (total > 0))
+    # Bin k is k / 2 px deep; the first pixel of the outline has depth 1.
+    return max(float(blank[0]) / 2 - 0.75, 1.0) if len(blank) else 1.0
+
+
+def _regions(
+    ink: npt.NDArray[np.uint8], filled: npt.NDArray[np.uint8], half: float
+) -> tuple[Region, ...]:
+    blank = ((filled > 0) & (ink == 0)).astype(np.uint8)
+    count, labels, stats, _ = cv2.connectedComponentsWithStats(blank, connectivity=4)
+    smallest = (4 * half) ** 2
+    kept = [i for i in range(1, count) if stats[i, cv2.CC_STAT_AREA] > smallest]
+    kept.sort(key=lambda i: -stats[i, cv2.CC_STAT_AREA])
+    found = [_region(labels, i, stats[i], half) for i in kept]
+    return tuple(
+        Region(mask, corner, _parents(index, found)) for index, (mask, corner) in enumerate(found)
+    )
+
+
+def _region(
+    labels: npt.NDArray[np.int32], label: int, stat: npt.NDArray[np.int32], half: float
+) -> tuple[Mask, tuple[int, int]]:
+    """A blank component grown to the centre lines around it, and its corner."""
+    reach = int(np.ceil(half)) + 2
+    x0, y0 = max(0, int(stat[0]) - reach), max(0, int(stat[1]) - reach)
+    x1, y1 = int(stat[0] + stat[2]) + reach, int(stat[1] + stat[3]) + reach
+    other = (labels[y0:y1, x0:x1] != label).astype(np.uint8)
+    return cv2.distanceTransform(other, cv2.DIST_L2, 5) < half + 0.5, (x0, y0)
+
+
+def _parents(index: int, found: list[tuple[Mask, tuple[int, int]]]) -> tuple[int, ...]:
+    """Regions that go around a region, innermost first."""
+    mask, (x, y) = found[index]
+    ys, xs = np.nonzero(mask)
+    around = []
+    for other, (area, (ox, oy)) in enumerate(found):
+        inside_box = ox <= x and oy <= y and area.shape[1] + ox >= x + mask.shape[1]
+        if other == index or not inside_box or area.shape[0] + oy < y + mask.shape[0]:
+            continue
+        filled = _filled(area)
+        if filled[ys + y - oy, xs + x - ox].mean() > 0.98:
+            around.append((int(filled.sum()), other))
+    return tuple(other for _, other in sorted(around))
+
+
+def _filled(mask: Mask) -> Mask:
+    contours, _ = cv2.findContours(mask.astype(np.uint8), cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+    area = np.zeros(mask.shape, np.uint8)
+    cv2.drawContours(area, contours, -1, 1, cv2.FILLED)
+    return area > 0

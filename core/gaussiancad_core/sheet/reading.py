@@ -1,0 +1,194 @@
+"""The sheet's stages in order: image -> named views with strokes -> views on shared axes."""
+
+from dataclasses import dataclass
+
+from gaussiancad_core.axes import Axis, Projection, Role
+from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.sheet.clean import MEDIAN_KERNEL, CleanSheet
+from gaussiancad_core.sheet.layout import Box, Layout
+from gaussiancad_core.sheet.masks import Outline, Region, find_outline, supersampling_for
+from gaussiancad_core.sheet.registration import (
+    DEFAULT_LONGEST_MM,
+    AxisExtents,
+    Placement,
+    axis_extents,
+    make_view,
+    placement,
+    view_box,
+)
+from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_rhythm
+from gaussiancad_core.sheet.through_holes import Extent, ViewEvidence, is_through
+from gaussiancad_core.views import Stroke, ViewSet
+
+
+@dataclass(frozen=True)
+class ReadingOptions:
+    """What a user can say about a sheet.
+
+    Attributes:
+        projection: None to infer it.
+        views: role -> box around the view in sheet px.
+        length: (axis, mm), the part's extent along an axis, or None.
+        mm_per_pixel: scale of the sheet, or None.
+        colour: RGB of the part.
+        open_holes: open the through holes that the hidden lines prove; the paper's masks are only
+            filled contours.
+        median_kernel: px, 0 for none.
+    """
+
+    projection: Projection | None = None
+    views: tuple[tuple[Role, Box], ...] = ()
+    length: tuple[Axis, float] | None = None
+    mm_per_pixel: float | None = None
+    colour: tuple[int, int, int] = (120, 160, 210)
+    open_holes: bool = True
+    median_kernel: int = MEDIAN_KERNEL
+
+
+@dataclass(frozen=True)
+class DrawnView:
+    """A named view with its strokes, in px of the sheet.
+
+    Attributes:
+        role: of the view.
+        box: between the centre lines of the outermost strokes.
+        strokes: visible and hidden.
+        outline: its filled contour and blank regions.
+    """
+
+    role: Role
+    box: Box
+    strokes: tuple[Stroke, ...]
+    outline: Outline
+
+
+@dataclass(frozen=True)
+class RegisteredSheet:
+    """Views on shared axes, and how they lie on the sheet.
+
+    Attributes:
+        views: in mm.
+        placements: sheet px -> plane mm of each view.
+        drawn: the views as they were read.
+        mm_per_pixel: mean over the axes, of sheet px.
+        extents: of the axes in sheet px.
+        opened: number of through holes opened in the masks.
+    """
+
+    views: ViewSet
+    placements: dict[Role, Placement]
+    drawn: tuple[DrawnView, ...]
+    mm_per_pixel: float
+    extents: AxisExtents
+    opened: int
+
+
+def read_views(sheet: CleanSheet, layout: Layout) -> tuple[DrawnView, ...]:
+    """Strokes and outlines of the views of a layout.
+
+    Raises:
+        NoModelError: ``open-outline`` if the outline of a view does not close.
+    """
+    shapes = {role: find_shapes(sheet, box) for role, box in layout.boxes.items()}
+    rhythm = view_rhythm(list(shapes.values()), sheet.stroke_width)
+    largest = max(max(x1 - x0, y1 - y0) for x0, y0, x1, y1 in layout.boxes.values())
+    supersampling = supersampling_for(largest)
+    drawn = []
+    for role, box in layout.boxes.items():
+        strokes = classify_strokes(shapes[role], rhythm)
+        outline = find_outline(sheet, box, supersampling)
+        if outline is None:
+            raise NoModelError(
+                "open-outline",
+                "the outline of the {} view at ({:.0f}, {:.0f})-({:.0f}, {:.0f}) px is not "
+                "closed: draw its visible edges without gaps".format(role.value, *box),
+            )
+        drawn.append(DrawnView(role, view_box(strokes, outline), strokes, outline))
+    return tuple(drawn)
+
+
+def register_views(drawn: tuple[DrawnView, ...], options: ReadingOptions) -> RegisteredSheet:
+    """Bring views onto shared axes in mm.
+
+    Raises:
+        NoModelError: the views contradict each other.
+    """
+    extents = axis_extents({view.role: view.box for view in drawn})
+    scale = _scale(extents, options)
+    size = tuple(extents.extents[axis] * scale for axis in Axis)
+    placements = {view.role: placement(view.role, view.box, size) for view in drawn}
+    views = []
+    opened = 0
+    for view in drawn:
+        holes = _through_holes(view, drawn) if options.open_holes else ()
+        opened += len(holes)
+        views.append(
+            make_view(
+                view.role,
+                placements[view.role],
+                view.strokes,
+                view.outline.without(holes),
+                view.outline,
+                scale / view.outline.supersampling,
+                options.colour,
+            )
+        )
+    return RegisteredSheet(ViewSet(tuple(views), size), placements, drawn, scale, extents, opened)
+
+
+def _scale(extents: AxisExtents, options: ReadingOptions) -> float:
+    """mm per sheet px."""
+    if options.mm_per_pixel is not None:
+        return options.mm_per_pixel
+    if options.length is not None:
+        axis, length = options.length
+        return length / extents.extents[axis]
+    return DEFAULT_LONGEST_MM / max(extents.extents.values())
+
+
+def _through_holes(view: DrawnView, drawn: tuple[DrawnView, ...]) -> tuple[Region, ...]:
+    """Regions of a view that the other views prove to be through holes."""
+    others = [
+        ViewEvidence(
+            other.role,
+            other.strokes,
+            other.box,
+            other.outline.mask,
+            float(other.outline.supersampling),
+            other.outline.offset,
+        )
+        for other in drawn
+        if other.role is not view.role
+    ]
+    regions = view.outline.regions
+    interior = [index for index, region in enumerate(regions) if not _on_outline(region, view)]
+    found = []
+    for index in interior:
+        around = [_extent(regions[p], view) for p in regions[index].parents if p in interior]
+        extent = _extent(regions[index], view)
+        if is_through(view.role, extent, around, others, tolerance=2.0):
+            found.append(regions[index])
+    return tuple(found)
+
+
+def _on_outline(region: Region, view: DrawnView) -> bool:
+    """Whether a region reaches the view's own outline: then it is no hole."""
+    x, y = region.corner
+    height, width = region.mask.shape
+    depth = view.outline.depth[y : y + height, x : x + width]
+    return bool((region.mask & (depth < 2.0)).any())
+
+
+def _extent(region: Region, view: DrawnView) -> Extent:
+    """Interval of a region on the axes of its view, as fractions of the part's size."""
+    frame = view.role.frame
+    factor = view.outline.supersampling
+    ox, oy = view.outline.offset
+    x0, y0, x1, y1 = (value / factor for value in region.box)
+    bx0, by0, bx1, by1 = view.box
+    right = ((x0 + ox - bx0) / (bx1 - bx0), (x1 + ox - bx0) / (bx1 - bx0))
+    up = ((by1 - y1 - oy) / (by1 - by0), (by1 - y0 - oy) / (by1 - by0))
+    return {
+        axis: interval if sign > 0 else (1.0 - interval[1], 1.0 - interval[0])
+        for (axis, sign), interval in ((frame.right_axis, right), (frame.up_axis, up))
+    }

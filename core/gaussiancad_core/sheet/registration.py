@@ -1,0 +1,248 @@
+"""Bring the views of a sheet onto shared axes in millimetres.
+
+Each view's box runs between the centre lines of its outermost strokes.  Views that show the same
+axis are drawn to the same length; where they differ a little the mean is taken and each view is
+stretched to it, where they differ much the views do not belong together.
+"""
+
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.sheet.masks import Outline
+from gaussiancad_core.views import Arc, Linetype, Segment, Stroke, View
+
+Box = tuple[float, float, float, float]
+
+DEFAULT_LONGEST_MM = 100.0
+"""Longest edge of the bounding box when the sheet's scale is not known."""
+
+_SAME = 1.5
+"""px by which the extents of an axis may differ between views without a word."""
+
+_CONTRADICTION = 0.1
+"""Share by which they may differ at most."""
+
+_MARGIN = 4
+"""Blank mask px around the view's box."""
+
+
+@dataclass(frozen=True)
+class AxisExtents:
+    """Extent of each axis of the part in sheet px.
+
+    Attributes:
+        extents: axis -> mean over the views that show it.
+        spread: axis -> largest minus smallest.
+    """
+
+    extents: dict[Axis, float]
+    spread: dict[Axis, float]
+
+    @property
+    def disagreeing(self) -> tuple[Axis, ...]:
+        """Axes on which the views differ noticeably."""
+        return tuple(axis for axis, spread in self.spread.items() if spread > _SAME)
+
+
+@dataclass(frozen=True)
+class Placement:
+    """The affine map from sheet px to a view's plane.
+
+    Attributes:
+        box: of the view in sheet px.
+        right: (mm at the box's left edge, mm at its right edge).
+        up: (mm at the box's lower edge, mm at its upper edge).
+    """
+
+    box: Box
+    right: tuple[float, float]
+    up: tuple[float, float]
+
+    def to_plane(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        """(n, 2) sheet px -> (n, 2) mm (right, up)."""
+        x0, y0, x1, y1 = self.box
+        u = (points[:, 0] - x0) / (x1 - x0)
+        v = (y1 - points[:, 1]) / (y1 - y0)
+        return np.stack(
+            [
+                self.right[0] + u * (self.right[1] - self.right[0]),
+                self.up[0] + v * (self.up[1] - self.up[0]),
+            ],
+            axis=1,
+        )
+
+    def to_sheet(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        """(n, 2) mm (right, up) -> (n, 2) sheet px."""
+        x0, y0, x1, y1 = self.box
+        u = (points[:, 0] - self.right[0]) / (self.right[1] - self.right[0])
+        v = (points[:, 1] - self.up[0]) / (self.up[1] - self.up[0])
+        return np.stack([x0 + u * (x1 - x0), y1 - v * (y1 - y0)], axis=1)
+
+
+def view_box(strokes: tuple[Stroke, ...], outline: Outline) -> Box:
+    """The box between the centre lines of the outermost strokes.
+
+    The strokes are exact to a tenth of a px; where the outline says something else (a curve that no
+    stroke follows) it is the outline that counts.
+    """
+    rough = outline.box
+    solid = [stroke for stroke in strokes if stroke.linetype is Linetype.VISIBLE]
+    if not solid:
+        return rough
+    points = np.concatenate([_extremes(stroke) for stroke in solid])
+    low, high = points.min(0), points.max(0)
+    exact = (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
+    return tuple(e if abs(e - r) < 1.5 else r for e, r in zip(exact, rough, strict=True))
+
+
+def _extremes(stroke: Stroke) -> npt.NDArray[np.float64]:
+    if isinstance(stroke, Segment):
+        return np.array([stroke.start, stroke.end])
+    quarters = np.arange(0.0, 4 * np.pi, np.pi / 2)
+    inside = quarters[
+        (quarters >= stroke.start_angle) & (quarters <= stroke.start_angle + stroke.sweep)
+    ]
+    angles = np.concatenate([[stroke.start_angle, stroke.start_angle + stroke.sweep], inside])
+    radial = np.stack([np.cos(angles), np.sin(angles)], 1)
+    return np.array(stroke.centre) + stroke.radius * radial
+
+
+def axis_extents(boxes: dict[Role, Box]) -> AxisExtents:
+    """Extent of each axis over the views.
+
+    Raises:
+        NoModelError: ``views-contradict`` if two views show an axis with very different lengths.
+    """
+    seen: dict[Axis, dict[Role, float]] = {}
+    for role, (x0, y0, x1, y1) in boxes.items():
+        seen.setdefault(role.frame.right_axis[0], {})[role] = x1 - x0
+        seen.setdefault(role.frame.up_axis[0], {})[role] = y1 - y0
+    missing = [axis.name for axis in Axis if axis not in seen]
+    if missing:
+        raise NoModelError(
+            "views-parallel",
+            f"the views show nothing of the {missing[0]} axis: two orthogonal views are needed",
+        )
+    for axis, by_role in seen.items():
+        longest, shortest = max(by_role.values()), min(by_role.values())
+        if longest - shortest > max(_CONTRADICTION * longest, 3.0):
+            told = ", ".join(f"{role.value} {px:.0f} px" for role, px in by_role.items())
+            raise NoModelError(
+                "views-contradict",
+                f"the views disagree about the part's extent along {axis.name} ({told}): "
+                "check that they show one part at one scale, or name them with --view",
+            )
+    extents = {axis: float(np.mean(list(seen[axis].values()))) for axis in Axis}
+    spread = {axis: max(seen[axis].values()) - min(seen[axis].values()) for axis in Axis}
+    return AxisExtents(extents, spread)
+
+
+def placement(role: Role, box: Box, size: tuple[float, float, float]) -> Placement:
+    """Where a view's box lies in its plane, for a part of a size in mm."""
+
+    def interval(axis: Axis, sign: int) -> tuple[float, float]:
+        extent = size[axis.value]
+        return (0.0, extent) if sign > 0 else (-extent, 0.0)
+
+    return Placement(box, interval(*role.frame.right_axis), interval(*role.frame.up_axis))
+
+
+def strokes_in_plane(strokes: tuple[Stroke, ...], place: Placement) -> tuple[Stroke, ...]:
+    """Strokes in sheet px (y down) -> strokes in mm (right, up)."""
+    x0, y0, x1, y1 = place.box
+    scale = (place.right[1] - place.right[0]) / (x1 - x0) + (place.up[1] - place.up[0]) / (y1 - y0)
+
+    def moved(point: tuple[float, float]) -> tuple[float, float]:
+        right, up = place.to_plane(np.array([point]))[0]
+        return float(right), float(up)
+
+    placed: list[Stroke] = []
+    for stroke in strokes:
+        if isinstance(stroke, Segment):
+            placed.append(replace(stroke, start=moved(stroke.start), end=moved(stroke.end)))
+            continue
+        # The sheet's y runs down: angles change sign and the arc starts at its other end.
+        start = -(stroke.start_angle + stroke.sweep) % (2 * np.pi)
+        placed.append(
+            Arc(
+                moved(stroke.centre),
+                stroke.radius * scale / 2,
+                float(start),
+                stroke.sweep,
+                stroke.linetype,
+                stroke.confidence,
+            )
+        )
+    return tuple(placed)
+
+
+def make_view(
+    role: Role,
+    place: Placement,
+    strokes: tuple[Stroke, ...],
+    depth: npt.NDArray[np.float32],
+    outline: Outline,
+    mm_per_pixel: float,
+    colour: tuple[int, int, int],
+) -> View:
+    """A view on the shared grid: mask resampled, colourised.
+
+    Args:
+        role: of the view.
+        place: its box in the plane.
+        strokes: in sheet px.
+        depth: (h, w) mask px inside the material, on the outline's grid.
+        outline: gives the grid of ``depth``.
+        mm_per_pixel: of the view's mask.
+        colour: RGB of the part.
+    """
+    width = int(np.ceil((place.right[1] - place.right[0]) / mm_per_pixel)) + 2 * _MARGIN
+    height = int(np.ceil((place.up[1] - place.up[0]) / mm_per_pixel)) + 2 * _MARGIN
+    origin = (
+        place.right[0] - _MARGIN * mm_per_pixel,
+        place.up[1] + _MARGIN * mm_per_pixel,
+    )
+    corners = np.array([[0.5, 0.5], [width - 0.5, 0.5], [0.5, height - 0.5]])
+    plane = np.array(origin) + corners * np.array([mm_per_pixel, -mm_per_pixel])
+    sheet = place.to_sheet(plane)
+    source = (sheet - np.array(outline.offset)) * outline.supersampling - 0.5
+    affine = cv2.getAffineTransform((corners - 0.5).astype(np.float32), source.astype(np.float32))
+    resampled = cv2.warpAffine(
+        depth,
+        affine,
+        (width, height),
+        flags=cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP,
+        borderMode=cv2.BORDER_CONSTANT,
+        borderValue=-1.0,
+    )
+    view = View(
+        role,
+        place.box,
+        strokes_in_plane(strokes, place),
+        resampled > 0,
+        np.full((height, width, 3), 255, np.uint8),
+        origin,
+        mm_per_pixel,
+    )
+    return replace(view, colour=colourise(view, colour))
+
+
+def colourise(view: View, colour: tuple[int, int, int]) -> npt.NDArray[np.uint8]:
+    """(h, w, 3) uint8 RGB: one colour inside the mask, the visible strokes dark, the rest white."""
+    image = np.full((*view.mask.shape, 3), 255, np.uint8)
+    image[view.mask] = colour
+    dark = tuple(int(0.25 * channel) for channel in colour)
+    thickness = max(1, round(max(view.mask.shape) / 300))
+    for stroke in view.strokes:
+        if stroke.linetype is Linetype.VISIBLE:
+            points = view.to_pixels(stroke.sample(view.mm_per_pixel)) - 0.5
+            path = np.rint(points * 16).astype(np.int32)
+            cv2.polylines(image, [path], False, dark, thickness, cv2.LINE_AA, 4)
+    # Half of the outline's strokes lies outside of the part.
+    image[~view.mask] = 255
+    return image

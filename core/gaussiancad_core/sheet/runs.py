@@ -1,0 +1,241 @@
+"""Runs of ink under a shape decide whether it is drawn solid or dashed.
+
+Along each line or circle the ink is cut into runs.  The sheet's own rhythm (median dash and gap) is
+learnt from shapes with several equal runs; then a run much longer than a dash is visible, a series
+of dashes is one hidden stroke, and a lone short run is visible if it ends at other strokes.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.shapes import Circle, Line, sample
+from gaussiancad_core.views import Linetype
+
+Floats = npt.NDArray[np.float64]
+
+STEP = 0.5
+"""Distance in px between the places at which a shape is looked at."""
+
+_MAX_TURN = np.cos(np.radians(16.0))
+"""Ink that runs in a direction further from the shape's than this belongs to another shape."""
+
+
+@dataclass(frozen=True)
+class Run:
+    """An unbroken piece of ink along a shape, from ``start`` to ``end`` in px of arc length."""
+
+    start: float
+    end: float
+
+    @property
+    def length(self) -> float:
+        """Extent in px."""
+        return self.end - self.start
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A stretch of a shape with one linetype."""
+
+    start: float
+    end: float
+    linetype: Linetype
+    confidence: float
+
+
+@dataclass(frozen=True)
+class Rhythm:
+    """A sheet's dashes: median length of a dash and of a gap in px."""
+
+    dash: float
+    gap: float
+
+
+@dataclass(frozen=True)
+class InkField:
+    """The ink of a sheet with the direction in which it runs.
+
+    Attributes:
+        weight: (h, w) float32 0..1.
+        double_angle: (h, w, 2) float32, cos and sin of twice the strokes' direction times how
+            clearly the ink has one.
+        stroke_width: px.
+    """
+
+    weight: npt.NDArray[np.float32]
+    double_angle: npt.NDArray[np.float32]
+    stroke_width: float
+
+
+def ink_field(sheet: CleanSheet) -> InkField:
+    """Strokes' directions by the structure tensor of the ink."""
+    smooth = cv2.GaussianBlur(sheet.weight, (0, 0), 0.8)
+    gx = cv2.Sobel(smooth, cv2.CV_32F, 1, 0)
+    gy = cv2.Sobel(smooth, cv2.CV_32F, 0, 1)
+    sigma = max(1.2, 0.7 * sheet.stroke_width)
+    # The stroke runs across the gradient, hence the minus signs.
+    cosine = -cv2.GaussianBlur(gx * gx - gy * gy, (0, 0), sigma)
+    sine = -cv2.GaussianBlur(2 * gx * gy, (0, 0), sigma)
+    energy = cv2.GaussianBlur(gx * gx + gy * gy, (0, 0), sigma) + 1e-6
+    return InkField(sheet.weight, np.dstack([cosine / energy, sine / energy]), sheet.stroke_width)
+
+
+def line_runs(field: InkField, line: Line, start: float, end: float) -> list[Run]:
+    """Runs of ink along a line between two positions."""
+    along = np.arange(start, end + STEP, STEP)
+    points = np.array(line.point) + along[:, None] * np.array(line.direction)
+    directions = np.broadcast_to(np.array(line.direction), points.shape)
+    return _runs(field, points, directions, along)
+
+
+def circle_runs(field: InkField, circle: Circle) -> list[Run]:
+    """Runs of ink around a circle, in px of arc length from angle 0; a run that crosses angle 0
+    ends beyond the circumference."""
+    circumference = 2 * np.pi * circle.radius
+    count = max(16, int(np.ceil(circumference / STEP)))
+    angles = np.arange(count) * (2 * np.pi / count)
+    radial = np.stack([np.cos(angles), np.sin(angles)], 1)
+    tangents = np.stack([-radial[:, 1], radial[:, 0]], 1)
+    points = np.array(circle.centre) + circle.radius * radial
+    runs = _runs(field, points, tangents, angles * circle.radius)
+    return _join_around(runs, circumference)
+
+
+def _join_around(runs: list[Run], circumference: float) -> list[Run]:
+    if len(runs) < 2:
+        return runs
+    first, last = runs[0], runs[-1]
+    if first.start + circumference - last.end > 2 * STEP:
+        return runs
+    return [*runs[1:-1], Run(last.start, first.end + circumference)]
+
+
+def _runs(field: InkField, points: Floats, directions: Floats, along: Floats) -> list[Run]:
+    """Cut a path into runs; ``directions`` are (n, 2) unit tangents of the path."""
+    normals = np.stack([-directions[:, 1], directions[:, 0]], 1)
+    offsets = np.array([-0.6, 0.0, 0.6])
+    xs = points[:, :1] + normals[:, :1] * offsets
+    ys = points[:, 1:] + normals[:, 1:] * offsets
+    inked = sample(field.weight, xs, ys).max(1) > 0.45
+    cosine = sample(field.double_angle[..., 0].copy(), xs[:, 1:2], ys[:, 1:2])[:, 0]
+    sine = sample(field.double_angle[..., 1].copy(), xs[:, 1:2], ys[:, 1:2])[:, 0]
+    double = np.arctan2(directions[:, 1], directions[:, 0]) * 2
+    agreement = cosine * np.cos(double) + sine * np.sin(double)
+    strength = np.hypot(cosine, sine)
+    # cos of twice the angle between them; ends of dashes and crossings have no clear direction.
+    clear = strength > 0.45
+    foreign = clear & (agreement <= (2 * _MAX_TURN**2 - 1) * strength)
+    own = clear & ~foreign
+    runs = []
+    for first, last in _spans(inked):
+        length = (last - first) * STEP
+        crossed = foreign[first : last + 1].mean() > 0.4
+        vague = own[first : last + 1].sum() * STEP < 1.5 and length < 1.2 * field.stroke_width
+        if crossed or vague:
+            continue
+        runs.append(Run(float(along[first]), float(along[last])))
+    return _close_gaps(runs, 1.6)
+
+
+def _spans(flags: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """First and last index of each stretch of True."""
+    padded = np.concatenate([[False], flags, [False]]).astype(np.int8)
+    edges = np.flatnonzero(np.diff(padded))
+    return [(int(a), int(b) - 1) for a, b in zip(edges[::2], edges[1::2], strict=True)]
+
+
+def _close_gaps(runs: list[Run], gap: float) -> list[Run]:
+    closed: list[Run] = []
+    for run in runs:
+        if closed and run.start - closed[-1].end <= gap:
+            closed[-1] = Run(closed[-1].start, run.end)
+        else:
+            closed.append(run)
+    return closed
+
+
+def learn_rhythm(series: Sequence[list[Run]], stroke_width: float) -> Rhythm:
+    """Dash and gap of a sheet from the runs of all its shapes.
+
+    A shape counts if it has three runs or more in a row whose inner ones are of one length.
+    """
+    dashes: list[float] = []
+    gaps: list[float] = []
+    for runs in series:
+        for before, run, after in zip(runs, runs[1:], runs[2:], strict=False):
+            spaces = (run.start - before.end, after.start - run.end)
+            even = abs(spaces[0] - spaces[1]) < max(2.0, 0.35 * max(spaces))
+            if even and max(spaces) < 2.5 * run.length and run.length > 1.2 * stroke_width:
+                dashes.append(run.length)
+                gaps.extend(spaces)
+    if len(dashes) < 3:
+        return Rhythm(4.0 * stroke_width + 2.0, 2.0 * stroke_width + 1.0)
+    # Solid strokes between two others look like dashes too, but seldom of one length.
+    typical = float(np.median(dashes))
+    return Rhythm(typical, float(np.median(gaps)))
+
+
+def classify(runs: list[Run], rhythm: Rhythm, touches: Sequence[tuple[bool, bool]]) -> list[Piece]:
+    """Visible and hidden pieces of a shape.
+
+    Args:
+        runs: in order along the shape.
+        rhythm: of the sheet.
+        touches: for each run whether its start and its end lie on another stroke.
+    """
+    longest_dash = 1.75 * rhythm.dash
+    widest_gap = min(2.2 * rhythm.gap + 2.0, 4.0 * rhythm.gap)
+    pieces: list[Piece] = []
+    group: list[int] = []
+
+    def close_group() -> None:
+        if group:
+            pieces.append(_short_piece(runs, group, rhythm, touches))
+            group.clear()
+
+    for index, run in enumerate(runs):
+        if run.length > longest_dash:
+            close_group()
+            sure = min(1.0, 0.5 + (run.length / longest_dash - 1.0))
+            pieces.append(Piece(run.start, run.end, Linetype.VISIBLE, sure))
+            continue
+        if group and run.start - runs[group[-1]].end > widest_gap:
+            close_group()
+        group.append(index)
+    close_group()
+    return _extend_hidden(pieces, 1.8 * rhythm.gap + 1.0)
+
+
+def _short_piece(
+    runs: list[Run], group: list[int], rhythm: Rhythm, touches: Sequence[tuple[bool, bool]]
+) -> Piece:
+    start, end = runs[group[0]].start, runs[group[-1]].end
+    if len(group) >= 2:
+        sure = min(1.0, 0.6 + 0.15 * (len(group) - 1))
+        return Piece(start, end, Linetype.HIDDEN, sure)
+    bounded = all(touches[group[0]])
+    if not bounded:
+        return Piece(start, end, Linetype.HIDDEN, 0.5)
+    # A hidden line no longer than a dash is drawn as one dash: told apart only by the odds.
+    typical = abs(end - start - rhythm.dash) < 0.25 * rhythm.dash
+    return Piece(start, end, Linetype.VISIBLE, 0.5 if typical else 0.7)
+
+
+def _extend_hidden(pieces: list[Piece], reach: float) -> list[Piece]:
+    """Let a dashed piece end where the solid piece beside it starts."""
+    extended = list(pieces)
+    for index, piece in enumerate(pieces):
+        if piece.linetype is not Linetype.HIDDEN:
+            continue
+        start, end = piece.start, piece.end
+        if index and 0 < start - pieces[index - 1].end <= reach:
+            start = pieces[index - 1].end
+        if index + 1 < len(pieces) and 0 < pieces[index + 1].start - end <= reach:
+            end = pieces[index + 1].start
+        extended[index] = Piece(start, end, piece.linetype, piece.confidence)
+    return extended

@@ -1,0 +1,147 @@
+"""Which blank regions of a view are through holes: the hidden lines of the other views tell.
+
+The walls of a through hole show in each view beside as a line at either end of the hole's extent,
+over the whole depth of the material.  Where a wider hole leads into it (a counterbore), that hole's
+hidden lines cover the rest of the depth.  This is evidence, not proof: rows of holes can lend each
+other their lines.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.views import Arc, Linetype, Stroke
+
+_COVERED = 0.94
+"""Share of the material's depth that a hole's walls must show."""
+
+_STEP = 0.5
+"""Spacing in px of the samples along the depth."""
+
+
+@dataclass(frozen=True)
+class ViewEvidence:
+    """What a view beside shows.
+
+    Attributes:
+        role: of the view.
+        strokes: in px of its sheet, y down.
+        box: (x0, y0, x1, y1) sheet px of the view.
+        mask: (h, w) bool of its filled outline.
+        mask_scale: mask px per sheet px.
+        mask_offset: (x, y) sheet px of the mask's corner.
+    """
+
+    role: Role
+    strokes: tuple[Stroke, ...]
+    box: tuple[float, float, float, float]
+    mask: npt.NDArray[np.bool_]
+    mask_scale: float
+    mask_offset: tuple[float, float]
+
+
+Extent = dict[Axis, tuple[float, float]]
+"""Interval of a region on each axis of its view, as fractions 0..1 of the part's size."""
+
+
+def is_through(
+    role: Role, extent: Extent, around: list[Extent], others: list[ViewEvidence], tolerance: float
+) -> bool:
+    """Whether a region of a view is a through hole.
+
+    Args:
+        role: the view that shows the region.
+        extent: of the region.
+        around: extents of the interior regions around it, innermost first.
+        others: the other views.
+        tolerance: px by which lines may be off.
+    """
+    depth_axis = role.frame.look_axis[0]
+    seen_from = [
+        view
+        for view in others
+        if depth_axis in (view.role.frame.right_axis[0], view.role.frame.up_axis[0])
+    ]
+    if not seen_from:
+        return False
+    hidden_somewhere = False
+    for view in seen_from:
+        shared = _shared_axis(view.role, depth_axis)
+        for side in (0, 1):
+            walls = _wall_samples(view, shared, extent[shared][side], tolerance)
+            material = walls.material
+            covered = walls.hidden | walls.visible
+            hidden_somewhere |= walls.hidden[material].mean() > 0.4 if material.any() else False
+            for outer in around:
+                wider = _wall_samples(view, shared, outer[shared][side], tolerance)
+                covered = covered | wider.hidden
+            if not material.any() or covered[material].mean() < _COVERED:
+                return False
+    return hidden_somewhere
+
+
+def _shared_axis(role: Role, depth_axis: Axis) -> Axis:
+    axes = role.frame.right_axis[0], role.frame.up_axis[0]
+    return axes[1] if axes[0] is depth_axis else axes[0]
+
+
+@dataclass(frozen=True)
+class _Walls:
+    """(n,) bool samples along the depth of a view at one position of the shared axis."""
+
+    material: npt.NDArray[np.bool_]
+    hidden: npt.NDArray[np.bool_]
+    visible: npt.NDArray[np.bool_]
+
+
+def _wall_samples(view: ViewEvidence, shared: Axis, fraction: float, tolerance: float) -> _Walls:
+    """Material and lines in a view along the depth, at a fraction of the shared axis."""
+    frame = view.role.frame
+    x0, y0, x1, y1 = view.box
+    horizontal = frame.right_axis[0] is shared
+    sign = frame.right_axis[1] if horizontal else frame.up_axis[1]
+    low, high = (x0, x1) if horizontal else (y1, y0)
+    along = fraction if sign > 0 else 1.0 - fraction
+    position = low + along * (high - low)
+    start, end = (y0, y1) if horizontal else (x0, x1)
+    depth = np.arange(start, end + _STEP, _STEP)
+    xs = np.full_like(depth, position) if horizontal else depth
+    ys = depth if horizontal else np.full_like(depth, position)
+    hidden = np.zeros(len(depth), bool)
+    visible = np.zeros(len(depth), bool)
+    for stroke in view.strokes:
+        near = _near(stroke, depth, position, horizontal, tolerance)
+        if stroke.linetype is Linetype.HIDDEN:
+            hidden |= near
+        else:
+            visible |= near
+    return _Walls(_material(view, xs, ys), hidden, visible)
+
+
+def _near(
+    stroke: Stroke, depth: npt.NDArray[np.float64], position: float, horizontal: bool, slack: float
+) -> npt.NDArray[np.bool_]:
+    """Which samples lie on a straight stroke along the depth."""
+    if isinstance(stroke, Arc):
+        return np.zeros(len(depth), bool)
+    across = (0, 1) if horizontal else (1, 0)
+    ends = (stroke.start, stroke.end)
+    if any(abs(end[across[0]] - position) > slack for end in ends):
+        return np.zeros(len(depth), bool)
+    low, high = sorted(end[across[1]] for end in ends)
+    return (depth >= low - slack) & (depth <= high + slack)
+
+
+def _material(
+    view: ViewEvidence, xs: npt.NDArray[np.float64], ys: npt.NDArray[np.float64]
+) -> npt.NDArray[np.bool_]:
+    """Whether the view's outline covers sheet points."""
+    columns = np.floor((xs - view.mask_offset[0]) * view.mask_scale).astype(int)
+    rows = np.floor((ys - view.mask_offset[1]) * view.mask_scale).astype(int)
+    height, width = view.mask.shape
+    inside = (columns >= 0) & (columns < width) & (rows >= 0) & (rows < height)
+    result = np.zeros(len(xs), bool)
+    result[inside] = view.mask[rows[inside], columns[inside]]
+    return result
