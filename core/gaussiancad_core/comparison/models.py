@@ -1,0 +1,147 @@
+"""Models on disk: exact solids (STEP, BREP) and triangle meshes (STL, PLY, OBJ), all as a mesh."""
+
+import io
+from enum import Enum
+from pathlib import Path
+
+import numpy as np
+
+from gaussiancad_core.errors import UnreadableError
+from gaussiancad_core.meshes import TriangleMesh, make_mesh
+
+_DEFLECTION_SHARE = 5e-5
+"""Largest distance of a tessellation from its exact surface, as a share of the longest edge."""
+
+_LARGEST_FILE = 2**30
+
+
+class ModelFormat(Enum):
+    """Formats that can be compared; the values are the suffixes, in lower case."""
+
+    STEP = (".step", ".stp")
+    BREP = (".brep", ".brp")
+    STL = (".stl",)
+    PLY = (".ply",)
+    OBJ = (".obj",)
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether the format holds exact surfaces instead of triangles."""
+        return self in (ModelFormat.STEP, ModelFormat.BREP)
+
+
+def format_of(path: Path) -> ModelFormat:
+    """The format that a file's suffix names.
+
+    Raises:
+        UnreadableError: ``model-format-unknown``.
+    """
+    suffix = path.suffix.lower()
+    for model_format in ModelFormat:
+        if suffix in model_format.value:
+            return model_format
+    known = ", ".join(suffix for each in ModelFormat for suffix in each.value)
+    raise UnreadableError(
+        "model-format-unknown", f"{path} has no suffix of a known model format: use one of {known}"
+    )
+
+
+def load_model(path: Path) -> TriangleMesh:
+    """Read a model as a welded mesh in the file's millimetres, oriented outward.
+
+    Exact solids are tessellated to within 5e-5 of their longest edge.  STEP states its unit and is
+    converted; the mesh formats have none and are taken as they are.
+
+    Raises:
+        UnreadableError: ``file-missing``, ``file-not-readable``, ``file-too-large``,
+            ``empty-file``, ``model-format-unknown``, ``not-a-solid``, ``file-damaged`` (exact
+            formats), ``not-a-model`` (mesh formats), ``point-cloud``, ``empty-model``.
+    """
+    model_format = format_of(path)
+    mesh = _tessellated(path) if model_format.is_exact else _parsed(path, model_format)
+    mesh = _welded(mesh)
+    extent = np.ptp(mesh.vertices, axis=0).max() if len(mesh.triangles) else 0.0
+    if not np.isfinite(mesh.vertices).all() or not np.isfinite(extent):
+        raise UnreadableError(
+            "not-a-model", f"{path} holds coordinates that are not numbers: export the model again"
+        )
+    if extent <= 0.0 or mesh.area <= 0.0:
+        raise UnreadableError(
+            "empty-model", f"{path} holds no surface: export the model with its faces"
+        )
+    return mesh.oriented_outward()
+
+
+def _tessellated(path: Path) -> TriangleMesh:
+    from gaussiancad_core.drawing.brep import bounding_box, read_solid, tessellate
+
+    shape = read_solid(path)
+    longest = float(np.ptp(bounding_box(shape), axis=0).max())
+    return make_mesh(*tessellate(shape, _DEFLECTION_SHARE * longest, 0.2))
+
+
+def _parsed(path: Path, model_format: ModelFormat) -> TriangleMesh:
+    import trimesh
+
+    content = _read(path)
+    try:
+        # From memory there is no folder beside it, so that materials and textures stay unread.
+        model = trimesh.load(
+            io.BytesIO(content),
+            file_type=model_format.value[0][1:],
+            process=False,
+            skip_materials=True,
+        )
+        mesh = model.to_mesh() if isinstance(model, trimesh.Scene) else model
+    except Exception as error:
+        # The parsers raise whatever their arithmetic meets in a damaged file.
+        raise _not_a_model(path, model_format) from error
+    if isinstance(mesh, trimesh.PointCloud):
+        raise UnreadableError(
+            "point-cloud", f"{path} holds points without faces: make a surface of them first"
+        )
+    if not isinstance(mesh, trimesh.Trimesh) or not len(mesh.vertices):
+        raise _not_a_model(path, model_format)
+    if not len(mesh.faces):
+        raise UnreadableError(
+            "empty-model", f"{path} holds no triangles: export the model with its faces"
+        )
+    if mesh.faces.min() < 0 or mesh.faces.max() >= len(mesh.vertices):
+        raise _not_a_model(path, model_format)
+    return make_mesh(mesh.vertices, mesh.faces)
+
+
+def _read(path: Path) -> bytes:
+    try:
+        if path.stat().st_size > _LARGEST_FILE:
+            raise UnreadableError(
+                "file-too-large", f"{path} is larger than 1 GiB: export it with fewer triangles"
+            )
+        content = path.read_bytes()
+    except FileNotFoundError as error:
+        raise UnreadableError("file-missing", f"{path} does not exist: check the path") from error
+    except UnreadableError:
+        raise
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise UnreadableError(
+            "file-not-readable", f"cannot read {path} ({reason}): check what and whose it is"
+        ) from error
+    if not content.strip():
+        raise UnreadableError("empty-file", f"{path} is empty: export the model again")
+    return content
+
+
+def _not_a_model(path: Path, model_format: ModelFormat) -> UnreadableError:
+    return UnreadableError(
+        "not-a-model",
+        f"{path} is damaged or no {model_format.name} file: export the model again",
+    )
+
+
+def _welded(mesh: TriangleMesh) -> TriangleMesh:
+    """Equal points become one vertex; triangles that collapse are dropped."""
+    vertices, inverse = np.unique(mesh.vertices, axis=0, return_inverse=True)
+    triangles = inverse.reshape(-1)[mesh.triangles]
+    following = np.roll(triangles, -1, axis=1)
+    return make_mesh(vertices, triangles[(triangles != following).all(axis=1)]).compacted()

@@ -1,0 +1,115 @@
+"""Whole comparisons of files."""
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
+
+from gaussiancad_core.comparison.command import (
+    COMPARISON_FILES,
+    compare_files,
+    compare_meshes,
+)
+from gaussiancad_core.comparison.distances import IouMethod
+from gaussiancad_core.comparison.normalise import moved_points, scale_of
+from gaussiancad_core.comparison.registration import axis_rotations
+from gaussiancad_core.comparison.report import comparison_dict, comparison_text
+from gaussiancad_core.drawing.brep import write_step
+from gaussiancad_core.errors import UnreadableError, UsageError
+from gaussiancad_core.meshes import TriangleMesh, make_mesh
+
+
+def test_a_model_equals_itself(bracket: TriangleMesh) -> None:
+    found, deviation = compare_meshes(bracket, bracket)
+    assert found.point_to_surface == pytest.approx(0.0, abs=1e-6)
+    assert found.volume_iou.value == pytest.approx(1.0, abs=1e-9)
+    assert found.volume_iou.method is IouMethod.BOOLEAN
+    assert found.matrix == pytest.approx(np.eye(4), abs=1e-12)
+    assert found.distances.chamfer == pytest.approx(found.floor.chamfer, rel=0.03)
+    assert found.distances.emd == pytest.approx(found.floor.emd, rel=0.15)
+    assert not found.mirrored
+    assert np.abs(deviation.distances).max() < 1e-3
+
+
+def test_the_matrix_maps_file_to_file(bracket: TriangleMesh) -> None:
+    """Turned, shrunk and moved away: the matrix brings every vertex back."""
+    turn = axis_rotations()[13]
+    moved = make_mesh(bracket.vertices @ turn.T * 0.25 + [100, -50, 7], bracket.triangles)
+    found, deviation = compare_meshes(moved, bracket, points=2000)
+    assert moved_points(moved.vertices, found.matrix) == pytest.approx(bracket.vertices, abs=1e-9)
+    assert scale_of(found.matrix) == pytest.approx(4.0)
+    assert found.unit_mm == pytest.approx(8.0)
+    assert deviation.mesh.bounds == pytest.approx(bracket.bounds, abs=1e-6)
+
+
+def test_a_box_against_one_twice_as_long(box: Callable[..., TriangleMesh]) -> None:
+    """In the 5-unit box: 5 x 2.5 x 2.5 against a cube of 5; one fits into the other."""
+    found, _ = compare_meshes(box(20, 10, 10), box(10, 10, 10), points=4000)
+    assert found.volume_iou.value == pytest.approx(0.25)
+    assert found.distances.hausdorff == pytest.approx(1.25 * np.sqrt(2), abs=0.1)
+    assert scale_of(found.matrix) == pytest.approx(0.5)
+
+
+def test_same_seed_same_numbers(bracket: TriangleMesh, box: Callable[..., TriangleMesh]) -> None:
+    pairs = [compare_meshes(box(40, 30, 20), bracket, 1000, seed)[0] for seed in (3, 3, 4)]
+    assert comparison_dict(pairs[0]) == comparison_dict(pairs[1])
+    assert pairs[0].distances.chamfer != pairs[2].distances.chamfer
+
+
+def test_files_are_written_as_promised(bracket: TriangleMesh, tmp_path: Path) -> None:
+    solid, mesh = tmp_path / "Klotz ä.STEP", tmp_path / "part.stl"
+    write_step(BRepPrimAPI_MakeBox(40.0, 30.0, 20.0).Shape(), solid)
+    bracket.to_trimesh().export(mesh)
+    output = tmp_path / "out put"
+    found = compare_files(mesh, solid, output, points=1000, seed=5)
+    assert {path.name for path in output.iterdir()} <= set(COMPARISON_FILES)
+    report = json.loads((output / "comparison.json").read_text("utf-8"))
+    assert report == json.loads(json.dumps(comparison_dict(found)))
+    assert report["schema"] == 1
+    assert (report["points"], report["seed"]) == (1000, 5)
+    assert set(report["floor"]) == {"chamfer", "hausdorff", "emd"}
+    assert np.array(report["registration"]["matrix"]).shape == (4, 4)
+    assert report["registration"]["mirrored"] is False
+    assert report["volume_iou"] == pytest.approx(bracket.volume / 24000, abs=0.02)
+    assert (output / "deviation.ply").read_bytes().startswith(b"ply\n")
+
+
+def test_a_failed_comparison_leaves_nothing(bracket: TriangleMesh, tmp_path: Path) -> None:
+    mesh = tmp_path / "part.stl"
+    bracket.to_trimesh().export(mesh)
+    with pytest.raises(UnreadableError):
+        compare_files(mesh, tmp_path / "gone.step", tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("points", "seed", "code"),
+    [
+        (10, 0, "points-out-of-range"),
+        (10**7, 0, "points-out-of-range"),
+        (1000, -1, "seed-negative"),
+    ],
+)
+def test_wrong_options(tmp_path: Path, points: int, seed: int, code: str) -> None:
+    with pytest.raises(UsageError) as caught:
+        compare_files(tmp_path / "a.stl", tmp_path / "b.stl", None, points, seed)
+    assert caught.value.code == code
+
+
+def test_the_text_holds_the_numbers(bracket: TriangleMesh) -> None:
+    found, _ = compare_meshes(bracket, bracket, points=500)
+    text = comparison_text(found)
+    for name in (
+        "chamfer",
+        "hausdorff",
+        "emd",
+        "point to surface",
+        "volume IoU",
+        "500 points",
+    ):
+        assert name in text
+    assert f"{found.distances.chamfer:.4f}" in text
+    assert "mirror" not in text

@@ -1,0 +1,49 @@
+"""Nearest points and enclosure of one surface."""
+
+import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from gaussiancad_core.comparison.queries import SurfaceQueries
+from gaussiancad_core.meshes import TriangleMesh, make_mesh
+
+_COORDINATE = st.floats(-3.0, 3.0, allow_nan=False, width=32)
+
+
+def _box_distance(point: np.ndarray, half: float) -> float:
+    """Distance of a point from the surface of a cube about the origin."""
+    outside = np.maximum(np.abs(point) - half, 0.0)
+    if outside.any():
+        return float(np.linalg.norm(outside))
+    return float((half - np.abs(point)).min())
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.lists(st.tuples(_COORDINATE, _COORDINATE, _COORDINATE), min_size=1, max_size=20))
+def test_distances_from_a_cube_are_exact(
+    points: list[tuple[float, float, float]],
+) -> None:
+    import trimesh
+
+    cube = trimesh.creation.box((2, 2, 2))
+    surface = SurfaceQueries(make_mesh(cube.vertices, cube.faces))
+    array = np.array(points)
+    expected = np.array([_box_distance(point, 1.0) for point in array])
+    nearest = surface.nearest(array)
+    assert np.allclose(nearest.distances, expected, atol=1e-12)
+    assert np.allclose(np.linalg.norm(nearest.points - array, axis=1), expected, atol=1e-12)
+    assert np.allclose(surface.distances(array), expected, atol=1e-5)
+
+
+def test_inside_agrees_with_the_box(unit_cube: TriangleMesh) -> None:
+    points = np.random.default_rng(3).uniform(-0.5, 1.5, (5000, 3))
+    expected = ((points > 0) & (points < 1)).all(axis=1)
+    assert (SurfaceQueries(unit_cube).inside(points) == expected).all()
+
+
+def test_inside_bears_a_missing_triangle(unit_cube: TriangleMesh) -> None:
+    open_cube = make_mesh(unit_cube.vertices, unit_cube.triangles[:-1])
+    points = np.random.default_rng(3).uniform(-0.5, 1.5, (5000, 3))
+    expected = ((points > 0) & (points < 1)).all(axis=1)
+    agreed = (SurfaceQueries(open_cube).inside(points) == expected).mean()
+    assert agreed > 0.97
