@@ -1,0 +1,1 @@
+"""From a solid to its lines, and from the lines to a sheet of views."""

@@ -1,0 +1,127 @@
+"""What a solid's edges are: sharp, smooth, or a silhouette in a given direction.
+
+A smooth edge (a fillet's border, a cylinder's seam) is no line of a drawing, unless the surface
+turns away from the viewer exactly there.  Which it is follows from the outward normals at both
+sides and the look direction, not from the flags of a hidden-line algorithm.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+from OCP.BRep import BRep_Tool
+from OCP.BRepAdaptor import BRepAdaptor_Curve, BRepAdaptor_Curve2d, BRepAdaptor_Surface
+from OCP.Geom import Geom_Curve
+from OCP.GeomAbs import GeomAbs_SurfaceType
+from OCP.gp import gp_Pnt, gp_Vec
+from OCP.TopAbs import TopAbs_Orientation, TopAbs_ShapeEnum
+from OCP.TopLoc import TopLoc_Location
+from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
+
+from gaussiancad_core.drawing.brep import ShapeTable, explore, faces_of
+
+SMOOTH_ANGLE = 0.01
+"""Radians between the normals of both sides under which an edge is smooth."""
+
+GRAZING = 1e-4
+"""Largest |normal . look| along an edge that counts as a silhouette."""
+
+_SAMPLES = np.array([0.07, 0.29, 0.5, 0.71, 0.93])
+
+
+@dataclass(frozen=True)
+class EdgeFacts:
+    """One edge of a solid.
+
+    Attributes:
+        edge: the edge.
+        curve: its 3D curve, without the edge's location.
+        first, last: parameter range on the curve.
+        normals: (sides, k, 3) outward unit normals of the faces along the edge; NaN where a
+            surface has none (a cone's apex).
+        smooth: the normals of both sides agree all along.
+        curved: at least one side is no plane.
+        seam: both sides are the same face.
+    """
+
+    edge: TopoDS_Edge
+    curve: Geom_Curve
+    first: float
+    last: float
+    normals: npt.NDArray[np.float64]
+    smooth: bool
+    curved: bool
+    seam: bool
+
+    def silhouette(self, look: npt.NDArray[np.float64]) -> bool:
+        """Whether a smooth edge is where the surface turns away from the viewer."""
+        grazing = bool(np.nanmax(np.abs(self.normals @ look)) < GRAZING)
+        return self.smooth and self.curved and grazing
+
+
+def edge_facts(shape: TopoDS_Shape) -> list[EdgeFacts]:
+    """The facts of every edge that has a 3D curve."""
+    table = ShapeTable()
+    sides: list[list[TopoDS_Face]] = []
+    for face in faces_of(shape):
+        for edge in explore(face, TopAbs_ShapeEnum.TopAbs_EDGE):
+            number = table.number(edge)
+            if number == len(sides):
+                sides.append([])
+            sides[number].append(face)
+    facts = []
+    for shape_edge, faces in zip(table.shapes, sides, strict=True):
+        edge = TopoDS.Edge(shape_edge)
+        if not BRep_Tool.Degenerated_s(edge):
+            facts.append(_facts(edge, faces))
+    return facts
+
+
+def _facts(edge: TopoDS_Edge, faces: list[TopoDS_Face]) -> EdgeFacts:
+    curve = raw_curve(edge)
+    adaptor = BRepAdaptor_Curve(edge)
+    normals = np.array([_normals_along(edge, face) for face in faces])
+    planes = [
+        BRepAdaptor_Surface(face).GetType() == GeomAbs_SurfaceType.GeomAbs_Plane
+        for face in faces
+    ]
+    smooth = len(faces) == 2 and _parallel(normals[0], normals[1])
+    seam = len(faces) == 2 and faces[0].IsSame(faces[1])
+    return EdgeFacts(
+        edge,
+        curve,
+        adaptor.FirstParameter(),
+        adaptor.LastParameter(),
+        normals,
+        smooth,
+        not all(planes),
+        seam,
+    )
+
+
+def raw_curve(edge: TopoDS_Edge) -> Geom_Curve:
+    """The edge's 3D curve before its location: the same Python object for every copy of it."""
+    return BRep_Tool.Curve_s(edge, TopLoc_Location(), 0.0, 0.0)
+
+
+def _parallel(one: npt.NDArray[np.float64], other: npt.NDArray[np.float64]) -> bool:
+    cosines = np.einsum("ij,ij->i", one, other)
+    return bool(np.nanmin(cosines) > np.cos(SMOOTH_ANGLE))
+
+
+def _normals_along(edge: TopoDS_Edge, face: TopoDS_Face) -> npt.NDArray[np.float64]:
+    """(k, 3) outward unit normals of a face along one of its edges."""
+    flat = BRepAdaptor_Curve2d(edge, face)
+    surface = BRepAdaptor_Surface(face)
+    sign = -1.0 if face.Orientation() == TopAbs_Orientation.TopAbs_REVERSED else 1.0
+    first, last = flat.FirstParameter(), flat.LastParameter()
+    normals = np.full((len(_SAMPLES), 3), np.nan)
+    for row, share in enumerate(_SAMPLES):
+        at = flat.Value(float(first + share * (last - first)))
+        point, along_u, along_v = gp_Pnt(), gp_Vec(), gp_Vec()
+        surface.D1(at.X(), at.Y(), point, along_u, along_v)
+        normal = along_u.Crossed(along_v)
+        if normal.Magnitude() > 1e-12:
+            normal.Normalize()
+            normals[row] = sign * normal.X(), sign * normal.Y(), sign * normal.Z()
+    return normals

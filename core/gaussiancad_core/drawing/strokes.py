@@ -1,0 +1,137 @@
+"""The strokes of a drawing: straight, circular, and everything else as a fine chain."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.views import Arc, Linetype, Segment
+
+
+@dataclass(frozen=True)
+class Polyline:
+    """A stroke along a curve that is neither line nor circle: an ellipse, a spline.
+
+    It stays one stroke, so that dashes run along the curve and not along its chords.
+
+    Attributes:
+        points: two or more (2,) points in the plane of whoever holds the stroke; a closed curve
+            repeats its first point at the end.
+        linetype: visible or hidden.
+        confidence: 0 to 1, how sure the linetype is.
+    """
+
+    points: tuple[tuple[float, float], ...]
+    linetype: Linetype
+    confidence: float = 1.0
+
+    @property
+    def length(self) -> float:
+        """Length along the chain."""
+        return float(np.hypot(*np.diff(np.array(self.points), axis=0).T).sum())
+
+    def sample(self, step: float) -> npt.NDArray[np.float64]:
+        """(n, 2) points along the stroke, at most ``step`` apart, both ends included."""
+        vertices = np.array(self.points)
+        along = np.concatenate(
+            [[0.0], np.cumsum(np.hypot(*np.diff(vertices, axis=0).T))]
+        )
+        count = max(2, int(np.ceil(along[-1] / step)) + 1)
+        at = np.linspace(0.0, along[-1], count)
+        return np.stack(
+            [np.interp(at, along, vertices[:, axis]) for axis in (0, 1)], axis=1
+        )
+
+    def segments(self) -> tuple[Segment, ...]:
+        """The chords as strokes of their own."""
+        return tuple(
+            Segment(start, end, self.linetype, self.confidence)
+            for start, end in zip(self.points, self.points[1:], strict=False)
+        )
+
+
+DrawnStroke = Segment | Arc | Polyline
+
+
+def as_plain_strokes(strokes: tuple[DrawnStroke, ...]) -> tuple[Segment | Arc, ...]:
+    """The strokes as :data:`gaussiancad_core.views.Stroke`: chains become their chords."""
+    plain: list[Segment | Arc] = []
+    for stroke in strokes:
+        if isinstance(stroke, Polyline):
+            plain.extend(stroke.segments())
+        else:
+            plain.append(stroke)
+    return tuple(plain)
+
+
+def extent(strokes: tuple[DrawnStroke, ...]) -> npt.NDArray[np.float64]:
+    """(2, 2) lower and upper corner of the strokes' exact bounding box, in their own plane."""
+    corners = [_stroke_extent(stroke) for stroke in strokes]
+    stacked = np.array(corners)
+    return np.stack([stacked[:, 0].min(axis=0), stacked[:, 1].max(axis=0)])
+
+
+def _stroke_extent(stroke: DrawnStroke) -> npt.NDArray[np.float64]:
+    if isinstance(stroke, Segment):
+        points = np.array([stroke.start, stroke.end])
+    elif isinstance(stroke, Polyline):
+        points = np.array(stroke.points)
+    else:
+        quarters = np.arange(8) * np.pi / 2.0
+        first = np.mod(stroke.start_angle, 2.0 * np.pi)
+        inside = quarters[(quarters >= first) & (quarters <= first + stroke.sweep)]
+        angles = np.concatenate([[first, first + stroke.sweep], inside])
+        points = np.array(stroke.centre) + stroke.radius * np.stack(
+            [np.cos(angles), np.sin(angles)], axis=1
+        )
+    return np.stack([points.min(axis=0), points.max(axis=0)])
+
+
+def mapped(
+    stroke: DrawnStroke, scale: float, offset: tuple[float, float], flip: bool
+) -> DrawnStroke:
+    """A stroke under ``(x, y) -> scale (x, y) + offset``, with y turned over first if ``flip``.
+
+    Args:
+        stroke: the stroke.
+        scale: factor, positive.
+        offset: (2,) added after scaling.
+        flip: from a plane whose second axis points up to one where it points down.
+    """
+    sign = -1.0 if flip else 1.0
+
+    def move(point: tuple[float, float]) -> tuple[float, float]:
+        return scale * point[0] + offset[0], sign * scale * point[1] + offset[1]
+
+    if isinstance(stroke, Segment):
+        return replace(stroke, start=move(stroke.start), end=move(stroke.end))
+    if isinstance(stroke, Polyline):
+        return replace(stroke, points=tuple(move(point) for point in stroke.points))
+    start = -(stroke.start_angle + stroke.sweep) if flip else stroke.start_angle
+    return replace(
+        stroke,
+        centre=move(stroke.centre),
+        radius=scale * stroke.radius,
+        start_angle=float(np.mod(start, 2.0 * np.pi)),
+    )
+
+
+def turned(
+    stroke: DrawnStroke, angle: float, centre: tuple[float, float]
+) -> DrawnStroke:
+    """A stroke turned by ``angle`` radians, from the first axis towards the second."""
+    cosine, sine = float(np.cos(angle)), float(np.sin(angle))
+
+    def move(point: tuple[float, float]) -> tuple[float, float]:
+        x, y = point[0] - centre[0], point[1] - centre[1]
+        return centre[0] + cosine * x - sine * y, centre[1] + sine * x + cosine * y
+
+    if isinstance(stroke, Segment):
+        return replace(stroke, start=move(stroke.start), end=move(stroke.end))
+    if isinstance(stroke, Polyline):
+        return replace(stroke, points=tuple(move(point) for point in stroke.points))
+    return replace(
+        stroke,
+        centre=move(stroke.centre),
+        start_angle=float(np.mod(stroke.start_angle + angle, 2.0 * np.pi)),
+    )

@@ -1,0 +1,186 @@
+"""How a sheet looks: named presets, each value of which can be overridden by name."""
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, fields, replace
+from enum import Enum
+from typing import Any
+
+from gaussiancad_core.errors import UsageError
+
+Colour = tuple[int, int, int]
+
+
+class Cap(Enum):
+    """How a solid stroke ends: round, or cut off square at its end point."""
+
+    ROUND = "round"
+    BUTT = "butt"
+
+
+@dataclass(frozen=True)
+class SheetStyle:
+    """The look of a sheet; lengths in sheet pixels.
+
+    Attributes:
+        width, height: the sheet.
+        visible_width, hidden_width: line widths of visible and hidden strokes.
+        dash, gap: nominal rhythm of hidden strokes; it is stretched a little to fit each stroke.
+        margin: least blank border around all views.
+        view_gap: blank distance between the boxes of neighbouring views.
+        ink, paper: RGB, 0 to 255.
+        mm_per_pixel: scale of the drawing; None fits the views to the sheet.
+        cap: ends of visible strokes.
+        antialiasing: grey edges of strokes; without it every pixel is ink or paper.
+        tangent_edges: draw smooth edges as well.
+        skew: degrees by which the drawing is turned on the sheet, counter-clockwise.
+        blur: standard deviation of a Gaussian blur, as of a scanner's optics.
+        noise: standard deviation of the grey noise, in levels of 255.
+        jpeg_quality: 1 to 100, for JPEG and WebP files.
+    """
+
+    width: int = 1920
+    height: int = 1080
+    visible_width: float = 3.0
+    hidden_width: float = 2.0
+    dash: float = 12.0
+    gap: float = 6.0
+    margin: float = 80.0
+    view_gap: float = 90.0
+    ink: Colour = (0, 0, 0)
+    paper: Colour = (255, 255, 255)
+    mm_per_pixel: float | None = None
+    cap: Cap = Cap.ROUND
+    antialiasing: bool = True
+    tangent_edges: bool = False
+    skew: float = 0.0
+    blur: float = 0.0
+    noise: float = 0.0
+    jpeg_quality: int = 95
+
+
+PRESETS: dict[str, SheetStyle] = {
+    "clean": SheetStyle(),
+    "thin": SheetStyle(visible_width=2.0, hidden_width=1.2, dash=10.0, gap=5.0),
+    "thick": SheetStyle(visible_width=5.0, hidden_width=3.0, dash=18.0, gap=8.0),
+    # ISO 128-2: narrow lines have half the width, dashes 12 and gaps 3 of the narrow width.
+    "iso": SheetStyle(visible_width=4.0, hidden_width=2.0, dash=24.0, gap=6.0),
+    "even": SheetStyle(visible_width=2.0, hidden_width=2.0),
+    "binary": SheetStyle(antialiasing=False),
+    "blueprint": SheetStyle(ink=(255, 255, 255), paper=(24, 58, 120)),
+    "scan": SheetStyle(
+        ink=(40, 40, 44),
+        paper=(246, 244, 238),
+        skew=0.4,
+        blur=0.7,
+        noise=4.0,
+        jpeg_quality=85,
+    ),
+}
+"""The named styles of ``--style``."""
+
+
+def parse_style(text: str) -> SheetStyle:
+    """Read ``NAME``, ``KEY=VALUE,...`` or ``NAME,KEY=VALUE,...``.
+
+    The keys are the attributes of :class:`SheetStyle`, with ``-`` or ``_`` between words.  Colours
+    are ``#RRGGBB``, switches ``on`` or ``off``, and ``mm-per-pixel=fit`` fits the sheet.
+
+    Raises:
+        UsageError: ``style-unknown``, ``style-key-unknown``, ``style-value-bad``.
+    """
+    style = PRESETS["clean"]
+    for index, part in enumerate(part.strip() for part in text.split(",")):
+        if "=" in part:
+            style = _overridden(style, part)
+        elif index == 0 and part in PRESETS:
+            style = PRESETS[part]
+        else:
+            names = ", ".join(PRESETS)
+            raise UsageError(
+                "style-unknown",
+                f"{part!r} is no style: use one of {names}, or KEY=VALUE",
+            )
+    return checked_style(style)
+
+
+def _overridden(style: SheetStyle, part: str) -> SheetStyle:
+    key, _, value = part.partition("=")
+    name = key.strip().replace("-", "_")
+    known = {field.name for field in fields(SheetStyle)}
+    if name not in known:
+        keys = ", ".join(sorted(known))
+        raise UsageError(
+            "style-key-unknown", f"{key!r} is no style key: use one of {keys}"
+        )
+    try:
+        return replace(style, **{name: _parser(name)(value.strip())})
+    except ValueError as error:
+        raise UsageError("style-value-bad", f"style {part!r}: {error}") from error
+
+
+def _parser(name: str) -> Callable[[str], Any]:
+    special: dict[str, Callable[[str], Any]] = {
+        "width": int,
+        "height": int,
+        "jpeg_quality": int,
+        "ink": _colour,
+        "paper": _colour,
+        "mm_per_pixel": lambda value: None if value == "fit" else float(value),
+        "cap": Cap,
+        "antialiasing": _switch,
+        "tangent_edges": _switch,
+    }
+    return special.get(name, float)
+
+
+def _colour(text: str) -> Colour:
+    if not re.fullmatch(r"#[0-9a-fA-F]{6}", text):
+        raise ValueError("a colour is #RRGGBB")
+    return int(text[1:3], 16), int(text[3:5], 16), int(text[5:7], 16)
+
+
+def _switch(text: str) -> bool:
+    if text in ("on", "true", "1", "yes"):
+        return True
+    if text in ("off", "false", "0", "no"):
+        return False
+    raise ValueError("a switch is on or off")
+
+
+_LIMITS: dict[str, tuple[float, float]] = {
+    "width": (64, 20000),
+    "height": (64, 20000),
+    "visible_width": (0.3, 100),
+    "hidden_width": (0.3, 100),
+    "dash": (1, 1000),
+    "gap": (1, 1000),
+    "margin": (0, 5000),
+    "view_gap": (0, 5000),
+    "skew": (-45, 45),
+    "blur": (0, 50),
+    "noise": (0, 100),
+    "jpeg_quality": (1, 100),
+}
+
+
+def checked_style(style: SheetStyle) -> SheetStyle:
+    """The style itself, if all its values make sense.
+
+    Raises:
+        UsageError: ``style-value-bad``.
+    """
+    for name, (low, high) in _LIMITS.items():
+        value = getattr(style, name)
+        if not low <= value <= high:
+            raise UsageError(
+                "style-value-bad",
+                f"style {name} = {value}: choose a value from {low} to {high}",
+            )
+    scale = style.mm_per_pixel
+    if scale is not None and not 0.0 < scale < float("inf"):
+        raise UsageError(
+            "style-value-bad",
+            f"style mm_per_pixel = {scale}: choose a positive number, or fit",
+        )
+    return style
