@@ -1,0 +1,32 @@
+#!/bin/sh
+# Installs the Debian packages of system-packages.txt that are missing; needs root or sudo for that.
+set -eu
+cd "$(dirname "$0")/.."
+. scripts/steps.sh
+
+packages=$(sed '/^#/d; s/ .*//' scripts/system-packages.txt)
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    for command in freecadcmd freecad xvfb-run python3; do
+        command -v "$command" >/dev/null ||
+            fail "this is no Debian: install what scripts/system-packages.txt lists; $command is missing"
+    done
+    say "System packages: not a Debian, taken as they are."
+    exit 0
+fi
+
+missing=
+for package in $packages; do
+    status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
+    [ "$status" = installed ] || missing="$missing $package"
+done
+[ -n "$missing" ] || exit 0
+
+if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
+    fail "packages are missing and only root can install them: apt-get install$missing"
+fi
+say "System packages: installing$missing"
+logged apt-update as_root apt-get update --quiet
+# shellcheck disable=SC2086 # the list is meant to be split
+logged apt-install as_root env DEBIAN_FRONTEND=noninteractive \
+    apt-get install --yes --quiet --no-install-recommends $missing
