@@ -1,0 +1,68 @@
+"""A report in a few lines for people."""
+
+from collections.abc import Mapping
+
+from freecad.gaussiancad.engine.report import Report, Status
+from freecad.gaussiancad.language import translate
+
+
+def status_text(status: Status) -> str:
+    """The status as a sentence."""
+    return {
+        Status.VERIFIED: translate(
+            "GaussianCAD", "Verified: the part, drawn again, agrees with the sheet in every view."
+        ),
+        Status.APPROXIMATE: translate(
+            "GaussianCAD", "Approximate: check the part against the drawing."
+        ),
+        Status.FAILED: translate("GaussianCAD", "Failed: no part follows from this drawing."),
+    }[status]
+
+
+def report_lines(report: Report) -> list[str]:
+    """Status, reasons, warnings, scale, views, models and time, a line each."""
+    lines = [status_text(report.status)]
+    lines += [f"• {remark.message or remark.code}" for remark in report.reasons]
+    lines += [f"• {remark.message or remark.code}" for remark in report.warnings]
+    if report.mm_per_pixel:
+        text = translate("GaussianCAD", "Scale: {scale} mm per pixel ({source})")
+        source = report.word("scale_source") or "?"
+        lines.append(text.format(scale=f"{report.mm_per_pixel:.5g}", source=source))
+    lines += [_view_line(view.role, view.agreement) for view in report.views if view.agreement]
+    lines += _model_lines(report)
+    if report.seconds:
+        text = translate("GaussianCAD", "Time: {seconds} s")
+        lines.append(text.format(seconds=f"{sum(report.seconds.values()):.1f}"))
+    return lines
+
+
+def _view_line(role: str, agreement: Mapping[str, float]) -> str:
+    parts = []
+    for linetype, name in (
+        ("visible", translate("GaussianCAD", "visible lines")),
+        ("hidden", translate("GaussianCAD", "hidden lines")),
+    ):
+        recall = agreement.get(f"{linetype}_recall")
+        precision = agreement.get(f"{linetype}_precision")
+        if recall is not None and precision is not None:
+            text = translate("GaussianCAD", "{lines} {recall} found, {precision} right")
+            shares = {"recall": f"{recall:.1%}", "precision": f"{precision:.1%}"}
+            parts.append(text.format(lines=name, **shares))
+    return f"{role}: " + "; ".join(parts)
+
+
+def _model_lines(report: Report) -> list[str]:
+    lines = []
+    solid, surface = report.group("solid"), report.group("surface")
+    if solid:
+        text = translate("GaussianCAD", "Solid: {faces} faces, {volume} mm³")
+        lines.append(text.format(faces=solid.get("faces"), volume=_volume(solid)))
+    if surface:
+        text = translate("GaussianCAD", "Surface: {triangles} triangles, {volume} mm³")
+        lines.append(text.format(triangles=surface.get("triangles"), volume=_volume(surface)))
+    return lines
+
+
+def _volume(model: Mapping[str, object]) -> str:
+    volume = model.get("volume_mm3")
+    return f"{volume:.6g}" if isinstance(volume, int | float) else "?"

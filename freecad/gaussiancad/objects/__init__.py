@@ -1,0 +1,1 @@
+"""What a document stores: reconstructions and comparisons, readable without the addon."""

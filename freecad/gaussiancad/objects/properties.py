@@ -1,0 +1,56 @@
+"""Properties of document objects from a table."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from enum import IntFlag
+
+import FreeCAD
+
+PropertyValue = str | float | int | bool | list[str] | Mapping[str, str]
+
+
+class Access(IntFlag):
+    """How the property editor treats a property (FreeCAD's own numbers)."""
+
+    READ_ONLY = 1
+    HIDDEN = 2
+
+
+@dataclass(frozen=True)
+class PropertySpec:
+    """A property to be added.
+
+    Attributes:
+        type_name: FreeCAD's type without ``App::Property``, such as ``String``.
+        name: in CamelCase.
+        group: heading in the property editor.
+        tip: what it means; marked for translation in the context ``App::Property``.
+        value: what it is set to.
+        access: what the property editor allows.
+    """
+
+    type_name: str
+    name: str
+    group: str
+    tip: str
+    value: PropertyValue
+    access: Access = Access.READ_ONLY
+
+
+def add_properties(target: FreeCAD.DocumentObject, specs: Iterable[PropertySpec]) -> None:
+    """Add and set the properties, in order."""
+    for spec in specs:
+        target.addProperty(f"App::Property{spec.type_name}", spec.name, spec.group, spec.tip)
+        setattr(target, spec.name, spec.value)
+        target.setEditorMode(spec.name, int(spec.access))
+
+
+def text_map(values: Mapping[str, object], prefix: str = "") -> dict[str, str]:
+    """Nested JSON values as one level of texts, with dotted keys: what a PropertyMap holds."""
+    flat: dict[str, str] = {}
+    for key, value in values.items():
+        if isinstance(value, Mapping):
+            flat.update(text_map(value, f"{prefix}{key}."))
+        elif value is not None:
+            flat[f"{prefix}{key}"] = f"{value:.6g}" if isinstance(value, float) else str(value)
+    return flat

@@ -1,0 +1,278 @@
+"""A reconstruction in a document: a group with the report, the part, the surface and the views.
+
+The group's proxy computes nothing, and everything worth keeping is in plain properties and plain
+features: a document opens without the engine, and without this addon.
+"""
+
+from pathlib import Path
+
+import FreeCAD
+
+from freecad.gaussiancad.engine.report import Report, Status
+from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
+from freecad.gaussiancad.objects.gaussians import add_points
+from freecad.gaussiancad.objects.loading import LoadedPart, LoadedRun, PartSource
+from freecad.gaussiancad.objects.properties import Access, PropertySpec, add_properties, text_map
+from freecad.gaussiancad.objects.proxies import GroupProxy, GroupViewProxy
+from freecad.gaussiancad.objects.sheet_views import add_image_plane
+from freecad.gaussiancad.objects.transaction import transaction
+
+SCHEMA_VERSION = 1
+
+
+class Reconstruction(GroupProxy):
+    """Proxy of the group.  Documents name this class: it keeps its name and place."""
+
+
+class ReconstructionView(GroupViewProxy):
+    """View provider of the group.  Documents name this class: it keeps its name and place."""
+
+    icon_name = "GaussianCAD_Reconstruct"
+
+
+def add_reconstruction(document: FreeCAD.Document, run: LoadedRun) -> FreeCAD.DocumentObject:
+    """Add a run's result to a document, in one undo step.
+
+    Args:
+        document: receives a group with everything in it.
+        run: what the run left.
+
+    Returns:
+        The group.
+    """
+    step = translate("GaussianCAD", "Reconstruct from Drawing")
+    with transaction(document, step):
+        group = document.addObject("App::DocumentObjectGroupPython", "Reconstruction")
+        Reconstruction(group)
+        name = Path(run.job.sheet).stem
+        label = translate("GaussianCAD", "Reconstruction of {name}")
+        group.Label = label.format(name=name)
+        add_properties(group, _properties(run))
+        group.addObjects(_features(document, run))
+        if FreeCAD.GuiUp:
+            ReconstructionView(group.ViewObject)
+        document.recompute()
+    return group
+
+
+def find_part(group: FreeCAD.DocumentObject) -> FreeCAD.DocumentObject | None:
+    """The part of a reconstruction, or None."""
+    return next((child for child in group.Group if child.Name.startswith("Part")), None)
+
+
+def _features(document: FreeCAD.Document, run: LoadedRun) -> list[FreeCAD.DocumentObject]:
+    features = []
+    if run.part is not None:
+        features.append(_add_part(document, run))
+    for number, shape in enumerate(run.alternatives, start=1):
+        alternative = document.addObject("Part::Feature", "Alternative")
+        alternative.Shape = shape
+        label = translate("GaussianCAD", "Alternative {number}")
+        alternative.Label = label.format(number=number)
+        alternative.Visibility = False
+        features.append(alternative)
+    if run.mesh is not None:
+        surface = document.addObject("Mesh::Feature", "Surface")
+        surface.Mesh = run.mesh
+        surface.Label = translate("GaussianCAD", "Surface")
+        surface.Visibility = run.part is None
+        _paint(surface, run.job.colour)
+        features.append(surface)
+    if run.cloud is not None:
+        points = add_points(document, run.cloud)
+        points.Label = translate("GaussianCAD", "Gaussians")
+        features.append(points)
+    for view in run.views:
+        plane = add_image_plane(document, f"View_{view.role}", view.path, view.plane)
+        plane.Label = translate("GaussianCAD", "View {role}").format(role=view.role)
+        features.append(plane)
+    return features
+
+
+def _add_part(document: FreeCAD.Document, run: LoadedRun) -> FreeCAD.DocumentObject:
+    feature = document.addObject("Part::Feature", "Part")
+    feature.Shape = run.part.shape
+    feature.Label = _part_label(run.part, run.report.status)
+    add_properties(
+        feature,
+        [
+            PropertySpec(
+                "String",
+                "Status",
+                "GaussianCAD",
+                QT_TRANSLATE_NOOP("App::Property", "Whether the part was checked on the drawing"),
+                run.report.status.value,
+            ),
+            PropertySpec(
+                "Bool",
+                "Exact",
+                "GaussianCAD",
+                QT_TRANSLATE_NOOP("App::Property", "Whether the faces are exact, not triangles"),
+                run.part.source is PartSource.SOLID,
+            ),
+        ],
+    )
+    _paint(feature, run.job.colour)
+    return feature
+
+
+def _part_label(part: LoadedPart, status: Status) -> str:
+    if part.source is PartSource.SURFACE:
+        return translate("GaussianCAD", "Part (faceted, approximate)")
+    if status is Status.VERIFIED:
+        return translate("GaussianCAD", "Part")
+    return translate("GaussianCAD", "Part (approximate)")
+
+
+def _paint(feature: FreeCAD.DocumentObject, colour: str) -> None:
+    if FreeCAD.GuiUp:
+        channels = (int(colour[place : place + 2], 16) / 255.0 for place in (1, 3, 5))
+        feature.ViewObject.ShapeColor = tuple(channels)
+
+
+def _properties(run: LoadedRun) -> list[PropertySpec]:
+    report, engine = run.report, text_map(run.report.group("engine"))
+    drawing = [
+        PropertySpec(
+            "Integer",
+            "SchemaVersion",
+            "Drawing",
+            QT_TRANSLATE_NOOP("App::Property", "Version of these properties"),
+            SCHEMA_VERSION,
+            Access.HIDDEN,
+        ),
+        PropertySpec(
+            "String",
+            "SheetPath",
+            "Drawing",
+            QT_TRANSLATE_NOOP("App::Property", "Where the drawing was when it was read"),
+            run.job.sheet,
+        ),
+        PropertySpec(
+            "FileIncluded",
+            "Sheet",
+            "Drawing",
+            QT_TRANSLATE_NOOP("App::Property", "The drawing, stored in this document"),
+            run.job.sheet,
+        ),
+        PropertySpec(
+            "Map",
+            "Settings",
+            "Drawing",
+            QT_TRANSLATE_NOOP("App::Property", "What the engine was asked to do"),
+            run.job.settings(),
+        ),
+    ]
+    if run.overlay is not None:
+        tip = QT_TRANSLATE_NOOP("App::Property", "The drawing with the part's own lines over it")
+        drawing.append(PropertySpec("FileIncluded", "Overlay", "Drawing", tip, str(run.overlay)))
+    return [*drawing, *_report_properties(report), *_engine_properties(report, engine)]
+
+
+def _report_properties(report: Report) -> list[PropertySpec]:
+    group = "Report"
+    agreement = {view.role: view.agreement for view in report.views}
+    boxes = {
+        view.role: ", ".join(f"{value:g}" for value in view.box)
+        for view in report.views
+        if view.box is not None
+    }
+    return [
+        PropertySpec(
+            "String",
+            "Status",
+            group,
+            QT_TRANSLATE_NOOP("App::Property", "Verified, approximate or failed"),
+            report.status.value,
+        ),
+        PropertySpec(
+            "StringList",
+            "Reasons",
+            group,
+            QT_TRANSLATE_NOOP("App::Property", "Why the part is not verified"),
+            [str(reason) for reason in report.reasons],
+        ),
+        PropertySpec(
+            "StringList",
+            "Warnings",
+            group,
+            QT_TRANSLATE_NOOP("App::Property", "What the engine warns of"),
+            [str(warning) for warning in report.warnings],
+        ),
+        PropertySpec(
+            "String",
+            "Projection",
+            group,
+            QT_TRANSLATE_NOOP("App::Property", "First or third angle, and how that is known"),
+            " ".join(w for w in (report.word("projection"), _source(report)) if w),
+        ),
+        PropertySpec(
+            "Float",
+            "MillimetresPerPixel",
+            group,
+            QT_TRANSLATE_NOOP("App::Property", "Scale of the drawing"),
+            report.mm_per_pixel or 0.0,
+        ),
+        PropertySpec(
+            "String",
+            "ScaleSource",
+            group,
+            QT_TRANSLATE_NOOP("App::Property", "How the scale is known"),
+            report.word("scale_source"),
+        ),
+        PropertySpec(
+            "Map",
+            "ViewBoxes",
+            group,
+            QT_TRANSLATE_NOOP("App::Property", "Where each view is on the drawing, in pixels"),
+            boxes,
+        ),
+        PropertySpec(
+            "Map",
+            "ViewAgreement",
+            group,
+            QT_TRANSLATE_NOOP(
+                "App::Property", "Share of the drawing's lines found, and of the part's lines right"
+            ),
+            text_map(agreement),
+        ),
+        PropertySpec(
+            "String",
+            "ReportJson",
+            group,
+            QT_TRANSLATE_NOOP("App::Property", "The engine's report as it wrote it"),
+            report.text,
+            Access.HIDDEN,
+        ),
+    ]
+
+
+def _engine_properties(report: Report, engine: dict[str, str]) -> list[PropertySpec]:
+    return [
+        PropertySpec(
+            "Float",
+            "TotalSeconds",
+            "Engine",
+            QT_TRANSLATE_NOOP("App::Property", "Duration of the run"),
+            sum(report.seconds.values()),
+        ),
+        PropertySpec(
+            "Map",
+            "Seconds",
+            "Engine",
+            QT_TRANSLATE_NOOP("App::Property", "Duration of each stage"),
+            text_map(report.seconds),
+        ),
+        PropertySpec(
+            "Map",
+            "EngineVersions",
+            "Engine",
+            QT_TRANSLATE_NOOP("App::Property", "Versions, device, seed and hash of the drawing"),
+            engine,
+        ),
+    ]
+
+
+def _source(report: Report) -> str:
+    source = report.word("projection_source")
+    return f"({source})" if source else ""

@@ -1,0 +1,227 @@
+#!/usr/bin/env python3
+"""Speaks the engine's protocol and writes its files, without computing anything.
+
+It stands in for the engine's interpreter: its arguments are ``-I -u -m gaussiancad_core COMMAND``.
+The environment variable GAUSSIANCAD_FAKE says how it behaves; see :data:`BEHAVIOURS`.
+"""
+
+import json
+import os
+import shutil
+import signal
+import sys
+import threading
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+import fake_part
+
+BEHAVIOURS = (
+    "ok",  # verified solid, surface, Gaussians
+    "surface",  # no exact solid
+    "ambiguous",  # approximate, with another solid that fits
+    "noisy",  # ok, among noise: split characters, half JSON, binary
+    "slow",  # runs until it is cancelled
+    "deaf",  # runs until it is killed
+    "refuse",  # exit 4 with a report
+    "dies",  # killed in the middle
+    "broken",  # not installed
+    "liar",  # exit 0 without a file
+    "half",  # exit 0 with a damaged surface
+)
+
+
+def send(event: str, **fields: object) -> None:
+    """Write one event."""
+    line = json.dumps({"event": event, **fields}, ensure_ascii=False) + "\n"
+    sys.stdout.buffer.write(line.encode("utf-8"))
+    sys.stdout.buffer.flush()
+
+
+def watch_stdin(deaf: bool) -> None:
+    """End the process with 130 when ``cancel`` comes, or stdin ends."""
+
+    def watch() -> None:
+        for line in sys.stdin:
+            if line.strip() == "cancel" and not deaf:
+                send("error", code="cancelled", message="stopped by cancel")
+                os._exit(130)
+        os._exit(130)
+
+    threading.Thread(target=watch, daemon=True).start()
+
+
+def report(sheet: str, status: str, reasons: list[dict[str, str]]) -> dict[str, object]:
+    """A report as the contract has it."""
+    agreement = {
+        "visible_recall": 0.998,
+        "visible_precision": 1.0,
+        "hidden_recall": 0.97,
+        "hidden_precision": 0.99,
+    }
+    failed = status == "failed"
+    solid = {
+        "valid": True,
+        "closed": True,
+        "faces": 8,
+        "volume_mm3": fake_part.VOLUME,
+        "bounding_box_mm": list(fake_part.SIZE),
+        "alternatives": 0,
+    }
+    surface = {
+        "vertices": 12,
+        "triangles": 20,
+        "watertight": True,
+        "volume_mm3": fake_part.VOLUME,
+    }
+    return {
+        "schema": 1,
+        "status": status,
+        "reasons": reasons,
+        "warnings": [{"code": "scale-unknown", "message": "the longest edge was made 100 mm"}],
+        "projection": "third",
+        "projection_source": "inferred",
+        "projection_alternatives": [],
+        "views": {role: {"box": list(box), **agreement} for role, box in fake_part.BOXES.items()},
+        "tolerance_px": 1.5,
+        "scale_mm_per_pixel": fake_part.MM_PER_PIXEL,
+        "scale_source": "given",
+        "solid": None if failed else solid,
+        "surface": None if failed else surface,
+        "gaussians": None if failed else {"count": 600, "iterations": 100, "loss": 0.01},
+        "seconds": {"read": 0.5, "solid": 1.25, "gaussians": 2.0},
+        "peak_memory_mb": 100.0,
+        "engine": {
+            "versions": {"gaussiancad": "0.0", "torch": "none"},
+            "device": "cpu",
+            "seed": 0,
+            "sheet_sha256": "0" * 64,
+            "sheet": sheet,
+        },
+    }
+
+
+def write_models(output: Path, behaviour: str) -> None:
+    """Write the models that the behaviour is about."""
+    if behaviour == "surface":
+        shutil.copy(fake_part.STEP_FILE, output / "surface.step")
+    else:
+        shutil.copy(fake_part.STEP_FILE, output / "solid.step")
+    if behaviour == "ambiguous":
+        (output / "alternatives").mkdir(exist_ok=True)
+        shutil.copy(fake_part.STEP_FILE, output / "alternatives" / "1.step")
+    stl = fake_part.stl_text()
+    (output / "surface.stl").write_text("not a mesh" if behaviour == "half" else stl)
+    (output / "gaussians.ply").write_bytes(fake_part.gaussians_bytes())
+
+
+def run_stages(behaviour: str, sheet: str) -> None:
+    """Tell of three stages, and misbehave in the second one."""
+    for index, name in enumerate(("read", "solid", "gaussians"), start=1):
+        send("stage", name=name, index=index, of=3)
+        if behaviour == "noisy":
+            sys.stdout.buffer.write('{"event": "progress"\n文件 caf'.encode())
+            sys.stdout.buffer.flush()
+            time.sleep(0.02)
+            sys.stdout.buffer.write("é ok\n".encode()[:1] + b"\xa9\n\xff\xfe\x00\n[1]\n{}\n\n")
+            sys.stdout.buffer.flush()
+        for step in range(1, 5):
+            send("progress", stage=name, fraction=step / 4, eta_s=1.0, loss=0.5 / step)
+        if index == 2:
+            sys.stderr.write("solving cells\n")
+            sys.stderr.flush()
+            if behaviour == "dies":
+                os.kill(os.getpid(), signal.SIGKILL)
+            while behaviour in ("slow", "deaf"):
+                time.sleep(0.05)
+            send("preview", path=sheet)
+
+
+def reconstruct(arguments: list[str]) -> int:
+    """What ``gaussiancad reconstruct`` does."""
+    behaviour = os.environ.get("GAUSSIANCAD_FAKE", "ok")
+    sheet = Path(arguments[0])
+    output = Path(arguments[arguments.index("--output") + 1])
+    if behaviour == "broken":
+        sys.stderr.write(f"{sys.argv[0]}: No module named gaussiancad_core\n")
+        return 1
+    if behaviour == "deaf":
+        signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    watch_stdin(behaviour == "deaf")
+    send("hello", protocol=1, versions={"gaussiancad": "0.0"})
+    if not sheet.is_file():
+        return refuse("sheet-missing", f"there is no file {sheet}: check its name", 3)
+    if not sheet.read_bytes()[:4] in (b"\x89PNG", b"\xff\xd8\xff\xe0"):
+        return refuse("not-an-image", f"{sheet.name} is no image: choose a drawing", 3)
+    run_stages(behaviour, str(sheet))
+    output.mkdir(parents=True, exist_ok=True)
+    if behaviour == "refuse":
+        reason = {"code": "one-view", "message": "only one view was found: draw at least two"}
+        (output / "report.json").write_text(json.dumps(report(str(sheet), "failed", [reason])))
+        return refuse(reason["code"], reason["message"], 4)
+    if behaviour != "liar":
+        write_models(output, behaviour)
+        reasons = {
+            "ambiguous": [{"code": "ambiguous", "message": "another solid fits the sheet"}],
+            "surface": [{"code": "no-solid", "message": "no exact solid was found"}],
+        }.get(behaviour, [])
+        status = "approximate" if reasons else "verified"
+        (output / "report.json").write_text(
+            json.dumps(report(str(sheet), status, reasons)), encoding="utf-8"
+        )
+    send("warning", code="scale-unknown", message="the longest edge was made 100 mm")
+    send("result", path=str(output / "report.json"))
+    return 0
+
+
+def refuse(code: str, message: str, exit_code: int) -> int:
+    """Tell of an error."""
+    send("error", code=code, message=message)
+    sys.stderr.write(f"gaussiancad: {message}\n")
+    return exit_code
+
+
+def compare(arguments: list[str]) -> int:
+    """What ``gaussiancad compare`` does."""
+    for path in arguments[:2]:
+        if not Path(path).is_file():
+            sys.stderr.write(f"there is no file {path}: check its name\n")
+            return 3
+    while os.environ.get("GAUSSIANCAD_FAKE") == "slow":
+        time.sleep(0.05)
+    output = Path(arguments[arguments.index("--output") + 1])
+    output.mkdir(parents=True, exist_ok=True)
+    values = {
+        "schema": 1,
+        "protocol": "fake",
+        "chamfer": 0.0312,
+        "hausdorff": 0.12,
+        "emd": 0.056,
+        "point_to_surface": 0.004,
+        "floor": {"chamfer": 0.03, "hausdorff": 0.1, "emd": 0.05},
+        "volume_iou": 0.991,
+        "registration": {"matrix": [[1, 0, 0, 0]] * 4, "mirrored": False},
+        "points": 10000,
+        "seed": 0,
+        "unit_mm": 12.0,
+        "deviation": {"signed": True, "range_mm": 1.0, "least_mm": -1.0, "greatest_mm": 1.0},
+    }
+    (output / "deviation.ply").write_bytes(fake_part.deviation_bytes())
+    (output / "comparison.json").write_text(json.dumps(values))
+    sys.stdout.write("chamfer 0.0312\n")
+    return 0
+
+
+def main() -> int:
+    """Run the command that follows the interpreter's own arguments."""
+    command, *arguments = sys.argv[sys.argv.index("gaussiancad_core") + 1 :]
+    if command == "doctor":
+        sys.stdout.write("gaussiancad 0.0 (fake)\ntorch: missing: pip install torch\n")
+        return 0
+    return {"reconstruct": reconstruct, "compare": compare}[command](arguments)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,53 @@
+"""From settings to the engine's arguments."""
+
+import unittest
+
+from freecad.gaussiancad.engine.job import (
+    CompareJob,
+    Outcome,
+    Preset,
+    Projection,
+    ReconstructJob,
+    Recipe,
+    Scale,
+    ScaleKind,
+)
+
+
+class Arguments(unittest.TestCase):
+    def test_all_settings_become_options(self) -> None:
+        job = ReconstructJob(
+            "a b.png",
+            "out",
+            Projection.FIRST,
+            Preset.FINE,
+            Outcome.SOLID,
+            Recipe.PAPER,
+            Scale(ScaleKind.LENGTH_Y, 12.5),
+            "#102030",
+            page=2,
+            seed=7,
+        )
+        self.assertEqual(
+            " ".join(job.arguments()),
+            "reconstruct a b.png --output out --projection first --preset fine --result solid "
+            "--recipe paper --colour #102030 --page 2 --seed 7 --length y=12.5 --events",
+        )
+
+    def test_scales(self) -> None:
+        self.assertEqual(Scale().arguments(), [])
+        self.assertEqual(Scale(ScaleKind.MM_PER_PIXEL, 0.1).arguments(), ["--mm-per-pixel", "0.1"])
+        self.assertEqual(Scale(ScaleKind.LENGTH_X, 1 / 3).arguments()[1], "x=0.3333333333")
+
+    def test_settings_are_texts_for_every_option(self) -> None:
+        settings = ReconstructJob("a", "b", scale=Scale(ScaleKind.LENGTH_Z, 3.0)).settings()
+        self.assertEqual(settings["scale"], "z = 3")
+        self.assertEqual(settings["projection"], "auto")
+        self.assertTrue(all(isinstance(value, str) for value in settings.values()))
+
+    def test_a_comparison_asks_for_no_events(self) -> None:
+        job = CompareJob("r.step", "t.stl", "out", points=500, seed=1)
+        self.assertEqual(
+            job.arguments(),
+            ["compare", "r.step", "t.stl", "--output", "out", "--points", "500", "--seed", "1"],
+        )

@@ -1,0 +1,60 @@
+"""Which engine is used."""
+
+from pathlib import Path
+
+from freecad.gaussiancad.engine.locate import EngineSource, SearchPlaces, find_engine
+from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
+from freecad.gaussiancad.paths import ADDON_ROOT
+from support import FolderCase
+
+
+class Order(FolderCase):
+    def setUp(self) -> None:
+        super().setUp()
+        self.managed = self.folder / "managed"
+        self.beside = self.folder / ".venv"
+        self.own = self.program(self.folder / "own python")
+
+    def program(self, path: Path) -> Path:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text("#!/bin/sh\n")
+        path.chmod(0o755)
+        return path
+
+    def places(self, variable: str = "", preference: str = "") -> SearchPlaces:
+        return SearchPlaces(variable, preference, self.managed, self.beside)
+
+    def test_each_place_hides_those_after_it(self) -> None:
+        beside = self.program(self.beside / "bin" / "python")
+        self.assertEqual(find_engine(self.places()).python, str(beside))
+        managed = self.program(self.managed / "bin" / "python3")
+        engine = find_engine(self.places())
+        self.assertEqual((engine.python, engine.source), (str(managed), EngineSource.MANAGED))
+        engine = find_engine(self.places(preference=str(self.own)))
+        self.assertEqual((engine.python, engine.source), (str(self.own), EngineSource.PREFERENCE))
+        other = self.program(self.folder / "other")
+        engine = find_engine(self.places(variable=str(other), preference=str(self.own)))
+        self.assertEqual((engine.python, engine.source), (str(other), EngineSource.VARIABLE))
+
+    def test_a_named_engine_that_is_not_there_is_an_error_though_others_are(self) -> None:
+        self.program(self.beside / "bin" / "python")
+        not_executable = self.folder / "text"
+        not_executable.write_text("x")
+        for wrong in (self.folder / "nothing", not_executable, self.folder):
+            for places in (self.places(variable=str(wrong)), self.places(preference=str(wrong))):
+                with self.assertRaises(WorkbenchError) as caught:
+                    find_engine(places)
+                self.assertIs(caught.exception.code, ErrorCode.ENGINE_NOT_FOUND)
+                self.assertIn(str(wrong), caught.exception.message)
+
+    def test_no_engine_at_all_says_what_to_do(self) -> None:
+        with self.assertRaises(WorkbenchError) as caught:
+            find_engine(self.places())
+        self.assertIs(caught.exception.code, ErrorCode.ENGINE_NOT_FOUND)
+        self.assertIn("Preferences", caught.exception.message)
+
+    def test_this_machines_places(self) -> None:
+        places = SearchPlaces.of_this_machine(" /a ", {"GAUSSIANCAD_PYTHON": "/b"})
+        self.assertEqual((places.variable, places.preference), ("/b", "/a"))
+        self.assertEqual(places.beside, ADDON_ROOT / ".venv")
+        self.assertEqual(places.managed.name, "engine")
