@@ -1,0 +1,158 @@
+"""The Gaussians that are trained, and how they start on the hull's surface.
+
+Parameters are stored as 3D Gaussian splatting stores them (Kerbl et al. 2023): logarithms of the
+axes' standard deviations, logits of the opacities, quaternions with the scalar first.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.meshes import TriangleMesh
+
+_CURVE_BITS = 10
+"""Resolution of the space-filling curve that orders triangles."""
+
+
+@dataclass(frozen=True, eq=False)
+class Gaussians:
+    """n Gaussians in model millimetres.
+
+    Attributes:
+        means: (n, 3) centres, mm.
+        quaternions: (n, 4) w x y z, of any length but zero; they turn the axes into the model's.
+        log_scales: (n, 3) natural logarithms of the standard deviations along the axes in mm.
+        logit_opacities: (n,) logits of the opacities.
+        colours: (n, 3) RGB, 0 to 1.
+        normals: (n, 3) unit outward normals of the surface on which the Gaussians started.
+    """
+
+    means: npt.NDArray[np.float32]
+    quaternions: npt.NDArray[np.float32]
+    log_scales: npt.NDArray[np.float32]
+    logit_opacities: npt.NDArray[np.float32]
+    colours: npt.NDArray[np.float32]
+    normals: npt.NDArray[np.float32]
+
+    def __len__(self) -> int:
+        return len(self.means)
+
+    @property
+    def opacities(self) -> npt.NDArray[np.float32]:
+        """(n,) 0 to 1."""
+        return 1.0 / (1.0 + np.exp(-self.logit_opacities))
+
+    @property
+    def rotations(self) -> npt.NDArray[np.float64]:
+        """(n, 3, 3) matrices whose columns are the Gaussians' axes in the model."""
+        return rotation_matrices(self.quaternions)
+
+
+@dataclass(frozen=True)
+class Start:
+    """How Gaussians start on a surface.
+
+    Attributes:
+        count: number of Gaussians.
+        spread: standard deviation in the surface, in mean distances between Gaussians.
+        thickness: standard deviation across the surface, as a share of that in it.
+        opacity: 0 to 1.
+        colour: RGB, 0 to 1.
+        seed: of the random offsets.
+    """
+
+    count: int = 5_000
+    spread: float = 0.6
+    thickness: float = 0.04
+    opacity: float = 0.88
+    colour: tuple[float, float, float] = (0.5, 0.5, 0.5)
+    seed: int = 0
+
+
+def gaussians_on(surface: TriangleMesh, start: Start) -> Gaussians:
+    """Flat Gaussians spread evenly over a surface, their third axis along its normal.
+
+    Args:
+        surface: watertight, oriented outward, mm.
+        start: how many, how wide, which colour.
+    """
+    means, normals = spread_points(surface, start.count, start.seed)
+    sigma = start.spread * np.sqrt(surface.area / start.count)
+    scales = np.array([sigma, sigma, start.thickness * sigma])
+    logit = np.log(start.opacity / (1.0 - start.opacity))
+    count = len(means)
+    return Gaussians(
+        means=means.astype(np.float32),
+        quaternions=quaternions_to(normals).astype(np.float32),
+        log_scales=np.tile(np.log(scales), (count, 1)).astype(np.float32),
+        logit_opacities=np.full(count, logit, dtype=np.float32),
+        colours=np.tile(np.array(start.colour), (count, 1)).astype(np.float32),
+        normals=normals.astype(np.float32),
+    )
+
+
+def spread_points(
+    surface: TriangleMesh, count: int, seed: int
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+    """Points at equal shares of the area, and the unit normals there.
+
+    The triangles are taken along a space-filling curve (Morton 1966) and every ``area / count`` of
+    the way a point is set, so that neighbours on the surface are neighbours on the way: the points
+    are far more even than independent ones.
+
+    Args:
+        surface: at least one triangle with area.
+        count: number of points.
+        seed: of the offsets within the shares.
+
+    Returns:
+        (count, 3) points in mm and (count, 3) normals.
+    """
+    order = np.argsort(_curve_keys(surface), kind="stable")
+    areas = surface.areas[order]
+    ends = np.cumsum(areas)
+    random = np.random.default_rng(seed)
+    positions = (np.arange(count) + random.random(count)) * (ends[-1] / count)
+    chosen = order[np.minimum(np.searchsorted(ends, positions, side="right"), len(order) - 1)]
+    first, second = random.random((2, count, 1))
+    outside = first + second > 1.0
+    first, second = np.where(outside, 1.0 - first, first), np.where(outside, 1.0 - second, second)
+    a, b, c = (surface.corners[chosen, k] for k in range(3))
+    normals = surface.area_vectors[chosen] / surface.areas[chosen, None]
+    return a + first * (b - a) + second * (c - a), normals
+
+
+def _curve_keys(surface: TriangleMesh) -> npt.NDArray[np.int64]:
+    """(m,) places of the triangles' centres on a Morton curve through the surface's box."""
+    centres = surface.corners.mean(axis=1)
+    low = centres.min(axis=0)
+    edge = max(float((centres.max(axis=0) - low).max()), np.finfo(np.float64).tiny)
+    cells = ((centres - low) / edge * (2**_CURVE_BITS - 1)).astype(np.int64)
+    keys = np.zeros(len(centres), dtype=np.int64)
+    for bit in range(_CURVE_BITS):
+        for axis in range(3):
+            keys |= ((cells[:, axis] >> bit) & 1) << (3 * bit + axis)
+    return keys
+
+
+def quaternions_to(normals: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+    """(n, 3) unit vectors -> (n, 4) unit quaternions that turn the third axis there, the short way."""
+    quaternions = np.stack(
+        [1.0 + normals[:, 2], -normals[:, 1], normals[:, 0], np.zeros(len(normals))], axis=1
+    )
+    # Straight down there are many short ways: half a turn about the first axis is one.
+    quaternions[normals[:, 2] < -1.0 + 1e-9] = (0.0, 1.0, 0.0, 0.0)
+    return quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)
+
+
+def rotation_matrices(quaternions: npt.ArrayLike) -> npt.NDArray[np.float64]:
+    """(n, 4) quaternions w x y z of any length but zero -> (n, 3, 3) rotation matrices."""
+    unit = np.asarray(quaternions, dtype=np.float64)
+    w, x, y, z = (unit / np.linalg.norm(unit, axis=1, keepdims=True)).T
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    return np.moveaxis(np.array(rows), 2, 0)

@@ -1,0 +1,78 @@
+"""What the training minimises: the paper's loss.
+
+``(1 - l) L1 + l (1 - SSIM) + m BCE`` with L1 and D-SSIM of 3D Gaussian splatting (Kerbl et al.
+2023) on the colours and the binary cross entropy on the masks, as GaussianCAD (Zhou et al.) has it.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import torch
+from torch import Tensor
+
+from gaussiancad_core.splatting.rasteriser import Rendering
+
+ALPHA_MARGIN = 1e-4
+"""Alphas are held this far from 0 and 1 in the cross entropy, where its gradient has no end."""
+
+
+@dataclass(frozen=True)
+class LossWeights:
+    """Weights of the terms.
+
+    Attributes:
+        ssim: the share of D-SSIM against L1; 0.2 as in 3DGS.
+        mask: the weight of the cross entropy.  The paper gives none; 0.1 holds silhouettes without
+            overruling the colours.
+    """
+
+    ssim: float = 0.2
+    mask: float = 0.1
+
+
+@dataclass(frozen=True, eq=False)
+class Targets:
+    """What the views should show.
+
+    Attributes:
+        colours: (v, 3, h, w) float32 RGB, 0 to 1.
+        masks: (v, h, w) float32, share of each pixel that the part covers.
+        background: RGB, 0 to 1, where there is no part.
+    """
+
+    colours: Tensor
+    masks: Tensor
+    background: tuple[float, float, float] = (1.0, 1.0, 1.0)
+
+
+def composed(rendering: Rendering, background: tuple[float, float, float]) -> Tensor:
+    """(v, 3, h, w) the rendered colours on a uniform background."""
+    behind = torch.tensor(background, dtype=rendering.colours.dtype)[:, None, None]
+    return rendering.colours + (1.0 - rendering.alphas)[:, None] * behind
+
+
+def mask_entropy(alphas: Tensor, masks: Tensor) -> Tensor:
+    """Mean binary cross entropy of (v, h, w) alphas against masks from 0 to 1."""
+    held = alphas.clamp(ALPHA_MARGIN, 1.0 - ALPHA_MARGIN)
+    return torch.nn.functional.binary_cross_entropy(held, masks)
+
+
+def total_loss(
+    rendering: Rendering,
+    targets: Targets,
+    similarity: Callable[[Tensor], Tensor],
+    weights: LossWeights,
+) -> Tensor:
+    """The loss of a rendering; a scalar.
+
+    Args:
+        rendering: v views.
+        targets: the same views.
+        similarity: mean SSIM of (v, 3, h, w) images with the targets' colours.
+        weights: of the terms.
+    """
+    images = composed(rendering, targets.background)
+    absolute = (images - targets.colours).abs().mean()
+    dissimilar = 1.0 - similarity(images)
+    entropy = mask_entropy(rendering.alphas, targets.masks)
+    return (1.0 - weights.ssim) * absolute + weights.ssim * dissimilar + weights.mask * entropy

@@ -1,0 +1,211 @@
+"""The fast back end: compiled tile kernels behind torch's automatic differentiation."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import torch
+from torch import Tensor
+
+from gaussiancad_core.splatting import projection_kernels, tile_kernels
+from gaussiancad_core.splatting.projection import CameraBatch, CameraModel, half_field
+from gaussiancad_core.splatting.rasteriser import Optics, Parameters, Rendering
+
+Array = npt.NDArray[Any]
+
+
+def draw_tiles(parameters: Parameters, cameras: CameraBatch, optics: Optics) -> Rendering:
+    """Draw the Gaussians in every view; see :mod:`.rasteriser` for the compositing.
+
+    Works in float32 and float64 on the CPU; the same input gives the same bits.
+    """
+    return Rendering(
+        *_Draw.apply(
+            parameters.means,
+            parameters.quaternions,
+            parameters.log_scales,
+            torch.sigmoid(parameters.logit_opacities),
+            parameters.colours,
+            cameras,
+            optics,
+        )
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Tiling:
+    """Which Gaussians lie in which tile, from front to back.
+
+    Attributes:
+        grid: lines and columns of tiles.
+        starts: (tiles + 1,) places in ``members`` where each tile's list begins.
+        members: (pairs,) Gaussians.
+        slots: (pairs,) place of each pair's gradients.
+        boxes: (v, n, 4) pixels that a Gaussian reaches.
+        counts: (v, n) tiles of a Gaussian.
+        first_slots: (v, n) its first slot; the others follow.
+    """
+
+    grid: tuple[int, int]
+    starts: Array
+    members: Array
+    slots: Array
+    boxes: Array
+    counts: Array
+    first_slots: Array
+
+
+@dataclass(frozen=True, eq=False)
+class _Scene:
+    """All inputs of the kernels as arrays of one precision."""
+
+    gaussians: tuple[Array, Array, Array]
+    cameras: tuple[Array, Array, Array, Array, Array]
+    pinhole: bool
+    nearest: float
+    opacities: Array
+    colours: Array
+    limits: tuple[float, float, float]
+
+
+class _Draw(torch.autograd.Function):
+    @staticmethod
+    def forward(  # noqa: D102
+        ctx: Any,  # noqa: ANN401
+        means: Tensor,
+        quaternions: Tensor,
+        log_scales: Tensor,
+        opacities: Tensor,
+        colours: Tensor,
+        cameras: CameraBatch,
+        optics: Optics,
+    ) -> tuple[Tensor, Tensor, Tensor]:
+        scene = _scene((means, quaternions, log_scales), opacities, colours, cameras, optics)
+        views, number, kind = len(cameras.rotations), len(means), scene.opacities.dtype
+        shapes = ((views, number, 2), (views, number, 3), (views, number, 3), (views, number))
+        places, covariances, conics, depths = (np.empty(shape, kind) for shape in shapes)
+        projection_kernels.project_forward(
+            scene.gaussians,
+            scene.cameras,
+            scene.pinhole,
+            scene.nearest,
+            kind.type(optics.dilation),
+            places,
+            covariances,
+            conics,
+            depths,
+        )
+        size = (cameras.height, cameras.width)
+        tiling = _sort_into_tiles(size, places, covariances, depths, scene)
+        images = (
+            np.empty((views, 3, *size), kind),
+            np.empty((views, *size), kind),
+            np.empty((views, *size), kind),
+        )
+        projected = (places, conics, depths)
+        tile_kernels.composite_forward(
+            size,
+            tiling.grid,
+            (tiling.starts, tiling.members, tiling.boxes),
+            projected,
+            scene.opacities,
+            scene.colours,
+            scene.limits,
+            images,
+        )
+        ctx.state = (scene, size, tiling, projected, images)
+        return tuple(torch.from_numpy(image) for image in images)
+
+    @staticmethod
+    def backward(ctx: Any, *upstream: Tensor) -> tuple[Tensor | None, ...]:  # noqa: ANN401, D102
+        scene, size, tiling, projected, images = ctx.state
+        conics, depths = projected[1:]
+        kind = conics.dtype
+        slots = np.empty((len(tiling.members), tile_kernels.SLOT_FIELDS), kind)
+        tile_kernels.composite_backward(
+            size,
+            tiling.grid,
+            (tiling.starts, tiling.members, tiling.boxes),
+            tiling.slots,
+            projected,
+            scene.opacities,
+            scene.colours,
+            scene.limits,
+            images,
+            tuple(np.ascontiguousarray(gradient.numpy()) for gradient in upstream),
+            slots,
+        )
+        to_projection = tuple(np.empty_like(array) for array in projected)
+        to_opacities, to_colours = np.empty_like(scene.opacities), np.empty_like(scene.colours)
+        tile_kernels.add_slots(
+            tiling.counts, tiling.first_slots, slots, to_projection, to_opacities, to_colours
+        )
+        gradients = tuple(np.empty_like(array) for array in scene.gaussians)
+        projection_kernels.project_backward(
+            scene.gaussians,
+            scene.cameras,
+            scene.pinhole,
+            scene.nearest,
+            conics,
+            depths,
+            to_projection,
+            gradients,
+        )
+        tensors = [torch.from_numpy(array) for array in (*gradients, to_opacities, to_colours)]
+        return (*tensors, None, None)
+
+
+def _array(tensor: Tensor) -> Array:
+    return np.ascontiguousarray(tensor.detach().numpy())
+
+
+def _scene(
+    gaussians: tuple[Tensor, Tensor, Tensor],
+    opacities: Tensor,
+    colours: Tensor,
+    cameras: CameraBatch,
+    optics: Optics,
+) -> _Scene:
+    kind = _array(opacities).dtype.type
+    return _Scene(
+        gaussians=tuple(_array(tensor) for tensor in gaussians),
+        cameras=(
+            _array(cameras.rotations),
+            _array(cameras.translations),
+            _array(cameras.focals),
+            _array(cameras.centres),
+            _array(half_field(cameras)),
+        ),
+        pinhole=cameras.model is CameraModel.PINHOLE,
+        nearest=kind(cameras.nearest),
+        opacities=_array(opacities),
+        colours=_array(colours),
+        limits=(
+            kind(optics.smallest_alpha),
+            kind(optics.largest_alpha),
+            kind(optics.smallest_transmittance),
+        ),
+    )
+
+
+def _sort_into_tiles(
+    size: tuple[int, int], means: Array, covariances: Array, depths: Array, scene: _Scene
+) -> _Tiling:
+    views, number = depths.shape
+    grid = (-(-size[0] // tile_kernels.TILE_HEIGHT), -(-size[1] // tile_kernels.TILE_WIDTH))
+    boxes = np.zeros((views, number, 4), dtype=np.int32)
+    counts = np.empty((views, number), dtype=np.int32)
+    tile_kernels.find_boxes(
+        size, means, covariances, scene.opacities, scene.limits[0], boxes, counts
+    )
+    ends = np.cumsum(counts.ravel(), dtype=np.int64)
+    pairs = int(ends[-1]) if len(ends) else 0
+    first_slots = (ends - counts.ravel()).reshape(views, number)
+    totals = np.zeros((views, grid[0] * grid[1]), dtype=np.int64)
+    tile_kernels.count_tiles(grid, boxes, counts, totals)
+    starts = np.concatenate([[0], np.cumsum(totals.ravel())])
+    members, slots = np.empty(pairs, dtype=np.int32), np.empty(pairs, dtype=np.int64)
+    order = np.argsort(depths, axis=1, kind="stable")
+    tile_kernels.fill_tiles(grid, order, boxes, counts, first_slots, starts, members, slots)
+    return _Tiling(grid, starts, members, slots, boxes, counts, first_slots)

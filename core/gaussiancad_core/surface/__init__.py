@@ -1,0 +1,1 @@
+"""From trained Gaussians to a surface: points, Poisson mesh, fewer triangles, files."""

@@ -1,0 +1,75 @@
+"""Poisson surface of oriented points (Kazhdan and Hoppe 2013, in open3d)."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.meshes import TriangleMesh, connected_pieces, joined, make_mesh
+from gaussiancad_core.splatting.gaussians import Gaussians
+from gaussiancad_core.surface.points import DiscSampling, OrientedPoints, disc_points
+
+
+@dataclass(frozen=True)
+class PoissonSettings:
+    """How the surface is found.
+
+    Attributes:
+        depth: of the octree: 2^depth cells along the longest edge and a tenth.
+        point_weight: how strongly the surface is held at the points (screening).
+        smallest_piece: pieces below this share of the area are left out.
+        sampling: of the points.
+    """
+
+    depth: int = 8
+    point_weight: float = 4.0
+    smallest_piece: float = 0.01
+    sampling: DiscSampling = DiscSampling()
+
+
+def gaussian_surface(gaussians: Gaussians, settings: PoissonSettings) -> TriangleMesh:
+    """The closed surface on which trained Gaussians lie.
+
+    Args:
+        gaussians: mm.
+        settings: how fine.
+
+    Returns:
+        A watertight mesh in mm, oriented outward; the same input gives the same mesh.
+
+    Raises:
+        NoModelError: ``no-surface``, the Gaussians bound no body.
+    """
+    return poisson_surface(disc_points(gaussians, settings.sampling), settings)
+
+
+def poisson_surface(points: OrientedPoints, settings: PoissonSettings) -> TriangleMesh:
+    """The closed surface through oriented points; see :func:`gaussian_surface`."""
+    import open3d
+
+    if len(points.points) < 4:
+        raise _no_surface()
+    cloud = open3d.geometry.PointCloud(open3d.utility.Vector3dVector(points.points))
+    cloud.normals = open3d.utility.Vector3dVector(points.normals)
+    # More threads add in another order each time: one gives the same mesh every time.
+    found, _ = open3d.geometry.TriangleMesh.create_from_point_cloud_poisson(
+        cloud,
+        depth=settings.depth,
+        scale=1.1,
+        linear_fit=False,
+        n_threads=1,
+        point_weight=settings.point_weight,
+    )
+    pieces = connected_pieces(make_mesh(np.asarray(found.vertices), np.asarray(found.triangles)))
+    closed = [piece for piece in pieces if piece.watertight and piece.volume > 0.0]
+    if not closed:
+        raise _no_surface()
+    limit = settings.smallest_piece * closed[0].area
+    return joined([piece for piece in closed if piece.area >= limit])
+
+
+def _no_surface() -> NoModelError:
+    return NoModelError(
+        "no-surface",
+        "the Gaussians bound no body: use a finer preset, or check that the views belong together",
+    )
