@@ -153,7 +153,7 @@ def reconstruct(arguments: list[str]) -> int:
     send("hello", protocol=1, versions={"gaussiancad": "0.0"})
     if not sheet.is_file():
         return refuse("sheet-missing", f"there is no file {sheet}: check its name", 3)
-    if not sheet.read_bytes()[:4] in (b"\x89PNG", b"\xff\xd8\xff\xe0"):
+    if sheet.read_bytes()[:4] not in (b"\x89PNG", b"\xff\xd8\xff\xe0"):
         return refuse("not-an-image", f"{sheet.name} is no image: choose a drawing", 3)
     run_stages(behaviour, str(sheet))
     output.mkdir(parents=True, exist_ok=True)

@@ -6,6 +6,7 @@ import unittest
 from pathlib import Path
 
 import fake_part
+
 from freecad.gaussiancad.engine.events import Event
 from freecad.gaussiancad.engine.locate import Engine, EngineSource
 from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher

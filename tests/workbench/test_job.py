@@ -7,8 +7,8 @@ from freecad.gaussiancad.engine.job import (
     Outcome,
     Preset,
     Projection,
-    ReconstructJob,
     Recipe,
+    ReconstructJob,
     Scale,
     ScaleKind,
 )

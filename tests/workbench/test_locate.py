@@ -2,10 +2,11 @@
 
 from pathlib import Path
 
+from support import FolderCase
+
 from freecad.gaussiancad.engine.locate import EngineSource, SearchPlaces, find_engine
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.paths import ADDON_ROOT
-from support import FolderCase
 
 
 class Order(FolderCase):

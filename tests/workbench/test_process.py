@@ -5,11 +5,12 @@ import signal
 import threading
 import time
 
+from support import FAKE_ENGINE, FolderCase, draw_sheet, run_fake
+
 from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.engine.job import CompareJob, ReconstructJob
 from freecad.gaussiancad.engine.locate import Engine, EngineSource
 from freecad.gaussiancad.engine.process import EngineRun, RunResult, RunState, Watcher
-from support import FAKE_ENGINE, FolderCase, draw_sheet, run_fake
 
 
 class Runs(FolderCase):
