@@ -1,0 +1,193 @@
+"""The sheet with a result's lines over it: what agrees is blue, what disagrees stands out.
+
+The colours are those of Okabe and Ito (2008), which colour-blind people can tell apart.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.axes import Axis
+from gaussiancad_core.verification.agreement import MatchedLines
+from gaussiancad_core.views import View
+
+Image = npt.NDArray[np.uint8]
+Colour = tuple[int, int, int]
+
+_VISIBLE = (0, 114, 178)
+_HIDDEN = (86, 180, 233)
+_MISSING = (213, 94, 0)
+_EXTRA = (204, 51, 153)
+_FRAME = (150, 150, 150)
+_TEXT = (60, 60, 60)
+
+_LEGEND = (
+    (_VISIBLE, "agrees, visible"),
+    (_HIDDEN, "agrees, hidden"),
+    (_MISSING, "on the sheet only"),
+    (_EXTRA, "in the result only"),
+)
+
+_INK = 0.32
+"""How much of the sheet's own contrast remains."""
+
+_LONGEST_SIDE = 4000
+
+
+@dataclass(frozen=True, eq=False)
+class ViewOverlay:
+    """One view of the sheet and what was drawn over it.
+
+    Attributes:
+        view: with its box on the sheet.
+        size: (3,) extent of the part in mm.
+        matched: the lines of the sheet and of the result in the view's plane.
+    """
+
+    view: View
+    size: tuple[float, float, float]
+    matched: MatchedLines
+
+    def to_sheet(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        """(n, 2) mm of the view's plane -> (n, 2) px of the sheet as stored."""
+        frame = self.view.role.frame
+        x0, y0, x1, y1 = self.view.box
+        left, right = _range(frame.right_axis, self.size)
+        bottom, top = _range(frame.up_axis, self.size)
+        return np.stack(
+            [
+                x0 + (points[:, 0] - left) / (right - left) * (x1 - x0),
+                y1 + (points[:, 1] - bottom) / (top - bottom) * (y0 - y1),
+            ],
+            axis=1,
+        )
+
+
+def draw_overlay(sheet: Image, views: Sequence[ViewOverlay]) -> Image:
+    """Draw the views' lines over the sheet.
+
+    Args:
+        sheet: (h, w) grey or (h, w, 3) RGB, as stored.
+        views: whose boxes are in pixels of that sheet.
+
+    Returns:
+        (h2, w2, 3) RGB with a legend below; larger sheets are reduced to 4000 px.
+    """
+    import cv2
+
+    grey = sheet if sheet.ndim == 2 else cv2.cvtColor(sheet, cv2.COLOR_RGB2GRAY)
+    scale = min(1.0, _LONGEST_SIDE / max(grey.shape))
+    if scale < 1.0:
+        grey = cv2.resize(grey, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
+    faded = 255.0 - (255.0 - grey.astype(np.float32)) * _INK
+    picture = np.repeat(np.rint(faded).astype(np.uint8)[..., None], 3, axis=2)
+
+    width = max(1, round(max(picture.shape) / 900))
+    letters = max(12, round(max(picture.shape) / 90))
+    layers = [_layers(view) for view in views]
+    for number, colour in ((1, _HIDDEN), (0, _VISIBLE), (3, _EXTRA), (2, _MISSING)):
+        strong = width + (1 if colour in (_MISSING, _EXTRA) else 0)
+        for view, parts in zip(views, layers, strict=True):
+            _paint(picture, view.to_sheet(parts[number]) * scale, colour, strong)
+    for view in views:
+        _frame(picture, view.view, scale, letters)
+    return _with_legend(picture, letters)
+
+
+def _range(axis: tuple[Axis, int], size: tuple[float, float, float]) -> tuple[float, float]:
+    """Least and greatest coordinate of a part along a signed axis of a view."""
+    extent = size[axis[0].value]
+    return (0.0, extent) if axis[1] > 0 else (-extent, 0.0)
+
+
+def _layers(view: ViewOverlay) -> list[npt.NDArray[np.float64]]:
+    """Points that agree (visible, hidden), are missing in the result, are only in it."""
+    matched = view.matched
+    sheet, result = matched.sheet, matched.result
+    return [
+        result.visible.points[matched.visible_explained],
+        result.hidden.points[matched.hidden_explained],
+        np.concatenate(
+            [
+                sheet.visible.points[~matched.visible_found],
+                sheet.hidden.points[~matched.hidden_found],
+            ]
+        ),
+        np.concatenate(
+            [
+                result.visible.points[~matched.visible_explained],
+                result.hidden.points[~matched.hidden_explained],
+            ]
+        ),
+    ]
+
+
+def _paint(picture: Image, pixels: npt.NDArray[np.float64], colour: Colour, width: int) -> None:
+    """Colour what lies within half a width of the points."""
+    import cv2
+
+    if not len(pixels):
+        return
+    height, across = picture.shape[:2]
+    mask = np.zeros((height, across), dtype=np.uint8)
+    columns, rows = np.floor(pixels).astype(np.int64).T
+    within = (columns >= 0) & (columns < across) & (rows >= 0) & (rows < height)
+    mask[rows[within], columns[within]] = 1
+    kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (width + 1, width + 1))
+    picture[cv2.dilate(mask, kernel) > 0] = colour
+
+
+def _frame(picture: Image, view: View, scale: float, letters: int) -> None:
+    """A thin box around a view, with the name of its role above its left corner."""
+    import cv2
+
+    gap = letters / 2
+    x0, y0, x1, y1 = (value * scale for value in view.box)
+    start, end = (round(x0 - gap), round(y0 - gap)), (round(x1 + gap), round(y1 + gap))
+    cv2.rectangle(picture, start, end, _FRAME, 1)
+    name = _text_image(view.role.value, letters)
+    _put(picture, name, start[0], start[1] - name.shape[0] - 2)
+
+
+def _with_legend(picture: Image, letters: int) -> Image:
+    """The picture with a strip below it that names the colours."""
+    entries = [(colour, _text_image(label, letters)) for colour, label in _LEGEND]
+    gap, sample = letters, 2 * letters
+    needed = sum(sample + gap // 2 + text.shape[1] + 2 * gap for _, text in entries)
+    width = max(picture.shape[1], needed)
+    strip = np.full((3 * letters, width, 3), 255, dtype=np.uint8)
+    strip[0] = _FRAME
+    x, middle = gap, strip.shape[0] // 2
+    for colour, text in entries:
+        half = max(1, letters // 8)
+        strip[middle - half : middle + half + 1, x : x + sample] = colour
+        x += sample + gap // 2
+        _put(strip, text, x, middle - text.shape[0] // 2)
+        x += text.shape[1] + 2 * gap
+    blank = np.full((picture.shape[0], width - picture.shape[1], 3), 255, dtype=np.uint8)
+    return np.vstack([np.hstack([picture, blank]), strip])
+
+
+def _text_image(text: str, letters: int) -> Image:
+    """(h, w) grey letters on white, ``letters`` px high."""
+    from PIL import Image as PillowImage
+    from PIL import ImageDraw, ImageFont
+
+    font = ImageFont.load_default(letters)
+    left, top, right, bottom = font.getbbox(text)
+    image = PillowImage.new("L", (int(right - left) + 2, int(bottom - top) + 2), 255)
+    ImageDraw.Draw(image).text((1 - left, 1 - top), text, fill=_TEXT[0], font=font)
+    return np.asarray(image)
+
+
+def _put(picture: Image, text: Image, x: int, y: int) -> None:
+    """Lay grey letters over a picture at their upper left corner, as far as they are inside."""
+    x0, y0 = max(x, 0), max(y, 0)
+    x1 = min(x + text.shape[1], picture.shape[1])
+    y1 = min(y + text.shape[0], picture.shape[0])
+    if x0 >= x1 or y0 >= y1:
+        return
+    part = text[y0 - y : y1 - y, x0 - x : x1 - x, None]
+    picture[y0:y1, x0:x1] = np.minimum(picture[y0:y1, x0:x1], part)
