@@ -1,4 +1,4 @@
-# What a checkout can do; `make help` lists it.  The work is in scripts/.
+# What a checkout can do; `make help` lists it.  The work is done by scripts/.
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
 .PHONY: help install demo test test-engine test-workbench test-gui test-freecad-latest lint bench \
@@ -11,5 +11,30 @@ install: ## the system packages (Debian) and the engine's environment in .venv
 	@sh scripts/install_system.sh
 	@sh scripts/install_engine.sh
 
+demo: install ## a sample sheet through FreeCAD: a document, a STEP file, a picture, a report in demo/
+	@sh scripts/demo.sh
+
+test: install ## all of the tests below but the last
+	@sh scripts/test.sh lint engine workbench gui
+
+lint: install ## the style of all Python files
+	@sh scripts/test.sh lint
+
+test-engine: install ## the engine
+	@sh scripts/test.sh engine
+
+test-workbench: install ## the workbench without a window
+	@sh scripts/test.sh workbench
+
+test-gui: install ## the workbench in a real window, on a virtual screen
+	@sh scripts/test.sh gui
+
+test-freecad-latest: install ## workbench and window in Debian's next FreeCAD (root, 3 GB in /var/tmp)
+	@sh scripts/freecad_latest.sh prepare
+	@sh scripts/freecad_latest.sh test
+
 lock: ## pin the engine's and the tests' packages anew; UPGRADE=1 takes the newest ones
 	@sh scripts/lock.sh $(if $(UPGRADE),--upgrade)
+
+clean: ## remove what demo and the tests wrote, but keep .venv
+	@rm -rf build demo .pytest_cache .ruff_cache .hypothesis

@@ -12,14 +12,15 @@ export PIP_NO_INPUT=1 PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_USER=0
 made=.venv/made     # which build .venv holds, and the fingerprint of what it was made from
 linked=.venv/linked # the fingerprint of the engine's pyproject.toml when it was linked into .venv
 
+# Prints the interpreter by the name that carries its version, so that .venv stays with it when the
+# system's python3 moves on.
 find_python() {
     for candidate in ${PYTHON:+"$PYTHON"} /usr/bin/python3 python3 python3.13 python3.12 python3.11; do
-        if "$candidate" -c '
-import ensurepip, sys, venv
-sys.exit(not (3, 11) <= sys.version_info < (3, 15))' 2>/dev/null; then
-            printf '%s\n' "$candidate"
-            return
-        fi
+        "$candidate" -c '
+import ensurepip, os, sys, venv
+if not (3, 11) <= sys.version_info < (3, 15):
+    sys.exit(1)
+print(os.path.realpath(sys.executable))' 2>/dev/null && return
         [ "$candidate" != "${PYTHON:-}" ] || fail "PYTHON=$PYTHON is no Python 3.11 to 3.14 with venv"
     done
     fail "found no Python 3.11 to 3.14 with its venv module: install one and name it in PYTHON"

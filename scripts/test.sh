@@ -1,0 +1,33 @@
+#!/bin/sh
+# Runs the suites that the arguments name, all of them whatever the others say, and sums up.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. scripts/steps.sh
+
+run() {
+    case $1 in
+    lint) .venv/bin/ruff check . && .venv/bin/ruff format --check . ;;
+    engine) .venv/bin/python -m pytest --quiet tests/engine ;;
+    workbench | gui) python3 tests/run_freecad_suites.py "$1" ;;
+    *) fail "there is no suite '$1'" ;;
+    esac
+}
+
+passed=0
+failed=
+for suite in "$@"; do
+    say "== $suite"
+    started=$(date +%s)
+    if (run "$suite") </dev/null; then
+        passed=$((passed + 1))
+        outcome=passed
+    else
+        failed="$failed $suite"
+        outcome=FAILED
+    fi
+    say "== $suite $outcome in $(($(date +%s) - started)) s"
+done
+if [ -n "$failed" ]; then
+    fail "failed:$failed"
+fi
+say "all $passed suites passed"
