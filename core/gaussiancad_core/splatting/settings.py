@@ -7,27 +7,12 @@ prevent that.  The paper's recipe is what the GaussianCAD paper describes, with 
 """
 
 from dataclasses import dataclass
-from enum import Enum
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.cameras import PAPER_RESOLUTION, Camera, orthographic_camera, paper_camera
+from gaussiancad_core.modes import Preset, Recipe
 from gaussiancad_core.splatting.losses import LossWeights
 from gaussiancad_core.splatting.rasteriser import Backend, Optics
-
-
-class Recipe(Enum):
-    """Which training."""
-
-    ORTHOGRAPHIC = "orthographic"
-    PAPER = "paper"
-
-
-class Preset(Enum):
-    """How much work."""
-
-    DRAFT = "draft"
-    STANDARD = "standard"
-    FINE = "fine"
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.meshes import TriangleMesh, connected_pieces, joined, make_mesh
 from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.surface.points import DiscSampling, OrientedPoints, disc_points
+from gaussiancad_core.surface.repair import made_manifold
 
 
 @dataclass(frozen=True)
@@ -61,11 +62,12 @@ def poisson_surface(points: OrientedPoints, settings: PoissonSettings) -> Triang
         point_weight=settings.point_weight,
     )
     pieces = connected_pieces(make_mesh(np.asarray(found.vertices), np.asarray(found.triangles)))
-    closed = [piece for piece in pieces if piece.watertight and piece.volume > 0.0]
-    if not closed:
+    limit = settings.smallest_piece * pieces[0].area if pieces else 0.0
+    large = [piece for piece in pieces if piece.area >= limit and piece.volume > 0.0]
+    solids = [solid for piece in large if (solid := made_manifold(piece)) is not None]
+    if not solids:
         raise _no_surface()
-    limit = settings.smallest_piece * closed[0].area
-    return joined([piece for piece in closed if piece.area >= limit])
+    return joined(solids)
 
 
 def _no_surface() -> NoModelError:
