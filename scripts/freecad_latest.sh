@@ -84,7 +84,8 @@ case ${1:-} in
 prepare) prepare ;;
 test)
     [ -f "$made" ] || fail "there is no root yet: run 'freecad_latest.sh prepare' first"
-    inside "$(mounts)" sh scripts/test.sh workbench gui
+    inside "$(mounts)" env GAUSSIANCAD_ARTIFACTS="$PWD/build/artifacts-latest" \
+        sh scripts/test.sh workbench gui
     ;;
 *) fail "usage: freecad_latest.sh prepare|test" ;;
 esac
