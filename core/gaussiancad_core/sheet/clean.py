@@ -12,8 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.errors import NoModelError
-
-MEDIAN_KERNEL = 3
+from gaussiancad_core.sheet.options import MEDIAN_KERNEL
 
 _MAX_LOSS = 0.3
 """Largest share of the ink that the median filter may take away."""

@@ -13,9 +13,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.errors import NoModelError, UsageError
-
-Box = tuple[float, float, float, float]
-"""x0, y0, x1, y1 in px of the sheet, y down."""
+from gaussiancad_core.sheet.options import Box
 
 _REACH = 6
 """Ink closer than this many px belongs to the same cluster."""

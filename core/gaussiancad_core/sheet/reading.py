@@ -2,11 +2,12 @@
 
 from dataclasses import dataclass
 
-from gaussiancad_core.axes import Axis, Projection, Role
+from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.sheet.clean import MEDIAN_KERNEL, CleanSheet
-from gaussiancad_core.sheet.layout import Box, Layout
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.masks import Outline, Region, find_outline, supersampling_for
+from gaussiancad_core.sheet.options import Box, ReadingOptions
 from gaussiancad_core.sheet.registration import (
     DEFAULT_LONGEST_MM,
     AxisExtents,
@@ -22,31 +23,7 @@ from gaussiancad_core.views import Stroke, ViewSet
 
 
 @dataclass(frozen=True)
-class ReadingOptions:
-    """What a user can say about a sheet.
-
-    Attributes:
-        projection: None to infer it.
-        views: role -> box around the view in sheet px.
-        length: (axis, mm), the part's extent along an axis, or None.
-        mm_per_pixel: scale of the sheet, or None.
-        colour: RGB of the part.
-        open_holes: open the through holes that the hidden lines prove; the paper's masks are only
-            filled contours.
-        median_kernel: px, 0 for none.
-    """
-
-    projection: Projection | None = None
-    views: tuple[tuple[Role, Box], ...] = ()
-    length: tuple[Axis, float] | None = None
-    mm_per_pixel: float | None = None
-    colour: tuple[int, int, int] = (120, 160, 210)
-    open_holes: bool = True
-    median_kernel: int = MEDIAN_KERNEL
-
-
-@dataclass(frozen=True)
-class DrawnView:
+class ReadView:
     """A named view with its strokes, in px of the sheet.
 
     Attributes:
@@ -77,13 +54,13 @@ class RegisteredSheet:
 
     views: ViewSet
     placements: dict[Role, Placement]
-    drawn: tuple[DrawnView, ...]
+    drawn: tuple[ReadView, ...]
     mm_per_pixel: float
     extents: AxisExtents
     opened: int
 
 
-def read_views(sheet: CleanSheet, layout: Layout) -> tuple[DrawnView, ...]:
+def read_views(sheet: CleanSheet, layout: Layout) -> tuple[ReadView, ...]:
     """Strokes and outlines of the views of a layout.
 
     Raises:
@@ -103,11 +80,11 @@ def read_views(sheet: CleanSheet, layout: Layout) -> tuple[DrawnView, ...]:
                 "the outline of the {} view at ({:.0f}, {:.0f})-({:.0f}, {:.0f}) px is not "
                 "closed: draw its visible edges without gaps".format(role.value, *box),
             )
-        drawn.append(DrawnView(role, view_box(strokes, outline), strokes, outline))
+        drawn.append(ReadView(role, view_box(strokes, outline), strokes, outline))
     return tuple(drawn)
 
 
-def register_views(drawn: tuple[DrawnView, ...], options: ReadingOptions) -> RegisteredSheet:
+def register_views(drawn: tuple[ReadView, ...], options: ReadingOptions) -> RegisteredSheet:
     """Bring views onto shared axes in mm.
 
     Raises:
@@ -146,7 +123,7 @@ def _scale(extents: AxisExtents, options: ReadingOptions) -> float:
     return DEFAULT_LONGEST_MM / max(extents.extents.values())
 
 
-def _through_holes(view: DrawnView, drawn: tuple[DrawnView, ...]) -> tuple[Region, ...]:
+def _through_holes(view: ReadView, drawn: tuple[ReadView, ...]) -> tuple[Region, ...]:
     """Regions of a view that the other views prove to be through holes."""
     others = [
         ViewEvidence(
@@ -171,7 +148,7 @@ def _through_holes(view: DrawnView, drawn: tuple[DrawnView, ...]) -> tuple[Regio
     return tuple(found)
 
 
-def _on_outline(region: Region, view: DrawnView) -> bool:
+def _on_outline(region: Region, view: ReadView) -> bool:
     """Whether a region reaches the view's own outline: then it is no hole."""
     x, y = region.corner
     height, width = region.mask.shape
@@ -179,7 +156,7 @@ def _on_outline(region: Region, view: DrawnView) -> bool:
     return bool((region.mask & (depth < 2.0)).any())
 
 
-def _extent(region: Region, view: DrawnView) -> Extent:
+def _extent(region: Region, view: ReadView) -> Extent:
     """Interval of a region on the axes of its view, as fractions of the part's size."""
     frame = view.role.frame
     factor = view.outline.supersampling

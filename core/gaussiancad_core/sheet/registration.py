@@ -14,9 +14,8 @@ import numpy.typing as npt
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.masks import Outline
+from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.views import Arc, Linetype, Segment, Stroke, View
-
-Box = tuple[float, float, float, float]
 
 DEFAULT_LONGEST_MM = 100.0
 """Longest edge of the bounding box when the sheet's scale is not known."""

@@ -85,6 +85,11 @@ def ink_field(sheet: CleanSheet) -> InkField:
     return InkField(sheet.weight, np.dstack([cosine / energy, sine / energy]), sheet.stroke_width)
 
 
+def runs_spans(runs: list[Run]) -> list[tuple[float, float]]:
+    """Start and end of each run."""
+    return [(run.start, run.end) for run in runs]
+
+
 def line_runs(field: InkField, line: Line, start: float, end: float) -> list[Run]:
     """Runs of ink along a line between two positions."""
     along = np.arange(start, end + STEP, STEP)

@@ -15,6 +15,21 @@ from gaussiancad_core.sheet.clean import CleanSheet
 
 Points = npt.NDArray[np.float64]
 
+_MAX_CENTRES = 200
+"""Hough circles looked at, best first, for each of its modes."""
+
+_CIRCLE_FITS = ((3.0, 4.0), (2.5, 3.0), (2.0, 2.0), (1.5, 1.2), (1.5, 0.8), (1.5, 0.8))
+"""Of each step of a circle's fit: px beside the stroke that it looks at, and Tukey's cutoff."""
+
+_FOLLOWED = 0.8
+"""px by which a shape may pass beside a stroke's centre line at most."""
+
+_HOUGH_WAYS = ((12, 8, 5), (24, 30, 22))
+"""Votes, shortest line, widest gap in px: for short solid lines, and across the gaps of dashes."""
+
+_RADIAL_SHARE = 0.12
+"""Share of a circle that is inked where there may be an arc: a fillet is a quarter, dashed less."""
+
 
 @dataclass(frozen=True)
 class Line:
@@ -53,17 +68,7 @@ def edge_map(sheet: CleanSheet) -> npt.NDArray[np.uint8]:
 
 def find_lines(sheet: CleanSheet, edges: npt.NDArray[np.uint8]) -> list[Line]:
     """Lines under straight strokes, longest evidence first."""
-    found = cv2.HoughLinesP(
-        edges,
-        1,
-        np.pi / 360,
-        threshold=14,
-        minLineLength=max(8.0, 3 * sheet.stroke_width),
-        maxLineGap=6,
-    )
-    if found is None:
-        return []
-    segments = found.reshape(-1, 4).astype(np.float64)
+    segments = np.concatenate([_hough_segments(edges, *way) for way in _HOUGH_WAYS])
     lengths = np.hypot(segments[:, 2] - segments[:, 0], segments[:, 3] - segments[:, 1])
     lines: list[Line] = []
     for index in np.argsort(-lengths, kind="stable"):
@@ -74,6 +79,16 @@ def find_lines(sheet: CleanSheet, edges: npt.NDArray[np.uint8]) -> list[Line]:
         if line is not None and not any(_same_line(line, other, start, end) for other in lines):
             lines.append(line)
     return lines
+
+
+def _hough_segments(
+    edges: npt.NDArray[np.uint8], votes: int, shortest: int, gap: int
+) -> npt.NDArray[np.float64]:
+    """(n, 4) x0, y0, x1, y1 by the probabilistic Hough transform, half a degree fine."""
+    found = cv2.HoughLinesP(
+        edges, 1, np.pi / 360, votes, minLineLength=shortest, maxLineGap=gap
+    )
+    return np.zeros((0, 4)) if found is None else found.reshape(-1, 4).astype(np.float64)
 
 
 def _lies_on(line: Line, start: Points, end: Points, stroke_width: float) -> bool:
@@ -141,6 +156,35 @@ def refit_line(sheet: CleanSheet, line: Line, spans: list[tuple[float, float]]) 
         line: a fit to part of the stroke.
         spans: where along the line there is ink of its own; the origin of positions stays.
     """
+    along, across = _cross_profile(sheet, line, spans)
+    if len(along) < 6:
+        return line
+    good = np.abs(across - np.median(across)) < 1.0
+    if good.sum() < 6 or np.ptp(along[good]) < 6:
+        return line
+    slope, shift = np.polyfit(along[good], across[good], 1)
+    direction = np.array(line.direction)
+    normal = np.array([-direction[1], direction[0]])
+    turned = direction + slope * normal
+    origin = np.array(line.point) + shift * normal
+    unit = turned / np.hypot(*turned)
+    return Line((float(origin[0]), float(origin[1])), (float(unit[0]), float(unit[1])))
+
+
+def line_support(sheet: CleanSheet, line: Line, spans: list[tuple[float, float]]) -> float:
+    """px of the ink in some spans of a line whose centre line is the line."""
+    return following(_cross_profile(sheet, line, spans)[1]) if spans else 0.0
+
+
+def following(residual: npt.NDArray[np.float64]) -> float:
+    """Number of samples with a small residual in px, those in doubt counted less (Tukey)."""
+    return float((np.clip(1.0 - (residual / _FOLLOWED) ** 2, 0.0, None) ** 2).sum())
+
+
+def _cross_profile(
+    sheet: CleanSheet, line: Line, spans: list[tuple[float, float]]
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+    """Every px along some spans: the position, and where across it the stroke's centre is."""
     along = np.concatenate([np.arange(start, end + 0.5) for start, end in spans])
     reach = sheet.stroke_width / 2 + 2.0
     offsets = np.arange(-reach, reach + 0.25, 0.5)
@@ -153,52 +197,73 @@ def refit_line(sheet: CleanSheet, line: Line, spans: list[tuple[float, float]]) 
     total = profile.sum(1)
     # Where the profile is inked at an end, another stroke crosses or lies beside.
     clear = (total > 0.8) & (np.maximum(profile[:, 0], profile[:, -1]) < 0.3)
-    if clear.sum() < 6:
-        return line
-    across = (profile[clear] * offsets).sum(1) / total[clear]
-    good = np.abs(across - np.median(across)) < 1.0
-    if good.sum() < 6 or np.ptp(along[clear][good]) < 6:
-        return line
-    slope, shift = np.polyfit(along[clear][good], across[good], 1)
-    turned = direction + slope * normal
-    origin = np.array(line.point) + shift * normal
-    unit = turned / np.hypot(*turned)
-    return Line((float(origin[0]), float(origin[1])), (float(unit[0]), float(unit[1])))
+    return along[clear], (profile[clear] * offsets).sum(1) / total[clear]
 
 
-def find_circles(sheet: CleanSheet, box: tuple[int, int, int, int]) -> list[Circle]:
-    """Circles under the strokes inside a box (x0, y0, x1, y1).
+def find_circles(sheet: CleanSheet) -> list[Circle]:
+    """Circles and arcs under the strokes of a view.
 
-    Hough circles gives candidates, twice: the gradient method finds dashed circles, the ALT mode
-    finds sharp ones and arcs.  A candidate stays if a fit to the ink converges near it.
+    Hough circles finds centres, twice: the gradient method those of dashed circles, the ALT mode
+    sharp ones and arcs.  It gives one radius a centre, so all circles around a centre are looked
+    for in the ink's radial profile.  A candidate stays if a fit to the ink converges near it.
     """
-    x0, y0, x1, y1 = box
-    ink = sheet.ink[y0:y1, x0:x1].astype(np.uint8) * 255
-    grey = cv2.GaussianBlur(255 - ink, (0, 0), 1.0)
-    side = max(ink.shape)
-    candidates: list[tuple[float, float, float]] = []
-    for method, first, second in (
-        (cv2.HOUGH_GRADIENT_ALT, 200, 0.7),
-        (cv2.HOUGH_GRADIENT, 160, 22),
+    grey = cv2.GaussianBlur(255 - sheet.ink.astype(np.uint8) * 255, (0, 0), 1.0)
+    side = max(sheet.ink.shape)
+    candidates: list[Circle] = []
+    for method, dp, edge, votes in (
+        (cv2.HOUGH_GRADIENT_ALT, 1.5, 200, 0.7),
+        (cv2.HOUGH_GRADIENT, 1.0, 160, 22),
     ):
         found = cv2.HoughCircles(
-            grey,
-            method,
-            dp=1.5 if method == cv2.HOUGH_GRADIENT_ALT else 1.0,
-            minDist=3,
-            param1=first,
-            param2=second,
-            minRadius=4,
-            maxRadius=side,
+            grey, method, dp, 3, param1=edge, param2=votes, minRadius=4, maxRadius=side
         )
         if found is not None:
-            candidates += [tuple(row[:3]) for row in found.reshape(-1, found.shape[-1])]
-    circles: list[Circle] = []
-    for cx, cy, radius in candidates[:400]:
-        circle = fit_circle(sheet, Circle((float(cx) + x0, float(cy) + y0), float(radius)))
+            rows = found.reshape(-1, found.shape[-1])[:_MAX_CENTRES].astype(np.float64)
+            candidates += [Circle((float(x), float(y)), float(r)) for x, y, r in rows[:, :3]]
+    circles = _fitted(sheet, candidates, [])
+    around = [
+        Circle(centre, radius)
+        for centre in _distinct_centres(circles)
+        for radius in _radii_around(sheet, centre)
+    ]
+    return _fitted(sheet, around, circles)
+
+
+def _fitted(sheet: CleanSheet, candidates: list[Circle], known: list[Circle]) -> list[Circle]:
+    """The known circles and those that candidates converge to."""
+    circles = list(known)
+    for candidate in candidates:
+        if any(same_circle(candidate, other) for other in circles):
+            continue
+        circle = fit_circle(sheet, candidate)
         if circle is not None and not any(same_circle(circle, other) for other in circles):
             circles.append(circle)
     return circles
+
+
+def _distinct_centres(circles: list[Circle]) -> list[tuple[float, float]]:
+    centres: list[tuple[float, float]] = []
+    for circle in circles:
+        if all(np.hypot(circle.centre[0] - x, circle.centre[1] - y) > 2.0 for x, y in centres):
+            centres.append(circle.centre)
+    return centres
+
+
+def _radii_around(sheet: CleanSheet, centre: tuple[float, float]) -> list[float]:
+    """Radii at which a good part of the circle around a centre is inked."""
+    height, width = sheet.ink.shape
+    reach = float(np.hypot(max(centre[0], width - centre[0]), max(centre[1], height - centre[1])))
+    angles, step = 720, 0.5
+    polar = cv2.warpPolar(
+        sheet.weight,
+        (int(reach / step), angles),
+        centre,
+        reach,
+        cv2.INTER_LINEAR | cv2.WARP_FILL_OUTLIERS,
+    )
+    share = cv2.blur(polar.mean(0)[None], (3, 1))[0]
+    peaks = (share > _RADIAL_SHARE) & (share >= np.roll(share, 1)) & (share > np.roll(share, -1))
+    return [float(i * step) for i in np.flatnonzero(peaks) if i * step >= 4.0]
 
 
 def same_circle(a: Circle, b: Circle) -> bool:
@@ -210,25 +275,27 @@ def same_circle(a: Circle, b: Circle) -> bool:
 
 
 def fit_circle(sheet: CleanSheet, start: Circle) -> Circle | None:
-    """Fit a circle to the ink near it: centroids of radial profiles, then geometric least squares
-    with a Huber-like weight.  None if it drifts away or too little of it is inked.
+    """Fit a circle to the ink near it: centroids of radial profiles, then least squares with
+    Tukey's weights, which forget the tangents beside an arc as the fit tightens.
+
+    None if the fit drifts away or has too little ink to rest on.
     """
     circle = start
-    for reach in (sheet.stroke_width / 2 + 3.0, sheet.stroke_width / 2 + 2.0) + (
-        sheet.stroke_width / 2 + 1.5,
-    ) * 3:
-        angles, radii = radial_profile(sheet, circle, reach)
-        if len(angles) < 12:
-            return None
+    half = sheet.stroke_width / 2
+    for reach, cutoff in _CIRCLE_FITS:
+        angles, radii = radial_profile(sheet, circle, half + reach)
         residual = radii - circle.radius
-        weight = np.minimum(1.0, 0.4 / np.maximum(np.abs(residual - np.median(residual)), 1e-9))
+        weight = np.clip(1.0 - (residual / cutoff) ** 2, 0.0, None)
+        if (weight > 0.2).sum() < 12:
+            return None
         design = np.stack([np.cos(angles), np.sin(angles), np.ones_like(angles)], 1)
         scaled = design * weight[:, None]
         step, *_ = np.linalg.lstsq(scaled, residual * weight, rcond=None)
         if np.hypot(step[0], step[1]) > 6 or abs(step[2]) > 6:
             return None
         circle = Circle(
-            (circle.centre[0] + step[0], circle.centre[1] + step[1]), circle.radius + step[2]
+            (float(circle.centre[0] + step[0]), float(circle.centre[1] + step[1])),
+            float(circle.radius + step[2]),
         )
         if circle.radius < 2.5:
             return None

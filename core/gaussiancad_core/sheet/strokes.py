@@ -1,7 +1,7 @@
 """The strokes of one view: Hough shapes, cut by the ink under them, with exact ends.
 
-Circles come first, since a chord of a large one passes for a line; every accepted stroke explains
-its ink, and a shape that explains little that is new is dropped.  What no line or circle explains
+The shapes with the most ink come first; every accepted stroke explains its ink, and a shape that
+explains little that is new is dropped: a chord of a circle, or an arc that cuts a corner.  What no line or circle explains
 (ellipses, free curves, small fillets) is traced as short segments.
 """
 
@@ -22,6 +22,7 @@ from gaussiancad_core.sheet.runs import (
     ink_field,
     learn_rhythm,
     line_runs,
+    runs_spans,
 )
 from gaussiancad_core.sheet.shapes import (
     Circle,
@@ -29,6 +30,8 @@ from gaussiancad_core.sheet.shapes import (
     edge_map,
     find_circles,
     find_lines,
+    following,
+    line_support,
     radial_profile,
     refit_line,
 )
@@ -46,15 +49,17 @@ _FULL = 2 * np.pi
 
 @dataclass(frozen=True)
 class Shape:
-    """A line or circle with the runs of ink along it."""
+    """A line or circle with the runs of ink along it.
+
+    Attributes:
+        geometry: the fitted shape.
+        runs: in order along it.
+        support: px of its ink whose centre line it follows, in doubt less than its length.
+    """
 
     geometry: Line | Circle
     runs: tuple[Run, ...]
-
-    @property
-    def inked(self) -> float:
-        """Length of its ink in px."""
-        return sum(run.length for run in self.runs)
+    support: float
 
 
 @dataclass(frozen=True)
@@ -79,7 +84,7 @@ def find_shapes(sheet: CleanSheet, box: tuple[float, float, float, float]) -> Vi
     crop, offset = _crop(sheet, box)
     field = ink_field(crop)
     height, width = crop.ink.shape
-    circles = find_circles(crop, (0, 0, width, height))
+    circles = find_circles(crop)
     shapes = [shape for circle in circles if (shape := _circle_shape(crop, field, circle))]
     for line in find_lines(crop, edge_map(crop)):
         along, _ = line.coordinates(
@@ -88,9 +93,10 @@ def find_shapes(sheet: CleanSheet, box: tuple[float, float, float, float]) -> Vi
         reach = float(along.min()), float(along.max())
         runs = line_runs(field, line, *reach)
         if runs:
-            spans = [(run.start, run.end) for run in runs]
-            line = refit_line(crop, line, spans)
-            shapes.append(Shape(line, tuple(line_runs(field, line, *reach))))
+            refitted = refit_line(crop, line, runs_spans(runs))
+            runs = line_runs(field, refitted, *reach)
+            support = line_support(crop, refitted, runs_spans(runs))
+            shapes.append(Shape(refitted, tuple(runs), support))
     return ViewShapes(crop, field, tuple(shapes), offset)
 
 
@@ -104,7 +110,7 @@ def classify_strokes(view: ViewShapes, rhythm: Rhythm) -> tuple[Stroke, ...]:
     """Visible and hidden strokes of a view in px of the sheet (y down, pixel centres at .5)."""
     explained = np.zeros(view.sheet.ink.shape, np.uint8)
     pieces: list[tuple[Line | Circle, Piece]] = []
-    order = sorted(view.shapes, key=lambda s: (isinstance(s.geometry, Line), -s.inked))
+    order = sorted(view.shapes, key=lambda shape: -shape.support)
     for shape in order:
         fresh = [run for run in shape.runs if _new_share(shape.geometry, run, explained) > _MIN_NEW]
         touches = [_touches(view.field, shape.geometry, run) for run in fresh]
@@ -139,17 +145,19 @@ def _crop(
 def _circle_shape(sheet: CleanSheet, field: InkField, circle: Circle) -> Shape | None:
     """The circle with its runs, if the ink follows it and not a tangent or a polygon."""
     angles, radii = radial_profile(sheet, circle, sheet.stroke_width / 2 + 1.5)
-    followed = angles[np.abs(radii - circle.radius) < 0.6] * circle.radius
+    residual = radii - circle.radius
+    followed = angles[np.abs(residual) < 0.6] * circle.radius
     runs = []
     for run in circle_runs(field, circle):
         inside = _count_within(followed, run, _FULL * circle.radius)
         if inside > 0.75 * run.length:
             runs.append(run)
-    shape = Shape(circle, tuple(runs))
     longest = max((run.length for run in runs), default=0.0)
-    covered = shape.inked / (_FULL * circle.radius)
+    covered = sum(run.length for run in runs) / (_FULL * circle.radius)
     bowed = longest**2 / (8 * circle.radius) > _MIN_SAGITTA + sheet.stroke_width / 2
-    return shape if covered > 0.45 or (bowed and longest > 6) else None
+    if covered < 0.45 and not (bowed and longest > 6):
+        return None
+    return Shape(circle, tuple(runs), following(residual))
 
 
 def _count_within(positions: npt.NDArray[np.float64], run: Run, around: float) -> int:
@@ -271,8 +279,10 @@ def _crossings(
         reach = min((half + 1.0) / sine - 1.0, 8.0 * half)
     elif isinstance(geometry, Line) and isinstance(other, Circle):
         points = _line_circle(geometry, other)
+        reach = _shared_with_tangent(points, other, half)
     elif isinstance(geometry, Circle) and isinstance(other, Line):
         points = _line_circle(other, geometry)
+        reach = _shared_with_tangent(points, geometry, half)
     else:
         return []
     slack = max(stroke_width, reach) + 2.0
@@ -281,6 +291,13 @@ def _crossings(
         for point in points
         if stretch.start - slack <= _position(other, point, stretch) <= stretch.end + slack
     ]
+
+
+def _shared_with_tangent(
+    points: list[npt.NDArray[np.float64]], circle: Circle, half: float
+) -> float:
+    """How far from a junction a line and a circle share their ink: long if they are tangent."""
+    return float(np.sqrt(2.0 * circle.radius * (half + 1.0))) if len(points) == 1 else half
 
 
 def _position(geometry: Line | Circle, point: npt.NDArray[np.float64], piece: Piece) -> float:

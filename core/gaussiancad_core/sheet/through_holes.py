@@ -1,7 +1,7 @@
 """Which blank regions of a view are through holes: the hidden lines of the other views tell.
 
 The walls of a through hole show in each view beside as a line at either end of the hole's extent,
-over the whole depth of the material.  Where a wider hole leads into it (a counterbore), that hole's
+over the whole depth of the material that the views leave there.  Where a wider hole leads into it (a counterbore), that hole's
 hidden lines cover the rest of the depth.  This is evidence, not proof: rows of holes can lend each
 other their lines.
 """
@@ -17,8 +17,8 @@ from gaussiancad_core.views import Arc, Linetype, Stroke
 _COVERED = 0.94
 """Share of the material's depth that a hole's walls must show."""
 
-_STEP = 0.5
-"""Spacing in px of the samples along the depth."""
+_SAMPLES = 2000
+"""Places along the depth that are looked at."""
 
 
 @dataclass(frozen=True)
@@ -66,18 +66,24 @@ def is_through(
     ]
     if not seen_from:
         return False
+    samples = np.linspace(0.0, 1.0, _SAMPLES)
+    material = np.ones(_SAMPLES, bool)
+    for view in seen_from:
+        low, high = extent[_shared_axis(view.role, depth_axis)]
+        material &= _wall_samples(view, depth_axis, (low + high) / 2, samples, tolerance).material
+    if not material.any():
+        return False
     hidden_somewhere = False
     for view in seen_from:
         shared = _shared_axis(view.role, depth_axis)
         for side in (0, 1):
-            walls = _wall_samples(view, shared, extent[shared][side], tolerance)
-            material = walls.material
+            walls = _wall_samples(view, depth_axis, extent[shared][side], samples, tolerance)
             covered = walls.hidden | walls.visible
-            hidden_somewhere |= walls.hidden[material].mean() > 0.4 if material.any() else False
+            hidden_somewhere |= bool(walls.hidden[material].mean() > 0.4)
             for outer in around:
-                wider = _wall_samples(view, shared, outer[shared][side], tolerance)
+                wider = _wall_samples(view, depth_axis, outer[shared][side], samples, tolerance)
                 covered = covered | wider.hidden
-            if not material.any() or covered[material].mean() < _COVERED:
+            if covered[material].mean() < _COVERED:
                 return False
     return hidden_somewhere
 
@@ -89,30 +95,41 @@ def _shared_axis(role: Role, depth_axis: Axis) -> Axis:
 
 @dataclass(frozen=True)
 class _Walls:
-    """(n,) bool samples along the depth of a view at one position of the shared axis."""
+    """(n,) bool samples along the depth in a view, at one position of the axis shared with the
+    hole's view: material by the outline, and lines there."""
 
     material: npt.NDArray[np.bool_]
     hidden: npt.NDArray[np.bool_]
     visible: npt.NDArray[np.bool_]
 
 
-def _wall_samples(view: ViewEvidence, shared: Axis, fraction: float, tolerance: float) -> _Walls:
-    """Material and lines in a view along the depth, at a fraction of the shared axis."""
+def _wall_samples(
+    view: ViewEvidence,
+    depth_axis: Axis,
+    fraction: float,
+    samples: npt.NDArray[np.float64],
+    tolerance: float,
+) -> _Walls:
+    """Material and lines in a view at fractions of the depth, at a fraction of the other axis."""
     frame = view.role.frame
     x0, y0, x1, y1 = view.box
-    horizontal = frame.right_axis[0] is shared
-    sign = frame.right_axis[1] if horizontal else frame.up_axis[1]
-    low, high = (x0, x1) if horizontal else (y1, y0)
-    along = fraction if sign > 0 else 1.0 - fraction
-    position = low + along * (high - low)
-    start, end = (y0, y1) if horizontal else (x0, x1)
-    depth = np.arange(start, end + _STEP, _STEP)
-    xs = np.full_like(depth, position) if horizontal else depth
-    ys = depth if horizontal else np.full_like(depth, position)
+    ends = {0: (x0, x1), 1: (y1, y0)}
+    axes = (frame.right_axis, frame.up_axis)
+    down_the_sheet = axes[1][0] is depth_axis
+    own, other = (1, 0) if down_the_sheet else (0, 1)
+
+    def placed(index: int, at: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        low, high = ends[index] if axes[index][1] > 0 else ends[index][::-1]
+        return low + at * (high - low)
+
+    depth = placed(own, samples)
+    position = float(placed(other, np.array([fraction]))[0])
+    across = np.full_like(depth, position)
+    xs, ys = (across, depth) if down_the_sheet else (depth, across)
     hidden = np.zeros(len(depth), bool)
     visible = np.zeros(len(depth), bool)
     for stroke in view.strokes:
-        near = _near(stroke, depth, position, horizontal, tolerance)
+        near = _near(stroke, depth, position, down_the_sheet, tolerance)
         if stroke.linetype is Linetype.HIDDEN:
             hidden |= near
         else:
@@ -121,12 +138,12 @@ def _wall_samples(view: ViewEvidence, shared: Axis, fraction: float, tolerance: 
 
 
 def _near(
-    stroke: Stroke, depth: npt.NDArray[np.float64], position: float, horizontal: bool, slack: float
+    stroke: Stroke, depth: npt.NDArray[np.float64], position: float, vertical: bool, slack: float
 ) -> npt.NDArray[np.bool_]:
     """Which samples lie on a straight stroke along the depth."""
     if isinstance(stroke, Arc):
         return np.zeros(len(depth), bool)
-    across = (0, 1) if horizontal else (1, 0)
+    across = (0, 1) if vertical else (1, 0)
     ends = (stroke.start, stroke.end)
     if any(abs(end[across[0]] - position) > slack for end in ends):
         return np.zeros(len(depth), bool)

@@ -1,0 +1,57 @@
+"""What a ``reconstruct`` run is asked to do."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind
+from gaussiancad_core.sheet.options import ReadingOptions
+
+
+@dataclass(frozen=True)
+class Job:
+    """One run.
+
+    Attributes:
+        sheet: the drawing.
+        output: folder for the results.
+        reading: what the user says about the sheet.
+        page: of a multi-page file, from 1.
+        result: which models are asked for.
+        recipe: cameras and training.
+        preset: amount of work.
+        seed: of all chance.
+        device: where to train.
+        resume: keep the results of an earlier run of the same job.
+    """
+
+    sheet: Path
+    output: Path
+    reading: ReadingOptions = ReadingOptions()
+    page: int = 1
+    result: ResultKind = ResultKind.BOTH
+    recipe: Recipe = Recipe.ORTHOGRAPHIC
+    preset: Preset = Preset.STANDARD
+    seed: int = 0
+    device: Device = Device.AUTO
+    resume: bool = False
+
+    def settings(self) -> dict[str, Any]:
+        """What determines the result beside the sheet, as JSON values."""
+        reading = self.reading
+        return {
+            "projection": reading.projection.value if reading.projection else "auto",
+            "views": {role.value: list(box) for role, box in reading.views},
+            "length": (
+                {"axis": reading.length[0].name.lower(), "mm": reading.length[1]}
+                if reading.length
+                else None
+            ),
+            "mm_per_pixel": reading.mm_per_pixel,
+            "colour": "#{:02x}{:02x}{:02x}".format(*reading.colour),
+            "page": self.page,
+            "result": self.result.value,
+            "recipe": self.recipe.value,
+            "preset": self.preset.value,
+            "seed": self.seed,
+        }

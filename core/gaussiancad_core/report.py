@@ -1,0 +1,189 @@
+"""``report.json`` (schema 1): what a run made, how sure it is, and what it cost."""
+
+import json
+import platform
+import sys
+from dataclasses import asdict, dataclass, field, replace
+from importlib import metadata
+from pathlib import Path
+from typing import Any
+
+import psutil
+
+from gaussiancad_core import __version__
+from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.modes import Status
+
+SCHEMA = 1
+
+_PACKAGES = (
+    "torch",
+    "numpy",
+    "opencv-python-headless",
+    "numba",
+    "open3d",
+    "trimesh",
+    "cadquery-ocp-novtk",
+)
+
+
+@dataclass(frozen=True)
+class Remark:
+    """A reason or a warning: a kebab-case code and a sentence for a person."""
+
+    code: str
+    message: str
+
+
+@dataclass(frozen=True)
+class Agreement:
+    """How the result's own lines agree with the sheet's in one view, shares of length 0..1.
+
+    A kind of line that neither has agrees fully (1).
+    """
+
+    visible_recall: float
+    visible_precision: float
+    hidden_recall: float
+    hidden_precision: float
+
+
+@dataclass(frozen=True)
+class ViewReport:
+    """One view: its box in sheet px, and the agreement once the result was drawn again."""
+
+    box: tuple[float, float, float, float]
+    agreement: Agreement | None = None
+
+    def as_json(self) -> dict[str, Any]:
+        """JSON values."""
+        entry: dict[str, Any] = {"box": [round(value, 2) for value in self.box]}
+        if self.agreement:
+            entry.update({k: round(v, 4) for k, v in asdict(self.agreement).items()})
+        return entry
+
+
+@dataclass(frozen=True)
+class SurfaceReport:
+    """The Poisson mesh."""
+
+    vertices: int
+    triangles: int
+    watertight: bool
+    volume_mm3: float
+
+
+@dataclass(frozen=True)
+class GaussiansReport:
+    """The trained Gaussians; ``loss`` is the last one."""
+
+    count: int
+    iterations: int
+    loss: float
+
+
+@dataclass(frozen=True)
+class Report:
+    """Everything that is known about a run, filled in stage by stage with ``replace``.
+
+    Attributes:
+        sheet_sha256: of the sheet's file.
+        settings: of the job, JSON values.
+        stage: the last stage that was begun.
+        projection, projection_source, projection_alternatives: reading of the arrangement.
+        views: by role.
+        scale_mm_per_pixel, scale_source: of sheet pixels.
+        tolerance_px: within which lines were matched.
+    """
+
+    sheet_sha256: str
+    settings: dict[str, Any]
+    status: Status = Status.FAILED
+    stage: str = ""
+    reasons: tuple[Remark, ...] = ()
+    warnings: tuple[Remark, ...] = ()
+    projection: Projection = Projection.THIRD
+    projection_source: str = "default"
+    projection_alternatives: tuple[Projection, ...] = ()
+    views: dict[Role, ViewReport] = field(default_factory=dict)
+    tolerance_px: float = 0.0
+    scale_mm_per_pixel: float | None = None
+    scale_source: str = "default"
+    bounding_box_mm: tuple[float, float, float] | None = None
+    surface: SurfaceReport | None = None
+    gaussians: GaussiansReport | None = None
+    seconds: dict[str, float] = field(default_factory=dict)
+
+    def warned(self, code: str, message: str) -> "Report":
+        """The report with one more warning."""
+        return replace(self, warnings=(*self.warnings, Remark(code, message)))
+
+    def doubted(self, code: str, message: str) -> "Report":
+        """The report with one more reason why the result is not verified."""
+        return replace(self, reasons=(*self.reasons, Remark(code, message)))
+
+    def as_json(self) -> dict[str, Any]:
+        """The report as JSON values, as the schema has them."""
+        return {
+            "schema": SCHEMA,
+            "status": self.status.value,
+            "reasons": [asdict(remark) for remark in self.reasons],
+            "warnings": [asdict(remark) for remark in self.warnings],
+            "stage": self.stage,
+            "projection": self.projection.value,
+            "projection_source": self.projection_source,
+            "projection_alternatives": [p.value for p in self.projection_alternatives],
+            "views": {role.value: view.as_json() for role, view in self.views.items()},
+            "tolerance_px": self.tolerance_px,
+            "scale_mm_per_pixel": self.scale_mm_per_pixel,
+            "scale_source": self.scale_source,
+            "bounding_box_mm": self.bounding_box_mm,
+            "solid": None,
+            "surface": asdict(self.surface) if self.surface else None,
+            "gaussians": asdict(self.gaussians) if self.gaussians else None,
+            "seconds": self.seconds,
+            "peak_memory_mb": peak_memory_mb(),
+            "settings": self.settings,
+            "engine": engine_facts(self.settings, self.sheet_sha256),
+        }
+
+    def write(self, path: Path) -> None:
+        """Write the report as UTF-8 JSON."""
+        text = json.dumps(self.as_json(), indent=2, ensure_ascii=False)
+        path.write_text(text + "\n", encoding="utf-8")
+
+
+def engine_facts(settings: dict[str, Any], sheet_sha256: str) -> dict[str, Any]:
+    """Versions, device, seed and the sheet's hash: what a repetition needs."""
+    return {
+        "version": __version__,
+        "python": platform.python_version(),
+        "platform": sys.platform,
+        "packages": installed_versions(_PACKAGES),
+        "device": "cpu",
+        "seed": settings.get("seed"),
+        "sheet_sha256": sheet_sha256,
+    }
+
+
+def installed_versions(names: tuple[str, ...]) -> dict[str, str]:
+    """Versions of the packages that are installed; the others are left out."""
+    found = {}
+    for name in names:
+        try:
+            found[name] = metadata.version(name)
+        except metadata.PackageNotFoundError:
+            continue
+    return found
+
+
+def peak_memory_mb() -> float:
+    """Largest resident memory of this process so far."""
+    memory = psutil.Process().memory_info()
+    if hasattr(memory, "peak_wset"):
+        return round(memory.peak_wset / 1e6, 1)
+    import resource
+
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    # Linux counts in KiB, macOS in bytes.
+    return round(peak * (1.0 if sys.platform == "darwin" else 1024.0) / 1e6, 1)
