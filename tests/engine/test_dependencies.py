@@ -1,0 +1,92 @@
+"""What the engine imports, what it declares, and what the locks pin are the same."""
+
+import ast
+import re
+import sys
+import tomllib
+from importlib.metadata import files
+from pathlib import Path
+
+import pytest
+from packaging.markers import default_environment
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+
+CORE = Path(__file__).resolve().parents[2] / "core"
+PROJECT = tomllib.loads((CORE / "pyproject.toml").read_text(encoding="utf-8"))
+ENGINE = [*PROJECT["project"]["dependencies"], *PROJECT["build-system"]["requires"]]
+TESTS = PROJECT["project"]["optional-dependencies"]["test"]
+CUDA_ONLY = ("nvidia-", "cuda-", "triton")
+
+
+def lock_text(name: str) -> str:
+    """The text of a lock."""
+    return (CORE / "locks" / name).read_text(encoding="utf-8")
+
+
+def pins(name: str) -> dict[str, str]:
+    """Package to version, of the entries that count for this Python and platform."""
+    lines = re.findall(r"^(\w[^\\\n]*)", lock_text(name), re.MULTILINE)
+    requirements = [Requirement(line.strip()) for line in lines]
+    here = default_environment()
+    counted = [r for r in requirements if r.marker is None or r.marker.evaluate(here)]
+    found = {canonicalize_name(r.name): str(r.specifier).removeprefix("==") for r in counted}
+    assert len(found) == len(counted)
+    return found
+
+
+@pytest.mark.parametrize(
+    ("lock", "declared"),
+    [("engine-cpu.txt", ENGINE), ("engine-cuda.txt", ENGINE), ("tests.txt", TESTS)],
+)
+def test_locks_pin_what_is_declared(lock: str, declared: list[str]) -> None:
+    pinned = pins(lock)
+    for line in declared:
+        requirement = Requirement(line)
+        version = pinned[canonicalize_name(requirement.name)]
+        assert requirement.specifier.contains(version), (line, version)
+
+
+def test_the_builds_differ_in_pytorch_alone() -> None:
+    cpu, cuda = pins("engine-cpu.txt"), pins("engine-cuda.txt")
+    assert cpu.pop("torch") == cuda.pop("torch") + "+cpu"
+    assert cpu == {name: pin for name, pin in cuda.items() if not name.startswith(CUDA_ONLY)}
+
+
+def test_the_tests_need_no_other_versions_than_the_engine() -> None:
+    engine, tests = pins("engine-cuda.txt"), pins("tests.txt")
+    shared = engine.keys() & tests.keys()
+    assert {name: engine[name] for name in shared} == {name: tests[name] for name in shared}
+
+
+@pytest.mark.parametrize("lock", ["engine-cpu.txt", "engine-cuda.txt", "tests.txt"])
+def test_locks_hold_hashes_and_no_addresses(lock: str) -> None:
+    text = lock_text(lock)
+    assert "/" not in text
+    entries = re.findall(r"^\w.*\n(?: .*\n)*", text, re.MULTILINE)
+    assert entries
+    assert all(re.search(r"--hash=sha256:[0-9a-f]{64}\b", entry) for entry in entries)
+
+
+def test_every_import_is_declared() -> None:
+    known = {"gaussiancad_core", *sys.stdlib_module_names}
+    known |= {name for line in ENGINE for name in provided(Requirement(line).name)}
+    undeclared = {
+        (name, path.name)
+        for path in (CORE / "gaussiancad_core").rglob("*.py")
+        for name in imported(path) - known
+    }
+    assert undeclared == set()
+
+
+def provided(distribution: str) -> set[str]:
+    """The top-level modules that an installed distribution brings."""
+    return {file.parts[0].partition(".")[0] for file in files(distribution) or ()}
+
+
+def imported(path: Path) -> set[str]:
+    """The top-level names of all modules that a file imports."""
+    nodes = list(ast.walk(ast.parse(path.read_text(encoding="utf-8"))))
+    names = [alias.name for n in nodes if isinstance(n, ast.Import) for alias in n.names]
+    names += [n.module for n in nodes if isinstance(n, ast.ImportFrom) and n.module and not n.level]
+    return {name.partition(".")[0] for name in names}
