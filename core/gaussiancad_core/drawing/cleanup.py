@@ -2,7 +2,7 @@
 
 Pieces that lie on one straight line or one circle become intervals of that support.  Visible
 intervals are united; hidden ones are united and lose what is visible.  Chains are compared by
-distance.
+distance (:mod:`gaussiancad_core.drawing.coverage`).
 """
 
 from collections.abc import Iterable
@@ -11,12 +11,14 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.drawing.coverage import uncovered
 from gaussiancad_core.drawing.intervals import (
     Interval,
     subtract,
     unite,
     unite_on_circle,
 )
+from gaussiancad_core.drawing.precision import Precision
 from gaussiancad_core.drawing.strokes import DrawnStroke, Polyline
 from gaussiancad_core.views import Arc, Linetype, Segment
 
@@ -61,31 +63,31 @@ class _Circle:
 
 
 def clean_strokes(
-    strokes: Iterable[DrawnStroke], tolerance: float, fragment: float
+    strokes: Iterable[DrawnStroke], precision: Precision
 ) -> tuple[DrawnStroke, ...]:
     """Merge what coincides, keep what is seen.
 
     Args:
         strokes: in mm, in any order.
-        tolerance: mm between strokes that count as one.
-        fragment: mm; shorter strokes are dropped, shorter gaps are closed.
+        precision: what counts as coincident, and as too short to draw.
 
     Returns:
-        Straight strokes, then arcs, then chains; visible before hidden on each support.
+        Visible strokes, then hidden ones; lines and arcs before chains.
     """
+    tolerance = 4.0 * precision.fit
     pieces = list(strokes)
     # Long pieces define the supports: the direction of a short one says little.
     pieces.sort(key=lambda piece: -piece.length)
     lines = _line_supports([p for p in pieces if isinstance(p, Segment)], tolerance)
     circles = _circle_supports([p for p in pieces if isinstance(p, Arc)], tolerance)
-    result: list[DrawnStroke] = []
+    merged: list[DrawnStroke] = []
     for line in lines:
-        result.extend(_line_strokes(line, fragment))
+        merged.extend(_line_strokes(line, precision.fragment))
     for circle in circles:
-        result.extend(_circle_strokes(circle, fragment))
-    chains = [piece for piece in pieces if isinstance(piece, Polyline)]
-    result.extend(_clean_chains(chains, tolerance, fragment))
-    return tuple(result)
+        merged.extend(_circle_strokes(circle, precision.fragment))
+    merged.extend(piece for piece in pieces if isinstance(piece, Polyline))
+    chain_tolerance = tolerance + 2.0 * precision.chord
+    return tuple(_without_repeats(merged, chain_tolerance, precision.fragment))
 
 
 def _line_supports(pieces: list[Segment], tolerance: float) -> list[_Line]:
@@ -162,47 +164,24 @@ def _circle_strokes(circle: _Circle, fragment: float) -> list[Arc]:
     ]
 
 
-def _clean_chains(
-    chains: list[Polyline], tolerance: float, fragment: float
-) -> list[Polyline]:
-    """Visible chains first, the longest first; each keeps what no earlier one covers."""
-    kept: list[Polyline] = []
-    ordered = sorted(chains, key=lambda chain: chain.linetype is Linetype.HIDDEN)
-    for chain in ordered:
-        for run in _uncovered_runs(chain, kept, tolerance):
-            if run.length >= fragment:
-                kept.append(run)
+def _without_repeats(
+    strokes: list[DrawnStroke], tolerance: float, fragment: float
+) -> list[DrawnStroke]:
+    """What no earlier stroke covers, chains compared with everything.
+
+    Straight and circular strokes have been compared by their supports; here a chain may turn out to
+    run along any of them, or they along a chain.
+    """
+    kept: list[DrawnStroke] = []
+    for stroke in sorted(strokes, key=_precedence):
+        rivals = [
+            other
+            for other in kept
+            if isinstance(stroke, Polyline) or isinstance(other, Polyline)
+        ]
+        kept.extend(uncovered(stroke, rivals, tolerance, fragment))
     return kept
 
 
-def _uncovered_runs(
-    chain: Polyline, kept: list[Polyline], tolerance: float
-) -> list[Polyline]:
-    if not kept:
-        return [chain]
-    points = np.array(chain.points)
-    middles = (points[:-1] + points[1:]) / 2.0
-    covered = np.zeros(len(middles), dtype=bool)
-    for other in kept:
-        covered |= _distances(middles, np.array(other.points)) < tolerance
-    runs: list[Polyline] = []
-    start: int | None = None
-    for index, hidden in enumerate([*covered, True]):
-        if not hidden and start is None:
-            start = index
-        elif hidden and start is not None:
-            runs.append(Polyline(chain.points[start : index + 1], chain.linetype))
-            start = None
-    return runs
-
-
-def _distances(
-    points: npt.NDArray[np.float64], chain: npt.NDArray[np.float64]
-) -> npt.NDArray[np.float64]:
-    """(n,) distance of (n, 2) points from a chain of (m, 2) vertices."""
-    starts, spans = chain[:-1], np.diff(chain, axis=0)
-    squares = np.maximum((spans**2).sum(axis=1), 1e-300)
-    offsets = points[:, None, :] - starts[None]
-    shares = np.clip((offsets * spans).sum(axis=2) / squares, 0.0, 1.0)
-    nearest = offsets - shares[..., None] * spans
-    return np.sqrt((nearest**2).sum(axis=2).min(axis=1))
+def _precedence(stroke: DrawnStroke) -> tuple[bool, bool]:
+    return stroke.linetype is Linetype.HIDDEN, isinstance(stroke, Polyline)

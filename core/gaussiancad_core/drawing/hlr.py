@@ -22,7 +22,8 @@ from gaussiancad_core.axes import Role, ViewFrame
 from gaussiancad_core.drawing.brep import bounding_box, edges_of
 from gaussiancad_core.drawing.cleanup import clean_strokes
 from gaussiancad_core.drawing.edges import EdgeFacts, edge_facts, raw_curve
-from gaussiancad_core.drawing.projection import Precision, project_edge
+from gaussiancad_core.drawing.precision import Precision
+from gaussiancad_core.drawing.projection import project_edge
 from gaussiancad_core.drawing.strokes import DrawnStroke
 from gaussiancad_core.views import Linetype
 
@@ -48,7 +49,7 @@ class LineOptions:
 
     tangent_edges: bool = False
     fit: float = 1e-6
-    chord: float = 2e-5
+    chord: float = 1e-5
     fragment: float = 2e-4
 
     def precision(self, extent: float) -> Precision:
@@ -87,8 +88,7 @@ class LineDrawing:
             stroke = project_edge(edge, frame, linetype, self._precision)
             if stroke is not None:
                 strokes.append(stroke)
-        tolerance = 4.0 * self._precision.fit
-        return clean_strokes(strokes, tolerance, self._precision.fragment)
+        return clean_strokes(strokes, self._precision)
 
     def _drawn(self, facts: EdgeFacts, look: np.ndarray) -> bool:
         tangent = self._options.tangent_edges and not facts.seam

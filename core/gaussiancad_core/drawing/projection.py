@@ -1,7 +1,6 @@
 """A 3D edge seen along an axis: a segment, an arc or a chain, as exact as the edge itself."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +11,7 @@ from OCP.gp import gp_Pnt
 from OCP.TopoDS import TopoDS_Edge
 
 from gaussiancad_core.axes import ViewFrame
+from gaussiancad_core.drawing.precision import Precision
 from gaussiancad_core.drawing.strokes import DrawnStroke, Polyline
 from gaussiancad_core.views import Arc, Linetype, Segment
 
@@ -19,21 +19,6 @@ _DENSE = 65
 _ANGULAR = 0.05
 _GOLDEN = (np.sqrt(5.0) - 1.0) / 2.0
 _TURN = 2.0 * np.pi
-
-
-@dataclass(frozen=True)
-class Precision:
-    """Lengths in mm that decide what an edge looks like.
-
-    Attributes:
-        fit: largest distance between a projected edge and the line or circle that replaces it.
-        chord: largest distance between a curve and the chain that replaces it.
-        fragment: strokes shorter than this are dropped, gaps shorter than this are closed.
-    """
-
-    fit: float
-    chord: float
-    fragment: float
 
 
 def project_edge(

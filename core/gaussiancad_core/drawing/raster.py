@@ -11,12 +11,11 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.dashes import dash_intervals
-from gaussiancad_core.drawing.strokes import DrawnStroke, Polyline
+from gaussiancad_core.drawing.strokes import FULL_TURN, DrawnStroke, is_closed, part
 from gaussiancad_core.drawing.style import Cap, SheetStyle
 from gaussiancad_core.views import Arc, Linetype, Segment
 
 Coverage = npt.NDArray[np.float32]
-_FULL = 2.0 * np.pi * (1.0 - 1e-9)
 
 
 def rasterise(strokes: tuple[DrawnStroke, ...], style: SheetStyle) -> Coverage:
@@ -35,43 +34,11 @@ def rasterise(strokes: tuple[DrawnStroke, ...], style: SheetStyle) -> Coverage:
 
 def dashed(stroke: DrawnStroke, dash: float, gap: float) -> list[DrawnStroke]:
     """The dashes of a hidden stroke as strokes."""
-    closed = _is_closed(stroke)
+    closed = is_closed(stroke)
     return [
-        _part(stroke, low, high)
+        part(stroke, low, high)
         for low, high in dash_intervals(stroke.length, dash, gap, closed)
     ]
-
-
-def _is_closed(stroke: DrawnStroke) -> bool:
-    if isinstance(stroke, Arc):
-        return stroke.sweep >= _FULL
-    return isinstance(stroke, Polyline) and stroke.points[0] == stroke.points[-1]
-
-
-def _part(stroke: DrawnStroke, low: float, high: float) -> DrawnStroke:
-    """The part of a stroke between two lengths along it."""
-    if isinstance(stroke, Arc):
-        start = stroke.start_angle + low / stroke.radius
-        sweep = (high - low) / stroke.radius
-        return Arc(stroke.centre, stroke.radius, start, sweep, stroke.linetype)
-    if isinstance(stroke, Segment):
-        ends = np.array([stroke.start, stroke.end])
-        low_point, high_point = (
-            ends[0] + (ends[1] - ends[0]) * (at / stroke.length) for at in (low, high)
-        )
-        return Segment(tuple(low_point), tuple(high_point), stroke.linetype)
-    vertices = np.array(stroke.points)
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(vertices, axis=0).T))])
-    if low < 0.0:
-        # A closed chain's first dash begins before its start.
-        vertices = np.concatenate([vertices[:-1], vertices])
-        along = np.concatenate([along[:-1] - along[-1], along])
-    inner = along[(along > low) & (along < high)]
-    at = np.concatenate([[low], inner, [high]])
-    points = np.stack(
-        [np.interp(at, along, vertices[:, axis]) for axis in (0, 1)], axis=1
-    )
-    return Polyline(tuple((float(x), float(y)) for x, y in points), stroke.linetype)
 
 
 def _draw(ink: Coverage, stroke: DrawnStroke, width: float, cap: Cap) -> None:
@@ -171,14 +138,14 @@ def _draw_arc(ink: Coverage, arc: Arc, width: float, cap: Cap) -> None:
     dx, dy = x - centre[0], y - centre[1]
     radial = np.hypot(dx, dy)
     coverage = _band(radial - arc.radius, width / 2.0)
-    if arc.sweep < _FULL:
+    if arc.sweep < FULL_TURN:
         # Signed length along the circle from the arc's middle, less half the arc's length.
         middle = arc.start_angle + arc.sweep / 2.0
         turn = np.mod(np.arctan2(dy, dx) - middle + np.pi, 2.0 * np.pi) - np.pi
         beyond = (np.abs(turn) - arc.sweep / 2.0) * arc.radius
         coverage = coverage * np.clip(0.5 - beyond, 0.0, 1.0)
     _unite(ink, rows, columns, coverage)
-    if cap is Cap.ROUND and arc.sweep < _FULL:
+    if cap is Cap.ROUND and arc.sweep < FULL_TURN:
         for angle in (arc.start_angle, arc.start_angle + arc.sweep):
             point = centre + arc.radius * np.array([np.cos(angle), np.sin(angle)])
             _draw_segment(ink, point, point, width, Cap.ROUND)

@@ -52,6 +52,9 @@ class Polyline:
 
 DrawnStroke = Segment | Arc | Polyline
 
+FULL_TURN = 2.0 * np.pi * (1.0 - 1e-9)
+"""Sweeps from here on are whole circles."""
+
 
 def as_plain_strokes(strokes: tuple[DrawnStroke, ...]) -> tuple[Segment | Arc, ...]:
     """The strokes as :data:`gaussiancad_core.views.Stroke`: chains become their chords."""
@@ -135,3 +138,36 @@ def turned(
         centre=move(stroke.centre),
         start_angle=float(np.mod(stroke.start_angle + angle, 2.0 * np.pi)),
     )
+
+
+def is_closed(stroke: DrawnStroke) -> bool:
+    """Whether the stroke ends where it begins."""
+    if isinstance(stroke, Arc):
+        return stroke.sweep >= FULL_TURN
+    return isinstance(stroke, Polyline) and stroke.points[0] == stroke.points[-1]
+
+
+def part(stroke: DrawnStroke, low: float, high: float) -> DrawnStroke:
+    """The part of a stroke between two lengths along it."""
+    if isinstance(stroke, Arc):
+        start = stroke.start_angle + low / stroke.radius
+        sweep = (high - low) / stroke.radius
+        return Arc(stroke.centre, stroke.radius, start, sweep, stroke.linetype)
+    if isinstance(stroke, Segment):
+        ends = np.array([stroke.start, stroke.end])
+        low_point, high_point = (
+            ends[0] + (ends[1] - ends[0]) * (at / stroke.length) for at in (low, high)
+        )
+        return Segment(tuple(low_point), tuple(high_point), stroke.linetype)
+    vertices = np.array(stroke.points)
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(vertices, axis=0).T))])
+    if low < 0.0:
+        # A closed chain's first dash begins before its start.
+        vertices = np.concatenate([vertices[:-1], vertices])
+        along = np.concatenate([along[:-1] - along[-1], along])
+    inner = along[(along > low) & (along < high)]
+    at = np.concatenate([[low], inner, [high]])
+    points = np.stack(
+        [np.interp(at, along, vertices[:, axis]) for axis in (0, 1)], axis=1
+    )
+    return Polyline(tuple((float(x), float(y)) for x, y in points), stroke.linetype)
