@@ -26,7 +26,7 @@ def program(names: tuple[str, ...]) -> str:
     for name in names:
         if shutil.which(name):
             return name
-    sys.exit(f"none of {', '.join(names)} is installed: run make setup")
+    sys.exit(f"none of {', '.join(names)} is installed: run make install")
 
 
 def command(suite: str) -> list[str]:

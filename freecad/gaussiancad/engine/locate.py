@@ -116,7 +116,7 @@ def find_engine(places: SearchPlaces) -> Engine:
         ErrorCode.ENGINE_NOT_FOUND,
         translate(
             "GaussianCAD",
-            "The GaussianCAD engine is not installed. Run 'make setup' in the addon's folder, or "
+            "The GaussianCAD engine is not installed. Run 'make install' in the addon's folder, or "
             "name the engine's Python in Edit > Preferences > GaussianCAD.",
         ),
     )

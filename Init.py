@@ -1,0 +1,1 @@
+"""FreeCAD runs this at every start, with and without a window; there is nothing to prepare."""

@@ -1,0 +1,15 @@
+"""The commands of the toolbar, one a file."""
+
+
+def register() -> None:
+    """Make the commands known to FreeCAD; a second call does nothing."""
+    import FreeCADGui
+
+    from freecad.gaussiancad.commands.check_engine import CheckEngineCommand
+    from freecad.gaussiancad.commands.compare import CompareCommand
+    from freecad.gaussiancad.commands.reconstruct import ReconstructCommand
+
+    known = FreeCADGui.listCommands()
+    for command in (ReconstructCommand, CompareCommand, CheckEngineCommand):
+        if command.name not in known:
+            FreeCADGui.addCommand(command.name, command())

@@ -1,0 +1,1 @@
+"""Task panels and dialogs: what a user sees."""

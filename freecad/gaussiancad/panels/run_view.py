@@ -1,0 +1,189 @@
+"""What a run shows while it goes on: stage, bars, elapsed time, log, *Start* and *Cancel*."""
+
+import time
+from collections.abc import Callable
+
+from freecad.gaussiancad.engine.events import Event, EventKind
+from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.qt import QtCore, QtWidgets
+
+_STEPS = 1000
+_LOG_LINES = 2000
+
+
+class RunView(QtWidgets.QWidget):
+    """The lower part of a panel.
+
+    Args:
+        title: heading of the task box.
+        start_text: on the button that starts.
+        start, cancel: what the buttons do.
+    """
+
+    def __init__(
+        self,
+        title: str,
+        start_text: str,
+        start: Callable[[], None],
+        cancel: Callable[[], None],
+    ) -> None:
+        super().__init__()
+        self.setWindowTitle(title)
+        self.start_button = QtWidgets.QPushButton(start_text)
+        self.start_button.setObjectName("start")
+        self.start_button.clicked.connect(start)
+        self.cancel_button = QtWidgets.QPushButton(translate("GaussianCAD", "Cancel"))
+        self.cancel_button.setObjectName("cancel")
+        self.cancel_button.clicked.connect(cancel)
+        self.stage = QtWidgets.QLabel(translate("GaussianCAD", "Ready"))
+        self.stage.setObjectName("stage")
+        self.stage.setWordWrap(True)
+        self.overall = _bar("overall")
+        self.fraction = _bar("fraction")
+        self.elapsed = QtWidgets.QLabel()
+        self.elapsed.setObjectName("elapsed")
+        self.elapsed.setWordWrap(True)
+        self.log = QtWidgets.QPlainTextEdit()
+        self.log.setObjectName("log")
+        self.log.setReadOnly(True)
+        self.log.setMaximumBlockCount(_LOG_LINES)
+        self.log.setLineWrapMode(QtWidgets.QPlainTextEdit.LineWrapMode.NoWrap)
+        self.log.setFixedHeight(90)
+        self.summary = QtWidgets.QLabel()
+        self.summary.setObjectName("summary")
+        self.summary.setWordWrap(True)
+        selectable = QtCore.Qt.TextInteractionFlag.TextSelectableByMouse
+        self.summary.setTextInteractionFlags(selectable)
+        self._lay_out()
+        self._stage_count, self._stage_index = 0, 0
+        self._began, self._remaining = 0.0, None
+        self._clock = QtCore.QTimer(self)
+        self._clock.timeout.connect(self._show_time)
+        self._set_running(False)
+
+    def begin(self) -> None:
+        """Show that a run has begun; how far it is is not known yet."""
+        self._stage_count, self._stage_index = 0, 0
+        self._began, self._remaining = time.monotonic(), None
+        self.log.clear()
+        self.summary.clear()
+        self.stage.setText(translate("GaussianCAD", "Starting the engine"))
+        self.overall.setRange(0, 0)
+        self.fraction.setRange(0, 0)
+        self._set_running(True)
+        self._show_time()
+        self._clock.start(250)
+        self.scroll_here()
+
+    def scroll_here(self) -> None:
+        """Bring this box into sight, where it lies in a panel that is higher than the window."""
+        ancestor = self.parentWidget()
+        while ancestor is not None and not isinstance(ancestor, QtWidgets.QScrollArea):
+            ancestor = ancestor.parentWidget()
+        if ancestor is not None:
+            ancestor.ensureWidgetVisible(self)
+
+    def take_event(self, event: Event) -> None:
+        """Show a stage, a progress or a warning; other events are not shown here."""
+        if event.kind is EventKind.STAGE:
+            self._take_stage(event)
+        elif event.kind is EventKind.PROGRESS:
+            self._take_progress(event)
+        elif event.kind is EventKind.WARNING:
+            self.take_log(event.text("message") or event.text("code"))
+
+    def take_log(self, line: str) -> None:
+        """Add a line to the log."""
+        self.log.appendPlainText(line)
+
+    def say_cancelling(self) -> None:
+        """Show that the engine was asked to stop."""
+        self.stage.setText(translate("GaussianCAD", "Cancelling"))
+        self.cancel_button.setEnabled(False)
+
+    def end(self, headline: str, whole: bool) -> None:
+        """Show the end of a run.
+
+        Args:
+            headline: instead of the stage.
+            whole: whether the run came to its end.
+        """
+        self._clock.stop()
+        self._remaining = None
+        self._show_time()
+        self.stage.setText(headline)
+        for bar in (self.overall, self.fraction):
+            bar.setRange(0, _STEPS)
+            bar.setValue(_STEPS if whole else 0)
+        self._set_running(False)
+
+    def _take_stage(self, event: Event) -> None:
+        index, count = event.number("index"), event.number("of")
+        self._stage_index, self._stage_count = int(index or 0), int(count or 0)
+        name = event.text("name").replace("-", " ").replace("_", " ")
+        if self._stage_count > 0:
+            text = translate("GaussianCAD", "Stage {index} of {count}: {name}")
+            name = text.format(index=self._stage_index, count=self._stage_count, name=name)
+        self.stage.setText(name)
+        self._remaining = None
+        self.fraction.setRange(0, 0)
+        self._show_overall(0.0)
+
+    def _take_progress(self, event: Event) -> None:
+        fraction = event.number("fraction")
+        if fraction is None:
+            return
+        fraction = min(max(fraction, 0.0), 1.0)
+        self.fraction.setRange(0, _STEPS)
+        self.fraction.setValue(round(fraction * _STEPS))
+        self._remaining = event.number("eta_s")
+        self._show_overall(fraction)
+
+    def _show_overall(self, fraction: float) -> None:
+        if self._stage_count <= 0:
+            return
+        done = (self._stage_index - 1 + fraction) / self._stage_count
+        self.overall.setRange(0, _STEPS)
+        self.overall.setValue(round(min(max(done, 0.0), 1.0) * _STEPS))
+
+    def _show_time(self) -> None:
+        seconds = int(time.monotonic() - self._began)
+        text = translate("GaussianCAD", "Elapsed {time}").format(time=_clock_text(seconds))
+        if self._remaining is not None:
+            left = translate("GaussianCAD", "this stage needs about {time} more")
+            text += ", " + left.format(time=_clock_text(int(self._remaining)))
+        self.elapsed.setText(text)
+
+    def _set_running(self, running: bool) -> None:
+        self.start_button.setEnabled(not running)
+        self.cancel_button.setEnabled(running)
+
+    def _lay_out(self) -> None:
+        buttons = QtWidgets.QHBoxLayout()
+        buttons.addWidget(self.start_button)
+        buttons.addWidget(self.cancel_button)
+        bars = QtWidgets.QFormLayout()
+        bars.addRow(translate("GaussianCAD", "Stage"), self.fraction)
+        bars.addRow(translate("GaussianCAD", "Overall"), self.overall)
+        layout = QtWidgets.QVBoxLayout(self)
+        layout.addLayout(buttons)
+        layout.addWidget(self.stage)
+        layout.addLayout(bars)
+        layout.addWidget(self.elapsed)
+        layout.addWidget(self.summary)
+        layout.addWidget(QtWidgets.QLabel(translate("GaussianCAD", "Messages of the engine")))
+        layout.addWidget(self.log)
+
+
+def _bar(name: str) -> QtWidgets.QProgressBar:
+    bar = QtWidgets.QProgressBar()
+    bar.setObjectName(name)
+    bar.setRange(0, _STEPS)
+    bar.setValue(0)
+    bar.setTextVisible(False)
+    bar.setMaximumHeight(14)
+    return bar
+
+
+def _clock_text(seconds: int) -> str:
+    return f"{seconds // 60}:{seconds % 60:02d}"

@@ -1,0 +1,47 @@
+"""The workbench: its toolbar, its menu, its preferences page, its translations."""
+
+import FreeCADGui
+
+from freecad.gaussiancad import paths
+from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
+
+COMMANDS = ("GaussianCAD_Reconstruct", "GaussianCAD_Compare", "GaussianCAD_CheckEngine")
+
+
+class GaussianCADWorkbench(FreeCADGui.Workbench):
+    """What FreeCAD's list of workbenches shows; the class's name is in ``package.xml``."""
+
+    MenuText = "GaussianCAD"
+    ToolTip = QT_TRANSLATE_NOOP("Workbench", "Turns drawings with three views into 3D parts")
+    Icon = paths.icon("GaussianCAD_Workbench")
+
+    def GetClassName(self) -> str:
+        """FreeCAD's class for workbenches in Python."""
+        return "Gui::PythonWorkbench"
+
+    def Initialize(self) -> None:
+        """Make toolbar and menu, when the workbench is shown for the first time."""
+        from freecad.gaussiancad import commands
+
+        commands.register()
+        name = QT_TRANSLATE_NOOP("Workbench", "GaussianCAD")
+        self.appendToolbar(name, list(COMMANDS))
+        self.appendMenu(name, list(COMMANDS))
+
+    def ContextMenu(self, recipient: str) -> None:
+        """Offer a comparison for what is selected."""
+        if FreeCADGui.Selection.getSelection():
+            self.appendContextMenu("", ["GaussianCAD_Compare"])
+
+
+def register() -> None:
+    """Make the workbench known to FreeCAD; a second call does nothing."""
+    if GaussianCADWorkbench.__name__ in FreeCADGui.listWorkbenches():
+        return
+    FreeCADGui.addLanguagePath(str(paths.TRANSLATIONS))
+    FreeCADGui.updateLocale()
+    FreeCADGui.addIconPath(str(paths.ICONS))
+    FreeCADGui.addPreferencePage(
+        str(paths.UI / "preferences.ui"), translate("GaussianCAD", "GaussianCAD")
+    )
+    FreeCADGui.addWorkbench(GaussianCADWorkbench())

@@ -1,0 +1,226 @@
+"""*Reconstruct from Drawing…* in a real window, with the fake engine."""
+
+import os
+
+import fake_part
+import FreeCAD
+import FreeCADGui
+from window import WindowCase, spin, widget
+
+from freecad.gaussiancad.engine.job import ScaleKind
+from freecad.gaussiancad.qt import QtWidgets
+
+
+class Panel(WindowCase):
+    def setUp(self) -> None:
+        super().setUp()
+        self.document = FreeCAD.newDocument("Test")
+        self.open_panel("GaussianCAD_Reconstruct")
+
+    def finish(self) -> None:
+        button = self.start()
+        self.assertFalse(button.isEnabled())
+        self.wait_for(button.isEnabled)
+
+    def test_from_the_button_to_the_part_and_back_in_one_step(self) -> None:
+        self.choose_sheet(self.sheet)
+        self.picture("panel-ready")
+        self.finish()
+        self.assertEqual(self.boxes(), [])
+        self.picture("panel-finished")
+        part = self.document.getObject("Part")
+        self.assertAlmostEqual(part.Shape.Volume, fake_part.VOLUME, places=6)
+        self.assertEqual(len(self.document.getObject("Reconstruction").Group), 6)
+        self.assertEqual(self.document.UndoNames, ["Reconstruct from Drawing"])
+        summary = widget(QtWidgets.QLabel, "summary").text()
+        self.assertIn("Verified", summary)
+        self.assertIn("8 faces", summary)
+        colour = self.document.getObject("Part").ViewObject.ShapeColor[:3]
+        self.assertEqual([round(255 * channel) for channel in colour], [0xB0, 0xB8, 0xC0])
+        points = self.document.getObject("Gaussians")
+        self.assertEqual(points.ViewObject.DisplayMode, "Color")
+        points.Visibility = True
+        part.Visibility = False
+        self.picture("gaussians")
+        self.document.undo()
+        self.assertEqual(self.document.Objects, [])
+        self.document.redo()
+        self.assertEqual(len(self.document.Objects), 7)
+
+    def test_saved_and_opened_again(self) -> None:
+        self.choose_sheet(self.sheet)
+        self.finish()
+        FreeCADGui.Control.closeDialog()
+        path = self.folder / "保存.FCStd"
+        self.document.saveAs(str(path))
+        FreeCAD.closeDocument(self.document.Name)
+        document = FreeCAD.openDocument(str(path))
+        spin(300)
+        view = FreeCADGui.getDocument(document.Name).ActiveView
+        view.viewIsometric()
+        view.fitAll()
+        self.picture("reopened")
+        group = document.getObject("Reconstruction")
+        self.assertIn("GaussianCAD_Reconstruct", group.ViewObject.Proxy.getIcon())
+        planes = [o for o in group.Group if o.TypeId == "Image::ImagePlane"]
+        self.assertEqual(len(planes), 3)
+        for plane in planes:
+            self.assertGreater(os.path.getsize(plane.ImageFile), 100)
+        front = document.getObject("View_front")
+        margin = round(0.04 * 240)
+        self.assertAlmostEqual(front.XSize.Value, (240 + 2 * margin) * 0.25, places=6)
+        self.assertAlmostEqual(front.YSize.Value, (120 + 2 * margin) * 0.25, places=6)
+        self.assertTrue(group.ViewObject.isVisible())
+
+    def test_a_document_is_made_where_there_is_none(self) -> None:
+        FreeCAD.closeDocument(self.document.Name)
+        if not FreeCADGui.Control.activeDialog():
+            self.open_panel("GaussianCAD_Reconstruct")
+        self.choose_sheet(self.sheet)
+        self.finish()
+        self.assertEqual(len(FreeCAD.listDocuments()), 1)
+        self.assertIsNotNone(FreeCAD.ActiveDocument.getObject("Part"))
+
+    def test_the_result_goes_where_the_run_began(self) -> None:
+        self.behave("ok")
+        self.choose_sheet(self.sheet)
+        button = self.start()
+        other = FreeCAD.newDocument("Other")
+        self.wait_for(button.isEnabled)
+        self.assertEqual((len(self.document.Objects), other.Objects), (7, []))
+
+    def wait_for_stage(self, text: str) -> None:
+        stage = widget(QtWidgets.QLabel, "stage")
+        self.wait_for(lambda: text in stage.text())
+
+    def test_the_window_lives_while_the_engine_works_and_cancel_stops_it(self) -> None:
+        self.behave("slow")
+        self.choose_sheet(self.sheet)
+        button = self.start()
+        self.wait_for_stage("Stage 2 of 3: solid")
+        self.wait_for(lambda: widget(QtWidgets.QProgressBar, "fraction").value() == 1000)
+        self.assertFalse(widget(QtWidgets.QLineEdit, "sheet").isEnabled())
+        self.assertIn("Elapsed 0:0", widget(QtWidgets.QLabel, "elapsed").text())
+        self.picture("panel-running")
+        FreeCADGui.ActiveDocument.ActiveView.viewTop()
+        widget(QtWidgets.QPushButton, "cancel").click()
+        self.wait_for(button.isEnabled)
+        self.assertEqual(widget(QtWidgets.QLabel, "stage").text(), "The run was cancelled.")
+        self.assertEqual((self.boxes(), self.document.Objects), ([], []))
+        self.assertEqual(self.document.UndoCount, 0)
+
+    def test_closing_the_panel_cancels_first(self) -> None:
+        self.behave("slow")
+        self.choose_sheet(self.sheet)
+        button = self.start()
+        self.wait_for_stage("2 of 3")
+        close = self.close_button()
+        close.click()
+        self.assertTrue(FreeCADGui.Control.activeDialog())
+        self.wait_for(button.isEnabled)
+        self.close_button().click()
+        self.wait_for(lambda: not FreeCADGui.Control.activeDialog())
+
+    def close_button(self) -> QtWidgets.QAbstractButton:
+        boxes = self.window.findChildren(QtWidgets.QDialogButtonBox)
+        kind = QtWidgets.QDialogButtonBox.StandardButton.Close
+        return next(box.button(kind) for box in boxes if box.button(kind) and box.isVisible())
+
+    def test_a_killed_engine_is_told_and_leaves_the_document_alone(self) -> None:
+        self.behave("dies")
+        self.choose_sheet(self.sheet)
+        self.finish()
+        (box,) = self.boxes()
+        self.assertIn("ended from outside", box.text())
+        self.picture("engine-killed")
+        self.assertEqual(self.document.Objects, [])
+        box.close()
+        self.behave("ok")
+        self.finish()
+        self.assertEqual(len(self.document.Objects), 7)
+
+    def test_what_goes_wrong_is_told_in_a_box(self) -> None:
+        text = self.folder / "text.png"
+        text.write_text("this is no picture")
+        missing = self.folder / "gone.png"
+        cases = (
+            ("ok", text, "text.png is no image"),
+            ("ok", missing, str(missing)),
+            ("refuse", self.sheet, "only one view was found: draw at least two"),
+            ("liar", self.sheet, "report.json"),
+            ("half", self.sheet, "surface.stl"),
+            ("broken", self.sheet, "No module named gaussiancad_core"),
+        )
+        for behaviour, sheet, expected in cases:
+            self.behave(behaviour)
+            self.choose_sheet(sheet)
+            button = self.start()
+            self.wait_for(button.isEnabled)
+            (box,) = self.boxes()
+            self.assertIn(expected, box.text())
+            self.assertNotIn("Traceback", box.text())
+            box.close()
+            self.assertEqual((self.document.Objects, self.document.UndoCount), ([], 0))
+
+    def test_without_an_engine_the_box_says_what_to_do(self) -> None:
+        self.set_variable("GAUSSIANCAD_PYTHON", str(self.folder / "no python"))
+        self.choose_sheet(self.sheet)
+        self.start()
+        (box,) = self.boxes()
+        self.assertIn(str(self.folder / "no python"), box.text())
+        self.picture("engine-missing")
+
+    def test_settings_reach_the_engine(self) -> None:
+        output = self.folder / "kept files"
+        self.choose_sheet(self.sheet)
+        widget(QtWidgets.QLineEdit, "output").setText(str(output))
+        scale = widget(QtWidgets.QComboBox, "scale")
+        scale.setCurrentIndex(list(ScaleKind).index(ScaleKind.LENGTH_Y))
+        spin(100)
+        length = widget(QtWidgets.QAbstractSpinBox, "length")
+        self.assertTrue(length.isVisible())
+        length.setProperty("rawValue", 42.5)
+        widget(QtWidgets.QComboBox, "preset").setCurrentIndex(2)
+        self.picture("panel-settings")
+        self.finish()
+        group = self.document.getObject("Reconstruction")
+        self.assertEqual(group.Settings["scale"], "y = 42.5")
+        self.assertEqual(group.Settings["preset"], "fine")
+        self.assertTrue((output / "bracket" / "report.json").is_file())
+
+    def test_temporary_files_are_removed(self) -> None:
+        before = set(os.listdir("/tmp"))
+        self.choose_sheet(self.sheet)
+        self.finish()
+        left = [name for name in set(os.listdir("/tmp")) - before if "gaussiancad-" in name]
+        self.assertEqual(left, [])
+
+    def test_a_panel_closed_from_outside_stops_its_engine(self) -> None:
+        self.behave("slow")
+        self.choose_sheet(self.sheet)
+        self.start()
+        self.wait_for_stage("2 of 3")
+        pid = self.engine_pid()
+        FreeCADGui.Control.closeDialog()
+        self.wait_for(lambda: not alive(pid))
+
+    def engine_pid(self) -> int:
+        children = []
+        for entry in filter(str.isdigit, os.listdir("/proc")):
+            try:
+                with open(f"/proc/{entry}/cmdline", "rb") as file:
+                    command = file.read()
+            except OSError:
+                continue
+            if b"fake_engine.py" in command and str(self.sheet).encode() in command:
+                children.append(int(entry))
+        self.assertEqual(len(children), 1)
+        return children[0]
+
+
+def alive(pid: int) -> bool:
+    try:
+        with open(f"/proc/{pid}/stat") as file:
+            return file.read().rsplit(")", 1)[1].split()[0] != "Z"
+    except OSError:
+        return False
