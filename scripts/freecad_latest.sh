@@ -24,6 +24,7 @@ fingerprint() {
 inside() {
     mounts=$1
     shift
+    # shellcheck disable=SC2016 # it is expanded inside
     unshare --mount --propagation private sh -eu -c '
         root=$1 mounts=$2 start=$(printf "%s\n" "$2" | head -n 1)
         shift 2

@@ -1,3 +1,4 @@
+# shellcheck shell=sh
 # Sourced by the other scripts, from the root of the checkout: how they tell what they do.
 
 # say TEXT: one line for the person who watches.
