@@ -1,9 +1,9 @@
 """Axes of the model, roles of the views, and where a view stands on a sheet.
 
 Model axes are FreeCAD's own, in millimetres: the front view looks along +Y with X to its right and
-Z up.  The model's bounding box starts at the origin.  A view's plane has two coordinates, ``right``
-and ``up``, which are the dot products of a model point with the view's ``right`` and ``up`` vectors;
-they may be negative (the left view's right is -Y).
+Z up.  The model's bounding box starts at the origin.  A view's plane has two coordinates,
+``right`` and ``up``, which are the dot products of a model point with the view's ``right`` and
+``up`` vectors; they may be negative (the left view's right is -Y).
 
 The placement of views follows ISO 5456-2 (first angle, third angle).
 """

@@ -70,7 +70,7 @@ def write_cameras(
     (folder / "images").mkdir(parents=True, exist_ok=True)
     (folder / "masks").mkdir(exist_ok=True)
     camera_lines = ["# CAMERA_ID MODEL WIDTH HEIGHT fx fy cx cy"]
-    image_lines = ["# IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME, then a line of 2D points (none)"]
+    image_lines = ["# IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME, then 2D points (none)"]
     for index, camera in enumerate(cameras, start=1):
         name = f"{camera.role.value}.png"
         intrinsics = " ".join(f"{v:.17g}" for v in (camera.fx, camera.fy, camera.cx, camera.cy))
@@ -95,9 +95,7 @@ def quaternion(rotation: npt.NDArray[np.float64]) -> tuple[float, float, float, 
     return float(sign * w), float(sign * x), float(sign * y), float(sign * z)
 
 
-def _points_text(
-    positions: npt.NDArray[np.float64], colours: npt.NDArray[np.uint8]
-) -> str:
+def _points_text(positions: npt.NDArray[np.float64], colours: npt.NDArray[np.uint8]) -> str:
     lines = ["# POINT3D_ID X Y Z R G B ERROR TRACK (none)"]
     for index, ((x, y, z), (r, g, b)) in enumerate(
         zip(positions[:MAX_POINTS], colours[:MAX_POINTS], strict=True), start=1

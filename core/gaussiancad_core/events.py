@@ -2,8 +2,8 @@
 
 The protocol (version 1) is one JSON object a line with the key ``event``: ``hello``, ``stage``,
 ``progress``, ``preview``, ``warning``, ``result``, ``error``.  Logs go to stderr.  Libraries print
-to file descriptor 1 (OpenCASCADE's STEP writer does), so :func:`open_event_stream` keeps a duplicate
-of it for the events and points 1 at stderr.
+to file descriptor 1 (OpenCASCADE's STEP writer does), so :func:`open_event_stream` keeps a
+duplicate of it for the events and points 1 at stderr.
 """
 
 import json
@@ -108,6 +108,20 @@ def open_event_stream() -> JsonLines:
     os.dup2(2, 1)
     sys.stdout = sys.stderr
     return JsonLines(os.fdopen(own, "w", encoding="utf-8", newline="\n"))
+
+
+@contextmanager
+def stdout_apart() -> Iterator[None]:
+    """What libraries print to file descriptor 1 goes to stderr while this lasts."""
+    sys.stdout.flush()
+    own = os.dup(1)
+    os.dup2(2, 1)
+    try:
+        yield
+    finally:
+        sys.stdout.flush()
+        os.dup2(own, 1)
+        os.close(own)
 
 
 def cancel_on_signals() -> None:

@@ -1,6 +1,6 @@
 """What a ``reconstruct`` run is asked to do."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +27,7 @@ class Job:
 
     sheet: Path
     output: Path
-    reading: ReadingOptions = ReadingOptions()
+    reading: ReadingOptions = field(default_factory=ReadingOptions)
     page: int = 1
     result: ResultKind = ResultKind.BOTH
     recipe: Recipe = Recipe.ORTHOGRAPHIC

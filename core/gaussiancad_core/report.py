@@ -13,10 +13,11 @@ import psutil
 from gaussiancad_core import __version__
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.modes import Status
+from gaussiancad_core.verification.agreement import Agreement
 
 SCHEMA = 1
 
-_PACKAGES = (
+ENGINE_PACKAGES = (
     "torch",
     "numpy",
     "opencv-python-headless",
@@ -33,19 +34,6 @@ class Remark:
 
     code: str
     message: str
-
-
-@dataclass(frozen=True)
-class Agreement:
-    """How the result's own lines agree with the sheet's in one view, shares of length 0..1.
-
-    A kind of line that neither has agrees fully (1).
-    """
-
-    visible_recall: float
-    visible_precision: float
-    hidden_recall: float
-    hidden_precision: float
 
 
 @dataclass(frozen=True)
@@ -159,7 +147,7 @@ def engine_facts(settings: dict[str, Any], sheet_sha256: str) -> dict[str, Any]:
         "version": __version__,
         "python": platform.python_version(),
         "platform": sys.platform,
-        "packages": installed_versions(_PACKAGES),
+        "packages": installed_versions(ENGINE_PACKAGES),
         "device": "cpu",
         "seed": settings.get("seed"),
         "sheet_sha256": sheet_sha256,

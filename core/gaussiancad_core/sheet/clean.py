@@ -1,8 +1,8 @@
 """From a grey sheet to ink: median filter, adaptive threshold, stroke width.
 
-The filter and its 3 x 3 kernel are those of the GaussianCAD paper; there a larger kernel makes
-dashed lines vanish.  A 3 x 3 median erases lines of one pixel, so it is left out where it would take
-a large part of the ink.
+The filter and its 3 x 3 kernel are those of the GaussianCAD paper; a larger kernel makes dashed
+lines vanish.  A 3 x 3 median erases lines of one pixel, so it is left out where it would take a
+large part of the ink.
 """
 
 from dataclasses import dataclass

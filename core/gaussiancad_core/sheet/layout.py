@@ -1,8 +1,9 @@
 """Find the views on a sheet and say which is which.
 
-A view is a cluster of ink.  Views that show the same axis side by side have the same interval on the
-sheet: the view that shares its columns with one neighbour and its rows with another is the front
-view, and the others' roles follow from where they stand and from the projection (ISO 5456-2).
+A view is a cluster of ink.  Views that show the same axis side by side have the same interval on
+the sheet: the view that shares its columns with one neighbour and its rows with another is the
+front view, and the others' roles follow from where they stand and from the projection (ISO
+5456-2).
 """
 
 from dataclasses import dataclass

@@ -13,6 +13,7 @@ from gaussiancad_core.sheet.registration import (
     AxisExtents,
     Placement,
     axis_extents,
+    colourised,
     make_view,
     placement,
     view_box,
@@ -99,17 +100,14 @@ def register_views(drawn: tuple[ReadView, ...], options: ReadingOptions) -> Regi
     for view in drawn:
         holes = _through_holes(view, drawn) if options.open_holes else ()
         opened += len(holes)
-        views.append(
-            make_view(
-                view.role,
-                placements[view.role],
-                view.strokes,
-                view.outline.without(holes),
-                view.outline,
-                scale / view.outline.supersampling,
-                options.colour,
-            )
+        plain = make_view(
+            placements[view.role],
+            view.strokes,
+            view.outline.without(holes),
+            view.outline,
+            scale / view.outline.supersampling,
         )
+        views.append(colourised(plain, options.colour))
     return RegisteredSheet(ViewSet(tuple(views), size), placements, drawn, scale, extents, opened)
 
 

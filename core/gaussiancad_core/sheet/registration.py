@@ -53,11 +53,13 @@ class Placement:
     """The affine map from sheet px to a view's plane.
 
     Attributes:
+        role: of the view.
         box: of the view in sheet px.
         right: (mm at the box's left edge, mm at its right edge).
         up: (mm at the box's lower edge, mm at its upper edge).
     """
 
+    role: Role
     box: Box
     right: tuple[float, float]
     up: tuple[float, float]
@@ -148,7 +150,7 @@ def placement(role: Role, box: Box, size: tuple[float, float, float]) -> Placeme
         extent = size[axis.value]
         return (0.0, extent) if sign > 0 else (-extent, 0.0)
 
-    return Placement(box, interval(*role.frame.right_axis), interval(*role.frame.up_axis))
+    return Placement(role, box, interval(*role.frame.right_axis), interval(*role.frame.up_axis))
 
 
 def strokes_in_plane(strokes: tuple[Stroke, ...], place: Placement) -> tuple[Stroke, ...]:
@@ -181,24 +183,20 @@ def strokes_in_plane(strokes: tuple[Stroke, ...], place: Placement) -> tuple[Str
 
 
 def make_view(
-    role: Role,
     place: Placement,
     strokes: tuple[Stroke, ...],
     depth: npt.NDArray[np.float32],
     outline: Outline,
     mm_per_pixel: float,
-    colour: tuple[int, int, int],
 ) -> View:
-    """A view on the shared grid: mask resampled, colourised.
+    """A view on the shared grid, its mask resampled, without colour yet.
 
     Args:
-        role: of the view.
-        place: its box in the plane.
+        place: the view's box in its plane.
         strokes: in sheet px.
         depth: (h, w) mask px inside the material, on the outline's grid.
         outline: gives the grid of ``depth``.
         mm_per_pixel: of the view's mask.
-        colour: RGB of the part.
     """
     width = int(np.ceil((place.right[1] - place.right[0]) / mm_per_pixel)) + 2 * _MARGIN
     height = int(np.ceil((place.up[1] - place.up[0]) / mm_per_pixel)) + 2 * _MARGIN
@@ -219,8 +217,8 @@ def make_view(
         borderMode=cv2.BORDER_CONSTANT,
         borderValue=-1.0,
     )
-    view = View(
-        role,
+    return View(
+        place.role,
         place.box,
         strokes_in_plane(strokes, place),
         resampled > 0,
@@ -228,11 +226,10 @@ def make_view(
         origin,
         mm_per_pixel,
     )
-    return replace(view, colour=colourise(view, colour))
 
 
-def colourise(view: View, colour: tuple[int, int, int]) -> npt.NDArray[np.uint8]:
-    """(h, w, 3) uint8 RGB: one colour inside the mask, the visible strokes dark, the rest white."""
+def colourised(view: View, colour: tuple[int, int, int]) -> View:
+    """The view with one RGB colour inside the mask, the visible strokes dark, the rest white."""
     image = np.full((*view.mask.shape, 3), 255, np.uint8)
     image[view.mask] = colour
     dark = tuple(int(0.25 * channel) for channel in colour)
@@ -244,4 +241,4 @@ def colourise(view: View, colour: tuple[int, int, int]) -> npt.NDArray[np.uint8]
             cv2.polylines(image, [path], False, dark, thickness, cv2.LINE_AA, 4)
     # Half of the outline's strokes lies outside of the part.
     image[~view.mask] = 255
-    return image
+    return replace(view, colour=image)

@@ -1,8 +1,8 @@
 """Straight lines and circles under the ink: Canny, probabilistic Hough, Hough circles.
 
-The transforms give candidates to about a pixel, several for each stroke, since the edge map has both
-sides of it.  Each candidate is fitted to the ink it lies on (total least squares for lines, a robust
-geometric fit for circles), which merges the doubles and finds the stroke's centre line.
+The transforms give candidates to about a pixel, several for each stroke, since the edge map has
+both sides of it.  Each candidate is fitted to the ink it lies on (total least squares for lines, a
+robust geometric fit for circles), which merges the doubles and finds the stroke's centre line.
 """
 
 from dataclasses import dataclass
@@ -23,6 +23,9 @@ _CIRCLE_FITS = ((3.0, 4.0), (2.5, 3.0), (2.0, 2.0), (1.5, 1.2), (1.5, 0.8), (1.5
 
 _FOLLOWED = 0.8
 """px by which a shape may pass beside a stroke's centre line at most."""
+
+_LEAST_SUPPORT = 0.1
+"""Share of a circle that has ink on it, at least: two tangents of a circle have less."""
 
 _HOUGH_WAYS = ((12, 8, 5), (24, 30, 22))
 """Votes, shortest line, widest gap in px: for short solid lines, and across the gaps of dashes."""
@@ -85,9 +88,7 @@ def _hough_segments(
     edges: npt.NDArray[np.uint8], votes: int, shortest: int, gap: int
 ) -> npt.NDArray[np.float64]:
     """(n, 4) x0, y0, x1, y1 by the probabilistic Hough transform, half a degree fine."""
-    found = cv2.HoughLinesP(
-        edges, 1, np.pi / 360, votes, minLineLength=shortest, maxLineGap=gap
-    )
+    found = cv2.HoughLinesP(edges, 1, np.pi / 360, votes, minLineLength=shortest, maxLineGap=gap)
     return np.zeros((0, 4)) if found is None else found.reshape(-1, 4).astype(np.float64)
 
 
@@ -212,7 +213,7 @@ def find_circles(sheet: CleanSheet) -> list[Circle]:
     candidates: list[Circle] = []
     for method, dp, edge, votes in (
         (cv2.HOUGH_GRADIENT_ALT, 1.5, 200, 0.7),
-        (cv2.HOUGH_GRADIENT, 1.0, 160, 22),
+        (cv2.HOUGH_GRADIENT, 2.0, 160, 40),
     ):
         found = cv2.HoughCircles(
             grey, method, dp, 3, param1=edge, param2=votes, minRadius=4, maxRadius=side
@@ -278,7 +279,7 @@ def fit_circle(sheet: CleanSheet, start: Circle) -> Circle | None:
     """Fit a circle to the ink near it: centroids of radial profiles, then least squares with
     Tukey's weights, which forget the tangents beside an arc as the fit tightens.
 
-    None if the fit drifts away or has too little ink to rest on.
+    None if the fit drifts away or little of the circle is inked: a line touches it.
     """
     circle = start
     half = sheet.stroke_width / 2
@@ -299,7 +300,8 @@ def fit_circle(sheet: CleanSheet, start: Circle) -> Circle | None:
         )
         if circle.radius < 2.5:
             return None
-    return circle
+    support = following(radial_profile(sheet, circle, half + 1.5)[1] - circle.radius)
+    return circle if support > _LEAST_SUPPORT * 2 * np.pi * circle.radius else None
 
 
 def radial_profile(

@@ -1,8 +1,8 @@
 """The strokes of one view: Hough shapes, cut by the ink under them, with exact ends.
 
 The shapes with the most ink come first; every accepted stroke explains its ink, and a shape that
-explains little that is new is dropped: a chord of a circle, or an arc that cuts a corner.  What no line or circle explains
-(ellipses, free curves, small fillets) is traced as short segments.
+explains little that is new is dropped: a chord of a circle, or an arc that cuts a corner.  What no
+line or circle explains (ellipses, free curves, small fillets) is traced as short segments.
 """
 
 from dataclasses import dataclass, replace

@@ -1,9 +1,9 @@
 """Which blank regions of a view are through holes: the hidden lines of the other views tell.
 
 The walls of a through hole show in each view beside as a line at either end of the hole's extent,
-over the whole depth of the material that the views leave there.  Where a wider hole leads into it (a counterbore), that hole's
-hidden lines cover the rest of the depth.  This is evidence, not proof: rows of holes can lend each
-other their lines.
+over the whole depth of the material that the views leave there.  Where a wider hole leads into it
+(a counterbore), that hole's hidden lines cover the rest of the depth.  This is evidence, not
+proof: rows of holes can lend each other their lines.
 """
 
 from dataclasses import dataclass

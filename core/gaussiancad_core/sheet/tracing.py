@@ -1,5 +1,7 @@
 """Trace the ink that no line or circle explains: ellipses, free curves, small fillets."""
 
+from itertools import pairwise
+
 import cv2
 import numpy as np
 import numpy.typing as npt
@@ -30,7 +32,7 @@ def trace_remainder(ink: npt.NDArray[np.bool_], stroke_width: float, dash: float
         for path in _paths(pixels, shortest):
             chain = (path + np.array([x0, y0])).astype(np.float32)
             corners = cv2.approxPolyDP(chain[:, None], _EPSILON, False)[:, 0]
-            for start, end in zip(corners, corners[1:], strict=False):
+            for start, end in pairwise(corners):
                 ends = (float(start[0]), float(start[1])), (float(end[0]), float(end[1]))
                 segments.append(Segment(*ends, linetype, 0.5))
     return segments

@@ -1,0 +1,125 @@
+"""Many sheets: each is reconstructed in a process of its own, one report over all.
+
+A sheet that fails, or whose process is killed, does not touch the others.
+"""
+
+import csv
+import io
+import json
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import astuple, dataclass, fields
+from pathlib import Path
+
+from gaussiancad_core.drawing.files import write_whole
+from gaussiancad_core.job import Job
+from gaussiancad_core.modes import Status
+
+REPORT_FILE = "report.csv"
+
+
+@dataclass(frozen=True)
+class BatchRow:
+    """What became of one sheet.
+
+    Attributes:
+        name: of its folder.
+        sheet: its path.
+        folder: of the results.
+        status: as in its report, or ``failed``.
+        exit_code: of its process.
+        message: of its error, or empty.
+        seconds: of the run.
+    """
+
+    name: str
+    sheet: str
+    folder: str
+    status: str
+    exit_code: int
+    message: str
+    seconds: float
+
+
+def run_batch(sheets: list[Path], job: Job, workers: int) -> list[BatchRow]:
+    """Reconstruct sheets into ``job.output/NAME`` and write ``report.csv`` there.
+
+    Args:
+        sheets: in the order of the report.
+        job: settings for all; its sheet is not used.
+        workers: processes at a time.
+
+    Raises:
+        UsageError, LimitError: the report cannot be written.
+    """
+    names = unique_names(sheets)
+    with ThreadPoolExecutor(workers) as pool:
+        rows = list(pool.map(lambda pair: _run_one(*pair, job), zip(sheets, names, strict=True)))
+    write_whole(job.output / REPORT_FILE, _csv(rows))
+    return rows
+
+
+def unique_names(sheets: list[Path]) -> list[str]:
+    """The sheets' stems; ``-2``, ``-3`` ... tell equal ones apart."""
+    names: list[str] = []
+    taken: set[str] = set()
+    for sheet in sheets:
+        name, number = sheet.stem, 1
+        # Some file systems know no case.
+        while name.casefold() in taken:
+            number += 1
+            name = f"{sheet.stem}-{number}"
+        taken.add(name.casefold())
+        names.append(name)
+    return names
+
+
+def _run_one(sheet: Path, name: str, job: Job) -> BatchRow:
+    folder = job.output / name
+    command = [
+        sys.executable,
+        "-I",
+        "-m",
+        "gaussiancad_core",
+        "reconstruct",
+        str(sheet),
+        "--output",
+        str(folder),
+        *job_arguments(job),
+    ]
+    finished = subprocess.run(
+        command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
+    )
+    lines = finished.stderr.strip().splitlines()
+    message = "" if finished.returncode == 0 else (lines[-1] if lines else "no message")
+    status, seconds = Status.FAILED.value, 0.0
+    if finished.returncode == 0:
+        report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
+        status, seconds = report["status"], sum(report["seconds"].values())
+    return BatchRow(
+        name, str(sheet), str(folder), status, finished.returncode, message, round(seconds, 2)
+    )
+
+
+def job_arguments(job: Job) -> list[str]:
+    """Options of ``gaussiancad reconstruct`` that give the same job on another sheet."""
+    settings = job.settings()
+    arguments: list[str] = []
+    for name in ("projection", "page", "result", "recipe", "preset", "seed", "colour"):
+        arguments += [f"--{name}", str(settings[name])]
+    for role, box in settings["views"].items():
+        arguments += ["--view", f"{role}={','.join(str(value) for value in box)}"]
+    if settings["length"]:
+        arguments += ["--length", f"{settings['length']['axis']}={settings['length']['mm']}"]
+    if settings["mm_per_pixel"]:
+        arguments += ["--mm-per-pixel", str(settings["mm_per_pixel"])]
+    return [*arguments, "--device", job.device.value, *(["--resume"] if job.resume else [])]
+
+
+def _csv(rows: list[BatchRow]) -> bytes:
+    text = io.StringIO()
+    writer = csv.writer(text)
+    writer.writerow([field.name for field in fields(BatchRow)])
+    writer.writerows(astuple(row) for row in rows)
+    return text.getvalue().encode("utf-8")

@@ -1,0 +1,51 @@
+"""The ``gaussiancad`` command.
+
+Each subcommand has a module of its own that adds its parser and runs it; heavy libraries are only
+imported once a command runs.
+"""
+
+import sys
+from collections.abc import Sequence
+
+from gaussiancad_core.cli.parser import build_parser
+from gaussiancad_core.errors import CancelledError, ExitCode, GaussianCadError
+from gaussiancad_core.events import Listener, Silence
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line and return its exit code."""
+    options = build_parser().parse_args(arguments)
+    listener = Silence()
+    try:
+        listener = _listener(options.events)
+        return int(options.run(options, listener))
+    except GaussianCadError as error:
+        return _tell(listener, error.code, error.message, error.exit_code)
+    except KeyboardInterrupt:
+        return _tell(listener, "cancelled", "stopped by SIGINT", CancelledError.exit_code)
+    except MemoryError:
+        message = "the memory does not suffice: use --preset draft or a smaller file"
+        return _tell(listener, "out-of-memory", message, ExitCode.LIMIT)
+    except ImportError as error:
+        message = f"the engine is incomplete ({error}): run `gaussiancad doctor`"
+        return _tell(listener, "engine-incomplete", message, ExitCode.ENGINE)
+
+
+def _listener(events: bool) -> Listener:
+    """Events and ways to cancel as the options ask for."""
+    from gaussiancad_core.events import cancel_on_signals, cancel_on_stdin, open_event_stream
+
+    cancel_on_signals()
+    if not events:
+        return Silence()
+    listener = open_event_stream()
+    cancel_on_stdin()
+    return listener
+
+
+def _tell(listener: Listener, code: str, message: str, exit_code: ExitCode) -> int:
+    """One line on stderr, one event, and the exit code."""
+    line = " ".join(message.split())
+    print(f"gaussiancad: {line} [{code}]", file=sys.stderr, flush=True)
+    listener.send("error", code=code, message=line, exit_code=int(exit_code))
+    return int(exit_code)

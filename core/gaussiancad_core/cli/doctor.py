@@ -1,0 +1,90 @@
+"""``gaussiancad doctor``: what is installed, what is missing, what to do."""
+
+import argparse
+import importlib
+import os
+import platform
+import sys
+from importlib import metadata
+
+from gaussiancad_core import __version__
+from gaussiancad_core.errors import ExitCode
+from gaussiancad_core.events import Listener
+
+_NEEDED = {
+    "numpy": "numpy",
+    "scipy": "scipy",
+    "cv2": "opencv-python-headless",
+    "PIL": "pillow",
+    "skimage": "scikit-image",
+    "psutil": "psutil",
+    "torch": "torch",
+    "numba": "numba",
+    "open3d": "open3d",
+    "trimesh": "trimesh",
+    "manifold3d": "manifold3d",
+    "ot": "POT",
+    "OCP": "cadquery-ocp-novtk",
+}
+"""Module -> distribution."""
+
+_SYSTEM_LIBRARIES = {
+    "libusb-1.0.so.0": "libusb-1.0-0",
+    "libGL.so.1": "libgl1",
+    "libgomp.so.1": "libgomp1",
+    "libX11.so.6": "libx11-6",
+    "libEGL.so.1": "libegl1",
+}
+"""Shared library -> Debian package that has it."""
+
+
+def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the subcommands ``doctor`` and ``warm-up``."""
+    parser = commands.add_parser("doctor", help="check the engine's installation")
+    parser.set_defaults(run=run)
+    warm = commands.add_parser("warm-up", help="compile the kernels ahead of the first run")
+    warm.set_defaults(run=run_warm_up)
+
+
+def run(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
+    """Import every library the engine needs and say what to do about those that fail."""
+    print(f"gaussiancad {__version__}")
+    print(f"Python {platform.python_version()} at {sys.executable}")
+    print(f"{os.cpu_count()} cores, {platform.platform()}")
+    broken = 0
+    for module, distribution in _NEEDED.items():
+        problem = _problem(module, distribution)
+        broken += problem is not None
+        state = f"BROKEN: {problem}" if problem else metadata.version(distribution)
+        print(f"  {distribution:24} {state}", flush=True)
+    if broken:
+        print(f"{broken} of {len(_NEEDED)} libraries cannot be used; run `make install` again")
+        return ExitCode.ENGINE
+    print("the engine is complete")
+    return ExitCode.DONE
+
+
+def _problem(module: str, distribution: str) -> str | None:
+    try:
+        metadata.version(distribution)
+        importlib.import_module(module)
+    except metadata.PackageNotFoundError:
+        return f"not installed: pip install {distribution}"
+    except Exception as error:  # A broken library raises anything while it is imported.
+        return _advice(str(error))
+    return None
+
+
+def _advice(message: str) -> str:
+    for library, package in _SYSTEM_LIBRARIES.items():
+        if library in message:
+            return f"{library} is missing: apt-get install {package}"
+    return message
+
+
+def run_warm_up(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
+    """Compile the kernels into their cache."""
+    from gaussiancad_core.splatting.warm_up import warm_up
+
+    warm_up()
+    return ExitCode.DONE

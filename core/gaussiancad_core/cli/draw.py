@@ -1,0 +1,54 @@
+"""``gaussiancad draw``: a solid to a three-view sheet."""
+
+import argparse
+from functools import partial
+from pathlib import Path
+
+from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.cli import values
+from gaussiancad_core.errors import ExitCode
+from gaussiancad_core.events import Listener
+
+
+def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the subcommand."""
+    parser = commands.add_parser("draw", help="draw a three-view sheet of a solid")
+    parser.add_argument("solid", type=Path, metavar="SOLID", help="STEP or BREP")
+    parser.add_argument("sheet", type=Path, metavar="SHEET", help="image to write, e.g. sheet.png")
+    parser.add_argument(
+        "--views",
+        type=values.roles,
+        default=(Role.FRONT, Role.TOP, Role.RIGHT),
+        metavar="ROLE,ROLE,ROLE",
+        help="front, top, right, left, bottom, rear",
+    )
+    parser.add_argument(
+        "--projection",
+        type=partial(values.choice, Projection),
+        default=Projection.THIRD,
+        metavar="third|first",
+    )
+    parser.add_argument(
+        "--style", default="clean", metavar="NAME,KEY=VALUE", help="a named style and its changes"
+    )
+    parser.add_argument("--seed", type=values.whole, default=0, metavar="N")
+    parser.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
+    """Draw a solid."""
+    from gaussiancad_core.drawing.command import draw_file
+    from gaussiancad_core.drawing.style import parse_style
+    from gaussiancad_core.events import stdout_apart
+
+    with stdout_apart():
+        drawn = draw_file(
+            options.solid,
+            options.sheet,
+            options.views,
+            options.projection,
+            parse_style(options.style),
+            options.seed,
+        )
+    print(f"{options.sheet}: {len(drawn.views)} views, {drawn.mm_per_pixel:.6g} mm per px")
+    return ExitCode.DONE

@@ -1,0 +1,128 @@
+"""``gaussiancad reconstruct``: one sheet to a model."""
+
+import argparse
+import sys
+from functools import partial
+from pathlib import Path
+
+from gaussiancad_core.axes import Projection
+from gaussiancad_core.cli import values
+from gaussiancad_core.errors import ExitCode, UsageError
+from gaussiancad_core.events import PROTOCOL, Listener
+from gaussiancad_core.job import Job
+from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind
+from gaussiancad_core.sheet.options import ReadingOptions
+
+
+def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the subcommand."""
+    parser = commands.add_parser("reconstruct", help="make a model from a sheet")
+    parser.add_argument("sheet", type=Path, metavar="SHEET", help="PNG, JPEG, TIFF, BMP or WebP")
+    parser.add_argument("--output", type=Path, required=True, metavar="DIR")
+    add_job_options(parser)
+    parser.add_argument(
+        "--events", action="store_true", help="JSON lines on stdout; cancel on stdin stops the run"
+    )
+    parser.set_defaults(run=run)
+
+
+def add_job_options(parser: argparse.ArgumentParser) -> None:
+    """Options that say how sheets are read and reconstructed."""
+    parser.add_argument(
+        "--projection",
+        choices=("auto", "first", "third"),
+        default="auto",
+        help="first or third angle",
+    )
+    parser.add_argument(
+        "--view",
+        type=values.view_box,
+        action="append",
+        default=[],
+        metavar="ROLE=X0,Y0,X1,Y1",
+        help="name a view by a box around it in px; repeat for each",
+    )
+    parser.add_argument("--page", type=values.count, default=1, metavar="N")
+    scale = parser.add_mutually_exclusive_group()
+    scale.add_argument(
+        "--length",
+        type=values.axis_length,
+        metavar="AXIS=MM",
+        help="the part's extent on x, y or z",
+    )
+    scale.add_argument("--mm-per-pixel", type=values.positive, metavar="S")
+    for option, kind, default in (
+        ("--result", ResultKind, ResultKind.BOTH),
+        ("--recipe", Recipe, Recipe.ORTHOGRAPHIC),
+        ("--preset", Preset, Preset.STANDARD),
+        ("--device", Device, Device.AUTO),
+    ):
+        parser.add_argument(
+            option,
+            type=partial(values.choice, kind),
+            default=default,
+            metavar="|".join(member.value for member in kind),
+        )
+    parser.add_argument("--colour", type=values.colour, default=(120, 160, 210), metavar="#RRGGBB")
+    parser.add_argument("--seed", type=values.whole, default=0, metavar="N")
+    parser.add_argument(
+        "--resume", action="store_true", help="keep a finished result of the same sheet and options"
+    )
+
+
+def job_of(options: argparse.Namespace, sheet: Path, output: Path) -> Job:
+    """The job that the options describe.
+
+    Raises:
+        UsageError: ``view-repeated`` if two boxes name one role.
+    """
+    named = [role for role, _ in options.view]
+    if len(set(named)) < len(named):
+        raise UsageError("view-repeated", "--view: each role can be named once only")
+    reading = ReadingOptions(
+        projection=None if options.projection == "auto" else Projection(options.projection),
+        views=tuple(options.view),
+        length=options.length,
+        mm_per_pixel=options.mm_per_pixel,
+        colour=options.colour,
+    )
+    return Job(
+        sheet=sheet,
+        output=output,
+        reading=reading,
+        page=options.page,
+        result=options.result,
+        recipe=options.recipe,
+        preset=options.preset,
+        seed=options.seed,
+        device=options.device,
+        resume=options.resume,
+    )
+
+
+def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
+    """Reconstruct one sheet."""
+    from gaussiancad_core import __version__
+    from gaussiancad_core.pipeline import REPORT_FILE, reconstruct
+    from gaussiancad_core.report import ENGINE_PACKAGES, installed_versions
+
+    listener.send(
+        "hello",
+        protocol=PROTOCOL,
+        versions={"gaussiancad": __version__, **installed_versions(ENGINE_PACKAGES)},
+    )
+    job = job_of(options, options.sheet, options.output)
+    report = reconstruct(job, listener)
+    path = (options.output / REPORT_FILE).resolve()
+    listener.send("result", path=str(path), status=report.status.value)
+    if not options.events:
+        _print_summary(report.status.value, [r.message for r in report.reasons], path)
+        for warning in report.warnings:
+            print(f"gaussiancad: warning: {warning.message} [{warning.code}]", file=sys.stderr)
+    return ExitCode.DONE
+
+
+def _print_summary(status: str, reasons: list[str], report: Path) -> None:
+    print(f"{status}: {report}")
+    for reason in reasons:
+        print(f"  {reason}")

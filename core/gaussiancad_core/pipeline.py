@@ -1,0 +1,373 @@
+"""The stages of a run in order, each from dataclass to dataclass.
+
+read -> views -> lines -> masks -> hull -> gaussians -> surface -> check -> write.
+"""
+
+import json
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from gaussiancad_core.axes import mutually_orthogonal
+from gaussiancad_core.cameras import Camera, orthographic_camera, paper_camera
+from gaussiancad_core.errors import EngineError, GaussianCadError, LimitError, NoModelError
+from gaussiancad_core.events import Listener, Progress
+from gaussiancad_core.job import Job
+from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
+from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
+from gaussiancad_core.report import GaussiansReport, Report, SurfaceReport, ViewReport
+from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
+from gaussiancad_core.sheet.layout import Layout, find_layout
+from gaussiancad_core.sheet.read import SheetImage, read_sheet
+from gaussiancad_core.sheet.reading import RegisteredSheet, read_views, register_views
+from gaussiancad_core.splatting.training import TrainingResult
+from gaussiancad_core.verification.agreement import MatchedLines
+from gaussiancad_core.views import ViewSet
+
+STAGES = ("read", "views", "lines", "masks", "hull", "gaussians", "surface", "check", "write")
+
+REPORT_FILE = "report.json"
+
+TOLERANCE_PX = 3.0
+"""px of the sheet within which a line of the result is the sheet's line.
+
+A surface rounds its edges by about a hundredth of its size, so lines are matched to about the
+width of a stroke.
+"""
+
+_EXPLAINED = 0.95
+"""Share of the lines that has to agree for a view to be called explained."""
+
+_IMAGE_PX = 1024
+"""Side of the orthographic images in the cameras folder."""
+
+
+@dataclass(frozen=True, eq=False)
+class Models:
+    """What a run made of a sheet.
+
+    Attributes:
+        registered: the views.
+        training: the Gaussians.
+        surface: their Poisson mesh.
+        matched: the surface's lines against the sheet's, in the order of the views.
+    """
+
+    registered: RegisteredSheet
+    training: TrainingResult
+    surface: TriangleMesh
+    matched: tuple[MatchedLines, ...]
+
+
+def reconstruct(job: Job, listener: Listener) -> Report:
+    """Run a job and write its files.
+
+    Returns:
+        The report as written; its status is never ``failed``.
+
+    Raises:
+        GaussianCadError: the run failed; for :class:`NoModelError` and :class:`LimitError` the
+            report is written all the same.
+    """
+    folder = OutputFolder(job.output, RUN_FILES, REPORT_FILE)
+    run = _Run(job, folder, Progress(listener, len(STAGES)))
+    try:
+        return run.all_stages()
+    except (NoModelError, LimitError, MemoryError) as error:
+        failure = _as_limit(error)
+        run.write_failure(failure)
+        raise failure from error
+    except OSError as error:
+        if isinstance(error, GaussianCadError):
+            raise
+        raise os_error(job.output, error) from error
+    finally:
+        folder.discard()
+
+
+def _as_limit(error: BaseException) -> GaussianCadError:
+    if isinstance(error, GaussianCadError):
+        return error
+    return LimitError(
+        "out-of-memory", "the memory does not suffice: use --preset draft or a smaller sheet"
+    )
+
+
+class _Run:
+    """A run in progress: the job, the staging folder and the report as it fills."""
+
+    def __init__(self, job: Job, folder: OutputFolder, progress: Progress) -> None:
+        self.job = job
+        self.folder = folder
+        self.progress = progress
+        self.report = Report("", job.settings())
+
+    def all_stages(self) -> Report:
+        """Read, reconstruct, check and write."""
+        _check_device(self.job.device)
+        with self._stage("read"):
+            image = read_sheet(self.job.sheet, self.job.page)
+            self.report = replace(self.report, sheet_sha256=image.sha256)
+            if self.job.resume and (earlier := self._earlier()):
+                return earlier
+            clean = clean_sheet(image.grey, self.job.reading.median_kernel)
+        registered = self._read_sheet(clean)
+        if self.job.result is ResultKind.SOLID:
+            raise NoModelError(
+                "exact-solid-unavailable",
+                "this version makes no exact solid yet: ask for --result surface or both",
+            )
+        models = self._make_models(image, registered)
+        with self._stage("write"):
+            self._write_models(models)
+        self._finish(Status.APPROXIMATE)
+        return self.report
+
+    def write_failure(self, error: GaussianCadError) -> None:
+        """Leave a report of how far the run came and why it ended there."""
+        self.report = self.report.doubted(error.code, error.message)
+        for entry in self.folder.staging.iterdir():
+            if entry.is_file():
+                entry.unlink()
+        self._finish(Status.FAILED)
+
+    def _stage(self, name: str):  # noqa: ANN202
+        self.report = replace(self.report, stage=name)
+        return self.progress.stage(name)
+
+    def _finish(self, status: Status) -> None:
+        self.report = replace(self.report, status=status, seconds=dict(self.progress.seconds))
+        self.report.write(self.folder.staging / REPORT_FILE)
+        self.folder.commit()
+
+    def _warn(self, code: str, message: str) -> None:
+        self.report = self.report.warned(code, message)
+        self.progress.listener.send("warning", code=code, message=message)
+
+    def _earlier(self) -> Report | None:
+        """The report of a finished run of the same job in the same folder."""
+        try:
+            found = json.loads((self.folder.path / REPORT_FILE).read_text(encoding="utf-8"))
+            same = (
+                found["settings"] == self.report.settings
+                and found["engine"]["sheet_sha256"] == self.report.sheet_sha256
+                and found["status"] != Status.FAILED.value
+            )
+        except (OSError, ValueError, KeyError):
+            return None
+        return replace(self.report, status=Status(found["status"])) if same else None
+
+    def _read_sheet(self, clean: CleanSheet) -> RegisteredSheet:
+        """Views, lines and masks of a sheet, on shared axes."""
+        reading = self.job.reading
+        with self._stage("views"):
+            layout = find_layout(clean.ink, dict(reading.views), reading.projection)
+            self._tell_layout(clean, layout)
+        with self._stage("lines"):
+            drawn = read_views(clean, layout)
+            boxes = {view.role: ViewReport(view.box) for view in drawn}
+            self.report = replace(self.report, views=boxes)
+        with self._stage("masks"):
+            options = reading
+            if self.job.recipe is Recipe.PAPER:
+                options = replace(reading, open_holes=False)
+            registered = register_views(drawn, options)
+            self._tell_registration(registered)
+        return registered
+
+    def _tell_layout(self, clean: CleanSheet, layout: Layout) -> None:
+        self.report = replace(
+            self.report,
+            projection=layout.projection,
+            projection_source=layout.source,
+            projection_alternatives=layout.alternatives,
+            views={role: ViewReport(box) for role, box in layout.boxes.items()},
+        )
+        if layout.source == "default":
+            self._warn(
+                "projection-assumed",
+                "the projection is not known: third angle was taken; "
+                "tell --projection first if the sheet is drawn in first angle",
+            )
+        if self.job.reading.median_kernel and not clean.median_kernel:
+            self._warn(
+                "median-filter-skipped",
+                "the median filter would erase thin lines and was left out",
+            )
+        if layout.left_out:
+            boxes = ("({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*b) for b in layout.left_out[:5])
+            places = "; ".join(boxes)
+            self._warn(
+                "lines-left-out",
+                f"{len(layout.left_out)} group(s) of lines belong to no view and were left out: "
+                f"{places} px",
+            )
+
+    def _tell_registration(self, registered: RegisteredSheet) -> None:
+        reading = self.job.reading
+        given = reading.length is not None or reading.mm_per_pixel is not None
+        self.report = replace(
+            self.report,
+            scale_mm_per_pixel=registered.mm_per_pixel,
+            scale_source="given" if given else "default",
+            bounding_box_mm=registered.views.size,
+            tolerance_px=TOLERANCE_PX,
+        )
+        if not given:
+            self._warn(
+                "scale-assumed",
+                "the scale is not known: the longest edge was made 100 mm; "
+                "tell --length AXIS=MM or --mm-per-pixel",
+            )
+        for axis in registered.extents.disagreeing:
+            spread = registered.extents.spread[axis]
+            self._warn(
+                "views-disagree",
+                f"the views differ by {spread:.1f} px in the part's extent along {axis.name}: "
+                "their mean was taken",
+            )
+        if not mutually_orthogonal(registered.views.roles):
+            self.report = self.report.doubted(
+                "two-views", "only two directions of view: what a third would show is not known"
+            )
+
+    def _make_models(self, image: SheetImage, registered: RegisteredSheet) -> Models:
+        """Hull, Gaussians and surface, and how the surface agrees with the sheet."""
+        from gaussiancad_core.hull import visual_hull
+        from gaussiancad_core.splatting.gaussians import Start, gaussians_on
+        from gaussiancad_core.splatting.settings import training_cameras, training_settings
+        from gaussiancad_core.splatting.targets import mean_colour, targets_of
+        from gaussiancad_core.splatting.training import train
+        from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
+
+        views = registered.views
+        settings = training_settings(self.job.recipe, self.job.preset)
+        cameras = training_cameras(self.job.recipe, settings, views.roles, views.size)
+        with self._stage("hull"):
+            hull = visual_hull(views, cameras)
+        with self._stage("gaussians"):
+            start = gaussians_on(
+                hull,
+                Start(
+                    count=settings.count,
+                    thickness=settings.thickness,
+                    opacity=settings.opacity,
+                    colour=mean_colour(views),
+                    seed=self.job.seed,
+                ),
+            )
+            training = train(start, cameras, targets_of(views, cameras), settings, self.progress)
+            self.report = replace(
+                self.report,
+                gaussians=GaussiansReport(
+                    len(training.gaussians), training.iterations, float(training.losses[-1])
+                ),
+            )
+        with self._stage("surface"):
+            surface = gaussian_surface(training.gaussians, PoissonSettings())
+            self.report = replace(
+                self.report,
+                surface=SurfaceReport(
+                    len(surface.vertices),
+                    len(surface.triangles),
+                    surface.watertight,
+                    float(surface.volume),
+                ),
+            )
+        with self._stage("check"):
+            matched = self._check(image, registered, surface)
+        return Models(registered, training, surface, matched)
+
+    def _check(
+        self, image: SheetImage, registered: RegisteredSheet, surface: TriangleMesh
+    ) -> tuple[MatchedLines, ...]:
+        """Draw the surface again and match its lines with the sheet's; overlay and preview."""
+        from gaussiancad_core.verification.agreement import match_lines
+        from gaussiancad_core.verification.overlay import ViewOverlay, draw_overlay
+        from gaussiancad_core.verification.preview import render_preview, write_png
+        from gaussiancad_core.verification.redraw import redraw_mesh
+
+        views = registered.views
+        pitch = registered.mm_per_pixel
+        matched = []
+        for index, view in enumerate(views.views):
+            lines = redraw_mesh(surface, view.role, pitch)
+            matched.append(match_lines(view.strokes, lines, TOLERANCE_PX * pitch))
+            self.progress((index + 1) / (len(views.views) + 1))
+        reports = {
+            view.role: ViewReport(view.box, match.agreement)
+            for view, match in zip(views.views, matched, strict=True)
+        }
+        self.report = replace(self.report, views=reports).doubted(
+            "no-exact-solid",
+            "the model is a surface around the space that the outlines leave, "
+            "not an exact solid: measure nothing from it that the sheet dimensions",
+        )
+        unexplained = [
+            role.value for role, view in reports.items() if view.agreement.worst < _EXPLAINED
+        ]
+        if unexplained:
+            self.report = self.report.doubted(
+                "lines-unexplained",
+                f"the surface does not show all lines of the {', '.join(unexplained)} view(s), or "
+                "shows others: see overlay.png",
+            )
+        overlays = [
+            ViewOverlay(view, views.size, match)
+            for view, match in zip(views.views, matched, strict=True)
+        ]
+        staging = self.folder.staging
+        (staging / "overlay.png").write_bytes(write_png(draw_overlay(image.grey, overlays)))
+        colour = self.job.reading.colour
+        (staging / "preview.png").write_bytes(write_png(render_preview(surface, colour)))
+        self.progress.listener.send("preview", path=str((staging / "preview.png").resolve()))
+        return tuple(matched)
+
+    def _write_models(self, models: Models) -> None:
+        """The surface, the Gaussians and the cameras, into the staging folder."""
+        from gaussiancad_core.splatting.ply import write_gaussians
+        from gaussiancad_core.surface.files import write_faceted_step, write_ply, write_stl
+
+        staging = self.folder.staging
+        write_stl(models.surface, staging / "surface.stl")
+        write_ply(models.surface, staging / "surface.ply")
+        self.progress(0.2)
+        write_faceted_step(models.surface, staging / "surface.step")
+        self.progress(0.7)
+        write_gaussians(models.training.gaussians, staging / "gaussians.ply")
+        _write_cameras(staging / "cameras", models, self.job.recipe)
+
+
+def _write_cameras(folder: Path, models: Models, recipe: Recipe) -> None:
+    from gaussiancad_core.colmap import as_pinhole, write_cameras
+    from gaussiancad_core.splatting.targets import targets_of
+
+    views = models.registered.views
+    cameras = _image_cameras(views, recipe)
+    targets = targets_of(views, cameras)
+    gaussians = models.training.gaussians
+    colours = np.clip(np.rint(gaussians.colours * 255), 0, 255).astype(np.uint8)
+    write_cameras(
+        folder,
+        tuple(as_pinhole(camera, views.size) for camera in cameras),
+        targets.colours.numpy(),
+        targets.masks.numpy(),
+        (gaussians.means.astype(np.float64), colours),
+    )
+
+
+def _image_cameras(views: ViewSet, recipe: Recipe) -> tuple[Camera, ...]:
+    """The recipe's cameras at the size of the images for other trainers."""
+    if recipe is Recipe.PAPER:
+        return tuple(paper_camera(role, views.size) for role in views.roles)
+    return tuple(orthographic_camera(role, views.size, _IMAGE_PX) for role in views.roles)
+
+
+def _check_device(device: Device) -> None:
+    if device is Device.CUDA:
+        raise EngineError(
+            "cuda-unavailable",
+            "this version trains on the CPU only: use --device auto or cpu",
+        )
