@@ -119,9 +119,7 @@ def visual_hull(
     return _zero_level(field, coordinates, views.size)
 
 
-def _padded(
-    view: View, camera: Camera, size: tuple[float, float, float]
-) -> npt.NDArray[np.bool_]:
+def _padded(view: View, camera: Camera, size: tuple[float, float, float]) -> npt.NDArray[np.bool_]:
     """The mask with a border; where it reaches a side of the box it goes on beyond it.
 
     The box is known better than the pixels are: a mask that ends less than a pixel before a side
@@ -202,7 +200,9 @@ def _box_field(
     coordinates: tuple[npt.NDArray[np.float64], ...], size: tuple[float, float, float]
 ) -> npt.NDArray[np.float32]:
     """(nx, ny, nz) distance to the nearest side of the box in mm, negative inside."""
-    sides = [np.maximum(-c, c - s).astype(np.float32) for c, s in zip(coordinates, size, strict=True)]
+    sides = [
+        np.maximum(-c, c - s).astype(np.float32) for c, s in zip(coordinates, size, strict=True)
+    ]
     return np.maximum(
         np.maximum(sides[0][:, None, None], sides[1][None, :, None]), sides[2][None, None, :]
     )

@@ -61,7 +61,9 @@ class Splats:
     depths: Tensor
 
 
-def batch_of(cameras: tuple[Camera, ...], unit: float = 1.0, dtype: torch.dtype = torch.float32) -> CameraBatch:
+def batch_of(
+    cameras: tuple[Camera, ...], unit: float = 1.0, dtype: torch.dtype = torch.float32
+) -> CameraBatch:
     """Cameras side by side, in a unit of length of one's own.
 
     Args:

@@ -141,9 +141,7 @@ def project_forward(
 
 
 @njit(parallel=True, **_COMPILE)
-def project_backward(
-    gaussians, cameras, pinhole, nearest, conics, depths, upstream, gradients
-):  # noqa: ANN001, ANN201
+def project_backward(gaussians, cameras, pinhole, nearest, conics, depths, upstream, gradients):  # noqa: ANN001, ANN201
     """Gradients of centres, quaternions and log scales from those of the projection.
 
     ``upstream`` holds the gradients of means (v, n, 2), conics (v, n, 3; the mixed term counted

@@ -113,7 +113,10 @@ def training_settings(recipe: Recipe, preset: Preset) -> TrainingSettings:
 
 
 def training_cameras(
-    recipe: Recipe, settings: TrainingSettings, roles: tuple[Role, ...], size: tuple[float, float, float]
+    recipe: Recipe,
+    settings: TrainingSettings,
+    roles: tuple[Role, ...],
+    size: tuple[float, float, float],
 ) -> tuple[Camera, ...]:
     """The recipe's cameras, one a role, with images of the settings' size."""
     if recipe is Recipe.ORTHOGRAPHIC:

@@ -8,8 +8,9 @@ import numpy.typing as npt
 import torch
 from torch import Tensor
 
-from gaussiancad_core.splatting import projection_kernels, tile_kernels
-from gaussiancad_core.splatting.projection import CameraBatch, CameraModel, half_field
+from gaussiancad_core.cameras import CameraModel
+from gaussiancad_core.splatting import projection_kernels, tile_kernels, tile_sorting
+from gaussiancad_core.splatting.projection import CameraBatch, half_field
 from gaussiancad_core.splatting.rasteriser import Optics, Parameters, Rendering
 
 Array = npt.NDArray[Any]
@@ -193,19 +194,19 @@ def _sort_into_tiles(
     size: tuple[int, int], means: Array, covariances: Array, depths: Array, scene: _Scene
 ) -> _Tiling:
     views, number = depths.shape
-    grid = (-(-size[0] // tile_kernels.TILE_HEIGHT), -(-size[1] // tile_kernels.TILE_WIDTH))
+    grid = (-(-size[0] // tile_sorting.TILE_HEIGHT), -(-size[1] // tile_sorting.TILE_WIDTH))
     boxes = np.zeros((views, number, 4), dtype=np.int32)
     counts = np.empty((views, number), dtype=np.int32)
-    tile_kernels.find_boxes(
+    tile_sorting.find_boxes(
         size, means, covariances, scene.opacities, scene.limits[0], boxes, counts
     )
     ends = np.cumsum(counts.ravel(), dtype=np.int64)
     pairs = int(ends[-1]) if len(ends) else 0
     first_slots = (ends - counts.ravel()).reshape(views, number)
     totals = np.zeros((views, grid[0] * grid[1]), dtype=np.int64)
-    tile_kernels.count_tiles(grid, boxes, counts, totals)
+    tile_sorting.count_tiles(grid, boxes, counts, totals)
     starts = np.concatenate([[0], np.cumsum(totals.ravel())])
     members, slots = np.empty(pairs, dtype=np.int32), np.empty(pairs, dtype=np.int64)
     order = np.argsort(depths, axis=1, kind="stable")
-    tile_kernels.fill_tiles(grid, order, boxes, counts, first_slots, starts, members, slots)
+    tile_sorting.fill_tiles(grid, order, boxes, counts, first_slots, starts, members, slots)
     return _Tiling(grid, starts, members, slots, boxes, counts, first_slots)

@@ -20,9 +20,7 @@ def made_manifold(mesh: TriangleMesh) -> TriangleMesh | None:
     """
     import manifold3d
 
-    solid = manifold3d.Manifold(
-        manifold3d.Mesh64(mesh.vertices, mesh.triangles.astype(np.uint64))
-    )
+    solid = manifold3d.Manifold(manifold3d.Mesh64(mesh.vertices, mesh.triangles.astype(np.uint64)))
     if solid.status() is not manifold3d.Error.NoError or solid.is_empty():
         return None
     found = solid.to_mesh64()
