@@ -32,9 +32,8 @@ class Panel(WindowCase):
         self.assertAlmostEqual(part.Shape.Volume, fake_part.VOLUME, places=6)
         self.assertEqual(len(self.document.getObject("Reconstruction").Group), 6)
         self.assertEqual(self.document.UndoNames, ["Reconstruct from Drawing"])
-        summary = widget(QtWidgets.QLabel, "summary").text()
-        self.assertIn("Verified", summary)
-        self.assertIn("8 faces", summary)
+        self.assertIn("Verified", widget(QtWidgets.QLabel, "stage").text())
+        self.assertIn("8 faces", widget(QtWidgets.QPlainTextEdit, "log").toPlainText())
         colour = self.document.getObject("Part").ViewObject.ShapeColor[:3]
         self.assertEqual([round(255 * channel) for channel in colour], [0xB0, 0xB8, 0xC0])
         points = self.document.getObject("Gaussians")
@@ -61,7 +60,7 @@ class Panel(WindowCase):
         view.fitAll()
         self.picture("reopened")
         group = document.getObject("Reconstruction")
-        self.assertIn("GaussianCAD_Reconstruct", group.ViewObject.Proxy.getIcon())
+        self.assertFalse(group.ViewObject.Proxy.getIcon().isNull())
         planes = [o for o in group.Group if o.TypeId == "Image::ImagePlane"]
         self.assertEqual(len(planes), 3)
         for plane in planes:

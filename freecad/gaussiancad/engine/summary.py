@@ -20,9 +20,8 @@ def status_text(status: Status) -> str:
 
 
 def report_lines(report: Report) -> list[str]:
-    """Status, reasons, warnings, scale, views, models and time, a line each."""
-    lines = [status_text(report.status)]
-    lines += [f"• {remark.message or remark.code}" for remark in report.reasons]
+    """Reasons, warnings, scale, views, models and time, a line each."""
+    lines = [f"• {remark.message or remark.code}" for remark in report.reasons]
     lines += [f"• {remark.message or remark.code}" for remark in report.warnings]
     if report.mm_per_pixel:
         text = translate("GaussianCAD", "Scale: {scale} mm per pixel ({source})")

@@ -2,8 +2,6 @@
 
 import FreeCAD
 
-from freecad.gaussiancad.paths import icon
-
 
 class GroupProxy:
     """Proxy of a group: it holds nothing and computes nothing.
@@ -49,9 +47,11 @@ class GroupViewProxy:
         """Remember the group when the view is made or restored."""
         self.Object = view.Object
 
-    def getIcon(self) -> str:
-        """Path of the icon in the tree."""
-        return icon(self.icon_name)
+    def getIcon(self) -> object:
+        """The icon in the tree: FreeCAD's own reader knows SVG even where Qt's does not."""
+        import FreeCADGui
+
+        return FreeCADGui.getIcon(self.icon_name)
 
     def dumps(self) -> None:
         """Store nothing (FreeCAD 0.21 and later)."""

@@ -12,13 +12,12 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui
 
-from freecad.gaussiancad import paths
 from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.engine.job import ReconstructJob
 from freecad.gaussiancad.engine.locate import Engine, SearchPlaces, find_engine
 from freecad.gaussiancad.engine.process import EngineRun, RunResult, RunState, Watcher
 from freecad.gaussiancad.engine.report import Report
-from freecad.gaussiancad.engine.summary import report_lines
+from freecad.gaussiancad.engine.summary import report_lines, status_text
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.loading import load_run
@@ -29,7 +28,7 @@ from freecad.gaussiancad.panels.settings_form import SettingsForm
 from freecad.gaussiancad.panels.sheet_preview import SheetPreview
 from freecad.gaussiancad.panels.widgets import PathField, standard_buttons
 from freecad.gaussiancad.preferences import read_preferences
-from freecad.gaussiancad.qt import QtGui, QtWidgets
+from freecad.gaussiancad.qt import QtWidgets
 
 SHEET_SUFFIXES = ("png", "jpg", "jpeg", "tif", "tiff", "bmp", "webp", "pdf", "svg", "dxf")
 
@@ -52,7 +51,7 @@ class ReconstructPanel:
         )
         self.form = [self._drawing_box(), self.settings, self.run_view]
         for widget in self.form:
-            widget.setWindowIcon(QtGui.QIcon(paths.icon("GaussianCAD_Reconstruct")))
+            widget.setWindowIcon(FreeCADGui.getIcon("GaussianCAD_Reconstruct"))
         self.run_view.destroyed.connect(self._leave)
         self._closed = False
         self._run: EngineRun | None = None
@@ -144,8 +143,8 @@ class ReconstructPanel:
         try:
             if result.state is RunState.DONE:
                 report = self._import()
-                whole, headline = True, translate("GaussianCAD", "Finished")
-                self.run_view.summary.setText("\n".join(report_lines(report)))
+                whole, headline = True, status_text(report.status)
+                self.run_view.show_report(report_lines(report))
             elif result.state is not RunState.CANCELLED:
                 headline = translate("GaussianCAD", "Stopped")
                 self._complain(result.message)

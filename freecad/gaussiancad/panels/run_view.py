@@ -1,11 +1,11 @@
 """What a run shows while it goes on: stage, bars, elapsed time, log, *Start* and *Cancel*."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.language import translate
-from freecad.gaussiancad.qt import QtCore, QtWidgets
+from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
 _STEPS = 1000
 _LOG_LINES = 2000
@@ -35,25 +35,16 @@ class RunView(QtWidgets.QWidget):
         self.cancel_button = QtWidgets.QPushButton(translate("GaussianCAD", "Cancel"))
         self.cancel_button.setObjectName("cancel")
         self.cancel_button.clicked.connect(cancel)
-        self.stage = QtWidgets.QLabel(translate("GaussianCAD", "Ready"))
-        self.stage.setObjectName("stage")
-        self.stage.setWordWrap(True)
+        self.stage = _wrapped_label("stage")
+        self.stage.setText(translate("GaussianCAD", "Ready"))
         self.overall = _bar("overall")
         self.fraction = _bar("fraction")
-        self.elapsed = QtWidgets.QLabel()
-        self.elapsed.setObjectName("elapsed")
-        self.elapsed.setWordWrap(True)
+        self.elapsed = _wrapped_label("elapsed")
         self.log = QtWidgets.QPlainTextEdit()
         self.log.setObjectName("log")
         self.log.setReadOnly(True)
         self.log.setMaximumBlockCount(_LOG_LINES)
-        self.log.setLineWrapMode(QtWidgets.QPlainTextEdit.LineWrapMode.NoWrap)
-        self.log.setFixedHeight(90)
-        self.summary = QtWidgets.QLabel()
-        self.summary.setObjectName("summary")
-        self.summary.setWordWrap(True)
-        selectable = QtCore.Qt.TextInteractionFlag.TextSelectableByMouse
-        self.summary.setTextInteractionFlags(selectable)
+        self.log.setFixedHeight(150)
         self._lay_out()
         self._stage_count, self._stage_index = 0, 0
         self._began, self._remaining = 0.0, None
@@ -66,7 +57,6 @@ class RunView(QtWidgets.QWidget):
         self._stage_count, self._stage_index = 0, 0
         self._began, self._remaining = time.monotonic(), None
         self.log.clear()
-        self.summary.clear()
         self.stage.setText(translate("GaussianCAD", "Starting the engine"))
         self.overall.setRange(0, 0)
         self.fraction.setRange(0, 0)
@@ -95,6 +85,16 @@ class RunView(QtWidgets.QWidget):
     def take_log(self, line: str) -> None:
         """Add a line to the log."""
         self.log.appendPlainText(line)
+
+    def show_report(self, lines: Iterable[str]) -> None:
+        """Show the outcome below the messages, from its first line."""
+        self.log.appendPlainText("")
+        first = self.log.blockCount() - 1
+        self.log.appendPlainText("\n".join(lines))
+        cursor = QtGui.QTextCursor(self.log.document().findBlockByNumber(first + 1))
+        self.log.setTextCursor(cursor)
+        self.log.verticalScrollBar().setValue(self.log.verticalScrollBar().maximum())
+        self.log.ensureCursorVisible()
 
     def say_cancelling(self) -> None:
         """Show that the engine was asked to stop."""
@@ -170,9 +170,17 @@ class RunView(QtWidgets.QWidget):
         layout.addWidget(self.stage)
         layout.addLayout(bars)
         layout.addWidget(self.elapsed)
-        layout.addWidget(self.summary)
-        layout.addWidget(QtWidgets.QLabel(translate("GaussianCAD", "Messages of the engine")))
+        layout.addWidget(QtWidgets.QLabel(translate("GaussianCAD", "Messages")))
         layout.addWidget(self.log)
+
+
+def _wrapped_label(name: str) -> QtWidgets.QLabel:
+    """A label with room for two lines: a task box does not grow with a text that wraps."""
+    label = QtWidgets.QLabel()
+    label.setObjectName(name)
+    label.setWordWrap(True)
+    label.setMinimumHeight(2 * label.fontMetrics().lineSpacing())
+    return label
 
 
 def _bar(name: str) -> QtWidgets.QProgressBar:

@@ -47,6 +47,8 @@ class SettingsForm(QtWidgets.QWidget):
         self.mm_per_pixel.setSingleStep(0.01)
         self.mm_per_pixel.setValue(_DEFAULT_MM_PER_PIXEL)
         self.mm_per_pixel.setSuffix(" mm")
+        for box in (self.length, self.mm_per_pixel):
+            box.setMinimumWidth(60)
         self.colour = ColourButton(ReconstructJob.colour)
         self.page = QtWidgets.QSpinBox()
         self.page.setObjectName("page")
