@@ -32,7 +32,7 @@ def uncovered(
     Returns:
         The stroke itself where nothing covers it.
     """
-    near = _near(stroke, others, tolerance)
+    near = near_strokes(stroke, others, tolerance)
     if not near:
         return [stroke]
     length = stroke.length
@@ -40,7 +40,7 @@ def uncovered(
     at = (np.arange(count) + 0.5) * (length / count)
 
     def covered(positions: Points) -> npt.NDArray[np.bool_]:
-        points = _points_at(stroke, positions)
+        points = points_at(stroke, positions)
         return np.min([distances(points, other) for other in near], axis=0) < tolerance
 
     mask = covered(at)
@@ -59,9 +59,10 @@ def uncovered(
     ]
 
 
-def _near(
+def near_strokes(
     stroke: DrawnStroke, others: Sequence[DrawnStroke], tolerance: float
 ) -> list[DrawnStroke]:
+    """Those whose bounding boxes come within ``tolerance`` of a stroke's."""
     low, high = extent((stroke,))
     near = []
     for other in others:
@@ -87,7 +88,7 @@ def _change(
     return (low + high) / 2.0
 
 
-def _points_at(stroke: DrawnStroke, positions: Points) -> Points:
+def points_at(stroke: DrawnStroke, positions: Points) -> Points:
     """(n, 2) points at lengths along a stroke."""
     if isinstance(stroke, Segment):
         start, end = np.array(stroke.start), np.array(stroke.end)
@@ -115,7 +116,7 @@ def distances(points: Points, stroke: DrawnStroke) -> Points:
         np.arctan2(offsets[:, 1], offsets[:, 0]) - stroke.start_angle, 2.0 * np.pi
     )
     radial = np.abs(np.hypot(*offsets.T) - stroke.radius)
-    ends = _points_at(stroke, np.array([0.0, stroke.length]))
+    ends = points_at(stroke, np.array([0.0, stroke.length]))
     to_ends = np.hypot(*np.moveaxis(points[:, None] - ends, 2, 0)).min(axis=1)
     return np.where(turn <= stroke.sweep, radial, to_ends)
 

@@ -24,6 +24,9 @@ from gaussiancad_core.drawing.cleanup import clean_strokes
 from gaussiancad_core.drawing.edges import EdgeFacts, edge_facts, raw_curve
 from gaussiancad_core.drawing.precision import Precision
 from gaussiancad_core.drawing.projection import project_edge
+from gaussiancad_core.drawing.rays import SightLines
+from gaussiancad_core.drawing.recheck import rechecked
+from gaussiancad_core.drawing.sightings import Witness
 from gaussiancad_core.drawing.strokes import DrawnStroke
 from gaussiancad_core.views import Linetype
 
@@ -34,6 +37,9 @@ _KINDS = (
     HLRBRep_TypeOfResultingEdge.HLRBRep_OutLine,
 )
 
+_BESIDE = 2e-5
+"""Distance between a line and the sight lines beside it, as a share of the longest extent."""
+
 
 @dataclass(frozen=True)
 class LineOptions:
@@ -41,6 +47,7 @@ class LineOptions:
 
     Attributes:
         tangent_edges: draw smooth edges too (never the seams of closed surfaces).
+        recheck: let sight lines decide anew what is visible.
         fit: largest distance between an edge and the line or circle that replaces it, as a share
             of the solid's longest extent; lines closer than that are one.
         chord: largest distance between a curve and its chain, as a share of the longest extent.
@@ -48,6 +55,7 @@ class LineOptions:
     """
 
     tangent_edges: bool = False
+    recheck: bool = True
     fit: float = 1e-6
     chord: float = 1e-5
     fragment: float = 2e-4
@@ -88,7 +96,16 @@ class LineDrawing:
             stroke = project_edge(edge, frame, linetype, self._precision)
             if stroke is not None:
                 strokes.append(stroke)
-        return clean_strokes(strokes, self._precision)
+        found = clean_strokes(strokes, self._precision)
+        if not self._options.recheck:
+            return found
+        extent = self._precision.fit / self._options.fit
+        sight = SightLines(self._shape, frame, self._precision.fit)
+        witness = Witness(sight, frame, _BESIDE * extent)
+        checked = rechecked(
+            found, witness, self._precision, self._options.tangent_edges
+        )
+        return clean_strokes(checked, self._precision)
 
     def _drawn(self, facts: EdgeFacts, look: np.ndarray) -> bool:
         tangent = self._options.tangent_edges and not facts.seam
