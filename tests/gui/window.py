@@ -84,6 +84,7 @@ class WindowCase(FolderCase):
             for action in bar.actions()
             if action.data() == command or command in action.objectName()
         )
+        self.wait_for(action.isEnabled)
         action.trigger()
         spin(300)
 

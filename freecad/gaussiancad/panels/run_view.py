@@ -88,6 +88,8 @@ class RunView(QtWidgets.QWidget):
 
     def show_report(self, lines: Iterable[str]) -> None:
         """Show the outcome below the messages, from its first line."""
+        if not (lines := tuple(lines)):
+            return
         self.log.appendPlainText("")
         first = self.log.blockCount() - 1
         self.log.appendPlainText("\n".join(lines))

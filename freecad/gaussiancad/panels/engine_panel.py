@@ -1,0 +1,219 @@
+"""A task panel that runs the engine: what *Reconstruct* and *Compare* have in common.
+
+The engine works in a process of its own, and the window stays alive.  The document is touched once,
+when the run has succeeded and its files are read.
+"""
+
+import os
+import tempfile
+import traceback
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui
+
+from freecad.gaussiancad.engine.events import Event
+from freecad.gaussiancad.engine.locate import SearchPlaces, find_engine
+from freecad.gaussiancad.engine.process import EngineRun, RunResult, RunState, Watcher
+from freecad.gaussiancad.errors import WorkbenchError
+from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.panels.messages import show_error
+from freecad.gaussiancad.panels.run_view import RunView
+from freecad.gaussiancad.panels.widgets import standard_buttons
+from freecad.gaussiancad.preferences import read_preferences
+from freecad.gaussiancad.qt import QtWidgets
+
+
+@dataclass(frozen=True)
+class PanelTexts:
+    """What a panel is called.
+
+    Attributes:
+        title: of its message boxes.
+        start: on the button that starts.
+        icon: name of its icon.
+    """
+
+    title: str
+    start: str
+    icon: str
+
+
+@dataclass(frozen=True)
+class Success:
+    """What a panel shows after a run that succeeded.
+
+    Attributes:
+        headline: one sentence.
+        lines: details.
+    """
+
+    headline: str
+    lines: tuple[str, ...] = ()
+
+
+class EnginePanel(ABC):
+    """The panel; FreeCAD shows the widgets in ``form``.
+
+    Args:
+        texts: what the panel is called.
+    """
+
+    form: list[QtWidgets.QWidget]
+
+    def __init__(self, texts: PanelTexts) -> None:
+        self._texts = texts
+        self.run_view = RunView(
+            translate("GaussianCAD", "Run"), texts.start, self.start, self.cancel
+        )
+        self.run_view.destroyed.connect(self._leave)
+        self._closed = False
+        self._run: EngineRun | None = None
+        self._scratch: tempfile.TemporaryDirectory[str] | None = None
+
+    @abstractmethod
+    def prepare(self, scratch: Path) -> list[str]:
+        """Get everything ready for a run.
+
+        Args:
+            scratch: a folder of the run, removed after it.
+
+        Returns:
+            The engine's arguments.
+
+        Raises:
+            WorkbenchError, OSError: something is missing; told to the user.
+        """
+
+    @abstractmethod
+    def absorb(self, scratch: Path) -> Success:
+        """Take a finished run's files into the document.
+
+        Raises:
+            WorkbenchError: a file cannot be read; told to the user.
+        """
+
+    @abstractmethod
+    def set_editable(self, editable: bool) -> None:
+        """Let the user change the settings, or not."""
+
+    def take_event(self, event: Event) -> None:
+        """Show an event."""
+        self.run_view.take_event(event)
+
+    @property
+    def running(self) -> bool:
+        """Whether the engine works for this panel."""
+        return self._run is not None
+
+    def start(self) -> None:
+        """Start the engine; a user's mistake ends in a message box."""
+        if self.running:
+            return
+        try:
+            self._scratch = tempfile.TemporaryDirectory(
+                prefix="gaussiancad-", ignore_cleanup_errors=True
+            )
+            preference = read_preferences().engine_python
+            engine = find_engine(SearchPlaces.of_this_machine(preference, os.environ))
+            arguments = self.prepare(Path(self._scratch.name))
+        except (WorkbenchError, OSError) as error:
+            self._forget_run()
+            self._complain(str(error))
+            return
+        self.set_editable(False)
+        self.run_view.begin()
+        watcher = Watcher(self._take_event, self._take_log, self._finish)
+        self._run = EngineRun(engine, arguments, watcher)
+        self._run.start()
+
+    def cancel(self) -> None:
+        """Ask the engine to stop."""
+        if self._run is not None:
+            self.run_view.say_cancelling()
+            self._run.cancel()
+
+    def dress(self) -> None:
+        """Give the task boxes their icon; call it once ``form`` is complete."""
+        for widget in self.form:
+            widget.setWindowIcon(FreeCADGui.getIcon(self._texts.icon))
+
+    def getStandardButtons(self) -> object:
+        """A button that closes."""
+        return standard_buttons(QtWidgets.QDialogButtonBox.StandardButton.Close)
+
+    def reject(self) -> bool:
+        """Close, or cancel the run first: then a second press closes."""
+        if self.running:
+            self.cancel()
+            return False
+        return True
+
+    def isAllowedAlterDocument(self) -> bool:
+        """The user may go on working."""
+        return True
+
+    def isAllowedAlterView(self) -> bool:
+        """The user may look around."""
+        return True
+
+    def isAllowedAlterSelection(self) -> bool:
+        """The user may select."""
+        return True
+
+    def _leave(self) -> None:
+        """The panel was closed from outside: stop the engine, and touch no widget any more."""
+        self._closed = True
+        if self._run is not None:
+            self._run.cancel()
+
+    def _take_event(self, event: Event) -> None:
+        if not self._closed:
+            self.take_event(event)
+
+    def _take_log(self, line: str) -> None:
+        if not self._closed:
+            self.run_view.take_log(line)
+
+    def _finish(self, result: RunResult) -> None:
+        if self._closed:
+            self._forget_run()
+            return
+        success, complaint = self._outcome(result)
+        if success is not None:
+            self.run_view.show_report(success.lines)
+            self.run_view.end(success.headline, whole=True)
+        else:
+            stopped = translate("GaussianCAD", "Stopped")
+            self.run_view.end(stopped if complaint else result.message, whole=False)
+        self._forget_run()
+        if complaint:
+            self._complain(complaint)
+
+    def _outcome(self, result: RunResult) -> tuple[Success | None, str]:
+        """The success, or None and what to complain about; nothing if the user cancelled."""
+        if result.state is RunState.CANCELLED:
+            return None, ""
+        if result.state is not RunState.DONE:
+            return None, result.message
+        try:
+            return self.absorb(Path(self._scratch.name)), ""
+        except WorkbenchError as error:
+            return None, error.message
+        except Exception as error:  # a window must survive what FreeCAD's importers raise
+            FreeCAD.Console.PrintLog(traceback.format_exc())
+            text = translate("GaussianCAD", "The result cannot be added to the document: {reason}")
+            return None, text.format(reason=error)
+
+    def _forget_run(self) -> None:
+        if self._scratch is not None:
+            self._scratch.cleanup()
+            self._scratch = None
+        self._run = None
+        if not self._closed:
+            self.set_editable(True)
+
+    def _complain(self, text: str) -> None:
+        show_error(self._texts.title, text)

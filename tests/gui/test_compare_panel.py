@@ -1,0 +1,135 @@
+"""*Compare with Reference…* in a real window, with the fake engine."""
+
+import fake_part
+import FreeCAD
+import FreeCADGui
+import Mesh
+import Part
+from window import WindowCase, spin, widget
+
+from freecad.gaussiancad.qt import QtGui, QtWidgets
+
+
+class Panel(WindowCase):
+    def setUp(self) -> None:
+        super().setUp()
+        self.document = FreeCAD.newDocument("Test")
+        part = self.document.addObject("Part::Feature", "Model")
+        part.Shape = Part.read(str(fake_part.STEP_FILE))
+        scan = self.document.addObject("Mesh::Feature", "Scan")
+        path = self.folder / "scan.stl"
+        path.write_text(fake_part.stl_text())
+        scan.Mesh = Mesh.Mesh(str(path))
+        body = self.document.addObject("PartDesign::Body", "Body")
+        box = self.document.addObject("PartDesign::AdditiveBox", "Box")
+        body.addObject(box)
+        self.document.recompute()
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(scan)
+        FreeCADGui.Selection.addSelection(part)
+        self.open_panel("GaussianCAD_Compare")
+        self.count = len(self.document.Objects)
+
+    def compare(self) -> None:
+        button = self.start()
+        self.wait_for(button.isEnabled)
+
+    def colourful(self) -> int:
+        """Number of saturated pixels in the 3D view's picture."""
+        view = FreeCADGui.getDocument(FreeCAD.ActiveDocument.Name).ActiveView
+        view.viewIsometric()
+        view.fitAll()
+        spin(500)
+        path = str(self.folder / "view.png")
+        view.saveImage(path, 200, 150, "White")
+        image = QtGui.QImage(path)
+        count = 0
+        for y in range(image.height()):
+            for x in range(image.width()):
+                colour = image.pixelColor(x, y)
+                channels = (colour.red(), colour.green(), colour.blue())
+                count += max(channels) - min(channels) > 60
+        return count
+
+    def test_whole_objects_are_offered_and_the_selected_ones_chosen(self) -> None:
+        result, reference = (widget(QtWidgets.QComboBox, n) for n in ("result", "reference"))
+        offered = [result.itemText(index) for index in range(result.count())]
+        self.assertEqual(offered, ["Model", "Scan", "Body"])
+        self.assertEqual((result.currentText(), reference.currentText()), ("Scan", "Model"))
+
+    def test_distances_beside_their_floor_and_a_coloured_mesh(self) -> None:
+        self.compare()
+        self.assertEqual(self.boxes(), [])
+        table = widget(QtWidgets.QTableWidget, "distances")
+        shown = [
+            [table.item(row, column).text() for column in range(3)]
+            for row in range(table.rowCount())
+        ]
+        self.assertEqual(
+            shown,
+            [
+                ["0.0312", "0.03", "0.3744"],
+                ["0.12", "0.1", "1.44"],
+                ["0.056", "0.05", "0.672"],
+                ["0.004", "–", "0.048"],
+                ["0.991", "–", "–"],
+            ],
+        )
+        for name in ("Model", "Scan", "Body"):
+            self.document.getObject(name).Visibility = False
+        self.document.getObject("Legend").Visibility = False
+        self.assertGreater(self.colourful(), 1000)
+        self.document.getObject("Legend").Visibility = True
+        FreeCADGui.getDocument("Test").ActiveView.fitAll()
+        self.picture("compare-finished")
+        self.assertEqual(self.document.UndoNames[0], "Compare with Reference")
+        self.document.undo()
+        self.assertEqual(len(self.document.Objects), self.count)
+
+    def test_the_colours_survive_saving(self) -> None:
+        self.compare()
+        FreeCADGui.Control.closeDialog()
+        for name in ("Model", "Scan", "Body", "Legend"):
+            self.document.getObject(name).Visibility = False
+        path = self.folder / "compared.FCStd"
+        self.document.saveAs(str(path))
+        FreeCAD.closeDocument("Test")
+        document = FreeCAD.openDocument(str(path))
+        spin(500)
+        self.assertEqual(len(document.getObject("Deviation").VertexColors), 12)
+        self.assertGreater(self.colourful(), 1000)
+        self.assertFalse(FreeCADGui.getDocument(document.Name).Modified)
+
+    def test_cancelling_leaves_the_document_alone(self) -> None:
+        self.behave("slow")
+        button = self.start()
+        spin(500)
+        self.picture("compare-running")
+        widget(QtWidgets.QPushButton, "cancel").click()
+        self.wait_for(button.isEnabled)
+        self.assertEqual((len(self.document.Objects), self.boxes()), (self.count, []))
+
+    def test_one_object_cannot_be_compared_with_itself(self) -> None:
+        widget(QtWidgets.QComboBox, "reference").setCurrentIndex(1)
+        self.start()
+        (box,) = self.boxes()
+        self.assertIn("two different", box.text())
+
+    def test_a_document_that_was_closed_is_told(self) -> None:
+        self.behave("ok")
+        button = self.start()
+        FreeCAD.closeDocument("Test")
+        if FreeCADGui.Control.activeDialog():
+            self.wait_for(button.isEnabled)
+            (box,) = self.boxes()
+            self.assertIn("closed", box.text())
+
+
+class EmptyDocument(WindowCase):
+    def test_nothing_to_compare_is_told(self) -> None:
+        FreeCAD.newDocument("Empty")
+        self.open_panel("GaussianCAD_Compare")
+        self.picture("compare-empty")
+        self.start()
+        (box,) = self.boxes()
+        self.assertIn("nothing to compare", box.text())
