@@ -8,6 +8,7 @@ leaves what was there before; what a killed one left behind is swept by the next
 import errno
 import os
 import shutil
+from contextlib import suppress
 from pathlib import Path
 
 from gaussiancad_core.errors import GaussianCadError, LimitError, UsageError
@@ -44,6 +45,7 @@ class OutputFolder:
         self.path = path
         self._owned = owned
         self._report = report
+        self._made = not path.exists()
         try:
             path.mkdir(parents=True, exist_ok=True)
             _sweep(path)
@@ -74,8 +76,11 @@ class OutputFolder:
             raise _folder_error(self.path, error) from error
 
     def discard(self) -> None:
-        """Remove the staging folder and what is in it."""
+        """Remove the staging folder and what is in it, and the folder if it was made in vain."""
         shutil.rmtree(self.staging, ignore_errors=True)
+        if self._made:
+            with suppress(OSError):
+                self.path.rmdir()
 
 
 def os_error(path: Path, error: OSError) -> GaussianCadError:

@@ -14,8 +14,11 @@ import numpy.typing as npt
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.options import MEDIAN_KERNEL
 
-_MAX_LOSS = 0.3
-"""Largest share of the ink that the median filter may take away."""
+_MAX_LOSS = 0.002
+"""Largest share of the ink that the median filter may take away in whole pieces of strokes."""
+
+_SPECK = 7
+"""Area in px up to which lost ink is noise."""
 
 _BLOCK = 41
 """Side of the adaptive threshold's neighbourhood in px, wider than any stroke."""
@@ -59,7 +62,7 @@ def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL)
     ink = raw
     if median_kernel:
         ink = _threshold(cv2.medianBlur(grey, median_kernel))
-        if ink.sum() < (1.0 - _MAX_LOSS) * raw.sum():
+        if _strokes_lost(raw, ink) > _MAX_LOSS * raw.sum():
             ink, median_kernel = raw, 0
     share = float(ink.mean())
     if share < 1e-5:
@@ -72,6 +75,15 @@ def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL)
         )
     weight = _weight(grey, ink)
     return CleanSheet(ink, weight, _stroke_width(ink, weight), median_kernel)
+
+
+def _strokes_lost(raw: npt.NDArray[np.bool_], filtered: npt.NDArray[np.bool_]) -> int:
+    """px of ink that is gone with nothing left beside it, specks not counted."""
+    kept = cv2.dilate(filtered.astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
+    lost = (raw & ~kept).astype(np.uint8)
+    _, _, stats, _ = cv2.connectedComponentsWithStats(lost, connectivity=8)
+    areas = stats[1:, cv2.CC_STAT_AREA]
+    return int(areas[areas > _SPECK].sum())
 
 
 def _threshold(grey: npt.NDArray[np.uint8]) -> npt.NDArray[np.bool_]:

@@ -20,7 +20,10 @@ _REACH = 6
 """Ink closer than this many px belongs to the same cluster."""
 
 _MIN_SIDE = 12
-"""Clusters smaller than this in both directions are specks."""
+"""px; clusters smaller than this in both directions are specks."""
+
+_MIN_VIEW = 32
+"""px; clusters smaller than this in both directions are too small for a view."""
 
 _FRAME_SHARE = 0.8
 """A cluster that spans this share of the sheet both ways, around others, is its frame."""
@@ -120,8 +123,9 @@ def _arrange(
     """The arrangement around a front view that explains the most ink area."""
     best: dict[Role, Box] = {}
     best_score = (0, 0, 0.0)
-    for front in clusters:
-        found = _around(front, clusters, projection)
+    large = [box for box in clusters if max(_width(box), _height(box)) >= _MIN_VIEW]
+    for front in large:
+        found = _around(front, large, projection)
         if any(found.get(role) != box for role, box in named.items()):
             continue
         shown_axes = len({role.frame.look_axis[0] for role in found})
@@ -132,7 +136,7 @@ def _arrange(
         if score > best_score:
             best, best_score = found, score
     if len(best) < 2:
-        raise _no_views(clusters)
+        raise _no_views(large)
     return best
 
 
@@ -178,6 +182,10 @@ def _same_interval(a0: float, a1: float, b0: float, b1: float) -> bool:
 
 def _no_views(clusters: list[Box]) -> NoModelError:
     places = ", ".join("({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*box) for box in clusters[:4])
+    if not clusters:
+        return NoModelError(
+            "no-views", "no views were found: the sheet has no drawing of a part that can be read"
+        )
     if len(clusters) < 2:
         return NoModelError(
             "one-view",

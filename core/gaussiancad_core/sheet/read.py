@@ -19,7 +19,7 @@ MIN_SIDE = 64
 
 RASTER_SUFFIXES = frozenset({".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".webp"})
 
-_FORMATS = ("PNG", "JPEG", "TIFF", "BMP", "WEBP", "MPO")
+_FORMATS = ("PNG", "JPEG", "TIFF", "BMP", "WEBP")
 _VECTOR_SUFFIXES = frozenset({".pdf", ".svg", ".dxf"})
 
 
@@ -66,7 +66,7 @@ def read_sheet(path: Path, page: int = 1) -> SheetImage:
             f"{path} is not a PNG, JPEG, TIFF, BMP or WebP image: export the drawing as PNG",
         ) from error
     except Image.DecompressionBombError as error:
-        raise _too_large(path, "its size") from error
+        raise _too_large(path, "many more") from error
     except UnreadableError:
         raise
     except (OSError, ValueError, SyntaxError, EOFError) as error:
@@ -102,7 +102,7 @@ def _file_bytes(path: Path) -> bytes:
 
 def _check_size(path: Path, image: Image.Image) -> None:
     if image.width * image.height > MAX_PIXELS:
-        raise _too_large(path, f"{image.width} x {image.height} px")
+        raise _too_large(path, f"{image.width} x {image.height}")
     if min(image.width, image.height) < MIN_SIDE:
         raise UnreadableError(
             "image-too-small",
@@ -114,7 +114,7 @@ def _check_size(path: Path, image: Image.Image) -> None:
 def _too_large(path: Path, size: str) -> UnreadableError:
     return UnreadableError(
         "image-too-large",
-        f"{path} is too large ({size}; the limit is {MAX_PIXELS // 1_000_000} million pixels): "
+        f"{path} is too large ({MAX_PIXELS // 1_000_000} million pixels are read, it has {size}): "
         "export or scan it at a lower resolution",
     )
 
