@@ -25,6 +25,8 @@ _MOST_TRIANGLES = 400_000
 
 _SMALLEST_RANGE_SHARE = 1e-4
 
+_ROUND = (1.0, 1.2, 1.6, 2.0, 2.4, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
+
 # Blue, light grey, red: equally light at equal distance from the middle, distinct to colour-blind
 # eyes (after the diverging maps of Moreland 2009).
 _SCALE = np.array(
@@ -42,12 +44,14 @@ class Deviation:
         distances: (n,) mm at each vertex; negative where the vertex lies inside the reference.
         signed: False where the reference encloses no volume; then all distances are positive.
         limit: mm, the end of the colour scale; a few distances may lie beyond.
+        scale: by which the result was scaled to lie over the reference.
     """
 
     mesh: TriangleMesh
     distances: npt.NDArray[np.float64]
     signed: bool
     limit: float
+    scale: float = 1.0
 
     @property
     def colours(self) -> npt.NDArray[np.uint8]:
@@ -68,9 +72,13 @@ def measure_deviation(result: TriangleMesh, reference: SurfaceQueries, unit: flo
     distances = reference.nearest(fine.vertices).distances
     signed = reference.mesh.watertight
     if signed:
-        distances = np.where(reference.inside(fine.vertices), -distances, distances)
+        # What touches the reference has no side.
+        inner = reference.inside(fine.vertices) & (distances > 1e-9 * longest)
+        distances = np.where(inner, -distances, distances)
     distances = distances * unit
-    reach = float(np.quantile(np.abs(distances), 0.99))
+    sizes = np.abs(distances)
+    # A few stray vertices may leave the scale, but never by more than four times.
+    reach = max(float(np.quantile(sizes, 0.99)), float(sizes.max()) / 4.0)
     limit = _round_up(max(reach, longest * unit * _SMALLEST_RANGE_SHARE))
     return Deviation(make_mesh(fine.vertices * unit, fine.triangles), distances, signed, limit)
 
@@ -167,7 +175,7 @@ def _split(
 
 
 def _round_up(value: float) -> float:
-    """The next number of the series 1, 2, 5, 10 at or above a positive value."""
+    """The next number with few digits at or above a positive value."""
     decade = 10.0 ** np.floor(np.log10(value))
-    step = next(step for step in (1.0, 2.0, 5.0, 10.0) if value <= step * decade * (1 + 1e-12))
+    step = next(step for step in _ROUND if value <= step * decade * (1.0 + 1e-12))
     return float(f"{step * decade:.9g}")

@@ -6,6 +6,7 @@ These three compare point samples and are not zero for equal models: :class:`Sam
 samplings of the reference is their floor.
 """
 
+import os
 from dataclasses import dataclass
 from enum import Enum
 
@@ -82,6 +83,8 @@ def earth_movers_distance(first: Points, second: Points) -> float:
     Raises:
         EngineError: the solver did not reach the optimum.
     """
+    # POT would load torch, which takes seconds, to offer it as a back end that is not used here.
+    os.environ.setdefault("POT_BACKEND_DISABLE_PYTORCH", "1")
     import ot
 
     weights = np.full(len(first), 1.0 / len(first))

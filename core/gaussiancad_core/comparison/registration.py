@@ -14,6 +14,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.comparison.normalise import Matrix, inverse, moved_points
 from gaussiancad_core.comparison.queries import Nearest, Points, SurfaceQueries
+from gaussiancad_core.meshes import make_mesh
 
 _TIE_SHARE = 0.01
 _TIE_UNITS = 1e-5
@@ -39,6 +40,12 @@ class Side:
 
     surface: SurfaceQueries
     points: Points
+
+    def scaled(self, factor: float) -> "Side":
+        """The same side, larger or smaller about the origin."""
+        mesh = self.surface.mesh
+        larger = make_mesh(mesh.vertices * factor, mesh.triangles)
+        return Side(SurfaceQueries(larger), self.points * factor)
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,10 +87,30 @@ def register(result: Side, reference: Side) -> Registration:
     limit += max(_TIE_UNITS, _TIE_SHARE * limit)
     first = int(np.flatnonzero(scores <= limit)[0])
 
-    pose, distance = _refine(result, reference, _pose(rotations[first]))
+    pose, distance = refine(result, reference, _pose(rotations[first]))
     best_mirror = min(mirror_scores)
     mirrored = best_mirror < _MIRROR_SHARE * distance and best_mirror < distance - _MIRROR_UNITS
     return Registration(pose, bool(mirrored), distance)
+
+
+def refine(result: Side, reference: Side, start: Matrix) -> tuple[Matrix, float]:
+    """ICP from a start; the best pose seen, which may be the start, and its distance."""
+    best, best_distance = start, _distance(result, reference, start)
+    if best_distance < _TIE_UNITS:
+        return best, best_distance
+    threshold = best_distance * (1.0 - _ICP_GAIN) - _TIE_UNITS
+    pose = start
+    for _ in range(_ICP_ROUNDS):
+        there = reference.surface.nearest(moved_points(result.points, pose))
+        back = result.surface.nearest(moved_points(reference.points, inverse(pose)))
+        distance = float(there.distances.mean() + back.distances.mean()) / 2.0
+        if distance < min(best_distance, threshold):
+            best, best_distance = pose, distance
+        step = _step(result, reference, pose, (there, back))
+        pose = step @ pose
+        if np.abs(step - np.eye(4)).max() < 1e-8:
+            break
+    return best, best_distance
 
 
 def _signed_permutations() -> list[npt.NDArray[np.float64]]:
@@ -106,24 +133,6 @@ def _distance(result: Side, reference: Side, pose: Matrix) -> float:
     there = reference.surface.distances(moved_points(result.points, pose))
     back = result.surface.distances(moved_points(reference.points, inverse(pose)))
     return float(there.mean() + back.mean()) / 2.0
-
-
-def _refine(result: Side, reference: Side, start: Matrix) -> tuple[Matrix, float]:
-    """ICP from a start; returns the best pose seen, which may be the start, and its distance."""
-    best, best_distance = start, _distance(result, reference, start)
-    threshold = best_distance * (1.0 - _ICP_GAIN) - _TIE_UNITS
-    pose = start
-    for _ in range(_ICP_ROUNDS):
-        there = reference.surface.nearest(moved_points(result.points, pose))
-        back = result.surface.nearest(moved_points(reference.points, inverse(pose)))
-        distance = float(there.distances.mean() + back.distances.mean()) / 2.0
-        if distance < min(best_distance, threshold):
-            best, best_distance = pose, distance
-        step = _step(result, reference, pose, (there, back))
-        pose = step @ pose
-        if np.abs(step - np.eye(4)).max() < 1e-8:
-            break
-    return best, best_distance
 
 
 def _step(result: Side, reference: Side, pose: Matrix, nearest: tuple[Nearest, Nearest]) -> Matrix:

@@ -1,7 +1,7 @@
 """What a comparison found, as numbers, as ``comparison.json`` and as text for a terminal."""
 
 import json
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
@@ -39,6 +39,24 @@ class ModelFacts:
     volume_mm3: float | None
 
 
+@dataclass(frozen=True)
+class DeviationFacts:
+    """What the coloured mesh of a comparison shows.
+
+    Attributes:
+        signed: whether distances have a sign (negative: inside the reference).
+        range_mm: end of the colour scale.
+        least_mm, greatest_mm: of the vertices.
+        scale: of the result; 1 where it is shown in its own size, which differs by 5 % at most.
+    """
+
+    signed: bool
+    range_mm: float
+    least_mm: float
+    greatest_mm: float
+    scale: float
+
+
 @dataclass(frozen=True, eq=False)
 class Comparison:
     """How far a result is from a reference.
@@ -54,9 +72,7 @@ class Comparison:
         points: surface points a side.
         seed: of the samples.
         unit_mm: mm of the reference per unit.
-        deviation_signed: whether deviations have a sign (negative: inside the reference).
-        deviation_limit_mm: end of the colour scale.
-        deviation_mm: least and greatest deviation.
+        deviation: of the result's vertices from the reference.
         result, reference: facts on both files.
     """
 
@@ -69,9 +85,7 @@ class Comparison:
     points: int
     seed: int
     unit_mm: float
-    deviation_signed: bool
-    deviation_limit_mm: float
-    deviation_mm: tuple[float, float]
+    deviation: DeviationFacts
     result: ModelFacts
     reference: ModelFacts
 
@@ -98,14 +112,9 @@ def comparison_dict(comparison: Comparison) -> dict[str, Any]:
         "emd_points": comparison.distances.emd_points,
         "seed": comparison.seed,
         "unit_mm": comparison.unit_mm,
-        "deviation": {
-            "signed": comparison.deviation_signed,
-            "range_mm": comparison.deviation_limit_mm,
-            "least_mm": comparison.deviation_mm[0],
-            "greatest_mm": comparison.deviation_mm[1],
-        },
-        "result": _facts_dict(comparison.result),
-        "reference": _facts_dict(comparison.reference),
+        "deviation": asdict(comparison.deviation),
+        "result": asdict(comparison.result),
+        "reference": asdict(comparison.reference),
     }
 
 
@@ -132,8 +141,10 @@ def comparison_text(comparison: Comparison) -> str:
     iou = comparison.volume_iou
     value = "-" if iou.value is None else f"{iou.value:.4f}"
     lines.append(f"{'volume IoU':<18}{value:>10}  ({_IOU_NAMES[iou.method]})")
-    low, high = comparison.deviation_mm
-    lines.append(f"{'deviation':<18}{low:>+10.4f} to {high:+.4f} mm")
+    deviation = comparison.deviation
+    sizes = "in its own size" if deviation.scale == 1.0 else "scaled to the reference"
+    span = f"{deviation.least_mm:>+10.4f} to {deviation.greatest_mm:+.4f}"
+    lines.append(f"{'deviation':<18}{span} mm, {sizes}")
     for name, facts in (("result", comparison.result), ("reference", comparison.reference)):
         size = " x ".join(f"{edge:.6g}" for edge in facts.extent_mm)
         closed = "closed" if facts.watertight else "not closed"
@@ -146,12 +157,3 @@ def comparison_text(comparison: Comparison) -> str:
     if comparison.mirrored:
         lines.append("The result looks like a mirror image of the reference: check its views.")
     return "\n".join(lines)
-
-
-def _facts_dict(facts: ModelFacts) -> dict[str, Any]:
-    return {
-        "extent_mm": list(facts.extent_mm),
-        "triangles": facts.triangles,
-        "watertight": facts.watertight,
-        "volume_mm3": facts.volume_mm3,
-    }

@@ -12,8 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.verification.lines import Lines, lines_of_strokes
-from gaussiancad_core.views import Stroke
+from gaussiancad_core.verification.lines import Curve, Lines, lines_of_strokes
 
 _STEPS_PER_TOLERANCE = 8.0
 """Strokes become points this much closer than the tolerance: distances are then good to 0.2 %."""
@@ -68,7 +67,7 @@ class MatchedLines:
         )
 
 
-def match_lines(strokes: Iterable[Stroke], result: Lines, tolerance: float) -> MatchedLines:
+def match_lines(strokes: Iterable[Curve], result: Lines, tolerance: float) -> MatchedLines:
     """Match a result's lines with the sheet's strokes.
 
     Args:

@@ -14,7 +14,6 @@ import numpy as np
 import numpy.typing as npt
 from numba import njit, prange
 
-from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.verification.rays import AllHits, RayGrid
 
 
@@ -65,15 +64,18 @@ class Rule:
     room: float = 1.0
 
 
-def layers_of(mesh: TriangleMesh, hits: AllHits, grid: RayGrid) -> Layers:
-    """Crossings with depths in px and normals in the grid's own axes."""
-    areas = mesh.area_vectors
-    lengths = np.linalg.norm(areas, axis=1, keepdims=True)
-    units = areas / np.where(lengths > 0.0, lengths, 1.0)
+def layers_of(hits: AllHits, normals: npt.NDArray[np.float64], grid: RayGrid) -> Layers:
+    """Crossings with depths in px and normals in the grid's own axes.
+
+    Args:
+        hits: of the grid's rays.
+        normals: (m, 3) unit normals of the mesh's triangles, in model axes.
+        grid: of the rays.
+    """
     axes = np.array([grid.right, -np.array(grid.up), grid.look])
-    normals = (units @ axes.T).astype(np.float32)[hits.triangle]
+    own = (normals @ axes.T).astype(np.float32)[hits.triangle]
     depth = (hits.depth / grid.pitch).astype(np.float32)
-    return Layers(hits.splits, depth, hits.entering, normals, grid.width, grid.height)
+    return Layers(hits.splits, depth, hits.entering, own, grid.width, grid.height)
 
 
 def compare_rows(layers: Layers, rule: Rule) -> npt.NDArray[np.uint8]:

@@ -2,11 +2,27 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.views import Linetype, Stroke
+from gaussiancad_core.views import Linetype
+
+
+class Curve(Protocol):
+    """What a stroke must be able to do to become points; segments, arcs and polylines can."""
+
+    @property
+    def linetype(self) -> Linetype:
+        """Visible or hidden."""
+
+    @property
+    def length(self) -> float:
+        """In mm."""
+
+    def sample(self, step: float) -> npt.NDArray[np.float64]:
+        """(n, 2) even points at most ``step`` apart, both ends included."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +71,7 @@ class Lines:
     hidden: LinePoints
 
 
-def lines_of_strokes(strokes: Iterable[Stroke], step: float) -> Lines:
+def lines_of_strokes(strokes: Iterable[Curve], step: float) -> Lines:
     """Strokes in mm as points at the middles of equal pieces, at most ``step`` mm long."""
     found: dict[Linetype, list[LinePoints]] = {linetype: [] for linetype in Linetype}
     for stroke in strokes:

@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.verification.agreement import MatchedLines
+from gaussiancad_core.verification.lettering import put_text, text_image
 from gaussiancad_core.views import View
 
 Image = npt.NDArray[np.uint8]
@@ -21,7 +22,6 @@ _HIDDEN = (86, 180, 233)
 _MISSING = (213, 94, 0)
 _EXTRA = (204, 51, 153)
 _FRAME = (150, 150, 150)
-_TEXT = (60, 60, 60)
 
 _LEGEND = (
     (_VISIBLE, "agrees, visible"),
@@ -147,13 +147,13 @@ def _frame(picture: Image, view: View, scale: float, letters: int) -> None:
     x0, y0, x1, y1 = (value * scale for value in view.box)
     start, end = (round(x0 - gap), round(y0 - gap)), (round(x1 + gap), round(y1 + gap))
     cv2.rectangle(picture, start, end, _FRAME, 1)
-    name = _text_image(view.role.value, letters)
-    _put(picture, name, start[0], start[1] - name.shape[0] - 2)
+    name = text_image(view.role.value, letters)
+    put_text(picture, name, start[0], start[1] - name.shape[0] - 2)
 
 
 def _with_legend(picture: Image, letters: int) -> Image:
     """The picture with a strip below it that names the colours."""
-    entries = [(colour, _text_image(label, letters)) for colour, label in _LEGEND]
+    entries = [(colour, text_image(label, letters)) for colour, label in _LEGEND]
     gap, sample = letters, 2 * letters
     needed = sum(sample + gap // 2 + text.shape[1] + 2 * gap for _, text in entries)
     width = max(picture.shape[1], needed)
@@ -164,30 +164,7 @@ def _with_legend(picture: Image, letters: int) -> Image:
         half = max(1, letters // 8)
         strip[middle - half : middle + half + 1, x : x + sample] = colour
         x += sample + gap // 2
-        _put(strip, text, x, middle - text.shape[0] // 2)
+        put_text(strip, text, x, middle - text.shape[0] // 2)
         x += text.shape[1] + 2 * gap
     blank = np.full((picture.shape[0], width - picture.shape[1], 3), 255, dtype=np.uint8)
     return np.vstack([np.hstack([picture, blank]), strip])
-
-
-def _text_image(text: str, letters: int) -> Image:
-    """(h, w) grey letters on white, ``letters`` px high."""
-    from PIL import Image as PillowImage
-    from PIL import ImageDraw, ImageFont
-
-    font = ImageFont.load_default(letters)
-    left, top, right, bottom = font.getbbox(text)
-    image = PillowImage.new("L", (int(right - left) + 2, int(bottom - top) + 2), 255)
-    ImageDraw.Draw(image).text((1 - left, 1 - top), text, fill=_TEXT[0], font=font)
-    return np.asarray(image)
-
-
-def _put(picture: Image, text: Image, x: int, y: int) -> None:
-    """Lay grey letters over a picture at their upper left corner, as far as they are inside."""
-    x0, y0 = max(x, 0), max(y, 0)
-    x1 = min(x + text.shape[1], picture.shape[1])
-    y1 = min(y + text.shape[0], picture.shape[0])
-    if x0 >= x1 or y0 >= y1:
-        return
-    part = text[y0 - y : y1 - y, x0 - x : x1 - x, None]
-    picture[y0:y1, x0:x1] = np.minimum(picture[y0:y1, x0:x1], part)

@@ -18,6 +18,7 @@ _LOOK = np.cross(_UP, _RIGHT)
 
 _BACKGROUND = (250, 250, 251)
 _LIGHT = np.array([0.10, -0.62, 0.78])
+_CONTRAST = 0.60
 _CREASE = np.cos(np.radians(30.0))
 _SUPERSAMPLING = 2
 
@@ -58,13 +59,16 @@ def render_preview(
     hit = hits.triangle >= 0
     normals = np.zeros((*hit.shape, 3), dtype=np.float32)
     normals[hit] = _unit(_interpolated(smooth_corner_normals(mesh), hits, hit))
+    contrast = _CONTRAST
     if isinstance(colours, tuple):
         base = np.broadcast_to(np.array(colours, dtype=np.float32), (int(hit.sum()), 3))
     else:
         base = _interpolated(colours[mesh.triangles], hits, hit)
+        # Colours that mean something must stay what they are.
+        contrast = _CONTRAST / 2.0
     # Half-Lambert: faces that look away from the light keep their form.
     facing = (1.0 + normals[hit] @ (_LIGHT / np.linalg.norm(_LIGHT)).astype(np.float32)) / 2.0
-    shade = 0.42 + 0.60 * facing[:, None] ** 1.3
+    shade = 1.02 - contrast * (1.0 - facing[:, None] ** 1.3)
     image = np.full((*hit.shape, 3), _BACKGROUND, dtype=np.float32)
     # A rounded mesh has no creases to draw, only scraps of them.
     edges = _edges(hits, normals, grid, creases=not is_rounded(mesh))
@@ -106,7 +110,7 @@ def smooth_corner_normals(
     return sums.reshape(-1, 3, 3)
 
 
-def write_png(image: Image) -> bytes:
+def png_bytes(image: Image) -> bytes:
     """The (h, w, 3) RGB or (h, w) grey image as PNG."""
     import cv2
 

@@ -21,7 +21,7 @@ from gaussiancad_core.verification.crossings import (
     compare_rows,
     layers_of,
 )
-from gaussiancad_core.verification.fineness import is_rounded
+from gaussiancad_core.verification.fineness import is_rounded, triangle_normals
 from gaussiancad_core.verification.lines import LinePoints, Lines
 from gaussiancad_core.verification.rays import RayCaster, RayGrid
 
@@ -34,15 +34,16 @@ class RedrawSettings:
 
     Attributes:
         most_pixels: longest side of the ray grid, px; a finer pitch is made coarser.
-        sharp_degrees: bend between neighbouring pixels that is a line.
-        round_degrees: bend over the rounding that is a line.
+        sharp_degrees: bend that is a line on a mesh with sharp edges; above that of the facets of
+            its curved surfaces.
+        round_degrees: bend over the rounding that is a line on a mesh with rounded edges.
         rounding: width of a rounded edge, as a share of the mesh's longest edge.
         shortest: px; shorter lines are taken for noise of the surface.
     """
 
     most_pixels: int = 900
-    sharp_degrees: float = 30.0
-    round_degrees: float = 40.0
+    sharp_degrees: float = 20.0
+    round_degrees: float = 30.0
     rounding: float = 0.012
     shortest: int = 6
 
@@ -74,26 +75,25 @@ def line_masks(
 
     Corner (0, 0) is the grid's upper left corner.
     """
-    layers = layers_of(mesh, RayCaster(mesh).all_hits(grid), grid)
-    near = _corner_masks(layers, Rule(1, _cosine(settings.sharp_degrees), True))
+    rounded = is_rounded(mesh)
+    hits = RayCaster(mesh).all_hits(grid)
+    layers = layers_of(hits, triangle_normals(mesh, smoothed=rounded), grid)
+    crease = np.cos(np.radians(settings.round_degrees if rounded else settings.sharp_degrees))
+    near = _corner_masks(layers, Rule(1, float(crease), True))
     reach = 0
-    if is_rounded(mesh):
+    if rounded:
         size_px = float(np.ptp(mesh.bounds, axis=0).max()) / grid.pitch
         reach = 2 * int(np.ceil(settings.rounding * size_px / 2.0)) + 1
-        wide = _corner_masks(layers, Rule(reach, _cosine(settings.round_degrees), False))
+        wide = _corner_masks(layers, Rule(reach, float(crease), False))
         near = {kind: near[kind] | wide[kind] for kind in Line}
     visible = _thin_lines(near[Line.VISIBLE_STEP], near[Line.VISIBLE_BEND], reach)
     hidden = _thin_lines(
         near[Line.HIDDEN_STEP] & ~_grown(visible, 2 + bool(reach)),
-        near[Line.HIDDEN_BEND] & ~_grown(visible, max(2, reach)),
+        near[Line.HIDDEN_BEND] & ~_grown(visible, max(2, 3 * reach // 2)),
         reach,
     )
     shortest = max(settings.shortest, 2 * reach)
     return _without_specks(visible, shortest), _without_specks(hidden, shortest)
-
-
-def _cosine(degrees: float) -> float:
-    return float(np.cos(np.radians(degrees)))
 
 
 def _grid_around(mesh: TriangleMesh, role: Role, pitch: float, most: int) -> RayGrid:
@@ -132,7 +132,7 @@ def _thin_lines(steps: Mask, bends: Mask, reach: int) -> Mask:
     if not reach:
         return skeletonize(steps | bends)
     outlines = skeletonize(_closed(steps))
-    apart = bends & ~_grown(outlines, reach)
+    apart = bends & ~_grown(outlines, 3 * reach // 2)
     return outlines | skeletonize(_closed(apart))
 
 

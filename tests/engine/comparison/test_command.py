@@ -53,6 +53,27 @@ def test_a_box_against_one_twice_as_long(box: Callable[..., TriangleMesh]) -> No
     assert scale_of(found.matrix) == pytest.approx(0.5)
 
 
+def test_deviation_is_measured_in_the_results_own_size(
+    box: Callable[..., TriangleMesh],
+) -> None:
+    """The protocol's box would scale a block that is 1 % too long, and shift all its faces."""
+    found, deviation = compare_meshes(box(101, 60, 30), box(100, 60, 30), points=1000)
+    assert scale_of(found.matrix) == pytest.approx(100 / 101)
+    assert found.deviation.scale == 1.0
+    assert np.ptp(deviation.mesh.bounds, axis=0) == pytest.approx([101, 60, 30])
+    assert deviation.distances.max() == pytest.approx(0.5, abs=0.02)
+    assert np.quantile(np.abs(deviation.distances), 0.5) < 0.02
+
+
+def test_deviation_of_another_scale_is_scaled(bracket: TriangleMesh) -> None:
+    found, deviation = compare_meshes(
+        make_mesh(bracket.vertices / 25.4, bracket.triangles), bracket, points=1000
+    )
+    assert found.deviation.scale == pytest.approx(25.4)
+    assert deviation.mesh.bounds == pytest.approx(bracket.bounds, abs=1e-6)
+    assert found.deviation.greatest_mm < 1e-3
+
+
 def test_same_seed_same_numbers(bracket: TriangleMesh, box: Callable[..., TriangleMesh]) -> None:
     pairs = [compare_meshes(box(40, 30, 20), bracket, 1000, seed)[0] for seed in (3, 3, 4)]
     assert comparison_dict(pairs[0]) == comparison_dict(pairs[1])
@@ -74,6 +95,7 @@ def test_files_are_written_as_promised(bracket: TriangleMesh, tmp_path: Path) ->
     assert np.array(report["registration"]["matrix"]).shape == (4, 4)
     assert report["registration"]["mirrored"] is False
     assert report["volume_iou"] == pytest.approx(bracket.volume / 24000, abs=0.02)
+    assert report["deviation"]["range_mm"] > 0
     assert (output / "deviation.ply").read_bytes().startswith(b"ply\n")
 
 
