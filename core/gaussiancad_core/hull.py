@@ -8,34 +8,39 @@ point and of the distance to the part's bounding box: the intersection of the ma
 Marching cubes cuts off the edges of a max-field by up to a cell.  So the grid is rectilinear, with
 two planes of nodes close to each side of the box and to each straight, axis-parallel part of an
 outline: edges between such faces are cut by a fiftieth of a cell only.
+
+Masks alone cannot show pockets, nor that a boss is round.  Where the depth of a view's regions is
+known (a :class:`Relief`), what lies in front of it is carved away.
 """
 
 from dataclasses import dataclass
+from itertools import pairwise
 
-import cv2
 import numpy as np
 import numpy.typing as npt
+from scipy.ndimage import distance_transform_edt
 
-from gaussiancad_core.axes import Axis
+from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.cameras import Camera, CameraModel
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.meshes import TriangleMesh, connected_pieces, joined, make_mesh
+from gaussiancad_core.outlines import (
+    PAD_PX,
+    Field,
+    Mask,
+    PlaneField,
+    padded_mask,
+    plane_field,
+    signed_distance,
+    straight_parts,
+)
 from gaussiancad_core.views import View, ViewSet
 
 DEFAULT_CELLS = 160
 """Grid cells along the longest edge of the box."""
 
-_PAD_PX = 4
-"""Blank border around a mask, so that its distances are right up to the outline."""
-
-_TOUCH_PX = 1.0
-"""An outline that comes this near to a side of the box lies in it: a mask is whole pixels."""
-
 _SHARP = 0.02
 """Distance of the two planes of nodes beside a flat face, in cells."""
-
-_STRAIGHT = 0.04
-"""Shortest straight part of an outline that draws planes of nodes, as a share of the mask."""
 
 _SMALLEST_PIECE = 1e-3
 """Pieces below this share of the hull's area are crumbs of the masks' pixels."""
@@ -43,59 +48,46 @@ _SMALLEST_PIECE = 1e-3
 _CHUNK = 1 << 20
 """Points that a pinhole camera projects at once: bounds the memory."""
 
+_SAME_DEPTH_PX = 1.5
+"""Depths that differ by less are the same: masks and depths are whole pixels."""
 
-@dataclass(frozen=True)
-class OutlineDistance:
-    """Signed distance to the outline of a view's mask.
+_REACH = 3.0
+"""Cells around a region in which its carving is worked out."""
+
+_CRUMB_PX = 4
+"""Regions of fewer pixels say nothing that can be trusted."""
+
+Coordinates = tuple[npt.NDArray[np.float64], ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Relief:
+    """How deep the part's first surface lies in the regions of a view.
 
     Attributes:
-        distances: (h, w) float32, mm at the pixels' centres, negative inside.
-        origin: (right, up) in mm of the upper left corner of the first pixel.
-        mm_per_pixel: size of a pixel.
+        role: the view.
+        regions: (h, w) int, on the pixels of the view's mask: which region a pixel belongs to; 0
+            where nothing is known.
+        depths: (h, w) float, mm from the side of the box that is nearest to the viewer.
     """
 
-    distances: npt.NDArray[np.float32]
-    origin: tuple[float, float]
-    mm_per_pixel: float
-
-    def at(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.float32]:
-        """(n, 2) (right, up) in mm -> (n,) mm, bilinear; beyond the border as on the border."""
-        pixels = (points - np.array(self.origin)) / self.mm_per_pixel * np.array([1.0, -1.0]) - 0.5
-        height, width = self.distances.shape
-        x = np.clip(pixels[:, 0], 0.0, width - 1.0)
-        y = np.clip(pixels[:, 1], 0.0, height - 1.0)
-        column = np.minimum(x.astype(np.int64), width - 2)
-        row = np.minimum(y.astype(np.int64), height - 2)
-        right, down = (x - column).astype(np.float32), (y - row).astype(np.float32)
-        field = self.distances
-        upper = field[row, column] * (1 - right) + field[row, column + 1] * right
-        lower = field[row + 1, column] * (1 - right) + field[row + 1, column + 1] * right
-        return upper * (1 - down) + lower * down
-
-
-def outline_distance(mask: npt.NDArray[np.bool_], view: View) -> OutlineDistance:
-    """Signed distance to the outline of ``mask``, which lies on the pixels of ``view``.
-
-    A mask is padded with blank pixels unless it is as large as the view's own mask plus padding.
-    """
-    inside = mask.astype(np.uint8)
-    outer = cv2.distanceTransform(1 - inside, cv2.DIST_L2, cv2.DIST_MASK_PRECISE)
-    inner = cv2.distanceTransform(inside, cv2.DIST_L2, cv2.DIST_MASK_PRECISE)
-    # Half a pixel less: the outline runs between the centres, not through those of one side.
-    distances = np.where(mask, 0.5 - inner, outer - 0.5) * np.float32(view.mm_per_pixel)
-    pad = _PAD_PX * view.mm_per_pixel
-    origin = (view.origin[0] - pad, view.origin[1] + pad)
-    return OutlineDistance(distances.astype(np.float32), origin, view.mm_per_pixel)
+    role: Role
+    regions: npt.NDArray[np.int32]
+    depths: npt.NDArray[np.float32]
 
 
 def visual_hull(
-    views: ViewSet, cameras: tuple[Camera, ...], cells: int = DEFAULT_CELLS
+    views: ViewSet,
+    cameras: tuple[Camera, ...],
+    reliefs: tuple[Relief, ...] = (),
+    cells: int = DEFAULT_CELLS,
 ) -> TriangleMesh:
-    """Surface of the largest body that all masks and the bounding box allow.
+    """Surface of the largest body that all masks, the box and the reliefs allow.
 
     Args:
         views: two to six views; a direction that no mask bounds ends at the box.
         cameras: one for each view, in any order; orthographic or pinhole.
+        reliefs: known depths; those of views with a pinhole camera are not used.
         cells: grid cells along the longest edge of the box.
 
     Returns:
@@ -105,12 +97,25 @@ def visual_hull(
         NoModelError: ``empty-hull``, no point lies inside all masks.
     """
     of_role = {camera.role: camera for camera in cameras}
-    outlines = [_padded(view, of_role[view.role], views.size) for view in views.views]
-    coordinates = _grid(views, outlines, cells)
+    parallel = {camera.role for camera in cameras if camera.model is CameraModel.ORTHOGRAPHIC}
+    # A pinhole's sweep widens with depth: its sides are not the box's.
+    masks = {
+        view.role: padded_mask(view, views.size, view.role in parallel) for view in views.views
+    }
+    carvings = [
+        carving
+        for relief in reliefs
+        if relief.role in parallel
+        for carving in _carvings(relief, views[relief.role], masks[relief.role], views, cells)
+    ]
+    coordinates = _grid(views, masks, carvings, cells)
     field = _box_field(coordinates, views.size)
-    for view, outline in zip(views.views, outlines, strict=True):
-        distance = outline_distance(outline, view)
-        np.maximum(field, _sweep(distance, of_role[view.role], coordinates), out=field)
+    for view in views.views:
+        distances = signed_distance(masks[view.role], view.mm_per_pixel)
+        camera = of_role[view.role]
+        np.maximum(field, _sweep(plane_field(distances, view), camera, coordinates), out=field)
+    for carving in carvings:
+        _carve(field, carving, of_role[carving.view.role], coordinates, views.size)
     if not (field < 0.0).any():
         raise NoModelError(
             "empty-hull",
@@ -119,64 +124,84 @@ def visual_hull(
     return _zero_level(field, coordinates, views.size)
 
 
-def _padded(view: View, camera: Camera, size: tuple[float, float, float]) -> npt.NDArray[np.bool_]:
-    """The mask with a border; where it reaches a side of the box it goes on beyond it.
+@dataclass(frozen=True, eq=False)
+class _Carving:
+    """One region of a relief, made ready for the grid.
 
-    The box is known better than the pixels are: a mask that ends less than a pixel before a side
-    means the side.  A pinhole's sweep widens with depth, so that its sides are no planes: there the
-    border stays blank.
+    Attributes:
+        view: whose region it is.
+        inside: distance from the border of what may be carved, mm, positive inside.
+        depths: mm from the near side, continued beyond the region.
+        mask: (h, w) the region on the padded mask's pixels.
+        flat: the depth where it is the same all over, else nothing.
     """
-    mask = np.pad(view.mask, _PAD_PX)
-    if camera.model is CameraModel.PINHOLE or not mask.any():
-        return mask
-    for axis, sides in ((1, _box_pixels(view, size, 0)), (0, _box_pixels(view, size, 1))):
-        lines = np.moveaxis(mask, axis, 0)
-        filled = np.flatnonzero(lines.any(axis=1))
-        first, last = filled[0], filled[-1]
-        if abs(first - sides[0]) <= _TOUCH_PX:
-            lines[:first] = lines[first]
-        if abs(last + 1 - sides[1]) <= _TOUCH_PX:
-            lines[last + 1 :] = lines[last]
-    return mask
+
+    view: View
+    inside: PlaneField
+    depths: PlaneField
+    mask: Mask
+    flat: float | None
 
 
-def _box_pixels(view: View, size: tuple[float, float, float], index: int) -> tuple[float, float]:
-    """Where the box's two sides lie along x (0) or y (1) in pixels of the padded mask."""
-    frame = view.role.frame
-    axis, sign = (frame.right_axis, frame.up_axis)[index]
-    ends = np.zeros((2, 2))
-    ends[:, index] = sorted((0.0, sign * size[axis.value]))
-    low, high = sorted(view.to_pixels(ends)[:, index] + _PAD_PX)
-    return float(low), float(high)
+def _carvings(
+    relief: Relief, view: View, outline: Mask, views: ViewSet, cells: int
+) -> list[_Carving]:
+    regions = np.pad(relief.regions, PAD_PX)
+    depths = np.pad(relief.depths.astype(np.float32), PAD_PX)
+    margin = int(np.ceil(_REACH * max(views.size) / cells / view.mm_per_pixel)) + 2
+    found = []
+    for number in np.unique(regions[regions > 0]):
+        mask = regions == number
+        if mask.sum() < _CRUMB_PX:
+            continue
+        rows, columns = np.flatnonzero(mask.any(axis=1)), np.flatnonzero(mask.any(axis=0))
+        corner = (max(0, rows[0] - margin), max(0, columns[0] - margin))
+        window = (
+            slice(corner[0], rows[-1] + margin + 1),
+            slice(corner[1], columns[-1] + margin + 1),
+        )
+        own = mask[window]
+        nearest = distance_transform_edt(~own, return_distances=False, return_indices=True)
+        continued = depths[window][tuple(nearest)]
+        # Beyond the outline there is nothing, and a deeper neighbour is carved there as well: the
+        # border of what is carved lies elsewhere, and no skin is left between the two.
+        tolerance = _SAME_DEPTH_PX * view.mm_per_pixel
+        neighbour = (regions[window] > 0) & ~own
+        deeper = neighbour & (depths[window] >= continued - tolerance)
+        free = own | ~outline[window] | deeper
+        continued = np.where(deeper, np.minimum(continued, depths[window]), continued)
+        inside = -signed_distance(free, view.mm_per_pixel)
+        level = float(np.ptp(depths[mask])) < 0.5 * view.mm_per_pixel
+        found.append(
+            _Carving(
+                view,
+                plane_field(inside, view, corner),
+                plane_field(continued, view, corner),
+                mask,
+                float(np.median(depths[mask])) if level else None,
+            )
+        )
+    return found
 
 
 def _grid(
-    views: ViewSet, outlines: list[npt.NDArray[np.bool_]], cells: int
-) -> tuple[npt.NDArray[np.float64], ...]:
+    views: ViewSet, masks: dict[Role, Mask], carvings: list[_Carving], cells: int
+) -> Coordinates:
     """Coordinates of the nodes along each axis in mm, ascending, one node outside the box."""
     step = max(views.size) / cells
     grids = []
     for axis in Axis:
         extent = views.size[axis.value]
         faces = {0.0, extent}
-        for view, outline in zip(views.views, outlines, strict=True):
-            faces.update(_flat_faces(view, outline, axis))
+        for view in views.views:
+            faces.update(straight_parts(masks[view.role], view, axis))
+        for carving in carvings:
+            faces.update(straight_parts(carving.mask, carving.view, axis))
+            own, sign = carving.view.role.frame.look_axis
+            if own is axis and carving.flat is not None:
+                faces.add(carving.flat if sign > 0 else extent - carving.flat)
         grids.append(_nodes(sorted(faces), extent, step))
     return tuple(grids)
-
-
-def _flat_faces(view: View, outline: npt.NDArray[np.bool_], axis: Axis) -> list[float]:
-    """Coordinates on ``axis`` in mm of the straight parts of the outline that stand across it."""
-    frame = view.role.frame
-    for index, (own, sign) in enumerate((frame.right_axis, frame.up_axis)):
-        if own is not axis:
-            continue
-        lines = np.moveaxis(outline, 1 - index, 0)
-        changes = (lines[1:] != lines[:-1]).sum(axis=1)
-        straight = np.flatnonzero(changes >= _STRAIGHT * max(outline.shape)) + 1 - _PAD_PX
-        along = view.origin[index] + straight * view.mm_per_pixel * (1.0, -1.0)[index]
-        return [float(value) for value in along * sign]
-    return []
 
 
 def _nodes(faces: list[float], extent: float, step: float) -> npt.NDArray[np.float64]:
@@ -188,7 +213,7 @@ def _nodes(faces: list[float], extent: float, step: float) -> npt.NDArray[np.flo
     kept.append(extent)
     sharp = _SHARP * step
     nodes = [np.array([-step])]
-    for low, high in zip(kept[:-1], kept[1:], strict=True):
+    for low, high in pairwise(kept):
         count = max(1, round((high - low) / step))
         inner = np.linspace(low, high, count + 1)[1:-1]
         nodes.append(np.concatenate([[low - sharp, low + sharp], inner]))
@@ -196,9 +221,7 @@ def _nodes(faces: list[float], extent: float, step: float) -> npt.NDArray[np.flo
     return np.unique(np.concatenate(nodes))
 
 
-def _box_field(
-    coordinates: tuple[npt.NDArray[np.float64], ...], size: tuple[float, float, float]
-) -> npt.NDArray[np.float32]:
+def _box_field(coordinates: Coordinates, size: tuple[float, float, float]) -> Field:
     """(nx, ny, nz) distance to the nearest side of the box in mm, negative inside."""
     sides = [
         np.maximum(-c, c - s).astype(np.float32) for c, s in zip(coordinates, size, strict=True)
@@ -208,10 +231,8 @@ def _box_field(
     )
 
 
-def _sweep(
-    distance: OutlineDistance, camera: Camera, coordinates: tuple[npt.NDArray[np.float64], ...]
-) -> npt.NDArray[np.float32]:
-    """The view's distance at the nodes; an array that broadcasts to (nx, ny, nz)."""
+def _sweep(plane: PlaneField, camera: Camera, coordinates: Coordinates) -> Field:
+    """A view's values at the nodes; an array that broadcasts to (nx, ny, nz)."""
     along = list(coordinates)
     if camera.model is CameraModel.ORTHOGRAPHIC:
         # Nothing changes along the view: one layer stands for all.
@@ -222,13 +243,39 @@ def _sweep(
     for start in range(0, len(values), _CHUNK):
         indices = np.unravel_index(np.arange(start, min(start + _CHUNK, len(values))), shape)
         points = np.stack([nodes[index] for nodes, index in zip(along, indices, strict=True)], 1)
-        values[start : start + _CHUNK] = distance.at(camera.plane_coordinates(points))
+        values[start : start + _CHUNK] = plane.at(camera.plane_coordinates(points))
     return values.reshape(shape)
 
 
+def _carve(
+    field: Field,
+    carving: _Carving,
+    camera: Camera,
+    coordinates: Coordinates,
+    size: tuple[float, float, float],
+) -> None:
+    """Take what lies in front of a region out of the field, unless the hull ends there anyway."""
+    look, sign = carving.view.role.frame.look_axis
+    inside = np.squeeze(_sweep(carving.inside, camera, coordinates), look.value)
+    depths = np.squeeze(_sweep(carving.depths, camera, coordinates), look.value)
+    along = coordinates[look.value]
+    ways = along if sign > 0 else size[look.value] - along
+    in_front = depths[..., None] - ways.astype(np.float32)
+    # A view along the axis: its last array axis is the depth.
+    block = np.moveaxis(field, look.value, -1)
+    tolerance = _SAME_DEPTH_PX * carving.view.mm_per_pixel
+    of_region = _sweep(
+        plane_field(carving.mask.astype(np.float32), carving.view), camera, coordinates
+    )
+    within = np.squeeze(of_region, look.value) > 0.99
+    solid = (block < 0.0) & (in_front > tolerance) & within[..., None]
+    if solid.any():
+        np.maximum(block, np.minimum(inside[..., None], in_front), out=block)
+
+
 def _zero_level(
-    field: npt.NDArray[np.float32],
-    coordinates: tuple[npt.NDArray[np.float64], ...],
+    field: Field,
+    coordinates: Coordinates,
     size: tuple[float, float, float],
 ) -> TriangleMesh:
     from skimage.measure import marching_cubes

@@ -137,7 +137,7 @@ def _curve_keys(surface: TriangleMesh) -> npt.NDArray[np.int64]:
 
 
 def quaternions_to(normals: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
-    """(n, 3) unit vectors -> (n, 4) unit quaternions that turn the third axis there, the short way."""
+    """(n, 3) unit vectors -> (n, 4) unit quaternions that turn the third axis there directly."""
     quaternions = np.stack(
         [1.0 + normals[:, 2], -normals[:, 1], normals[:, 0], np.zeros(len(normals))], axis=1
     )

@@ -1,3 +1,5 @@
+# Compiled functions get their types from the arrays they are called with.
+# ruff: noqa: ANN001, ANN201, ANN202, PLR0917, PLR0912, PLR0915
 """Projection of all Gaussians into all views and its gradient, compiled.
 
 The formulas are those of :mod:`.projection`; here they are written out, so that forward and
@@ -14,7 +16,7 @@ _COMPILE = {"fastmath": True, "error_model": "numpy", "cache": True}
 
 
 @njit(**_COMPILE)
-def _rotation(quaternion, matrix):  # noqa: ANN001, ANN202
+def _rotation(quaternion, matrix):
     """Fill a (3, 3) matrix from a quaternion of any length; return the length's inverse."""
     w, x, y, z = quaternion[0], quaternion[1], quaternion[2], quaternion[3]
     inverse = 1 / math.sqrt(w * w + x * x + y * y + z * z)
@@ -35,7 +37,7 @@ def _rotation(quaternion, matrix):  # noqa: ANN001, ANN202
 
 
 @njit(**_COMPILE)
-def _rotation_gradient(quaternion, inverse, upstream, gradient):  # noqa: ANN001, ANN202
+def _rotation_gradient(quaternion, inverse, upstream, gradient):
     """Gradient of a quaternion from the (3, 3) gradient of its matrix."""
     w, x, y, z = (
         quaternion[0] * inverse,
@@ -72,7 +74,7 @@ def _rotation_gradient(quaternion, inverse, upstream, gradient):  # noqa: ANN001
 
 
 @njit(**_COMPILE)
-def _image_rows(pinhole, rotation, focal, local, limit, rows, slope):  # noqa: ANN001, ANN202
+def _image_rows(pinhole, rotation, focal, local, limit, rows, slope):
     """Rows of the map from the model to the image about a mean; the slopes it was taken at."""
     if pinhole:
         inverse = 1 / local[2]
@@ -89,7 +91,7 @@ def _image_rows(pinhole, rotation, focal, local, limit, rows, slope):  # noqa: A
 @njit(parallel=True, **_COMPILE)
 def project_forward(
     gaussians, cameras, pinhole, nearest, dilation, means, covariances, conics, depths
-):  # noqa: ANN001, ANN201
+):
     """Fill the (v, n, ...) arrays of means, covariances, conics and depths.
 
     A Gaussian nearer than ``nearest`` gets a covariance of zero: it is not drawn.
@@ -141,7 +143,7 @@ def project_forward(
 
 
 @njit(parallel=True, **_COMPILE)
-def project_backward(gaussians, cameras, pinhole, nearest, conics, depths, upstream, gradients):  # noqa: ANN001, ANN201
+def project_backward(gaussians, cameras, pinhole, nearest, conics, depths, upstream, gradients):
     """Gradients of centres, quaternions and log scales from those of the projection.
 
     ``upstream`` holds the gradients of means (v, n, 2), conics (v, n, 3; the mixed term counted

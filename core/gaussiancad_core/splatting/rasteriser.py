@@ -3,7 +3,7 @@
 Front-to-back compositing as in 3D Gaussian splatting (Kerbl et al. 2023): at a pixel, the Gaussians
 in order of depth have the alphas ``a = min(opacity * exp(-d^T C^-1 d / 2), largest)``; each weighs
 ``w = a * T`` with the transmittance ``T`` left by those before it.  Colour and depth are sums over
-``w`` (depth is not divided by alpha), alpha is the sum of ``w`` itself; the background is not added.
+``w`` (depth is not divided by alpha), alpha is the sum of ``w`` itself; no background is added.
 """
 
 from dataclasses import dataclass

@@ -6,7 +6,7 @@ A small dilation, a thin axis that stays thin, slow positions and an anchor in t
 prevent that.  The paper's recipe is what the GaussianCAD paper describes, with 3DGS's rates.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.cameras import PAPER_RESOLUTION, Camera, orthographic_camera, paper_camera
@@ -59,9 +59,9 @@ class TrainingSettings:
     iterations: int = 200
     thickness: float = 0.04
     opacity: float = 0.88
-    rates: Rates = Rates()
-    weights: LossWeights = LossWeights()
-    optics: Optics = Optics(dilation=0.02)
+    rates: Rates = field(default_factory=Rates)
+    weights: LossWeights = field(default_factory=LossWeights)
+    optics: Optics = field(default_factory=lambda: Optics(dilation=0.02))
     anchor: float = 1.0
     thin_axis_locked: bool = True
     patience: int = 50

@@ -61,7 +61,7 @@ class FastSsim:
 
 class _Similarity(torch.autograd.Function):
     @staticmethod
-    def forward(  # noqa: D102
+    def forward(
         ctx: Any,  # noqa: ANN401
         images: Tensor,
         targets: Array,
@@ -84,7 +84,7 @@ class _Similarity(torch.autograd.Function):
         return torch.tensor(total / x.size, dtype=torch.float32)
 
     @staticmethod
-    def backward(ctx: Any, upstream: Tensor) -> tuple[Tensor | None, ...]:  # noqa: ANN401, D102
+    def backward(ctx: Any, upstream: Tensor) -> tuple[Tensor | None, ...]:  # noqa: ANN401
         return ctx.gradient * upstream, None, None, None
 
 

@@ -1,3 +1,5 @@
+# Compiled functions get their types from the arrays they are called with.
+# ruff: noqa: ANN001, ANN201, ANN202, PLR0917
 """Compositing of a tile's Gaussians and the gradient of that, compiled.
 
 Each tile is composited from front to back by one thread, so that no two threads write to one place.
@@ -51,7 +53,7 @@ _MANTISSA = np.int32(23)
 
 
 @njit(inline="always", **_COMPILE)
-def _exp_single(x):  # noqa: ANN001, ANN202
+def _exp_single(x):
     """exp of a float32 that is not positive, to about 5e-7; unlike libm's it becomes SIMD code."""
     scaled = max(x, _LOWEST) * _LOG2_E
     whole = np.int32(scaled - _HALF)
@@ -66,14 +68,15 @@ def _exp(x: float) -> float:
 
 
 @overload(_exp, inline="always")
-def _exp_for(x):  # noqa: ANN001, ANN202
+def _exp_for(x):
+    # numba wants the implementation's own signature, so a bare function would not do.
     if x == types.float32:
-        return lambda x: _exp_single(x)
-    return lambda x: math.exp(x)
+        return lambda x: _exp_single(x)  # noqa: PLW0108
+    return lambda x: math.exp(x)  # noqa: PLW0108
 
 
 @njit(inline="always", **_COMPILE)
-def _new_tile(fields, kind):  # noqa: ANN001, ANN202
+def _new_tile(fields, kind):
     """A tile's array, empty and clear."""
     tile = np.zeros(fields * TILE_PIXELS, kind)
     for p in range(TILE_PIXELS):
@@ -84,7 +87,7 @@ def _new_tile(fields, kind):  # noqa: ANN001, ANN202
 
 
 @njit(inline="always", **_COMPILE)
-def _clearest(tile):  # noqa: ANN001, ANN202
+def _clearest(tile):
     """The largest transmittance in a tile."""
     largest = tile[_LEFT]
     for p in range(np.uint64(TILE_PIXELS)):
@@ -93,7 +96,7 @@ def _clearest(tile):  # noqa: ANN001, ANN202
 
 
 @njit(inline="always", **_COMPILE)
-def _span(box, y0):  # noqa: ANN001, ANN202
+def _span(box, y0):
     """First and last pixel (exclusive) of the lines of a tile that a Gaussian reaches."""
     first = max(0, box[2] - y0)
     last = min(TILE_HEIGHT, box[3] - y0 + 1)
@@ -101,13 +104,13 @@ def _span(box, y0):  # noqa: ANN001, ANN202
 
 
 @njit(inline="always", **_COMPILE)
-def _offset(x0, y0, mean):  # noqa: ANN001, ANN202
+def _offset(x0, y0, mean):
     """From a mean to the centre of a tile's first pixel, in the mean's precision."""
     return np.float32(x0) + _HALF - mean[0], np.float32(y0) + _HALF - mean[1]
 
 
 @njit(**_COMPILE)
-def _composite(tile, span, offset, conic, opacity, limits, features):  # noqa: ANN001, ANN202
+def _composite(tile, span, offset, conic, opacity, limits, features):
     """Add one Gaussian to a tile: its weights times colour and depth, and what it leaves."""
     smallest_alpha, largest_alpha, smallest_left = limits
     xx, xy, yy = _HALF * conic[0], conic[1], _HALF * conic[2]
@@ -126,7 +129,7 @@ def _composite(tile, span, offset, conic, opacity, limits, features):  # noqa: A
 
 
 @njit(**_COMPILE)
-def _composite_gradient(tile, span, offset, conic, opacity, limits, features, slot):  # noqa: ANN001, ANN202
+def _composite_gradient(tile, span, offset, conic, opacity, limits, features, slot):
     """Gradients that one tile gives to one Gaussian, written to its slot."""
     smallest_alpha, largest_alpha, smallest_left = limits
     xx, xy, yy = _HALF * conic[0], conic[1], _HALF * conic[2]
@@ -176,7 +179,7 @@ def _composite_gradient(tile, span, offset, conic, opacity, limits, features, sl
 
 
 @njit(parallel=True, **_COMPILE)
-def composite_forward(size, grid, tiles, projected, opacities, palette, limits, images):  # noqa: ANN001, ANN201
+def composite_forward(size, grid, tiles, projected, opacities, palette, limits, images):
     """Fill the images: colour (v, 3, h, w), alpha (v, h, w), depth (v, h, w)."""
     height, width = size
     starts, members, boxes = tiles
@@ -213,7 +216,7 @@ def composite_forward(size, grid, tiles, projected, opacities, palette, limits, 
 
 
 @njit(inline="always", **_COMPILE)
-def _fill_upstream(tile, v, corner, extent, images, upstream):  # noqa: ANN001, ANN202
+def _fill_upstream(tile, v, corner, extent, images, upstream):
     """Put a tile's upstream gradients, and the totals of their products with the images, there."""
     colours, alphas, depths = images
     to_colours, to_alphas, to_depths = upstream
@@ -237,7 +240,7 @@ def _fill_upstream(tile, v, corner, extent, images, upstream):  # noqa: ANN001, 
 @njit(parallel=True, **_COMPILE)
 def composite_backward(
     size, grid, tiles, slots, projected, opacities, palette, limits, images, upstream, gradients
-):  # noqa: ANN001, ANN201
+):
     """Fill the (pairs, SLOT_FIELDS) gradients of all (Gaussian, tile) pairs."""
     height, width = size
     starts, members, boxes = tiles
@@ -274,7 +277,7 @@ def composite_backward(
 
 
 @njit(parallel=True, **_COMPILE)
-def add_slots(counts, first_slots, gradients, upstream, opacities, colours):  # noqa: ANN001, ANN201
+def add_slots(counts, first_slots, gradients, upstream, opacities, colours):
     """Sum the slots of each Gaussian: per view for the projection, over all views for the rest."""
     to_means, to_conics, to_depths = upstream
     views, number = counts.shape

@@ -1,7 +1,9 @@
+# Compiled functions get their types from the arrays they are called with.
+# ruff: noqa: ANN001, ANN201, PLR0917
 """Sorting Gaussians into tiles, compiled.
 
-A tile is a small square of pixels that one thread composites.  Each (Gaussian, tile) pair has a slot
-of its own for its gradients, and the slots of a Gaussian lie side by side.
+A tile is a small square of pixels that one thread composites.  Each (Gaussian, tile) pair has a
+slot of its own for its gradients, and the slots of a Gaussian lie side by side.
 """
 
 import math
@@ -15,7 +17,7 @@ _COMPILE = {"fastmath": True, "error_model": "numpy", "cache": True}
 
 
 @njit(parallel=True, **_COMPILE)
-def find_boxes(size, means, covariances, opacities, smallest_alpha, boxes, counts):  # noqa: ANN001, ANN201
+def find_boxes(size, means, covariances, opacities, smallest_alpha, boxes, counts):
     """Pixel boxes (v, n, 4: x0, x1, y0, y1, inclusive) that a Gaussian reaches; its tiles' number.
 
     It reaches where its alpha is at least the smallest; with zero for that it reaches everywhere.
@@ -34,15 +36,13 @@ def find_boxes(size, means, covariances, opacities, smallest_alpha, boxes, count
             reach = 2 * math.log(opacity / smallest_alpha)
             half_x = math.sqrt(reach * covariances[v, i, 0])
             half_y = math.sqrt(reach * covariances[v, i, 2])
-            x, y = means[v, i, 0] - 0.5, means[v, i, 1] - 0.5
-            if not (
-                x + half_x >= 0 and x - half_x <= width and y + half_y >= 0 and y - half_y <= height
-            ):
-                continue
-            x0 = max(x0, int(math.ceil(x - half_x)))
-            x1 = min(float(x1), math.floor(x + half_x))
-            y0 = max(y0, int(math.ceil(y - half_y)))
-            y1 = min(float(y1), math.floor(y + half_y))
+            # Held near the image, since a number far outside does not fit into an integer.
+            x = min(max(means[v, i, 0] - 0.5, -half_x - 1), width + half_x)
+            y = min(max(means[v, i, 1] - 0.5, -half_y - 1), height + half_y)
+            x0 = max(x0, math.ceil(max(x - half_x, -1.0)))
+            x1 = min(x1, math.floor(min(x + half_x, width + 0.0)))
+            y0 = max(y0, math.ceil(max(y - half_y, -1.0)))
+            y1 = min(y1, math.floor(min(y + half_y, height + 0.0)))
         if x1 < x0 or y1 < y0:
             continue
         boxes[v, i, 0] = x0
@@ -55,7 +55,7 @@ def find_boxes(size, means, covariances, opacities, smallest_alpha, boxes, count
 
 
 @njit(parallel=True, **_COMPILE)
-def count_tiles(grid, boxes, counts, totals):  # noqa: ANN001, ANN201
+def count_tiles(grid, boxes, counts, totals):
     """Number of Gaussians in each tile, (v, lines * columns)."""
     _lines, columns = grid
     for v in prange(len(counts)):
@@ -68,7 +68,7 @@ def count_tiles(grid, boxes, counts, totals):  # noqa: ANN001, ANN201
 
 
 @njit(parallel=True, **_COMPILE)
-def fill_tiles(grid, order, boxes, counts, first_slots, starts, members, slots):  # noqa: ANN001, ANN201
+def fill_tiles(grid, order, boxes, counts, first_slots, starts, members, slots):
     """List each tile's Gaussians from front to back, and the slot of each pair."""
     lines, columns = grid
     tiles = lines * columns

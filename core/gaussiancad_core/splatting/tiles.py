@@ -72,7 +72,7 @@ class _Scene:
 
 class _Draw(torch.autograd.Function):
     @staticmethod
-    def forward(  # noqa: D102
+    def forward(  # noqa: PLR0917
         ctx: Any,  # noqa: ANN401
         means: Tensor,
         quaternions: Tensor,
@@ -119,7 +119,7 @@ class _Draw(torch.autograd.Function):
         return tuple(torch.from_numpy(image) for image in images)
 
     @staticmethod
-    def backward(ctx: Any, *upstream: Tensor) -> tuple[Tensor | None, ...]:  # noqa: ANN401, D102
+    def backward(ctx: Any, *upstream: Tensor) -> tuple[Tensor | None, ...]:  # noqa: ANN401
         scene, size, tiling, projected, images = ctx.state
         conics, depths = projected[1:]
         kind = conics.dtype
@@ -210,3 +210,26 @@ def _sort_into_tiles(
     order = np.argsort(depths, axis=1, kind="stable")
     tile_sorting.fill_tiles(grid, order, boxes, counts, first_slots, starts, members, slots)
     return _Tiling(grid, starts, members, slots, boxes, counts, first_slots)
+
+
+def warm_up() -> None:
+    """Compile the kernels for single precision, so that no run has to wait for it.
+
+    The compiled code is kept beside the package, or in numba's cache of the user where that folder
+    cannot be written.
+    """
+    from gaussiancad_core.axes import Role
+    from gaussiancad_core.cameras import orthographic_camera
+    from gaussiancad_core.splatting.projection import batch_of
+    from gaussiancad_core.splatting.ssim import FastSsim
+
+    batch = batch_of((orthographic_camera(Role.FRONT, (1.0, 1.0, 1.0), tile_sorting.TILE_WIDTH),))
+    parameters = Parameters(
+        *(
+            torch.full(shape, 0.5).requires_grad_()
+            for shape in ((1, 3), (1, 4), (1, 3), (1,), (1, 3))
+        )
+    )
+    rendering = draw_tiles(parameters, batch, Optics())
+    similarity = FastSsim(torch.zeros_like(rendering.colours))(rendering.colours)
+    (similarity + rendering.alphas.mean() + rendering.depths.mean()).backward()

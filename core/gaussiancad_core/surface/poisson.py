@@ -1,6 +1,6 @@
 """Poisson surface of oriented points (Kazhdan and Hoppe 2013, in open3d)."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -25,7 +25,7 @@ class PoissonSettings:
     depth: int = 8
     point_weight: float = 4.0
     smallest_piece: float = 0.01
-    sampling: DiscSampling = DiscSampling()
+    sampling: DiscSampling = field(default_factory=DiscSampling)
 
 
 def gaussian_surface(gaussians: Gaussians, settings: PoissonSettings) -> TriangleMesh:
