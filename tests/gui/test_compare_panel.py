@@ -62,28 +62,32 @@ class Panel(WindowCase):
         self.assertEqual(self.boxes(), [])
         table = widget(QtWidgets.QTableWidget, "distances")
         shown = [
-            [table.item(row, column).text() for column in range(3)]
+            [table.item(row, column).text() for column in range(2)]
             for row in range(table.rowCount())
         ]
         self.assertEqual(
             shown,
             [
-                ["0.0312", "0.03", "0.3744"],
-                ["0.12", "0.1", "1.44"],
-                ["0.056", "0.05", "0.672"],
-                ["0.004", "–", "0.048"],
-                ["0.991", "–", "–"],
+                ["0.0312", "0.03"],
+                ["0.12", "0.1"],
+                ["0.056", "0.05"],
+                ["0.004", "–"],
+                ["0.991", "–"],
             ],
         )
-        for name in ("Model", "Scan", "Body"):
+        log = widget(QtWidgets.QPlainTextEdit, "log").toPlainText()
+        self.assertIn("Hausdorff: 1.44 mm", log)
+        shown = {o.Name: o.Visibility for o in self.document.Objects}
+        self.assertEqual((shown["Model"], shown["Scan"], shown["Deviation"]), (False, False, True))
+        for name in ("Body", "Legend"):
             self.document.getObject(name).Visibility = False
-        self.document.getObject("Legend").Visibility = False
         self.assertGreater(self.colourful(), 1000)
         self.document.getObject("Legend").Visibility = True
         FreeCADGui.getDocument("Test").ActiveView.fitAll()
         self.picture("compare-finished")
         self.assertEqual(self.document.UndoNames[0], "Compare with Reference")
         self.document.undo()
+        self.assertTrue(self.document.getObject("Model").Visibility)
         self.assertEqual(len(self.document.Objects), self.count)
 
     def test_the_colours_survive_saving(self) -> None:

@@ -93,18 +93,21 @@ def load_comparison(output: Path, scratch: Path) -> LoadedComparison:
 
 
 def add_comparison(
-    document: FreeCAD.Document, loaded: LoadedComparison, names: tuple[str, str]
+    document: FreeCAD.Document,
+    loaded: LoadedComparison,
+    compared: tuple[FreeCAD.DocumentObject, FreeCAD.DocumentObject],
 ) -> FreeCAD.DocumentObject:
     """Add a comparison to a document, in one undo step.
 
     Args:
         document: receives a group with everything in it.
         loaded: what the comparison left.
-        names: labels of the result and of the reference.
+        compared: the result and the reference; hidden, since the coloured mesh lies on them.
 
     Returns:
         The group.
     """
+    names = (compared[0].Label, compared[1].Label)
     with transaction(document, translate("GaussianCAD", "Compare with Reference")):
         group = document.addObject("App::DocumentObjectGroupPython", "Comparison")
         ComparisonGroup(group)
@@ -124,6 +127,8 @@ def add_comparison(
         legend = add_image_plane(document, "Legend", loaded.legend, _beside(loaded.mesh))
         legend.Label = translate("GaussianCAD", "Legend")
         group.addObjects([deviation, legend])
+        for source in compared:
+            source.Visibility = False
         document.recompute()
         if FreeCAD.GuiUp:
             ComparisonView(group.ViewObject)
@@ -151,11 +156,11 @@ def _range_of(comments: tuple[str, ...], deviations: list[tuple[float, ...]]) ->
 
 
 def _beside(mesh: Mesh.Mesh) -> PlanePlacement:
-    """A place to the right of the mesh, upright, read from the front."""
+    """A place to the right of the mesh and behind it, upright, read from the front."""
     box = mesh.BoundBox
     height = max(box.XLength, box.YLength, box.ZLength)
     width = height * WIDTH / HEIGHT
-    centre = (box.XMax + 0.1 * height + width / 2.0, box.YMin, box.ZMin + height / 2.0)
+    centre = (box.XMax + 0.1 * height + width / 2.0, box.YMax, box.ZMin + height / 2.0)
     return PlanePlacement(centre, (1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, -1.0, 0.0), width, height)
 
 

@@ -27,6 +27,7 @@ class ComparePanel(EnginePanel):
             PanelTexts(
                 translate("GaussianCAD", "Compare with Reference"),
                 translate("GaussianCAD", "Compare"),
+                translate("GaussianCAD", "Comparing"),
                 "GaussianCAD_Compare",
             )
         )
@@ -39,7 +40,7 @@ class ComparePanel(EnginePanel):
         self.distances = DistanceTable()
         self.form = [self._models_box(), self.run_view, self.distances]
         self.dress()
-        self._labels = ("", "")
+        self._compared = ("", "")
 
     def prepare(self, scratch: Path) -> list[str]:
         """Write both objects to files."""
@@ -47,7 +48,7 @@ class ComparePanel(EnginePanel):
         if result.Name == reference.Name:
             text = translate("GaussianCAD", "Choose two different objects to compare.")
             raise WorkbenchError(ErrorCode.NOTHING_TO_COMPARE, text)
-        self._labels = (result.Label, reference.Label)
+        self._compared = (result.Name, reference.Name)
         self.distances.clear()
         return CompareJob(
             str(export_geometry(result, scratch, "result")),
@@ -58,9 +59,15 @@ class ComparePanel(EnginePanel):
     def absorb(self, scratch: Path) -> Success:
         """Show the distances; add the coloured mesh to the document in one step."""
         loaded = load_comparison(scratch / "comparison", scratch)
-        add_comparison(self._document(), loaded, self._labels)
+        document = self._document()
+        pair = tuple(document.getObject(name) for name in self._compared)
+        if None in pair:
+            text = translate("GaussianCAD", "An object was removed while it was being compared.")
+            raise WorkbenchError(ErrorCode.NOTHING_TO_COMPARE, text)
+        add_comparison(document, loaded, pair)
         self.distances.show_comparison(loaded.report)
-        return Success(translate("GaussianCAD", "Finished"))
+        lines = self.distances.millimetre_lines(loaded.report)
+        return Success(translate("GaussianCAD", "Finished"), tuple(lines))
 
     def set_editable(self, editable: bool) -> None:
         """Let the user choose other objects, or not."""

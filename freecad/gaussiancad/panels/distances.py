@@ -14,14 +14,10 @@ class DistanceTable(QtWidgets.QWidget):
         super().__init__()
         self.setWindowTitle(translate("GaussianCAD", "Distances"))
         self._rows = _rows()
-        self.table = QtWidgets.QTableWidget(len(self._rows), 3)
+        self.table = QtWidgets.QTableWidget(len(self._rows), 2)
         self.table.setObjectName("distances")
         self.table.setHorizontalHeaderLabels(
-            [
-                translate("GaussianCAD", "Value"),
-                translate("GaussianCAD", "Floor"),
-                translate("GaussianCAD", "mm"),
-            ]
+            [translate("GaussianCAD", "Value"), translate("GaussianCAD", "Floor")]
         )
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
         self.table.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.Stretch)
@@ -50,19 +46,26 @@ class DistanceTable(QtWidgets.QWidget):
 
     def show_comparison(self, comparison: Comparison) -> None:
         """Show the numbers."""
-        unit = comparison.values.get("unit_mm")
         for row, (key, _, _) in enumerate(self._rows):
-            value, floor = comparison.distances.get(key), comparison.floor.get(key)
-            length = None
-            if value is not None and key != "volume_iou" and isinstance(unit, int | float):
-                length = value * unit
-            for column, number in enumerate((value, floor, length)):
-                text = _NOTHING if number is None else f"{number:.4g}"
-                item = QtWidgets.QTableWidgetItem(text)
+            numbers = (comparison.distances.get(key), comparison.floor.get(key))
+            for column, number in enumerate(numbers):
+                item = QtWidgets.QTableWidgetItem(_NOTHING if number is None else f"{number:.3g}")
                 item.setTextAlignment(
                     QtCore.Qt.AlignmentFlag.AlignRight | QtCore.Qt.AlignmentFlag.AlignVCenter
                 )
                 self.table.setItem(row, column, item)
+
+    def millimetre_lines(self, comparison: Comparison) -> list[str]:
+        """The distances in millimetres of the reference, a line each."""
+        unit = comparison.values.get("unit_mm")
+        if isinstance(unit, bool) or not isinstance(unit, int | float):
+            return []
+        text = translate("GaussianCAD", "{distance}: {length} mm")
+        return [
+            text.format(distance=title, length=f"{comparison.distances[key] * unit:.4g}")
+            for key, title, _ in self._rows
+            if key in comparison.distances and key != "volume_iou"
+        ]
 
 
 def _rows() -> list[tuple[str, str, str]]:

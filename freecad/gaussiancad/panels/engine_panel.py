@@ -33,11 +33,13 @@ class PanelTexts:
     Attributes:
         title: of its message boxes.
         start: on the button that starts.
+        running: instead of a stage, until the engine tells one.
         icon: name of its icon.
     """
 
     title: str
     start: str
+    running: str
     icon: str
 
 
@@ -124,7 +126,7 @@ class EnginePanel(ABC):
             self._complain(str(error))
             return
         self.set_editable(False)
-        self.run_view.begin()
+        self.run_view.begin(self._texts.running)
         watcher = Watcher(self._take_event, self._take_log, self._finish)
         self._run = EngineRun(engine, arguments, watcher)
         self._run.start()

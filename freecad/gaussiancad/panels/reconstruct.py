@@ -32,6 +32,7 @@ class ReconstructPanel(EnginePanel):
             PanelTexts(
                 translate("GaussianCAD", "Reconstruct from Drawing"),
                 translate("GaussianCAD", "Start"),
+                translate("GaussianCAD", "Starting the engine"),
                 "GaussianCAD_Reconstruct",
             )
         )

@@ -52,12 +52,12 @@ class RunView(QtWidgets.QWidget):
         self._clock.timeout.connect(self._show_time)
         self._set_running(False)
 
-    def begin(self) -> None:
+    def begin(self, headline: str) -> None:
         """Show that a run has begun; how far it is is not known yet."""
         self._stage_count, self._stage_index = 0, 0
         self._began, self._remaining = time.monotonic(), None
         self.log.clear()
-        self.stage.setText(translate("GaussianCAD", "Starting the engine"))
+        self.stage.setText(headline)
         self.overall.setRange(0, 0)
         self.fraction.setRange(0, 0)
         self._set_running(True)
