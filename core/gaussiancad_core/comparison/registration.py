@@ -25,8 +25,8 @@ _MIRROR_UNITS = 1e-3
 """A mirrored pose is reported if its distance is below this share, and smaller by these units."""
 
 _ICP_ROUNDS = 40
-_ICP_GAIN = 1e-3
-"""ICP must lower the distance by this share, or the start is kept."""
+_ICP_GAIN = 0.02
+"""ICP must lower the distance by this share, or the start is kept: less is a matter of samples."""
 
 
 @dataclass(frozen=True, eq=False)
