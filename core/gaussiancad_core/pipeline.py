@@ -286,7 +286,7 @@ class _Run:
         """Draw the surface again and match its lines with the sheet's; overlay and preview."""
         from gaussiancad_core.verification.agreement import match_lines
         from gaussiancad_core.verification.overlay import ViewOverlay, draw_overlay
-        from gaussiancad_core.verification.preview import render_preview, write_png
+        from gaussiancad_core.verification.preview import png_bytes, render_preview
         from gaussiancad_core.verification.redraw import redraw_mesh
 
         views = registered.views
@@ -319,9 +319,9 @@ class _Run:
             for view, match in zip(views.views, matched, strict=True)
         ]
         staging = self.folder.staging
-        (staging / "overlay.png").write_bytes(write_png(draw_overlay(image.grey, overlays)))
+        (staging / "overlay.png").write_bytes(png_bytes(draw_overlay(image.grey, overlays)))
         colour = self.job.reading.colour
-        (staging / "preview.png").write_bytes(write_png(render_preview(surface, colour)))
+        (staging / "preview.png").write_bytes(png_bytes(render_preview(surface, colour)))
         self.progress.listener.send("preview", path=str((staging / "preview.png").resolve()))
         return tuple(matched)
 
