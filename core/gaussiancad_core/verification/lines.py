@@ -75,6 +75,8 @@ def lines_of_strokes(strokes: Iterable[Curve], step: float) -> Lines:
     """Strokes in mm as points at the middles of equal pieces, at most ``step`` mm long."""
     found: dict[Linetype, list[LinePoints]] = {linetype: [] for linetype in Linetype}
     for stroke in strokes:
+        if stroke.length <= 0.0:
+            continue
         pieces = max(1, int(np.ceil(stroke.length / step - 1e-9)))
         # Of twice as many pieces every second end is a middle.
         points = stroke.sample(stroke.length / (2 * pieces) * (1.0 + 1e-9))[1::2]

@@ -161,7 +161,7 @@ class RayCaster:
         touching[1:] = (ray[1:] == ray[:-1]) & (depth[1:] - depth[:-1] < same)
         equal = np.zeros(len(ray), dtype=bool)
         equal[1:] = entering[1:] == entering[:-1]
-        # Of two hits on a common edge one stays; of out and in at one place, or in and out, none.
+        # Of two hits on a common edge one stays; of a wall or gap without thickness neither side.
         gone = touching.copy()
         gone[:-1] |= touching[1:] & ~equal[1:]
         keep = ~gone
