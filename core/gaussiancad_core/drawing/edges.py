@@ -20,11 +20,11 @@ from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
 from gaussiancad_core.drawing.brep import ShapeTable, explore, faces_of
 
-SMOOTH_ANGLE = 0.01
-"""Radians between the normals of both sides under which an edge is smooth."""
+SMOOTH_ANGLE = 0.01745
+"""Radians between the normals of both sides under which an edge is smooth: one degree."""
 
-GRAZING = 1e-4
-"""Largest |normal . look| along an edge that counts as a silhouette."""
+GRAZING = 5e-3
+"""Largest |normal . look| along a smooth edge that may be a silhouette: splines meet that loosely."""
 
 _SAMPLES = np.array([0.07, 0.29, 0.5, 0.71, 0.93])
 
