@@ -9,6 +9,9 @@ import trimesh
 from gaussiancad_core.meshes import TriangleMesh, make_mesh
 
 
+Corner = tuple[float, float, float]
+
+
 def placed_box(low: Corner, high: Corner) -> trimesh.Trimesh:
     solid = trimesh.creation.box(np.subtract(high, low))
     solid.apply_translation(np.add(low, high) / 2)
