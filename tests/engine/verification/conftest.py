@@ -8,7 +8,6 @@ import trimesh
 
 from gaussiancad_core.meshes import TriangleMesh, make_mesh
 
-
 Corner = tuple[float, float, float]
 
 
