@@ -35,7 +35,7 @@ class Panel(WindowCase):
         self.assertIn("Verified", widget(QtWidgets.QLabel, "stage").text())
         self.assertIn("8 faces", widget(QtWidgets.QPlainTextEdit, "log").toPlainText())
         colour = self.document.getObject("Part").ViewObject.ShapeColor[:3]
-        self.assertEqual([round(255 * channel) for channel in colour], [0xB0, 0xB8, 0xC0])
+        self.assertEqual([round(255 * channel) for channel in colour], [0x78, 0xA0, 0xD2])
         points = self.document.getObject("Gaussians")
         self.assertEqual(points.ViewObject.DisplayMode, "Color")
         points.Visibility = True

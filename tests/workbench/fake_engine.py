@@ -179,7 +179,7 @@ def reconstruct(arguments: list[str]) -> int:
 def refuse(code: str, message: str, exit_code: int) -> int:
     """Tell of an error."""
     send("error", code=code, message=message)
-    sys.stderr.write(f"gaussiancad: {message}\n")
+    sys.stderr.write(f"gaussiancad: {message} [{code}]\n")
     return exit_code
 
 
@@ -187,7 +187,7 @@ def compare(arguments: list[str]) -> int:
     """What ``gaussiancad compare`` does."""
     for path in arguments[:2]:
         if not Path(path).is_file():
-            sys.stderr.write(f"there is no file {path}: check its name\n")
+            sys.stderr.write(f"gaussiancad: there is no file {path} [model-missing]\n")
             return 3
     while os.environ.get("GAUSSIANCAD_FAKE") == "slow":
         time.sleep(0.05)

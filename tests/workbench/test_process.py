@@ -10,7 +10,8 @@ from support import FAKE_ENGINE, FolderCase, draw_sheet, run_fake
 from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.engine.job import CompareJob, ReconstructJob
 from freecad.gaussiancad.engine.locate import Engine, EngineSource
-from freecad.gaussiancad.engine.process import EngineRun, RunResult, RunState, Watcher
+from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
+from freecad.gaussiancad.engine.verdict import RunState
 
 
 class Runs(FolderCase):
@@ -132,6 +133,13 @@ class Runs(FolderCase):
         run.cancel()
         self.assertIs(run.wait().state, RunState.CANCELLED)
         self.assertFalse(self.output.exists())
+
+    def test_an_error_without_events_is_taken_from_the_log(self) -> None:
+        arguments = CompareJob("none.step", "none.stl", str(self.output)).arguments()
+        result, _, _ = run_fake(arguments)
+        self.assertIs(result.state, RunState.FAILED)
+        self.assertEqual((result.exit_code, result.code), (3, "model-missing"))
+        self.assertEqual(result.message, "there is no file none.step")
 
     def test_the_output_of_a_command_without_events_is_kept(self) -> None:
         result, events, _ = run_fake(["doctor"])

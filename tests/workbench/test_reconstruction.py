@@ -106,8 +106,11 @@ class Documents(FolderCase):
     def test_without_an_exact_solid_the_part_says_so(self) -> None:
         run = self.run_job("surface")
         self.assertIs(run.part.source, PartSource.SURFACE)
-        part = find_part(add_reconstruction(self.document, run))
+        group = add_reconstruction(self.document, run)
+        part = find_part(group)
         self.assertEqual((part.Label, part.Exact), ("Part (faceted, approximate)", False))
+        surface = next(o for o in group.Group if o.TypeId == "Mesh::Feature")
+        self.assertEqual((part.Visibility, surface.Visibility), (False, True))
 
     def test_the_views_stand_behind_the_part_at_true_scale(self) -> None:
         group = add_reconstruction(self.document, self.run_job("ok"))

@@ -89,7 +89,7 @@ class ReconstructJob:
     outcome: Outcome = Outcome.BOTH
     recipe: Recipe = Recipe.ORTHOGRAPHIC
     scale: Scale = Scale()
-    colour: str = "#b0b8c0"
+    colour: str = "#78a0d2"
     page: int = 1
     seed: int = 0
 

@@ -11,30 +11,18 @@ import time
 from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from enum import Enum
 
 from freecad.gaussiancad.engine.environment import clean_environment
 from freecad.gaussiancad.engine.events import Event, EventKind, LineBuffer, parse_event
 from freecad.gaussiancad.engine.job import MODULE_ARGUMENTS
 from freecad.gaussiancad.engine.locate import Engine
-from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.engine.verdict import Ending, RunState, Verdict, judge, not_started
 from freecad.gaussiancad.qt import QtCore
 
 GRACE_SECONDS = 5.0
 LOG_LINES = 400
-CANCELLED_EXIT = 130
 
 _POLL_MS = 100
-
-
-class RunState(Enum):
-    """How a run ended."""
-
-    DONE = "done"
-    FAILED = "failed"
-    CANCELLED = "cancelled"
-    KILLED = "killed"
-    BROKEN = "broken"
 
 
 @dataclass(frozen=True)
@@ -42,20 +30,31 @@ class RunResult:
     """What is left of a run.
 
     Attributes:
-        state: done, refused by the engine, cancelled, killed from outside, or the engine is broken.
+        verdict: how it ended.
         exit_code: of the process; -1 if there was none or a signal ended it.
-        code: the engine's kebab-case code, or empty.
-        message: a sentence for the user, empty if done.
         output: what the engine printed on stdout besides events.
         log: the last lines of its stderr.
     """
 
-    state: RunState
+    verdict: Verdict
     exit_code: int
-    code: str
-    message: str
     output: str
     log: str
+
+    @property
+    def state(self) -> RunState:
+        """How it ended, in a word."""
+        return self.verdict.state
+
+    @property
+    def code(self) -> str:
+        """The engine's kebab-case code, or empty."""
+        return self.verdict.code
+
+    @property
+    def message(self) -> str:
+        """A sentence for the user, empty if done."""
+        return self.verdict.message
 
 
 @dataclass(frozen=True)
@@ -189,12 +188,7 @@ class EngineRun:
 
     def _on_process_error(self, error: QtCore.QProcess.ProcessError) -> None:
         if error == QtCore.QProcess.ProcessError.FailedToStart:
-            message = translate(
-                "GaussianCAD",
-                "The GaussianCAD engine could not be started with {python}: {reason}. Choose "
-                "GaussianCAD > Check Engine to see what to do.",
-            ).format(python=self._engine.python, reason=self._process.errorString())
-            self._finish(RunState.BROKEN, -1, message)
+            self._finish(not_started(self._engine.python, self._process.errorString()), -1)
 
     def _on_process_finished(self, *_status: object) -> None:
         self._read_output()
@@ -203,54 +197,18 @@ class EngineRun:
             self._take_output(line)
         for line in self._stderr.rest():
             self._take_log(line)
-        exit_code = self._process.exitCode()
-        if self._process.exitStatus() == QtCore.QProcess.ExitStatus.CrashExit:
-            exit_code = -1
-        self._finish(*self._verdict(exit_code))
+        crashed = self._process.exitStatus() == QtCore.QProcess.ExitStatus.CrashExit
+        exit_code = -1 if crashed else self._process.exitCode()
+        spoke = self._greeted or not self._speaks_events
+        ending = Ending(
+            self._engine.python, exit_code, self._cancelling, spoke, self._error, tuple(self._log)
+        )
+        self._finish(judge(ending), exit_code)
 
-    def _verdict(self, exit_code: int) -> tuple[RunState, int, str]:
-        if exit_code == 0:
-            return RunState.DONE, exit_code, ""
-        if self._cancelling or exit_code == CANCELLED_EXIT:
-            return (
-                RunState.CANCELLED,
-                exit_code,
-                translate("GaussianCAD", "The run was cancelled."),
-            )
-        if exit_code < 0:
-            message = translate(
-                "GaussianCAD",
-                "The GaussianCAD engine was ended from outside, or ran out of memory. The document "
-                "is unchanged. Close other programs or choose a simpler preset, then try again.",
-            )
-            return RunState.KILLED, exit_code, message
-        if self._error is not None:
-            return RunState.FAILED, exit_code, self._error.text("message")
-        last_words = next((line for line in reversed(self._log) if line.strip()), "")
-        if self._speaks_events and not self._greeted:
-            message = translate(
-                "GaussianCAD",
-                "The GaussianCAD engine at {python} does not work: {reason}. Choose GaussianCAD > "
-                "Check Engine to see what to do.",
-            ).format(python=self._engine.python, reason=last_words or exit_code)
-            return RunState.BROKEN, exit_code, message
-        message = last_words or translate(
-            "GaussianCAD", "The GaussianCAD engine stopped with code {code}."
-        ).format(code=exit_code)
-        return RunState.FAILED, exit_code, message
-
-    def _finish(self, state: RunState, exit_code: int, message: str) -> None:
+    def _finish(self, verdict: Verdict, exit_code: int) -> None:
         if self.result is not None:
             return
         if self._timer is not None:
             self._timer.stop()
-        code = self._error.text("code") if self._error is not None else ""
-        self.result = RunResult(
-            state,
-            exit_code,
-            code,
-            message,
-            "\n".join(self._output),
-            "\n".join(self._log),
-        )
+        self.result = RunResult(verdict, exit_code, "\n".join(self._output), "\n".join(self._log))
         self._watcher.on_finished(self.result)

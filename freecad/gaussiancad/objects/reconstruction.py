@@ -62,6 +62,7 @@ def find_part(group: FreeCAD.DocumentObject) -> FreeCAD.DocumentObject | None:
 
 def _features(document: FreeCAD.Document, run: LoadedRun) -> list[FreeCAD.DocumentObject]:
     features = []
+    exact = run.part is not None and run.part.source is PartSource.SOLID
     if run.part is not None:
         features.append(_add_part(document, run))
     for number, shape in enumerate(run.alternatives, start=1):
@@ -75,7 +76,8 @@ def _features(document: FreeCAD.Document, run: LoadedRun) -> list[FreeCAD.Docume
         surface = document.addObject("Mesh::Feature", "Surface")
         surface.Mesh = run.mesh
         surface.Label = translate("GaussianCAD", "Surface")
-        surface.Visibility = run.part is None
+        # A faceted part is coarser than the surface and slow to show.
+        surface.Visibility = not exact
         _paint(surface, run.job.colour)
         features.append(surface)
     if run.cloud is not None:
@@ -91,6 +93,8 @@ def _features(document: FreeCAD.Document, run: LoadedRun) -> list[FreeCAD.Docume
 
 def _add_part(document: FreeCAD.Document, run: LoadedRun) -> FreeCAD.DocumentObject:
     feature = document.addObject("Part::Feature", "Part")
+    if run.part.source is PartSource.SURFACE and run.mesh is not None:
+        feature.Visibility = False
     feature.Shape = run.part.shape
     feature.Label = _part_label(run.part, run.report.status)
     add_properties(

@@ -5,7 +5,8 @@ import os
 import FreeCADGui
 
 from freecad.gaussiancad.engine.locate import SearchPlaces, find_engine
-from freecad.gaussiancad.engine.process import EngineRun, RunResult, RunState, Watcher
+from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
+from freecad.gaussiancad.engine.verdict import RunState
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.paths import ADDON_ROOT

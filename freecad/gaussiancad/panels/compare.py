@@ -12,6 +12,7 @@ from freecad.gaussiancad.objects.comparable import comparable_objects, export_ge
 from freecad.gaussiancad.objects.comparison import add_comparison, load_comparison
 from freecad.gaussiancad.panels.distances import DistanceTable
 from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts, Success
+from freecad.gaussiancad.panels.widgets import bring_into_sight
 from freecad.gaussiancad.qt import QtWidgets
 
 
@@ -38,6 +39,7 @@ class ComparePanel(EnginePanel):
         self.reference = _object_box("reference", labels)
         self._choose_selected(document)
         self.distances = DistanceTable()
+        self.run_view.log.setFixedHeight(90)
         self.form = [self._models_box(), self.run_view, self.distances]
         self.dress()
         self._compared = ("", "")
@@ -66,6 +68,7 @@ class ComparePanel(EnginePanel):
             raise WorkbenchError(ErrorCode.NOTHING_TO_COMPARE, text)
         add_comparison(document, loaded, pair)
         self.distances.show_comparison(loaded.report)
+        bring_into_sight(self.distances)
         lines = self.distances.millimetre_lines(loaded.report)
         return Success(translate("GaussianCAD", "Finished"), tuple(lines))
 

@@ -16,14 +16,15 @@ import FreeCADGui
 
 from freecad.gaussiancad.engine.events import Event
 from freecad.gaussiancad.engine.locate import SearchPlaces, find_engine
-from freecad.gaussiancad.engine.process import EngineRun, RunResult, RunState, Watcher
+from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
+from freecad.gaussiancad.engine.verdict import RunState
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.panels.messages import show_error
 from freecad.gaussiancad.panels.run_view import RunView
 from freecad.gaussiancad.panels.widgets import standard_buttons
 from freecad.gaussiancad.preferences import read_preferences
-from freecad.gaussiancad.qt import QtWidgets
+from freecad.gaussiancad.qt import QtCore, QtWidgets
 
 
 @dataclass(frozen=True)
@@ -200,6 +201,8 @@ class EnginePanel(ABC):
             return None, ""
         if result.state is not RunState.DONE:
             return None, result.message
+        self.run_view.say(translate("GaussianCAD", "Adding the result to the document"))
+        QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.CursorShape.WaitCursor)
         try:
             return self.absorb(Path(self._scratch.name)), ""
         except WorkbenchError as error:
@@ -208,6 +211,8 @@ class EnginePanel(ABC):
             FreeCAD.Console.PrintLog(traceback.format_exc())
             text = translate("GaussianCAD", "The result cannot be added to the document: {reason}")
             return None, text.format(reason=error)
+        finally:
+            QtWidgets.QApplication.restoreOverrideCursor()
 
     def _forget_run(self) -> None:
         if self._scratch is not None:

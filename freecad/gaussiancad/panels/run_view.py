@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable
 
 from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.panels.widgets import bring_into_sight
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
 _STEPS = 1000
@@ -63,15 +64,7 @@ class RunView(QtWidgets.QWidget):
         self._set_running(True)
         self._show_time()
         self._clock.start(250)
-        self.scroll_here()
-
-    def scroll_here(self) -> None:
-        """Bring this box into sight, where it lies in a panel that is higher than the window."""
-        ancestor = self.parentWidget()
-        while ancestor is not None and not isinstance(ancestor, QtWidgets.QScrollArea):
-            ancestor = ancestor.parentWidget()
-        if ancestor is not None:
-            ancestor.ensureWidgetVisible(self)
+        bring_into_sight(self)
 
     def take_event(self, event: Event) -> None:
         """Show a stage, a progress or a warning; other events are not shown here."""
@@ -97,6 +90,11 @@ class RunView(QtWidgets.QWidget):
         self.log.setTextCursor(cursor)
         self.log.verticalScrollBar().setValue(self.log.verticalScrollBar().maximum())
         self.log.ensureCursorVisible()
+
+    def say(self, headline: str) -> None:
+        """Show a line at once, before the window is busy."""
+        self.stage.setText(headline)
+        self.repaint()
 
     def say_cancelling(self) -> None:
         """Show that the engine was asked to stop."""

@@ -107,6 +107,15 @@ class PathField(QtWidgets.QWidget):
             self.line.setText(path)
 
 
+def bring_into_sight(widget: QtWidgets.QWidget) -> None:
+    """Scroll to a task box that lies in a panel higher than the window."""
+    ancestor = widget.parentWidget()
+    while ancestor is not None and not isinstance(ancestor, QtWidgets.QScrollArea):
+        ancestor = ancestor.parentWidget()
+    if ancestor is not None:
+        ancestor.ensureWidgetVisible(widget)
+
+
 def standard_buttons(buttons: QtWidgets.QDialogButtonBox.StandardButton) -> object:
     """What ``getStandardButtons`` returns: FreeCAD wants a number from PySide2, else the enum."""
     return int(buttons) if QtCore.qVersion().startswith("5.") else buttons
