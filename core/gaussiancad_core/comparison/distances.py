@@ -9,6 +9,7 @@ samplings of the reference is their floor.
 import os
 from dataclasses import dataclass
 from enum import Enum
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,6 +17,9 @@ from gaussiancad_core.comparison.queries import Points, SurfaceQueries
 from gaussiancad_core.comparison.sampling import RandomState
 from gaussiancad_core.errors import EngineError
 from gaussiancad_core.meshes import TriangleMesh
+
+if TYPE_CHECKING:
+    import manifold3d
 
 EMD_POINTS = 2048
 """Most points a side for the EMD: optimal transport costs the third power of their number."""
@@ -140,7 +144,7 @@ def _boolean_iou(first: TriangleMesh, second: TriangleMesh) -> float | None:
     return float(np.clip(common.volume() / volume, 0.0, 1.0))
 
 
-def _manifold(mesh: TriangleMesh) -> "object | None":
+def _manifold(mesh: TriangleMesh) -> "manifold3d.Manifold | None":
     """The mesh as a solid for Booleans, or None where it does not bound one."""
     import manifold3d
 

@@ -1,11 +1,15 @@
 """Questions to one surface: the nearest point of it, and what lies inside it."""
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.meshes import TriangleMesh
+
+if TYPE_CHECKING:
+    import open3d
 
 Points = npt.NDArray[np.float64]
 
@@ -81,7 +85,7 @@ class SurfaceQueries:
         return votes >= 2
 
 
-def _tensor(values: npt.NDArray[np.floating]) -> "object":
+def _tensor(values: npt.NDArray[np.floating]) -> "open3d.core.Tensor":
     import open3d
 
     return open3d.core.Tensor(np.ascontiguousarray(values, dtype=np.float32))

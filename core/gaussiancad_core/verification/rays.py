@@ -1,12 +1,16 @@
 """Parallel rays through a grid of pixels, and what they hit of a mesh."""
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.meshes import TriangleMesh
+
+if TYPE_CHECKING:
+    import open3d
 
 _OFF_CENTRE = (0.0137, 0.0071)
 """Rays leave the pixels' centres by this share of a pixel, or they would run along triangle edges
@@ -175,7 +179,7 @@ def _strips(grid: RayGrid, most: int = 1_000_000) -> list[slice]:
     return [slice(start, min(start + rows, grid.height)) for start in range(0, grid.height, rows)]
 
 
-def _tensor(values: npt.NDArray[np.float32]) -> "object":
+def _tensor(values: npt.NDArray[np.float32]) -> "open3d.core.Tensor":
     import open3d
 
     return open3d.core.Tensor(np.ascontiguousarray(values))
