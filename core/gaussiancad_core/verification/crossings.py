@@ -98,6 +98,20 @@ def compare_columns(layers: Layers, rule: Rule) -> npt.NDArray[np.uint8]:
     )
 
 
+def warm_up() -> None:
+    """Compile the kernels, or load them from numba's cache, so that the first drawing is quick."""
+    blank = Layers(
+        np.zeros(2, dtype=np.int64),
+        np.zeros(0, dtype=np.float32),
+        np.zeros(0, dtype=np.bool_),
+        np.zeros((0, 3), dtype=np.float32),
+        1,
+        1,
+    )
+    for compare in (compare_rows, compare_columns):
+        compare(blank, Rule(1, 1.0, True))
+
+
 @njit(parallel=True, cache=True)
 def _compare(layers, shape, axis, rule):  # noqa: ANN001, ANN202
     splits = layers[0]

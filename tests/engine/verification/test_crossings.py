@@ -7,6 +7,7 @@ from gaussiancad_core.verification.crossings import (
     Rule,
     compare_columns,
     compare_rows,
+    warm_up,
 )
 
 _FLAT = (0.0, 0.0, -1.0)
@@ -95,3 +96,14 @@ def test_a_wide_rule_finds_an_edge_that_bends_slowly() -> None:
 def test_a_wide_rule_draws_no_steps() -> None:
     rays = [_slab(0, 10)] * 4 + [_slab(5, 10)] * 4
     assert not compare_rows(_layers(rays, 8), Rule(3, 0.9, False)).any()
+
+
+def test_warming_up_compiles_what_drawing_needs() -> None:
+    from gaussiancad_core.verification import crossings
+
+    warm_up()
+    before = len(crossings._compare.signatures)
+    assert before
+    compare_rows(_layers([_slab(0, 10), _slab(5, 10)], 2), SHARP)
+    compare_columns(_layers([_slab(0, 10), _slab(5, 10)], 1), SHARP)
+    assert len(crossings._compare.signatures) == before
