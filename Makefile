@@ -33,6 +33,10 @@ test-freecad-latest: install ## workbench and window in Debian's next FreeCAD (r
 	@sh scripts/freecad_latest.sh prepare
 	@sh scripts/freecad_latest.sh test
 
+bench: install ## the figures of the documentation: seconds and memory, and distance from the truth
+	@.venv/bin/python benchmarks/stages.py
+	@.venv/bin/python benchmarks/surface.py
+
 lock: ## pin the engine's and the tests' packages anew; UPGRADE=1 takes the newest ones
 	@sh scripts/lock.sh $(if $(UPGRADE),--upgrade)
 
