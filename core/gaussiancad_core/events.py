@@ -110,20 +110,6 @@ def open_event_stream() -> JsonLines:
     return JsonLines(os.fdopen(own, "w", encoding="utf-8", newline="\n"))
 
 
-@contextmanager
-def stdout_apart() -> Iterator[None]:
-    """What libraries print to file descriptor 1 goes to stderr while this lasts."""
-    sys.stdout.flush()
-    own = os.dup(1)
-    os.dup2(2, 1)
-    try:
-        yield
-    finally:
-        sys.stdout.flush()
-        os.dup2(own, 1)
-        os.close(own)
-
-
 def cancel_on_signals() -> None:
     """Let SIGINT and SIGTERM raise :class:`CancelledError` in the main thread, once."""
 

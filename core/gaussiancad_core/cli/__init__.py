@@ -7,6 +7,7 @@ imported once a command runs.
 import sys
 from collections.abc import Sequence
 
+from gaussiancad_core.cli.libraries import prepare_environment
 from gaussiancad_core.cli.parser import build_parser
 from gaussiancad_core.errors import CancelledError, ExitCode, GaussianCadError
 from gaussiancad_core.events import Listener, Silence
@@ -15,6 +16,7 @@ from gaussiancad_core.events import Listener, Silence
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code."""
     options = build_parser().parse_args(arguments)
+    prepare_environment()
     listener = Silence()
     try:
         listener = _listener(options.events)

@@ -22,15 +22,14 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
 
 def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
     """Compare two files and print the figures."""
+    from gaussiancad_core.cli.libraries import silence_opencascade
     from gaussiancad_core.comparison.command import compare_files
     from gaussiancad_core.comparison.report import comparison_json, comparison_text
-    from gaussiancad_core.events import stdout_apart
 
-    # OpenCASCADE prints to stdout while it reads.
-    with stdout_apart():
-        comparison = compare_files(
-            options.result, options.reference, options.output, options.points, options.seed
-        )
+    silence_opencascade()
+    comparison = compare_files(
+        options.result, options.reference, options.output, options.points, options.seed
+    )
     if options.json:
         print(comparison_json(comparison).decode("utf-8"))
     else:

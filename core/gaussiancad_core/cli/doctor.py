@@ -84,7 +84,9 @@ def _advice(message: str) -> str:
 
 def run_warm_up(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
     """Compile the kernels into their cache."""
-    from gaussiancad_core.splatting.warm_up import warm_up
+    from gaussiancad_core.splatting import tiles
+    from gaussiancad_core.verification import crossings
 
-    warm_up()
+    tiles.warm_up()
+    crossings.warm_up()
     return ExitCode.DONE

@@ -37,18 +37,18 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
 
 def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
     """Draw a solid."""
+    from gaussiancad_core.cli.libraries import silence_opencascade
     from gaussiancad_core.drawing.command import draw_file
     from gaussiancad_core.drawing.style import parse_style
-    from gaussiancad_core.events import stdout_apart
 
-    with stdout_apart():
-        drawn = draw_file(
-            options.solid,
-            options.sheet,
-            options.views,
-            options.projection,
-            parse_style(options.style),
-            options.seed,
-        )
+    silence_opencascade()
+    drawn = draw_file(
+        options.solid,
+        options.sheet,
+        options.views,
+        options.projection,
+        parse_style(options.style),
+        options.seed,
+    )
     print(f"{options.sheet}: {len(drawn.views)} views, {drawn.mm_per_pixel:.6g} mm per px")
     return ExitCode.DONE

@@ -103,6 +103,7 @@ def job_of(options: argparse.Namespace, sheet: Path, output: Path) -> Job:
 def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     """Reconstruct one sheet."""
     from gaussiancad_core import __version__
+    from gaussiancad_core.cli.libraries import silence_opencascade
     from gaussiancad_core.pipeline import REPORT_FILE, reconstruct
     from gaussiancad_core.report import ENGINE_PACKAGES, installed_versions
 
@@ -111,6 +112,7 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
         protocol=PROTOCOL,
         versions={"gaussiancad": __version__, **installed_versions(ENGINE_PACKAGES)},
     )
+    silence_opencascade()
     job = job_of(options, options.sheet, options.output)
     report = reconstruct(job, listener)
     path = (options.output / REPORT_FILE).resolve()

@@ -17,7 +17,7 @@ from gaussiancad_core.sheet.options import MEDIAN_KERNEL
 _MAX_LOSS = 0.002
 """Largest share of the ink that the median filter may take away in whole pieces of strokes."""
 
-_SPECK = 7
+_SPECK = 4
 """Area in px up to which lost ink is noise."""
 
 _BLOCK = 41
