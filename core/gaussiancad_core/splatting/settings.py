@@ -27,7 +27,7 @@ class Rates:
 
     position: float = 1.6e-4
     position_end: float = 8e-6
-    quaternion: float = 1e-3
+    quaternion: float = 2e-4
     log_scale: float = 5e-3
     opacity: float = 0.03
     colour: float = 5e-3
@@ -88,7 +88,7 @@ _WORK = {
     Recipe.PAPER: {
         Preset.DRAFT: (2_000, 240, 100),
         Preset.STANDARD: (5_000, 480, 200),
-        Preset.FINE: (10_000, 960, 10_000),
+        Preset.FINE: (10_000, 640, 10_000),
     },
 }
 """Gaussians, longest edge of the images in px, iterations."""

@@ -4,8 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
+from scipy.spatial import cKDTree
 
 from gaussiancad_core.splatting.gaussians import Gaussians
+
+Array = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -17,8 +20,8 @@ class OrientedPoints:
         normals: (n, 3) unit vectors that point outward.
     """
 
-    points: npt.NDArray[np.float64]
-    normals: npt.NDArray[np.float64]
+    points: Array
+    normals: Array
 
 
 @dataclass(frozen=True)
@@ -31,15 +34,28 @@ class DiscSampling:
         smallest_opacity: Gaussians that are more transparent show no surface.
         steepest: largest angle between a disc's normal and that of its start, degrees; a disc that
             turned farther no longer lies on the surface that it stood for.
+        crease: neighbouring discs whose normals differ by more, in degrees, meet in an edge.
+        neighbours: discs around a point that may meet its own in an edge.
     """
 
     per_disc: int = 6
     reach: float = 1.2
-    smallest_opacity: float = 0.3
+    smallest_opacity: float = 0.02
     steepest: float = 60.0
+    crease: float = 30.0
+    neighbours: int = 12
 
 
-def disc_normals(gaussians: Gaussians) -> npt.NDArray[np.float64]:
+@dataclass(frozen=True, eq=False)
+class _Discs:
+    """Centres (n, 3) in mm, unit normals (n, 3), and the flat axes (n, 3, 2), as long as sigma."""
+
+    centres: Array
+    normals: Array
+    axes: Array
+
+
+def disc_normals(gaussians: Gaussians) -> Array:
     """(n, 3) the thinnest axis of each Gaussian, on the side of its start's normal."""
     thinnest = np.argmin(gaussians.log_scales, axis=1)
     normals = gaussians.rotations[np.arange(len(gaussians)), :, thinnest]
@@ -51,29 +67,48 @@ def disc_points(gaussians: Gaussians, sampling: DiscSampling) -> OrientedPoints:
     """Points spread over the Gaussians' discs, each in the disc's plane.
 
     The points of a disc follow a sunflower (Vogel 1979), turned from disc to disc by the golden
-    angle: even, and the same every time.
+    angle: even, and the same every time.  Where two faces meet in an edge, discs of one hang over
+    the other: their points are drawn back onto the edge, which keeps it straight and sharp.
     """
-    normals = disc_normals(gaussians)
-    upright = np.cos(np.radians(sampling.steepest))
-    kept = gaussians.opacities >= sampling.smallest_opacity
-    kept &= (normals * gaussians.normals).sum(axis=1) >= upright
-    flat = _flat_axes(gaussians)[kept]
-    centres = gaussians.means[kept].astype(np.float64)
+    discs = _discs(gaussians, sampling)
     golden = np.pi * (3.0 - np.sqrt(5.0))
-    turns = golden * np.arange(len(centres))
+    turns = golden * np.arange(len(discs.centres))
     rings = []
     for k in range(sampling.per_disc):
         radius = sampling.reach * np.sqrt((k + 0.5) / sampling.per_disc)
         angles = turns + golden * k
         offsets = radius * np.stack([np.cos(angles), np.sin(angles)], axis=1)
-        rings.append(centres + np.einsum("nij,nj->ni", flat, offsets))
-    return OrientedPoints(np.concatenate(rings), np.tile(normals[kept], (sampling.per_disc, 1)))
+        rings.append(discs.centres + np.einsum("nij,nj->ni", discs.axes, offsets))
+    if len(discs.centres) > sampling.neighbours:
+        rings = [_drawn_back(ring, discs, sampling) for ring in rings]
+    return OrientedPoints(np.concatenate(rings), np.tile(discs.normals, (sampling.per_disc, 1)))
 
 
-def _flat_axes(gaussians: Gaussians) -> npt.NDArray[np.float64]:
-    """(n, 3, 2) the two larger axes of each Gaussian, as long as its standard deviations."""
+def _discs(gaussians: Gaussians, sampling: DiscSampling) -> _Discs:
+    normals = disc_normals(gaussians)
+    upright = np.cos(np.radians(sampling.steepest))
+    kept = gaussians.opacities >= sampling.smallest_opacity
+    kept &= (normals * gaussians.normals).sum(axis=1) >= upright
     order = np.argsort(gaussians.log_scales, axis=1)[:, 1:]
     rows = np.arange(len(gaussians))[:, None]
     axes = gaussians.rotations.transpose(0, 2, 1)[rows, order]
     lengths = np.exp(gaussians.log_scales.astype(np.float64))[rows, order]
-    return (axes * lengths[:, :, None]).transpose(0, 2, 1)
+    flat = (axes * lengths[:, :, None]).transpose(0, 2, 1)
+    return _Discs(gaussians.means[kept].astype(np.float64), normals[kept], flat[kept])
+
+
+def _drawn_back(points: Array, discs: _Discs, sampling: DiscSampling) -> Array:
+    """One point a disc, moved within the disc's plane so that it does not cross another face."""
+    _, near = cKDTree(discs.centres).query(points, k=sampling.neighbours)
+    drawn = points.copy()
+    for k in range(sampling.neighbours):
+        centres, normals = discs.centres[near[:, k]], discs.normals[near[:, k]]
+        cosines = (normals * discs.normals).sum(axis=1)
+        creased = np.abs(cosines) < np.cos(np.radians(sampling.crease))
+        own_side = ((discs.centres - centres) * normals).sum(axis=1)
+        beyond = ((drawn - centres) * normals).sum(axis=1)
+        crossed = creased & (own_side * beyond < 0.0)
+        slope = normals - cosines[:, None] * discs.normals
+        steps = beyond[crossed] / (slope[crossed] ** 2).sum(axis=1)
+        drawn[crossed] -= steps[:, None] * slope[crossed]
+    return drawn

@@ -1,6 +1,8 @@
-"""Closed meshes made manifold: no edge and no point where the surface touches itself."""
+"""Meshes made closed and manifold: no border, and no edge or point where they touch themselves."""
 
 import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
 from gaussiancad_core.meshes import TriangleMesh, make_mesh
 
@@ -27,6 +29,26 @@ def made_manifold(mesh: TriangleMesh) -> TriangleMesh | None:
     repaired = make_mesh(np.asarray(found.vert_properties)[:, :3], np.asarray(found.tri_verts))
     separated = _separated(repaired)
     return separated if separated.watertight and not _doubles(separated).any() else None
+
+
+def _filled(mesh: TriangleMesh) -> TriangleMesh:
+    """The mesh with a fan of triangles, about its middle, in each hole."""
+    ahead = np.concatenate([mesh.triangles[:, pair] for pair in ([0, 1], [1, 2], [2, 0])])
+    count = len(mesh.vertices)
+    lonely = ~np.isin(ahead[:, 0] * count + ahead[:, 1], ahead[:, 1] * count + ahead[:, 0])
+    if not lonely.any():
+        return mesh
+    border = ahead[lonely]
+    graph = coo_matrix((np.ones(len(border)), (border[:, 0], border[:, 1])), (count, count))
+    _, labels = connected_components(graph, directed=False)
+    holes, number = np.unique(labels[border[:, 0]], return_inverse=True)
+    sums = np.zeros((len(holes), 3))
+    np.add.at(sums, number, mesh.vertices[border[:, 0]])
+    middles = sums / np.bincount(number)[:, None]
+    fans = np.column_stack([border[:, 1], border[:, 0], count + number])
+    return make_mesh(
+        np.concatenate([mesh.vertices, middles]), np.concatenate([mesh.triangles, fans])
+    )
 
 
 def _doubles(mesh: TriangleMesh) -> np.ndarray:
