@@ -49,7 +49,7 @@ def _print_row(name: str, row: list[float]) -> None:
 
 def _run(sample: SamplePart, preset: str, folder: Path) -> list[float]:
     roles = (Role.FRONT, Role.TOP, Role.RIGHT)
-    drawn = draw_sheet(sample.build(), roles, Projection.THIRD, parse_style("clean"), 0)
+    drawn = draw_sheet(sample.build(), roles, Projection.THIRD, parse_style("clean"))
     sheet, output = folder / f"{sample.name}.png", folder / sample.name
     write_image(drawn.image, sheet)
     command = [sys.executable, "-I", "-m", "gaussiancad_core", "reconstruct", str(sheet)]

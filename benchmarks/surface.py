@@ -106,7 +106,7 @@ def measures(sample: SamplePart, preset: Preset) -> tuple[Measure, Measure, Meas
 def views_of(sample: SamplePart) -> ViewSet:
     """The sample's clean sheet, drawn and read."""
     roles = (Role.FRONT, Role.TOP, Role.RIGHT)
-    sheet = draw_sheet(sample.build(), roles, Projection.THIRD, parse_style("clean"), 0)
+    sheet = draw_sheet(sample.build(), roles, Projection.THIRD, parse_style("clean"))
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "sheet.png"
         write_image(sheet.image, path)

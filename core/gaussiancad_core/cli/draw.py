@@ -48,7 +48,7 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
         options.views,
         options.projection,
         parse_style(options.style),
-        options.seed,
+        seed=options.seed,
     )
     print(f"{options.sheet}: {len(drawn.views)} views, {drawn.mm_per_pixel:.6g} mm per px")
     return ExitCode.DONE
