@@ -1,6 +1,9 @@
 """*Reconstruct from Drawing…* in a real window, with the fake engine."""
 
+import json
 import os
+import shutil
+import subprocess
 
 import fake_part
 import FreeCAD
@@ -8,7 +11,10 @@ import FreeCADGui
 from window import WindowCase, spin, widget
 
 from freecad.gaussiancad.engine.job import ScaleKind
+from freecad.gaussiancad.paths import ADDON_ROOT
 from freecad.gaussiancad.qt import QtWidgets
+
+SCRIPT = ADDON_ROOT / "resources" / "scripts" / "gaussiancad_batch.py"
 
 
 class Panel(WindowCase):
@@ -70,6 +76,24 @@ class Panel(WindowCase):
         self.assertAlmostEqual(front.XSize.Value, (240 + 2 * margin) * 0.25, places=6)
         self.assertAlmostEqual(front.YSize.Value, (120 + 2 * margin) * 0.25, places=6)
         self.assertTrue(group.ViewObject.isVisible())
+
+    def test_what_the_console_made_gets_its_looks_in_the_window(self) -> None:
+        output = self.folder / "made"
+        arguments = json.dumps([str(self.sheet), "--output", str(output)])
+        subprocess.run(
+            [shutil.which("freecadcmd"), str(SCRIPT)],
+            env={**os.environ, "GAUSSIANCAD_ARGS": arguments},
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            check=True,
+            timeout=120,
+        )
+        document = FreeCAD.openDocument(str(output / "bracket.FCStd"))
+        group = document.getObject("Reconstruction")
+        self.wait_for(lambda: type(group.ViewObject.Proxy).__name__ == "ReconstructionView")
+        self.assertEqual(document.getObject("Gaussians").ViewObject.DisplayMode, "Color")
+        colour = document.getObject("Part").ViewObject.ShapeColor[:3]
+        self.assertEqual([round(255 * channel) for channel in colour], [0x78, 0xA0, 0xD2])
 
     def test_a_document_is_made_where_there_is_none(self) -> None:
         FreeCAD.closeDocument(self.document.Name)

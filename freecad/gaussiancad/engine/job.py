@@ -1,10 +1,13 @@
 """What the user asks of the engine, as data, and as the engine's arguments."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from enum import Enum
 
 MODULE_ARGUMENTS = ("-I", "-u", "-m", "gaussiancad_core")
 """How the engine's interpreter is told to run the engine, isolated and unbuffered."""
+
+SHEET_SUFFIXES = ("png", "jpg", "jpeg", "tif", "tiff", "bmp", "webp", "pdf", "svg", "dxf")
+"""Files that the engine reads."""
 
 
 class Projection(Enum):
@@ -134,10 +137,6 @@ class ReconstructJob:
             "page": str(self.page),
             "seed": str(self.seed),
         }
-
-    def into(self, output: str) -> "ReconstructJob":
-        """The same job with another output folder."""
-        return replace(self, output=output)
 
 
 @dataclass(frozen=True)

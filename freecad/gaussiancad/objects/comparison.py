@@ -9,6 +9,7 @@ import Mesh
 from freecad.gaussiancad.engine.report import COMPARED, Comparison, read_comparison
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
+from freecad.gaussiancad.objects.appearance import show_vertex_colours
 from freecad.gaussiancad.objects.legend import HEIGHT, WIDTH, DeviationRange, legend_image
 from freecad.gaussiancad.objects.placing import PlanePlacement
 from freecad.gaussiancad.objects.ply import read_vertices
@@ -19,10 +20,6 @@ from freecad.gaussiancad.objects.transaction import transaction
 from freecad.gaussiancad.qt import QtCore
 
 SCHEMA_VERSION = 1
-
-
-class ComparisonGroup(GroupProxy):
-    """Proxy of the group.  Documents name this class: it keeps its name and place."""
 
 
 class ComparisonView(GroupViewProxy):
@@ -42,6 +39,12 @@ class ComparisonView(GroupViewProxy):
                 show_vertex_colours(child)
         except ReferenceError:
             return  # the group was removed in the meantime
+
+
+class ComparisonGroup(GroupProxy):
+    """Proxy of the group.  Documents name this class: it keeps its name and place."""
+
+    view_proxy = ComparisonView
 
 
 @dataclass(frozen=True)
@@ -130,23 +133,8 @@ def add_comparison(
         for source in compared:
             source.Visibility = False
         document.recompute()
-        if FreeCAD.GuiUp:
-            ComparisonView(group.ViewObject)
-            show_vertex_colours(deviation)
+        group.Proxy.show(group)
     return group
-
-
-def show_vertex_colours(feature: FreeCAD.DocumentObject) -> None:
-    """Switch the colours of a mesh on; a switch that is on already must be moved.
-
-    The document does not count as changed by that: it may just have been opened.
-    """
-    view = feature.ViewObject
-    if hasattr(feature, "VertexColors") and hasattr(view, "Coloring"):
-        view.setPropertyStatus("Coloring", "NoModify")
-        view.Coloring = False
-        view.Coloring = True
-        view.setPropertyStatus("Coloring", "-NoModify")
 
 
 def _range_of(comments: tuple[str, ...], deviations: list[tuple[float, ...]]) -> DeviationRange:

@@ -51,8 +51,6 @@ def add_points(document: FreeCAD.Document, cloud: GaussianCloud) -> FreeCAD.Docu
     if cloud.colours:
         feature.addProperty("App::PropertyColorList", "Color", "Points", "Colour of each point")
         feature.Color = cloud.colours
-        if FreeCAD.GuiUp:
-            feature.ViewObject.DisplayMode = "Color"
     feature.Visibility = False
     return feature
 

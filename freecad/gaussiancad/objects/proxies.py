@@ -2,33 +2,8 @@
 
 import FreeCAD
 
-
-class GroupProxy:
-    """Proxy of a group: it holds nothing and computes nothing.
-
-    Args:
-        target: the group.
-    """
-
-    def __init__(self, target: FreeCAD.DocumentObject) -> None:
-        target.Proxy = self
-
-    def execute(self, target: FreeCAD.DocumentObject) -> None:
-        """Do nothing: the engine runs on command only, never during a recompute."""
-
-    def dumps(self) -> None:
-        """Store nothing (FreeCAD 0.21 and later)."""
-        return
-
-    def loads(self, state: object) -> None:
-        """Restore nothing (FreeCAD 0.21 and later)."""
-
-    def __getstate__(self) -> None:
-        """Store nothing (FreeCAD 0.20)."""
-        return
-
-    def __setstate__(self, state: object) -> None:
-        """Restore nothing (FreeCAD 0.20)."""
+from freecad.gaussiancad.objects.appearance import dress
+from freecad.gaussiancad.qt import QtCore
 
 
 class GroupViewProxy:
@@ -52,6 +27,54 @@ class GroupViewProxy:
         import FreeCADGui
 
         return FreeCADGui.getIcon(self.icon_name)
+
+    def dumps(self) -> None:
+        """Store nothing (FreeCAD 0.21 and later)."""
+        return
+
+    def loads(self, state: object) -> None:
+        """Restore nothing (FreeCAD 0.21 and later)."""
+
+    def __getstate__(self) -> None:
+        """Store nothing (FreeCAD 0.20)."""
+        return
+
+    def __setstate__(self, state: object) -> None:
+        """Restore nothing (FreeCAD 0.20)."""
+
+
+class GroupProxy:
+    """Proxy of a group: it holds nothing and computes nothing.
+
+    Args:
+        target: the group.
+    """
+
+    view_proxy = GroupViewProxy
+
+    def __init__(self, target: FreeCAD.DocumentObject) -> None:
+        target.Proxy = self
+
+    def execute(self, target: FreeCAD.DocumentObject) -> None:
+        """Do nothing: the engine runs on command only, never during a recompute."""
+
+    def show(self, target: FreeCAD.DocumentObject) -> None:
+        """Make the group's view provider and its objects' looks; nothing without a window."""
+        if FreeCAD.GuiUp:
+            self.view_proxy(target.ViewObject)
+            dress(target, getattr(target, "Settings", {}).get("colour"))
+
+    def onDocumentRestored(self, target: FreeCAD.DocumentObject) -> None:
+        """Dress what ``freecadcmd`` made, once the window has restored what it knows of it."""
+        if FreeCAD.GuiUp:
+            QtCore.QTimer.singleShot(0, lambda: self._show_if_bare(target))
+
+    def _show_if_bare(self, target: FreeCAD.DocumentObject) -> None:
+        try:
+            if not isinstance(target.ViewObject.Proxy, GroupViewProxy):
+                self.show(target)
+        except ReferenceError:
+            return  # the document was closed in the meantime
 
     def dumps(self) -> None:
         """Store nothing (FreeCAD 0.21 and later)."""

@@ -20,14 +20,16 @@ from freecad.gaussiancad.objects.transaction import transaction
 SCHEMA_VERSION = 1
 
 
-class Reconstruction(GroupProxy):
-    """Proxy of the group.  Documents name this class: it keeps its name and place."""
-
-
 class ReconstructionView(GroupViewProxy):
     """View provider of the group.  Documents name this class: it keeps its name and place."""
 
     icon_name = "GaussianCAD_Reconstruct"
+
+
+class Reconstruction(GroupProxy):
+    """Proxy of the group.  Documents name this class: it keeps its name and place."""
+
+    view_proxy = ReconstructionView
 
 
 def add_reconstruction(document: FreeCAD.Document, run: LoadedRun) -> FreeCAD.DocumentObject:
@@ -49,9 +51,8 @@ def add_reconstruction(document: FreeCAD.Document, run: LoadedRun) -> FreeCAD.Do
         group.Label = label.format(name=name)
         add_properties(group, _properties(run))
         group.addObjects(_features(document, run))
-        if FreeCAD.GuiUp:
-            ReconstructionView(group.ViewObject)
         document.recompute()
+        group.Proxy.show(group)
     return group
 
 
@@ -78,7 +79,6 @@ def _features(document: FreeCAD.Document, run: LoadedRun) -> list[FreeCAD.Docume
         surface.Label = translate("GaussianCAD", "Surface")
         # A faceted part is coarser than the surface and slow to show.
         surface.Visibility = not exact
-        _paint(surface, run.job.colour)
         features.append(surface)
     if run.cloud is not None:
         points = add_points(document, run.cloud)
@@ -116,7 +116,6 @@ def _add_part(document: FreeCAD.Document, run: LoadedRun) -> FreeCAD.DocumentObj
             ),
         ],
     )
-    _paint(feature, run.job.colour)
     return feature
 
 
@@ -126,12 +125,6 @@ def _part_label(part: LoadedPart, status: Status) -> str:
     if status is Status.VERIFIED:
         return translate("GaussianCAD", "Part")
     return translate("GaussianCAD", "Part (approximate)")
-
-
-def _paint(feature: FreeCAD.DocumentObject, colour: str) -> None:
-    if FreeCAD.GuiUp:
-        channels = (int(colour[place : place + 2], 16) / 255.0 for place in (1, 3, 5))
-        feature.ViewObject.ShapeColor = tuple(channels)
 
 
 def _properties(run: LoadedRun) -> list[PropertySpec]:

@@ -78,17 +78,7 @@ def add_image_plane(
         FreeCAD.Vector(*plane.right), FreeCAD.Vector(*plane.up), FreeCAD.Vector(*plane.towards)
     )
     feature.Placement = FreeCAD.Placement(FreeCAD.Vector(*plane.centre), rotation)
-    if FreeCAD.GuiUp:
-        _show_as_paper(feature.ViewObject)
     return feature
-
-
-def _show_as_paper(view: object) -> None:
-    """Let the image shine, so that paper stays white whatever the light (FreeCAD 0.20)."""
-    if hasattr(view, "ShapeMaterial"):
-        material = view.ShapeMaterial
-        material.EmissiveColor = (1.0, 1.0, 1.0, 0.0)
-        view.ShapeMaterial = material
 
 
 def _crop(view: ViewReport, sheet: QtGui.QImage) -> ViewBox | None:

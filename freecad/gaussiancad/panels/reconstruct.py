@@ -6,7 +6,7 @@ import FreeCAD
 import FreeCADGui
 
 from freecad.gaussiancad.engine.events import Event, EventKind
-from freecad.gaussiancad.engine.job import ReconstructJob
+from freecad.gaussiancad.engine.job import SHEET_SUFFIXES, ReconstructJob
 from freecad.gaussiancad.engine.summary import report_lines, status_text
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
@@ -18,8 +18,6 @@ from freecad.gaussiancad.panels.sheet_preview import SheetPreview
 from freecad.gaussiancad.panels.widgets import PathField
 from freecad.gaussiancad.preferences import read_preferences
 from freecad.gaussiancad.qt import QtWidgets
-
-SHEET_SUFFIXES = ("png", "jpg", "jpeg", "tif", "tiff", "bmp", "webp", "pdf", "svg", "dxf")
 
 _PAGED_SUFFIXES = (".pdf", ".tif", ".tiff")
 

@@ -1,0 +1,186 @@
+"""Many sheets without a window: each becomes an FCStd, a STEP and an STL file, with one report.
+
+Started through ``resources/scripts/gaussiancad_batch.py``::
+
+    python3 gaussiancad_batch.py SHEETS... --output DIR
+
+A sheet that fails does not stop the others.  The exit status is 0 if all sheets were converted,
+1 if some failed, 2 for wrong usage, 6 without a working engine, 130 if it was interrupted.
+"""
+
+import os
+import shutil
+import signal
+import tempfile
+import time
+from collections.abc import Sequence
+from dataclasses import replace
+from enum import IntEnum
+from pathlib import Path
+
+import FreeCAD
+
+from freecad.gaussiancad.batch_options import BatchOptions, parse_options
+from freecad.gaussiancad.batch_report import SheetRow, write_report
+from freecad.gaussiancad.engine.job import ReconstructJob
+from freecad.gaussiancad.engine.locate import Engine, SearchPlaces, find_engine
+from freecad.gaussiancad.engine.process import EngineRun
+from freecad.gaussiancad.engine.verdict import RunState
+from freecad.gaussiancad.errors import WorkbenchError
+from freecad.gaussiancad.objects.exporting import write_step, write_stl
+from freecad.gaussiancad.objects.loading import LoadedRun, load_run
+from freecad.gaussiancad.objects.reconstruction import add_reconstruction
+from freecad.gaussiancad.preferences import read_preferences
+
+
+class ExitCode(IntEnum):
+    """Exit status of a batch."""
+
+    DONE = 0
+    SOME_FAILED = 1
+    USAGE = 2
+    NO_ENGINE = 6
+    CANCELLED = 130
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Convert sheets.
+
+    Args:
+        arguments: sheets, folders of sheets and options; see ``--help``.
+
+    Returns:
+        The exit status.
+    """
+    try:
+        options = parse_options(arguments)
+    except SystemExit as end:
+        return int(end.code or 0)
+    try:
+        preference = read_preferences().engine_python
+        engine = find_engine(SearchPlaces.of_this_machine(preference, os.environ))
+    except WorkbenchError as error:
+        _say(error.message)
+        return ExitCode.NO_ENGINE
+    _interrupt_on_signals()
+    return _convert_all(engine, options)
+
+
+def unique_names(sheets: Sequence[Path]) -> list[str]:
+    """The stems of the sheets; a number tells equal ones apart, whatever their case."""
+    names: list[str] = []
+    taken: set[str] = set()
+    for sheet in sheets:
+        name, number = sheet.stem, 1
+        while name.casefold() in taken:
+            number += 1
+            name = f"{sheet.stem}-{number}"
+        taken.add(name.casefold())
+        names.append(name)
+    return names
+
+
+def _convert_all(engine: Engine, options: BatchOptions) -> int:
+    rows: list[SheetRow] = []
+    code = ExitCode.DONE
+    names = unique_names(options.sheets)
+    for number, (sheet, name) in enumerate(zip(options.sheets, names, strict=True), 1):
+        folder = options.output if options.flat else options.output / name
+        job = replace(options.job, sheet=str(sheet), output=str(folder))
+        row, state = convert_sheet(engine, job, options.output / name)
+        rows.append(row)
+        _say(f"{number}/{len(names)} {name}: {row.message or row.status}")
+        if state is RunState.BROKEN:
+            code = ExitCode.NO_ENGINE
+            break
+        if state is RunState.CANCELLED:
+            code = ExitCode.CANCELLED
+            break
+        if state is not RunState.DONE:
+            code = ExitCode.SOME_FAILED
+    if not options.flat:
+        write_report(rows, options.output)
+    return code
+
+
+def convert_sheet(engine: Engine, job: ReconstructJob, target: Path) -> tuple[SheetRow, RunState]:
+    """Convert one sheet.
+
+    Args:
+        engine: what does the work.
+        job: the sheet and what is asked.
+        target: path of the results without suffix: ``.FCStd``, ``.step`` and ``.stl`` are written.
+
+    Returns:
+        What became of it; whatever went wrong is in there.
+    """
+    started = time.monotonic()
+    for suffix in (".FCStd", ".step", ".stl"):
+        _with_suffix(target, suffix).unlink(missing_ok=True)
+    run = EngineRun(engine, job.arguments())
+    run.start()
+    result = run.wait()
+    state, status, message = result.state, "failed", result.message
+    if state is RunState.DONE:
+        try:
+            status, message = _store(job, target), ""
+        except WorkbenchError as error:
+            state, message = RunState.FAILED, error.message
+        except Exception as error:  # FreeCAD raises its own types; the next sheet goes on
+            state, message = RunState.FAILED, f"the result of {job.sheet} is unusable: {error}"
+    row = SheetRow(
+        name=target.name,
+        sheet=job.sheet,
+        folder=job.output,
+        status=status,
+        exit_code=result.exit_code,
+        code=result.code,
+        message=message,
+        seconds=round(time.monotonic() - started, 2),
+    )
+    return row, state
+
+
+def _store(job: ReconstructJob, target: Path) -> str:
+    """Write the document and the exchange files; return the status."""
+    with tempfile.TemporaryDirectory(prefix="gaussiancad-views-") as scratch:
+        run = load_run(job, Path(scratch))
+        document = FreeCAD.newDocument(hidden=True)
+        try:
+            add_reconstruction(document, run)
+            document.saveAs(str(_with_suffix(target, ".FCStd")))
+        finally:
+            FreeCAD.closeDocument(document.Name)
+    _export(run, Path(job.output), target)
+    return run.report.status.value
+
+
+def _export(run: LoadedRun, output: Path, target: Path) -> None:
+    step, stl = _with_suffix(target, ".step"), _with_suffix(target, ".stl")
+    if run.part is not None:
+        shutil.copyfile(output / run.part.source.value, step)
+    else:
+        write_step(run.mesh, step)
+    if (output / "surface.stl").is_file():
+        shutil.copyfile(output / "surface.stl", stl)
+    else:
+        write_stl(run.part.shape, stl)
+
+
+def _with_suffix(target: Path, suffix: str) -> Path:
+    """The suffix is added: names of sheets may hold dots of their own."""
+    return target.with_name(target.name + suffix)
+
+
+def _interrupt_on_signals() -> None:
+    """FreeCAD leaves SIGINT alone; let it and SIGTERM stop the run in progress."""
+
+    def interrupt(*_arguments: object) -> None:
+        raise KeyboardInterrupt
+
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, interrupt)
+
+
+def _say(line: str) -> None:
+    print(line, flush=True)
