@@ -4,6 +4,7 @@ import json
 import os
 import shutil
 import subprocess
+import tempfile
 
 import fake_part
 import FreeCAD
@@ -212,11 +213,21 @@ class Panel(WindowCase):
         self.assertTrue((output / "bracket" / "report.json").is_file())
 
     def test_temporary_files_are_removed(self) -> None:
-        before = set(os.listdir("/tmp"))
+        place = self.folder / "temporary"
+        place.mkdir()
+        self.addCleanup(setattr, tempfile, "tempdir", tempfile.tempdir)
+        tempfile.tempdir = str(place)
+        self.behave("slow")
         self.choose_sheet(self.sheet)
+        button = self.start()
+        self.wait_for_stage("2 of 3")
+        self.assertEqual(len(list(place.iterdir())), 1)
+        widget(QtWidgets.QPushButton, "cancel").click()
+        self.wait_for(button.isEnabled)
+        self.assertEqual(list(place.iterdir()), [])
+        self.behave("ok")
         self.finish()
-        left = [name for name in set(os.listdir("/tmp")) - before if "gaussiancad-" in name]
-        self.assertEqual(left, [])
+        self.assertEqual(list(place.iterdir()), [])
 
     def test_a_panel_closed_from_outside_stops_its_engine(self) -> None:
         self.behave("slow")
