@@ -6,12 +6,14 @@ file descriptor 1 while it reads and writes; who needs a clean stdout redirects 
 """
 
 import io
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
+from OCP.APIHeaderSection import APIHeaderSection_MakeHeader
 from OCP.Bnd import Bnd_Box
 from OCP.BRep import BRep_Builder, BRep_Tool
 from OCP.BRepBndLib import BRepBndLib
@@ -24,15 +26,18 @@ from OCP.gp import gp_Trsf, gp_Vec
 from OCP.GProp import GProp_GProps
 from OCP.IFSelect import IFSelect_ReturnStatus
 from OCP.Standard import Standard_Failure
+from OCP.StepBasic import StepBasic_Product
 from OCP.STEPControl import (
     STEPControl_Reader,
     STEPControl_StepModelType,
     STEPControl_Writer,
 )
+from OCP.StepData import StepData_StepModel
+from OCP.TCollection import TCollection_HAsciiString
 from OCP.TopAbs import TopAbs_Orientation, TopAbs_ShapeEnum
 from OCP.TopExp import TopExp_Explorer
 from OCP.TopLoc import TopLoc_Location
-from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
+from OCP.TopoDS import TopoDS, TopoDS_Compound, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
 from gaussiancad_core.drawing.files import write_whole
 from gaussiancad_core.errors import EngineError, UnreadableError
@@ -40,6 +45,7 @@ from gaussiancad_core.errors import EngineError, UnreadableError
 _STEP_MAGIC = b"ISO-10303-21"
 _BREP_MAGIC = (b"DBRep_DrawableShape", b"CASCADE Topology")
 _HEAD = 512
+_PLAIN_NAME = re.compile(r"[A-Za-z0-9 ._-]+")
 
 
 @dataclass(frozen=True)
@@ -94,9 +100,7 @@ def _read_bytes(path: Path) -> bytes:
     try:
         content = path.read_bytes()
     except FileNotFoundError as error:
-        raise UnreadableError(
-            "file-missing", f"{path} does not exist: check the path"
-        ) from error
+        raise UnreadableError("file-missing", f"{path} does not exist: check the path") from error
     except OSError as error:
         reason = error.strerror or str(error)
         raise UnreadableError(
@@ -109,23 +113,18 @@ def _read_bytes(path: Path) -> bytes:
 
 
 def _damaged(path: Path) -> UnreadableError:
-    return UnreadableError(
-        "file-damaged", f"{path} is cut off or damaged: export the solid again"
-    )
+    return UnreadableError("file-damaged", f"{path} is cut off or damaged: export the solid again")
 
 
 def _parse_step(path: Path, content: bytes) -> TopoDS_Shape:
-    # The reader crashes on files that end early, so the end is looked for first.
-    if b"END-ISO-10303-21" not in content:
+    # The reader crashes on files that end early or lack entities, so that is looked for first.
+    if b"END-ISO-10303-21" not in content or _lacks_entities(content):
         raise _damaged(path)
     reader = STEPControl_Reader()
     try:
         status = reader.ReadStream(path.name, io.BytesIO(content))
         # A transfer after a failed read crashes.
-        if (
-            status != IFSelect_ReturnStatus.IFSelect_RetDone
-            or reader.TransferRoots() < 1
-        ):
+        if status != IFSelect_ReturnStatus.IFSelect_RetDone or reader.TransferRoots() < 1:
             raise _damaged(path)
         shape = reader.OneShape()
     except Standard_Failure as error:
@@ -133,6 +132,12 @@ def _parse_step(path: Path, content: bytes) -> TopoDS_Shape:
     if shape is None or shape.IsNull():
         raise _damaged(path)
     return shape
+
+
+def _lacks_entities(content: bytes) -> bool:
+    """Whether a STEP file refers to an entity that it does not define."""
+    text = re.sub(rb"'[^']*'", b"", content)
+    return not set(re.findall(rb"#\d+", text)) <= set(re.findall(rb"(#\d+)\s*=", text))
 
 
 def _parse_brep(path: Path, content: bytes) -> TopoDS_Shape:
@@ -147,8 +152,6 @@ def _parse_brep(path: Path, content: bytes) -> TopoDS_Shape:
 
 
 def _compound(shapes: list[TopoDS_Shape]) -> TopoDS_Shape:
-    from OCP.TopoDS import TopoDS_Compound
-
     builder, compound = BRep_Builder(), TopoDS_Compound()
     builder.MakeCompound(compound)
     for shape in shapes:
@@ -159,6 +162,9 @@ def _compound(shapes: list[TopoDS_Shape]) -> TopoDS_Shape:
 def write_step(shape: TopoDS_Shape, path: Path) -> None:
     """Write a shape as STEP (AP214) in millimetres; the file appears only when whole.
 
+    The same shape gives the same bytes: the time stamp is fixed, and the product is called after
+    the file.
+
     Raises:
         EngineError: OpenCASCADE cannot express the shape.
         UsageError, LimitError: the folder cannot be written, or the disk is full.
@@ -167,14 +173,27 @@ def write_step(shape: TopoDS_Shape, path: Path) -> None:
     stream = io.BytesIO()
     done = IFSelect_ReturnStatus.IFSelect_RetDone
     if writer.Transfer(shape, STEPControl_StepModelType.STEPControl_AsIs) != done:
-        raise EngineError(
-            "step-not-written", f"the solid for {path} cannot be expressed as STEP"
-        )
+        raise EngineError("step-not-written", f"the solid for {path} cannot be expressed as STEP")
+    _name_product(writer.Model(), path.stem if _PLAIN_NAME.fullmatch(path.stem) else "part")
     if writer.WriteStream(stream) != done:
-        raise EngineError(
-            "step-not-written", f"the STEP text for {path} cannot be made"
-        )
+        raise EngineError("step-not-written", f"the STEP text for {path} cannot be made")
     write_whole(path, stream.getvalue())
+
+
+def _name_product(model: StepData_StepModel, name: str) -> None:
+    header = APIHeaderSection_MakeHeader(model)
+    header.SetName(TCollection_HAsciiString(name))
+    header.SetTimeStamp(TCollection_HAsciiString("1970-01-01T00:00:00"))
+    header.SetAuthorValue(1, TCollection_HAsciiString(""))
+    header.SetOrganizationValue(1, TCollection_HAsciiString(""))
+    header.SetOriginatingSystem(TCollection_HAsciiString("GaussianCAD"))
+    header.SetAuthorisation(TCollection_HAsciiString(""))
+    for number in range(1, model.NbEntities() + 1):
+        entity = model.Value(number)
+        if isinstance(entity, StepBasic_Product):
+            # By default it carries a number that counts the writes of the process.
+            entity.SetId(TCollection_HAsciiString(name))
+            entity.SetName(TCollection_HAsciiString(name))
 
 
 def write_brep(shape: TopoDS_Shape, path: Path) -> None:
@@ -221,16 +240,12 @@ def subshapes(shape: TopoDS_Shape, kind: TopAbs_ShapeEnum) -> list[TopoDS_Shape]
 
 def faces_of(shape: TopoDS_Shape) -> list[TopoDS_Face]:
     """The distinct faces."""
-    return [
-        TopoDS.Face(face) for face in subshapes(shape, TopAbs_ShapeEnum.TopAbs_FACE)
-    ]
+    return [TopoDS.Face(face) for face in subshapes(shape, TopAbs_ShapeEnum.TopAbs_FACE)]
 
 
 def edges_of(shape: TopoDS_Shape) -> list[TopoDS_Edge]:
     """The distinct edges, degenerated ones (a cone's apex) included."""
-    return [
-        TopoDS.Edge(edge) for edge in subshapes(shape, TopAbs_ShapeEnum.TopAbs_EDGE)
-    ]
+    return [TopoDS.Edge(edge) for edge in subshapes(shape, TopAbs_ShapeEnum.TopAbs_EDGE)]
 
 
 def bounding_box(shape: TopoDS_Shape) -> npt.NDArray[np.float64]:
@@ -239,14 +254,14 @@ def bounding_box(shape: TopoDS_Shape) -> npt.NDArray[np.float64]:
     BRepBndLib.AddOptimal_s(shape, box, False, False)
     box.SetGap(0.0)
     lower, upper = box.CornerMin(), box.CornerMax()
-    return np.array(
-        [[lower.X(), lower.Y(), lower.Z()], [upper.X(), upper.Y(), upper.Z()]]
-    )
+    return np.array([[lower.X(), lower.Y(), lower.Z()], [upper.X(), upper.Y(), upper.Z()]])
 
 
 def moved_to_origin(shape: TopoDS_Shape) -> TopoDS_Shape:
-    """A copy whose bounding box starts at the origin."""
-    lower = bounding_box(shape)[0]
+    """A copy whose bounding box starts at the origin; the shape itself where it does already."""
+    lower, upper = bounding_box(shape)
+    if np.abs(lower).max() <= 1e-9 * float((upper - lower).max()):
+        return shape
     motion = gp_Trsf()
     motion.SetTranslation(gp_Vec(*(-float(value) for value in lower)))
     return BRepBuilderAPI_Transform(shape, motion, True).Shape()
@@ -311,15 +326,9 @@ def tessellate(
     stacked = np.concatenate(points) if points else np.zeros((0, 3))
     # Neighbouring faces sample their common edge at the very same points.
     vertices, inverse = np.unique(np.round(stacked, 9), axis=0, return_inverse=True)
-    faces = (
-        inverse.reshape(-1)[np.concatenate(triangles)]
-        if triangles
-        else np.zeros((0, 3), int)
-    )
+    faces = inverse.reshape(-1)[np.concatenate(triangles)] if triangles else np.zeros((0, 3), int)
     distinct = (
-        (faces[:, 0] != faces[:, 1])
-        & (faces[:, 1] != faces[:, 2])
-        & (faces[:, 0] != faces[:, 2])
+        (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 0] != faces[:, 2])
     )
     return vertices, faces[distinct].astype(np.int64)
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.drawing.coverage import uncovered
+from gaussiancad_core.drawing.coverage import StrokeIndex, uncovered
 from gaussiancad_core.drawing.intervals import (
     Interval,
     subtract,
@@ -62,9 +62,7 @@ class _Circle:
         return bool(apart + abs(arc.radius - self.radius) < tolerance)
 
 
-def clean_strokes(
-    strokes: Iterable[DrawnStroke], precision: Precision
-) -> tuple[DrawnStroke, ...]:
+def clean_strokes(strokes: Iterable[DrawnStroke], precision: Precision) -> tuple[DrawnStroke, ...]:
     """Merge what coincides, keep what is seen.
 
     Args:
@@ -97,8 +95,7 @@ def _line_supports(pieces: list[Segment], tolerance: float) -> list[_Line]:
             (
                 line
                 for line in supports
-                if line.distance(piece.start) < tolerance
-                and line.distance(piece.end) < tolerance
+                if line.distance(piece.start) < tolerance and line.distance(piece.end) < tolerance
             ),
             None,
         )
@@ -129,9 +126,7 @@ def _line_strokes(line: _Line, fragment: float) -> list[Segment]:
 def _circle_supports(pieces: list[Arc], tolerance: float) -> list[_Circle]:
     supports: list[_Circle] = []
     for piece in pieces:
-        support = next(
-            (circle for circle in supports if circle.holds(piece, tolerance)), None
-        )
+        support = next((circle for circle in supports if circle.holds(piece, tolerance)), None)
         if support is None:
             support = _Circle(piece.centre, piece.radius)
             supports.append(support)
@@ -145,14 +140,8 @@ def _circle_strokes(circle: _Circle, fragment: float) -> list[Arc]:
     gap = fragment / circle.radius
     visible = unite_on_circle(circle.intervals[Linetype.VISIBLE], gap)
     # The visible angles are repeated a turn further on, where hidden ones may run over zero.
-    turned = [
-        (low + turn, high + turn)
-        for low, high in visible
-        for turn in (-_TURN, 0.0, _TURN)
-    ]
-    hidden = subtract(
-        unite_on_circle(circle.intervals[Linetype.HIDDEN], gap), unite(turned, gap)
-    )
+    turned = [(low + turn, high + turn) for low, high in visible for turn in (-_TURN, 0.0, _TURN)]
+    hidden = subtract(unite_on_circle(circle.intervals[Linetype.HIDDEN], gap), unite(turned, gap))
     return [
         Arc(circle.centre, circle.radius, low % _TURN, min(high - low, _TURN), linetype)
         for linetype, intervals in (
@@ -173,13 +162,14 @@ def _without_repeats(
     run along any of them, or they along a chain.
     """
     kept: list[DrawnStroke] = []
+    everything, chains = StrokeIndex(), StrokeIndex()
     for stroke in sorted(strokes, key=_precedence):
-        rivals = [
-            other
-            for other in kept
-            if isinstance(stroke, Polyline) or isinstance(other, Polyline)
-        ]
-        kept.extend(uncovered(stroke, rivals, tolerance, fragment))
+        index = everything if isinstance(stroke, Polyline) else chains
+        for left in uncovered(stroke, index.near(stroke, tolerance), tolerance, fragment):
+            kept.append(left)
+            everything.add(left)
+            if isinstance(left, Polyline):
+                chains.add(left)
     return kept
 
 

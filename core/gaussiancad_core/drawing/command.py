@@ -6,7 +6,7 @@ from pathlib import Path
 from PIL import Image as PillowImage
 
 from gaussiancad_core.axes import Projection, Role, mutually_orthogonal
-from gaussiancad_core.drawing.brep import moved_to_origin, read_solid
+from gaussiancad_core.drawing.brep import read_solid
 from gaussiancad_core.drawing.files import write_whole
 from gaussiancad_core.drawing.layout import check_roles
 from gaussiancad_core.drawing.sheet import Image, Sheet, draw_sheet
@@ -30,6 +30,7 @@ def draw_file(
     roles: tuple[Role, ...],
     projection: Projection,
     style: SheetStyle,
+    *,
     seed: int = 0,
 ) -> Sheet:
     """Draw the solid of a STEP or BREP file on a sheet and write it as an image.
@@ -56,9 +57,7 @@ def draw_file(
             f"{names} do not look along all three axes: take for example front,top,right",
         )
     image_format(sheet)
-    drawn = draw_sheet(
-        moved_to_origin(read_solid(solid)), roles, projection, style, seed
-    )
+    drawn = draw_sheet(read_solid(solid), roles, projection, style, seed)
     write_image(drawn.image, sheet, style.jpeg_quality)
     return drawn
 

@@ -1,6 +1,6 @@
 """Which part of a stroke runs along other strokes."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -12,14 +12,42 @@ from gaussiancad_core.views import Arc, Segment
 Points = npt.NDArray[np.float64]
 
 _MOST_SAMPLES = 400
-_HALVINGS = 20
+_DIVISIONS, _ROUNDS = 16, 4
+
+
+class StrokeIndex:
+    """Strokes that can be looked up by where they are.
+
+    Args:
+        strokes: the first ones; more can be added.
+    """
+
+    def __init__(self, strokes: Iterable[DrawnStroke] = ()) -> None:
+        self._strokes: list[DrawnStroke] = []
+        self._boxes = np.empty((16, 4))
+        for stroke in strokes:
+            self.add(stroke)
+
+    def add(self, stroke: DrawnStroke) -> None:
+        """Take one more stroke."""
+        count = len(self._strokes)
+        if count == len(self._boxes):
+            self._boxes = np.concatenate([self._boxes, np.empty_like(self._boxes)])
+        self._boxes[count] = extent((stroke,)).ravel()
+        self._strokes.append(stroke)
+
+    def near(self, stroke: DrawnStroke, tolerance: float) -> list[DrawnStroke]:
+        """Those whose bounding boxes come within ``tolerance`` of a stroke's."""
+        low, high = extent((stroke,))
+        boxes = self._boxes[: len(self._strokes)]
+        close = np.all(boxes[:, :2] <= high + tolerance, axis=1) & np.all(
+            boxes[:, 2:] >= low - tolerance, axis=1
+        )
+        return [self._strokes[index] for index in np.flatnonzero(close)]
 
 
 def uncovered(
-    stroke: DrawnStroke,
-    others: Sequence[DrawnStroke],
-    tolerance: float,
-    fragment: float,
+    stroke: DrawnStroke, others: Sequence[DrawnStroke], tolerance: float, fragment: float
 ) -> list[DrawnStroke]:
     """The parts of a stroke that are further than ``tolerance`` from all others.
 
@@ -32,59 +60,36 @@ def uncovered(
     Returns:
         The stroke itself where nothing covers it.
     """
-    near = near_strokes(stroke, others, tolerance)
-    if not near:
-        return [stroke]
     length = stroke.length
     count = int(np.clip(np.ceil(length / (4.0 * fragment)), 8, _MOST_SAMPLES))
     at = (np.arange(count) + 0.5) * (length / count)
+    points = points_at(stroke, at)
+    masks = [(other, distances(points, other) < tolerance) for other in others]
+    covering = [other for other, mask in masks if mask.any()]
+    if not covering:
+        return [stroke]
+    mask = np.any([mask for _, mask in masks], axis=0)
 
     def covered(positions: Points) -> npt.NDArray[np.bool_]:
-        points = points_at(stroke, positions)
-        return np.min([distances(points, other) for other in near], axis=0) < tolerance
+        near = points_at(stroke, positions)
+        return np.any([distances(near, other) < tolerance for other in covering], axis=0)
 
-    mask = covered(at)
-    if not mask.any():
-        return [stroke]
-    cuts = [
-        _change(covered, at[i], at[i + 1])
-        for i in np.flatnonzero(mask[:-1] != mask[1:])
-    ]
-    bounds = [0.0, *cuts, length]
-    free_first = not mask[0]
+    changes = np.flatnonzero(mask[:-1] != mask[1:])
+    bounds = [0.0, *(_change(covered, at[i], at[i + 1]) for i in changes), length]
     return [
         part(stroke, low, high)
         for index, (low, high) in enumerate(pairwise(bounds))
-        if (index % 2 == 0) == free_first and high - low >= fragment
+        if (index % 2 == 1) == bool(mask[0]) and high - low >= fragment
     ]
 
 
-def near_strokes(
-    stroke: DrawnStroke, others: Sequence[DrawnStroke], tolerance: float
-) -> list[DrawnStroke]:
-    """Those whose bounding boxes come within ``tolerance`` of a stroke's."""
-    low, high = extent((stroke,))
-    near = []
-    for other in others:
-        other_low, other_high = extent((other,))
-        if np.all(other_low <= high + tolerance) and np.all(
-            other_high >= low - tolerance
-        ):
-            near.append(other)
-    return near
-
-
-def _change(
-    covered: Callable[[Points], npt.NDArray[np.bool_]], low: float, high: float
-) -> float:
-    """Where between two positions the state changes, by halving."""
-    before = bool(covered(np.array([low]))[0])
-    for _ in range(_HALVINGS):
-        middle = (low + high) / 2.0
-        if bool(covered(np.array([middle]))[0]) == before:
-            low = middle
-        else:
-            high = middle
+def _change(covered: Callable[[Points], npt.NDArray[np.bool_]], low: float, high: float) -> float:
+    """Where between two positions the state changes, by repeated division."""
+    for _ in range(_ROUNDS):
+        grid = np.linspace(low, high, _DIVISIONS + 1)
+        states = covered(grid)
+        first = max(1, int(np.argmax(states != states[0])))
+        low, high = grid[first - 1], grid[first]
     return (low + high) / 2.0
 
 
@@ -100,9 +105,7 @@ def points_at(stroke: DrawnStroke, positions: Points) -> Points:
         )
     vertices = np.array(stroke.points)
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(vertices, axis=0).T))])
-    return np.stack(
-        [np.interp(positions, along, vertices[:, axis]) for axis in (0, 1)], axis=1
-    )
+    return np.stack([np.interp(positions, along, vertices[:, axis]) for axis in (0, 1)], axis=1)
 
 
 def distances(points: Points, stroke: DrawnStroke) -> Points:
@@ -112,9 +115,7 @@ def distances(points: Points, stroke: DrawnStroke) -> Points:
     if isinstance(stroke, Polyline):
         return _chain_distances(points, np.array(stroke.points))
     offsets = points - np.array(stroke.centre)
-    turn = np.mod(
-        np.arctan2(offsets[:, 1], offsets[:, 0]) - stroke.start_angle, 2.0 * np.pi
-    )
+    turn = np.mod(np.arctan2(offsets[:, 1], offsets[:, 0]) - stroke.start_angle, 2.0 * np.pi)
     radial = np.abs(np.hypot(*offsets.T) - stroke.radius)
     ends = points_at(stroke, np.array([0.0, stroke.length]))
     to_ends = np.hypot(*np.moveaxis(points[:, None] - ends, 2, 0)).min(axis=1)

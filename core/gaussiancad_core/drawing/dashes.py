@@ -3,9 +3,7 @@
 from gaussiancad_core.drawing.intervals import Interval
 
 
-def dash_intervals(
-    length: float, dash: float, gap: float, closed: bool
-) -> list[Interval]:
+def dash_intervals(length: float, dash: float, gap: float, closed: bool) -> list[Interval]:
     """Where along a stroke there is ink.
 
     An open stroke begins and ends with a whole dash, so that it touches what it ends at.  Even a
@@ -21,9 +19,7 @@ def dash_intervals(
         count = max(4, 4 * round(length / (dash + gap) / 4.0))
         period = length / count
         half = period * dash / (dash + gap) / 2.0
-        return [
-            (index * period - half, index * period + half) for index in range(count)
-        ]
+        return [(index * period - half, index * period + half) for index in range(count)]
     count = round((length + gap) / (dash + gap))
     if count < 2:
         return _short(length, gap)

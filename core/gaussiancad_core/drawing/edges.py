@@ -10,21 +10,21 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 from OCP.BRep import BRep_Tool
-from OCP.BRepAdaptor import BRepAdaptor_Curve, BRepAdaptor_Curve2d, BRepAdaptor_Surface
+from OCP.BRepAdaptor import BRepAdaptor_Curve2d, BRepAdaptor_Surface
 from OCP.Geom import Geom_Curve
 from OCP.GeomAbs import GeomAbs_SurfaceType
-from OCP.gp import gp_Pnt, gp_Vec
 from OCP.TopAbs import TopAbs_Orientation, TopAbs_ShapeEnum
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
 from gaussiancad_core.drawing.brep import ShapeTable, explore, faces_of
+from gaussiancad_core.drawing.surfaces import normal_at
 
 SMOOTH_ANGLE = 0.01745
 """Radians between the normals of both sides under which an edge is smooth: one degree."""
 
 GRAZING = 5e-3
-"""Largest |normal . look| along a smooth edge that may be a silhouette: splines meet that loosely."""
+"""Largest |normal . look| along a smooth edge that may be a silhouette; splines meet loosely."""
 
 _SAMPLES = np.array([0.07, 0.29, 0.5, 0.71, 0.93])
 
@@ -35,8 +35,6 @@ class EdgeFacts:
 
     Attributes:
         edge: the edge.
-        curve: its 3D curve, without the edge's location.
-        first, last: parameter range on the curve.
         normals: (sides, k, 3) outward unit normals of the faces along the edge; NaN where a
             surface has none (a cone's apex).
         smooth: the normals of both sides agree all along.
@@ -45,9 +43,6 @@ class EdgeFacts:
     """
 
     edge: TopoDS_Edge
-    curve: Geom_Curve
-    first: float
-    last: float
     normals: npt.NDArray[np.float64]
     smooth: bool
     curved: bool
@@ -60,7 +55,7 @@ class EdgeFacts:
 
 
 def edge_facts(shape: TopoDS_Shape) -> list[EdgeFacts]:
-    """The facts of every edge that has a 3D curve."""
+    """The facts of every edge that has a length."""
     table = ShapeTable()
     sides: list[list[TopoDS_Face]] = []
     for face in faces_of(shape):
@@ -78,25 +73,13 @@ def edge_facts(shape: TopoDS_Shape) -> list[EdgeFacts]:
 
 
 def _facts(edge: TopoDS_Edge, faces: list[TopoDS_Face]) -> EdgeFacts:
-    curve = raw_curve(edge)
-    adaptor = BRepAdaptor_Curve(edge)
     normals = np.array([_normals_along(edge, face) for face in faces])
     planes = [
-        BRepAdaptor_Surface(face).GetType() == GeomAbs_SurfaceType.GeomAbs_Plane
-        for face in faces
+        BRepAdaptor_Surface(face).GetType() == GeomAbs_SurfaceType.GeomAbs_Plane for face in faces
     ]
     smooth = len(faces) == 2 and _parallel(normals[0], normals[1])
     seam = len(faces) == 2 and faces[0].IsSame(faces[1])
-    return EdgeFacts(
-        edge,
-        curve,
-        adaptor.FirstParameter(),
-        adaptor.LastParameter(),
-        normals,
-        smooth,
-        not all(planes),
-        seam,
-    )
+    return EdgeFacts(edge, normals, smooth, not all(planes), seam)
 
 
 def raw_curve(edge: TopoDS_Edge) -> Geom_Curve:
@@ -115,13 +98,8 @@ def _normals_along(edge: TopoDS_Edge, face: TopoDS_Face) -> npt.NDArray[np.float
     surface = BRepAdaptor_Surface(face)
     sign = -1.0 if face.Orientation() == TopAbs_Orientation.TopAbs_REVERSED else 1.0
     first, last = flat.FirstParameter(), flat.LastParameter()
-    normals = np.full((len(_SAMPLES), 3), np.nan)
-    for row, share in enumerate(_SAMPLES):
+    normals = []
+    for share in _SAMPLES:
         at = flat.Value(float(first + share * (last - first)))
-        point, along_u, along_v = gp_Pnt(), gp_Vec(), gp_Vec()
-        surface.D1(at.X(), at.Y(), point, along_u, along_v)
-        normal = along_u.Crossed(along_v)
-        if normal.Magnitude() > 1e-12:
-            normal.Normalize()
-            normals[row] = sign * normal.X(), sign * normal.Y(), sign * normal.Z()
-    return normals
+        normals.append(sign * normal_at(surface, at.X(), at.Y()))
+    return np.array(normals)

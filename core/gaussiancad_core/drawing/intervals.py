@@ -20,9 +20,7 @@ def unite(intervals: Iterable[Interval], gap: float) -> list[Interval]:
     return united
 
 
-def subtract(
-    intervals: Iterable[Interval], taken: Iterable[Interval]
-) -> list[Interval]:
+def subtract(intervals: Iterable[Interval], taken: Iterable[Interval]) -> list[Interval]:
     """What of ``intervals`` lies in none of ``taken``."""
     left = list(intervals)
     for low, high in taken:

@@ -1,11 +1,9 @@
 """Where strokes meet: the positions along a stroke at which its visibility can change."""
 
-from collections.abc import Sequence
-
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.drawing.coverage import near_strokes
+from gaussiancad_core.drawing.coverage import StrokeIndex
 from gaussiancad_core.drawing.strokes import DrawnStroke, Polyline
 from gaussiancad_core.views import Arc, Segment
 
@@ -14,9 +12,7 @@ Points = npt.NDArray[np.float64]
 _TURN = 2.0 * np.pi
 
 
-def junctions(
-    stroke: DrawnStroke, others: Sequence[DrawnStroke], tolerance: float
-) -> Points:
+def junctions(stroke: DrawnStroke, others: StrokeIndex, tolerance: float) -> Points:
     """(k,) sorted lengths along a stroke where other strokes cross, touch or end at it.
 
     Lines and circles are met exactly, chains chord by chord; what comes within ``tolerance``
@@ -24,7 +20,7 @@ def junctions(
     """
     found = [
         _meet(stroke, other, tolerance)
-        for other in near_strokes(stroke, others, tolerance)
+        for other in others.near(stroke, tolerance)
         if other is not stroke
     ]
     return np.unique(np.concatenate(found)) if found else np.zeros(0)
@@ -81,9 +77,7 @@ def _circles_meet(one: Arc, other: Arc, tolerance: float) -> Points:
     return np.stack([foot + side, foot - side])
 
 
-def _chords_meet_circle(
-    vertices: Points, arc: Arc, tolerance: float
-) -> tuple[Points, Points]:
+def _chords_meet_circle(vertices: Points, arc: Arc, tolerance: float) -> tuple[Points, Points]:
     """(k, 2) points where chords meet an arc's circle, and (k,) their lengths along the chain."""
     starts, spans = vertices[:-1], np.diff(vertices, axis=0)
     lengths = np.maximum(np.hypot(*spans.T), 1e-300)

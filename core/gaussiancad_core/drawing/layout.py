@@ -35,9 +35,7 @@ def check_roles(roles: tuple[Role, ...]) -> None:
         UsageError: ``views-count``, ``views-repeat``.
     """
     if not 2 <= len(roles) <= len(Role):
-        raise UsageError(
-            "views-count", f"{len(roles)} views asked for: name two to six"
-        )
+        raise UsageError("views-count", f"{len(roles)} views asked for: name two to six")
     if len(set(roles)) < len(roles):
         raise UsageError("views-repeat", "a view is named twice: name each view once")
 
@@ -65,14 +63,10 @@ def place_views(
     slots = {role: role.slot(projection) for role in roles}
     widths = {slots[role][0]: _extent(size, role.frame.right_axis[0]) for role in roles}
     heights = {slots[role][1]: _extent(size, role.frame.up_axis[0]) for role in roles}
-    scale = _scale(
-        sum(widths.values()), sum(heights.values()), len(widths), len(heights), style
-    )
+    scale = _scale(sum(widths.values()), sum(heights.values()), len(widths), len(heights), style)
     lefts = _starts(sorted(widths), widths, scale, style.width, style.view_gap)
     # Rows count up, the sheet's y runs down.
-    tops = _starts(
-        sorted(heights, reverse=True), heights, scale, style.height, style.view_gap
-    )
+    tops = _starts(sorted(heights, reverse=True), heights, scale, style.height, style.view_gap)
     placements = []
     for role in roles:
         column, row = slots[role]
@@ -89,9 +83,7 @@ def _extent(size: npt.NDArray[np.float64], axis: Axis) -> float:
     return float(size[axis.value])
 
 
-def _scale(
-    width: float, height: float, columns: int, rows: int, style: SheetStyle
-) -> float:
+def _scale(width: float, height: float, columns: int, rows: int, style: SheetStyle) -> float:
     """px per mm."""
     room_x = style.width - 2.0 * style.margin - (columns - 1) * style.view_gap
     room_y = style.height - 2.0 * style.margin - (rows - 1) * style.view_gap

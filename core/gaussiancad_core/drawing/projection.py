@@ -17,6 +17,7 @@ from gaussiancad_core.views import Arc, Linetype, Segment
 
 _DENSE = 65
 _ANGULAR = 0.05
+_SECTIONS = 24
 _GOLDEN = (np.sqrt(5.0) - 1.0) / 2.0
 _TURN = 2.0 * np.pi
 
@@ -85,22 +86,40 @@ def _straight(
     def along(at: float) -> float:
         return float((_flat(curve, plane, at) - centre) @ direction)
 
+    if curve.GetType() == GeomAbs_CurveType.GeomAbs_Circle:
+        parameters = _with_turning_points(curve, direction @ plane, parameters)
+        positions = [along(at) for at in parameters]
+        low, high = min(positions), max(positions)
+        return _pair(centre + low * direction), _pair(centre + high * direction)
     low = -_largest(lambda at: -along(at), parameters)
     high = _largest(along, parameters)
     return _pair(centre + low * direction), _pair(centre + high * direction)
 
 
-def _largest(
-    function: Callable[[float], float], parameters: npt.NDArray[np.float64]
-) -> float:
+def _with_turning_points(
+    curve: BRepAdaptor_Curve,
+    direction: npt.NDArray[np.float64],
+    parameters: npt.NDArray[np.float64],
+) -> npt.NDArray[np.float64]:
+    """The ends of a circle's arc and where between them it turns back along a (3,) direction."""
+    axes = curve.Circle().Position()
+    towards = [
+        float(direction @ np.array([axis.X(), axis.Y(), axis.Z()]))
+        for axis in (axes.XDirection(), axes.YDirection())
+    ]
+    first, last = parameters[0], parameters[-1]
+    turning = np.arctan2(towards[1], towards[0]) + np.pi * np.arange(-5, 6)
+    turning = first + np.mod(turning - first, _TURN)
+    return np.concatenate([[first, last], turning[turning < last]])
+
+
+def _largest(function: Callable[[float], float], parameters: npt.NDArray[np.float64]) -> float:
     """The maximum of a function over a range, by golden sections around its best sample."""
     values = [function(at) for at in parameters]
     best = int(np.argmax(values))
-    low, high = (
-        parameters[max(0, best - 1)],
-        parameters[min(len(parameters) - 1, best + 1)],
-    )
-    for _ in range(48):
+    low = parameters[max(0, best - 1)]
+    high = parameters[min(len(parameters) - 1, best + 1)]
+    for _ in range(_SECTIONS):
         first = high - _GOLDEN * (high - low)
         second = low + _GOLDEN * (high - low)
         if function(first) < function(second):
@@ -163,9 +182,7 @@ def _arc(
     high: float,
     linetype: Linetype,
 ) -> Arc:
-    return Arc(
-        _pair(centre), float(radius), low % _TURN, min(high - low, _TURN), linetype
-    )
+    return Arc(_pair(centre), float(radius), low % _TURN, min(high - low, _TURN), linetype)
 
 
 def _chain(
@@ -176,6 +193,4 @@ def _chain(
 ) -> Polyline:
     nodes = GCPnts_TangentialDeflection(curve, _ANGULAR, chord)
     parameters = [nodes.Parameter(index + 1) for index in range(nodes.NbPoints())]
-    return Polyline(
-        tuple(_pair(_flat(curve, plane, at)) for at in parameters), linetype
-    )
+    return Polyline(tuple(_pair(_flat(curve, plane, at)) for at in parameters), linetype)

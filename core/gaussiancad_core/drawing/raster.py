@@ -36,8 +36,7 @@ def dashed(stroke: DrawnStroke, dash: float, gap: float) -> list[DrawnStroke]:
     """The dashes of a hidden stroke as strokes."""
     closed = is_closed(stroke)
     return [
-        part(stroke, low, high)
-        for low, high in dash_intervals(stroke.length, dash, gap, closed)
+        part(stroke, low, high) for low, high in dash_intervals(stroke.length, dash, gap, closed)
     ]
 
 
@@ -50,9 +49,7 @@ def _draw(ink: Coverage, stroke: DrawnStroke, width: float, cap: Cap) -> None:
         _draw_chain(ink, np.array(stroke.points), width, cap)
 
 
-def _draw_chain(
-    ink: Coverage, points: npt.NDArray[np.float64], width: float, cap: Cap
-) -> None:
+def _draw_chain(ink: Coverage, points: npt.NDArray[np.float64], width: float, cap: Cap) -> None:
     """Chords meet at angles so small that their flat ends leave no notch: they overlap a little."""
     for index in range(len(points) - 1):
         start, end = points[index], points[index + 1]
@@ -90,9 +87,7 @@ def _window(
     )
 
 
-def _unite(
-    ink: Coverage, rows: slice, columns: slice, coverage: npt.NDArray[np.float64]
-) -> None:
+def _unite(ink: Coverage, rows: slice, columns: slice, coverage: npt.NDArray[np.float64]) -> None:
     area = ink[rows, columns]
     np.maximum(area, coverage.astype(np.float32), out=area)
 
@@ -104,9 +99,7 @@ def _draw_segment(
     width: float,
     cap: Cap,
 ) -> None:
-    window = _window(
-        ink, np.minimum(start, end), np.maximum(start, end), width / 2.0 + 1.0
-    )
+    window = _window(ink, np.minimum(start, end), np.maximum(start, end), width / 2.0 + 1.0)
     if window is None:
         return
     rows, columns, x, y = window

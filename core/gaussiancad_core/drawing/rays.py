@@ -53,8 +53,7 @@ class SightLines:
 
     def __init__(self, shape: TopoDS_Shape, frame: ViewFrame, tolerance: float) -> None:
         self._right, self._up, self._look = (
-            np.array(vector, dtype=np.float64)
-            for vector in (frame.right, frame.up, frame.look)
+            np.array(vector, dtype=np.float64) for vector in (frame.right, frame.up, frame.look)
         )
         self._patches = [self._patch(face, tolerance) for face in faces_of(shape)]
 
@@ -65,9 +64,7 @@ class SightLines:
             surface_of(face, tolerance),
             IntTools_FClass2d(face, _UV_TOLERANCE),
             -1.0 if reversed_face else 1.0,
-            np.stack(
-                [corners.min(axis=0) - tolerance, corners.max(axis=0) + tolerance]
-            ),
+            np.stack([corners.min(axis=0) - tolerance, corners.max(axis=0) + tolerance]),
         )
 
     def columns(self, points: Array) -> list[Column]:
@@ -83,11 +80,7 @@ class SightLines:
                 continue
             origins = points[chosen, :1] * self._right + points[chosen, 1:] * self._up
             hits = patch.surface.crossings(origins, self._look)
-            kept = (
-                np.ones(len(hits.line), bool)
-                if patch.surface.trimmed
-                else _inside(patch, hits)
-            )
+            kept = np.ones(len(hits.line), bool) if patch.surface.trimmed else _inside(patch, hits)
             lines.append(chosen[hits.line[kept]])
             depths.append(hits.depth[kept])
             normals.append(patch.sign * hits.normal[kept])
@@ -129,9 +122,6 @@ def _inside(patch: _Patch, hits: Crossings) -> npt.NDArray[np.bool_]:
     """Which crossings lie on the trimmed face."""
     wanted = (TopAbs_State.TopAbs_IN, TopAbs_State.TopAbs_ON)
     return np.array(
-        [
-            patch.inside.Perform(gp_Pnt2d(u, v), True) in wanted
-            for u, v in hits.parameters.tolist()
-        ],
+        [patch.inside.Perform(gp_Pnt2d(u, v), True) in wanted for u, v in hits.parameters.tolist()],
         dtype=bool,
     )

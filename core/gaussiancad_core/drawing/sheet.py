@@ -8,7 +8,7 @@ import numpy.typing as npt
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.drawing.brep import bounding_box
+from gaussiancad_core.drawing.brep import bounding_box, moved_to_origin
 from gaussiancad_core.drawing.hlr import LineDrawing, LineOptions
 from gaussiancad_core.drawing.layout import Placement, check_roles, place_views
 from gaussiancad_core.drawing.raster import rasterise
@@ -65,7 +65,7 @@ def draw_sheet(
     """Draw a solid as a sheet of views.
 
     Args:
-        shape: solid in mm, its bounding box starting at the origin.
+        shape: solid in mm; it is moved so that its bounding box starts at the origin.
         roles: two to six different views.
         projection: decides where the views stand.
         style: the look.
@@ -75,12 +75,12 @@ def draw_sheet(
         UsageError: views or sheet size that cannot be.
     """
     check_roles(roles)
+    shape = moved_to_origin(shape)
     drawing = LineDrawing(shape, LineOptions(tangent_edges=style.tangent_edges))
     size = bounding_box(shape)[1]
     placements = place_views(size, roles, projection, style)
     views = tuple(
-        _drawn_view(placement, drawing.view(placement.role), style)
-        for placement in placements
+        _drawn_view(placement, drawing.view(placement.role), style) for placement in placements
     )
     strokes = tuple(stroke for view in views for stroke in view.strokes)
     image = _finish(rasterise(strokes, style), style, seed)
@@ -91,15 +91,12 @@ def _drawn_view(
     placement: Placement, plane_strokes: tuple[DrawnStroke, ...], style: SheetStyle
 ) -> DrawnView:
     strokes = tuple(
-        mapped(stroke, placement.scale, placement.offset, flip=True)
-        for stroke in plane_strokes
+        mapped(stroke, placement.scale, placement.offset, flip=True) for stroke in plane_strokes
     )
     if style.skew:
         centre = (style.width / 2.0, style.height / 2.0)
         # Counter-clockwise to the eye is clockwise where y points down.
-        strokes = tuple(
-            turned(stroke, -np.radians(style.skew), centre) for stroke in strokes
-        )
+        strokes = tuple(turned(stroke, -np.radians(style.skew), centre) for stroke in strokes)
     (x0, y0), (x1, y1) = extent(strokes)
     box = (float(x0), float(y0), float(x1), float(y1))
     return DrawnView(placement.role, box, strokes, plane_strokes)
@@ -109,9 +106,7 @@ def _finish(ink: npt.NDArray[np.float32], style: SheetStyle, seed: int) -> Image
     """Ink and paper in colour, blurred and noisy as the style asks."""
     if style.blur > 0.0:
         ink = cv2.GaussianBlur(ink, (0, 0), style.blur)
-    paper, colour = (
-        np.array(value, dtype=np.float32) for value in (style.paper, style.ink)
-    )
+    paper, colour = (np.array(value, dtype=np.float32) for value in (style.paper, style.ink))
     image = paper + ink[..., None] * (colour - paper)
     if style.noise > 0.0:
         noise = np.random.default_rng(seed).standard_normal(ink.shape, dtype=np.float32)

@@ -19,12 +19,21 @@ _OFFSETS = (1.0, 2.0, 0.5, 4.0, 12.0)
 
 
 class Sighting(Enum):
-    """What two columns beside a point say about a line through it."""
+    """What two columns beside a point say about a line through it.
+
+    The smooth ones are where one face passes smoothly into another; nothing is to be seen there
+    unless tangent edges are wanted.
+    """
 
     VISIBLE = "visible"
     HIDDEN = "hidden"
+    SMOOTH_VISIBLE = "smooth-visible"
+    SMOOTH_HIDDEN = "smooth-hidden"
     BLANK = "blank"
     UNCERTAIN = "uncertain"
+
+
+_SETTLED = (Sighting.VISIBLE, Sighting.HIDDEN)
 
 
 class Witness:
@@ -50,38 +59,46 @@ class Witness:
             normals: (n, 2) unit vectors across the lines.
         """
         answers = [Sighting.UNCERTAIN] * len(points)
-        open_ones = np.arange(len(points))
+        unsettled = np.arange(len(points))
         for factor in _OFFSETS:
-            if not len(open_ones):
-                break
-            step = factor * self._offset
-            across = step * normals[open_ones]
-            middle = points[open_ones]
-            columns = self._sight.columns(
-                np.concatenate([middle + across, middle - across])
-            )
-            count = len(open_ones)
-            for index, number in enumerate(open_ones):
-                pair = columns[index], columns[count + index]
-                if pair[0].sound and pair[1].sound:
-                    answers[number] = self._compare(*pair, 2.0 * across[index])
+            across = factor * self._offset * normals[unsettled]
+            for number, answer in zip(
+                unsettled, self._look_beside(points[unsettled], across), strict=True
+            ):
+                if answer is not Sighting.UNCERTAIN:
+                    answers[number] = answer
             # A line that is known to a tolerance only may lie beside both sight lines.
-            unsettled = (Sighting.UNCERTAIN, Sighting.BLANK)
-            open_ones = np.array(
-                [n for n in open_ones if answers[n] in unsettled], dtype=int
-            )
+            unsettled = np.array([n for n in unsettled if answers[n] not in _SETTLED], dtype=int)
+            if not len(unsettled):
+                break
+        # Solids with a fault somewhere: what the faulty columns say is better than nothing.
+        blind = [n for n, answer in enumerate(answers) if answer is Sighting.UNCERTAIN]
+        if blind:
+            across = self._offset * normals[blind]
+            for number, answer in zip(
+                blind, self._look_beside(points[blind], across, trusting=True), strict=True
+            ):
+                answers[number] = answer
         return answers
+
+    def _look_beside(self, points: Array, across: Array, trusting: bool = False) -> list[Sighting]:
+        columns = self._sight.columns(np.concatenate([points + across, points - across]))
+        pairs = zip(columns[: len(points)], columns[len(points) :], strict=True)
+        return [
+            self._compare(one, other, 2.0 * way)
+            if trusting or (one.sound and other.sound)
+            else Sighting.UNCERTAIN
+            for (one, other), way in zip(pairs, across, strict=True)
+        ]
 
     def _compare(self, one: Column, other: Column, across: Array) -> Sighting:
         """``across`` is the (2,) way in the plane from the other column to the first."""
         matches = self._matches(one, other, across)
         shared_one, shared_other = set(matches), set(matches.values())
         lone = [one.depth[i] for i in range(len(one.depth)) if i not in shared_one]
-        lone += [
-            other.depth[i] for i in range(len(other.depth)) if i not in shared_other
-        ]
+        lone += [other.depth[i] for i in range(len(other.depth)) if i not in shared_other]
         if not lone:
-            return Sighting.BLANK
+            return _smooth(one, other, matches)
         before = [min(one.depth[i], other.depth[j]) for i, j in matches.items()]
         hidden = bool(before) and min(before) < min(lone)
         return Sighting.HIDDEN if hidden else Sighting.VISIBLE
@@ -98,9 +115,7 @@ class Witness:
                 if not self._continues(one, i, other, j):
                     continue
                 expected = 0.5 * (slope_one[i] + slope_other[j])
-                slack = abs(slope_one[i] - slope_other[j]) + 0.5 * float(
-                    np.hypot(*across)
-                )
+                slack = abs(slope_one[i] - slope_other[j]) + 0.5 * float(np.hypot(*across))
                 error = abs(one.depth[i] - other.depth[j] - expected)
                 if error <= slack and (best is None or error < best[0]):
                     best = error, j
@@ -112,14 +127,18 @@ class Witness:
     def _slopes(self, column: Column, way: Array) -> Array:
         """(k,) change of depth over ``way`` on each hit's tangent plane."""
         towards = column.normal @ self._look
-        return -(column.normal @ way) / np.where(
-            np.abs(towards) < 1e-9, np.nan, towards
-        )
+        return -(column.normal @ way) / np.where(np.abs(towards) < 1e-9, np.nan, towards)
 
     def _continues(self, one: Column, i: int, other: Column, j: int) -> bool:
         first, second = one.normal[i], other.normal[j]
         if (first @ self._look < 0.0) != (second @ self._look < 0.0):
             return False
-        return bool(
-            one.face[i] == other.face[j] or first @ second > np.cos(SMOOTH_ANGLE)
-        )
+        return bool(one.face[i] == other.face[j] or first @ second > np.cos(SMOOTH_ANGLE))
+
+
+def _smooth(one: Column, other: Column, matches: dict[int, int]) -> Sighting:
+    """What columns that agree say: the nearest change of face, if there is any."""
+    changes = [i for i, j in matches.items() if one.face[i] != other.face[j]]
+    if not changes:
+        return Sighting.BLANK
+    return Sighting.SMOOTH_VISIBLE if min(changes) == 0 else Sighting.SMOOTH_HIDDEN

@@ -33,14 +33,10 @@ class Polyline:
     def sample(self, step: float) -> npt.NDArray[np.float64]:
         """(n, 2) points along the stroke, at most ``step`` apart, both ends included."""
         vertices = np.array(self.points)
-        along = np.concatenate(
-            [[0.0], np.cumsum(np.hypot(*np.diff(vertices, axis=0).T))]
-        )
+        along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(vertices, axis=0).T))])
         count = max(2, int(np.ceil(along[-1] / step)) + 1)
         at = np.linspace(0.0, along[-1], count)
-        return np.stack(
-            [np.interp(at, along, vertices[:, axis]) for axis in (0, 1)], axis=1
-        )
+        return np.stack([np.interp(at, along, vertices[:, axis]) for axis in (0, 1)], axis=1)
 
     def segments(self) -> tuple[Segment, ...]:
         """The chords as strokes of their own."""
@@ -119,9 +115,7 @@ def mapped(
     )
 
 
-def turned(
-    stroke: DrawnStroke, angle: float, centre: tuple[float, float]
-) -> DrawnStroke:
+def turned(stroke: DrawnStroke, angle: float, centre: tuple[float, float]) -> DrawnStroke:
     """A stroke turned by ``angle`` radians, from the first axis towards the second."""
     cosine, sine = float(np.cos(angle)), float(np.sin(angle))
 
@@ -167,7 +161,5 @@ def part(stroke: DrawnStroke, low: float, high: float) -> DrawnStroke:
         along = np.concatenate([along[:-1] - along[-1], along])
     inner = along[(along > low) & (along < high)]
     at = np.concatenate([[low], inner, [high]])
-    points = np.stack(
-        [np.interp(at, along, vertices[:, axis]) for axis in (0, 1)], axis=1
-    )
+    points = np.stack([np.interp(at, along, vertices[:, axis]) for axis in (0, 1)], axis=1)
     return Polyline(tuple((float(x), float(y)) for x, y in points), stroke.linetype)

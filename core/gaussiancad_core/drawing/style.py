@@ -110,9 +110,7 @@ def _overridden(style: SheetStyle, part: str) -> SheetStyle:
     known = {field.name for field in fields(SheetStyle)}
     if name not in known:
         keys = ", ".join(sorted(known))
-        raise UsageError(
-            "style-key-unknown", f"{key!r} is no style key: use one of {keys}"
-        )
+        raise UsageError("style-key-unknown", f"{key!r} is no style key: use one of {keys}")
     try:
         return replace(style, **{name: _parser(name)(value.strip())})
     except ValueError as error:

@@ -114,9 +114,7 @@ class _Plane:
         depth = -((origins - self.frame.origin) @ normal) / slope
         x, y, _ = self.frame.local(origins + depth[:, None] * direction)
         normals = np.broadcast_to(normal, (len(origins), 3))
-        return Crossings(
-            np.arange(len(origins)), depth, np.stack([x, y], axis=1), normals
-        )
+        return Crossings(np.arange(len(origins)), depth, np.stack([x, y], axis=1), normals)
 
 
 @dataclass(frozen=True)
@@ -138,13 +136,8 @@ class _Cylinder:
         )
         x, y, z = self.frame.local(origins[line] + depth[:, None] * direction)
         around = np.arctan2(y, x)
-        normal = (
-            np.cos(around)[:, None] * self.frame.x
-            + np.sin(around)[:, None] * self.frame.y
-        )
-        return Crossings(
-            line, depth, np.stack([around, z], axis=1), self.frame.handedness * normal
-        )
+        normal = np.cos(around)[:, None] * self.frame.x + np.sin(around)[:, None] * self.frame.y
+        return Crossings(line, depth, np.stack([around, z], axis=1), self.frame.handedness * normal)
 
 
 @dataclass(frozen=True)
@@ -170,14 +163,9 @@ class _Cone:
         # Beyond the apex the surface's own radius is negative.
         sign = np.where(self.radius + v * sine < 0.0, -1.0, 1.0)
         around = np.arctan2(sign * y, sign * x)
-        radial = (
-            np.cos(around)[:, None] * self.frame.x
-            + np.sin(around)[:, None] * self.frame.y
-        )
+        radial = np.cos(around)[:, None] * self.frame.x + np.sin(around)[:, None] * self.frame.y
         normal = sign[:, None] * (cosine * radial - sine * axis)
-        return Crossings(
-            line, depth, np.stack([around, v], axis=1), self.frame.handedness * normal
-        )
+        return Crossings(line, depth, np.stack([around, v], axis=1), self.frame.handedness * normal)
 
 
 @dataclass(frozen=True)
@@ -218,10 +206,7 @@ class _Torus:
         x, y, z = self.frame.local(points)
         around = np.arctan2(y, x)
         out = np.hypot(x, y) - self.major
-        ring = (
-            np.cos(around)[:, None] * self.frame.x
-            + np.sin(around)[:, None] * self.frame.y
-        )
+        ring = np.cos(around)[:, None] * self.frame.x + np.sin(around)[:, None] * self.frame.y
         normal = (out[:, None] * ring + z[:, None] * self.frame.z) / self.minor
         return Crossings(
             line,
@@ -230,9 +215,7 @@ class _Torus:
             self.frame.handedness * normal,
         )
 
-    def _roots(
-        self, origins: Array, direction: Array
-    ) -> tuple[npt.NDArray[np.int64], Array]:
+    def _roots(self, origins: Array, direction: Array) -> tuple[npt.NDArray[np.int64], Array]:
         """(|p|^2 + R^2 - r^2)^2 = 4 R^2 (|p|^2 - (p.a)^2) along each line."""
         # Measured from the foot of the centre on the line, the roots are small numbers.
         offset = origins - self.frame.origin
@@ -250,11 +233,7 @@ class _Torus:
         companion[:, 1, 0] = companion[:, 2, 1] = companion[:, 3, 2] = 1.0
         for row, coefficient in enumerate((c0, c1, c2)):
             companion[:, row, 3] = -coefficient[reachable]
-        roots = (
-            np.linalg.eigvals(companion)
-            if len(reachable)
-            else np.zeros((0, 4), complex)
-        )
+        roots = np.linalg.eigvals(companion) if len(reachable) else np.zeros((0, 4), complex)
         scale = self.major + self.minor
         real = np.abs(roots.imag) < 1e-7 * scale
         which, _ = np.nonzero(real)
@@ -263,22 +242,19 @@ class _Torus:
         for _ in range(2):
             value = depth**4 + c2[line] * depth**2 + c1[line] * depth + c0[line]
             slope_at = 4.0 * depth**3 + 2.0 * c2[line] * depth + c1[line]
-            step = np.where(
-                np.abs(slope_at) > _TINY, value / np.where(slope_at, slope_at, 1.0), 0
-            )
+            step = np.where(np.abs(slope_at) > _TINY, value / np.where(slope_at, slope_at, 1.0), 0)
             depth = depth - np.clip(step, -1e-3 * scale, 1e-3 * scale)
         return line, depth + foot[line]
 
 
 @dataclass(frozen=True)
 class _AnySurface:
-    face: TopoDS_Face
-    tolerance: float
+    intersector: IntCurvesFace_Intersector
+    adaptor: BRepAdaptor_Surface
     trimmed = True
 
     def crossings(self, origins: Array, direction: Array) -> Crossings:
-        intersector = IntCurvesFace_Intersector(self.face, self.tolerance)
-        adaptor = BRepAdaptor_Surface(self.face)
+        intersector, adaptor = self.intersector, self.adaptor
         along = gp_Dir(*direction.tolist())
         found: list[tuple[int, float, float, float, Array]] = []
         for index, origin in enumerate(origins.tolist()):
@@ -336,7 +312,5 @@ def surface_of(face: TopoDS_Face, tolerance: float) -> Surface:
         return _Sphere(_frame(sphere.Position()), sphere.Radius())
     if kind == GeomAbs_SurfaceType.GeomAbs_Torus:
         torus = adaptor.Torus()
-        return _Torus(
-            _frame(torus.Position()), torus.MajorRadius(), torus.MinorRadius()
-        )
-    return _AnySurface(face, tolerance)
+        return _Torus(_frame(torus.Position()), torus.MajorRadius(), torus.MinorRadius())
+    return _AnySurface(IntCurvesFace_Intersector(face, tolerance), adaptor)
