@@ -116,7 +116,7 @@ def cancel_on_signals() -> None:
     def handle(number: int, _frame: object) -> None:
         for name in (signal.SIGINT, signal.SIGTERM):
             signal.signal(name, signal.SIG_IGN)
-        raise CancelledError("cancelled", f"stopped by {signal.Signals(number).name}")
+        raise CancelledError("cancelled", f"cancelled by {signal.Signals(number).name}")
 
     for name in (signal.SIGINT, signal.SIGTERM):
         signal.signal(name, handle)

@@ -11,7 +11,13 @@ import numpy as np
 
 from gaussiancad_core.axes import mutually_orthogonal
 from gaussiancad_core.cameras import Camera, orthographic_camera, paper_camera
-from gaussiancad_core.errors import EngineError, GaussianCadError, LimitError, NoModelError
+from gaussiancad_core.errors import (
+    CancelledError,
+    EngineError,
+    GaussianCadError,
+    LimitError,
+    NoModelError,
+)
 from gaussiancad_core.events import Listener, Progress
 from gaussiancad_core.job import Job
 from gaussiancad_core.meshes import TriangleMesh
@@ -75,6 +81,8 @@ def reconstruct(job: Job, listener: Listener) -> Report:
     run = _Run(job, folder, Progress(listener, len(STAGES)))
     try:
         return run.all_stages()
+    except CancelledError as error:
+        raise CancelledError(error.code, f"{error.message} {run.how_far()}") from error
     except (NoModelError, LimitError, MemoryError) as error:
         failure = _as_limit(error)
         run.write_failure(failure)
@@ -133,6 +141,14 @@ class _Run:
                 entry.unlink()
         self._finish(Status.FAILED)
 
+    def how_far(self) -> str:
+        """Where the run was when it was stopped, for a message."""
+        name = self.progress.current
+        if not name:
+            return "before its first stage: nothing was written"
+        where = f"{name} ({STAGES.index(name) + 1} of {len(STAGES)})"
+        return f"in the stage {where}: nothing was written"
+
     def _stage(self, name: str):  # noqa: ANN202
         self.report = replace(self.report, stage=name)
         return self.progress.stage(name)
@@ -166,7 +182,7 @@ class _Run:
             layout = find_layout(clean.ink, dict(reading.views), reading.projection)
             self._tell_layout(clean, layout)
         with self._stage("lines"):
-            drawn = read_views(clean, layout)
+            drawn = read_views(clean, layout, self.progress)
             boxes = {view.role: ViewReport(view.box) for view in drawn}
             self.report = replace(self.report, views=boxes)
         with self._stage("masks"):

@@ -1,6 +1,7 @@
 """Options of the ``gaussiancad`` command."""
 
 import argparse
+from typing import NoReturn
 
 from gaussiancad_core import __version__
 from gaussiancad_core.cli import (
@@ -10,11 +11,22 @@ from gaussiancad_core.cli import (
     draw,
     reconstruct,
 )
+from gaussiancad_core.errors import ExitCode
+
+
+class OneLineParser(argparse.ArgumentParser):
+    """A parser whose errors are one line; argparse itself prints the whole usage before them."""
+
+    def error(self, message: str) -> NoReturn:
+        """Say what is wrong and how to see the usage, and exit with 2."""
+        self.exit(
+            int(ExitCode.USAGE), f"gaussiancad: {message}; see {self.prog} --help [wrong-usage]\n"
+        )
 
 
 def build_parser() -> argparse.ArgumentParser:
     """The parser of all subcommands; each sets ``run`` to its function."""
-    parser = argparse.ArgumentParser(
+    parser = OneLineParser(
         prog="gaussiancad",
         description="From a three-view engineering drawing to a measured 3D model.",
     )

@@ -1,5 +1,6 @@
 """The sheet's stages in order: image -> named views with strokes -> views on shared axes."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from gaussiancad_core.axes import Axis, Role
@@ -61,13 +62,23 @@ class RegisteredSheet:
     opened: int
 
 
-def read_views(sheet: CleanSheet, layout: Layout) -> tuple[ReadView, ...]:
+def read_views(
+    sheet: CleanSheet, layout: Layout, progress: Callable[[float], None] = lambda _: None
+) -> tuple[ReadView, ...]:
     """Strokes and outlines of the views of a layout.
+
+    Args:
+        sheet: the ink.
+        layout: where the views are.
+        progress: told the fraction done.
 
     Raises:
         NoModelError: ``open-outline`` if the outline of a view does not close.
     """
-    shapes = {role: find_shapes(sheet, box) for role, box in layout.boxes.items()}
+    shapes = {}
+    for index, (role, box) in enumerate(layout.boxes.items(), start=1):
+        shapes[role] = find_shapes(sheet, box)
+        progress(index / (len(layout.boxes) + 1))
     rhythm = view_rhythm(list(shapes.values()), sheet.stroke_width)
     largest = max(max(x1 - x0, y1 - y0) for x0, y0, x1, y1 in layout.boxes.values())
     supersampling = supersampling_for(largest)
