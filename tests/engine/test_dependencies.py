@@ -12,7 +12,8 @@ from packaging.markers import default_environment
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
-CORE = Path(__file__).resolve().parents[2] / "core"
+CHECKOUT = Path(__file__).resolve().parents[2]
+CORE = CHECKOUT / "core"
 PROJECT = tomllib.loads((CORE / "pyproject.toml").read_text(encoding="utf-8"))
 ENGINE = [*PROJECT["project"]["dependencies"], *PROJECT["build-system"]["requires"]]
 TESTS = PROJECT["project"]["optional-dependencies"]["test"]
@@ -68,12 +69,16 @@ def test_locks_hold_hashes_and_no_addresses(lock: str) -> None:
     assert all(re.search(r"--hash=sha256:[0-9a-f]{64}\b", entry) for entry in entries)
 
 
-def test_every_import_is_declared() -> None:
+@pytest.mark.parametrize(
+    ("folder", "declared"),
+    [("core", ENGINE), ("benchmarks", ENGINE), ("tests/engine", ENGINE + TESTS)],
+)
+def test_every_import_is_declared(folder: str, declared: list[str]) -> None:
     known = {"gaussiancad_core", *sys.stdlib_module_names}
-    known |= {name for line in ENGINE for name in provided(Requirement(line).name)}
+    known |= {name for line in declared for name in provided(Requirement(line).name)}
     undeclared = {
         (name, path.name)
-        for path in (CORE / "gaussiancad_core").rglob("*.py")
+        for path in (CHECKOUT / folder).rglob("*.py")
         for name in imported(path) - known
     }
     assert undeclared == set()
