@@ -67,7 +67,7 @@ class Relief:
     Attributes:
         role: the view.
         regions: (h, w) int, on the pixels of the view's mask: which region a pixel belongs to; 0
-            where nothing is known.
+            where nothing is known.  Neighbouring regions touch: what is unknown between them stays.
         depths: (h, w) float, mm from the side of the box that is nearest to the viewer.
     """
 
@@ -106,7 +106,7 @@ def visual_hull(
         carving
         for relief in reliefs
         if relief.role in parallel
-        for carving in _carvings(relief, views[relief.role], masks[relief.role], views, cells)
+        for carving in _carvings(relief, views[relief.role], max(views.size) / cells)
     ]
     coordinates = _grid(views, masks, carvings, cells)
     field = _box_field(coordinates, views.size)
@@ -143,12 +143,12 @@ class _Carving:
     flat: float | None
 
 
-def _carvings(
-    relief: Relief, view: View, outline: Mask, views: ViewSet, cells: int
-) -> list[_Carving]:
+def _carvings(relief: Relief, view: View, step: float) -> list[_Carving]:
+    """The regions of a relief; ``step`` is the size of a cell in mm."""
     regions = np.pad(relief.regions, PAD_PX)
     depths = np.pad(relief.depths.astype(np.float32), PAD_PX)
-    margin = int(np.ceil(_REACH * max(views.size) / cells / view.mm_per_pixel)) + 2
+    blank = ~np.pad(view.mask, PAD_PX)
+    margin = int(np.ceil(_REACH * step / view.mm_per_pixel)) + 2
     found = []
     for number in np.unique(regions[regions > 0]):
         mask = regions == number
@@ -168,7 +168,7 @@ def _carvings(
         tolerance = _SAME_DEPTH_PX * view.mm_per_pixel
         neighbour = (regions[window] > 0) & ~own
         deeper = neighbour & (depths[window] >= continued - tolerance)
-        free = own | ~outline[window] | deeper
+        free = own | blank[window] | deeper
         continued = np.where(deeper, np.minimum(continued, depths[window]), continued)
         inside = -signed_distance(free, view.mm_per_pixel)
         level = float(np.ptp(depths[mask])) < 0.5 * view.mm_per_pixel
