@@ -93,6 +93,8 @@ class Panel(WindowCase):
         group = document.getObject("Reconstruction")
         self.wait_for(lambda: type(group.ViewObject.Proxy).__name__ == "ReconstructionView")
         self.assertEqual(document.getObject("Gaussians").ViewObject.DisplayMode, "Color")
+        shown = [name for name in ("Part", "Surface", "Gaussians") if is_shown(document, name)]
+        self.assertEqual(shown, ["Part"])
         colour = document.getObject("Part").ViewObject.ShapeColor[:3]
         self.assertEqual([round(255 * channel) for channel in colour], [0x78, 0xA0, 0xD2])
 
@@ -250,6 +252,10 @@ class Panel(WindowCase):
                 children.append(int(entry))
         self.assertEqual(len(children), 1)
         return children[0]
+
+
+def is_shown(document: FreeCAD.Document, name: str) -> bool:
+    return document.getObject(name).ViewObject.isVisible()
 
 
 def alive(pid: int) -> bool:

@@ -73,6 +73,8 @@ class GroupProxy:
         try:
             if not isinstance(target.ViewObject.Proxy, GroupViewProxy):
                 self.show(target)
+                for name in getattr(target, "HiddenAtFirst", []):
+                    target.Document.getObject(name).Visibility = False
         except ReferenceError:
             return  # the document was closed in the meantime
 

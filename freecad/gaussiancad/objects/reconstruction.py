@@ -51,9 +51,23 @@ def add_reconstruction(document: FreeCAD.Document, run: LoadedRun) -> FreeCAD.Do
         group.Label = label.format(name=name)
         add_properties(group, _properties(run))
         group.addObjects(_features(document, run))
+        hidden = [child.Name for child in group.Group if not child.Visibility]
+        add_properties(group, [_hidden_property(hidden)])
         document.recompute()
         group.Proxy.show(group)
     return group
+
+
+def _hidden_property(names: list[str]) -> PropertySpec:
+    """Documents made without a window cannot store what is visible: this does."""
+    return PropertySpec(
+        "StringList",
+        "HiddenAtFirst",
+        "Drawing",
+        QT_TRANSLATE_NOOP("App::Property", "What is hidden when a window first shows the group"),
+        names,
+        Access.HIDDEN,
+    )
 
 
 def find_part(group: FreeCAD.DocumentObject) -> FreeCAD.DocumentObject | None:
@@ -143,7 +157,7 @@ def _properties(run: LoadedRun) -> list[PropertySpec]:
             "SheetPath",
             "Drawing",
             QT_TRANSLATE_NOOP("App::Property", "Where the drawing was when it was read"),
-            run.job.sheet,
+            str(Path(run.job.sheet).absolute()),
         ),
         PropertySpec(
             "FileIncluded",

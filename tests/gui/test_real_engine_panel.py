@@ -1,0 +1,44 @@
+"""The real engine behind the panel; left out where it is not installed."""
+
+import os
+import unittest
+
+import FreeCAD
+from test_real_engine import SAMPLE, engine
+from window import WindowCase, widget
+
+from freecad.gaussiancad.engine.job import ScaleKind
+from freecad.gaussiancad.qt import QtCore, QtWidgets
+
+GIVEN = os.environ.get("GAUSSIANCAD_PYTHON")
+
+
+@unittest.skipIf(engine() is None, "the engine is not installed")
+class RealRun(WindowCase):
+    def test_from_a_sheet_to_a_part_while_the_window_lives(self) -> None:
+        self.set_variable("GAUSSIANCAD_PYTHON", GIVEN)
+        document = FreeCAD.newDocument("Real")
+        self.open_panel("GaussianCAD_Reconstruct")
+        self.choose_sheet(SAMPLE)
+        widget(QtWidgets.QComboBox, "preset").setCurrentIndex(0)
+        scale = widget(QtWidgets.QComboBox, "scale")
+        scale.setCurrentIndex(list(ScaleKind).index(ScaleKind.LENGTH_X))
+        widget(QtWidgets.QAbstractSpinBox, "length").setProperty("rawValue", 80.0)
+        beats: list[str] = []
+        stage = widget(QtWidgets.QLabel, "stage")
+        heart = QtCore.QTimer()
+        heart.timeout.connect(lambda: beats.append(stage.text()))
+        button = self.start()
+        heart.start(100)
+        self.wait_for(button.isEnabled, 600.0)
+        heart.stop()
+        # A window that hangs while the engine works has no beats in its stages.
+        self.assertGreater(len(set(filter(lambda text: "Stage" in text, beats))), 4)
+        self.assertGreater(len(beats), 50)
+        self.assertEqual([box.text() for box in self.boxes()], [])
+        self.picture("real-finished")
+        self.assertEqual(document.UndoNames, ["Reconstruct from Drawing"])
+        box = document.getObject("Part").Shape.BoundBox
+        self.assertAlmostEqual(box.XLength, 80.0, delta=2.0)
+        document.undo()
+        self.assertEqual(document.Objects, [])

@@ -1,0 +1,159 @@
+"""The real engine, from FreeCAD's console; left out where it is not installed."""
+
+import os
+import tempfile
+import unittest
+from pathlib import Path
+
+import FreeCAD
+from support import HARD_NAME, FolderCase
+
+from freecad.gaussiancad.engine.events import Event, EventKind
+from freecad.gaussiancad.engine.job import (
+    CompareJob,
+    Preset,
+    ReconstructJob,
+    Scale,
+    ScaleKind,
+)
+from freecad.gaussiancad.engine.locate import Engine, SearchPlaces, find_engine
+from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
+from freecad.gaussiancad.engine.verdict import RunState
+from freecad.gaussiancad.errors import WorkbenchError
+from freecad.gaussiancad.objects.comparison import add_comparison, load_comparison
+from freecad.gaussiancad.objects.legend import colour_at
+from freecad.gaussiancad.objects.loading import load_run
+from freecad.gaussiancad.objects.ply import read_vertices
+from freecad.gaussiancad.objects.reconstruction import add_reconstruction, find_part
+from freecad.gaussiancad.paths import ADDON_ROOT
+
+SAMPLE = ADDON_ROOT / "resources" / "samples" / "l-bracket.png"
+SAMPLE_SOLID = SAMPLE.with_suffix(".step")
+
+
+def engine() -> Engine | None:
+    """The engine of this machine, or None."""
+    try:
+        return find_engine(SearchPlaces.of_this_machine("", os.environ))
+    except WorkbenchError:
+        return None
+
+
+def run(arguments: list[str], stop_in: str = "") -> tuple[RunResult, list[Event]]:
+    """Run the engine; cancel it when it begins the stage ``stop_in``."""
+    events: list[Event] = []
+
+    def on_event(event: Event) -> None:
+        events.append(event)
+        if stop_in and event.kind is EventKind.STAGE and event.text("name") == stop_in:
+            process.cancel()
+
+    process = EngineRun(engine(), arguments, Watcher(on_event))
+    process.start()
+    return process.wait(), events
+
+
+@unittest.skipIf(engine() is None, "the engine is not installed")
+class Sample(unittest.TestCase):
+    """One run on the sample sheet, looked at from several sides."""
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        holder = tempfile.TemporaryDirectory(prefix=f"{HARD_NAME} ")
+        cls.addClassCleanup(holder.cleanup)
+        folder = Path(holder.name)
+        cls.sheet = folder / "Blech 图.png"
+        cls.sheet.write_bytes(SAMPLE.read_bytes())
+        scale = Scale(ScaleKind.LENGTH_X, 80.0)
+        cls.job = ReconstructJob(
+            str(cls.sheet), str(folder / "out"), preset=Preset.DRAFT, scale=scale
+        )
+        cls.result, cls.events = run(cls.job.arguments())
+        cls.folder = folder
+        cls.document = FreeCAD.newDocument("Real")
+        cls.addClassCleanup(FreeCAD.closeDocument, "Real")
+        scratch = folder / "views"
+        scratch.mkdir()
+        if cls.result.state is RunState.DONE:
+            cls.loaded = load_run(cls.job, scratch)
+            cls.group = add_reconstruction(cls.document, cls.loaded)
+
+    def test_the_run_succeeds_and_tells_its_stages_in_order(self) -> None:
+        self.assertIs(self.result.state, RunState.DONE, self.result.log)
+        self.assertIs(self.events[0].kind, EventKind.HELLO)
+        self.assertEqual(self.events[0].number("protocol"), 1)
+        self.assertIs(self.events[-1].kind, EventKind.RESULT)
+        stages = [e for e in self.events if e.kind is EventKind.STAGE]
+        count = stages[0].number("of")
+        self.assertEqual([e.number("index") for e in stages], list(range(1, int(count) + 1)))
+
+    def test_the_part_has_the_size_that_was_asked_for(self) -> None:
+        part = find_part(self.group)
+        box = part.Shape.BoundBox
+        self.assertAlmostEqual(box.XLength, 80.0, delta=2.0)
+        self.assertTrue(part.Shape.isValid())
+        self.assertGreater(part.Shape.Volume, 0.0)
+        surface = next(o for o in self.group.Group if o.TypeId == "Mesh::Feature")
+        self.assertTrue(surface.Mesh.isSolid())
+        self.assertAlmostEqual(surface.Mesh.Volume / part.Shape.Volume, 1.0, delta=0.05)
+
+    def test_the_views_enclose_the_part(self) -> None:
+        planes = [o for o in self.group.Group if o.TypeId == "Image::ImagePlane"]
+        self.assertEqual(len(planes), len(self.loaded.report.views))
+        box = find_part(self.group).Shape.BoundBox
+        front = next(o for o in planes if o.Label == "View front")
+        self.assertAlmostEqual(front.Placement.Base.x, box.Center.x, delta=2.0)
+        self.assertAlmostEqual(front.Placement.Base.z, box.Center.z, delta=2.0)
+        self.assertGreater(front.Placement.Base.y, box.YMax)
+        self.assertGreater(front.XSize.Value, 79.0)
+
+    def test_the_points_are_the_reports_gaussians(self) -> None:
+        cloud = next(o for o in self.group.Group if o.TypeId == "Points::Feature")
+        self.assertEqual(cloud.Points.CountPoints, self.loaded.report.group("gaussians")["count"])
+        self.assertEqual(len(cloud.Color), cloud.Points.CountPoints)
+
+    def test_the_comparison_and_the_legend_speak_of_the_same_colours(self) -> None:
+        output = self.folder / "comparison"
+        result = self.folder / "out" / "surface.stl"
+        job = CompareJob(str(result), str(SAMPLE_SOLID), str(output), points=500)
+        ended, _ = run(job.arguments())
+        self.assertIs(ended.state, RunState.DONE, ended.log)
+        loaded = load_comparison(output, self.folder)
+        self.assertGreater(loaded.report.floor["chamfer"], 0.0)
+        vertices = read_vertices(output / "deviation.ply")
+        rows = vertices.columns("red", "green", "blue", "deviation")
+        for red, green, blue, deviation in rows[:: max(1, len(rows) // 500)]:
+            expected = colour_at(deviation / loaded.scale.limit)
+            for channel, wanted in zip((red, green, blue), expected, strict=True):
+                self.assertAlmostEqual(channel, wanted, delta=1)
+        surface = next(o for o in self.group.Group if o.TypeId == "Mesh::Feature")
+        group = add_comparison(self.document, loaded, (surface, find_part(self.group)))
+        self.assertEqual(group.Chamfer, loaded.report.distances["chamfer"])
+        deviation = group.Group[0]
+        self.assertEqual(len(deviation.VertexColors), deviation.Mesh.CountPoints)
+
+
+@unittest.skipIf(engine() is None, "the engine is not installed")
+class Trouble(FolderCase):
+    def test_a_cancelled_run_leaves_no_file(self) -> None:
+        output = self.folder / "out"
+        job = ReconstructJob(str(SAMPLE), str(output), preset=Preset.DRAFT)
+        result, _ = run(job.arguments(), stop_in="lines")
+        self.assertIs(result.state, RunState.CANCELLED)
+        self.assertEqual(list(output.glob("**/*")) if output.exists() else [], [])
+
+    def test_bad_sheets_are_refused_in_one_sentence(self) -> None:
+        text = self.folder / "text.png"
+        text.write_text("this is no picture")
+        for path in (text, self.folder / "missing.png"):
+            result, _ = run(ReconstructJob(str(path), str(self.folder / "out")).arguments())
+            self.assertIs(result.state, RunState.FAILED)
+            self.assertEqual(result.exit_code, 3)
+            self.assertIn(path.name, result.message)
+            self.assertNotIn("\n", result.message)
+            self.assertNotIn("Traceback", result.log)
+
+    def test_the_doctor_answers(self) -> None:
+        result, _ = run(["doctor"])
+        self.assertIs(result.state, RunState.DONE, result.log)
+        self.assertIn("torch", result.output)
