@@ -30,8 +30,7 @@ test-gui: install ## the workbench in a real window, on a virtual screen
 	@sh scripts/test.sh gui
 
 test-freecad-latest: install ## workbench and window in Debian's next FreeCAD (root, 3 GB in /var/tmp)
-	@sh scripts/freecad_latest.sh prepare
-	@sh scripts/freecad_latest.sh test
+	@sh tests/freecad_latest.sh
 
 bench: install ## the figures of the documentation: seconds and memory, and distance from the truth
 	@.venv/bin/python benchmarks/stages.py
