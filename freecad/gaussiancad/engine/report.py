@@ -99,9 +99,22 @@ def read_report(path: Path) -> Report:
     """
     text, values = _read_object(path)
     try:
-        status = Status(values.get("status"))
+        return parse_report(text, values)
     except ValueError as error:
         raise _unreadable(path, str(error)) from error
+
+
+def parse_report(text: str, values: dict[str, Any]) -> Report:
+    """The report in a file's JSON.
+
+    Args:
+        text: the file as it is.
+        values: its JSON.
+
+    Raises:
+        ValueError: it has no status.
+    """
+    status = Status(values.get("status"))
     return Report(
         text,
         values,

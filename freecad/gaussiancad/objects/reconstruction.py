@@ -25,6 +25,13 @@ class ReconstructionView(GroupViewProxy):
 
     icon_name = "GaussianCAD_Reconstruct"
 
+    def doubleClicked(self, view: object) -> bool:
+        """Show the report."""
+        from freecad.gaussiancad.panels.report import ReportDialog
+
+        ReportDialog.open_for(view.Object)
+        return True
+
 
 class Reconstruction(GroupProxy):
     """Proxy of the group.  Documents name this class: it keeps its name and place."""

@@ -14,13 +14,12 @@ class SheetPreview(QtWidgets.QLabel):
     """Shows a sheet, fitted into the widget.
 
     Args:
-        on_dropped: is told the path of a file that was dropped here.
+        on_dropped: is told the path of a file that was dropped here; None takes no files.
     """
 
-    def __init__(self, on_dropped: Callable[[str], None]) -> None:
+    def __init__(self, on_dropped: Callable[[str], None] | None = None) -> None:
         super().__init__()
         self.setObjectName("preview")
-        self.setAcceptDrops(True)
         self.setAlignment(QtCore.Qt.AlignmentFlag.AlignCenter)
         self.setFrameShape(QtWidgets.QFrame.Shape.StyledPanel)
         self.setMinimumHeight(150)
@@ -28,6 +27,7 @@ class SheetPreview(QtWidgets.QLabel):
         ignored = QtWidgets.QSizePolicy.Policy.Ignored
         self.setSizePolicy(ignored, QtWidgets.QSizePolicy.Policy.Fixed)
         self._on_dropped = on_dropped
+        self.setAcceptDrops(on_dropped is not None)
         self._image: QtGui.QPixmap | None = None
         self.show_file("")
 
