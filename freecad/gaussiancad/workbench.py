@@ -5,7 +5,9 @@ import FreeCADGui
 from freecad.gaussiancad import paths
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
 
-COMMANDS = ("GaussianCAD_Reconstruct", "GaussianCAD_Compare", "GaussianCAD_CheckEngine")
+TOOLBAR = ("GaussianCAD_Reconstruct", "GaussianCAD_Compare", "GaussianCAD_CheckEngine")
+
+MENU = (*TOOLBAR, "GaussianCAD_InstallEngine")
 
 
 class GaussianCADWorkbench(FreeCADGui.Workbench):
@@ -25,8 +27,8 @@ class GaussianCADWorkbench(FreeCADGui.Workbench):
 
         commands.register()
         name = QT_TRANSLATE_NOOP("Workbench", "GaussianCAD")
-        self.appendToolbar(name, list(COMMANDS))
-        self.appendMenu(name, list(COMMANDS))
+        self.appendToolbar(name, list(TOOLBAR))
+        self.appendMenu(name, list(MENU))
 
     def ContextMenu(self, recipient: str) -> None:
         """Offer a comparison for what is selected."""

@@ -19,8 +19,8 @@ class Registration(WindowCase):
     def test_toolbar_and_menu_hold_the_commands(self) -> None:
         active = FreeCADGui.activeWorkbench()
         self.assertEqual(active.name(), "GaussianCADWorkbench")
-        self.assertEqual(active.getToolbarItems()["GaussianCAD"], list(workbench.COMMANDS))
-        for name in workbench.COMMANDS:
+        self.assertEqual(active.getToolbarItems()["GaussianCAD"], list(workbench.TOOLBAR))
+        for name in workbench.MENU:
             command = FreeCADGui.Command.get(name)
             info = command.getInfo()
             self.assertTrue(info["menuText"].endswith("…"), name)

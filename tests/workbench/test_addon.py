@@ -78,7 +78,9 @@ class Namespace(unittest.TestCase):
 class Pictures(unittest.TestCase):
     def test_every_icon_is_a_whole_svg_without_foreign_parts(self) -> None:
         names = {path.stem for path in ICONS.glob("*.svg")}
-        expected = {f"GaussianCAD_{n}" for n in ("Workbench", "Reconstruct", "Compare")}
+        expected = {
+            f"GaussianCAD_{n}" for n in ("Workbench", "Reconstruct", "Compare", "InstallEngine")
+        }
         self.assertEqual(names, expected | {"GaussianCAD_CheckEngine", "preferences-gaussiancad"})
         for path in ICONS.glob("*.svg"):
             root = ElementTree.parse(path).getroot()

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from support import FolderCase
 
-from freecad.gaussiancad.engine.locate import EngineSource, SearchPlaces, find_engine
+from freecad.gaussiancad.engine.locate import MARKER, EngineSource, SearchPlaces, find_engine
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.paths import ADDON_ROOT
 
@@ -29,6 +29,8 @@ class Order(FolderCase):
         beside = self.program(self.beside / "bin" / "python")
         self.assertEqual(find_engine(self.places()).python, str(beside))
         managed = self.program(self.managed / "bin" / "python3")
+        self.assertEqual(find_engine(self.places()).python, str(beside))
+        (self.managed / MARKER).write_text("{}")
         engine = find_engine(self.places())
         self.assertEqual((engine.python, engine.source), (str(managed), EngineSource.MANAGED))
         engine = find_engine(self.places(preference=str(self.own)))

@@ -7,9 +7,10 @@ def register() -> None:
 
     from freecad.gaussiancad.commands.check_engine import CheckEngineCommand
     from freecad.gaussiancad.commands.compare import CompareCommand
+    from freecad.gaussiancad.commands.install_engine import InstallEngineCommand
     from freecad.gaussiancad.commands.reconstruct import ReconstructCommand
 
     known = FreeCADGui.listCommands()
-    for command in (ReconstructCommand, CompareCommand, CheckEngineCommand):
+    for command in (ReconstructCommand, CompareCommand, CheckEngineCommand, InstallEngineCommand):
         if command.name not in known:
             FreeCADGui.addCommand(command.name, command())

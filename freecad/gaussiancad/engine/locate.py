@@ -17,6 +17,9 @@ from freecad.gaussiancad.qt import QtCore
 
 VARIABLE = "GAUSSIANCAD_PYTHON"
 
+MARKER = "engine.json"
+"""File in the managed environment that is written once it is complete."""
+
 
 class EngineSource(Enum):
     """How the engine was found."""
@@ -104,20 +107,16 @@ def find_engine(places: SearchPlaces) -> Engine:
     for path, source in named:
         if path:
             return _named_engine(path, source)
-    own = (
-        (places.managed, EngineSource.MANAGED),
-        (places.beside, EngineSource.BESIDE_ADDON),
-    )
-    for root, source in own:
-        python = interpreter_of(root)
-        if python is not None:
-            return Engine(str(python), source)
+    if (places.managed / MARKER).is_file() and (python := interpreter_of(places.managed)):
+        return Engine(str(python), EngineSource.MANAGED)
+    if python := interpreter_of(places.beside):
+        return Engine(str(python), EngineSource.BESIDE_ADDON)
     raise WorkbenchError(
         ErrorCode.ENGINE_NOT_FOUND,
         translate(
             "GaussianCAD",
-            "The GaussianCAD engine is not installed. Run 'make install' in the addon's folder, or "
-            "name the engine's Python in Edit > Preferences > GaussianCAD.",
+            "The GaussianCAD engine is not installed. Choose GaussianCAD > Install Engine, or name "
+            "the engine's Python in Edit > Preferences > GaussianCAD.",
         ),
     )
 

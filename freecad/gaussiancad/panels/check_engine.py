@@ -40,6 +40,10 @@ class CheckEngineDialog(QtWidgets.QDialog):
         fixed = QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.SystemFont.FixedFont)
         self.text.setFont(fixed)
         close = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.StandardButton.Close)
+        install = QtWidgets.QPushButton(translate("GaussianCAD", "Install Engine…"))
+        install.setObjectName("install")
+        install.clicked.connect(self._install)
+        close.addButton(install, QtWidgets.QDialogButtonBox.ButtonRole.ActionRole)
         close.rejected.connect(self.reject)
         layout = QtWidgets.QVBoxLayout(self)
         layout.addWidget(self.headline)
@@ -76,6 +80,12 @@ class CheckEngineDialog(QtWidgets.QDialog):
             self._run.cancel()
         super().done(result)
 
+    def _install(self) -> None:
+        from freecad.gaussiancad.panels.install_engine import InstallEngineDialog
+
+        self.reject()
+        InstallEngineDialog.open_now()
+
     def _show(self, result: RunResult) -> None:
         self._run = None
         parts = [part for part in (result.output, result.log) if part.strip()]
@@ -103,6 +113,7 @@ def _places_text(places: SearchPlaces) -> str:
 def _repair_text() -> str:
     text = translate(
         "GaussianCAD",
-        "To install the engine, open a terminal and run: make -C '{folder}' install",
+        "To install the engine, press Install Engine, or run in a terminal: make -C '{folder}' "
+        "install",
     )
     return text.format(folder=ADDON_ROOT)
