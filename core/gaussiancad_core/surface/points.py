@@ -35,7 +35,8 @@ class DiscSampling:
         steepest: largest angle between a disc's normal and that of its start, degrees; a disc that
             turned farther no longer lies on the surface that it stood for.
         crease: neighbouring discs whose normals differ by more, in degrees, meet in an edge.
-        neighbours: discs around a point that may meet its own in an edge.
+        neighbours: discs around one that may meet it in an edge.
+        edge_reach: how far a disc's edges are looked for, in standard deviations.
     """
 
     per_disc: int = 6
@@ -43,7 +44,8 @@ class DiscSampling:
     smallest_opacity: float = 0.02
     steepest: float = 60.0
     crease: float = 30.0
-    neighbours: int = 12
+    neighbours: int = 16
+    edge_reach: float = 2.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +70,8 @@ def disc_points(gaussians: Gaussians, sampling: DiscSampling) -> OrientedPoints:
 
     The points of a disc follow a sunflower (Vogel 1979), turned from disc to disc by the golden
     angle: even, and the same every time.  Where two faces meet in an edge, discs of one hang over
-    the other: their points are drawn back onto the edge, which keeps it straight and sharp.
+    the other or end before it: their points are drawn back onto the edge, and others are set there,
+    which keeps it straight and sharp.
     """
     discs = _discs(gaussians, sampling)
     golden = np.pi * (3.0 - np.sqrt(5.0))
@@ -79,9 +82,13 @@ def disc_points(gaussians: Gaussians, sampling: DiscSampling) -> OrientedPoints:
         angles = turns + golden * k
         offsets = radius * np.stack([np.cos(angles), np.sin(angles)], axis=1)
         rings.append(discs.centres + np.einsum("nij,nj->ni", discs.axes, offsets))
+    normals = [np.tile(discs.normals, (sampling.per_disc, 1))]
     if len(discs.centres) > sampling.neighbours:
         rings = [_drawn_back(ring, discs, sampling) for ring in rings]
-    return OrientedPoints(np.concatenate(rings), np.tile(discs.normals, (sampling.per_disc, 1)))
+        edge = _edge_points(discs, sampling)
+        rings.append(edge.points)
+        normals.append(edge.normals)
+    return OrientedPoints(np.concatenate(rings), np.concatenate(normals))
 
 
 def _discs(gaussians: Gaussians, sampling: DiscSampling) -> _Discs:
@@ -101,14 +108,51 @@ def _drawn_back(points: Array, discs: _Discs, sampling: DiscSampling) -> Array:
     """One point a disc, moved within the disc's plane so that it does not cross another face."""
     _, near = cKDTree(discs.centres).query(points, k=sampling.neighbours)
     drawn = points.copy()
-    for k in range(sampling.neighbours):
-        centres, normals = discs.centres[near[:, k]], discs.normals[near[:, k]]
-        cosines = (normals * discs.normals).sum(axis=1)
-        creased = np.abs(cosines) < np.cos(np.radians(sampling.crease))
-        own_side = ((discs.centres - centres) * normals).sum(axis=1)
-        beyond = ((drawn - centres) * normals).sum(axis=1)
-        crossed = creased & (own_side * beyond < 0.0)
-        slope = normals - cosines[:, None] * discs.normals
-        steps = beyond[crossed] / (slope[crossed] ** 2).sum(axis=1)
-        drawn[crossed] -= steps[:, None] * slope[crossed]
+    for other in near.T:
+        crossing = _towards(drawn, discs, other, sampling)
+        own_side = ((discs.centres - discs.centres[other]) * discs.normals[other]).sum(axis=1)
+        crossed = crossing.creased & (own_side * crossing.beyond < 0.0)
+        drawn[crossed] = crossing.points[crossed]
     return drawn
+
+
+def _edge_points(discs: _Discs, sampling: DiscSampling) -> OrientedPoints:
+    """For each disc near an edge, the points of the edge next to it, one a disc across the edge."""
+    reach = sampling.edge_reach * np.linalg.norm(discs.axes, axis=1).mean(axis=1)
+    _, near = cKDTree(discs.centres).query(discs.centres, k=sampling.neighbours)
+    points, normals = [], []
+    for other in near.T[1:]:
+        crossing = _towards(discs.centres, discs, other, sampling)
+        there = np.linalg.norm(crossing.points - discs.centres, axis=1) < reach
+        back = np.linalg.norm(crossing.points - discs.centres[other], axis=1) < reach
+        found = crossing.creased & there & back
+        points.append(crossing.points[found])
+        normals.append(discs.normals[found])
+    return OrientedPoints(np.concatenate(points), np.concatenate(normals))
+
+
+@dataclass(frozen=True, eq=False)
+class _Crossing:
+    """Where each disc's plane, from a point in it, meets the plane of another disc.
+
+    Attributes:
+        points: (n, 3) nearest points that lie in both planes.
+        beyond: (n,) distance of the point from the other plane, positive on its outer side.
+        creased: (n,) whether the planes differ enough to meet in an edge.
+    """
+
+    points: Array
+    beyond: Array
+    creased: npt.NDArray[np.bool_]
+
+
+def _towards(
+    points: Array, discs: _Discs, other: npt.NDArray[np.int64], sampling: DiscSampling
+) -> _Crossing:
+    normals = discs.normals[other]
+    cosines = (normals * discs.normals).sum(axis=1)
+    creased = np.abs(cosines) < np.cos(np.radians(sampling.crease))
+    beyond = ((points - discs.centres[other]) * normals).sum(axis=1)
+    slope = normals - cosines[:, None] * discs.normals
+    steps = beyond / np.where(creased, (slope**2).sum(axis=1), 1.0)
+    return _Crossing(points - steps[:, None] * slope, beyond, creased)

@@ -8,7 +8,7 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.meshes import TriangleMesh, connected_pieces, joined, make_mesh
 from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.surface.points import DiscSampling, OrientedPoints, disc_points
-from gaussiancad_core.surface.repair import made_manifold
+from gaussiancad_core.surface.repair import intersection, made_manifold
 
 
 @dataclass(frozen=True)
@@ -28,12 +28,16 @@ class PoissonSettings:
     sampling: DiscSampling = field(default_factory=DiscSampling)
 
 
-def gaussian_surface(gaussians: Gaussians, settings: PoissonSettings) -> TriangleMesh:
+def gaussian_surface(
+    gaussians: Gaussians, settings: PoissonSettings, within: TriangleMesh | None = None
+) -> TriangleMesh:
     """The closed surface on which trained Gaussians lie.
 
     Args:
         gaussians: mm.
         settings: how fine.
+        within: a watertight mesh; what Poisson puts outside of it is cut off.  Outside the hull of
+            parallel projections there is no material, so that the hull is a good choice.
 
     Returns:
         A watertight mesh in mm, oriented outward; the same input gives the same mesh.
@@ -41,7 +45,13 @@ def gaussian_surface(gaussians: Gaussians, settings: PoissonSettings) -> Triangl
     Raises:
         NoModelError: ``no-surface``, the Gaussians bound no body.
     """
-    return poisson_surface(disc_points(gaussians, settings.sampling), settings)
+    surface = poisson_surface(disc_points(gaussians, settings.sampling), settings)
+    if within is None:
+        return surface
+    common = intersection(surface, within)
+    if common is None:
+        raise _no_surface()
+    return common
 
 
 def poisson_surface(points: OrientedPoints, settings: PoissonSettings) -> TriangleMesh:

@@ -1,10 +1,15 @@
 """Meshes made closed and manifold: no border, and no edge or point where they touch themselves."""
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from gaussiancad_core.meshes import TriangleMesh, make_mesh
+
+if TYPE_CHECKING:
+    import manifold3d
 
 _PULL = 0.1
 """How far a point that stands where another stands moves towards its neighbours' middle."""
@@ -18,17 +23,32 @@ def made_manifold(mesh: TriangleMesh) -> TriangleMesh | None:
     welds points by position (every reader of STL does) joins them again.
 
     Args:
-        mesh: closed, oriented; edges may have more than two triangles.
+        mesh: oriented, closed but for holes; edges may have more than two triangles.
     """
+    return _from_manifold(_to_manifold(_filled(mesh)))
+
+
+def intersection(one: TriangleMesh, other: TriangleMesh) -> TriangleMesh | None:
+    """What two closed bodies have in common, or nothing where that is nothing."""
+    return _from_manifold(_to_manifold(one) ^ _to_manifold(other))
+
+
+def _to_manifold(mesh: TriangleMesh) -> "manifold3d.Manifold":
     import manifold3d
 
-    solid = manifold3d.Manifold(manifold3d.Mesh64(mesh.vertices, mesh.triangles.astype(np.uint64)))
+    return manifold3d.Manifold(manifold3d.Mesh64(mesh.vertices, mesh.triangles.astype(np.uint64)))
+
+
+def _from_manifold(solid: "manifold3d.Manifold") -> TriangleMesh | None:
+    import manifold3d
+
     if solid.status() is not manifold3d.Error.NoError or solid.is_empty():
         return None
     found = solid.to_mesh64()
-    repaired = make_mesh(np.asarray(found.vert_properties)[:, :3], np.asarray(found.tri_verts))
-    separated = _separated(repaired)
-    return separated if separated.watertight and not _doubles(separated).any() else None
+    mesh = _separated(
+        make_mesh(np.asarray(found.vert_properties)[:, :3], np.asarray(found.tri_verts))
+    )
+    return mesh if mesh.watertight and not _doubles(mesh).any() else None
 
 
 def _filled(mesh: TriangleMesh) -> TriangleMesh:

@@ -1,0 +1,66 @@
+"""Structural similarity: known values, and the fast version against the plain one."""
+
+import cv2
+import numpy as np
+import pytest
+import torch
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from skimage.metrics import structural_similarity
+
+from gaussiancad_core.splatting.ssim import FastSsim, plain_ssim
+
+
+def images(seed: int, height: int = 24, width: int = 31) -> tuple[torch.Tensor, torch.Tensor]:
+    random = np.random.default_rng(seed)
+    stacks = random.random((2, 2, 3, height, width)).astype(np.float32)
+    smooth = [cv2.GaussianBlur(stack.reshape(-1, width), (7, 7), 2.0) for stack in stacks]
+    return tuple(torch.from_numpy(stack.reshape(2, 3, height, width)) for stack in smooth)
+
+
+def test_an_image_is_like_itself() -> None:
+    one, _ = images(0)
+    assert float(plain_ssim(one, one)) == pytest.approx(1.0, abs=1e-6)
+    assert float(FastSsim(one)(one)) == pytest.approx(1.0, abs=1e-6)
+
+
+def test_black_and_white_are_as_unlike_as_the_constants_allow() -> None:
+    black, white = torch.zeros(1, 1, 64, 64), torch.ones(1, 1, 64, 64)
+    similarity = float(plain_ssim(black, white))
+    # Far from the border only the luminance differs; there white fades, which is a contrast too.
+    assert 0.0 < similarity <= 1e-4 / (1.0 + 1e-4)
+
+
+def test_plain_version_agrees_with_another_implementation() -> None:
+    one, other = images(1, 60, 70)
+    # That one mirrors the images at their borders, so both get a black margin.
+    for stack in (one, other):
+        blank = torch.zeros_like(stack)
+        blank[..., 12:-12, 12:-12] = stack[..., 12:-12, 12:-12]
+        stack.copy_(blank)
+    expected = structural_similarity(
+        one[0, 0].numpy().astype(np.float64),
+        other[0, 0].numpy().astype(np.float64),
+        gaussian_weights=True,
+        sigma=1.5,
+        use_sample_covariance=False,
+        data_range=1.0,
+        full=True,
+    )[1].mean()
+    found = plain_ssim(one[:1, :1].double(), other[:1, :1].double())
+    assert float(found) == pytest.approx(expected, abs=1e-9)
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.integers(0, 1000))
+def test_fast_version_has_the_value_and_gradient_of_the_plain_one(seed: int) -> None:
+    one, other = images(seed)
+    exact = one.double().requires_grad_()
+    plain = plain_ssim(exact, other.double())
+    plain.backward()
+    single = one.clone().requires_grad_()
+    fast = FastSsim(other)(single)
+    (3.0 * fast).backward()
+    assert float(fast.detach()) == pytest.approx(float(plain.detach()), abs=2e-5)
+    expected = 3.0 * exact.grad
+    assert (single.grad - expected).abs().max() < 2e-3 * expected.abs().max()

@@ -1,0 +1,59 @@
+"""Faceted solids: valid, closed, of the mesh's volume."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from gaussiancad_core.drawing.brep import bounding_box, soundness
+from gaussiancad_core.errors import EngineError
+from gaussiancad_core.meshes import TriangleMesh, joined, make_mesh
+from gaussiancad_core.surface.decimate import decimated
+from gaussiancad_core.surface.faceted import faceted_solid
+
+
+def test_a_ball_gets_one_face_a_triangle(ball: TriangleMesh) -> None:
+    fewer = decimated(ball, 600)
+    state = soundness(faceted_solid(fewer))
+    assert state.valid
+    assert state.closed
+    assert state.solids == 1
+    assert state.faces == len(fewer.triangles)
+    assert state.volume_mm3 == pytest.approx(fewer.volume, rel=1e-9)
+
+
+def test_coplanar_triangles_become_one_face(bracket: TriangleMesh) -> None:
+    assert len(bracket.triangles) == 320
+    shape = faceted_solid(bracket)
+    state = soundness(shape)
+    assert (state.valid, state.closed, state.solids, state.faces) == (True, True, 1, 8)
+    assert state.volume_mm3 == pytest.approx(bracket.volume, rel=1e-9)
+    assert bounding_box(shape) == pytest.approx(bracket.bounds, abs=1e-6)
+
+
+def test_pieces_become_solids(box: TriangleMesh) -> None:
+    other = make_mesh(box.vertices + np.array([50.0, 0.0, 0.0]), box.triangles)
+    state = soundness(faceted_solid(joined([box, other])))
+    assert (state.valid, state.closed, state.solids, state.faces) == (True, True, 2, 12)
+    assert state.volume_mm3 == pytest.approx(2 * box.volume)
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.integers(0, 10_000))
+def test_any_convex_body_keeps_its_volume(seed: int) -> None:
+    import trimesh
+
+    points = np.random.default_rng(seed).standard_normal((20, 3)) * 10.0
+    hull = trimesh.convex.convex_hull(points)
+    mesh = make_mesh(hull.vertices, hull.faces)
+    state = soundness(faceted_solid(mesh))
+    assert (state.valid, state.closed, state.solids) == (True, True, 1)
+    assert state.faces == len(mesh.triangles)
+    assert state.volume_mm3 == pytest.approx(mesh.volume, rel=1e-9)
+
+
+def test_an_open_or_inverted_mesh_is_refused(box: TriangleMesh) -> None:
+    for wrong in (TriangleMesh(box.vertices, box.triangles[1:]), box.flipped()):
+        with pytest.raises(EngineError) as caught:
+            faceted_solid(wrong)
+        assert caught.value.code == "faceted-solid-failed"
