@@ -84,8 +84,7 @@ def clean_strokes(strokes: Iterable[DrawnStroke], precision: Precision) -> tuple
     for circle in circles:
         merged.extend(_circle_strokes(circle, precision.fragment))
     merged.extend(piece for piece in pieces if isinstance(piece, Polyline))
-    chain_tolerance = tolerance + 2.0 * precision.chord
-    return tuple(_without_repeats(merged, chain_tolerance, precision.fragment))
+    return tuple(_without_repeats(merged, precision.cover, precision.fragment))
 
 
 def _line_supports(pieces: list[Segment], tolerance: float) -> list[_Line]:

@@ -11,16 +11,19 @@ edges, hidden lines repeat visible ones, and lines where cylinders meet cylinder
 wrong kind (in 34 of 150 views of random parts of 10 to 28 faces).
 """
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
+from OCP.BRep import BRep_Tool
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Shape
 
 from gaussiancad_core.axes import Role, ViewFrame
 from gaussiancad_core.drawing.brep import bounding_box
 from gaussiancad_core.drawing.cleanup import clean_strokes
 from gaussiancad_core.drawing.contours import silhouettes
-from gaussiancad_core.drawing.decide import decided
+from gaussiancad_core.drawing.coverage import StrokeIndex, distances, points_at
+from gaussiancad_core.drawing.decide import Line, decided
 from gaussiancad_core.drawing.edges import EdgeFacts, edge_facts
 from gaussiancad_core.drawing.precision import Precision
 from gaussiancad_core.drawing.projection import project_edge
@@ -42,17 +45,21 @@ class LineOptions:
         fit: largest distance between an edge and the line or circle that replaces it, as a share
             of the solid's longest extent; lines closer than that are one.
         chord: largest distance between a curve and its chain, as a share of the longest extent.
+        cover: chains closer to another line than this share of the longest extent are that line.
         fragment: strokes and gaps shorter than this share of the longest extent vanish.
     """
 
     tangent_edges: bool = False
     fit: float = 1e-6
     chord: float = 1e-5
+    cover: float = 1e-4
     fragment: float = 2e-4
 
     def precision(self, extent: float) -> Precision:
         """The lengths in mm for a solid whose longest extent is ``extent`` mm."""
-        return Precision(self.fit * extent, self.chord * extent, self.fragment * extent)
+        return Precision(
+            *(extent * share for share in (self.fit, self.chord, self.cover, self.fragment))
+        )
 
 
 class LineDrawing:
@@ -74,26 +81,63 @@ class LineDrawing:
     def view(self, role: Role) -> tuple[DrawnStroke, ...]:
         """The strokes of a view in its plane's millimetres (right, up), each line once."""
         frame = role.frame
-        candidates = clean_strokes(self._candidates(frame), self._precision)
+        edges = self._edges(frame)
+        projected = [
+            (
+                project_edge(edge, frame, Linetype.VISIBLE, self._precision),
+                BRep_Tool.Tolerance_s(edge),
+            )
+            for edge in edges
+        ]
+        strokes = [stroke for stroke, _ in projected if stroke is not None]
+        loose = [
+            Line(stroke, slack)
+            for stroke, slack in projected
+            if stroke is not None and slack > self._precision.fit
+        ]
+        # Sight lines stand closer to a line than two lines have to be to count as one in the end.
+        exact = replace(self._precision, cover=4.0 * self._precision.chord)
+        lines = with_slack(clean_strokes(strokes, exact), loose, exact.cover)
         sight = SightLines(self._shape, frame, self._precision.fit)
         witness = Witness(sight, frame, _BESIDE * self._extent)
-        strokes = decided(candidates, witness, self._precision, self._options.tangent_edges)
-        return clean_strokes(strokes, self._precision)
+        drawn = decided(lines, witness, self._precision, self._options.tangent_edges)
+        return clean_strokes(drawn, self._precision)
 
-    def _candidates(self, frame: ViewFrame) -> list[DrawnStroke]:
+    def _edges(self, frame: ViewFrame) -> list[TopoDS_Edge]:
+        """The edges and silhouettes that may be lines of a view."""
         look = np.array(frame.look, dtype=np.float64)
-        edges: list[TopoDS_Edge] = [
-            facts.edge for facts in self._facts if self._may_show(facts, look)
-        ]
-        edges += silhouettes(self._shape, frame)
-        projected = (project_edge(edge, frame, Linetype.VISIBLE, self._precision) for edge in edges)
-        return [stroke for stroke in projected if stroke is not None]
+        edges = [facts.edge for facts in self._facts if self._may_show(facts, look)]
+        return edges + silhouettes(self._shape, frame)
 
     def _may_show(self, facts: EdgeFacts, look: np.ndarray) -> bool:
         if not facts.smooth:
             return True
         tangent = self._options.tangent_edges and not facts.seam
         return tangent or facts.silhouette(look)
+
+
+def with_slack(
+    strokes: Sequence[DrawnStroke], loose: Sequence[Line], tolerance: float
+) -> list[Line]:
+    """The strokes as lines, with the slack of the loosest edges that they run along.
+
+    Args:
+        strokes: merged strokes, in mm.
+        loose: lines of single edges whose slack counts.
+        tolerance: mm; an edge that comes closer at the stroke's middle is one of the stroke's.
+    """
+    index = StrokeIndex(line.stroke for line in loose)
+    slack = {id(line.stroke): line.slack for line in loose}
+    lines = []
+    for stroke in strokes:
+        middle = points_at(stroke, np.array([0.438 * stroke.length]))
+        own = [
+            slack[id(other)]
+            for other in index.near(stroke, tolerance)
+            if distances(middle, other)[0] <= tolerance
+        ]
+        lines.append(Line(stroke, max(own, default=0.0)))
+    return lines
 
 
 def draw_view(

@@ -17,6 +17,9 @@ from gaussiancad_core.drawing.surfaces import Array
 _OFFSETS = (1.0, 2.0, 0.5, 4.0, 12.0)
 """Distances beside the line that are tried in turn, in multiples of the first."""
 
+_FAR_OFFSETS = (40.0, 100.0)
+"""Distances tried where faces overlap or gape at their borders, as in loosely sewn solids."""
+
 
 class Sighting(Enum):
     """What two columns beside a point say about a line through it.
@@ -33,7 +36,7 @@ class Sighting(Enum):
     UNCERTAIN = "uncertain"
 
 
-_SETTLED = (Sighting.VISIBLE, Sighting.HIDDEN)
+_UNSETTLED = tuple(set(Sighting) - {Sighting.VISIBLE, Sighting.HIDDEN})
 
 
 class Witness:
@@ -51,35 +54,43 @@ class Witness:
         self._plane = np.array([frame.right, frame.up], dtype=np.float64)
         self._offset = offset
 
-    def sightings(self, points: Array, normals: Array) -> list[Sighting]:
+    def sightings(self, points: Array, normals: Array, slacks: Array) -> list[Sighting]:
         """What lines through points show.
 
         Args:
             points: (n, 2) mm on the lines.
             normals: (n, 2) unit vectors across the lines.
+            slacks: (n,) mm by which the solid's faces may miss the lines.
         """
+        steps = np.maximum(self._offset, 1.5 * slacks)[:, None] * normals
         answers = [Sighting.UNCERTAIN] * len(points)
-        unsettled = np.arange(len(points))
-        for factor in _OFFSETS:
-            across = factor * self._offset * normals[unsettled]
-            for number, answer in zip(
-                unsettled, self._look_beside(points[unsettled], across), strict=True
-            ):
-                if answer is not Sighting.UNCERTAIN:
-                    answers[number] = answer
-            # A line that is known to a tolerance only may lie beside both sight lines.
-            unsettled = np.array([n for n in unsettled if answers[n] not in _SETTLED], dtype=int)
-            if not len(unsettled):
-                break
-        # Solids with a fault somewhere: what the faulty columns say is better than nothing.
-        blind = [n for n, answer in enumerate(answers) if answer is Sighting.UNCERTAIN]
-        if blind:
-            across = self._offset * normals[blind]
-            for number, answer in zip(
-                blind, self._look_beside(points[blind], across, trusting=True), strict=True
-            ):
-                answers[number] = answer
+        for factor in (*_OFFSETS, *_FAR_OFFSETS):
+            # A line that is known to a tolerance only may lie beside both near sight lines.
+            unsettled = _UNSETTLED if factor in _OFFSETS else (Sighting.UNCERTAIN,)
+            self._ask(answers, unsettled, points, factor * steps)
+        self._ask(answers, (Sighting.UNCERTAIN,), points, steps, trusting=True)
         return answers
+
+    def _ask(
+        self,
+        answers: list[Sighting],
+        again: tuple[Sighting, ...],
+        points: Array,
+        across: Array,
+        *,
+        trusting: bool = False,
+    ) -> None:
+        """Replace those answers that are to be asked again by better ones.
+
+        A solid may have a fault; ``trusting`` takes what faulty columns say.
+        """
+        asked = [number for number, answer in enumerate(answers) if answer in again]
+        if not asked:
+            return
+        found = self._look_beside(points[asked], across[asked], trusting)
+        for number, answer in zip(asked, found, strict=True):
+            if answer is not Sighting.UNCERTAIN:
+                answers[number] = answer
 
     def _look_beside(self, points: Array, across: Array, trusting: bool = False) -> list[Sighting]:
         columns = self._sight.columns(np.concatenate([points + across, points - across]))
