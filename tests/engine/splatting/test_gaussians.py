@@ -60,9 +60,9 @@ def test_points_are_more_even_than_chance() -> None:
     gaps = _nearest(points)
     random = np.random.default_rng(3).standard_normal((2000, 3))
     independent = _nearest(10.0 * random / np.linalg.norm(random, axis=1, keepdims=True))
-    assert gaps.mean() > 1.1 * independent.mean()
-    assert np.quantile(gaps, 0.05) > 1.3 * np.quantile(independent, 0.05)
-    assert gaps.max() < 2.0 * np.sqrt(mean)
+    assert np.quantile(gaps, 0.01) > 2.0 * np.quantile(independent, 0.1)
+    assert gaps.min() > 0.6 * np.sqrt(mean)
+    assert gaps.max() < 1.3 * np.sqrt(mean)
 
 
 def _nearest(points: np.ndarray) -> np.ndarray:
@@ -77,7 +77,7 @@ def test_every_face_gets_its_share_of_the_area() -> None:
     shares = {axis: (np.abs(normals[:, axis]) > 0.5).sum() for axis in range(3)}
     area = 2 * (40 + 10 + 4)
     assert [shares[axis] for axis in range(3)] == [
-        pytest.approx(1000 * 2 * face / area, abs=6) for face in (4, 10, 40)
+        pytest.approx(1000 * 2 * face / area, abs=15) for face in (4, 10, 40)
     ]
 
 
