@@ -69,8 +69,10 @@ def main() -> None:
         _print_row(sample.name, rows[-1])
     _print_row("median", list(np.median(rows, axis=0)))
     worst = max(row[5] - row[1] for row in rows)
-    print(f"largest loss against the hull {worst:+.4f}, against Poisson before splatting "
-          f"{max(row[5] - row[3] for row in rows):+.4f}")
+    print(
+        f"largest loss against the hull {worst:+.4f}, against Poisson before splatting "
+        f"{max(row[5] - row[3] for row in rows):+.4f}"
+    )
 
 
 def _print_row(name: str, row: list[float]) -> None:
@@ -97,8 +99,8 @@ def measures(sample: SamplePart, preset: Preset) -> tuple[Measure, Measure, Meas
     truth = truth_of(sample, views.size)
     surfaces = (
         hull,
-        gaussian_surface(start, PoissonSettings()),
-        gaussian_surface(trained.gaussians, PoissonSettings()),
+        gaussian_surface(start, PoissonSettings(), hull),
+        gaussian_surface(trained.gaussians, PoissonSettings(), hull),
     )
     return tuple(_measure(surface, truth, views.size) for surface in surfaces)
 

@@ -282,7 +282,9 @@ class _Run:
                 ),
             )
         with self._stage("surface"):
-            surface = gaussian_surface(training.gaussians, PoissonSettings())
+            # Only parallel projections leave no material outside of the hull.
+            within = hull if self.job.recipe is Recipe.ORTHOGRAPHIC else None
+            surface = gaussian_surface(training.gaussians, PoissonSettings(), within)
             self.report = replace(
                 self.report,
                 surface=SurfaceReport(
