@@ -260,7 +260,7 @@ def bounding_box(shape: TopoDS_Shape) -> npt.NDArray[np.float64]:
 def moved_to_origin(shape: TopoDS_Shape) -> TopoDS_Shape:
     """A copy whose bounding box starts at the origin; the shape itself where it does already."""
     lower, upper = bounding_box(shape)
-    if np.abs(lower).max() <= 1e-9 * float((upper - lower).max()):
+    if np.abs(lower).max() <= 1e-7 * float((upper - lower).max()):
         return shape
     motion = gp_Trsf()
     motion.SetTranslation(gp_Vec(*(-float(value) for value in lower)))

@@ -62,6 +62,26 @@ class _Circle:
         return bool(apart + abs(arc.radius - self.radius) < tolerance)
 
 
+def distinct_strokes(
+    strokes: Iterable[DrawnStroke], precision: Precision
+) -> tuple[DrawnStroke, ...]:
+    """Merge what lies on one line or circle, and drop chains that run along others all the way.
+
+    Args:
+        strokes: in mm, in any order.
+        precision: what counts as coincident, and as too short to draw.
+    """
+    kept: list[DrawnStroke] = []
+    index = StrokeIndex()
+    for stroke in sorted(_merged(strokes, precision), key=_precedence):
+        near = index.near(stroke, precision.cover)
+        if isinstance(stroke, Polyline) and not uncovered(stroke, near, precision):
+            continue
+        kept.append(stroke)
+        index.add(stroke)
+    return tuple(kept)
+
+
 def clean_strokes(strokes: Iterable[DrawnStroke], precision: Precision) -> tuple[DrawnStroke, ...]:
     """Merge what coincides, keep what is seen.
 
@@ -72,10 +92,28 @@ def clean_strokes(strokes: Iterable[DrawnStroke], precision: Precision) -> tuple
     Returns:
         Visible strokes, then hidden ones; lines and arcs before chains.
     """
+    kept: list[DrawnStroke] = []
+    everything, chains = StrokeIndex(), StrokeIndex()
+    for stroke in sorted(_merged(strokes, precision), key=_precedence):
+        # Lines and circles have been compared by their supports.
+        index = everything if isinstance(stroke, Polyline) else chains
+        for left in uncovered(stroke, index.near(stroke, precision.cover), precision):
+            kept.append(left)
+            everything.add(left)
+            if isinstance(left, Polyline):
+                chains.add(left)
+    return tuple(kept)
+
+
+def _precedence(stroke: DrawnStroke) -> tuple[bool, bool]:
+    return stroke.linetype is Linetype.HIDDEN, isinstance(stroke, Polyline)
+
+
+def _merged(strokes: Iterable[DrawnStroke], precision: Precision) -> list[DrawnStroke]:
+    """Lines and circles merged by their supports, and the chains as they are."""
     tolerance = 4.0 * precision.fit
-    pieces = list(strokes)
     # Long pieces define the supports: the direction of a short one says little.
-    pieces.sort(key=lambda piece: -piece.length)
+    pieces = sorted(strokes, key=lambda piece: -piece.length)
     lines = _line_supports([p for p in pieces if isinstance(p, Segment)], tolerance)
     circles = _circle_supports([p for p in pieces if isinstance(p, Arc)], tolerance)
     merged: list[DrawnStroke] = []
@@ -83,8 +121,7 @@ def clean_strokes(strokes: Iterable[DrawnStroke], precision: Precision) -> tuple
         merged.extend(_line_strokes(line, precision.fragment))
     for circle in circles:
         merged.extend(_circle_strokes(circle, precision.fragment))
-    merged.extend(piece for piece in pieces if isinstance(piece, Polyline))
-    return tuple(_without_repeats(merged, precision.cover, precision.fragment))
+    return merged + [piece for piece in pieces if isinstance(piece, Polyline)]
 
 
 def _line_supports(pieces: list[Segment], tolerance: float) -> list[_Line]:
@@ -150,27 +187,3 @@ def _circle_strokes(circle: _Circle, fragment: float) -> list[Arc]:
         for low, high in intervals
         if high - low >= gap
     ]
-
-
-def _without_repeats(
-    strokes: list[DrawnStroke], tolerance: float, fragment: float
-) -> list[DrawnStroke]:
-    """What no earlier stroke covers, chains compared with everything.
-
-    Straight and circular strokes have been compared by their supports; here a chain may turn out to
-    run along any of them, or they along a chain.
-    """
-    kept: list[DrawnStroke] = []
-    everything, chains = StrokeIndex(), StrokeIndex()
-    for stroke in sorted(strokes, key=_precedence):
-        index = everything if isinstance(stroke, Polyline) else chains
-        for left in uncovered(stroke, index.near(stroke, tolerance), tolerance, fragment):
-            kept.append(left)
-            everything.add(left)
-            if isinstance(left, Polyline):
-                chains.add(left)
-    return kept
-
-
-def _precedence(stroke: DrawnStroke) -> tuple[bool, bool]:
-    return stroke.linetype is Linetype.HIDDEN, isinstance(stroke, Polyline)

@@ -6,6 +6,7 @@ from itertools import pairwise
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.drawing.precision import Precision
 from gaussiancad_core.drawing.strokes import DrawnStroke, Polyline, extent, part
 from gaussiancad_core.views import Arc, Segment
 
@@ -47,19 +48,19 @@ class StrokeIndex:
 
 
 def uncovered(
-    stroke: DrawnStroke, others: Sequence[DrawnStroke], tolerance: float, fragment: float
+    stroke: DrawnStroke, others: Sequence[DrawnStroke], precision: Precision
 ) -> list[DrawnStroke]:
-    """The parts of a stroke that are further than ``tolerance`` from all others.
+    """The parts of a stroke that do not run along others.
 
     Args:
         stroke: what is looked at.
         others: what may cover it.
-        tolerance: distance.
-        fragment: shorter parts are dropped.
+        precision: how close is along, and what is too short to keep.
 
     Returns:
         The stroke itself where nothing covers it.
     """
+    tolerance, fragment = precision.cover, precision.fragment
     length = stroke.length
     count = int(np.clip(np.ceil(length / (4.0 * fragment)), 8, _MOST_SAMPLES))
     at = (np.arange(count) + 0.5) * (length / count)
@@ -76,11 +77,35 @@ def uncovered(
 
     changes = np.flatnonzero(mask[:-1] != mask[1:])
     bounds = [0.0, *(_change(covered, at[i], at[i + 1]) for i in changes), length]
-    return [
-        part(stroke, low, high)
-        for index, (low, high) in enumerate(pairwise(bounds))
-        if (index % 2 == 1) == bool(mask[0]) and high - low >= fragment
-    ]
+    left: list[tuple[float, float]] = []
+    for index, (low, high) in enumerate(pairwise(bounds)):
+        hidden = (index % 2 == 0) == bool(mask[0])
+        if hidden and (len(bounds) == 2 or not _touches(stroke, low, high, covering, tolerance)):
+            continue
+        if left and left[-1][1] == low:
+            left[-1] = (left[-1][0], high)
+        else:
+            left.append((low, high))
+    if left == [(0.0, length)]:
+        return [stroke]
+    return [part(stroke, low, high) for low, high in left if high - low >= fragment]
+
+
+def _touches(
+    stroke: DrawnStroke,
+    low: float,
+    high: float,
+    others: Sequence[DrawnStroke],
+    tolerance: float,
+) -> bool:
+    """Whether a stroke only touches others between two lengths, as a circle does its tangent.
+
+    The distance from a tangent grows with the square of the length, the distance from a stroke of
+    the same course does not grow.
+    """
+    points = points_at(stroke, low + np.array([0.1, 0.5, 0.9]) * (high - low))
+    before, middle, after = np.min([distances(points, other) for other in others], axis=0)
+    return bool((before + after) / 2.0 - middle > 0.12 * tolerance)
 
 
 def _change(covered: Callable[[Points], npt.NDArray[np.bool_]], low: float, high: float) -> float:

@@ -20,7 +20,7 @@ from OCP.TopoDS import TopoDS_Edge, TopoDS_Shape
 
 from gaussiancad_core.axes import Role, ViewFrame
 from gaussiancad_core.drawing.brep import bounding_box
-from gaussiancad_core.drawing.cleanup import clean_strokes
+from gaussiancad_core.drawing.cleanup import clean_strokes, distinct_strokes
 from gaussiancad_core.drawing.contours import silhouettes
 from gaussiancad_core.drawing.coverage import StrokeIndex, distances, points_at
 from gaussiancad_core.drawing.decide import Line, decided
@@ -51,7 +51,7 @@ class LineOptions:
 
     tangent_edges: bool = False
     fit: float = 1e-6
-    chord: float = 1e-5
+    chord: float = 5e-6
     cover: float = 1e-4
     fragment: float = 2e-4
 
@@ -96,8 +96,8 @@ class LineDrawing:
             if stroke is not None and slack > self._precision.fit
         ]
         # Sight lines stand closer to a line than two lines have to be to count as one in the end.
-        exact = replace(self._precision, cover=4.0 * self._precision.chord)
-        lines = with_slack(clean_strokes(strokes, exact), loose, exact.cover)
+        exact = replace(self._precision, cover=_BESIDE * self._extent)
+        lines = with_slack(distinct_strokes(strokes, exact), loose, exact.cover)
         sight = SightLines(self._shape, frame, self._precision.fit)
         witness = Witness(sight, frame, _BESIDE * self._extent)
         drawn = decided(lines, witness, self._precision, self._options.tangent_edges)

@@ -25,19 +25,26 @@ def rasterise(strokes: tuple[DrawnStroke, ...], style: SheetStyle) -> Coverage:
         if stroke.linetype is Linetype.VISIBLE:
             _draw(ink, stroke, style.visible_width, style.cap)
         else:
-            for piece in dashed(stroke, style.dash, style.gap):
+            for piece in dashed(stroke, style):
                 _draw(ink, piece, style.hidden_width, Cap.BUTT)
     if not style.antialiasing:
         ink = (ink >= 0.5).astype(np.float32)
     return ink
 
 
-def dashed(stroke: DrawnStroke, dash: float, gap: float) -> list[DrawnStroke]:
-    """The dashes of a hidden stroke as strokes."""
+def dashed(stroke: DrawnStroke, style: SheetStyle) -> list[DrawnStroke]:
+    """The dashes of a hidden stroke as strokes in sheet pixels.
+
+    The first and the last one reach half a line's width beyond the stroke's ends, so that hidden
+    lines that meet at a corner fill it.
+    """
     closed = is_closed(stroke)
-    return [
-        part(stroke, low, high) for low, high in dash_intervals(stroke.length, dash, gap, closed)
-    ]
+    dashes = dash_intervals(stroke.length, style.dash, style.gap, closed)
+    if not closed:
+        reach = style.hidden_width / 2.0
+        dashes[0] = (dashes[0][0] - reach, dashes[0][1])
+        dashes[-1] = (dashes[-1][0], dashes[-1][1] + reach)
+    return [part(stroke, low, high) for low, high in dashes]
 
 
 def _draw(ink: Coverage, stroke: DrawnStroke, width: float, cap: Cap) -> None:

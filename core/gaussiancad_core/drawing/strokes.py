@@ -142,7 +142,11 @@ def is_closed(stroke: DrawnStroke) -> bool:
 
 
 def part(stroke: DrawnStroke, low: float, high: float) -> DrawnStroke:
-    """The part of a stroke between two lengths along it."""
+    """The part of a stroke between two lengths along it.
+
+    An open stroke may be prolonged by lengths before its start and after its end; on a closed one
+    lengths before the start lie before its end.
+    """
     if isinstance(stroke, Arc):
         start = stroke.start_angle + low / stroke.radius
         sweep = (high - low) / stroke.radius
@@ -155,11 +159,20 @@ def part(stroke: DrawnStroke, low: float, high: float) -> DrawnStroke:
         return Segment(tuple(low_point), tuple(high_point), stroke.linetype)
     vertices = np.array(stroke.points)
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(vertices, axis=0).T))])
-    if low < 0.0:
-        # A closed chain's first dash begins before its start.
+    if low < 0.0 and is_closed(stroke):
         vertices = np.concatenate([vertices[:-1], vertices])
         along = np.concatenate([along[:-1] - along[-1], along])
-    inner = along[(along > low) & (along < high)]
-    at = np.concatenate([[low], inner, [high]])
-    points = np.stack([np.interp(at, along, vertices[:, axis]) for axis in (0, 1)], axis=1)
+    inner = (along > low) & (along < high)
+    points = np.concatenate(
+        [_on_chain(vertices, along, low), vertices[inner], _on_chain(vertices, along, high)]
+    )
     return Polyline(tuple((float(x), float(y)) for x, y in points), stroke.linetype)
+
+
+def _on_chain(
+    vertices: npt.NDArray[np.float64], along: npt.NDArray[np.float64], at: float
+) -> npt.NDArray[np.float64]:
+    """(1, 2) point at a length along a chain; before and after it, on its first and last chord."""
+    index = int(np.clip(np.searchsorted(along, at) - 1, 0, len(along) - 2))
+    share = (at - along[index]) / (along[index + 1] - along[index])
+    return (vertices[index] + share * (vertices[index + 1] - vertices[index]))[None]

@@ -56,12 +56,20 @@ def box(lower: Point3, upper: Point3) -> TopoDS_Shape:
     ).Shape()
 
 
-def cylinder(
-    axis: Axis, centre: Point2, radius: float, start: float, end: float
-) -> TopoDS_Shape:
+def cylinder(axis: Axis, centre: Point2, radius: float, start: float, end: float) -> TopoDS_Shape:
     """A cylinder along an axis from ``start`` to ``end``."""
     frame = gp_Ax2(_point(axis, centre, start), gp_Dir(*_UNIT[axis]))
     return BRepPrimAPI_MakeCylinder(frame, float(radius), float(end - start)).Shape()
+
+
+def leaning_cylinder(
+    middle: Point3, direction: Point3, radius: float, length: float
+) -> TopoDS_Shape:
+    """A cylinder of a length along any direction, around a point in its middle."""
+    way = np.array(direction, dtype=float) / np.linalg.norm(direction)
+    start = np.array(middle, dtype=float) - 0.5 * length * way
+    frame = gp_Ax2(gp_Pnt(*start.tolist()), gp_Dir(*way.tolist()))
+    return BRepPrimAPI_MakeCylinder(frame, float(radius), float(length)).Shape()
 
 
 def cone(
@@ -69,9 +77,7 @@ def cone(
 ) -> TopoDS_Shape:
     """A truncated cone along an axis with its radii at ``start`` and ``end``."""
     frame = gp_Ax2(_point(axis, centre, start), gp_Dir(*_UNIT[axis]))
-    return BRepPrimAPI_MakeCone(
-        frame, float(radii[0]), float(radii[1]), float(end - start)
-    ).Shape()
+    return BRepPrimAPI_MakeCone(frame, float(radii[0]), float(radii[1]), float(end - start)).Shape()
 
 
 def sphere(centre: Point3, radius: float) -> TopoDS_Shape:
@@ -81,9 +87,7 @@ def sphere(centre: Point3, radius: float) -> TopoDS_Shape:
     ).Shape()
 
 
-def prism(
-    axis: Axis, outline: Sequence[Point2], start: float, end: float
-) -> TopoDS_Shape:
+def prism(axis: Axis, outline: Sequence[Point2], start: float, end: float) -> TopoDS_Shape:
     """A polygon in the plane across an axis, extruded from ``start`` to ``end``."""
     polygon = BRepBuilderAPI_MakePolygon()
     for flat in outline:
@@ -146,42 +150,34 @@ def _single_solid(shape: TopoDS_Shape) -> TopoDS_Shape:
     return solids[0] if len(solids) == 1 else shape
 
 
-def edges_where(
-    shape: TopoDS_Shape, wanted: Callable[[Point3, Point3], bool]
-) -> list[TopoDS_Edge]:
+def edges_where(shape: TopoDS_Shape, wanted: Callable[[Point3, Point3], bool]) -> list[TopoDS_Edge]:
     """The edges for whose two end points ``wanted`` holds."""
     chosen = []
     for edge in edges_of(shape):
         curve = BRepAdaptor_Curve(edge)
         ends = [
-            curve.Value(parameter)
-            for parameter in (curve.FirstParameter(), curve.LastParameter())
+            curve.Value(parameter) for parameter in (curve.FirstParameter(), curve.LastParameter())
         ]
         if wanted(*((point.X(), point.Y(), point.Z()) for point in ends)):
             chosen.append(edge)
     return chosen
 
 
-def edges_along(
-    shape: TopoDS_Shape, axis: Axis, at: Iterable[Point2]
-) -> list[TopoDS_Edge]:
+def edges_along(shape: TopoDS_Shape, axis: Axis, at: Iterable[Point2]) -> list[TopoDS_Edge]:
     """The edges along an axis that pass through any of the points of the plane across it."""
     points = [np.array(point, dtype=float) for point in at]
 
     def wanted(start: Point3, end: Point3) -> bool:
         flat_start, flat_end = np.delete(start, axis.value), np.delete(end, axis.value)
         return abs(start[axis.value] - end[axis.value]) > 1e-6 and any(
-            np.abs(flat_start - point).max() < 1e-6
-            and np.abs(flat_end - point).max() < 1e-6
+            np.abs(flat_start - point).max() < 1e-6 and np.abs(flat_end - point).max() < 1e-6
             for point in points
         )
 
     return edges_where(shape, wanted)
 
 
-def filleted(
-    shape: TopoDS_Shape, edges: Iterable[TopoDS_Edge], radius: float
-) -> TopoDS_Shape:
+def filleted(shape: TopoDS_Shape, edges: Iterable[TopoDS_Edge], radius: float) -> TopoDS_Shape:
     """The shape with rounded edges."""
     maker = BRepFilletAPI_MakeFillet(shape)
     for edge in edges:
@@ -189,9 +185,7 @@ def filleted(
     return _single_solid(maker.Shape())
 
 
-def chamfered(
-    shape: TopoDS_Shape, edges: Iterable[TopoDS_Edge], distance: float
-) -> TopoDS_Shape:
+def chamfered(shape: TopoDS_Shape, edges: Iterable[TopoDS_Edge], distance: float) -> TopoDS_Shape:
     """The shape with edges cut off at equal distances."""
     maker = BRepFilletAPI_MakeChamfer(shape)
     for edge in edges:

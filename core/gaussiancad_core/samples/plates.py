@@ -8,9 +8,7 @@ from gaussiancad_core.samples.part import SamplePart
 
 
 def _l_bracket() -> TopoDS_Shape:
-    angle = prism(
-        Axis.Y, [(0, 0), (80, 0), (80, 12), (14, 12), (14, 60), (0, 60)], 0, 50
-    )
+    angle = prism(Axis.Y, [(0, 0), (80, 0), (80, 12), (14, 12), (14, 60), (0, 60)], 0, 50)
     return cut(
         angle,
         cylinder(Axis.Z, (52, 25), 10, -1, 13),
@@ -102,21 +100,15 @@ def _boss_plate() -> TopoDS_Shape:
 PLATES = (
     SamplePart("l-bracket", "angle with a hole in each leg", _l_bracket),
     SamplePart("bored-plate", "plate with four holes and a bore", _bored_plate),
-    SamplePart(
-        "stepped-block", "three steps and a notch in the lowest", _stepped_block
-    ),
+    SamplePart("stepped-block", "three steps and a notch in the lowest", _stepped_block),
     SamplePart("pocket-block", "block with a blind rectangular pocket", _pocket_block),
     SamplePart(
         "three-axis-block",
         "holes along all three axes that do not meet",
         _three_axis_block,
     ),
-    SamplePart(
-        "u-bracket", "channel with a cross hole through both cheeks", _u_bracket
-    ),
-    SamplePart(
-        "t-slot-block", "undercut slot, seen whole in one view only", _t_slot_block
-    ),
+    SamplePart("u-bracket", "channel with a cross hole through both cheeks", _u_bracket),
+    SamplePart("t-slot-block", "undercut slot, seen whole in one view only", _t_slot_block),
     SamplePart("counterbored-block", "two counterbored holes", _counterbored_block),
     SamplePart("slotted-link", "round-ended bar with a hole and a slot", _slotted_link),
     SamplePart("boss-plate", "plate with a bored boss and two holes", _boss_plate),
