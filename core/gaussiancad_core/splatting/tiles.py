@@ -1,8 +1,16 @@
-"""The fast back end: compiled tile kernels behind torch's automatic differentiation."""
+"""The fast back end: compiled tile kernels behind torch's automatic differentiation.
 
+numba's own work queue runs the kernels: it comes with every numba, and unlike OpenMP its threads
+sleep between kernels instead of spinning, which costs torch its processor.  It serves one caller
+at a time, so that the kernels are behind a lock.
+"""
+
+import os
+import threading
 from dataclasses import dataclass
 from typing import Any
 
+import numba
 import numpy as np
 import numpy.typing as npt
 import torch
@@ -12,6 +20,11 @@ from gaussiancad_core.cameras import CameraModel
 from gaussiancad_core.splatting import projection_kernels, tile_kernels, tile_sorting
 from gaussiancad_core.splatting.projection import CameraBatch, half_field
 from gaussiancad_core.splatting.rasteriser import Optics, Parameters, Rendering
+
+if "NUMBA_THREADING_LAYER" not in os.environ:
+    numba.config.THREADING_LAYER = "workqueue"
+
+_KERNELS = threading.Lock()
 
 Array = npt.NDArray[Any]
 
@@ -83,78 +96,88 @@ class _Draw(torch.autograd.Function):
         optics: Optics,
     ) -> tuple[Tensor, Tensor, Tensor]:
         scene = _scene((means, quaternions, log_scales), opacities, colours, cameras, optics)
-        views, number, kind = len(cameras.rotations), len(means), scene.opacities.dtype
-        shapes = ((views, number, 2), (views, number, 3), (views, number, 3), (views, number))
-        places, covariances, conics, depths = (np.empty(shape, kind) for shape in shapes)
-        projection_kernels.project_forward(
-            scene.gaussians,
-            scene.cameras,
-            scene.pinhole,
-            scene.nearest,
-            kind.type(optics.dilation),
-            places,
-            covariances,
-            conics,
-            depths,
-        )
         size = (cameras.height, cameras.width)
-        tiling = _sort_into_tiles(size, places, covariances, depths, scene)
-        images = (
-            np.empty((views, 3, *size), kind),
-            np.empty((views, *size), kind),
-            np.empty((views, *size), kind),
-        )
-        projected = (places, conics, depths)
-        tile_kernels.composite_forward(
-            size,
-            tiling.grid,
-            (tiling.starts, tiling.members, tiling.boxes),
-            projected,
-            scene.opacities,
-            scene.colours,
-            scene.limits,
-            images,
-        )
+        with _KERNELS:
+            tiling, projected, images = _forward(scene, size, optics)
         ctx.state = (scene, size, tiling, projected, images)
         return tuple(torch.from_numpy(image) for image in images)
 
     @staticmethod
     def backward(ctx: Any, *upstream: Tensor) -> tuple[Tensor | None, ...]:  # noqa: ANN401
-        scene, size, tiling, projected, images = ctx.state
-        conics, depths = projected[1:]
-        kind = conics.dtype
-        slots = np.empty((len(tiling.members), tile_kernels.SLOT_FIELDS), kind)
-        tile_kernels.composite_backward(
-            size,
-            tiling.grid,
-            (tiling.starts, tiling.members, tiling.boxes),
-            tiling.slots,
-            projected,
-            scene.opacities,
-            scene.colours,
-            scene.limits,
-            images,
-            tuple(np.ascontiguousarray(gradient.numpy()) for gradient in upstream),
-            slots,
-        )
-        to_projection = tuple(np.empty_like(array) for array in projected)
-        to_opacities, to_colours = np.empty_like(scene.opacities), np.empty_like(scene.colours)
-        tile_kernels.add_slots(
-            tiling.counts, tiling.first_slots, slots, to_projection, to_opacities, to_colours
-        )
-        gradients = tuple(np.empty_like(array) for array in scene.gaussians)
-        projection_kernels.project_backward(
-            scene.gaussians,
-            scene.cameras,
-            scene.pinhole,
-            scene.nearest,
-            conics,
-            depths,
-            to_projection,
-            gradients,
-        )
-        tensors = [torch.from_numpy(array) for array in (*gradients, to_opacities, to_colours)]
-        return (*tensors, None, None)
+        arrays = tuple(np.ascontiguousarray(gradient.numpy()) for gradient in upstream)
+        with _KERNELS:
+            gradients = _backward(ctx.state, arrays)
+        return (*(torch.from_numpy(gradient) for gradient in gradients), None, None)
+
+
+def _forward(
+    scene: _Scene, size: tuple[int, int], optics: Optics
+) -> tuple[_Tiling, tuple[Array, Array, Array], tuple[Array, Array, Array]]:
+    """Tiling; means, conics and depths in the views; colour, alpha and depth images."""
+    views, number, kind = len(scene.cameras[0]), len(scene.opacities), scene.opacities.dtype
+    shapes = ((views, number, 2), (views, number, 3), (views, number, 3), (views, number))
+    means, covariances, conics, depths = (np.empty(shape, kind) for shape in shapes)
+    projection_kernels.project_forward(
+        scene.gaussians,
+        scene.cameras,
+        scene.pinhole,
+        scene.nearest,
+        kind.type(optics.dilation),
+        means,
+        covariances,
+        conics,
+        depths,
+    )
+    tiling = _sort_into_tiles(size, means, covariances, depths, scene)
+    projected = (means, conics, depths)
+    images = tuple(np.empty((views, *planes, *size), kind) for planes in ((3,), (), ()))
+    tile_kernels.composite_forward(
+        size,
+        tiling.grid,
+        (tiling.starts, tiling.members, tiling.boxes),
+        projected,
+        scene.opacities,
+        scene.colours,
+        scene.limits,
+        images,
+    )
+    return tiling, projected, images
+
+
+def _backward(state: tuple[Any, ...], upstream: tuple[Array, ...]) -> tuple[Array, ...]:
+    """Gradients of means, quaternions, log scales, opacities and colours."""
+    scene, size, tiling, projected, images = state
+    slots = np.empty((len(tiling.members), tile_kernels.SLOT_FIELDS), scene.opacities.dtype)
+    tile_kernels.composite_backward(
+        size,
+        tiling.grid,
+        (tiling.starts, tiling.members, tiling.boxes),
+        tiling.slots,
+        projected,
+        scene.opacities,
+        scene.colours,
+        scene.limits,
+        images,
+        upstream,
+        slots,
+    )
+    to_projection = tuple(np.empty_like(array) for array in projected)
+    to_opacities, to_colours = np.empty_like(scene.opacities), np.empty_like(scene.colours)
+    tile_kernels.add_slots(
+        tiling.counts, tiling.first_slots, slots, to_projection, to_opacities, to_colours
+    )
+    gradients = tuple(np.empty_like(array) for array in scene.gaussians)
+    projection_kernels.project_backward(
+        scene.gaussians,
+        scene.cameras,
+        scene.pinhole,
+        scene.nearest,
+        projected[1],
+        projected[2],
+        to_projection,
+        gradients,
+    )
+    return (*gradients, to_opacities, to_colours)
 
 
 def _array(tensor: Tensor) -> Array:
