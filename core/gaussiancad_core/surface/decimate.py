@@ -31,7 +31,7 @@ def decimated(mesh: TriangleMesh, limit: int = FACETED_LIMIT) -> TriangleMesh:
     if len(mesh.triangles) <= limit:
         return mesh
     source = open3d.geometry.TriangleMesh(
-        open3d.utility.Vector3dVector(mesh.vertices),
+        open3d.utility.Vector3dVector(mesh.vertices.copy()),
         open3d.utility.Vector3iVector(mesh.triangles.astype(np.int32)),
     )
     target = float(limit)
