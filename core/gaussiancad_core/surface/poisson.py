@@ -11,6 +11,10 @@ from gaussiancad_core.surface.points import DiscSampling, OrientedPoints, disc_p
 from gaussiancad_core.surface.repair import intersection, made_manifold
 
 
+_CUT_TOLERANCE = 2e-4
+"""By how much the cut surface may be simplified, as a share of the longest edge."""
+
+
 @dataclass(frozen=True)
 class PoissonSettings:
     """How the surface is found.
@@ -48,7 +52,8 @@ def gaussian_surface(
     surface = poisson_surface(disc_points(gaussians, settings.sampling), settings)
     if within is None:
         return surface
-    common = intersection(surface, within)
+    longest = float(np.ptp(within.bounds, axis=0).max())
+    common = intersection(surface, within, _CUT_TOLERANCE * longest)
     if common is None:
         raise _no_surface()
     return common
