@@ -259,6 +259,46 @@
             <translation>Gescheitert: Aus dieser Zeichnung folgt kein Bauteil.</translation>
         </message>
         <message>
+            <source>front</source>
+            <translation>vorn</translation>
+        </message>
+        <message>
+            <source>top</source>
+            <translation>oben</translation>
+        </message>
+        <message>
+            <source>right</source>
+            <translation>rechts</translation>
+        </message>
+        <message>
+            <source>left</source>
+            <translation>links</translation>
+        </message>
+        <message>
+            <source>bottom</source>
+            <translation>unten</translation>
+        </message>
+        <message>
+            <source>rear</source>
+            <translation>hinten</translation>
+        </message>
+        <message>
+            <source>given</source>
+            <translation>angegeben</translation>
+        </message>
+        <message>
+            <source>from the sheet's resolution</source>
+            <translation>aus der Auflösung des Blatts</translation>
+        </message>
+        <message>
+            <source>from a dimension</source>
+            <translation>aus einem Maß</translation>
+        </message>
+        <message>
+            <source>assumed</source>
+            <translation>angenommen</translation>
+        </message>
+        <message>
             <source>Scale: {scale} mm per pixel ({source})</source>
             <translation>Maßstab: {scale} mm je Pixel ({source})</translation>
         </message>

@@ -19,13 +19,35 @@ def status_text(status: Status) -> str:
     }[status]
 
 
+def role_name(role: str) -> str:
+    """The name of a view, for people; an unknown one stays as it is."""
+    return {
+        "front": translate("GaussianCAD", "front"),
+        "top": translate("GaussianCAD", "top"),
+        "right": translate("GaussianCAD", "right"),
+        "left": translate("GaussianCAD", "left"),
+        "bottom": translate("GaussianCAD", "bottom"),
+        "rear": translate("GaussianCAD", "rear"),
+    }.get(role, role)
+
+
+def _source_name(source: str) -> str:
+    """Where a scale comes from, for people."""
+    return {
+        "given": translate("GaussianCAD", "given"),
+        "sheet": translate("GaussianCAD", "from the sheet's resolution"),
+        "dimension": translate("GaussianCAD", "from a dimension"),
+        "default": translate("GaussianCAD", "assumed"),
+    }.get(source, source or "?")
+
+
 def report_lines(report: Report) -> list[str]:
     """Reasons, warnings, scale, views, models and time, a line each."""
     lines = [f"• {remark.message or remark.code}" for remark in report.reasons]
     lines += [f"• {remark.message or remark.code}" for remark in report.warnings]
     if report.mm_per_pixel:
         text = translate("GaussianCAD", "Scale: {scale} mm per pixel ({source})")
-        source = report.word("scale_source") or "?"
+        source = _source_name(report.word("scale_source"))
         lines.append(text.format(scale=f"{report.mm_per_pixel:.5g}", source=source))
     lines += [_view_line(view.role, view.agreement) for view in report.views if view.agreement]
     lines += _model_lines(report)
@@ -47,7 +69,7 @@ def _view_line(role: str, agreement: Mapping[str, float]) -> str:
             text = translate("GaussianCAD", "{lines} {recall} found, {precision} right")
             shares = {"recall": f"{recall:.1%}", "precision": f"{precision:.1%}"}
             parts.append(text.format(lines=name, **shares))
-    return f"{role}: " + "; ".join(parts)
+    return f"{role_name(role)}: " + "; ".join(parts)
 
 
 def _model_lines(report: Report) -> list[str]:

@@ -9,6 +9,7 @@ from pathlib import Path
 import FreeCAD
 
 from freecad.gaussiancad.engine.report import Report, Status
+from freecad.gaussiancad.engine.summary import role_name
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
 from freecad.gaussiancad.objects.gaussians import add_points
 from freecad.gaussiancad.objects.loading import LoadedPart, LoadedRun, PartSource
@@ -107,7 +108,7 @@ def _features(document: FreeCAD.Document, run: LoadedRun) -> list[FreeCAD.Docume
         features.append(points)
     for view in run.views:
         plane = add_image_plane(document, f"View_{view.role}", view.path, view.plane)
-        plane.Label = translate("GaussianCAD", "View {role}").format(role=view.role)
+        plane.Label = translate("GaussianCAD", "View {role}").format(role=role_name(view.role))
         features.append(plane)
     return features
 

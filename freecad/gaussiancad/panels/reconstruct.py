@@ -119,6 +119,11 @@ class ReconstructPanel(EnginePanel):
 def _show_all(document: FreeCAD.Document) -> None:
     """Fit the document's 3D view; a window that shows something else stays as it is."""
     view = FreeCADGui.getDocument(document.Name).ActiveView
-    if hasattr(view, "fitAll"):
-        view.viewIsometric()
-        view.fitAll()
+    if not hasattr(view, "fitAll"):
+        return
+    # An animated turn would overtake the fit (FreeCAD 1.1).
+    animated = view.isAnimationEnabled()
+    view.setAnimationEnabled(False)
+    view.viewIsometric()
+    view.fitAll()
+    view.setAnimationEnabled(animated)
