@@ -25,8 +25,13 @@ done
 if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
     fail "packages are missing and only root can install them: apt-get install$missing"
 fi
+export DEBIAN_FRONTEND=noninteractive
 say "System packages: installing$missing"
+if [ -n "$(ls /var/lib/dpkg/updates)" ]; then # apt goes on only after this
+    say "System packages: an installation was interrupted, finishing it"
+    logged dpkg-configure as_root dpkg --configure -a
+fi
 logged apt-update as_root apt-get update --quiet
 # shellcheck disable=SC2086 # the list is meant to be split
-logged apt-install as_root env DEBIAN_FRONTEND=noninteractive \
-    apt-get install --yes --quiet --no-install-recommends $missing
+logged apt-install as_root apt-get install --option DPkg::Lock::Timeout=300 --yes --quiet \
+    --no-install-recommends $missing

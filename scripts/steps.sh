@@ -30,6 +30,6 @@ as_root() {
     if [ "$(id -u)" -eq 0 ]; then
         "$@"
     else
-        sudo "$@"
+        sudo --preserve-env=DEBIAN_FRONTEND "$@"
     fi
 }
