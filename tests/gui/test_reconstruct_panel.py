@@ -9,7 +9,7 @@ import tempfile
 import fake_part
 import FreeCAD
 import FreeCADGui
-from window import WindowCase, spin, widget
+from window import WindowCase, dropped, spin, widget
 
 from freecad.gaussiancad.engine.job import ScaleKind
 from freecad.gaussiancad.paths import ADDON_ROOT
@@ -52,6 +52,13 @@ class Panel(WindowCase):
         self.assertEqual(self.document.Objects, [])
         self.document.redo()
         self.assertEqual(len(self.document.Objects), 7)
+
+    def test_a_drawing_can_be_dropped_on_the_preview(self) -> None:
+        preview = widget(QtWidgets.QLabel, "preview")
+        self.assertFalse(preview.has_picture)
+        preview.dropEvent(dropped(self.sheet))
+        self.assertEqual(widget(QtWidgets.QLineEdit, "sheet").text(), str(self.sheet))
+        self.assertTrue(preview.has_picture)
 
     def test_saved_and_opened_again(self) -> None:
         self.choose_sheet(self.sheet)

@@ -10,7 +10,7 @@ import FreeCADGui
 from support import FAKE_ENGINE, FolderCase, draw_sheet
 
 from freecad.gaussiancad.panels.messages import BOX_NAME
-from freecad.gaussiancad.qt import QtCore, QtWidgets
+from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
 PATIENCE_SECONDS = 60.0
 
@@ -111,8 +111,16 @@ class WindowCase(FolderCase):
         spin(100)
 
 
-def dropped(path: Path) -> QtCore.QMimeData:
-    """What a file manager sends when a file is dropped."""
+def dropped(path: Path) -> QtGui.QDropEvent:
+    """What arrives when a file is dropped."""
     data = QtCore.QMimeData()
     data.setUrls([QtCore.QUrl.fromLocalFile(str(path))])
-    return data
+    event = QtGui.QDropEvent(
+        QtCore.QPointF(10.0, 10.0),
+        QtCore.Qt.DropAction.CopyAction,
+        data,
+        QtCore.Qt.MouseButton.LeftButton,
+        QtCore.Qt.KeyboardModifier.NoModifier,
+    )
+    event.kept = data  # the event itself does not keep its data alive
+    return event

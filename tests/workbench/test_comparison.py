@@ -1,0 +1,143 @@
+"""Comparisons in documents, and the geometry that goes into them."""
+
+from pathlib import Path
+
+import fake_part
+import FreeCAD
+import Mesh
+import Part
+from support import FolderCase, run_fake
+
+from freecad.gaussiancad.engine.job import CompareJob
+from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
+from freecad.gaussiancad.objects.comparable import comparable_objects, export_geometry
+from freecad.gaussiancad.objects.comparison import add_comparison, load_comparison
+from freecad.gaussiancad.objects.legend import (
+    HEIGHT,
+    STOPS,
+    WIDTH,
+    DeviationRange,
+    colour_at,
+    legend_image,
+)
+
+
+class DocumentCase(FolderCase):
+    def setUp(self) -> None:
+        super().setUp()
+        self.document = FreeCAD.newDocument("Compared")
+        self.addCleanup(self.close_all)
+        self.part = self.document.addObject("Part::Feature", "Model")
+        self.part.Shape = Part.read(str(fake_part.STEP_FILE))
+        self.scan = self.document.addObject("Mesh::Feature", "Scan")
+        stl = self.folder / "scan.stl"
+        stl.write_text(fake_part.stl_text())
+        self.scan.Mesh = Mesh.Mesh(str(stl))
+
+    def close_all(self) -> None:
+        for name in list(FreeCAD.listDocuments()):
+            FreeCAD.closeDocument(name)
+
+
+class Candidates(DocumentCase):
+    def test_solids_meshes_and_bodies_but_not_their_features(self) -> None:
+        body = self.document.addObject("PartDesign::Body", "Body")
+        box = self.document.addObject("PartDesign::AdditiveBox", "Box")
+        body.addObject(box)
+        self.document.addObject("PartDesign::Plane", "Datum")
+        self.document.addObject("Part::Feature", "Empty")
+        wire = self.document.addObject("Part::Feature", "Wire")
+        wire.Shape = Part.makePolygon([FreeCAD.Vector(0, 0, 0), FreeCAD.Vector(1, 0, 0)])
+        self.document.addObject("Mesh::Feature", "EmptyMesh")
+        self.document.addObject("Sketcher::SketchObject", "Sketch")
+        self.document.recompute()
+        names = [candidate.Name for candidate in comparable_objects(self.document)]
+        self.assertEqual(names, ["Model", "Scan", "Body"])
+
+    def test_geometry_is_written_where_it_stands(self) -> None:
+        holder = self.document.addObject("App::Part", "Holder")
+        holder.Placement.Base = FreeCAD.Vector(100, 0, 0)
+        for moved in (self.part, self.scan):
+            moved.Placement.Base = FreeCAD.Vector(0, 0, 7)
+            holder.addObject(moved)
+        body = self.document.addObject("PartDesign::Body", "Body")
+        box = self.document.addObject("PartDesign::AdditiveBox", "Box")
+        body.addObject(box)
+        body.Placement.Base = FreeCAD.Vector(0, 50, 0)
+        self.document.recompute()
+        solid = Part.read(str(export_geometry(self.part, self.folder, "solid")))
+        mesh = Mesh.Mesh(str(export_geometry(self.scan, self.folder, "mesh")))
+        whole = Part.read(str(export_geometry(body, self.folder, "body")))
+        for box, volume in ((solid.BoundBox, solid.Volume), (mesh.BoundBox, mesh.Volume)):
+            low = (box.XMin, box.YMin, box.ZMin)
+            for value, expected in zip(low, (100.0, 0.0, 7.0), strict=True):
+                self.assertAlmostEqual(value, expected, places=4)
+            self.assertAlmostEqual(volume, fake_part.VOLUME, delta=0.1)
+        self.assertAlmostEqual(whole.BoundBox.YMin, 50.0, places=6)
+        self.assertAlmostEqual(whole.Volume, 1000.0, places=6)
+
+    def test_what_cannot_be_written_is_told(self) -> None:
+        with self.assertRaises(WorkbenchError) as caught:
+            export_geometry(self.part, self.folder / "missing", "solid")
+        self.assertIs(caught.exception.code, ErrorCode.NOTHING_TO_COMPARE)
+        self.assertIn("Model", caught.exception.message)
+
+
+class Groups(DocumentCase):
+    def compare(self) -> Path:
+        output = self.folder / "out"
+        result = export_geometry(self.scan, self.folder, "result")
+        reference = export_geometry(self.part, self.folder, "reference")
+        run_fake(CompareJob(str(result), str(reference), str(output)).arguments())
+        return output
+
+    def test_everything_is_there_in_one_undo_step(self) -> None:
+        self.document.UndoMode = 1
+        loaded = load_comparison(self.compare(), self.folder)
+        group = add_comparison(self.document, loaded, (self.scan, self.part))
+        self.assertEqual(self.document.UndoCount, 1)
+        self.assertEqual((group.Result, group.Reference), ("Scan", "Model"))
+        self.assertEqual((group.Chamfer, group.Hausdorff, group.Emd), (0.0312, 0.12, 0.056))
+        self.assertEqual((group.PointToSurface, group.VolumeIou), (0.004, 0.991))
+        self.assertEqual(group.Floor, {"chamfer": "0.03", "hausdorff": "0.1", "emd": "0.05"})
+        self.assertEqual(group.RangeMillimetres, 1.0)
+        deviation, legend = group.Group
+        self.assertAlmostEqual(deviation.Mesh.Volume, fake_part.VOLUME, places=2)
+        for point, colour in zip(deviation.Mesh.Points, deviation.VertexColors, strict=True):
+            self.assertAlmostEqual(colour[0], point.x / 60.0, delta=0.003)
+        self.assertAlmostEqual(legend.XSize.Value / legend.YSize.Value, WIDTH / HEIGHT, places=6)
+        self.assertGreater(legend.Placement.Base.x, 60.0)
+        self.assertEqual((self.scan.Visibility, self.part.Visibility), (False, False))
+        self.document.undo()
+        self.assertEqual(len(self.document.Objects), 2)
+
+    def test_a_coloured_mesh_is_no_candidate_for_the_next_comparison(self) -> None:
+        loaded = load_comparison(self.compare(), self.folder)
+        add_comparison(self.document, loaded, (self.scan, self.part))
+        names = [candidate.Name for candidate in comparable_objects(self.document)]
+        self.assertEqual(names, ["Model", "Scan"])
+
+    def test_damaged_files_are_told(self) -> None:
+        output = self.compare()
+        deviation = output / "deviation.ply"
+        whole = deviation.read_bytes()
+        for damaged in (whole[:200], b"", whole.replace(b"red", b"rot")):
+            deviation.write_bytes(damaged)
+            with self.assertRaises(WorkbenchError) as caught:
+                load_comparison(output, self.folder)
+            self.assertIs(caught.exception.code, ErrorCode.RESULT_UNREADABLE)
+
+
+class Legends(FolderCase):
+    def test_the_stops_are_met_and_values_beyond_are_clipped(self) -> None:
+        self.assertEqual([colour_at(share) for share in (-1, -0.5, 0, 0.5, 1)], list(STOPS))
+        self.assertEqual((colour_at(-7), colour_at(7)), (STOPS[0], STOPS[-1]))
+
+    def test_the_picture_runs_from_the_largest_value_down(self) -> None:
+        for signed, lowest in ((True, STOPS[0]), (False, STOPS[2])):
+            image = legend_image(DeviationRange(2.0, signed), with_text=False)
+            for y, expected in ((35, STOPS[-1]), (485, lowest)):
+                colour = image.pixelColor(45, y)
+                channels = (colour.red(), colour.green(), colour.blue())
+                for channel, wanted in zip(channels, expected, strict=True):
+                    self.assertAlmostEqual(channel, wanted, delta=6)
