@@ -118,12 +118,13 @@ def spread_points(
 
 
 def quaternions_to(normals: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
-    """(n, 3) unit vectors -> (n, 4) unit quaternions that turn the third axis there directly."""
-    quaternions = np.stack(
-        [1.0 + normals[:, 2], -normals[:, 1], normals[:, 0], np.zeros(len(normals))], axis=1
-    )
-    # Straight down there are many short ways: half a turn about the first axis is one.
-    quaternions[normals[:, 2] < -1.0 + 1e-9] = (0.0, 1.0, 0.0, 0.0)
+    """(n, 3) unit vectors -> (n, 4) unit quaternions that turn the third axis there."""
+    x, y, z = normals.T
+    zero = np.zeros(len(normals))
+    upward = np.stack([1.0 + z, -y, x, zero], axis=1)
+    # Near straight down 1 + z loses its digits: half a turn about the first axis goes ahead.
+    downward = np.stack([-y, 1.0 - z, zero, x], axis=1)
+    quaternions = np.where((z < 0.0)[:, None], downward, upward)
     return quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)
 
 
