@@ -1,12 +1,14 @@
 """Many sheets without a window, through the script that users start."""
 
 import csv
+import io
 import json
 import os
 import signal
 import subprocess
 import sys
 import time
+from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 
 import fake_part
@@ -126,8 +128,12 @@ class Batches(FolderCase):
             [sheet, "--output", str(blocked)],
         ]
         for arguments in wrong:
-            self.assertEqual(main(arguments), 2, arguments)
-        self.assertEqual(main(["--help"]), 0)
+            with redirect_stderr(io.StringIO()) as told:
+                self.assertEqual(main(arguments), 2, arguments)
+            self.assertIn("error: ", told.getvalue())
+        with redirect_stdout(io.StringIO()) as told:
+            self.assertEqual(main(["--help"]), 0)
+        self.assertIn("--mm-per-pixel", told.getvalue())
 
     def test_no_engine_is_six(self) -> None:
         sheet = str(draw_sheet(self.sheets / "a.png"))
