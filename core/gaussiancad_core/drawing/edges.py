@@ -23,8 +23,8 @@ from gaussiancad_core.drawing.surfaces import normal_at
 SMOOTH_ANGLE = 0.01745
 """Radians between the normals of both sides under which an edge is smooth: one degree."""
 
-GRAZING = 5e-3
-"""Largest |normal . look| along a smooth edge that may be a silhouette; splines meet loosely."""
+GRAZING = SMOOTH_ANGLE
+"""Largest |normal . look| along a smooth edge that may be a silhouette."""
 
 _SAMPLES = np.array([0.07, 0.29, 0.5, 0.71, 0.93])
 

@@ -81,27 +81,24 @@ class LineDrawing:
     def view(self, role: Role) -> tuple[DrawnStroke, ...]:
         """The strokes of a view in its plane's millimetres (right, up), each line once."""
         frame = role.frame
-        edges = self._edges(frame)
-        projected = [
-            (
-                project_edge(edge, frame, Linetype.VISIBLE, self._precision),
-                BRep_Tool.Tolerance_s(edge),
-            )
-            for edge in edges
-        ]
-        strokes = [stroke for stroke, _ in projected if stroke is not None]
-        loose = [
-            Line(stroke, slack)
-            for stroke, slack in projected
-            if stroke is not None and slack > self._precision.fit
-        ]
-        # Sight lines stand closer to a line than two lines have to be to count as one in the end.
-        exact = replace(self._precision, cover=_BESIDE * self._extent)
-        lines = with_slack(distinct_strokes(strokes, exact), loose, exact.cover)
         sight = SightLines(self._shape, frame, self._precision.fit)
         witness = Witness(sight, frame, _BESIDE * self._extent)
+        lines = self._lines(frame)
         drawn = decided(lines, witness, self._precision, self._options.tangent_edges)
         return clean_strokes(drawn, self._precision)
+
+    def _lines(self, frame: ViewFrame) -> list[Line]:
+        """What may be drawn in a view, each line once."""
+        singles: list[Line] = []
+        for edge in self._edges(frame):
+            stroke = project_edge(edge, frame, Linetype.VISIBLE, self._precision)
+            if stroke is not None:
+                singles.append(Line(stroke, BRep_Tool.Tolerance_s(edge)))
+        # Sight lines stand closer to a line than two lines have to be to count as one in the end.
+        exact = replace(self._precision, cover=_BESIDE * self._extent)
+        strokes = distinct_strokes((line.stroke for line in singles), exact)
+        loose = [line for line in singles if line.slack > self._precision.fit]
+        return with_slack(strokes, loose, exact.cover)
 
     def _edges(self, frame: ViewFrame) -> list[TopoDS_Edge]:
         """The edges and silhouettes that may be lines of a view."""

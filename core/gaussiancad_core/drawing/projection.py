@@ -17,6 +17,7 @@ from gaussiancad_core.views import Arc, Linetype, Segment
 
 _DENSE = 65
 _ANGULAR = 0.05
+_DISTINCT = 1e-3
 _SECTIONS = 24
 _GOLDEN = (np.sqrt(5.0) - 1.0) / 2.0
 _TURN = 2.0 * np.pi
@@ -192,5 +193,9 @@ def _chain(
     chord: float,
 ) -> Polyline:
     nodes = GCPnts_TangentialDeflection(curve, _ANGULAR, chord)
-    parameters = [nodes.Parameter(index + 1) for index in range(nodes.NbPoints())]
-    return Polyline(tuple(_pair(_flat(curve, plane, at)) for at in parameters), linetype)
+    points = [_flat(curve, plane, nodes.Parameter(index + 1)) for index in range(nodes.NbPoints())]
+    distinct = [points[0]]
+    for point in points[1:]:
+        if np.abs(point - distinct[-1]).max() > _DISTINCT * chord:
+            distinct.append(point)
+    return Polyline(tuple(_pair(point) for point in distinct), linetype)

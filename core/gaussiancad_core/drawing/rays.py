@@ -80,7 +80,7 @@ class SightLines:
                 continue
             origins = points[chosen, :1] * self._right + points[chosen, 1:] * self._up
             hits = patch.surface.crossings(origins, self._look)
-            kept = np.ones(len(hits.line), bool) if patch.surface.trimmed else _inside(patch, hits)
+            kept = _inside(patch, hits)
             lines.append(chosen[hits.line[kept]])
             depths.append(hits.depth[kept])
             normals.append(patch.sign * hits.normal[kept])

@@ -173,6 +173,10 @@ def _on_chain(
     vertices: npt.NDArray[np.float64], along: npt.NDArray[np.float64], at: float
 ) -> npt.NDArray[np.float64]:
     """(1, 2) point at a length along a chain; before and after it, on its first and last chord."""
-    index = int(np.clip(np.searchsorted(along, at) - 1, 0, len(along) - 2))
-    share = (at - along[index]) / (along[index + 1] - along[index])
-    return (vertices[index] + share * (vertices[index + 1] - vertices[index]))[None]
+    inside = float(np.clip(at, along[0], along[-1]))
+    point = np.array([np.interp(inside, along, vertices[:, axis]) for axis in (0, 1)])
+    if at != inside:
+        chord = vertices[1] - vertices[0] if at < inside else vertices[-1] - vertices[-2]
+        # Chains may hold a point twice; they are then not prolonged.
+        point += (at - inside) * chord / max(float(np.hypot(*chord)), 1e-300)
+    return point[None]

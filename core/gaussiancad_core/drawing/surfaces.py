@@ -14,6 +14,7 @@ from OCP.BRepAdaptor import BRepAdaptor_Surface
 from OCP.GeomAbs import GeomAbs_SurfaceType
 from OCP.gp import gp_Ax3, gp_Dir, gp_Lin, gp_Pnt, gp_Vec
 from OCP.IntCurvesFace import IntCurvesFace_Intersector
+from OCP.Standard import Standard_Failure
 from OCP.TopoDS import TopoDS_Face
 
 Array = npt.NDArray[np.float64]
@@ -40,9 +41,6 @@ class Crossings:
 
 class Surface(Protocol):
     """A surface that lines can be intersected with."""
-
-    trimmed: bool
-    """Whether crossings outside the face are left out already."""
 
     def crossings(self, origins: Array, direction: Array) -> Crossings:
         """All crossings of the lines through (n, 3) origins along a (3,) unit direction."""
@@ -104,7 +102,6 @@ def _quadratic(a: Array, b: Array, c: Array) -> tuple[npt.NDArray[np.int64], Arr
 @dataclass(frozen=True)
 class _Plane:
     frame: _Frame
-    trimmed = False
 
     def crossings(self, origins: Array, direction: Array) -> Crossings:
         normal = self.frame.handedness * self.frame.z
@@ -121,7 +118,6 @@ class _Plane:
 class _Cylinder:
     frame: _Frame
     radius: float
-    trimmed = False
 
     def crossings(self, origins: Array, direction: Array) -> Crossings:
         axis = self.frame.z
@@ -145,7 +141,6 @@ class _Cone:
     frame: _Frame
     radius: float
     angle: float
-    trimmed = False
 
     def crossings(self, origins: Array, direction: Array) -> Crossings:
         axis, cosine, sine = self.frame.z, np.cos(self.angle), np.sin(self.angle)
@@ -172,7 +167,6 @@ class _Cone:
 class _Sphere:
     frame: _Frame
     radius: float
-    trimmed = False
 
     def crossings(self, origins: Array, direction: Array) -> Crossings:
         offset = origins - self.frame.origin
@@ -198,14 +192,17 @@ class _Torus:
     frame: _Frame
     major: float
     minor: float
-    trimmed = False
 
     def crossings(self, origins: Array, direction: Array) -> Crossings:
         line, depth = self._roots(origins, direction)
         points = origins[line] + depth[:, None] * direction
         x, y, z = self.frame.local(points)
-        around = np.arctan2(y, x)
-        out = np.hypot(x, y) - self.major
+        # Where the tube is wider than the ring, its part beyond the axis has a negative radius.
+        rho = np.hypot(x, y)
+        misfit = [np.abs(np.hypot(sign * rho - self.major, z) - self.minor) for sign in (1.0, -1.0)]
+        sign = np.where(misfit[0] <= misfit[1], 1.0, -1.0)
+        around = np.arctan2(sign * y, sign * x)
+        out = sign * rho - self.major
         ring = np.cos(around)[:, None] * self.frame.x + np.sin(around)[:, None] * self.frame.y
         normal = (out[:, None] * ring + z[:, None] * self.frame.z) / self.minor
         return Crossings(
@@ -251,14 +248,17 @@ class _Torus:
 class _AnySurface:
     intersector: IntCurvesFace_Intersector
     adaptor: BRepAdaptor_Surface
-    trimmed = True
 
     def crossings(self, origins: Array, direction: Array) -> Crossings:
         intersector, adaptor = self.intersector, self.adaptor
         along = gp_Dir(*direction.tolist())
         found: list[tuple[int, float, float, float, Array]] = []
         for index, origin in enumerate(origins.tolist()):
-            intersector.Perform(gp_Lin(gp_Pnt(*origin), along), -_FAR, _FAR)
+            try:
+                intersector.Perform(gp_Lin(gp_Pnt(*origin), along), -_FAR, _FAR)
+            except Standard_Failure:
+                # Rare faces of spline surfaces; the line then lacks a hit and is known as faulty.
+                continue
             if not intersector.IsDone():
                 continue
             for number in range(1, intersector.NbPnt() + 1):
@@ -313,4 +313,4 @@ def surface_of(face: TopoDS_Face, tolerance: float) -> Surface:
     if kind == GeomAbs_SurfaceType.GeomAbs_Torus:
         torus = adaptor.Torus()
         return _Torus(_frame(torus.Position()), torus.MajorRadius(), torus.MinorRadius())
-    return _AnySurface(IntCurvesFace_Intersector(face, tolerance), adaptor)
+    return _AnySurface(IntCurvesFace_Intersector(face, tolerance, True, False), adaptor)
