@@ -83,7 +83,8 @@ def find_layout(
 def find_clusters(ink: npt.NDArray[np.bool_]) -> list[Box]:
     """Boxes of connected groups of ink, largest first; a drawing frame is left out."""
     height, width = ink.shape
-    kernel = np.ones((_REACH, _REACH), np.uint8)
+    # An even kernel would shift what it closes by a pixel.
+    kernel = np.ones((_REACH + 1, _REACH + 1), np.uint8)
     closed = cv2.morphologyEx(ink.astype(np.uint8), cv2.MORPH_CLOSE, kernel)
     count, _, stats, _ = cv2.connectedComponentsWithStats(closed, connectivity=8)
     boxes = [

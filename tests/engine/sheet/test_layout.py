@@ -1,0 +1,97 @@
+import numpy as np
+import pytest
+
+from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.errors import NoModelError, UsageError
+from gaussiancad_core.sheet.layout import Box, find_layout
+
+
+def _sheet(*boxes: tuple[int, int, int, int]) -> np.ndarray:
+    ink = np.zeros((700, 1000), bool)
+    for x0, y0, x1, y1 in boxes:
+        ink[y0 : y1 + 1, [x0, x1]] = True
+        ink[[y0, y1], x0 : x1 + 1] = True
+    return ink
+
+
+FRONT = (300, 300, 500, 400)
+ABOVE = (300, 100, 500, 250)
+BELOW = (300, 450, 500, 600)
+RIGHT = (560, 300, 710, 400)
+LEFT = (100, 300, 250, 400)
+
+
+def _close(box: Box, expected: tuple[int, int, int, int]) -> bool:
+    return bool(np.abs(np.array(box) - np.array(expected)).max() <= 1)
+
+
+@pytest.mark.parametrize(
+    ("boxes", "projection", "expected"),
+    [
+        ((FRONT, ABOVE, RIGHT), Projection.THIRD, {Role.TOP: ABOVE, Role.RIGHT: RIGHT}),
+        ((FRONT, BELOW, RIGHT), Projection.FIRST, {Role.TOP: BELOW, Role.LEFT: RIGHT}),
+        ((FRONT, BELOW, LEFT), Projection.THIRD, {Role.BOTTOM: BELOW, Role.LEFT: LEFT}),
+        (
+            (LEFT, RIGHT, FRONT, ABOVE, BELOW),
+            Projection.THIRD,
+            {Role.LEFT: LEFT, Role.RIGHT: RIGHT, Role.TOP: ABOVE, Role.BOTTOM: BELOW},
+        ),
+    ],
+)
+def test_roles_follow_from_place_and_projection(
+    boxes: tuple, projection: Projection, expected: dict
+) -> None:
+    layout = find_layout(_sheet(*boxes), {}, projection)
+    wanted = {Role.FRONT: FRONT, **expected}
+    assert set(layout.boxes) == set(wanted)
+    assert all(_close(layout.boxes[role], box) for role, box in wanted.items())
+    assert (layout.source, layout.alternatives) == ("given", ())
+
+
+def test_untold_projection_is_third_and_first_fits_as_well() -> None:
+    layout = find_layout(_sheet(FRONT, ABOVE, RIGHT), {}, None)
+    assert layout.projection is Projection.THIRD
+    assert (layout.source, layout.alternatives) == ("default", (Projection.FIRST,))
+
+
+def test_two_views_are_enough() -> None:
+    assert set(find_layout(_sheet(FRONT, ABOVE), {}, None).boxes) == {Role.FRONT, Role.TOP}
+    assert set(find_layout(_sheet(FRONT, RIGHT), {}, None).boxes) == {Role.FRONT, Role.RIGHT}
+
+
+def test_strokes_inside_a_view_belong_to_it() -> None:
+    ink = _sheet(FRONT, ABOVE, RIGHT, (350, 330, 420, 370))
+    assert len(find_layout(ink, {}, None).boxes) == 3
+    assert not find_layout(ink, {}, None).left_out
+
+
+def test_a_frame_around_the_views_is_none() -> None:
+    layout = find_layout(_sheet(FRONT, ABOVE, RIGHT, (10, 10, 990, 690)), {}, None)
+    assert _close(layout.boxes[Role.FRONT], FRONT)
+    assert len(layout.boxes) == 3
+
+
+def test_other_lines_are_left_out_and_told() -> None:
+    layout = find_layout(_sheet(FRONT, ABOVE, RIGHT, (800, 500, 960, 560)), {}, None)
+    assert len(layout.boxes) == 3
+    assert len(layout.left_out) == 1 and _close(layout.left_out[0], (800, 500, 960, 560))
+
+
+def test_boxes_name_views_wherever_they_stand() -> None:
+    given = {Role.REAR: (290, 290, 510, 410), Role.LEFT: (550, 290, 720, 410)}
+    layout = find_layout(_sheet(FRONT, RIGHT, ABOVE), given, None)
+    assert set(layout.boxes) == {Role.REAR, Role.LEFT}
+    assert _close(layout.boxes[Role.REAR], FRONT)
+    with pytest.raises(UsageError) as caught:
+        find_layout(_sheet(FRONT, RIGHT), {Role.TOP: (0, 0, 50, 50)}, None)
+    assert caught.value.code == "empty-view-box"
+
+
+@pytest.mark.parametrize(
+    ("boxes", "code"),
+    [((), "no-views"), ((FRONT,), "one-view"), ((FRONT, (600, 420, 800, 600)), "views-not-aligned")],
+)
+def test_what_is_no_arrangement_of_views(boxes: tuple, code: str) -> None:
+    with pytest.raises(NoModelError) as caught:
+        find_layout(_sheet(*boxes), {}, None)
+    assert caught.value.code == code

@@ -1,0 +1,97 @@
+"""From strokes to views in millimetres: extents, scales, masks, through holes."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.sheet.reading import register_views
+
+THROUGH_HOLES = {
+    "l-bracket": 2,
+    "bored-plate": 5,
+    "three-axis-block": 3,
+    "u-bracket": 2,
+    "counterbored-block": 2,
+    "boss-plate": 3,
+    "pulley": 1,
+    "pocket-block": 0,
+    "stepped-block": 0,
+    "vee-block": 0,
+}
+
+
+@pytest.mark.parametrize(("name", "holes"), THROUGH_HOLES.items())
+def test_exactly_the_through_holes_are_opened(read, name: str, holes: int) -> None:  # noqa: ANN001
+    assert read(name).registered.opened == holes
+
+
+def test_the_longest_edge_is_100_mm_where_no_one_tells(read) -> None:  # noqa: ANN001
+    registered = read("l-bracket").registered
+    assert registered.views.size == pytest.approx((100.0, 62.5, 75.0), abs=0.02)
+
+
+def test_a_length_or_a_scale_sets_the_size(read) -> None:  # noqa: ANN001
+    case = read("l-bracket")
+    by_length = register_views(case.views, ReadingOptions(length=(Axis.Z, 60.0)))
+    assert by_length.views.size == pytest.approx((80.0, 50.0, 60.0), abs=0.02)
+    scale = ReadingOptions(mm_per_pixel=case.drawn.mm_per_pixel)
+    assert register_views(case.views, scale).views.size == pytest.approx((80, 50, 60), abs=0.02)
+
+
+def test_masks_have_the_area_of_the_silhouettes(read) -> None:  # noqa: ANN001
+    options = ReadingOptions(length=(Axis.X, 80.0))
+    views = register_views(read("l-bracket").views, options).views
+    areas = {view.role: view.mask.sum() * view.mm_per_pixel**2 for view in views.views}
+    assert areas[Role.FRONT] == pytest.approx(80 * 12 + 14 * 48, rel=0.005)
+    assert areas[Role.TOP] == pytest.approx(80 * 50 - np.pi * 10**2, rel=0.005)
+    assert areas[Role.RIGHT] == pytest.approx(50 * 60 - np.pi * 7**2, rel=0.005)
+
+
+def test_filled_masks_have_no_holes(read) -> None:  # noqa: ANN001
+    registered = register_views(read("l-bracket").views, ReadingOptions(open_holes=False))
+    top = registered.views[Role.TOP]
+    assert registered.opened == 0
+    assert top.mask.sum() * top.mm_per_pixel**2 == pytest.approx(100 * 62.5, rel=0.005)
+
+
+def test_strokes_lie_on_the_part_in_millimetres(read) -> None:  # noqa: ANN001
+    options = ReadingOptions(length=(Axis.X, 80.0))
+    case = read("l-bracket", "clean", "front,bottom,left")
+    views = register_views(case.views, options).views
+    left = np.concatenate([s.sample(1.0) for s in views[Role.LEFT].strokes])
+    # The left view's right is -Y: its plane runs from -50 to 0.
+    assert left.min(0) == pytest.approx([-50, 0], abs=0.05)
+    assert left.max(0) == pytest.approx([0, 60], abs=0.05)
+    bottom = np.concatenate([s.sample(1.0) for s in views[Role.BOTTOM].strokes])
+    assert bottom.min(0) == pytest.approx([0, -50], abs=0.05)
+
+
+def test_colour_is_inside_the_mask_only(read) -> None:  # noqa: ANN001
+    views = register_views(read("l-bracket").views, ReadingOptions(colour=(10, 200, 30))).views
+    for view in views.views:
+        assert (view.colour[~view.mask] == 255).all()
+        inside = view.colour[view.mask]
+        assert (inside == (10, 200, 30)).all(axis=1).mean() > 0.8
+
+
+def test_views_that_contradict_each_other_make_no_model(read) -> None:  # noqa: ANN001
+    views = read("l-bracket").views
+    x0, y0, x1, y1 = views[0].box
+    stretched = replace(views[0], box=(x0, y0, x1, y1 + 0.2 * (y1 - y0)))
+    with pytest.raises(NoModelError, match="along Z") as caught:
+        register_views((stretched, *views[1:]), ReadingOptions())
+    assert caught.value.code == "views-contradict"
+
+
+def test_small_disagreement_is_averaged(read) -> None:  # noqa: ANN001
+    views = read("l-bracket").views
+    x0, y0, x1, y1 = views[0].box
+    stretched = replace(views[0], box=(x0, y0, x1, y1 + 6.0))
+    registered = register_views((stretched, *views[1:]), ReadingOptions())
+    assert registered.extents.disagreeing == (Axis.Z,)
+    assert registered.extents.spread[Axis.Z] == pytest.approx(6.0, abs=0.1)
+    assert registered.extents.extents[Axis.Z] == pytest.approx(y1 - y0 + 3.0, abs=0.1)

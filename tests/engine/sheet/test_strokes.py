@@ -1,0 +1,71 @@
+"""Strokes against what was drawn: the same lines of the same kind, to about a pixel."""
+
+import numpy as np
+import pytest
+from scipy.spatial import cKDTree
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_rhythm
+from gaussiancad_core.views import Arc, Linetype, Segment
+
+CASES = [
+    ("l-bracket", "clean", "front,top,right", "third"),
+    ("three-axis-block", "thin", "front,top,left", "first"),
+    ("slotted-link", "thick", "front,top,right", "third"),
+    ("dovetail-block", "iso", "front,bottom,left", "third"),
+    ("pulley", "clean", "front,top,right", "third"),
+    ("boss-plate", "even", "front,bottom,left", "third"),
+    ("filleted-block", "binary", "front,top,left", "first"),
+]
+
+
+def _points(strokes: tuple, kind: Linetype) -> np.ndarray:
+    parts = [stroke.sample(0.5) for stroke in strokes if stroke.linetype is kind]
+    return np.concatenate(parts) if parts else np.zeros((0, 2))
+
+
+def _share(of: np.ndarray, near: np.ndarray) -> float:
+    if not len(of):
+        return 1.0
+    return float((cKDTree(near).query(of)[0] < 1.2).mean()) if len(near) else 0.0
+
+
+@pytest.mark.parametrize("case", CASES, ids="-".join)
+def test_lines_are_read_as_they_were_drawn(read, case: tuple) -> None:  # noqa: ANN001
+    result = read(*case)
+    for view in result.views:
+        drawn = result.drawn[view.role]
+        assert np.abs(np.array(view.box) - np.array(drawn.box)).max() < 0.7
+        for kind in Linetype:
+            truth, found = _points(drawn.strokes, kind), _points(view.strokes, kind)
+            assert _share(truth, found) > 0.98, (view.role, kind, "recall")
+            assert _share(found, truth) > 0.98, (view.role, kind, "precision")
+
+
+def test_a_plate_is_read_as_its_very_lines(read) -> None:  # noqa: ANN001
+    strokes = next(v for v in read("bored-plate").views if v.role is Role.TOP).strokes
+    arcs = [s for s in strokes if isinstance(s, Arc)]
+    assert len(arcs) == 5 and all(arc.sweep == pytest.approx(2 * np.pi) for arc in arcs)
+    assert len([s for s in strokes if isinstance(s, Segment)]) == 4
+    assert all(s.linetype is Linetype.VISIBLE for s in strokes)
+    radii = sorted(arc.radius for arc in arcs)
+    assert radii[4] / np.array(radii[:4]) == pytest.approx(18 / 5, rel=0.01)
+
+
+def test_dashes_are_one_hidden_stroke(read) -> None:  # noqa: ANN001
+    front = next(v for v in read("bored-plate").views if v.role is Role.FRONT)
+    hidden = [s for s in front.strokes if s.linetype is Linetype.HIDDEN]
+    # Two rows of two holes share their walls, the bore adds two.
+    assert len(hidden) == 6
+    height = front.box[3] - front.box[1]
+    assert [stroke.length for stroke in hidden] == pytest.approx([height] * 6, abs=1.5)
+
+
+def test_the_rhythm_is_the_sheets(read) -> None:  # noqa: ANN001
+    case = read("three-axis-block")
+    shapes = [find_shapes(case.clean, box) for box in case.layout.boxes.values()]
+    rhythm = view_rhythm(shapes, case.clean.stroke_width)
+    assert rhythm.dash == pytest.approx(12.0, abs=2.0)
+    assert rhythm.gap == pytest.approx(6.0, abs=2.0)
+    strokes = [classify_strokes(view, rhythm) for view in shapes]
+    assert [len(s) for s in strokes] == [len(v.strokes) for v in case.views]

@@ -1,0 +1,66 @@
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from gaussiancad_core.errors import UsageError
+from gaussiancad_core.outputs import STAGING_PREFIX, OutputFolder
+
+
+def _folder(path: Path) -> OutputFolder:
+    return OutputFolder(path, ("model.stl", "pictures"), "report.json")
+
+
+def test_files_appear_on_commit_only(tmp_path: Path) -> None:
+    folder = _folder(tmp_path / "a b 图")
+    (folder.staging / "model.stl").write_text("new")
+    (folder.staging / "report.json").write_text("{}")
+    assert not (folder.path / "model.stl").exists()
+    folder.commit()
+    assert {p.name for p in folder.path.iterdir()} == {"model.stl", "report.json"}
+
+
+def test_what_a_new_run_does_not_write_anew_is_removed(tmp_path: Path) -> None:
+    (tmp_path / "model.stl").write_text("old")
+    (tmp_path / "pictures").mkdir()
+    (tmp_path / "pictures" / "1.png").write_text("old")
+    (tmp_path / "mine.txt").write_text("the user's")
+    folder = _folder(tmp_path)
+    (folder.staging / "report.json").write_text("{}")
+    folder.commit()
+    assert {p.name for p in tmp_path.iterdir()} == {"mine.txt", "report.json"}
+
+
+def test_discarding_leaves_earlier_results_alone(tmp_path: Path) -> None:
+    (tmp_path / "model.stl").write_text("old")
+    folder = _folder(tmp_path)
+    (folder.staging / "model.stl").write_text("half")
+    folder.discard()
+    assert [p.name for p in tmp_path.iterdir()] == ["model.stl"]
+    assert (tmp_path / "model.stl").read_text() == "old"
+
+
+def test_a_folder_made_in_vain_goes_again(tmp_path: Path) -> None:
+    folder = _folder(tmp_path / "new")
+    folder.discard()
+    assert not (tmp_path / "new").exists()
+
+
+def test_leftovers_of_dead_processes_are_swept_and_of_living_ones_kept(tmp_path: Path) -> None:
+    dead = subprocess.Popen([sys.executable, "-c", ""])
+    dead.wait()
+    gone = tmp_path / f"{STAGING_PREFIX}{dead.pid}"
+    kept = tmp_path / f"{STAGING_PREFIX}{os.getppid()}"
+    gone.mkdir()
+    kept.mkdir()
+    _folder(tmp_path).discard()
+    assert not gone.exists() and kept.exists()
+
+
+def test_a_file_in_the_way_is_the_users_to_solve(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(UsageError, match="cannot write") as caught:
+        _folder(tmp_path / "file" / "below")
+    assert caught.value.code == "output-not-writable"
