@@ -78,10 +78,11 @@ def read_solid(path: Path) -> TopoDS_Shape:
             (another format, or no solid inside), ``file-damaged``.
     """
     content = _read_bytes(path)
-    head = content[:_HEAD].lstrip(b"\xef\xbb\xbf \t\r\n")
-    if head.startswith(_STEP_MAGIC):
-        shape = _parse_step(path, content)
-    elif any(magic in head for magic in _BREP_MAGIC):
+    # Editors put a byte order mark before the text, which the STEP reader takes for damage.
+    text = content.lstrip(b"\xef\xbb\xbf \t\r\n")
+    if text.startswith(_STEP_MAGIC):
+        shape = _parse_step(path, text)
+    elif any(magic in content[:_HEAD] for magic in _BREP_MAGIC):
         shape = _parse_brep(path, content)
     else:
         raise UnreadableError(
