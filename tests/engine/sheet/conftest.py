@@ -11,7 +11,7 @@ import pytest
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.sheet import Sheet, draw_sheet
-from gaussiancad_core.drawing.style import PRESETS, SheetStyle
+from gaussiancad_core.drawing.style import PRESETS
 from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
 from gaussiancad_core.sheet.layout import Layout, find_layout
@@ -23,69 +23,70 @@ from gaussiancad_core.sheet.reading import (
     register_views,
 )
 
-USUAL = (Role.FRONT, Role.TOP, Role.RIGHT)
+Grey = npt.NDArray[np.uint8]
 
 
 @dataclass(frozen=True)
-class Reading:
+class ReadCase:
     """A drawn sheet and every stage of its reading."""
 
-    sheet: Sheet
+    drawn: Sheet
     clean: CleanSheet
     layout: Layout
-    drawn: tuple[ReadView, ...]
+    views: tuple[ReadView, ...]
     registered: RegisteredSheet
 
-    def view(self, role: Role) -> ReadView:
-        return next(view for view in self.drawn if view.role is role)
+    def __getitem__(self, role: Role) -> ReadView:
+        return next(view for view in self.views if view.role is role)
 
 
-def grey_of(image: npt.NDArray[np.uint8]) -> npt.NDArray[np.uint8]:
-    return cv2.cvtColor(image, cv2.COLOR_RGB2GRAY)
-
-
-def small_style(name: str) -> SheetStyle:
-    """A named style on a sheet that is quick to read."""
-    return replace(PRESETS[name], width=1280, height=720, margin=40.0, view_gap=60.0)
+def _grey(image: npt.NDArray[np.uint8]) -> Grey:
+    grey = cv2.cvtColor(image, cv2.COLOR_RGB2GRAY)
+    return 255 - grey if np.median(grey) < 128 else grey
 
 
 @cache
-def drawn_sheet(
-    part: str,
-    style: str = "clean",
-    roles: tuple[Role, ...] = USUAL,
-    projection: Projection = Projection.THIRD,
-) -> Sheet:
-    return draw_sheet(sample(part).build(), roles, projection, small_style(style))
+def _drawn(part: str, style: str, views: str, projection: str) -> Sheet:
+    # Smaller than the styles' own sheet: quicker to read.
+    look = replace(PRESETS[style], width=1280, height=720, margin=40.0, view_gap=60.0)
+    roles = tuple(Role(name) for name in views.split(","))
+    return draw_sheet(sample(part).build(), roles, Projection(projection), look)
 
 
 @cache
-def read_drawing(
-    part: str,
-    style: str = "clean",
-    roles: tuple[Role, ...] = USUAL,
-    projection: Projection = Projection.THIRD,
-) -> Reading:
-    sheet = drawn_sheet(part, style, roles, projection)
-    clean = clean_sheet(grey_of(sheet.image))
-    layout = find_layout(clean.ink, {}, projection)
-    drawn = read_views(clean, layout)
-    return Reading(sheet, clean, layout, drawn, register_views(drawn, ReadingOptions()))
+def _read(part: str, style: str, views: str, projection: str) -> ReadCase:
+    sheet = _drawn(part, style, views, projection)
+    clean = clean_sheet(_grey(sheet.image))
+    layout = find_layout(clean.ink, {}, sheet.projection)
+    found = read_views(clean, layout)
+    return ReadCase(sheet, clean, layout, found, register_views(found, ReadingOptions()))
 
 
 @pytest.fixture(scope="session")
 def draw() -> Callable[..., Sheet]:
-    """Draws a sample part: name, style, roles, projection; each sheet once a session."""
-    return drawn_sheet
+    """Draws a sample part, each sheet once a session."""
+
+    def drawn(
+        part: str, style: str = "clean", views: str = "front,top,right", projection: str = "third"
+    ) -> Sheet:
+        return _drawn(part, style, views, projection)
+
+    return drawn
 
 
 @pytest.fixture(scope="session")
-def reading() -> Callable[..., Reading]:
-    """Draws and reads a sample part: name, style, roles, projection; each once a session."""
-    return read_drawing
+def read() -> Callable[..., ReadCase]:
+    """Draws a sample part and reads the sheet, each once a session."""
+
+    def case(
+        part: str, style: str = "clean", views: str = "front,top,right", projection: str = "third"
+    ) -> ReadCase:
+        return _read(part, style, views, projection)
+
+    return case
 
 
 @pytest.fixture(scope="session")
-def grey() -> Callable[[npt.NDArray[np.uint8]], npt.NDArray[np.uint8]]:
-    """(h, w, 3) RGB -> (h, w) luminance."""
-    return grey_of
+def grey() -> Callable[[npt.NDArray[np.uint8]], Grey]:
+    """(h, w, 3) RGB -> (h, w) dark ink on light paper."""
+    return _grey

@@ -89,7 +89,11 @@ def test_boxes_name_views_wherever_they_stand() -> None:
 
 @pytest.mark.parametrize(
     ("boxes", "code"),
-    [((), "no-views"), ((FRONT,), "one-view"), ((FRONT, (600, 420, 800, 600)), "views-not-aligned")],
+    [
+        ((), "no-views"),
+        ((FRONT,), "one-view"),
+        ((FRONT, (600, 420, 800, 600)), "views-not-aligned"),
+    ],
 )
 def test_what_is_no_arrangement_of_views(boxes: tuple, code: str) -> None:
     with pytest.raises(NoModelError) as caught:

@@ -1,0 +1,124 @@
+"""The command line: exit codes, and one line for every mistake."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from gaussiancad_core.cli import main
+
+
+def _line(capsys: pytest.CaptureFixture[str]) -> str:
+    errors = capsys.readouterr().err
+    assert errors.count("\n") == 1 and errors.startswith("gaussiancad: ")
+    return errors
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [],
+        ["nonsense"],
+        ["reconstruct", "a.png"],
+        ["reconstruct", "a.png", "--output", "o", "--view", "front=1,2,3"],
+        ["reconstruct", "a.png", "--output", "o", "--view", "inside=1,2,3,4"],
+        ["reconstruct", "a.png", "--output", "o", "--view", "front=3,2,1,4"],
+        ["reconstruct", "a.png", "--output", "o", "--length", "w=3"],
+        ["reconstruct", "a.png", "--output", "o", "--length", "x=-3"],
+        ["reconstruct", "a.png", "--output", "o", "--mm-per-pixel", "nan"],
+        ["reconstruct", "a.png", "--output", "o", "--length", "x=3", "--mm-per-pixel", "1"],
+        ["reconstruct", "a.png", "--output", "o", "--colour", "red"],
+        ["reconstruct", "a.png", "--output", "o", "--seed", "-1"],
+        ["reconstruct", "a.png", "--output", "o", "--page", "0"],
+        ["reconstruct", "a.png", "--output", "o", "--preset", "best"],
+        ["draw", "a.step", "b.png", "--projection", "second"],
+    ],
+)
+def test_wrong_usage_is_one_line_and_exit_code_2(
+    arguments: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as caught:
+        main(arguments)
+    assert caught.value.code == 2
+    assert "[wrong-usage]" in _line(capsys)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "exit_code", "code"),
+    [
+        (["reconstruct", "missing.png", "--output", "{tmp}/o"], 3, "file-missing"),
+        (["reconstruct", "{tmp}/text.png", "--output", "{tmp}/o"], 3, "not-an-image"),
+        (["reconstruct", "{tmp}/a.pdf", "--output", "{tmp}/o"], 3, "format-not-supported"),
+        (["reconstruct", "{tmp}/text.png", "--output", "{tmp}/text.png/o"], 2, "output-not-wri"),
+        (["reconstruct", "a.png", "--output", "{tmp}/o", "--device", "cuda"], 6, "cuda-unavail"),
+        (["compare", "{tmp}/text.png", "missing.step"], 3, "model-format-unknown"),
+        (["draw", "missing.step", "{tmp}/a.png"], 3, "file-missing"),
+        (["draw", "missing.step", "{tmp}/a.png", "--style", "rough"], 2, "style-unknown"),
+        (["batch", "a.png", "--output", "{tmp}/o", "--scheduler", "x"], 2, "scheduler-unsup"),
+    ],
+)
+def test_errors_are_one_line_with_their_code(
+    arguments: list[str],
+    exit_code: int,
+    code: str,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    (tmp_path / "text.png").write_text("this is text")
+    (tmp_path / "a.pdf").write_bytes(b"%PDF-1.7")
+    assert main([argument.format(tmp=tmp_path) for argument in arguments]) == exit_code
+    assert f"[{code}" in _line(capsys)
+
+
+def test_a_role_can_be_named_once(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    box = ["--view", "front=0,0,9,9"]
+    assert main(["reconstruct", "a.png", "--output", str(tmp_path / "o"), *box, *box]) == 2
+    assert "[view-repeated]" in _line(capsys)
+
+
+def test_draw_and_compare_print_what_they_made(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from gaussiancad_core.drawing.brep import write_step
+    from gaussiancad_core.samples import SAMPLES
+
+    part = next(sample for sample in SAMPLES if sample.name == "pocket-block")
+    write_step(part.build(), tmp_path / "p 图.step")
+    capsys.readouterr()
+    assert main(["draw", str(tmp_path / "p 图.step"), str(tmp_path / "s.png")]) == 0
+    assert "3 views" in capsys.readouterr().out and (tmp_path / "s.png").exists()
+    both = [str(tmp_path / "p 图.step")] * 2
+    assert main(["compare", *both, "--json", "--points", "500"]) == 0
+    figures = json.loads(capsys.readouterr().out)
+    assert figures["schema"] == 1 and figures["volume_iou"] == pytest.approx(1.0)
+
+
+def test_the_doctor_finds_this_engine_complete(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["doctor"]) == 0
+    assert "the engine is complete" in capsys.readouterr().out
+
+
+def test_help_loads_no_heavy_library() -> None:
+    program = (
+        "import sys; from gaussiancad_core.cli import main\n"
+        "try: main(['reconstruct', '--help'])\n"
+        "except SystemExit: pass\n"
+        "heavy = {'torch', 'open3d', 'OCP', 'numba', 'scipy', 'trimesh'} & set(sys.modules)\n"
+        "sys.exit(len(heavy))"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, check=False)
+    assert done.returncode == 0
+
+
+def test_batch_goes_on_after_a_sheet_that_fails(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "text.png").write_text("this is text")
+    sheets = [str(tmp_path / "text.png"), str(tmp_path / "missing.png")]
+    assert main(["batch", *sheets, "--output", str(tmp_path / "out"), "--workers", "2"]) == 1
+    rows = (tmp_path / "out" / "report.csv").read_text("utf-8").splitlines()
+    assert len(rows) == 3
+    assert "not-an-image" in rows[1] and "file-missing" in rows[2]
+    assert capsys.readouterr().out.count("failed") == 2

@@ -1,0 +1,234 @@
+"""One draft run from sheet to files, and what becomes of runs that fail, stop or are killed."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.comparison.distances import point_to_surface, volume_iou
+from gaussiancad_core.comparison.models import load_model
+from gaussiancad_core.comparison.queries import SurfaceQueries
+from gaussiancad_core.comparison.sampling import random_streams, sample_surface
+from gaussiancad_core.drawing.brep import moved_to_origin, read_solid, soundness, tessellate
+from gaussiancad_core.drawing.command import write_image
+from gaussiancad_core.drawing.sheet import draw_sheet
+from gaussiancad_core.drawing.style import parse_style
+from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.outputs import STAGING_PREFIX
+from gaussiancad_core.pipeline import STAGES
+from gaussiancad_core.samples import SAMPLES
+
+FILES = {
+    "report.json",
+    "surface.stl",
+    "surface.ply",
+    "surface.step",
+    "gaussians.ply",
+    "cameras",
+    "overlay.png",
+    "preview.png",
+}
+
+
+def _command(sheet: Path, output: Path, *options: str) -> list[str]:
+    run = [sys.executable, "-I", "-m", "gaussiancad_core", "reconstruct", str(sheet)]
+    return [*run, "--output", str(output), "--preset", "draft", *options]
+
+
+def _events(text: str) -> list[dict]:
+    return [json.loads(line) for line in text.splitlines()]
+
+
+@pytest.fixture(scope="session")
+def sheet(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The bracket in first angle: front, top below it, left to its right."""
+    part = next(sample for sample in SAMPLES if sample.name == "l-bracket")
+    roles = (Role.FRONT, Role.TOP, Role.LEFT)
+    drawn = draw_sheet(part.build(), roles, Projection.FIRST, parse_style("clean"))
+    path = tmp_path_factory.mktemp("a folder 图") / "sheet 三.png"
+    write_image(drawn.image, path)
+    return path
+
+
+@pytest.fixture(scope="session")
+def run(sheet: Path) -> tuple[Path, list[dict]]:
+    """A finished run: its folder and its events."""
+    output = sheet.parent / "model 模"
+    options = ("--projection", "first", "--length", "x=80", "--events")
+    process = subprocess.Popen(
+        _command(sheet, output, *options),
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        encoding="utf-8",
+    )
+    # Standard input stays open: its end would stop the run.
+    lines = process.stdout.read()
+    errors = process.stderr.read()
+    process.stdin.close()
+    assert process.wait() == 0, errors
+    return output, _events(lines)
+
+
+def test_every_file_is_there_and_nothing_else(run: tuple) -> None:
+    assert {path.name for path in run[0].iterdir()} == FILES
+
+
+def test_the_report_has_what_others_rely_on(run: tuple) -> None:
+    report = json.loads((run[0] / "report.json").read_text("utf-8"))
+    assert report["schema"] == 1 and report["status"] == "approximate"
+    assert "no-exact-solid" in {reason["code"] for reason in report["reasons"]}
+    assert report["warnings"] == []
+    assert (report["projection"], report["projection_source"]) == ("first", "given")
+    assert report["projection_alternatives"] == [] and report["solid"] is None
+    assert set(report["views"]) == {"front", "top", "left"}
+    for view in report["views"].values():
+        x0, y0, x1, y1 = view["box"]
+        assert 0 < x0 < x1 < 1920 and 0 < y0 < y1 < 1080
+        shares = [view[f"{k}_{m}"] for k in ("visible", "hidden") for m in ("recall", "precision")]
+        assert all(0.0 <= share <= 1.0 for share in shares)
+        assert min(shares[:2]) > 0.9
+    assert report["scale_source"] == "given" and report["scale_mm_per_pixel"] > 0
+    assert report["surface"]["watertight"] is True
+    assert report["gaussians"]["count"] > 0 and report["gaussians"]["loss"] < 0.2
+    assert set(report["seconds"]) == set(STAGES) and report["peak_memory_mb"] > 0
+    assert len(report["engine"]["sheet_sha256"]) == 64 and report["engine"]["seed"] == 0
+
+
+def test_events_tell_the_stages_in_order(run: tuple) -> None:
+    output, events = run
+    assert events[0]["event"] == "hello" and events[0]["protocol"] == 1
+    stages = [event for event in events if event["event"] == "stage"]
+    assert [stage["name"] for stage in stages] == list(STAGES)
+    assert [stage["index"] for stage in stages] == list(range(1, len(STAGES) + 1))
+    assert {stage["of"] for stage in stages} == {len(STAGES)}
+    progress = [event for event in events if event["event"] == "progress"]
+    assert all(0.0 <= event["fraction"] <= 1.0 for event in progress)
+    assert any("loss" in event for event in progress)
+    assert events[-1]["event"] == "result"
+    assert Path(events[-1]["path"]) == (output / "report.json").resolve()
+
+
+def test_the_surface_is_the_part_in_its_own_axes(run: tuple) -> None:
+    surface = load_model(run[0] / "surface.stl")
+    assert surface.watertight
+    assert surface.bounds == pytest.approx(np.array([[0, 0, 0], [80, 50, 60]]), abs=0.6)
+    part = next(sample for sample in SAMPLES if sample.name == "l-bracket")
+    truth = TriangleMesh(*tessellate(moved_to_origin(part.build()), 0.02))
+    streams = random_streams(0, 3)
+    sides = [
+        (SurfaceQueries(mesh), sample_surface(mesh, 4000, stream))
+        for mesh, stream in zip((surface, truth), streams, strict=False)
+    ]
+    assert volume_iou(sides[0][0], sides[1][0], streams[2]).value > 0.97
+    assert point_to_surface(*sides) < 0.01 * 80 / 5
+
+
+def test_the_step_file_is_a_sound_solid_of_few_faces(run: tuple) -> None:
+    solid = read_solid(run[0] / "surface.step")
+    state = soundness(solid)
+    assert state.valid and state.closed and state.solids == 1
+    assert state.volume_mm3 == pytest.approx(load_model(run[0] / "surface.stl").volume, rel=0.01)
+    assert (run[0] / "surface.step").read_text("utf-8").count("ADVANCED_FACE") <= 5000
+
+
+def test_pictures_show_something(run: tuple) -> None:
+    for name in ("overlay.png", "preview.png", "cameras/images/front.png"):
+        image = cv2.imdecode(np.fromfile(run[0] / name, np.uint8), cv2.IMREAD_COLOR)
+        assert image is not None and image.std() > 5
+
+
+def test_same_seed_same_bytes(run: tuple, sheet: Path, tmp_path: Path) -> None:
+    options = ("--projection", "first", "--length", "x=80")
+    subprocess.run(_command(sheet, tmp_path, *options), check=True, capture_output=True)
+    for name in ("surface.stl", "gaussians.ply", "cameras/points3D.txt"):
+        assert (tmp_path / name).read_bytes() == (run[0] / name).read_bytes()
+
+
+def test_resuming_a_finished_run_keeps_it(run: tuple, sheet: Path) -> None:
+    before = (run[0] / "report.json").stat().st_mtime_ns
+    options = ("--projection", "first", "--length", "x=80", "--resume")
+    subprocess.run(_command(sheet, run[0], *options), check=True, capture_output=True)
+    assert (run[0] / "report.json").stat().st_mtime_ns == before
+    assert {path.name for path in run[0].iterdir()} == FILES
+
+
+def test_a_failed_run_says_so_and_leaves_no_model(tmp_path: Path) -> None:
+    image = np.full((600, 800), 255, np.uint8)
+    cv2.rectangle(image, (200, 200), (500, 400), 0, 3)
+    cv2.imwrite(str(tmp_path / "one.png"), image)
+    output = tmp_path / "out"
+    output.mkdir()
+    (output / "surface.stl").write_text("of an earlier run")
+    done = subprocess.run(
+        _command(tmp_path / "one.png", output), capture_output=True, encoding="utf-8", check=False
+    )
+    assert done.returncode == 4
+    assert done.stderr.count("\n") == 1 and "[one-view]" in done.stderr
+    assert [path.name for path in output.iterdir()] == ["report.json"]
+    report = json.loads((output / "report.json").read_text("utf-8"))
+    assert report["status"] == "failed" and report["reasons"][0]["code"] == "one-view"
+    assert report["surface"] is None
+
+
+def _started(sheet: Path, output: Path, stage: str) -> subprocess.Popen:
+    """A run that has reached a stage."""
+    process = subprocess.Popen(
+        _command(sheet, output, "--events"),
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        encoding="utf-8",
+    )
+    for line in process.stdout:
+        event = json.loads(line)
+        if event["event"] == "stage" and event["name"] == stage:
+            return process
+    raise AssertionError(process.stderr.read())
+
+
+@pytest.mark.parametrize("way", ["line", "end", "signal"])
+def test_a_cancelled_run_leaves_nothing(sheet: Path, tmp_path: Path, way: str) -> None:
+    output = tmp_path / "out"
+    process = _started(sheet, output, "lines")
+    if way == "line":
+        process.stdin.write("cancel\n")
+        process.stdin.flush()
+    elif way == "end":
+        process.stdin.close()
+    else:
+        process.send_signal(signal.SIGTERM)
+    events = _events(process.stdout.read())
+    assert process.wait() == 130
+    assert events[-1]["event"] == "error" and events[-1]["code"] == "cancelled"
+    assert "lines (3 of 9)" in events[-1]["message"]
+    assert not output.exists()
+
+
+def test_a_killed_run_leaves_no_half_file_and_is_swept(sheet: Path, tmp_path: Path) -> None:
+    process = _started(sheet, tmp_path / "out", "gaussians")
+    process.kill()
+    process.wait()
+    left = list((tmp_path / "out").iterdir())
+    assert [path.name.startswith(STAGING_PREFIX) for path in left] == [True]
+    again = _started(sheet, tmp_path / "out", "views")
+    assert [path.name for path in (tmp_path / "out").iterdir()] == [f"{STAGING_PREFIX}{again.pid}"]
+    again.kill()
+    again.wait()
+
+
+def test_a_reader_that_goes_away_is_no_error_of_the_run(sheet: Path, tmp_path: Path) -> None:
+    process = _started(sheet, tmp_path / "out", "read")
+    process.stdout.close()
+    time.sleep(0)
+    os.kill(process.pid, signal.SIGTERM)
+    assert process.wait() == 130
+    assert "Traceback" not in process.stderr.read()
