@@ -10,7 +10,6 @@ from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.surface.points import DiscSampling, OrientedPoints, disc_points
 from gaussiancad_core.surface.repair import intersection, made_manifold
 
-
 _CUT_TOLERANCE = 2e-4
 """By how much the cut surface may be simplified, as a share of the longest edge."""
 
