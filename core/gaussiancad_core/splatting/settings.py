@@ -27,7 +27,7 @@ class Rates:
 
     position: float = 1.6e-4
     position_end: float = 8e-6
-    quaternion: float = 2e-4
+    quaternion: float = 1e-4
     log_scale: float = 5e-3
     opacity: float = 0.03
     colour: float = 5e-3
@@ -62,7 +62,7 @@ class TrainingSettings:
     rates: Rates = field(default_factory=Rates)
     weights: LossWeights = field(default_factory=LossWeights)
     optics: Optics = field(default_factory=lambda: Optics(dilation=0.02))
-    anchor: float = 1.0
+    anchor: float = 5.0
     thin_axis_locked: bool = True
     patience: int = 50
     least_gain: float = 1e-3

@@ -24,7 +24,7 @@ def test_paper_recipe_is_the_papers() -> None:
 @pytest.mark.parametrize("preset", list(Preset))
 def test_default_recipe_holds_the_hull(preset: Preset) -> None:
     settings = training_settings(Recipe.ORTHOGRAPHIC, preset)
-    assert settings.anchor == 1.0
+    assert settings.anchor == 5.0
     assert settings.thin_axis_locked
     assert settings.optics.dilation == 0.02
     assert settings.rates.position == pytest.approx(8e-4 / 5)
