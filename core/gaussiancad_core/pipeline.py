@@ -180,7 +180,7 @@ class _Run:
         reading = self.job.reading
         with self._stage("views"):
             layout = find_layout(clean.ink, dict(reading.views), reading.projection)
-            self._tell_layout(clean, layout)
+            self._tell_layout(layout)
         with self._stage("lines"):
             drawn = read_views(clean, layout, self.progress)
             boxes = {view.role: ViewReport(view.box) for view in drawn}
@@ -193,7 +193,7 @@ class _Run:
             self._tell_registration(registered)
         return registered
 
-    def _tell_layout(self, clean: CleanSheet, layout: Layout) -> None:
+    def _tell_layout(self, layout: Layout) -> None:
         self.report = replace(
             self.report,
             projection=layout.projection,
@@ -206,11 +206,6 @@ class _Run:
                 "projection-assumed",
                 "the projection is not known: third angle was taken; "
                 "tell --projection first if the sheet is drawn in first angle",
-            )
-        if self.job.reading.median_kernel and not clean.median_kernel:
-            self._warn(
-                "median-filter-skipped",
-                "the median filter would erase thin lines and was left out",
             )
         if layout.left_out:
             boxes = ("({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*b) for b in layout.left_out[:5])

@@ -1,8 +1,8 @@
 """From a grey sheet to ink: median filter, adaptive threshold, stroke width.
 
 The filter and its 3 x 3 kernel are those of the GaussianCAD paper; a larger kernel makes dashed
-lines vanish.  A 3 x 3 median erases lines of one pixel, so it is left out where it would take a
-large part of the ink.
+lines vanish.  As even a 3 x 3 median erases lines of one pixel and shortens dashes, it decides only
+which pieces of ink are noise: those of which it leaves nothing, unless they are as long as a dash.
 """
 
 from dataclasses import dataclass
@@ -14,11 +14,8 @@ import numpy.typing as npt
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.options import MEDIAN_KERNEL
 
-_MAX_LOSS = 0.002
-"""Largest share of the ink that the median filter may take away in whole pieces of strokes."""
-
-_SPECK = 4
-"""Area in px up to which lost ink is noise."""
+_SHORTEST_DASH = 7.0
+"""Length in px from which a piece of ink is a dash; specks of noise are seldom as long."""
 
 _BLOCK = 41
 """Side of the adaptive threshold's neighbourhood in px, wider than any stroke."""
@@ -30,6 +27,10 @@ _MAX_INK = 0.35
 """Largest share of a line drawing that can be ink; a photograph has more."""
 
 
+Ink = npt.NDArray[np.bool_]
+"""(h, w), True where there is ink."""
+
+
 @dataclass(frozen=True)
 class CleanSheet:
     """The ink of a sheet.
@@ -38,13 +39,11 @@ class CleanSheet:
         ink: (h, w) bool, the thresholded strokes.
         weight: (h, w) float32 in 0..1, darkness relative to the ink's; for sub-pixel measuring.
         stroke_width: px, the mean over the sheet.
-        median_kernel: side in px of the median filter that was used; 0 for none.
     """
 
-    ink: npt.NDArray[np.bool_]
+    ink: Ink
     weight: npt.NDArray[np.float32]
     stroke_width: float
-    median_kernel: int
 
 
 def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL) -> CleanSheet:
@@ -58,12 +57,10 @@ def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL)
         NoModelError: ``blank-sheet`` if there is no ink, ``not-a-line-drawing`` if there is too
             much of it.
     """
-    raw = _threshold(grey)
-    ink = raw
+    ink = _threshold(grey)
     if median_kernel:
-        ink = _threshold(cv2.medianBlur(grey, median_kernel))
-        if _strokes_lost(raw, ink) > _MAX_LOSS * raw.sum():
-            ink, median_kernel = raw, 0
+        filtered = _threshold(cv2.medianBlur(grey, median_kernel))
+        ink = _without_specks(ink, filtered)
     share = float(ink.mean())
     if share < 1e-5:
         raise NoModelError("blank-sheet", "the sheet is blank: there are no lines to read")
@@ -74,19 +71,20 @@ def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL)
             "use an export or a scan of the drawing, not a photograph",
         )
     weight = _weight(grey, ink)
-    return CleanSheet(ink, weight, _stroke_width(ink, weight), median_kernel)
+    return CleanSheet(ink, weight, _stroke_width(ink, weight))
 
 
-def _strokes_lost(raw: npt.NDArray[np.bool_], filtered: npt.NDArray[np.bool_]) -> int:
-    """px of ink that is gone with nothing left beside it, specks not counted."""
-    kept = cv2.dilate(filtered.astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
-    lost = (raw & ~kept).astype(np.uint8)
-    _, _, stats, _ = cv2.connectedComponentsWithStats(lost, connectivity=8)
-    areas = stats[1:, cv2.CC_STAT_AREA]
-    return int(areas[areas > _SPECK].sum())
+def _without_specks(raw: Ink, filtered: Ink) -> Ink:
+    """(h, w) the connected pieces of ink of which the filter left something, or that are long."""
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(raw.astype(np.uint8), connectivity=8)
+    width, height = stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT]
+    wanted = np.hypot(width, height) >= _SHORTEST_DASH
+    wanted[labels[filtered & raw]] = True
+    wanted[0] = False
+    return wanted[labels]
 
 
-def _threshold(grey: npt.NDArray[np.uint8]) -> npt.NDArray[np.bool_]:
+def _threshold(grey: npt.NDArray[np.uint8]) -> Ink:
     """Adaptive threshold with Gaussian weights."""
     binary = cv2.adaptiveThreshold(
         grey, 255, cv2.ADAPTIVE_THRESH_GAUSSIAN_C, cv2.THRESH_BINARY_INV, _BLOCK, _CONTRAST
@@ -94,14 +92,14 @@ def _threshold(grey: npt.NDArray[np.uint8]) -> npt.NDArray[np.bool_]:
     return binary > 0
 
 
-def _weight(grey: npt.NDArray[np.uint8], ink: npt.NDArray[np.bool_]) -> npt.NDArray[np.float32]:
+def _weight(grey: npt.NDArray[np.uint8], ink: Ink) -> npt.NDArray[np.float32]:
     """Darkness of each pixel between the paper's grey (0) and the ink's (1)."""
     paper = float(np.median(grey[~ink]))
     dark = float(np.percentile(grey[ink], 20))
     return np.clip((paper - grey.astype(np.float32)) / max(paper - dark, 1.0), 0.0, 1.0)
 
 
-def _stroke_width(ink: npt.NDArray[np.bool_], weight: npt.NDArray[np.float32]) -> float:
+def _stroke_width(ink: Ink, weight: npt.NDArray[np.float32]) -> float:
     """Mean stroke width in px: twice the ink over the length of its outlines."""
     contours, _ = cv2.findContours(ink.astype(np.uint8), cv2.RETR_LIST, cv2.CHAIN_APPROX_NONE)
     # Outlines run through the centres of the outermost pixels, so a thin stroke's are too short by

@@ -18,18 +18,25 @@ def _paper(height: int = 240, width: int = 320, value: int = 255) -> Grey:
     return np.full((height, width), value, np.uint8)
 
 
-def _dashed(width: float = 1.0) -> Grey:
-    """A frame of 3 px and a line of dashes one px wide."""
+def _framed(width: int = 3) -> Grey:
+    """A rectangle of 240 x 160 px drawn with a line width in px."""
     image = _paper()
-    cv2.rectangle(image, (40, 40), (280, 200), 0, 3)
+    low, high = -(width // 2), width - width // 2
+    image[40 + low : 200 + high, 40 + low : 280 + high] = 0
+    image[40 + high : 200 + low, 40 + high : 280 + low] = 255
+    return image
+
+
+def _dashed() -> Grey:
+    """A frame of 3 px and a line of dashes one px wide."""
+    image = _framed()
     for x in range(60, 260, 16):
         image[120, x : x + 10] = 0
     return image
 
 
 def test_ink_is_what_was_drawn() -> None:
-    image = _paper()
-    cv2.rectangle(image, (40, 40), (280, 200), 0, 3)
+    image = _framed()
     sheet = clean_sheet(image)
     assert np.array_equal(sheet.ink, image == 0)
     assert np.array_equal(sheet.weight, (image == 0).astype(np.float32))
@@ -38,10 +45,7 @@ def test_ink_is_what_was_drawn() -> None:
 
 @pytest.mark.parametrize("width", [1, 2, 3, 5, 8])
 def test_stroke_width(width: int) -> None:
-    image = _paper()
-    cv2.rectangle(image, (40, 40), (280, 200), 0, width)
-    thickness = (image == 0).sum() / (2 * (240 + 160))
-    assert clean_sheet(image).stroke_width == pytest.approx(thickness, rel=0.2)
+    assert clean_sheet(_framed(width)).stroke_width == pytest.approx(width, abs=0.3)
 
 
 def test_dashes_of_one_pixel_survive_the_median_filter() -> None:
@@ -84,8 +88,7 @@ def test_ink_covers_every_stroke(
 
 
 def test_light_grey_lines_on_grey_paper_are_ink() -> None:
-    image = _paper(value=200)
-    cv2.rectangle(image, (40, 40), (280, 200), 120, 3)
+    image = np.where(_framed() == 0, np.uint8(120), np.uint8(200))
     sheet = clean_sheet(image)
     assert np.array_equal(sheet.ink, image == 120)
     assert sheet.weight[40, 160] == pytest.approx(1.0)
@@ -94,8 +97,7 @@ def test_light_grey_lines_on_grey_paper_are_ink() -> None:
 
 def test_uneven_light_is_no_ink() -> None:
     """A scan that darkens by half towards one side."""
-    image = _paper()
-    cv2.rectangle(image, (40, 40), (280, 200), 0, 3)
+    image = _framed()
     shade = np.linspace(1.0, 0.5, image.shape[1])
     assert np.array_equal(clean_sheet((image * shade).astype(np.uint8)).ink, image == 0)
 
