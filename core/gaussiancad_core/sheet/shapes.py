@@ -115,6 +115,9 @@ def _fit_line(sheet: CleanSheet, start: Points, end: Points) -> Line | None:
     length = float(np.hypot(*(end - start)))
     line = Line(tuple((start + end) / 2), tuple((end - start) / length))
     half = length / 2
+    if half > 3.0 * sheet.stroke_width:
+        # Strokes that meet this one at its ends pull a short fit to their side, and bend it.
+        half -= min(1.5 * sheet.stroke_width, 0.3 * half)
     sagitta = 0.0
     for band in (sheet.stroke_width / 2 + 2.0, sheet.stroke_width / 2 + 1.2):
         points, weights = _ink_near(sheet, line, half, band)
@@ -231,15 +234,22 @@ def find_circles(sheet: CleanSheet) -> list[Circle]:
 
 
 def _fitted(sheet: CleanSheet, candidates: list[Circle], known: list[Circle]) -> list[Circle]:
-    """The known circles and those that candidates converge to."""
-    circles = list(known)
+    """The known circles and those that candidates converge to; of two alike the better one.
+
+    A fit can end beside the circle, where tangents pull it: it must not keep the right one out.
+    """
+    circles = [(circle, circle_support(sheet, circle)) for circle in known]
     for candidate in candidates:
-        if any(same_circle(candidate, other) for other in circles):
+        if any(same_circle(candidate, other) for other, _ in circles):
             continue
         circle = fit_circle(sheet, candidate)
-        if circle is not None and not any(same_circle(circle, other) for other in circles):
-            circles.append(circle)
-    return circles
+        if circle is None:
+            continue
+        support = circle_support(sheet, circle)
+        alike = [pair for pair in circles if same_circle(circle, pair[0])]
+        if all(support > other for _, other in alike):
+            circles = [pair for pair in circles if pair not in alike] + [(circle, support)]
+    return [circle for circle, _ in circles]
 
 
 def _distinct_centres(circles: list[Circle]) -> list[tuple[float, float]]:
@@ -300,8 +310,38 @@ def fit_circle(sheet: CleanSheet, start: Circle) -> Circle | None:
         )
         if circle.radius < 2.5:
             return None
-    support = following(radial_profile(sheet, circle, half + 1.5)[1] - circle.radius)
-    return circle if support > _LEAST_SUPPORT * 2 * np.pi * circle.radius else None
+    least = _LEAST_SUPPORT * 2 * np.pi * circle.radius
+    return circle if circle_support(sheet, circle) > least else None
+
+
+def refit_circle(sheet: CleanSheet, circle: Circle, spans: list[tuple[float, float]]) -> Circle:
+    """Fit a circle again to the ink of its arcs alone, without the tangents that continue them.
+
+    Args:
+        sheet: the ink.
+        circle: a fit to the arcs and what lies near.
+        spans: of the arcs, px of arc length from angle 0.
+    """
+    angles, radii = radial_profile(sheet, circle, sheet.stroke_width / 2 + 1.5)
+    around = 2 * np.pi * circle.radius
+    along = angles * circle.radius
+    within = [((along - start) % around) <= end - start for start, end in spans]
+    residual = radii - circle.radius
+    used = np.logical_or.reduce(within) & (np.abs(residual) < 1.5)
+    if used.sum() < 12:
+        return circle
+    design = np.stack([np.cos(angles), np.sin(angles), np.ones_like(angles)], 1)[used]
+    step, *_ = np.linalg.lstsq(design, residual[used], rcond=None)
+    if np.abs(step).max() > 2.5:
+        return circle
+    centre = (float(circle.centre[0] + step[0]), float(circle.centre[1] + step[1]))
+    return Circle(centre, float(circle.radius + step[2]))
+
+
+def circle_support(sheet: CleanSheet, circle: Circle) -> float:
+    """px of the ink along a circle whose centre line is the circle."""
+    radii = radial_profile(sheet, circle, sheet.stroke_width / 2 + 1.5)[1]
+    return following(radii - circle.radius)
 
 
 def radial_profile(

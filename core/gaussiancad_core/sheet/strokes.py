@@ -12,6 +12,12 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.junctions import (
+    FULL_TURN,
+    Placed,
+    ended_at_junctions,
+    is_full_circle,
+)
 from gaussiancad_core.sheet.runs import (
     InkField,
     Piece,
@@ -33,18 +39,29 @@ from gaussiancad_core.sheet.shapes import (
     following,
     line_support,
     radial_profile,
+    refit_circle,
     refit_line,
 )
 from gaussiancad_core.sheet.tracing import trace_remainder
 from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
 
 _MIN_NEW = 0.4
-"""Share of a run's ink that no earlier stroke explains."""
+"""Share of a run's ink that no earlier stroke of about its direction explains."""
+
+_MIN_CLEAR = 0.25
+"""Share that no earlier stroke explains: half of a dash can lie under one that crosses it."""
+
+_HALF_TURN = 90
+"""Marks of direction in half a turn."""
+
+_ALIKE = 17
+"""Largest difference of two marks for one ink: both shapes lie within 16 degrees of it."""
 
 _MIN_SAGITTA = 1.2
 """Height in px of the flattest arc that is told from a straight line, beyond half a stroke."""
 
-_FULL = 2 * np.pi
+_CURVED = 0.85
+"""What a circle's ink counts for against a line's, which a flat arc follows about as well."""
 
 
 @dataclass(frozen=True)
@@ -109,10 +126,10 @@ def view_rhythm(views: list[ViewShapes], stroke_width: float) -> Rhythm:
 def classify_strokes(view: ViewShapes, rhythm: Rhythm) -> tuple[Stroke, ...]:
     """Visible and hidden strokes of a view in px of the sheet (y down, pixel centres at .5)."""
     explained = np.zeros(view.sheet.ink.shape, np.uint8)
-    pieces: list[tuple[Line | Circle, Piece]] = []
+    pieces: list[Placed] = []
     order = sorted(view.shapes, key=lambda shape: -shape.support)
     for shape in order:
-        fresh = [run for run in shape.runs if _new_share(shape.geometry, run, explained) > _MIN_NEW]
+        fresh = [run for run in shape.runs if _is_new(shape.geometry, run, explained)]
         touches = [_touches(view.field, shape.geometry, run) for run in fresh]
         found = classify(fresh, rhythm, touches)
         if isinstance(shape.geometry, Circle):
@@ -121,10 +138,9 @@ def classify_strokes(view: ViewShapes, rhythm: Rhythm) -> tuple[Stroke, ...]:
         for piece in found:
             pieces.append((shape.geometry, piece))
             _explain(explained, shape.geometry, piece, view.sheet.stroke_width)
-    ended = [
-        (geometry, _end_at_junctions(geometry, piece, pieces, rhythm, view.sheet.stroke_width))
-        for geometry, piece in pieces
-    ]
+    ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
+    pieces = _refitted(pieces, ended, view.sheet)
+    ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     strokes = [_stroke(geometry, piece) for geometry, piece in ended]
     remainder = view.sheet.ink & (explained == 0)
     strokes += trace_remainder(remainder, view.sheet.stroke_width, rhythm.dash)
@@ -149,15 +165,15 @@ def _circle_shape(sheet: CleanSheet, field: InkField, circle: Circle) -> Shape |
     followed = angles[np.abs(residual) < 0.6] * circle.radius
     runs = []
     for run in circle_runs(field, circle):
-        inside = _count_within(followed, run, _FULL * circle.radius)
+        inside = _count_within(followed, run, FULL_TURN * circle.radius)
         if inside > 0.75 * run.length:
             runs.append(run)
     longest = max((run.length for run in runs), default=0.0)
-    covered = sum(run.length for run in runs) / (_FULL * circle.radius)
+    covered = sum(run.length for run in runs) / (FULL_TURN * circle.radius)
     bowed = longest**2 / (8 * circle.radius) > _MIN_SAGITTA + sheet.stroke_width / 2
     if covered < 0.45 and not (bowed and longest > 6):
         return None
-    return Shape(circle, tuple(runs), following(residual))
+    return Shape(circle, tuple(runs), _CURVED * following(residual))
 
 
 def _count_within(positions: npt.NDArray[np.float64], run: Run, around: float) -> int:
@@ -173,7 +189,7 @@ def _is_curved(circle: Circle, piece: Piece, sheet: CleanSheet) -> bool:
 
 def _closed(circle: Circle, pieces: list[Piece], rhythm: Rhythm) -> list[Piece]:
     """Make a piece that leaves only a dash's gap open the full circle."""
-    around = _FULL * circle.radius
+    around = FULL_TURN * circle.radius
     if len(pieces) == 1:
         piece = pieces[0]
         slack = 2.5 * rhythm.gap + 1.0 if piece.linetype is Linetype.HIDDEN else 6.0
@@ -197,21 +213,37 @@ def _points(geometry: Line | Circle, start: float, end: float) -> npt.NDArray[np
     return np.array(geometry.centre) + geometry.radius * radial
 
 
-def _new_share(geometry: Line | Circle, run: Run, explained: npt.NDArray[np.uint8]) -> float:
-    points = np.rint(_points(geometry, run.start, run.end)).astype(int)
+def _is_new(geometry: Line | Circle, run: Run, explained: npt.NDArray[np.uint8]) -> bool:
+    """Whether enough of a run's ink is unexplained; strokes of other directions may cross it."""
+    exact = _points(geometry, run.start, run.end)
+    points = np.rint(exact).astype(int)
     height, width = explained.shape
     xs, ys = np.clip(points[:, 0], 0, width - 1), np.clip(points[:, 1], 0, height - 1)
-    return float((explained[ys, xs] == 0).mean())
+    marks = explained[ys, xs].astype(int)
+    turn = np.abs(marks - _direction_marks(np.gradient(exact, axis=0)))
+    alike = np.minimum(turn, _HALF_TURN - turn) <= _ALIKE
+    old = marks > 0
+    return bool((~old).mean() > _MIN_CLEAR and (~(old & alike)).mean() > _MIN_NEW)
 
 
 def _explain(
     explained: npt.NDArray[np.uint8], geometry: Line | Circle, piece: Piece, stroke_width: float
 ) -> None:
-    """Mark the ink of a piece, a little wider and longer than the stroke."""
+    """Mark the ink of a piece with its direction, a little wider and longer than the stroke."""
     reach = stroke_width / 2
     points = _points(geometry, piece.start - reach, piece.end + reach)
-    path = np.rint(points * 8).astype(np.int32)
-    cv2.polylines(explained, [path], False, 1, int(np.ceil(stroke_width)) + 2, shift=3)
+    chord = len(points) - 1 if isinstance(geometry, Line) else max(1, int(geometry.radius / 10))
+    for first in range(0, len(points) - 1, chord):
+        part = points[first : first + chord + 1]
+        mark = int(_direction_marks(part[-1:] - part[:1])[0])
+        path = np.rint(part * 8).astype(np.int32)
+        cv2.polylines(explained, [path], False, mark, int(np.ceil(stroke_width)) + 2, shift=3)
+
+
+def _direction_marks(vectors: npt.NDArray[np.float64]) -> npt.NDArray[np.int64]:
+    """(n, 2) directions -> (n,) 1 to 90: half the degrees from the first axis, from 1 on."""
+    degrees = np.degrees(np.arctan2(vectors[:, 1], vectors[:, 0])) % 180.0
+    return np.rint(degrees / 2.0).astype(int) % _HALF_TURN + 1
 
 
 def _touches(field: InkField, geometry: Line | Circle, run: Run) -> tuple[bool, bool]:
@@ -234,102 +266,25 @@ def _touches(field: InkField, geometry: Line | Circle, run: Run) -> tuple[bool, 
     return touch(run.start, -1.0), touch(run.end, 1.0)
 
 
-def _end_at_junctions(
-    geometry: Line | Circle,
-    piece: Piece,
-    pieces: list[tuple[Line | Circle, Piece]],
-    rhythm: Rhythm,
-    stroke_width: float,
-) -> Piece:
-    """Move the ends of a piece to the nearest crossing with another stroke."""
-    if isinstance(geometry, Circle) and piece.end - piece.start >= _FULL * geometry.radius - 1e-6:
-        return piece
-    crossings: list[Crossing] = []
-    for other, stretch in pieces:
-        if other is not geometry:
-            crossings += _crossings(geometry, piece, other, stretch, stroke_width)
-    outward = 1.8 if piece.linetype is Linetype.VISIBLE else 1.8 * rhythm.gap + 3.0
-    start = -_nearest([(-at, reach) for at, reach in crossings], -piece.start, outward)
-    end = _nearest(crossings, piece.end, outward)
-    return replace(piece, start=start, end=end) if end - start > 1.0 else piece
-
-
-Crossing = tuple[float, float]
-"""Position along a shape where another meets it, and how far their common ink reaches from it."""
-
-
-def _nearest(crossings: list[Crossing], position: float, outward: float) -> float:
-    """The crossing at which a piece that was seen to end at ``position`` really ends."""
-    near = [at for at, reach in crossings if -reach - 1.8 <= at - position <= outward]
-    return min(near, key=lambda at: abs(at - position), default=position)
-
-
-def _crossings(
-    geometry: Line | Circle, piece: Piece, other: Line | Circle, stretch: Piece, stroke_width: float
-) -> list[Crossing]:
-    """Where along ``geometry`` a stretch of another shape meets it."""
-    half = stroke_width / 2
-    reach = half
-    if isinstance(geometry, Line) and isinstance(other, Line):
-        points = _line_line(geometry, other)
-        # Strokes that meet at a flat angle share their ink over a longer way; runs are seen up to
-        # 1 px beside the ink.
-        da, db = np.array(geometry.direction), np.array(other.direction)
-        sine = max(abs(da[0] * db[1] - da[1] * db[0]), 0.05)
-        reach = min((half + 1.0) / sine - 1.0, 8.0 * half)
-    elif isinstance(geometry, Line) and isinstance(other, Circle):
-        points = _line_circle(geometry, other)
-        reach = _shared_with_tangent(points, other, half)
-    elif isinstance(geometry, Circle) and isinstance(other, Line):
-        points = _line_circle(other, geometry)
-        reach = _shared_with_tangent(points, geometry, half)
-    else:
-        return []
-    slack = max(stroke_width, reach) + 2.0
+def _refitted(pieces: list[Placed], ended: list[Placed], sheet: CleanSheet) -> list[Placed]:
+    """The pieces with their arcs fitted to the ink between their ends alone."""
+    better: dict[Circle, Circle] = {}
+    for geometry in {geometry: None for geometry, _ in ended if isinstance(geometry, Circle)}:
+        stretches = [piece for other, piece in ended if other == geometry]
+        if not any(is_full_circle(geometry, piece) for piece in stretches):
+            spans = [(piece.start, piece.end) for piece in stretches]
+            better[geometry] = refit_circle(sheet, geometry, spans)
     return [
-        (_position(geometry, point, piece), reach)
-        for point in points
-        if stretch.start - slack <= _position(other, point, stretch) <= stretch.end + slack
+        (better[geometry], _scaled(piece, better[geometry].radius / geometry.radius))
+        if isinstance(geometry, Circle) and geometry in better
+        else (geometry, piece)
+        for geometry, piece in pieces
     ]
 
 
-def _shared_with_tangent(
-    points: list[npt.NDArray[np.float64]], circle: Circle, half: float
-) -> float:
-    """How far from a junction a line and a circle share their ink: long if they are tangent."""
-    return float(np.sqrt(2.0 * circle.radius * (half + 1.0))) if len(points) == 1 else half
-
-
-def _position(geometry: Line | Circle, point: npt.NDArray[np.float64], piece: Piece) -> float:
-    """Position of a point along a shape; on a circle the turn nearest to the piece's middle."""
-    if isinstance(geometry, Line):
-        return float(geometry.coordinates(point[None])[0][0])
-    offset = point - np.array(geometry.centre)
-    around = _FULL * geometry.radius
-    along = float(np.arctan2(offset[1], offset[0])) * geometry.radius
-    middle = (piece.start + piece.end) / 2
-    return along + around * round((middle - along) / around)
-
-
-def _line_line(a: Line, b: Line) -> list[npt.NDArray[np.float64]]:
-    da, db = np.array(a.direction), np.array(b.direction)
-    cross = da[0] * db[1] - da[1] * db[0]
-    if abs(cross) < 0.05:
-        return []
-    offset = np.array(b.point) - np.array(a.point)
-    along = (offset[0] * db[1] - offset[1] * db[0]) / cross
-    return [np.array(a.point) + along * da]
-
-
-def _line_circle(line: Line, circle: Circle) -> list[npt.NDArray[np.float64]]:
-    along, across = line.coordinates(np.array([circle.centre]))
-    distance = abs(float(across[0]))
-    if distance > circle.radius + 1.2:
-        return []
-    half = np.sqrt(max(circle.radius**2 - distance**2, 0.0))
-    # Within 1.2 px a line is tangent: one junction, below the centre.
-    halves = (0.0,) if abs(distance - circle.radius) < 1.2 else (-half, half)
-    return [np.array(line.at(float(along[0]) + h)) for h in halves]
+def _scaled(piece: Piece, factor: float) -> Piece:
+    """The piece at the same angles of a circle of another radius."""
+    return replace(piece, start=piece.start * factor, end=piece.end * factor)
 
 
 def _stroke(geometry: Line | Circle, piece: Piece) -> Stroke:
@@ -337,8 +292,8 @@ def _stroke(geometry: Line | Circle, piece: Piece) -> Stroke:
         return Segment(
             geometry.at(piece.start), geometry.at(piece.end), piece.linetype, piece.confidence
         )
-    sweep = min((piece.end - piece.start) / geometry.radius, _FULL)
-    start = (piece.start / geometry.radius) % _FULL
+    sweep = min((piece.end - piece.start) / geometry.radius, FULL_TURN)
+    start = (piece.start / geometry.radius) % FULL_TURN
     return Arc(geometry.centre, geometry.radius, start, sweep, piece.linetype, piece.confidence)
 
 
