@@ -7,12 +7,13 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.precision import Precision
-from gaussiancad_core.drawing.strokes import DrawnStroke, Polyline, extent, part
+from gaussiancad_core.drawing.strokes import DrawnStroke, Polyline, extent, is_closed, part
 from gaussiancad_core.views import Arc, Segment
 
 Points = npt.NDArray[np.float64]
 
-_MOST_SAMPLES = 400
+_FEW_SAMPLES = 24
+_MOST_SAMPLES = 250
 _DIVISIONS, _ROUNDS = 16, 4
 
 
@@ -62,6 +63,12 @@ def uncovered(
     """
     tolerance, fragment = precision.cover, precision.fragment
     length = stroke.length
+    # A stroke that is far from a few points is not near the points between them either.
+    few = points_at(stroke, (np.arange(_FEW_SAMPLES) + 0.5) * (length / _FEW_SAMPLES))
+    reach = tolerance + 0.5 * length / _FEW_SAMPLES
+    others = [other for other in others if distances(few, other).min() <= reach]
+    if not others:
+        return [stroke]
     count = int(np.clip(np.ceil(length / (4.0 * fragment)), 8, _MOST_SAMPLES))
     at = (np.arange(count) + 0.5) * (length / count)
     points = points_at(stroke, at)
@@ -88,6 +95,9 @@ def uncovered(
             left.append((low, high))
     if left == [(0.0, length)]:
         return [stroke]
+    if len(left) > 1 and is_closed(stroke) and left[0][0] == 0.0 and left[-1][1] == length:
+        # The part that goes over the start of a closed stroke.
+        left[0] = (left.pop()[0] - length, left[0][1])
     return [part(stroke, low, high) for low, high in left if high - low >= fragment]
 
 
