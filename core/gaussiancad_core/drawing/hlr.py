@@ -8,7 +8,7 @@ decide whether it is visible (:mod:`gaussiancad_core.drawing.decide`).
 OpenCASCADE's ``HLRBRep_Algo`` would do all of this.  It is used for the silhouettes only, because
 what it calls visible is now and then wrong: silhouettes along a cylinder's seam come as smooth
 edges, hidden lines repeat visible ones, and lines where cylinders meet cylinders or slants get the
-wrong kind (in 34 of 150 views of random parts of 10 to 28 faces).
+wrong kind.
 """
 
 from collections.abc import Sequence
