@@ -75,13 +75,19 @@ def poisson_surface(points: OrientedPoints, settings: PoissonSettings) -> Triang
         n_threads=1,
         point_weight=settings.point_weight,
     )
-    pieces = connected_pieces(make_mesh(np.asarray(found.vertices), np.asarray(found.triangles)))
-    limit = settings.smallest_piece * pieces[0].area if pieces else 0.0
-    large = [piece for piece in pieces if piece.area >= limit and piece.volume > 0.0]
-    solids = [solid for piece in large if (solid := made_manifold(piece)) is not None]
+    whole = make_mesh(np.asarray(found.vertices), np.asarray(found.triangles))
+    pieces = _large_pieces(whole, settings)
+    solids = [solid for piece in pieces if (solid := made_manifold(piece)) is not None]
     if not solids:
         raise _no_surface()
     return joined(solids)
+
+
+def _large_pieces(mesh: TriangleMesh, settings: PoissonSettings) -> list[TriangleMesh]:
+    """The pieces that bound material and are no crumbs, the largest first."""
+    pieces = connected_pieces(mesh)
+    limit = settings.smallest_piece * pieces[0].area if pieces else 0.0
+    return [piece for piece in pieces if piece.area >= limit and piece.volume > 0.0]
 
 
 def _no_surface() -> NoModelError:
