@@ -39,8 +39,8 @@ def ended_at_junctions(
     """
     moved: list[Placed] = []
     for geometry in dict.fromkeys(geometry for geometry, _ in pieces):
-        stretches = [piece for other, piece in pieces if other is geometry]
-        others = [(other, piece) for other, piece in pieces if other is not geometry]
+        stretches = [piece for other, piece in pieces if other == geometry]
+        others = [(other, piece) for other, piece in pieces if other != geometry]
         ended = []
         for piece in stretches:
             if is_full_circle(geometry, piece):

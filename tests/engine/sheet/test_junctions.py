@@ -1,0 +1,106 @@
+"""Where pieces of lines and circles end."""
+
+import numpy as np
+import pytest
+
+from gaussiancad_core.sheet.junctions import ended_at_junctions, is_full_circle
+from gaussiancad_core.sheet.runs import Piece, Rhythm
+from gaussiancad_core.sheet.shapes import Circle, Line
+from gaussiancad_core.views import Linetype
+
+RHYTHM = Rhythm(12.0, 6.0)
+LEVEL = Line((0.0, 0.0), (1.0, 0.0))
+
+
+def _upright(x: float) -> Line:
+    return Line((x, 0.0), (0.0, 1.0))
+
+
+def _visible(start: float, end: float) -> Piece:
+    return Piece(start, end, Linetype.VISIBLE, 1.0)
+
+
+def _hidden(start: float, end: float) -> Piece:
+    return Piece(start, end, Linetype.HIDDEN, 1.0)
+
+
+def _of(geometry: Line | Circle, pieces: list) -> list[tuple[float, float, Linetype]]:
+    ended = ended_at_junctions(pieces, RHYTHM, 3.0)
+    return [(p.start, p.end, p.linetype) for g, p in ended if g == geometry]
+
+
+@pytest.mark.parametrize("seen", [(-1.5, 101.5), (1.2, 98.4), (0.0, 100.0)])
+def test_a_line_ends_at_the_centre_lines_of_those_it_meets(seen: tuple) -> None:
+    sides = [(_upright(x), _visible(-50, 50)) for x in (0.0, 100.0)]
+    found = _of(LEVEL, [(LEVEL, _visible(*seen)), *sides])
+    assert found == [(pytest.approx(0.0), pytest.approx(100.0), Linetype.VISIBLE)]
+
+
+def test_a_free_end_stays_where_its_ink_ends() -> None:
+    far = [(_upright(200.0), _visible(-50, 50)), (_upright(100.0), _visible(20, 50))]
+    assert _of(LEVEL, [(LEVEL, _visible(0, 100)), *far]) == [(0, 100, Linetype.VISIBLE)]
+
+
+def test_a_dashed_line_reaches_over_its_last_gap() -> None:
+    sides = [(_upright(x), _visible(-50, 50)) for x in (0.0, 100.0)]
+    found = _of(LEVEL, [(LEVEL, _hidden(6.0, 93.0)), *sides])
+    assert found == [(pytest.approx(0.0), pytest.approx(100.0), Linetype.HIDDEN)]
+
+
+@pytest.mark.parametrize("mirrored", [False, True])
+def test_the_first_dash_of_a_hidden_line_is_no_part_of_the_visible_one(mirrored: bool) -> None:
+    """The visible line ends at 60, where another crosses; the dash from there reaches 72."""
+    pieces = [_visible(0, 72), _hidden(72, 130)]
+    expected = [(0, 60, Linetype.VISIBLE), (60, 130, Linetype.HIDDEN)]
+    crossing = 60.0
+    if mirrored:
+        pieces = [_hidden(-130, -72), _visible(-72, 0)]
+        expected = [(-130, -60, Linetype.HIDDEN), (-60, 0, Linetype.VISIBLE)]
+        crossing = -60.0
+    placed = [(LEVEL, piece) for piece in pieces]
+    found = _of(LEVEL, [*placed, (_upright(crossing), _visible(-50, 0))])
+    assert [(pytest.approx(a), pytest.approx(b), k) for a, b, k in expected] == found
+
+
+def test_a_visible_line_that_ends_at_a_crossing_keeps_its_end() -> None:
+    """Another line crosses a dash earlier, but the visible one ends at the nearer crossing."""
+    placed = [(LEVEL, _visible(0, 71)), (LEVEL, _hidden(78, 130))]
+    across = [(_upright(x), _visible(-50, 50)) for x in (60.0, 72.0)]
+    found = _of(LEVEL, [*placed, *across])
+    assert found == [
+        (0, pytest.approx(72.0), Linetype.VISIBLE),
+        (pytest.approx(72.0), 130, Linetype.HIDDEN),
+    ]
+
+
+def test_pieces_that_end_at_one_crossing_are_one_stroke() -> None:
+    """A dash that the crossing line covered is missing between them."""
+    placed = [(LEVEL, _hidden(0, 42)), (LEVEL, _hidden(58, 100))]
+    found = _of(LEVEL, [*placed, (_upright(50.0), _visible(-50, 50))])
+    assert found == [(0, 100, Linetype.HIDDEN)]
+
+
+def test_an_arc_ends_where_its_tangents_begin() -> None:
+    """Ink of a fillet and of its tangents is common over several px."""
+    radius = 40.0
+    corner = Circle((0.0, 0.0), radius)
+    tangents = [
+        (Line((radius, 0.0), (0.0, 1.0)), _visible(-100, 5)),
+        (Line((0.0, radius), (1.0, 0.0)), _visible(-100, 5)),
+    ]
+    seen = _visible(-9.0, radius * np.pi / 2 + 9.0)
+    found = _of(corner, [(corner, seen), *tangents])
+    assert found == [
+        (pytest.approx(0.0, abs=1e-6), pytest.approx(radius * np.pi / 2), Linetype.VISIBLE)
+    ]
+    for line, _ in tangents:
+        assert _of(line, [(corner, seen), *tangents])[0][1] == pytest.approx(0.0, abs=1e-6)
+
+
+def test_a_full_circle_has_no_ends() -> None:
+    circle = Circle((0.0, 0.0), 10.0)
+    whole = _visible(3.0, 3.0 + 20 * np.pi)
+    assert is_full_circle(circle, whole)
+    assert not is_full_circle(circle, _visible(0.0, 60.0))
+    found = _of(circle, [(circle, whole), (_upright(10.0), _visible(-50, 50))])
+    assert found == [(whole.start, whole.end, Linetype.VISIBLE)]
