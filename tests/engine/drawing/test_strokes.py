@@ -72,7 +72,9 @@ def test_turning_there_and_back_changes_nothing(
     stroke: Segment | Arc, angle: float, centre: tuple[float, float]
 ) -> None:
     back = turned(turned(stroke, angle, centre), -angle, centre)
-    np.testing.assert_allclose(back.sample(1.0), stroke.sample(1.0), atol=1e-9)
+    # A whole number of steps could come out as one more by the last digit of the length.
+    step = stroke.length / 7.5
+    np.testing.assert_allclose(back.sample(step), stroke.sample(step), atol=1e-9)
 
 
 @given(st.one_of(arcs, st.just(ZIGZAG)), st.floats(0.0, 0.45), st.floats(0.55, 1.0))
