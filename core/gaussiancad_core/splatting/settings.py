@@ -56,7 +56,7 @@ class TrainingSettings:
 
     count: int = 5_000
     pixels: int = 256
-    iterations: int = 200
+    iterations: int = 150
     thickness: float = 0.04
     opacity: float = 0.88
     rates: Rates = field(default_factory=Rates)
@@ -82,7 +82,7 @@ _PAPER_RATES = Rates(
 _WORK = {
     Recipe.ORTHOGRAPHIC: {
         Preset.DRAFT: (2_000, 128, 60),
-        Preset.STANDARD: (5_000, 256, 200),
+        Preset.STANDARD: (5_000, 256, 150),
         Preset.FINE: (10_000, 512, 200),
     },
     Recipe.PAPER: {

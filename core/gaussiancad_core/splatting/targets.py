@@ -52,7 +52,7 @@ def _resampled(
     down = _overlaps(corners[:, 1], camera.height, view.mask.shape[0])
     mask = down @ view.mask.astype(np.float64) @ across.T
     shown = down.sum(axis=1)[:, None] * across.sum(axis=1)[None, :]
-    colours = np.moveaxis(view.colour.astype(np.float64) / 255.0, 2, 0)
+    colours = np.ascontiguousarray(np.moveaxis(view.colour, 2, 0)) / 255.0
     blended = down @ colours @ across.T + (1.0 - shown) * _WHITE
     return blended.astype(np.float32), np.clip(mask, 0.0, 1.0).astype(np.float32)
 
