@@ -30,6 +30,7 @@ from gaussiancad_core.drawing.projection import project_edge
 from gaussiancad_core.drawing.rays import SightLines
 from gaussiancad_core.drawing.sightings import Witness
 from gaussiancad_core.drawing.strokes import DrawnStroke
+from gaussiancad_core.drawing.tracing import SplineSilhouettes
 from gaussiancad_core.views import Linetype
 
 _BESIDE = 2e-5
@@ -63,7 +64,7 @@ class LineOptions:
 
 
 class LineDrawing:
-    """The lines of one solid, view by view; the solid's edges are analysed once.
+    """The lines of one solid, view by view; the solid's edges and splines are analysed once.
 
     Args:
         shape: solid in mm; its position is kept.
@@ -77,6 +78,7 @@ class LineDrawing:
         self._extent = float((box[1] - box[0]).max())
         self._precision = self._options.precision(self._extent)
         self._facts = edge_facts(shape)
+        self._splines = SplineSilhouettes(shape)
 
     def view(self, role: Role) -> tuple[DrawnStroke, ...]:
         """The strokes of a view in its plane's millimetres (right, up), each line once."""
@@ -94,6 +96,8 @@ class LineDrawing:
             stroke = project_edge(edge, frame, Linetype.VISIBLE, self._precision)
             if stroke is not None:
                 singles.append(Line(stroke, BRep_Tool.Tolerance_s(edge)))
+        chains = self._splines.view(frame, self._precision.chord)
+        singles += [Line(chain, 0.0) for chain in chains]
         # Sight lines stand closer to a line than two lines have to be to count as one in the end.
         exact = replace(self._precision, cover=_BESIDE * self._extent)
         strokes = distinct_strokes((line.stroke for line in singles), exact)
