@@ -95,7 +95,7 @@ def test_the_report_has_what_others_rely_on(run: tuple) -> None:
         assert 0 < x0 < x1 < 1920 and 0 < y0 < y1 < 1080
         shares = [view[f"{k}_{m}"] for k in ("visible", "hidden") for m in ("recall", "precision")]
         assert all(0.0 <= share <= 1.0 for share in shares)
-        assert min(shares[:2]) > 0.7
+        assert min(shares[:2]) > 0.95
     assert report["scale_source"] == "given" and report["scale_mm_per_pixel"] > 0
     assert report["surface"]["watertight"] is True
     assert report["gaussians"]["count"] > 0 and report["gaussians"]["loss"] < 0.2

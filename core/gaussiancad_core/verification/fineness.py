@@ -1,31 +1,29 @@
-"""Which kind of mesh it is: of flat faces and sharp edges, or of evenly small triangles."""
+"""Which kind of mesh it is: with sharp edges, or with edges rounded over small triangles."""
 
 import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.meshes import TriangleMesh
 
-_FINE_SHARE = 0.025
+_SHORT_SHARE = 0.025
 _BEND, _EDGE = np.radians(20.0), np.radians(45.0)
 
 
 def is_rounded(mesh: TriangleMesh) -> bool:
-    """Whether a mesh is evenly fine and rounds its edges over several triangles, as Poisson does.
+    """Whether a mesh rounds its edges over several small triangles, as Poisson does.
 
-    Tessellated solids have large triangles on their flat faces: half of the area lies in triangles
-    longer than 2.5 % of the mesh.  Of fine meshes those are sharp that bend by more than 45 degrees
-    along most of the length where they bend at all.
+    Judged by the edges between triangles that bend by more than 20 degrees, by length: tessellated
+    solids bend along edges that are long, or sharp (more than 45 degrees); Poisson's are neither.
+    Flat faces say nothing: cut to a hull, a Poisson surface has triangles of any size there.
     """
-    sides = mesh.corners - np.roll(mesh.corners, 1, axis=1)
-    longest = np.sqrt(np.einsum("mij,mij->mi", sides, sides).max(axis=1))
-    fine = longest < _FINE_SHARE * float(np.ptp(mesh.bounds, axis=0).max())
-    if mesh.areas[fine].sum() <= 0.5 * mesh.area:
-        return False
     measured = mesh.to_trimesh()
     angles = measured.face_adjacency_angles
     ends = mesh.vertices[measured.face_adjacency_edges]
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
-    return bool(lengths[angles > _EDGE].sum() <= 0.5 * lengths[angles > _BEND].sum())
+    bent = angles > _BEND
+    short = lengths < _SHORT_SHARE * float(np.ptp(mesh.bounds, axis=0).max())
+    half = 0.5 * lengths[bent].sum()
+    return bool(lengths[bent & short].sum() > half and lengths[angles > _EDGE].sum() <= half)
 
 
 def triangle_normals(mesh: TriangleMesh, smoothed: bool) -> npt.NDArray[np.float64]:

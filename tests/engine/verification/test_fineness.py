@@ -5,6 +5,7 @@ import pytest
 import trimesh
 
 from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.surface.repair import intersection
 from gaussiancad_core.verification.fineness import is_rounded, triangle_normals
 
 
@@ -18,6 +19,16 @@ def test_poisson_is_rounded_and_a_solid_is_not(
 def test_a_finely_split_solid_is_sharp(box: Callable[..., TriangleMesh]) -> None:
     solid = box((0, 0, 0), (4, 3, 2)).to_trimesh().subdivide_to_size(0.05)
     assert not is_rounded(make_mesh(solid.vertices, solid.faces))
+
+
+def test_what_is_cut_to_its_hull_stays_rounded(
+    blind_hole: TriangleMesh, rounded_block: TriangleMesh
+) -> None:
+    cut = intersection(rounded_block, blind_hole, 0.01)
+    assert cut is not None and cut.watertight
+    # The cut leaves the hull's large flat faces, which is what makes this case hard.
+    assert np.sort(cut.areas)[-2:].sum() > 20 * np.sort(rounded_block.areas)[-2:].sum()
+    assert is_rounded(cut)
 
 
 def test_normals_are_units_and_point_out(blind_hole: TriangleMesh) -> None:
