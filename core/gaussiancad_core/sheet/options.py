@@ -1,6 +1,7 @@
 """What a user can say about a sheet."""
 
 from dataclasses import dataclass
+from enum import Enum
 
 from gaussiancad_core.axes import Axis, Projection, Role
 
@@ -9,6 +10,13 @@ Box = tuple[float, float, float, float]
 
 MEDIAN_KERNEL = 3
 """Side in px of the paper's median filter."""
+
+
+class Finder(Enum):
+    """What finds lines and circles: ridges of the ink, or the GaussianCAD paper's transforms."""
+
+    RIDGES = "ridges"
+    HOUGH = "hough"
 
 
 @dataclass(frozen=True)

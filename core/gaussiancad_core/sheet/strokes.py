@@ -12,12 +12,15 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.growth import GrowthRules, grow_shapes
 from gaussiancad_core.sheet.junctions import (
     FULL_TURN,
     Placed,
     ended_at_junctions,
     is_full_circle,
 )
+from gaussiancad_core.sheet.options import Finder
+from gaussiancad_core.sheet.ridges import ridge_points
 from gaussiancad_core.sheet.runs import (
     InkField,
     Piece,
@@ -36,6 +39,7 @@ from gaussiancad_core.sheet.shapes import (
     edge_map,
     find_circles,
     find_lines,
+    fit_circle,
     following,
     line_support,
     radial_profile,
@@ -96,14 +100,16 @@ class ViewShapes:
     offset: tuple[int, int]
 
 
-def find_shapes(sheet: CleanSheet, box: tuple[float, float, float, float]) -> ViewShapes:
+def find_shapes(
+    sheet: CleanSheet, box: tuple[float, float, float, float], finder: Finder = Finder.RIDGES
+) -> ViewShapes:
     """Lines and circles of the view inside a box of the sheet."""
     crop, offset = _crop(sheet, box)
     field = ink_field(crop)
     height, width = crop.ink.shape
-    circles = find_circles(crop)
+    lines, circles = _candidates(crop, finder)
     shapes = [shape for circle in circles if (shape := _circle_shape(crop, field, circle))]
-    for line in find_lines(crop, edge_map(crop)):
+    for line in lines:
         along, _ = line.coordinates(
             np.array([[0, 0], [width, 0], [0, height], [width, height]], dtype=np.float64)
         )
@@ -115,6 +121,15 @@ def find_shapes(sheet: CleanSheet, box: tuple[float, float, float, float]) -> Vi
             support = line_support(crop, refitted, runs_spans(runs))
             shapes.append(Shape(refitted, tuple(runs), support))
     return ViewShapes(crop, field, tuple(shapes), offset)
+
+
+def _candidates(sheet: CleanSheet, finder: Finder) -> tuple[list[Line], list[Circle]]:
+    if finder is Finder.HOUGH:
+        return find_lines(sheet, edge_map(sheet)), find_circles(sheet)
+    grown = grow_shapes(ridge_points(sheet.weight, sheet.stroke_width), GrowthRules())
+    lines = [shape.geometry for shape in grown if isinstance(shape.geometry, Line)]
+    circles = [shape.geometry for shape in grown if isinstance(shape.geometry, Circle)]
+    return lines, [fit_circle(sheet, circle) or circle for circle in circles]
 
 
 def view_rhythm(views: list[ViewShapes], stroke_width: float) -> Rhythm:

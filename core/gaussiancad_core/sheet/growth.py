@@ -1,0 +1,131 @@
+"""Lines and circles grown along ridge points.
+
+From a point with a direction, a line is fitted to the points near it that run its way, followed
+further, fitted again, and so on until the ink ends.  It is followed across gaps as wide as those
+between dashes, so that a dashed line is found as one.  An arc starts from points that no long line
+explains, with the circle that osculates the chain around one of them, and is followed around in the
+same way.
+"""
+
+import heapq
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.sheet.growth_kernels import grow_arcs, grow_lines
+from gaussiancad_core.sheet.ridges import RidgePoints
+from gaussiancad_core.sheet.shapes import Circle, Line
+
+Floats = npt.NDArray[np.float64]
+
+_ARC_BONUS = 1.15
+"""Lines explain an arc in pieces: at nearly the same number of points the arc wins."""
+
+_FRESH = 0.35
+"""Share of a shape's points that no better shape may have taken."""
+
+_LONG = 24
+"""Points of a line that certainly is one; what it explains starts no arc."""
+
+
+@dataclass(frozen=True)
+class GrowthRules:
+    """When points belong to a line or circle; px.
+
+    Attributes:
+        gap: widest stretch without points that is crossed.
+        band: farthest from the centre line.
+        turn_degrees: largest angle between a point's tangent and the line's.
+        shortest: least number of points, about one a px.
+        flattest: largest sagitta of a line.
+        bowed: least sagitta of an arc.
+        rms: largest root mean square of the points' distances.
+    """
+
+    gap: float = 14.0
+    band: float = 0.8
+    turn_degrees: float = 14.0
+    shortest: int = 5
+    flattest: float = 0.35
+    bowed: float = 0.8
+    rms: float = 0.32
+
+
+@dataclass(frozen=True, eq=False)
+class Grown:
+    """A line or a circle with the ridge points that it explains.
+
+    Attributes:
+        geometry: in px, centres of pixels at integers.
+        members: (k,) rows of the ridge points.
+    """
+
+    geometry: Line | Circle
+    members: npt.NDArray[np.int64]
+
+
+def grow_shapes(ridges: RidgePoints, rules: GrowthRules = GrowthRules()) -> list[Grown]:
+    """Lines and circles that explain ridge points, those that explain most first.
+
+    Shapes compete for points: of two that run along each other only the better one stays.
+    """
+    if not len(ridges.points):
+        return []
+    tables = (ridges.points, ridges.tangents, ridges.index)
+    limits = (rules.gap, rules.band, float(np.cos(np.radians(rules.turn_degrees))))
+    fit = (float(rules.shortest), rules.flattest, rules.rms, rules.bowed)
+    lines = [Grown(_line(row), own) for row, own in _unpacked(grow_lines(tables, limits, fit))]
+    taken = np.zeros(len(ridges.points), dtype=np.bool_)
+    for grown in _chosen(lines, len(ridges.points), rules.shortest):
+        if len(grown.members) >= _LONG:
+            taken[grown.members] = True
+    found = grow_arcs(tables, limits, fit, taken)
+    arcs = [Grown(_circle(row), own) for row, own in _unpacked(found)]
+    return _chosen(lines + arcs, len(ridges.points), rules.shortest)
+
+
+def warm_up() -> None:
+    """Compile the kernels, or load them from numba's cache, so that the first sheet is quick."""
+    tables = (np.zeros((0, 2)), np.zeros((0, 2)), np.full((1, 1), -1, dtype=np.int32))
+    limits, fit = (14.0, 0.8, 0.97), (5.0, 0.35, 0.32, 0.8)
+    grow_lines(tables, limits, fit)
+    grow_arcs(tables, limits, fit, np.zeros(0, dtype=np.bool_))
+
+
+def _line(row: Floats) -> Line:
+    return Line((float(row[0]), float(row[1])), (float(row[2]), float(row[3])))
+
+
+def _circle(row: Floats) -> Circle:
+    return Circle((float(row[0]), float(row[1])), float(row[2]))
+
+
+def _unpacked(
+    found: tuple[Floats, npt.NDArray[np.int64], npt.NDArray[np.int64]],
+) -> Iterator[tuple[Floats, npt.NDArray[np.int64]]]:
+    rows, splits, members = found
+    for k, row in enumerate(rows):
+        yield row, members[splits[k] : splits[k + 1]]
+
+
+def _chosen(shapes: list[Grown], points: int, shortest: int) -> list[Grown]:
+    """Greedily the shape with the most points that no other has taken."""
+    bonus = [_ARC_BONUS if isinstance(shape.geometry, Circle) else 1.0 for shape in shapes]
+    queue = [(-bonus[k] * len(shape.members), k) for k, shape in enumerate(shapes)]
+    heapq.heapify(queue)
+    free = np.ones(points, dtype=bool)
+    chosen = []
+    while queue:
+        score, k = heapq.heappop(queue)
+        members = shapes[k].members
+        left = int(free[members].sum())
+        if left < max(shortest, _FRESH * len(members)):
+            continue
+        if -bonus[k] * left > score:
+            heapq.heappush(queue, (-bonus[k] * left, k))
+            continue
+        free[members] = False
+        chosen.append(shapes[k])
+    return chosen
