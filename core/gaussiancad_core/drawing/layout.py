@@ -1,6 +1,6 @@
 """Where each view stands on the sheet (ISO 5456-2), with shared rows and columns exact."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -45,8 +45,12 @@ def place_views(
     roles: tuple[Role, ...],
     projection: Projection,
     style: SheetStyle,
+    corner: tuple[float, float] = (0.0, 0.0),
 ) -> tuple[Placement, ...]:
     """Place the views of a part on a sheet, as large as it allows, centred.
+
+    Where a view would reach into the corner that stays free, all views stand above the corner or
+    to the left of it, whichever leaves more room.
 
     Views in one column share their horizontal interval, views in one row their vertical one.
 
@@ -55,11 +59,38 @@ def place_views(
         roles: two to six different views.
         projection: first or third angle.
         style: sheet size, margin, gap, scale.
+        corner: width and height in px at the sheet's lower right that stays free.
 
     Raises:
         UsageError: ``views-count``, ``views-repeat``, ``sheet-too-small``.
     """
     check_roles(roles)
+    whole = _placed(size, roles, projection, style)
+    left, top = style.width - corner[0], style.height - corner[1]
+    if not any(place.box[2] > left and place.box[3] > top for place in whole):
+        return whole
+    rooms = [
+        replace(style, height=round(style.height - max(0.0, corner[1] - style.margin))),
+        replace(style, width=round(style.width - max(0.0, corner[0] - style.margin))),
+    ]
+    fitting = []
+    for room in rooms:
+        try:
+            fitting.append(_placed(size, roles, projection, room))
+        except UsageError as error:
+            refusal = error
+    if not fitting:
+        raise refusal
+    return max(fitting, key=lambda places: places[0].scale)
+
+
+def _placed(
+    size: npt.NDArray[np.float64],
+    roles: tuple[Role, ...],
+    projection: Projection,
+    style: SheetStyle,
+) -> tuple[Placement, ...]:
+    """Views centred on the sheet of a style."""
     slots = {role: role.slot(projection) for role in roles}
     widths = {slots[role][0]: _extent(size, role.frame.right_axis[0]) for role in roles}
     heights = {slots[role][1]: _extent(size, role.frame.up_axis[0]) for role in roles}

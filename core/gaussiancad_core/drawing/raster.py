@@ -26,10 +26,10 @@ def rasterise(strokes: tuple[DrawnStroke, ...], style: SheetStyle) -> Coverage:
     ink = np.zeros((style.height, style.width), dtype=np.float32)
     for stroke in strokes:
         if stroke.linetype is Linetype.VISIBLE:
-            _draw(ink, stroke, style.visible_width, style.cap)
+            draw_stroke(ink, stroke, style.visible_width, style.cap)
         else:
             for piece in dashed(stroke, style):
-                _draw(ink, piece, style.hidden_width, Cap.BUTT)
+                draw_stroke(ink, piece, style.hidden_width, Cap.BUTT)
     if not style.antialiasing:
         ink = (ink >= 0.5).astype(np.float32)
     return ink
@@ -50,7 +50,15 @@ def dashed(stroke: DrawnStroke, style: SheetStyle) -> list[DrawnStroke]:
     return [part(stroke, low, high) for low, high in dashes]
 
 
-def _draw(ink: Coverage, stroke: DrawnStroke, width: float, cap: Cap) -> None:
+def draw_stroke(ink: Coverage, stroke: DrawnStroke, width: float, cap: Cap) -> None:
+    """Draw a stroke without interruption into ``ink``, in place.
+
+    Args:
+        ink: (height, width) share of ink, 0 to 1.
+        stroke: in sheet px.
+        width: px.
+        cap: of both ends.
+    """
     if isinstance(stroke, Segment):
         ends = np.array([stroke.start, stroke.end])
         _draw_segment(ink, ends, width, (cap, cap))

@@ -1,38 +1,36 @@
-"""A solid on a sheet: lines of each view, placed, drawn."""
+"""A solid on a sheet: lines of each view, placed, annotated, drawn."""
 
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
 import numpy.typing as npt
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.drawing.annotation import Annotation
+from gaussiancad_core.drawing.annotations import annotate, reserved_corner, sheet_dpi
 from gaussiancad_core.drawing.brep import bounding_box, moved_to_origin
+from gaussiancad_core.drawing.degrade import Image, finished
+from gaussiancad_core.drawing.drawn_view import DrawnView, drawn_view
 from gaussiancad_core.drawing.hlr import LineDrawing, LineOptions
-from gaussiancad_core.drawing.layout import Placement, check_roles, place_views
+from gaussiancad_core.drawing.inking import ink_annotations
+from gaussiancad_core.drawing.layout import check_roles, place_views
 from gaussiancad_core.drawing.raster import rasterise
-from gaussiancad_core.drawing.strokes import DrawnStroke, extent, mapped, turned
+from gaussiancad_core.drawing.strokes import DrawnStroke
 from gaussiancad_core.drawing.style import SheetStyle
-
-Image = npt.NDArray[np.uint8]
 
 
 @dataclass(frozen=True)
-class DrawnView:
-    """A view on a sheet.
+class PartLines:
+    """The lines of a solid, which sheets of any style can be made of.
 
     Attributes:
-        role: which view.
-        box: (x0, y0, x1, y1) sheet px between the centre lines of the outermost strokes.
-        strokes: in sheet px, y down.
-        plane_strokes: the same strokes in mm of the view's plane (right, up).
+        size: (3,) extent in mm of the part; its bounding box starts at the origin.
+        views: role -> strokes in mm of the view's plane (right, up), in the order asked for.
     """
 
-    role: Role
-    box: tuple[float, float, float, float]
-    strokes: tuple[DrawnStroke, ...]
-    plane_strokes: tuple[DrawnStroke, ...]
+    size: npt.NDArray[np.float64]
+    views: dict[Role, tuple[DrawnStroke, ...]]
 
 
 @dataclass(frozen=True)
@@ -44,15 +42,38 @@ class Sheet:
         mm_per_pixel: scale of all views.
         projection: first or third angle.
         views: in the order they were asked for.
+        annotations: what was drawn beside the part's lines, in sheet px; empty without any.
+        dpi: resolution at which the sheet's scale note is true; None if there is none.
     """
 
     image: Image
     mm_per_pixel: float
     projection: Projection
     views: tuple[DrawnView, ...]
+    annotations: tuple[Annotation, ...] = ()
+    dpi: float | None = None
 
     def __getitem__(self, role: Role) -> DrawnView:
         return next(view for view in self.views if view.role is role)
+
+
+def part_lines(
+    shape: TopoDS_Shape, roles: tuple[Role, ...], tangent_edges: bool = False
+) -> PartLines:
+    """The lines of a solid in several views: the slow part of drawing a sheet.
+
+    Args:
+        shape: solid in mm; it is moved so that its bounding box starts at the origin.
+        roles: two to six different views.
+        tangent_edges: draw smooth edges as well; what the style says of them counts no more.
+
+    Raises:
+        UsageError: ``views-count``, ``views-repeat``.
+    """
+    check_roles(roles)
+    shape = moved_to_origin(shape)
+    drawing = LineDrawing(shape, LineOptions(tangent_edges=tangent_edges))
+    return PartLines(bounding_box(shape)[1], {role: drawing.view(role) for role in roles})
 
 
 def draw_sheet(
@@ -61,6 +82,8 @@ def draw_sheet(
     projection: Projection,
     style: SheetStyle,
     seed: int = 0,
+    *,
+    title: str = "PART",
 ) -> Sheet:
     """Draw a solid as a sheet of views.
 
@@ -70,45 +93,49 @@ def draw_sheet(
         projection: decides where the views stand.
         style: the look.
         seed: of the noise, where the style has any.
+        title: of the title block, where the style has one.
 
     Raises:
         UsageError: views or sheet size that cannot be.
     """
-    check_roles(roles)
-    shape = moved_to_origin(shape)
-    drawing = LineDrawing(shape, LineOptions(tangent_edges=style.tangent_edges))
-    size = bounding_box(shape)[1]
-    placements = place_views(size, roles, projection, style)
-    views = tuple(
-        _drawn_view(placement, drawing.view(placement.role), style) for placement in placements
+    return compose_sheet(
+        part_lines(shape, roles, style.tangent_edges), projection, style, seed, title=title
     )
-    strokes = tuple(stroke for view in views for stroke in view.strokes)
-    image = _finish(rasterise(strokes, style), style, seed)
-    return Sheet(image, 1.0 / placements[0].scale, projection, views)
 
 
-def _drawn_view(
-    placement: Placement, plane_strokes: tuple[DrawnStroke, ...], style: SheetStyle
-) -> DrawnView:
-    strokes = tuple(
-        mapped(stroke, placement.scale, placement.offset, flip=True) for stroke in plane_strokes
+def compose_sheet(
+    lines: PartLines,
+    projection: Projection,
+    style: SheetStyle,
+    seed: int = 0,
+    *,
+    title: str = "PART",
+) -> Sheet:
+    """Place the lines of a solid on a sheet, annotate and draw them.
+
+    Args:
+        lines: of the solid, each view.
+        projection: decides where the views stand.
+        style: the look.
+        seed: of the noise, where the style has any.
+        title: of the title block, where the style has one.
+
+    Raises:
+        UsageError: ``sheet-too-small``.
+    """
+    placements = place_views(
+        lines.size, tuple(lines.views), projection, style, reserved_corner(style)
     )
+    views = tuple(drawn_view(place, lines.views[place.role]) for place in placements)
+    scale = 1.0 / placements[0].scale
+    annotations = annotate(views, projection, scale, style, title)
     if style.skew:
-        centre = (style.width / 2.0, style.height / 2.0)
         # Counter-clockwise to the eye is clockwise where y points down.
-        strokes = tuple(turned(stroke, -np.radians(style.skew), centre) for stroke in strokes)
-    (x0, y0), (x1, y1) = extent(strokes)
-    box = (float(x0), float(y0), float(x1), float(y1))
-    return DrawnView(placement.role, box, strokes, plane_strokes)
-
-
-def _finish(ink: npt.NDArray[np.float32], style: SheetStyle, seed: int) -> Image:
-    """Ink and paper in colour, blurred and noisy as the style asks."""
-    if style.blur > 0.0:
-        ink = cv2.GaussianBlur(ink, (0, 0), style.blur)
-    paper, colour = (np.array(value, dtype=np.float32) for value in (style.paper, style.ink))
-    image = paper + ink[..., None] * (colour - paper)
-    if style.noise > 0.0:
-        noise = np.random.default_rng(seed).standard_normal(ink.shape, dtype=np.float32)
-        image += style.noise * noise[..., None]
-    return np.clip(np.rint(image), 0.0, 255.0).astype(np.uint8)
+        angle, centre = -float(np.radians(style.skew)), (style.width / 2.0, style.height / 2.0)
+        views = tuple(view.turned(angle, centre) for view in views)
+        annotations = tuple(annotation.turned(angle, centre) for annotation in annotations)
+    ink = rasterise(tuple(stroke for view in views for stroke in view.strokes), style)
+    if annotations:
+        ink = np.maximum(ink, ink_annotations(annotations, style))
+    dpi = sheet_dpi(scale) if style.frame else None
+    return Sheet(finished(ink, style, seed), scale, projection, views, annotations, dpi)

@@ -20,7 +20,11 @@ class Cap(Enum):
 
 @dataclass(frozen=True)
 class SheetStyle:
-    """The look of a sheet; lengths in sheet pixels.
+    """The look of a sheet; lengths and widths in sheet pixels unless another unit is named.
+
+    Defects come in the order in which a sheet meets them: the pen (``bleed``, ``fade``), paper and
+    glass (``specks``), optics (``blur``), copier (``contrast``), light (``light``, ``shadow``),
+    sensor (``noise``, ``salt``), file (``jpeg_quality``).  Each is off at 0, ``contrast`` at 1.
 
     Attributes:
         width, height: the sheet.
@@ -37,6 +41,18 @@ class SheetStyle:
         blur: standard deviation of a Gaussian blur, as of a scanner's optics.
         noise: standard deviation of the grey noise, in levels of 255.
         jpeg_quality: 1 to 100, for JPEG and WebP files.
+        annotations: dimensions and notes (ISO 129-1).
+        frame: border with its zones, title block and projection symbol (ISO 5457, ISO 7200).
+        centre_lines: centre lines and centre marks of circles, axes of holes (ISO 128).
+        annotation_width: line width of all of these but the border.
+        text_height: height of capitals and digits; arrows and distances follow from it.
+        bleed: how far ink creeps to either side of a stroke.
+        fade: share of the ink that pale regions lack, 0 to 1.
+        specks: number of specks of dust and spots without ink per million pixels.
+        contrast: steepness of a copier's tone curve, 1 to 10, which also frays edges.
+        light: share of the light that the darkest part of the sheet lacks, 0 to 1.
+        shadow: width of the dark border that a copier's lid leaves at the left and at the top.
+        salt: share of pixels, 0 to 1, that are black or white whatever was there.
     """
 
     width: int = 1920
@@ -57,6 +73,18 @@ class SheetStyle:
     blur: float = 0.0
     noise: float = 0.0
     jpeg_quality: int = 95
+    annotations: bool = False
+    frame: bool = False
+    centre_lines: bool = False
+    annotation_width: float = 1.5
+    text_height: float = 18.0
+    bleed: float = 0.0
+    fade: float = 0.0
+    specks: float = 0.0
+    contrast: float = 1.0
+    light: float = 0.0
+    shadow: float = 0.0
+    salt: float = 0.0
 
 
 PRESETS: dict[str, SheetStyle] = {
@@ -76,6 +104,41 @@ PRESETS: dict[str, SheetStyle] = {
         noise=4.0,
         jpeg_quality=85,
     ),
+    # A dark copy of a faint original, laid on the glass askew.
+    "photocopy": SheetStyle(
+        ink=(26, 26, 26),
+        paper=(250, 250, 250),
+        margin=110.0,
+        skew=3.0,
+        bleed=0.5,
+        fade=0.12,
+        specks=60.0,
+        blur=0.8,
+        contrast=2.5,
+        light=0.12,
+        shadow=30.0,
+        noise=3.0,
+        salt=2e-4,
+        jpeg_quality=80,
+    ),
+    "dimensioned": SheetStyle(
+        margin=130.0,
+        view_gap=170.0,
+        annotations=True,
+        frame=True,
+        centre_lines=True,
+    ),
+    # ASME Y14.2: thin lines have half the width of thick ones, hidden and centre lines alike.
+    "ansi": SheetStyle(
+        visible_width=3.6,
+        hidden_width=1.8,
+        annotation_width=1.8,
+        dash=9.0,
+        gap=4.0,
+        cap=Cap.BUTT,
+        centre_lines=True,
+    ),
+    "jpeg30": SheetStyle(jpeg_quality=30),
 }
 """The named styles of ``--style``."""
 
@@ -128,6 +191,9 @@ def _parser(name: str) -> Callable[[str], Any]:
         "cap": Cap,
         "antialiasing": _switch,
         "tangent_edges": _switch,
+        "annotations": _switch,
+        "frame": _switch,
+        "centre_lines": _switch,
     }
     return special.get(name, float)
 
@@ -159,6 +225,15 @@ _LIMITS: dict[str, tuple[float, float]] = {
     "blur": (0, 50),
     "noise": (0, 100),
     "jpeg_quality": (1, 100),
+    "annotation_width": (0.3, 100),
+    "text_height": (4, 500),
+    "bleed": (0, 20),
+    "fade": (0, 1),
+    "specks": (0, 5000),
+    "contrast": (1, 10),
+    "light": (0, 1),
+    "shadow": (0, 1000),
+    "salt": (0, 1),
 }
 
 

@@ -1,0 +1,42 @@
+"""A view as it stands on a sheet."""
+
+from dataclasses import dataclass, replace
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.drawing.layout import Placement
+from gaussiancad_core.drawing.strokes import DrawnStroke, extent, mapped, turned
+
+
+@dataclass(frozen=True)
+class DrawnView:
+    """A view on a sheet.
+
+    Attributes:
+        role: which view.
+        box: (x0, y0, x1, y1) sheet px between the centre lines of the outermost strokes.
+        strokes: in sheet px, y down.
+        plane_strokes: the same strokes in mm of the view's plane (right, up).
+    """
+
+    role: Role
+    box: tuple[float, float, float, float]
+    strokes: tuple[DrawnStroke, ...]
+    plane_strokes: tuple[DrawnStroke, ...]
+
+    def turned(self, angle: float, centre: tuple[float, float]) -> "DrawnView":
+        """Turned by ``angle`` radians, from the sheet's right towards its bottom."""
+        strokes = tuple(turned(stroke, angle, centre) for stroke in self.strokes)
+        return replace(self, box=_box(strokes), strokes=strokes)
+
+
+def drawn_view(placement: Placement, plane_strokes: tuple[DrawnStroke, ...]) -> DrawnView:
+    """The strokes of a view, given in mm of its plane, at its place on the sheet."""
+    strokes = tuple(
+        mapped(stroke, placement.scale, placement.offset, flip=True) for stroke in plane_strokes
+    )
+    return DrawnView(placement.role, _box(strokes), strokes, plane_strokes)
+
+
+def _box(strokes: tuple[DrawnStroke, ...]) -> tuple[float, float, float, float]:
+    (x0, y0), (x1, y1) = extent(strokes)
+    return float(x0), float(y0), float(x1), float(y1)
