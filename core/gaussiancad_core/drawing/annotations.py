@@ -15,7 +15,7 @@ from gaussiancad_core.drawing.frame import (
     draw_title_block,
 )
 from gaussiancad_core.drawing.notes import draw_notes
-from gaussiancad_core.drawing.pen import Pen, Room
+from gaussiancad_core.drawing.pen import Board, Pen, Room
 from gaussiancad_core.drawing.style import SheetStyle
 
 _SCALES = tuple(
@@ -54,12 +54,15 @@ def annotate(
         found += draw_frame(style) + draw_title_block(style, content)
         taken.append(block_box(style))
         bounds = border(style)
+    centre_lines: list[Annotation] = []
     if style.centre_lines:
-        found += draw_centre_lines(views, pen, _next_group(found))
+        centre_lines = draw_centre_lines(views, pen, _next_group(found))
+        found += centre_lines
     if style.annotations:
-        room = Room(bounds, taken)
-        found += draw_dimensions(views, mm_per_pixel, pen, room, _next_group(found))
-        found += draw_notes(views, mm_per_pixel, pen, room, _next_group(found))
+        strokes = tuple(stroke for line in centre_lines for stroke in line.strokes)
+        board = Board(views, strokes, mm_per_pixel, pen, Room(bounds, taken))
+        found += draw_dimensions(board, _next_group(found))
+        found += draw_notes(board, _next_group(found))
     return tuple(found)
 
 

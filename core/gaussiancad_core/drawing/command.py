@@ -7,9 +7,10 @@ from PIL import Image as PillowImage
 
 from gaussiancad_core.axes import Projection, Role, mutually_orthogonal
 from gaussiancad_core.drawing.brep import read_solid
+from gaussiancad_core.drawing.degrade import Image
 from gaussiancad_core.drawing.files import write_whole
 from gaussiancad_core.drawing.layout import check_roles
-from gaussiancad_core.drawing.sheet import Image, Sheet, draw_sheet
+from gaussiancad_core.drawing.sheet import Sheet, draw_sheet
 from gaussiancad_core.drawing.style import SheetStyle
 from gaussiancad_core.errors import UsageError
 
@@ -41,7 +42,7 @@ def draw_file(
         roles: two to six views; three or more must look along all three axes.
         projection: first or third angle.
         style: the look.
-        seed: of the style's noise.
+        seed: of the style's defects.
 
     Raises:
         UsageError: ``views-count``, ``views-repeat``, ``views-not-orthogonal``,
@@ -57,8 +58,8 @@ def draw_file(
             f"{names} do not look along all three axes: take for example front,top,right",
         )
     image_format(sheet)
-    drawn = draw_sheet(read_solid(solid), roles, projection, style, seed)
-    write_image(drawn.image, sheet, style.jpeg_quality)
+    drawn = draw_sheet(read_solid(solid), roles, projection, style, seed, title=solid.stem)
+    write_image(drawn.image, sheet, style.jpeg_quality, drawn.dpi)
     return drawn
 
 
@@ -77,8 +78,14 @@ def image_format(path: Path) -> str:
         ) from error
 
 
-def write_image(image: Image, path: Path, quality: int = 95) -> None:
+def write_image(image: Image, path: Path, quality: int = 95, dpi: float | None = None) -> None:
     """Write (h, w, 3) uint8 RGB by the path's suffix; the file appears only when whole.
+
+    Args:
+        image: the pixels.
+        path: its suffix is the format.
+        quality: 1 to 100, of JPEG and WebP.
+        dpi: the resolution that the file names, in formats that can; None names none.
 
     Raises:
         UsageError: ``sheet-suffix-unknown``, ``output-not-writable``.
@@ -90,5 +97,8 @@ def write_image(image: Image, path: Path, quality: int = 95) -> None:
         "JPEG": {"quality": quality, "subsampling": 0},
         "WEBP": {"quality": quality},
     }
-    PillowImage.fromarray(image).save(stream, name, **options.get(name, {}))
+    chosen = dict(options.get(name, {}))
+    if dpi is not None and name != "WEBP":
+        chosen["dpi"] = (dpi, dpi)
+    PillowImage.fromarray(image).save(stream, name, **chosen)
     write_whole(path, stream.getvalue())

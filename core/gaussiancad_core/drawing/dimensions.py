@@ -6,13 +6,15 @@ lower border.  What one view says, no other says again.
 
 import math
 from dataclasses import dataclass, replace
+from itertools import product
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind, Box
-from gaussiancad_core.drawing.centre_lines import model_axis, rounds, to_model
+from gaussiancad_core.drawing.centre_lines import Round, model_axis, rounds, to_model
 from gaussiancad_core.drawing.drawn_view import DrawnView
 from gaussiancad_core.drawing.lettering import label, text_width
-from gaussiancad_core.drawing.pen import Direction, Pen, Room
+from gaussiancad_core.drawing.pen import Board, Direction
+from gaussiancad_core.drawing.strokes import DrawnStroke
 from gaussiancad_core.views import Linetype, Segment
 
 _INNER = 2
@@ -83,47 +85,44 @@ class _Places:
         return any(abs(place - other) < _KNOWN for other in known)
 
 
-def draw_dimensions(
-    views: tuple[DrawnView, ...], mm_per_pixel: float, pen: Pen, room: Room, group: int
-) -> list[Annotation]:
+def draw_dimensions(board: Board, group: int) -> list[Annotation]:
     """Dimensions of the views, as far as there is room.
 
     Args:
-        views: not turned.
-        mm_per_pixel: scale of the views.
-        pen: of the lines.
-        room: what is taken; the dimensions are added to it.
+        board: the views; the dimensions are added to its room.
         group: number of the first dimension; each counts one up.
     """
+    views = board.views
     places = _Places({axis: [] for axis in Axis}, _flanks(views))
-    whole: set[Axis] = {
-        model_axis(view, direction)[0]
-        for view in views
-        for direction in Direction
-        if _is_round(view, direction)
-    }
-    drawn: list[Annotation] = []
-    for view in views:
-        for direction in Direction:
+    whole: set[Axis] = set()
+    for view, direction in product(views, Direction):
+        if any(_fills(circle, view, direction) for circle in rounds(view)):
             axis = model_axis(view, direction)[0]
-            ends = direction.span(view.box)
-            first, last = ends if direction is Direction.HORIZONTAL else ends[::-1]
-            datum = _border(view, direction, first)
-            wanted = _inner(view, direction, places, pen)
-            wanted.sort(key=lambda station, first=first: abs(station.at - first))
-            if axis not in whole:
-                wanted.append(_border(view, direction, last))
-            beside = _Beside(view, direction, _sides(view, direction, views), pen, room)
-            for station in wanted:
-                text = value_text(abs(station.at - datum.at) * mm_per_pixel)
-                placed = beside.place(datum, station, text)
-                if not placed:
-                    continue
-                drawn += [replace(annotation, group=group) for annotation in placed]
-                group += 1
-                places.said[axis].append(to_model(view, direction, station.at))
-                if station.at == last:
-                    whole.add(axis)
+            whole.add(axis)
+            # What lies in the middle of something round is known to do so.
+            low, high = direction.span(view.box)
+            places.said[axis].append(0.5 * (high - low))
+    drawn: list[Annotation] = []
+    for view, direction in product(views, Direction):
+        axis = model_axis(view, direction)[0]
+        ends = direction.span(view.box)
+        first, last = ends if direction is Direction.HORIZONTAL else ends[::-1]
+        datum = _border(view, direction, first)
+        wanted = _inner(view, direction, places, board)
+        wanted.sort(key=lambda station, first=first: abs(station.at - first))
+        if axis not in whole:
+            wanted.append(_border(view, direction, last))
+        beside = _Beside(view, direction, board)
+        for station in wanted:
+            text = value_text(abs(station.at - datum.at) * board.mm_per_pixel)
+            placed = beside.place(datum, station, text)
+            if not placed:
+                continue
+            drawn += [replace(annotation, group=group) for annotation in placed]
+            group += 1
+            places.said[axis].append(to_model(view, direction, station.at))
+            if station.at == last:
+                whole.add(axis)
     return drawn
 
 
@@ -146,12 +145,10 @@ def value_text(millimetres: float) -> str:
     return f"{millimetres:.2f}".rstrip("0").rstrip(".")
 
 
-def _is_round(view: DrawnView, direction: Direction) -> bool:
+def _fills(circle: Round, view: DrawnView, direction: Direction) -> bool:
     """Whether a view's extent is that of a circle, whose diameter is then said instead."""
     low, high = direction.span(view.box)
-    return any(
-        circle.whole and abs(2.0 * circle.radius - (high - low)) < _KNOWN for circle in rounds(view)
-    )
+    return circle.whole and abs(2.0 * circle.radius - (high - low)) < _KNOWN
 
 
 def _border(view: DrawnView, direction: Direction, at: float) -> Station:
@@ -165,14 +162,14 @@ def _border(view: DrawnView, direction: Direction, at: float) -> Station:
     return Station(at, min(across), max(across), 0.0)
 
 
-def _inner(view: DrawnView, direction: Direction, places: _Places, pen: Pen) -> list[Station]:
+def _inner(view: DrawnView, direction: Direction, places: _Places, board: Board) -> list[Station]:
     """The weightiest stations between a view's borders that nothing has said yet."""
     low, high = direction.span(view.box)
     chosen: list[Station] = []
-    for station in sorted(_stations(view, direction, pen), key=lambda item: -item.weight):
+    for station in sorted(_stations(view, direction, board), key=lambda item: -item.weight):
         taken = [low, high, *(other.at for other in chosen)]
         place = to_model(view, direction, station.at)
-        if min(abs(station.at - at) for at in taken) < pen.height:
+        if min(abs(station.at - at) for at in taken) < board.pen.height:
             continue
         if places.knows(model_axis(view, direction)[0], place, station.centre):
             continue
@@ -182,7 +179,7 @@ def _inner(view: DrawnView, direction: Direction, places: _Places, pen: Pen) -> 
     return chosen
 
 
-def _stations(view: DrawnView, direction: Direction, pen: Pen) -> list[Station]:
+def _stations(view: DrawnView, direction: Direction, board: Board) -> list[Station]:
     """Visible edges across a direction, and the centres of circles."""
     along, across = direction.value, direction.other.value
     found: dict[float, Station] = {}
@@ -206,12 +203,35 @@ def _stations(view: DrawnView, direction: Direction, pen: Pen) -> list[Station]:
             if abs(stroke.start[along] - stroke.end[along]) < _ON:
                 add(Station(stroke.start[along], low, high, high - low))
     for circle in rounds(view):
-        centre, reach = circle.centre[across], circle.radius + pen.overshoot
+        at, centre = circle.centre[along], circle.centre[across]
+        low, high = _marked(direction, at, board.centre_lines, (centre, circle.radius))
         # Places of holes are what a machinist looks for first.
-        add(
-            Station(circle.centre[along], centre - reach, centre + reach, 4.0 * circle.radius, True)
-        )
+        add(Station(at, low, high, 4.0 * circle.radius, True))
     return list(found.values())
+
+
+def _marked(
+    direction: Direction,
+    at: float,
+    centre_lines: tuple[DrawnStroke, ...],
+    circle: tuple[float, float],
+) -> tuple[float, float]:
+    """Across a direction: from where to where a circle reaches with the centre line through it.
+
+    Args:
+        direction: along which the centre is measured.
+        at: px of the centre along the direction.
+        centre_lines: of all views.
+        circle: px of the centre across the direction, and the radius.
+    """
+    across = direction.other.value
+    low, high = circle[0] - circle[1], circle[0] + circle[1]
+    for stroke in centre_lines:
+        on = all(abs(point[direction.value] - at) < _ON for point in (stroke.start, stroke.end))
+        first, last = sorted((stroke.start[across], stroke.end[across]))
+        if on and first <= circle[0] <= last:
+            low, high = min(low, first), max(high, last)
+    return low, high
 
 
 def _sides(view: DrawnView, direction: Direction, views: tuple[DrawnView, ...]) -> tuple[int, ...]:
@@ -231,19 +251,12 @@ def _sides(view: DrawnView, direction: Direction, views: tuple[DrawnView, ...]) 
 class _Beside:
     """The rows of dimensions on both sides of a view, filled from the inside out."""
 
-    def __init__(
-        self,
-        view: DrawnView,
-        direction: Direction,
-        sides: tuple[int, ...],
-        pen: Pen,
-        room: Room,
-    ) -> None:
+    def __init__(self, view: DrawnView, direction: Direction, board: Board) -> None:
         self._view = view
         self._direction = direction
-        self._rows = {side: 0 for side in sides}
-        self._pen = pen
-        self._room = room
+        self._rows = {side: 0 for side in _sides(view, direction, board.views)}
+        self._pen = board.pen
+        self._room = board.room
 
     def place(self, datum: Station, station: Station, text: str) -> list[Annotation]:
         """A dimension in the first row that is free; nothing if there is none."""

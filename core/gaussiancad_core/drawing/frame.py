@@ -109,7 +109,7 @@ def draw_title_block(style: SheetStyle, content: TitleBlock) -> list[Annotation]
         (field(18, 0, 27, 2.5), "DIMENSIONS IN", "mm"),
         (field(0, 2.5, 9, 5.5), "DRAWN", "GaussianCAD"),
         (field(9, 2.5, 27, 5.5), "TITLE", content.title),
-        (field(0, 5.5, 9, 8), "PROJECTION", ""),
+        (field(0, 5.5, 9, 8), "PROJ.", ""),
         (field(9, 5.5, 15, 8), "SCALE", content.scale),
         (field(15, 5.5, 21, 8), "SIZE", f"{style.width} x {style.height}"),
         (field(21, 5.5, 27, 8), "SHEET", "1/1"),

@@ -12,7 +12,7 @@ from gaussiancad_core.drawing.centre_lines import rounds
 from gaussiancad_core.drawing.dimensions import value_text
 from gaussiancad_core.drawing.drawn_view import DrawnView
 from gaussiancad_core.drawing.lettering import DIAMETER, label, text_width
-from gaussiancad_core.drawing.pen import Pen, Room
+from gaussiancad_core.drawing.pen import Board, Pen
 from gaussiancad_core.views import Arc, Linetype, Segment
 
 Array = npt.NDArray[np.float64]
@@ -49,34 +49,28 @@ class _Leader:
     text: Box
 
 
-def draw_notes(
-    views: tuple[DrawnView, ...], mm_per_pixel: float, pen: Pen, room: Room, group: int
-) -> list[Annotation]:
+def draw_notes(board: Board, group: int) -> list[Annotation]:
     """Leaders to the visible circles and fillets, one for each size, as far as there is room.
 
     Args:
-        views: not turned.
-        mm_per_pixel: scale of the views.
-        pen: of the lines.
-        room: what is taken; the notes are added to it.
+        board: the views; the notes are added to its room.
         group: number of the first note; each counts one up.
     """
     said: set[tuple[Axis, str]] = set()
     drawn: list[Annotation] = []
-    for view in views:
+    for view in board.views:
         count = 0
-        for feature in features(view, mm_per_pixel):
+        for feature in features(view, board.mm_per_pixel):
             key = view.role.frame.look_axis[0], feature.text.split()[-1]
             if key in said or count == _MOST:
                 continue
-            leader = _find(view, views, feature, pen, room)
+            leader = _find(view, feature, board)
             if leader is None:
                 continue
             said.add(key)
             count += 1
             drawn += [
-                replace(annotation, group=group)
-                for annotation in _drawn(leader, feature, pen, room)
+                replace(annotation, group=group) for annotation in _drawn(leader, feature, board)
             ]
             group += 1
     return drawn
@@ -104,12 +98,11 @@ def features(view: DrawnView, mm_per_pixel: float) -> list[Feature]:
     return found
 
 
-def _find(
-    view: DrawnView, views: tuple[DrawnView, ...], feature: Feature, pen: Pen, room: Room
-) -> _Leader | None:
+def _find(view: DrawnView, feature: Feature, board: Board) -> _Leader | None:
     """The shortest leader whose text is free and whose line crosses no other note or view."""
     best: tuple[float, _Leader] | None = None
-    others = [other.box for other in views if other is not view]
+    pen = board.pen
+    others = [other.box for other in board.views if other is not view]
     width = text_width(feature.text, pen.height)
     for arc in feature.arcs:
         for rank, degrees in enumerate(_ANGLES):
@@ -124,7 +117,7 @@ def _find(
                 cost = length + 2.0 * rank
                 if best is not None and cost >= best[0]:
                     continue
-                if _is_free(leader, view.box, others, pen, room):
+                if _is_free(leader, view.box, others, board):
                     best = cost, leader
     return None if best is None else best[1]
 
@@ -146,7 +139,8 @@ def _leader(
     return _Leader(*(tuple(point.tolist()) for point in (tip, elbow, end)), box)
 
 
-def _is_free(leader: _Leader, own: Box, others: list[Box], pen: Pen, room: Room) -> bool:
+def _is_free(leader: _Leader, own: Box, others: list[Box], board: Board) -> bool:
+    pen, room = board.pen, board.room
     x0, y0, x1, y1 = leader.text
     shelf = (min(x0, leader.elbow[0]), y0, max(x1, leader.elbow[0]), y1)
     if not room.free(shelf, 0.5 * pen.height):
@@ -165,7 +159,8 @@ def _is_free(leader: _Leader, own: Box, others: list[Box], pen: Pen, room: Room)
     return True
 
 
-def _drawn(leader: _Leader, feature: Feature, pen: Pen, room: Room) -> list[Annotation]:
+def _drawn(leader: _Leader, feature: Feature, board: Board) -> list[Annotation]:
+    pen, room = board.pen, board.room
     room.take(leader.text)
     for share in np.linspace(0.0, 1.0, 12):
         x, y = (np.array(leader.tip) * (1.0 - share) + np.array(leader.elbow) * share).tolist()

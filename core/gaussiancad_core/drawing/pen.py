@@ -4,6 +4,8 @@ from dataclasses import dataclass
 from enum import Enum
 
 from gaussiancad_core.drawing.annotation import Box, Point
+from gaussiancad_core.drawing.drawn_view import DrawnView
+from gaussiancad_core.drawing.strokes import DrawnStroke
 from gaussiancad_core.drawing.style import SheetStyle
 from gaussiancad_core.views import Linetype, Segment
 
@@ -67,7 +69,7 @@ class Pen:
     @property
     def overshoot(self) -> float:
         """By how much lines reach beyond what they belong to."""
-        return 0.4 * self.height
+        return 0.3 * self.height
 
     @property
     def first(self) -> float:
@@ -77,7 +79,7 @@ class Pen:
     @property
     def pitch(self) -> float:
         """From a dimension line to the next one."""
-        return 1.75 * self.height
+        return 1.9 * self.height
 
     def arrowhead(self, tip: Point, tail: Point) -> tuple[Point, ...]:
         """A filled arrowhead whose axis runs from ``tail`` to ``tip`` (ISO 129-1)."""
@@ -130,3 +132,22 @@ class Room:
     def take(self, box: Box) -> None:
         """Mark a box as taken."""
         self._taken.append(box)
+
+
+@dataclass(frozen=True, eq=False)
+class Board:
+    """What is drawn already when dimensions and notes are added.
+
+    Attributes:
+        views: not turned.
+        centre_lines: of the views.
+        mm_per_pixel: scale of the views.
+        pen: to draw with.
+        room: what is taken; what is drawn is added to it.
+    """
+
+    views: tuple[DrawnView, ...]
+    centre_lines: tuple[DrawnStroke, ...]
+    mm_per_pixel: float
+    pen: Pen
+    room: Room

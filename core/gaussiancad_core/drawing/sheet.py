@@ -92,7 +92,7 @@ def draw_sheet(
         roles: two to six different views.
         projection: decides where the views stand.
         style: the look.
-        seed: of the noise, where the style has any.
+        seed: of the defects, where the style has any.
         title: of the title block, where the style has one.
 
     Raises:
@@ -117,7 +117,7 @@ def compose_sheet(
         lines: of the solid, each view.
         projection: decides where the views stand.
         style: the look.
-        seed: of the noise, where the style has any.
+        seed: of the defects, where the style has any.
         title: of the title block, where the style has one.
 
     Raises:
