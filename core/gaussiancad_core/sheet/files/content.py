@@ -1,0 +1,108 @@
+"""What every format's reader returns, and the limits that all of them keep."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.errors import LimitError, UnreadableError
+from gaussiancad_core.sheet.files.vectors import VectorDrawing
+
+MAX_PIXELS = 150_000_000
+"""Largest sheet that is read: A0 at 300 dpi has 139 million pixels."""
+
+MIN_SIDE = 64
+"""Shortest side in px under which three views cannot be told from each other."""
+
+VECTOR_DPI = 200.0
+"""Resolution at which PDF, SVG and DXF sheets are drawn."""
+
+MAX_PAGES = 1000
+"""Pages of a file over which it is no drawing."""
+
+MAX_ELEMENTS = 300_000
+"""Lines and other elements of a vector page, blocks and reused parts counted as often as shown."""
+
+Grey = npt.NDArray[np.uint8]
+"""(h, w)"""
+
+
+@dataclass(frozen=True)
+class Note:
+    """Something about a file that its reader should know.
+
+    Attributes:
+        code: kebab-case, listed among the warnings in the docs.
+        message: one sentence.
+    """
+
+    code: str
+    message: str
+
+
+@dataclass(frozen=True)
+class FileContent:
+    """A page of a file.
+
+    Attributes:
+        grey: (h, w) uint8, as it is drawn on white paper.
+        pixels_per_inch: of the paper, where the file says it believably.
+        vectors: exact lines and texts, where the file has them.
+        notes: what was left out or assumed.
+    """
+
+    grey: Grey
+    pixels_per_inch: float | None = None
+    vectors: VectorDrawing | None = None
+    notes: tuple[Note, ...] = ()
+
+
+def check_pixels(path: Path, width: float, height: float) -> None:
+    """Refuse a sheet that is too large or too small.
+
+    Raises:
+        UnreadableError: ``image-too-large``, ``image-too-small``.
+    """
+    if width * height > MAX_PIXELS:
+        raise too_large(path, f"{width:.0f} x {height:.0f}")
+    if min(width, height) < MIN_SIDE:
+        raise UnreadableError(
+            "image-too-small",
+            f"{path} has only {width:.0f} x {height:.0f} px: "
+            "export the drawing at 1920 x 1080 px or more",
+        )
+
+
+def too_large(path: Path, size: str) -> UnreadableError:
+    """The error for a sheet of so many pixels."""
+    return UnreadableError(
+        "image-too-large",
+        f"{path} is too large ({MAX_PIXELS // 1_000_000} million pixels are read, it has {size}): "
+        "export or scan it at a lower resolution, vector drawings on smaller paper",
+    )
+
+
+def page_missing(path: Path, count: int, page: int) -> UnreadableError:
+    """The error for a page that a file does not have."""
+    return UnreadableError(
+        "page-missing",
+        f"{path} has {count} page(s), there is no page {page}: choose another",
+    )
+
+
+def too_many_pages(path: Path, count: int) -> UnreadableError:
+    """The error for a file of more pages than any set of drawings has."""
+    return UnreadableError(
+        "too-many-pages",
+        f"{path} has {count} pages, at most {MAX_PAGES} are read: save the sheet in a file by itself",
+    )
+
+
+def too_many_elements(path: Path) -> LimitError:
+    """The error for a vector page that would take too long."""
+    return LimitError(
+        "too-many-elements",
+        f"{path} has more than {MAX_ELEMENTS:,} lines and other elements: "
+        "save only the views, or export it as PNG",
+    )

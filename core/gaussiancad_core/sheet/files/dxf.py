@@ -1,0 +1,307 @@
+"""DXF files: model space or a paper layout as exact curves, drawn at 200 dpi.
+
+Pages are model space, if anything is drawn there, and then the paper layouts that show anything,
+in the order of their tabs.  The sheet is the drawing's limits where the file has believable ones,
+or else the drawing with a margin.
+"""
+
+import logging
+import mmap
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import ezdxf
+import numpy as np
+from ezdxf import recover, units
+from ezdxf.document import Drawing
+from ezdxf.entities import Viewport
+from ezdxf.layouts import Layout, Modelspace
+from ezdxf.lldxf.const import DXFError
+
+from gaussiancad_core.errors import LimitError, UnreadableError
+from gaussiancad_core.sheet.files.content import (
+    MAX_ELEMENTS,
+    FileContent,
+    Note,
+    check_pixels,
+    page_missing,
+    too_many_elements,
+)
+from gaussiancad_core.sheet.files.curves import curve_along, placed
+from gaussiancad_core.sheet.files.dxf_entities import DrawnCurve, Exploder, Explosion
+from gaussiancad_core.sheet.files.dxf_text import PlacedText
+from gaussiancad_core.sheet.files.painting import paint
+from gaussiancad_core.sheet.files.sizing import Sizing, size_drawing
+from gaussiancad_core.sheet.files.vectors import (
+    Box,
+    Chain,
+    StrokeKind,
+    VectorDrawing,
+    VectorStroke,
+    VectorText,
+    bounds,
+)
+
+_MAX_BYTES = 256_000_000
+
+_MM_PER_INCH = 25.4
+
+_MARGIN = 0.05
+"""Blank border around a drawing without paper, as a share of its longest side."""
+
+_LEAST_USE = 0.15
+"""A drawing that is smaller than this share of the limits was not drawn for them."""
+
+_ENTITY = re.compile(rb"\n[ \t]*0[ \t]*\r?\n[ \t]*[A-Z]")
+"""The start of an entity or table entry in a text file."""
+
+
+@dataclass(frozen=True)
+class _Page:
+    """A page in units of the drawing, y up.
+
+    Attributes:
+        found: its curves and texts.
+        limits: (x0, y0, x1, y1) of its paper as the file says, or None.
+        inches_per_unit: as the file says, or None.
+    """
+
+    found: Explosion
+    limits: Box | None
+    inches_per_unit: float | None
+
+
+def read_dxf(path: Path, page: int) -> FileContent:
+    """Read a page of a DXF file, text or binary, of any version; broken ones as far as possible.
+
+    Raises:
+        UnreadableError: ``damaged-dxf``, ``empty-drawing``, ``page-missing``,
+            ``image-too-large``.
+        LimitError: ``too-many-elements``, ``drawing-file-too-large``.
+    """
+    _check_size(path)
+    doc = _load(path)
+    content = _page(doc, path, page)
+    curves = [drawn.curve for drawn in content.found.curves]
+    box = bounds(curves)
+    if box is None or max(box[2] - box[0], box[3] - box[1]) <= 0.0:
+        raise UnreadableError(
+            "empty-drawing",
+            f"{path} has no lines on page {page}: choose another page or file",
+        )
+    sheet = _sheet_box(box, content.limits)
+    width, height = sheet[2] - sheet[0], sheet[3] - sheet[1]
+    sizing = _sizing(doc, width, height, content.inches_per_unit)
+    size = tuple(int(np.ceil(side * sizing.scale - 1e-6)) for side in (width, height))
+    check_pixels(path, *size)
+    vectors = _placed(content.found, sheet, sizing)
+    notes = () if sizing.pixels_per_inch else (_size_note(path),)
+    return FileContent(paint(vectors, *size), sizing.pixels_per_inch, vectors, notes)
+
+
+def _size_note(path: Path) -> Note:
+    return Note(
+        "paper-size-unknown",
+        f"{path.name} does not say how large its paper is: tell --length or --mm-per-pixel",
+    )
+
+
+def _check_size(path: Path) -> None:
+    """Refuse files that would take too long, before they are parsed."""
+    size = path.stat().st_size
+    if size > _MAX_BYTES:
+        raise LimitError(
+            "drawing-file-too-large",
+            f"{path} has {size // 1_000_000} MB, {_MAX_BYTES // 1_000_000} are read: "
+            "save only the views, or export it as PNG",
+        )
+    with (
+        path.open("rb") as file,
+        mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data,
+    ):
+        for count, _ in enumerate(_ENTITY.finditer(data)):
+            if count > MAX_ELEMENTS:
+                raise too_many_elements(path)
+
+
+def _load(path: Path) -> Drawing:
+    logging.getLogger("ezdxf").setLevel(logging.CRITICAL)
+    try:
+        return ezdxf.readfile(path)
+    except (
+        DXFError,
+        OSError,
+        ValueError,
+        KeyError,
+        TypeError,
+        AttributeError,
+        IndexError,
+    ):
+        # Whatever the strict parser stumbled over, the lenient one may not.
+        pass
+    try:
+        doc, _ = recover.readfile(path)
+    except (
+        DXFError,
+        OSError,
+        ValueError,
+        KeyError,
+        TypeError,
+        AttributeError,
+        IndexError,
+    ) as error:
+        raise UnreadableError(
+            "damaged-dxf",
+            f"{path} is no DXF file, or is damaged ({error}): save it again",
+        ) from error
+    return doc
+
+
+def _page(doc: Drawing, path: Path, page: int) -> _Page:
+    model = doc.modelspace()
+    layouts: list[Layout] = [model] if len(model) else []
+    names = [name for name in doc.layout_names_in_taborder() if name != model.name]
+    layouts += [
+        doc.layout(name) for name in names if _shows_anything(doc.layout(name), model)
+    ]
+    if not layouts:
+        layouts = [model]
+    if not 1 <= page <= len(layouts):
+        raise page_missing(path, len(layouts), page)
+    layout = layouts[page - 1]
+    exploder = Exploder(doc, path)
+    if isinstance(layout, Modelspace):
+        return _Page(
+            exploder.explode(layout), _model_limits(doc), _inches_per_unit(doc)
+        )
+    found = exploder.explode(
+        entity for entity in layout if not isinstance(entity, Viewport)
+    )
+    for viewport in _views_of_model(layout):
+        shown = exploder.explode(model, viewport.get_transformation_matrix())
+        low, high = viewport.clipping_rect()
+        found.curves += [
+            drawn
+            for drawn in shown.curves
+            if _lies_in(drawn, (low.x, low.y, high.x, high.y))
+        ]
+        found.complete &= shown.complete
+    inches = 1.0 if layout.dxf.get("plot_paper_units", 1) == 0 else 1.0 / _MM_PER_INCH
+    low, high = layout.get_paper_limits()
+    return _Page(found, (low.x, low.y, high.x, high.y), inches)
+
+
+def _shows_anything(layout: Layout, model: Layout) -> bool:
+    if any(not isinstance(entity, Viewport) for entity in layout):
+        return True
+    return bool(len(model)) and bool(_views_of_model(layout))
+
+
+def _views_of_model(layout: Layout) -> list[Viewport]:
+    """The windows of a paper layout that show model space from above; the first is the paper."""
+    return [
+        viewport
+        for viewport in layout.query("VIEWPORT")
+        if viewport.dxf.get("id", 0) != 1
+        and viewport.dxf.get("status", 0) != 0
+        and viewport.is_top_view
+        and viewport.get_scale() > 0.0
+    ]
+
+
+def _lies_in(drawn: DrawnCurve, window: Box) -> bool:
+    """Whether the middle of a curve is seen through a window."""
+    points = drawn.curve.sample(np.inf)
+    x, y = points[len(points) // 2] if len(points) % 2 else points.mean(axis=0)
+    return bool(window[0] <= x <= window[2] and window[1] <= y <= window[3])
+
+
+def _model_limits(doc: Drawing) -> Box | None:
+    try:
+        low, high = (doc.header[name] for name in ("$LIMMIN", "$LIMMAX"))
+        limits = (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
+    except (KeyError, TypeError, ValueError, IndexError):
+        return None
+    return limits
+
+
+def _inches_per_unit(doc: Drawing) -> float | None:
+    """Of model space; None where the file does not say."""
+    try:
+        code = int(doc.header.get("$INSUNITS", 0))
+        return (
+            float(units.conversion_factor(units.InsertUnits(code), units.IN))
+            if code
+            else None
+        )
+    except (ValueError, TypeError, KeyError, ZeroDivisionError):
+        return None
+
+
+def _sheet_box(box: Box, limits: Box | None) -> Box:
+    """The paper: the limits if the drawing lies in them and was drawn for them, else its margin."""
+    longest = max(box[2] - box[0], box[3] - box[1])
+    slack = 1e-3 * longest
+    if limits is not None:
+        inside = (
+            limits[0] - slack <= box[0]
+            and limits[1] - slack <= box[1]
+            and box[2] <= limits[2] + slack
+            and box[3] <= limits[3] + slack
+        )
+        if inside and longest >= _LEAST_USE * max(
+            limits[2] - limits[0], limits[3] - limits[1]
+        ):
+            return limits
+    margin = _MARGIN * longest
+    return box[0] - margin, box[1] - margin, box[2] + margin, box[3] + margin
+
+
+def _sizing(
+    doc: Drawing, width: float, height: float, inches_per_unit: float | None
+) -> Sizing:
+    """200 dpi of the unit that the file names; if that makes no paper, of millimetres or inches."""
+    if inches_per_unit is not None:
+        sizing = size_drawing(width, height, inches_per_unit)
+        if sizing.pixels_per_inch is not None:
+            return sizing
+    guesses = [1.0 / _MM_PER_INCH, 1.0]
+    if doc.header.get("$MEASUREMENT", 1) == 0:
+        guesses.reverse()
+    for guess in guesses:
+        sizing = size_drawing(width, height, guess)
+        if sizing.pixels_per_inch is not None:
+            return Sizing(sizing.scale, None)
+    return size_drawing(width, height, np.inf)
+
+
+def _placed(found: Explosion, sheet: Box, sizing: Sizing) -> VectorDrawing:
+    left, top = sheet[0], sheet[3]
+    strokes = tuple(_stroke(drawn, left, top, sizing) for drawn in found.curves)
+    texts = tuple(_text(text, left, top, sizing.scale) for text in found.texts)
+    return VectorDrawing(strokes, texts, found.complete)
+
+
+def _stroke(drawn: DrawnCurve, left: float, top: float, sizing: Sizing) -> VectorStroke:
+    curve = placed(drawn.curve, sizing.scale, left, top)
+    look = drawn.look
+    if isinstance(curve, Chain) and look.kind is not StrokeKind.FILL:
+        curve = curve_along(np.array(curve.points))
+    if drawn.width is not None:
+        width: float | None = drawn.width * sizing.scale
+    elif look.weight is not None and sizing.pixels_per_inch is not None:
+        width = look.weight / _MM_PER_INCH * sizing.pixels_per_inch
+    else:
+        width = None
+    dashes = tuple(value * sizing.scale for value in look.dashes)
+    return VectorStroke(curve, width, dashes, look.role, look.layer, look.kind)
+
+
+def _text(text: PlacedText, left: float, top: float, scale: float) -> VectorText:
+    x, y = (text.centre[0] - left) * scale, (top - text.centre[1]) * scale
+    c, s = abs(np.cos(text.angle)), abs(np.sin(text.angle))
+    half_width = float(text.length * c + text.height * s) * scale / 2.0
+    half_height = float(text.length * s + text.height * c) * scale / 2.0
+    box = (x - half_width, y - half_height, x + half_width, y + half_height)
+    return VectorText(text.text, box, -text.angle)

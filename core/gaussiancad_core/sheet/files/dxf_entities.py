@@ -1,0 +1,202 @@
+"""The entities of a DXF page taken apart: blocks, dimensions, polylines, hatches."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from ezdxf.document import Drawing
+from ezdxf.entities import DXFGraphic, Hatch, Insert, LWPolyline, MText, Text
+from ezdxf.lldxf.const import DXFError
+from ezdxf.math import Matrix44
+
+from gaussiancad_core.sheet.files.content import MAX_ELEMENTS, too_many_elements
+from gaussiancad_core.sheet.files.dxf_curves import (
+    entity_curves,
+    fill_outline,
+    hatch_lines,
+    hatch_outlines,
+    parts,
+)
+from gaussiancad_core.sheet.files.dxf_look import Look, Looks, inside_block
+from gaussiancad_core.sheet.files.dxf_text import (
+    PlacedText,
+    placed_paragraph,
+    placed_text,
+)
+from gaussiancad_core.sheet.files.vectors import Curve, StrokeKind
+
+_DEEPEST = 32
+"""Blocks in blocks."""
+
+_UNDRAWN = frozenset(
+    {
+        "3DSOLID",
+        "BODY",
+        "DGNUNDERLAY",
+        "DWFUNDERLAY",
+        "IMAGE",
+        "MESH",
+        "OLE2FRAME",
+        "OLEFRAME",
+        "PDFUNDERLAY",
+        "REGION",
+        "SURFACE",
+        "WIPEOUT",
+    }
+)
+"""Pictures and bodies, which have no lines of their own."""
+
+_POLYLINES = frozenset({"POLYLINE", "LWPOLYLINE", "MLINE", "ACAD_PROXY_ENTITY"})
+
+_ANNOTATIONS = {
+    "DIMENSION": StrokeKind.DIMENSION,
+    "ARC_DIMENSION": StrokeKind.DIMENSION,
+    "LARGE_RADIAL_DIMENSION": StrokeKind.DIMENSION,
+    "LEADER": StrokeKind.LEADER,
+    "MULTILEADER": StrokeKind.LEADER,
+    "MLEADER": StrokeKind.LEADER,
+}
+
+
+@dataclass(frozen=True)
+class DrawnCurve:
+    """A curve in units of the drawing, y up.
+
+    Attributes:
+        curve: a chain follows a smooth curve, except in fills.
+        look: how it is drawn.
+        width: units of the drawing, of polylines that have one; else None.
+    """
+
+    curve: Curve
+    look: Look
+    width: float | None = None
+
+
+@dataclass
+class Explosion:
+    """What a page's entities come down to, as it grows.
+
+    Attributes:
+        curves, texts: found so far.
+        complete: whether nothing was met that cannot be drawn.
+        count: entities met, blocks' parts as often as they are shown.
+    """
+
+    curves: list[DrawnCurve] = field(default_factory=list)
+    texts: list[PlacedText] = field(default_factory=list)
+    complete: bool = True
+    count: int = 0
+
+
+class Exploder:
+    """Takes the entities of one document apart."""
+
+    def __init__(self, doc: Drawing, path: Path) -> None:
+        self._looks = Looks(doc)
+        self._path = path
+        self._found = Explosion()
+
+    def explode(
+        self, entities: Iterable[DXFGraphic], matrix: Matrix44 | None = None
+    ) -> Explosion:
+        """Curves and texts of entities, each mapped by ``matrix`` where there is one.
+
+        Raises:
+            LimitError: ``too-many-elements``.
+        """
+        self._found = Explosion()
+        for entity in entities:
+            shown = entity if matrix is None else _mapped(entity, matrix)
+            if shown is not None:
+                self._take(shown, Look(), 0)
+        return self._found
+
+    def _take(self, entity: DXFGraphic, parent: Look, depth: int) -> None:
+        self._count()
+        look = self._looks.of(entity, parent)
+        kind = entity.dxftype()
+        if isinstance(entity, Insert):
+            if depth < _DEEPEST and not self._looks.is_frozen(look):
+                self._take_block(entity, look, depth)
+        elif not self._looks.is_shown(entity, look):
+            return
+        elif kind in _ANNOTATIONS:
+            if depth < _DEEPEST:
+                self._take_all(
+                    parts(entity), replace(look, kind=_ANNOTATIONS[kind]), depth
+                )
+        elif kind in _POLYLINES:
+            self._take_polyline(entity, look)
+        elif isinstance(entity, Hatch):
+            self._take_hatch(entity, look)
+        elif isinstance(entity, MText):
+            self._found.texts += placed_paragraph(entity)
+        elif isinstance(entity, Text):
+            if kind != "ATTDEF":
+                self._found.texts += placed_text(entity)
+        elif kind in ("SOLID", "TRACE"):
+            self._add(
+                fill_outline(entity), replace(look, kind=StrokeKind.FILL, dashes=())
+            )
+        elif kind in _UNDRAWN:
+            self._found.complete = False
+        else:
+            self._add(entity_curves(entity), look)
+
+    def _count(self) -> None:
+        self._found.count += 1
+        if self._found.count > MAX_ELEMENTS:
+            raise too_many_elements(self._path)
+
+    def _take_block(self, insert: Insert, look: Look, depth: int) -> None:
+        if insert.dxf.get("invisible", 0):
+            return
+        if insert.mcount > MAX_ELEMENTS:
+            raise too_many_elements(self._path)
+        inner = inside_block(look, insert.dxf.name)
+        copies = insert.multi_insert() if insert.mcount > 1 else (insert,)
+        for copy in copies:
+            self._take_all(parts(copy), inner, depth)
+        self._take_all(insert.attribs, inner, depth)
+
+    def _take_all(self, entities: Iterable[DXFGraphic], look: Look, depth: int) -> None:
+        for entity in entities:
+            self._take(entity, look, depth + 1)
+
+    def _take_polyline(self, entity: DXFGraphic, look: Look) -> None:
+        width = (
+            float(entity.dxf.get("const_width", 0.0))
+            if isinstance(entity, LWPolyline)
+            else 0.0
+        )
+        for part in parts(entity):
+            self._count()
+            self._add(entity_curves(part), look, width or None)
+
+    def _take_hatch(self, hatch: Hatch, look: Look) -> None:
+        if hatch.dxf.solid_fill:
+            self._add(
+                hatch_outlines(hatch), replace(look, kind=StrokeKind.FILL, dashes=())
+            )
+            return
+        inner = replace(look, kind=StrokeKind.HATCH, dashes=())
+        for line in hatch_lines(hatch):
+            if line is None:
+                self._found.complete = False
+                return
+            self._count()
+            self._add([line], inner)
+
+    def _add(self, curves: list[Curve], look: Look, width: float | None = None) -> None:
+        self._found.curves += [DrawnCurve(curve, look, width) for curve in curves]
+
+
+def _mapped(entity: DXFGraphic, matrix: Matrix44) -> DXFGraphic | None:
+    """A mapped copy, or None for an entity that cannot be mapped."""
+    try:
+        copy = entity.copy()
+        copy.transform(matrix)
+    except (DXFError, NotImplementedError, TypeError, ValueError):
+        return None
+    return copy

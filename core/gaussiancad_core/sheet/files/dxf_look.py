@@ -1,0 +1,116 @@
+"""How a DXF entity looks: its layer, linetype and line weight, through BYLAYER and BYBLOCK."""
+
+from dataclasses import dataclass, replace
+
+from ezdxf.document import Drawing
+from ezdxf.entities import DXFGraphic
+
+from gaussiancad_core.sheet.files.linetypes import role_by_name, stroke_role
+from gaussiancad_core.sheet.files.vectors import StrokeKind, StrokeRole
+
+_BY_LAYER, _BY_BLOCK = -1, -2
+
+_UNPLOTTED = "defpoints"
+"""The layer that CAD systems never print."""
+
+
+@dataclass(frozen=True)
+class Look:
+    """The resolved look of an entity.
+
+    Attributes:
+        layer: its name.
+        linetype: its name, never BYLAYER or BYBLOCK.
+        dashes: units of the drawing, dash and gap in turn, empty for a solid line.
+        weight: line weight in mm, or None for the default one.
+        kind: of what entity it is a part.
+        role: what the names say.
+    """
+
+    layer: str = "0"
+    linetype: str = "CONTINUOUS"
+    dashes: tuple[float, ...] = ()
+    weight: float | None = None
+    kind: StrokeKind = StrokeKind.GEOMETRY
+    role: StrokeRole = StrokeRole.VISIBLE
+
+
+class Looks:
+    """The layers and linetypes of a document."""
+
+    def __init__(self, doc: Drawing) -> None:
+        self._layers = {layer.dxf.name.casefold(): layer for layer in doc.layers}
+        self._patterns = {
+            linetype.dxf.name.casefold(): tuple(
+                abs(float(value)) for value in linetype.simplified_line_pattern()
+            )
+            for linetype in doc.linetypes
+        }
+        self._scale = float(doc.header.get("$LTSCALE", 1.0)) or 1.0
+
+    def of(self, entity: DXFGraphic, parent: Look) -> Look:
+        """The look of an entity inside ``parent``, which is the block's or the page's."""
+        layer = entity.dxf.get("layer", "0")
+        if layer == "0" and parent.kind is not StrokeKind.GEOMETRY:
+            layer = parent.layer
+        name = self._linetype(entity, layer, parent)
+        pattern = self._patterns.get(name.casefold(), ())
+        scale = self._scale * (float(entity.dxf.get("ltscale", 1.0)) or 1.0)
+        dashes = tuple(value * scale for value in pattern)
+        if len(dashes) % 2:
+            dashes += (0.0,)
+        if not any(dashes[1::2]):
+            dashes = ()
+        role = stroke_role(name, layer, dashes)
+        if (
+            parent.kind is StrokeKind.BLOCK
+            and parent.role is not StrokeRole.VISIBLE
+            and not dashes
+        ):
+            role = parent.role
+        return Look(
+            layer, name, dashes, self._weight(entity, layer, parent), parent.kind, role
+        )
+
+    def is_shown(self, entity: DXFGraphic, look: Look) -> bool:
+        """Whether an entity is printed: it and its layer are on."""
+        if entity.dxf.get("invisible", 0):
+            return False
+        if look.layer.casefold() == _UNPLOTTED:
+            return False
+        layer = self._layers.get(look.layer.casefold())
+        if layer is None:
+            return True
+        return not (layer.is_off() or layer.is_frozen() or not layer.dxf.get("plot", 1))
+
+    def is_frozen(self, look: Look) -> bool:
+        """Whether a block on this layer is not shown, whatever its parts' layers."""
+        layer = self._layers.get(look.layer.casefold())
+        return layer is not None and layer.is_frozen()
+
+    def _linetype(self, entity: DXFGraphic, layer: str, parent: Look) -> str:
+        name = str(entity.dxf.get("linetype", "BYLAYER"))
+        if name.casefold() == "byblock":
+            return parent.linetype
+        if name.casefold() != "bylayer":
+            return name
+        found = self._layers.get(layer.casefold())
+        return str(found.dxf.get("linetype", "CONTINUOUS")) if found else "CONTINUOUS"
+
+    def _weight(self, entity: DXFGraphic, layer: str, parent: Look) -> float | None:
+        weight = int(entity.dxf.get("lineweight", _BY_LAYER))
+        if weight == _BY_BLOCK:
+            return parent.weight
+        if weight == _BY_LAYER:
+            found = self._layers.get(layer.casefold())
+            weight = int(found.dxf.get("lineweight", -3)) if found else -3
+        return weight / 100.0 if weight >= 0 else None
+
+
+def inside_block(look: Look, block: str) -> Look:
+    """The look that a block's parts inherit."""
+    if look.kind is not StrokeKind.GEOMETRY:
+        return look
+    return replace(
+        look, kind=StrokeKind.BLOCK, role=role_by_name(block) or StrokeRole.VISIBLE
+    )

@@ -1,0 +1,102 @@
+"""Tell the kind of a file by its first bytes; its name counts only where they say nothing."""
+
+import codecs
+from enum import Enum
+
+HEAD_BYTES = 4096
+"""How much of a file :func:`detect` wants to see."""
+
+
+GZIP_MAGIC = b"\x1f\x8b"
+"""Of the compressed files that sheets are read from, only SVG ones exist."""
+
+
+class FileKind(Enum):
+    """Formats that sheets are read from."""
+
+    RASTER = "raster"
+    PDF = "pdf"
+    SVG = "svg"
+    DXF = "dxf"
+
+
+VECTOR_SUFFIXES = {
+    ".pdf": FileKind.PDF,
+    ".svg": FileKind.SVG,
+    ".svgz": FileKind.SVG,
+    ".dxf": FileKind.DXF,
+}
+
+_RASTER_MAGIC = (
+    b"\x89PNG\r\n\x1a\n",
+    b"\xff\xd8\xff",
+    b"II*\0",
+    b"MM\0*",
+    b"II+\0",
+    b"MM\0+",
+    b"BM",
+)
+
+_UNSUPPORTED = (
+    (b"AC10", "DWG", "save it as DXF"),
+    (b"%!PS", "PostScript", "save it as PDF"),
+    (b"GIF8", "GIF", "save it as PNG"),
+    (
+        b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1",
+        "Office or CAD part",
+        "export the drawing as PDF",
+    ),
+    (b"PK\x03\x04", "ZIP or Office", "take the drawing out of it"),
+    (b"ISO-10303-21", "STEP", "draw a sheet of it with `gaussiancad draw`"),
+)
+"""First bytes, name and advice of formats that people try."""
+
+
+def detect(head: bytes, suffix: str) -> FileKind:
+    """The kind of a file.
+
+    Args:
+        head: its first bytes.
+        suffix: of its name, with the dot, in any case; decides only where the bytes do not.
+    """
+    if head.startswith(_RASTER_MAGIC) or (
+        head[:4] == b"RIFF" and head[8:12] == b"WEBP"
+    ):
+        return FileKind.RASTER
+    if b"%PDF-" in head[:1024]:
+        return FileKind.PDF
+    if head.startswith(b"AutoCAD Binary DXF"):
+        return FileKind.DXF
+    if head.startswith(GZIP_MAGIC):
+        return FileKind.SVG
+    text = _as_text(head).lstrip()
+    if text.startswith("<") and ("<svg" in text or ":svg" in text):
+        return FileKind.SVG
+    if _starts_like_dxf(text):
+        return FileKind.DXF
+    return VECTOR_SUFFIXES.get(suffix.lower(), FileKind.RASTER)
+
+
+def unsupported(head: bytes) -> tuple[str, str] | None:
+    """Name of a known format that is not read, and what to do instead; None for any other file."""
+    for magic, name, advice in _UNSUPPORTED:
+        if head.startswith(magic):
+            return name, advice
+    if head[4:12] in (b"ftypheic", b"ftypheix", b"ftypmif1", b"ftypavif"):
+        return "HEIC or AVIF", "save it as PNG"
+    return None
+
+
+def _as_text(head: bytes) -> str:
+    if head.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return head.decode("utf-16", errors="replace")
+    return head.removeprefix(codecs.BOM_UTF8).decode("latin-1")
+
+
+def _starts_like_dxf(text: str) -> bool:
+    """Whether the first tags are comments and the start of a section."""
+    lines = [line.strip() for line in text.split("\n")[:200]]
+    index = 0
+    while index + 1 < len(lines) and lines[index] == "999":
+        index += 2
+    return lines[index : index + 2] == ["0", "SECTION"]

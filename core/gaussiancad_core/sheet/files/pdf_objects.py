@@ -1,0 +1,305 @@
+"""The content of a PDF page: stroked paths as exact curves, text with boxes.
+
+Forms (reused parts of a page) are walked through with their matrices.  Lengths and dashes are in
+the coordinates in which a path was drawn, so they are mapped like its points.
+"""
+
+import ctypes
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+import pypdfium2 as pdfium
+from pypdfium2 import raw
+
+from gaussiancad_core.sheet.files.content import MAX_ELEMENTS, too_many_elements
+from gaussiancad_core.sheet.files.curves import curves_from_path, to_point
+from gaussiancad_core.sheet.files.linetypes import role_by_dashes, role_by_name
+from gaussiancad_core.sheet.files.vectors import (
+    Box,
+    Chain,
+    Curve,
+    StrokeKind,
+    StrokeRole,
+    VectorStroke,
+    VectorText,
+)
+
+Affine = npt.NDArray[np.float64]
+"""(2, 3)"""
+
+_DEEPEST = 24
+"""Forms in forms."""
+
+_MAX_SEGMENTS = 4 * MAX_ELEMENTS
+
+
+@dataclass(frozen=True)
+class PageMap:
+    """Where a page's content goes.
+
+    Attributes:
+        to_pixels: (2, 3) from points of the page to px of the sheet.
+        path: of the file, for messages.
+    """
+
+    to_pixels: Affine
+    path: Path
+
+
+@dataclass(frozen=True)
+class PageContent:
+    """Strokes and texts of a page in px, and whether that is all it shows."""
+
+    strokes: tuple[VectorStroke, ...]
+    texts: tuple[VectorText, ...]
+    complete: bool
+
+
+@dataclass
+class _Walk:
+    """What was found so far."""
+
+    page: pdfium.PdfPage
+    text_page: pdfium.PdfTextPage
+    path: Path
+    strokes: list[VectorStroke] = field(default_factory=list)
+    texts: list[VectorText] = field(default_factory=list)
+    complete: bool = True
+    objects: int = 0
+    segments: int = 0
+
+    def count(self, objects: int, segments: int) -> None:
+        """Note work done.
+
+        Raises:
+            LimitError: ``too-many-elements``.
+        """
+        self.objects += objects
+        self.segments += segments
+        if self.objects > MAX_ELEMENTS or self.segments > _MAX_SEGMENTS:
+            raise too_many_elements(self.path)
+
+
+def page_objects(page: pdfium.PdfPage, target: PageMap) -> PageContent:
+    """Everything on a page that has exact geometry.
+
+    Raises:
+        LimitError: ``too-many-elements``.
+    """
+    text_page = page.get_textpage()
+    try:
+        walk = _Walk(page, text_page, target.path)
+        count = raw.FPDFPage_CountObjects(page)
+        objects = (raw.FPDFPage_GetObject(page, index) for index in range(count))
+        _take_all(walk, objects, target.to_pixels, 0)
+    finally:
+        text_page.close()
+    return PageContent(tuple(walk.strokes), tuple(_joined(walk.texts)), walk.complete)
+
+
+def _take_all(
+    walk: _Walk, objects: Iterator[raw.FPDF_PAGEOBJECT], outer: Affine, depth: int
+) -> None:
+    for item in objects:
+        walk.count(1, 0)
+        kind = raw.FPDFPageObj_GetType(item)
+        if kind == raw.FPDF_PAGEOBJ_PATH:
+            walk.strokes += _path_strokes(walk, item, outer)
+        elif kind == raw.FPDF_PAGEOBJ_TEXT:
+            walk.texts += _texts(walk, item, outer)
+        elif kind == raw.FPDF_PAGEOBJ_FORM:
+            if depth < _DEEPEST:
+                count = raw.FPDFFormObj_CountObjects(item)
+                parts = (
+                    raw.FPDFFormObj_GetObject(item, index) for index in range(count)
+                )
+                _take_all(walk, parts, _composed(outer, _matrix(item)), depth + 1)
+        else:
+            walk.complete = False
+
+
+def _matrix(item: raw.FPDF_PAGEOBJECT) -> Affine:
+    found = raw.FS_MATRIX()
+    if not raw.FPDFPageObj_GetMatrix(item, found):
+        return np.eye(2, 3)
+    return np.array([[found.a, found.c, found.e], [found.b, found.d, found.f]])
+
+
+def _composed(outer: Affine, inner: Affine) -> Affine:
+    """The map that applies ``inner`` first."""
+    linear = outer[:, :2] @ inner
+    linear[:, 2] += outer[:, 2]
+    return linear
+
+
+def _path_strokes(
+    walk: _Walk, item: raw.FPDF_PAGEOBJECT, outer: Affine
+) -> list[VectorStroke]:
+    fill, stroked = ctypes.c_int(), ctypes.c_int()
+    if not raw.FPDFPath_GetDrawMode(item, fill, stroked) or not (
+        fill.value or stroked.value
+    ):
+        return []
+    matrix = _composed(outer, _matrix(item))
+    subpaths = _subpaths(walk, item, matrix)
+    layer = _layer(item)
+    if not stroked.value:
+        outlines = [_outline(pieces) for pieces in subpaths]
+        return [
+            VectorStroke(curve, None, (), StrokeRole.UNKNOWN, layer, StrokeKind.FILL)
+            for curve in outlines
+            if curve is not None
+        ]
+    scale = float(np.sqrt(abs(np.linalg.det(matrix[:, :2]))))
+    dashes = tuple(length * scale for length in _dashes(item))
+    width = ctypes.c_float()
+    raw.FPDFPageObj_GetStrokeWidth(item, width)
+    role = (
+        role_by_dashes(dashes) if dashes else role_by_name(layer) or StrokeRole.UNKNOWN
+    )
+    return [
+        VectorStroke(curve, width.value * scale, dashes, role, layer)
+        for pieces in subpaths
+        for curve in curves_from_path(pieces)
+    ]
+
+
+def _subpaths(
+    walk: _Walk, item: raw.FPDF_PAGEOBJECT, matrix: Affine
+) -> list[list[npt.NDArray[np.float64]]]:
+    """Runs of pieces that join: (2, 2) the ends of a line, or (4, 2) a Bézier curve, in px."""
+    count = raw.FPDFPath_CountSegments(item)
+    walk.count(0, count)
+    subpaths: list[list[npt.NDArray[np.float64]]] = []
+    start = here = np.zeros(2)
+    controls: list[npt.NDArray[np.float64]] = []
+    x, y = ctypes.c_float(), ctypes.c_float()
+    for index in range(count):
+        segment = raw.FPDFPath_GetPathSegment(item, index)
+        raw.FPDFPathSegment_GetPoint(segment, x, y)
+        point = matrix[:, :2] @ (x.value, y.value) + matrix[:, 2]
+        kind = raw.FPDFPathSegment_GetType(segment)
+        if kind == raw.FPDF_SEGMENT_MOVETO:
+            subpaths.append([])
+            start = here = point
+        elif kind == raw.FPDF_SEGMENT_LINETO:
+            subpaths = subpaths or [[]]
+            subpaths[-1].append(np.array([here, point]))
+            here = point
+        elif kind == raw.FPDF_SEGMENT_BEZIERTO:
+            subpaths = subpaths or [[]]
+            controls.append(point)
+            if len(controls) == 3:
+                subpaths[-1].append(np.array([here, *controls]))
+                here, controls = point, []
+        if raw.FPDFPathSegment_GetClose(segment) and subpaths:
+            if np.hypot(*(here - start)) > 1e-6:
+                subpaths[-1].append(np.array([here, start]))
+            here = start
+    return [pieces for pieces in subpaths if pieces]
+
+
+def _outline(pieces: list[npt.NDArray[np.float64]]) -> Curve | None:
+    """The closed chain around a filled area."""
+    curves = curves_from_path(pieces, exact=False)
+    parts = [
+        curve.points if isinstance(curve, Chain) else curve.sample(np.inf)
+        for curve in curves
+    ]
+    points = [to_point(point) for part in parts for point in part[1:]]
+    return Chain((points[-1], *points)) if len(points) > 2 else None
+
+
+def _dashes(item: raw.FPDF_PAGEOBJECT) -> tuple[float, ...]:
+    count = raw.FPDFPageObj_GetDashCount(item)
+    if count <= 0:
+        return ()
+    values = (ctypes.c_float * count)()
+    raw.FPDFPageObj_GetDashArray(item, values, count)
+    lengths = tuple(float(value) for value in values)
+    if len(lengths) % 2:
+        # PDF 32000-1, 8.4.3.6: the array is gone through cyclically.
+        lengths += lengths
+    return lengths if sum(lengths[1::2]) > 0.0 else ()
+
+
+def _layer(item: raw.FPDF_PAGEOBJECT) -> str:
+    """Name of the optional content group around an object: the layer of a CAD system."""
+    for index in range(max(raw.FPDFPageObj_CountMarks(item), 0)):
+        mark = raw.FPDFPageObj_GetMark(item, index)
+        if _mark_text(raw.FPDFPageObjMark_GetName, mark) == "OC":
+            return _mark_text(raw.FPDFPageObjMark_GetParamStringValue, mark, b"Name")
+    return ""
+
+
+def _mark_text(getter: Callable[..., int], *arguments: object) -> str:
+    """What one of PDFium's functions writes as UTF-16, asked first how long it is."""
+    length = ctypes.c_ulong()
+    if not getter(*arguments, None, 0, length) or length.value < 4:
+        return ""
+    buffer = ctypes.create_string_buffer(length.value)
+    as_pointer = ctypes.cast(buffer, ctypes.POINTER(ctypes.c_ushort))
+    getter(*arguments, as_pointer, length.value, length)
+    return buffer.raw[: length.value].decode("utf-16-le", errors="replace").rstrip("\0")
+
+
+def _texts(walk: _Walk, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> list[VectorText]:
+    length = raw.FPDFTextObj_GetText(item, walk.text_page, None, 0)
+    if length < 4:
+        return []
+    buffer = (ctypes.c_ushort * (length // 2))()
+    raw.FPDFTextObj_GetText(item, walk.text_page, buffer, length)
+    text = bytes(buffer).decode("utf-16-le", errors="replace").rstrip("\0")
+    sides = [ctypes.c_float() for _ in range(4)]
+    if not text.strip() or not raw.FPDFPageObj_GetBounds(item, *sides):
+        return []
+    left, bottom, right, top = (side.value for side in sides)
+    corners = np.array([(left, bottom), (right, bottom), (right, top), (left, top)])
+    mapped = corners @ outer[:, :2].T + outer[:, 2]
+    (x0, y0), (x1, y1) = mapped.min(axis=0), mapped.max(axis=0)
+    along = _composed(outer, _matrix(item))[:, 0]
+    box = (float(x0), float(y0), float(x1), float(y1))
+    return [VectorText(text, box, float(np.arctan2(along[1], along[0])))]
+
+
+def _joined(texts: list[VectorText]) -> list[VectorText]:
+    """Neighbouring pieces of a line of text as one: some programs place each letter by itself."""
+    joined: list[VectorText] = []
+    for text in texts:
+        last = joined[-1] if joined else None
+        gap = None if last is None else _gap(last, text)
+        if last is None or gap is None:
+            joined.append(text)
+            continue
+        space = " " if gap > 0.25 and not last.text.endswith(" ") else ""
+        low = np.minimum(last.box[:2], text.box[:2])
+        high = np.maximum(last.box[2:], text.box[2:])
+        box: Box = (*to_point(low), *to_point(high))
+        joined[-1] = VectorText(last.text + space + text.text, box, last.angle)
+    return joined
+
+
+def _gap(last: VectorText, text: VectorText) -> float | None:
+    """Distance to the next piece over the letters' height; None if it is no continuation."""
+    if abs(np.sin((last.angle - text.angle) / 2.0)) > 1e-2:
+        return None
+    along = np.array([np.cos(last.angle), np.sin(last.angle)])
+    across = np.array([-along[1], along[0]])
+    first, second = (
+        np.array([(b[0], b[1]), (b[2], b[1]), (b[2], b[3]), (b[0], b[3])])
+        for b in (last.box, text.box)
+    )
+    height = max(float(np.ptp(corners @ across)) for corners in (first, second))
+    shift = abs(float((first @ across).mean() - (second @ across).mean()))
+    gap = float((second @ along).min() - (first @ along).max())
+    # Letters of unequal height have their middles apart.
+    if (
+        height <= 0.0
+        or shift > 0.5 * height
+        or not -0.3 * height <= gap <= 0.8 * height
+    ):
+        return None
+    return gap / height

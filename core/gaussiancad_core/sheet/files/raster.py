@@ -1,0 +1,118 @@
+"""Raster files: PNG, JPEG, TIFF, BMP and WebP."""
+
+import warnings
+from pathlib import Path
+
+import numpy as np
+from PIL import Image, ImageOps, UnidentifiedImageError
+
+from gaussiancad_core.errors import UnreadableError
+from gaussiancad_core.sheet.files.content import (
+    MAX_PAGES,
+    FileContent,
+    Grey,
+    check_pixels,
+    page_missing,
+    too_large,
+    too_many_pages,
+)
+
+_FORMATS = ("PNG", "JPEG", "TIFF", "BMP", "WEBP")
+
+_MIN_DPI, _MAX_DPI = 75.0, 2400.0
+"""Resolutions at which drawings are scanned and exported."""
+
+_SCREEN_DPI = 96.0
+"""Written by programs that know nothing of paper."""
+
+_MIN_PAPER, _MAX_PAPER = 3.0, 100.0
+"""Inches: the longest side of a sheet that is believable."""
+
+
+def read_raster(path: Path, page: int) -> FileContent:
+    """Read an image; EXIF rotation is applied and transparency becomes white paper.
+
+    Args:
+        path: the file.
+        page: which image of a multi-page TIFF, counted from 1.
+
+    Raises:
+        UnreadableError: ``not-an-image``, ``damaged-image``, ``image-too-large``,
+            ``image-too-small``, ``page-missing``, ``too-many-pages``.
+    """
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+            with Image.open(path, formats=_FORMATS) as image:
+                check_pixels(path, image.width, image.height)
+                _select_page(path, image, page)
+                check_pixels(path, image.width, image.height)
+                return FileContent(_to_grey(image), _resolution(image))
+    except UnidentifiedImageError as error:
+        raise UnreadableError(
+            "not-an-image",
+            f"{path} is not a PNG, JPEG, TIFF, BMP, WebP, PDF, SVG or DXF file: "
+            "export the drawing as one of them",
+        ) from error
+    except Image.DecompressionBombError as error:
+        raise too_large(path, "many more") from error
+    except UnreadableError:
+        raise
+    except (OSError, ValueError, SyntaxError, EOFError, KeyError, TypeError) as error:
+        # Pillow's decoders let the errors of their parsers through.
+        raise UnreadableError(
+            "damaged-image",
+            f"{path} is damaged ({error}): export or scan the drawing again",
+        ) from error
+
+
+def _select_page(path: Path, image: Image.Image, page: int) -> None:
+    """Seek to the page; the number of pages is only counted if there is no such page."""
+    try:
+        if page < 1:
+            raise EOFError
+        if page > MAX_PAGES:
+            raise too_many_pages(path, getattr(image, "n_frames", 1))
+        if page > 1:
+            image.seek(page - 1)
+    except EOFError:
+        raise page_missing(path, getattr(image, "n_frames", 1), page) from None
+
+
+def _to_grey(image: Image.Image) -> Grey:
+    """(h, w) uint8 luminance of an image on white paper."""
+    image = ImageOps.exif_transpose(image)
+    if image.mode.startswith("I") or image.mode == "F":
+        return _scaled(np.asarray(image), sixteen_bits=image.mode.startswith("I;16"))
+    if "A" in image.getbands() or "transparency" in image.info:
+        rgba = image.convert("RGBA")
+        paper = Image.new("RGBA", rgba.size, "white")
+        image = Image.alpha_composite(paper, rgba)
+    if image.mode == "LAB":
+        image = image.getchannel(0)
+    return np.array(image.convert("L"))
+
+
+def _scaled(values: np.ndarray, sixteen_bits: bool) -> Grey:
+    """(h, w) numbers of any depth as grey levels."""
+    largest = float(np.nanmax(values))
+    if sixteen_bits or largest > 255.0:
+        top = max(65535.0, largest)
+    else:
+        top = 1.0 if largest <= 1.0 else 255.0
+    levels = np.nan_to_num(values.astype(np.float32)) * np.float32(255.0 / top)
+    return np.clip(np.rint(levels), 0.0, 255.0).astype(np.uint8)
+
+
+def _resolution(image: Image.Image) -> float | None:
+    """Pixels per inch as the file says, unless that is a program's mere default."""
+    try:
+        across, down = (float(value) for value in image.info["dpi"])
+    except (KeyError, TypeError, ValueError, ZeroDivisionError):
+        return None
+    if not (_MIN_DPI <= across <= _MAX_DPI and abs(across - down) <= 0.01 * across):
+        return None
+    paper = max(image.size) / across
+    if abs(across - _SCREEN_DPI) < 0.1 or not _MIN_PAPER <= paper <= _MAX_PAPER:
+        return None
+    return (across + down) / 2.0
