@@ -24,9 +24,10 @@ from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
 from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
 from gaussiancad_core.report import GaussiansReport, Report, SurfaceReport, ViewReport
-from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
+from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
+from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.layout import Layout, find_layout
-from gaussiancad_core.sheet.read import SheetImage, read_sheet
+from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import RegisteredSheet, read_views, register_views
 from gaussiancad_core.splatting.training import TrainingResult
 from gaussiancad_core.verification.agreement import MatchedLines
@@ -120,14 +121,14 @@ class _Run:
             self.report = replace(self.report, sheet_sha256=image.sha256)
             if self.job.resume and (earlier := self._earlier()):
                 return earlier
-            clean = clean_sheet(image.grey, self.job.reading.median_kernel)
+            clean = upright_sheet(clean_sheet(image.grey, self.job.reading.median_kernel))
         registered = self._read_sheet(clean)
         if self.job.result is ResultKind.SOLID:
             raise NoModelError(
                 "exact-solid-unavailable",
                 "this version makes no exact solid yet: ask for --result surface or both",
             )
-        models = self._make_models(image, registered)
+        models = self._make_models(clean, registered)
         with self._stage("write"):
             self._write_models(models)
         self._finish(Status.APPROXIMATE)
@@ -179,11 +180,12 @@ class _Run:
         """Views, lines and masks of a sheet, on shared axes."""
         reading = self.job.reading
         with self._stage("views"):
-            layout = find_layout(clean.ink, dict(reading.views), reading.projection)
-            self._tell_layout(layout)
+            given = {role: clean.turn.box_to_upright(box) for role, box in reading.views}
+            layout = find_layout(clean.ink, given, reading.projection)
+            self._tell_layout(layout, clean.turn)
         with self._stage("lines"):
             drawn = read_views(clean, layout, self.progress)
-            boxes = {view.role: ViewReport(view.box) for view in drawn}
+            boxes = {view.role: ViewReport(view.stored_box(clean.turn)) for view in drawn}
             self.report = replace(self.report, views=boxes)
         with self._stage("masks"):
             options = reading
@@ -193,13 +195,13 @@ class _Run:
             self._tell_registration(registered)
         return registered
 
-    def _tell_layout(self, layout: Layout) -> None:
+    def _tell_layout(self, layout: Layout, turn: Turn) -> None:
         self.report = replace(
             self.report,
             projection=layout.projection,
             projection_source=layout.source,
             projection_alternatives=layout.alternatives,
-            views={role: ViewReport(box) for role, box in layout.boxes.items()},
+            views={role: ViewReport(turn.box_to_stored(box)) for role, box in layout.boxes.items()},
         )
         if layout.source == "default":
             self._warn(
@@ -244,7 +246,7 @@ class _Run:
                 "two-views", "only two directions of view: what a third would show is not known"
             )
 
-    def _make_models(self, image: SheetImage, registered: RegisteredSheet) -> Models:
+    def _make_models(self, clean: CleanSheet, registered: RegisteredSheet) -> Models:
         """Hull, Gaussians and surface, and how the surface agrees with the sheet."""
         from gaussiancad_core.hull import visual_hull
         from gaussiancad_core.splatting.gaussians import Start, gaussians_on
@@ -290,11 +292,11 @@ class _Run:
                 ),
             )
         with self._stage("check"):
-            matched = self._check(image, registered, surface)
+            matched = self._check(clean, registered, surface)
         return Models(registered, training, surface, matched)
 
     def _check(
-        self, image: SheetImage, registered: RegisteredSheet, surface: TriangleMesh
+        self, clean: CleanSheet, registered: RegisteredSheet, surface: TriangleMesh
     ) -> tuple[MatchedLines, ...]:
         """Draw the surface again and match its lines with the sheet's; overlay and preview."""
         from gaussiancad_core.verification.agreement import match_lines
@@ -310,8 +312,8 @@ class _Run:
             matched.append(match_lines(view.strokes, lines, TOLERANCE_PX * pitch))
             self.progress((index + 1) / (len(views.views) + 1))
         reports = {
-            view.role: ViewReport(view.box, match.agreement)
-            for view, match in zip(views.views, matched, strict=True)
+            view.role: ViewReport(view.stored_box(clean.turn), match.agreement)
+            for view, match in zip(registered.drawn, matched, strict=True)
         }
         self.report = replace(self.report, views=reports).doubted(
             "no-exact-solid",
@@ -332,7 +334,7 @@ class _Run:
             for view, match in zip(views.views, matched, strict=True)
         ]
         staging = self.folder.staging
-        (staging / "overlay.png").write_bytes(png_bytes(draw_overlay(image.grey, overlays)))
+        (staging / "overlay.png").write_bytes(png_bytes(draw_overlay(clean.picture, overlays)))
         colour = self.job.reading.colour
         (staging / "preview.png").write_bytes(png_bytes(render_preview(surface, colour)))
         self.progress.listener.send("preview", path=str((staging / "preview.png").resolve()))

@@ -1,18 +1,21 @@
-"""From a grey sheet to ink: median filter, adaptive threshold, stroke width.
+"""From a grey sheet to ink: even light, median filter, adaptive threshold, stroke width, upright.
 
 The filter and its 3 x 3 kernel are those of the GaussianCAD paper; a larger kernel makes dashed
 lines vanish.  As even a 3 x 3 median erases lines of one pixel and shortens dashes, it decides only
 which pieces of ink are noise: those of which it leaves nothing, unless they are as long as a dash.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.sheet.deskew import Turn, find_turn
+from gaussiancad_core.sheet.growth import GrowthRules, grow_shapes
 from gaussiancad_core.sheet.options import MEDIAN_KERNEL
+from gaussiancad_core.sheet.ridges import ridge_points
 
 _SHORTEST_DASH = 7.0
 """Length in px from which a piece of ink is a dash; specks of noise are seldom as long."""
@@ -27,6 +30,19 @@ _MAX_INK = 0.35
 """Largest share of a line drawing that can be ink; a photograph has more."""
 
 
+_PAPER_SCALE = 4
+"""Factor by which the sheet is made smaller to find its paper."""
+
+_PAPER_REACH = 11
+"""Side in px of the smaller sheet over which ink is closed: wider than any stroke."""
+
+_NOISE = 4.0
+"""Standard deviations of the paper's own darkness under which there is no ink.
+
+More would be cut off one side of a smooth stroke than off the other, and shift its centre.
+"""
+
+
 Ink = npt.NDArray[np.bool_]
 """(h, w), True where there is ink."""
 
@@ -39,11 +55,18 @@ class CleanSheet:
         ink: (h, w) bool, the thresholded strokes.
         weight: (h, w) float32 in 0..1, darkness relative to the ink's; for sub-pixel measuring.
         stroke_width: px, the mean over the sheet.
+        turn: by which the sheet was turned back to be upright.
     """
 
     ink: Ink
     weight: npt.NDArray[np.float32]
     stroke_width: float
+    turn: Turn
+
+    @property
+    def picture(self) -> npt.NDArray[np.uint8]:
+        """(h, w) uint8, the ink dark on white paper, upright."""
+        return np.rint(255.0 * (1.0 - self.weight)).astype(np.uint8)
 
 
 def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL) -> CleanSheet:
@@ -71,7 +94,19 @@ def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL)
             "use an export or a scan of the drawing, not a photograph",
         )
     weight = _weight(grey, ink)
-    return CleanSheet(ink, weight, _stroke_width(ink, weight))
+    unturned = Turn(0.0, (grey.shape[1] / 2, grey.shape[0] / 2))
+    return CleanSheet(ink, weight, _stroke_width(ink, weight), unturned)
+
+
+def upright_sheet(sheet: CleanSheet) -> CleanSheet:
+    """The sheet turned so that its lines are level; the sheet itself if they are."""
+    ridges = ridge_points(sheet.weight, sheet.stroke_width)
+    shapes = grow_shapes(ridges, GrowthRules.of_width(sheet.stroke_width))
+    turn = find_turn(shapes, sheet.ink.shape)
+    if not turn.angle:
+        return sheet
+    ink = turn.upright(sheet.ink.astype(np.float32)) > 0.5
+    return replace(sheet, ink=ink, weight=turn.upright(sheet.weight), turn=turn)
 
 
 def _without_specks(raw: Ink, filtered: Ink) -> Ink:
@@ -93,10 +128,25 @@ def _threshold(grey: npt.NDArray[np.uint8]) -> Ink:
 
 
 def _weight(grey: npt.NDArray[np.uint8], ink: Ink) -> npt.NDArray[np.float32]:
-    """Darkness of each pixel between the paper's grey (0) and the ink's (1)."""
-    paper = float(np.median(grey[~ink]))
-    dark = float(np.percentile(grey[ink], 20))
-    return np.clip((paper - grey.astype(np.float32)) / max(paper - dark, 1.0), 0.0, 1.0)
+    """Darkness of each pixel between the paper's around it (0) and the ink's (1)."""
+    darkness = _paper(grey) - grey
+    full = float(np.percentile(darkness[ink], 75))
+    blank = darkness[cv2.dilate(ink.astype(np.uint8), np.ones((5, 5), np.uint8)) == 0]
+    noise = float(np.sqrt(np.mean(np.minimum(blank, 0.25 * full) ** 2))) if len(blank) else 0.0
+    darkness[darkness < _NOISE * noise] = 0.0
+    return np.clip(darkness / max(full, 1.0), 0.0, 1.0)
+
+
+def _paper(grey: npt.NDArray[np.uint8]) -> npt.NDArray[np.float32]:
+    """The sheet as it would be without ink: the light of its surroundings."""
+    height, width = grey.shape
+    small = (max(1, width // _PAPER_SCALE), max(1, height // _PAPER_SCALE))
+    coarse = cv2.resize(grey, small, interpolation=cv2.INTER_AREA)
+    kernel = np.ones((_PAPER_REACH, _PAPER_REACH), np.uint8)
+    # Closing dark strokes would take the brightest noise for paper: smooth before and after.
+    closed = cv2.morphologyEx(cv2.GaussianBlur(coarse, (0, 0), 1.0), cv2.MORPH_CLOSE, kernel)
+    even = cv2.GaussianBlur(closed.astype(np.float32), (0, 0), _PAPER_REACH / 2)
+    return cv2.resize(even, (width, height), interpolation=cv2.INTER_LINEAR)
 
 
 def _stroke_width(ink: Ink, weight: npt.NDArray[np.float32]) -> float:

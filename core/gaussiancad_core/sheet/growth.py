@@ -14,9 +14,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.growth_kernels import grow_arcs, grow_lines
 from gaussiancad_core.sheet.ridges import RidgePoints
-from gaussiancad_core.sheet.shapes import Circle, Line
 
 Floats = npt.NDArray[np.float64]
 
@@ -51,6 +51,11 @@ class GrowthRules:
     flattest: float = 0.35
     bowed: float = 0.8
     rms: float = 0.32
+
+    @classmethod
+    def of_width(cls, stroke_width: float) -> "GrowthRules":
+        """The rules for strokes of a width in px: wider ones have longer gaps and rougher edges."""
+        return cls(gap=max(14.0, 5.0 * stroke_width), band=max(0.8, 0.2 * stroke_width))
 
 
 @dataclass(frozen=True, eq=False)

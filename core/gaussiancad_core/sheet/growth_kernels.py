@@ -17,7 +17,7 @@ _CONSUMED_COSINE = np.cos(np.radians(22.0))
 _CHAINS = (6, 11, 20, 34)
 """px of chain on each side of a point from which an arc is started, in turn."""
 
-_SMALLEST, _LARGEST = 3.0, 20_000.0
+_SMALLEST, _LARGEST = 3.0, 6_000.0
 """px: radii of arcs that can be told from a blot and from a line."""
 
 

@@ -10,8 +10,8 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.runs import Piece, Rhythm
-from gaussiancad_core.sheet.shapes import Circle, Line
 from gaussiancad_core.views import Linetype
 
 FULL_TURN = 2 * np.pi

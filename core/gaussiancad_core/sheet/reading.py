@@ -3,9 +3,12 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
+import numpy as np
+
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.masks import Outline, Region, find_outline, supersampling_for
 from gaussiancad_core.sheet.options import Box, ReadingOptions
@@ -21,12 +24,12 @@ from gaussiancad_core.sheet.registration import (
 )
 from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_rhythm
 from gaussiancad_core.sheet.through_holes import Extent, ViewEvidence, is_through
-from gaussiancad_core.views import Stroke, ViewSet
+from gaussiancad_core.views import Linetype, Stroke, ViewSet
 
 
 @dataclass(frozen=True)
 class ReadView:
-    """A named view with its strokes, in px of the sheet.
+    """A named view with its strokes, in px of the upright sheet.
 
     Attributes:
         role: of the view.
@@ -39,6 +42,15 @@ class ReadView:
     box: Box
     strokes: tuple[Stroke, ...]
     outline: Outline
+
+    def stored_box(self, turn: Turn) -> Box:
+        """The view's box in px of the sheet as stored, before it was turned."""
+        solid = [s for s in self.strokes if s.linetype is Linetype.VISIBLE]
+        if not turn.angle or not solid:
+            return turn.box_to_stored(self.box)
+        points = turn.to_stored(np.concatenate([stroke.sample(1.0) for stroke in solid]))
+        low, high = points.min(0), points.max(0)
+        return float(low[0]), float(low[1]), float(high[0]), float(high[1])
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,8 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.shapes import Circle, Line, sample
+from gaussiancad_core.sheet.geometry import Circle, Line
+from gaussiancad_core.sheet.shapes import sample
 from gaussiancad_core.views import Linetype
 
 Floats = npt.NDArray[np.float64]

@@ -5,15 +5,12 @@ both sides of it.  Each candidate is fitted to the ink it lies on (total least s
 robust geometric fit for circles), which merges the doubles and finds the stroke's centre line.
 """
 
-from dataclasses import dataclass
-
 import cv2
 import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.sheet.clean import CleanSheet
-
-Points = npt.NDArray[np.float64]
+from gaussiancad_core.sheet.geometry import Circle, Line, Points
 
 _MAX_CENTRES = 200
 """Hough circles looked at, best first, for each of its modes."""
@@ -24,6 +21,9 @@ _CIRCLE_FITS = ((3.0, 4.0), (2.5, 3.0), (2.0, 2.0), (1.5, 1.2), (1.5, 0.8), (1.5
 _FOLLOWED = 0.8
 """px by which a shape may pass beside a stroke's centre line at most."""
 
+_MOST_ROWS = 30_000
+"""Rows that OpenCV samples at once: fewer than 2^15."""
+
 _LEAST_SUPPORT = 0.1
 """Share of a circle that has ink on it, at least: two tangents of a circle have less."""
 
@@ -32,36 +32,6 @@ _HOUGH_WAYS = ((12, 8, 5), (24, 30, 22))
 
 _RADIAL_SHARE = 0.12
 """Share of a circle that is inked where there may be an arc: a fillet is a quarter, dashed less."""
-
-
-@dataclass(frozen=True)
-class Line:
-    """An infinite line with unit direction, in px of the image (centres of pixels at integers)."""
-
-    point: tuple[float, float]
-    direction: tuple[float, float]
-
-    def coordinates(self, points: Points) -> tuple[Points, Points]:
-        """(n, 2) points -> position along the line and signed distance from it, (n,) each."""
-        offset = points - np.array(self.point)
-        along = offset @ np.array(self.direction)
-        across = offset @ np.array([-self.direction[1], self.direction[0]])
-        return along, across
-
-    def at(self, along: float) -> tuple[float, float]:
-        """The point at a position along the line."""
-        return (
-            self.point[0] + along * self.direction[0],
-            self.point[1] + along * self.direction[1],
-        )
-
-
-@dataclass(frozen=True)
-class Circle:
-    """A circle in px of the image (centres of pixels at integers)."""
-
-    centre: tuple[float, float]
-    radius: float
 
 
 def edge_map(sheet: CleanSheet) -> npt.NDArray[np.uint8]:
@@ -369,7 +339,15 @@ def sample(
     shape = xs.shape
     flat_x = xs.astype(np.float32).reshape(shape[0], -1)
     flat_y = ys.astype(np.float32).reshape(shape[0], -1)
-    values = cv2.remap(
-        image, flat_x, flat_y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=0
-    )
+    values = np.empty(flat_x.shape, dtype=np.float32)
+    for start in range(0, shape[0], _MOST_ROWS):
+        rows = slice(start, start + _MOST_ROWS)
+        values[rows] = cv2.remap(
+            image,
+            flat_x[rows],
+            flat_y[rows],
+            cv2.INTER_LINEAR,
+            borderMode=cv2.BORDER_CONSTANT,
+            borderValue=0,
+        )
     return values.reshape(shape)

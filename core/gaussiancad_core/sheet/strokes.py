@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.growth import GrowthRules, grow_shapes
 from gaussiancad_core.sheet.junctions import (
     FULL_TURN,
@@ -34,8 +35,6 @@ from gaussiancad_core.sheet.runs import (
     runs_spans,
 )
 from gaussiancad_core.sheet.shapes import (
-    Circle,
-    Line,
     edge_map,
     find_circles,
     find_lines,
@@ -126,7 +125,8 @@ def find_shapes(
 def _candidates(sheet: CleanSheet, finder: Finder) -> tuple[list[Line], list[Circle]]:
     if finder is Finder.HOUGH:
         return find_lines(sheet, edge_map(sheet)), find_circles(sheet)
-    grown = grow_shapes(ridge_points(sheet.weight, sheet.stroke_width), GrowthRules())
+    rules = GrowthRules.of_width(sheet.stroke_width)
+    grown = grow_shapes(ridge_points(sheet.weight, sheet.stroke_width), rules)
     lines = [shape.geometry for shape in grown if isinstance(shape.geometry, Line)]
     circles = [shape.geometry for shape in grown if isinstance(shape.geometry, Circle)]
     return lines, [fit_circle(sheet, circle) or circle for circle in circles]
