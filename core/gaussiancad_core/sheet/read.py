@@ -8,7 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.errors import UnreadableError
-from gaussiancad_core.sheet.files.content import MAX_PIXELS, MIN_SIDE, FileContent, Note
+from gaussiancad_core.sheet.files.content import MAX_PIXELS, MIN_SIDE, Note
+from gaussiancad_core.sheet.files.isolation import read_isolated
 from gaussiancad_core.sheet.files.kinds import (
     HEAD_BYTES,
     VECTOR_SUFFIXES,
@@ -72,29 +73,16 @@ def read_sheet(path: Path, page: int = 1) -> SheetImage:
             "format-not-supported",
             f"{path} is a {name} file, which is not read: {advice}",
         )
-    content = _read(kind, path, page)
+    if kind is FileKind.RASTER:
+        content = read_raster(path, page)
+    else:
+        content = read_isolated(kind, path, page)
     grey = content.grey
     if np.median(grey) < 128:
         grey = 255 - grey
     return SheetImage(
         path, grey, sha256, content.pixels_per_inch, content.vectors, content.notes
     )
-
-
-def _read(kind: FileKind, path: Path, page: int) -> FileContent:
-    if kind is FileKind.RASTER:
-        return read_raster(path, page)
-    if kind is FileKind.DXF:
-        from gaussiancad_core.sheet.files.dxf import read_dxf
-
-        return read_dxf(path, page)
-    if kind is FileKind.PDF:
-        from gaussiancad_core.sheet.files.pdf import read_pdf
-
-        return read_pdf(path, page)
-    from gaussiancad_core.sheet.files.svg import read_svg
-
-    return read_svg(path, page)
 
 
 def _look_at(path: Path) -> tuple[bytes, str]:

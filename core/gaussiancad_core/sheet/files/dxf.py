@@ -28,9 +28,10 @@ from gaussiancad_core.sheet.files.content import (
     page_missing,
     too_many_elements,
 )
-from gaussiancad_core.sheet.files.curves import curve_along, placed
+from gaussiancad_core.sheet.files.curves import placed
 from gaussiancad_core.sheet.files.dxf_entities import DrawnCurve, Exploder, Explosion
 from gaussiancad_core.sheet.files.dxf_text import PlacedText
+from gaussiancad_core.sheet.files.fitting import curve_along
 from gaussiancad_core.sheet.files.painting import paint
 from gaussiancad_core.sheet.files.sizing import Sizing, size_drawing
 from gaussiancad_core.sheet.files.vectors import (
@@ -52,6 +53,12 @@ _MARGIN = 0.05
 
 _LEAST_USE = 0.15
 """A drawing that is smaller than this share of the limits was not drawn for them."""
+
+_OVERHANG = 0.02
+"""Share of the paper by which a drawing may reach over it."""
+
+_EDGE = 5e-4
+"""Share of the paper that stays blank where it does, so that the outermost line is whole."""
 
 _ENTITY = re.compile(rb"\n[ \t]*0[ \t]*\r?\n[ \t]*[A-Z]")
 """The start of an entity or table entry in a text file."""
@@ -240,20 +247,33 @@ def _inches_per_unit(doc: Drawing) -> float | None:
 
 
 def _sheet_box(box: Box, limits: Box | None) -> Box:
-    """The paper: the limits if the drawing lies in them and was drawn for them, else its margin."""
+    """The paper: the limits if the drawing was drawn for them, else the drawing with a margin.
+
+    Where the drawing reaches a little over the limits, they are widened on that side.
+    """
     longest = max(box[2] - box[0], box[3] - box[1])
-    slack = 1e-3 * longest
     if limits is not None:
-        inside = (
-            limits[0] - slack <= box[0]
-            and limits[1] - slack <= box[1]
-            and box[2] <= limits[2] + slack
-            and box[3] <= limits[3] + slack
+        paper = max(limits[2] - limits[0], limits[3] - limits[1])
+        over = (
+            limits[0] - box[0],
+            limits[1] - box[1],
+            box[2] - limits[2],
+            box[3] - limits[3],
         )
-        if inside and longest >= _LEAST_USE * max(
-            limits[2] - limits[0], limits[3] - limits[1]
+        if (
+            paper > 0.0
+            and longest >= _LEAST_USE * paper
+            and max(over) <= _OVERHANG * paper
         ):
-            return limits
+            left, bottom, right, top = (
+                reach + _EDGE * paper if reach > 0.0 else 0.0 for reach in over
+            )
+            return (
+                limits[0] - left,
+                limits[1] - bottom,
+                limits[2] + right,
+                limits[3] + top,
+            )
     margin = _MARGIN * longest
     return box[0] - margin, box[1] - margin, box[2] + margin, box[3] + margin
 

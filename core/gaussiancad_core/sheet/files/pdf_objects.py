@@ -14,8 +14,9 @@ import numpy.typing as npt
 import pypdfium2 as pdfium
 from pypdfium2 import raw
 
+from gaussiancad_core.sheet.files.beziers import curves_from_path
 from gaussiancad_core.sheet.files.content import MAX_ELEMENTS, too_many_elements
-from gaussiancad_core.sheet.files.curves import curves_from_path, to_point
+from gaussiancad_core.sheet.files.curves import to_point
 from gaussiancad_core.sheet.files.linetypes import role_by_dashes, role_by_name
 from gaussiancad_core.sheet.files.vectors import (
     Box,

@@ -8,7 +8,8 @@ import numpy as np
 import numpy.typing as npt
 import svgelements
 
-from gaussiancad_core.sheet.files.curves import affine_arc, curves_from_path, to_point
+from gaussiancad_core.sheet.files.beziers import curves_from_path
+from gaussiancad_core.sheet.files.curves import affine_arc, to_point
 from gaussiancad_core.sheet.files.linetypes import role_by_dashes, role_by_name
 from gaussiancad_core.sheet.files.vectors import (
     FULL_TURN,

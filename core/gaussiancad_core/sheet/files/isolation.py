@@ -1,0 +1,92 @@
+"""Vector files are read in a process of their own, so that none can hang or end the engine.
+
+Their libraries parse what anybody may have written, some of it made to break them.  The child has
+a limit of time and of memory; what happens to it, the user gets one clear line.
+"""
+
+import os
+import pickle
+import subprocess
+import sys
+from pathlib import Path
+
+from gaussiancad_core.errors import GaussianCadError, LimitError, UnreadableError
+from gaussiancad_core.sheet.files.content import FileContent
+from gaussiancad_core.sheet.files.kinds import FileKind
+
+TIME_LIMIT = 90.0
+"""Seconds.  A sheet takes one or two, the largest that are allowed some twenty."""
+
+MEMORY_LIMIT = 4 << 30
+"""Bytes of address space."""
+
+_CHILD = "gaussiancad_core.sheet.files.child"
+
+
+def read_isolated(
+    kind: FileKind, path: Path, page: int, time_limit: float = TIME_LIMIT
+) -> FileContent:
+    """Read a page of a vector file in a child process.
+
+    Args:
+        kind: PDF, SVG or DXF.
+        path: the file.
+        page: counted from 1.
+        time_limit: seconds.
+
+    Raises:
+        GaussianCadError: whatever the kind's reader raises.
+        LimitError: ``reading-takes-too-long``, ``out-of-memory``.
+        UnreadableError: ``damaged-pdf``, ``damaged-svg``, ``damaged-dxf``: the library crashed.
+    """
+    command = [
+        sys.executable,
+        "-I",
+        "-m",
+        _CHILD,
+        kind.value,
+        str(path.absolute()),
+        str(page),
+    ]
+    # More threads than one would only take address space.
+    environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+    with subprocess.Popen(
+        command,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        env=environment,
+    ) as child:
+        try:
+            answer, _ = child.communicate(timeout=time_limit)
+        except subprocess.TimeoutExpired:
+            raise LimitError(
+                "reading-takes-too-long",
+                f"{path} is not read after {time_limit:g} seconds: "
+                "save only the views, or export it as PNG",
+            ) from None
+        finally:
+            # Also when the run is cancelled meanwhile.
+            if child.poll() is None:
+                child.kill()
+    return _outcome(kind, path, answer)
+
+
+def _outcome(kind: FileKind, path: Path, answer: bytes) -> FileContent:
+    try:
+        outcome = pickle.loads(answer)
+    except (EOFError, pickle.UnpicklingError):
+        raise UnreadableError(
+            f"damaged-{kind.value}",
+            f"{path} is damaged, reading it crashed: export the drawing again, or as PNG",
+        ) from None
+    if isinstance(outcome, FileContent):
+        return outcome
+    error, code, message = outcome
+    if issubclass(error, GaussianCadError):
+        # Messages name the file as the user did.
+        raise error(code, message.replace(str(path.absolute()), str(path)))
+    raise LimitError(
+        "out-of-memory",
+        f"{path} takes too much memory to read: export it as PNG instead",
+    )
