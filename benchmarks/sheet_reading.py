@@ -7,7 +7,7 @@ from part to part, written to files, and read with nothing told.
     .venv/bin/python benchmarks/sheet_reading.py --data DIR [--keep DIR]
 
 Precision and recall are shares of length: a point of a stroke counts where a stroke of the same
-linetype passes within 1 px in the same direction.  Hidden lines along visible ones do not count.
+linetype passes within 1 px in the same direction.  Hidden lines under the ink of visible ones do not count.
 The position error is the distance of matched points across the true stroke.  Vertices are ends of
 true strokes with an end of a read stroke within 1 px.  ``box px`` is the largest error of a corner
 in nine of ten sheets.  ``views`` is the share of views with their right names, ``proj`` of sheets
@@ -37,7 +37,7 @@ from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.command import write_image
 from gaussiancad_core.drawing.sheet import PartLines, Sheet, compose_sheet, part_lines
 from gaussiancad_core.drawing.strokes import DrawnStroke, turned
-from gaussiancad_core.drawing.style import parse_style
+from gaussiancad_core.drawing.style import SheetStyle, parse_style
 from gaussiancad_core.errors import GaussianCadError
 from gaussiancad_core.samples import SAMPLES, sample
 from gaussiancad_core.samples.random_parts import random_part
@@ -118,21 +118,20 @@ class Result:
         return min(min(kind.recall, kind.precision) for kind in kinds)
 
 
-def compare(sheet: Sheet, found: Found, about: tuple[str, str, float]) -> tuple[Result, "Marks"]:
+def compare(
+    sheet: Sheet, style: SheetStyle, found: Found, about: tuple[str, str, float]
+) -> tuple[Result, "Marks"]:
     """A sheet's figures, and what to mark on its picture."""
     drawn = [stroke for view in sheet.views for stroke in view.strokes]
     seen = list(chain.from_iterable(found.strokes.values()))
-    matched, errors, marks = match(drawn, seen)
+    matched, errors, marks = match(drawn, seen, 0.5 * style.visible_width)
     corners = ends_of(drawn)
     near = nearness(corners, ends_of(seen))
     marks.missed.append(corners[~near])
     right = [role for role in sheet_roles(sheet) if role in found.boxes]
     named = [role for role in right if overlap(sheet[role].box, found.boxes[role]) > 0.5]
-    part, style, seconds = about
     result = Result(
-        part,
-        style,
-        seconds,
+        *about,
         matched[Linetype.VISIBLE],
         matched[Linetype.HIDDEN],
         tuple(errors.tolist()),
@@ -192,7 +191,7 @@ def run(job: Job) -> list[Result]:
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / f"{job.name}-{text.replace(',', '-').replace('=', '')}.{suffix}"
             write_image(sheet.image, path, style.jpeg_quality, sheet.dpi)
-            result, marks, found = _read_and_compare(path, sheet, (job.name, text))
+            result, marks, found = _read_and_compare(path, sheet, style, (job.name, text))
             results.append(result)
             if job.keep is not None and (result.failure or result.score < job.keep_below):
                 job.keep.mkdir(parents=True, exist_ok=True)
@@ -203,14 +202,14 @@ def run(job: Job) -> list[Result]:
 
 
 def _read_and_compare(
-    path: Path, sheet: Sheet, names: tuple[str, str]
+    path: Path, sheet: Sheet, style: SheetStyle, names: tuple[str, str]
 ) -> tuple[Result, Marks, Found | None]:
     started = time.perf_counter()
     try:
         found = read(path)
     except GaussianCadError as error:
         drawn = [stroke for view in sheet.views for stroke in view.strokes]
-        lost, _, _ = match(drawn, [])
+        lost, _, _ = match(drawn, [], 0.5 * style.visible_width)
         result = Result(
             *names,
             time.perf_counter() - started,
@@ -222,7 +221,7 @@ def _read_and_compare(
             failure=error.code,
         )
         return result, Marks(), None
-    result, marks = compare(sheet, found, (*names, time.perf_counter() - started))
+    result, marks = compare(sheet, style, found, (*names, time.perf_counter() - started))
     return result, marks, found
 
 
@@ -259,7 +258,8 @@ def print_table(results: Sequence[Result]) -> None:
     """A row for each style and one for all."""
     print(
         f"{'style':14}{'sheets':>7}{'failed':>7}{'vis P':>8}{'vis R':>8}{'hid P':>8}{'hid R':>8}"
-        f"{'med px':>8}{'95% px':>8}{'vertices':>9}{'box px':>8}{'views':>7}{'proj':>7}{'or':>7}{'s':>7}"
+        f"{'med px':>8}{'95% px':>8}{'vertices':>9}{'box px':>8}{'views':>7}{'proj':>7}{'or':>7}"
+        f"{'s':>7}"
     )
     styles = defaultdict(list)
     for result in results:

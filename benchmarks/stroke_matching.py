@@ -70,13 +70,13 @@ class Points:
         solid = length > 0.0
         return cls(middle[solid], step[solid] / length[solid, None], length[solid])
 
-    def across(self, others: "Points") -> Floats:
-        """(n,) px across the nearest of the other points' strokes; inf where there is none."""
+    def across(self, others: "Points", limit: float = REACH) -> Floats:
+        """(n,) px across the nearest of the other points' strokes; inf beyond a limit in px."""
         error = np.full(len(self.at), np.inf)
         if not len(others.at) or not len(self.at):
             return error
-        # The nearest step of a stroke at REACH is at most half a step farther along it.
-        reach = float(np.hypot(REACH, 0.5 * STEP))
+        # The nearest step of a stroke at the limit is at most half a step farther along it.
+        reach = float(np.hypot(limit, 0.5 * STEP))
         count = min(16, len(others.at))
         tree = cKDTree(others.at)
         distance, index = tree.query(self.at, k=count, distance_upper_bound=reach)
@@ -87,7 +87,7 @@ class Points:
             way, gap = others.way[near], self.at[there] - others.at[near]
             alike = np.abs((self.way[there] * way).sum(axis=1)) >= PARALLEL
             off = np.abs(way[:, 0] * gap[:, 1] - way[:, 1] * gap[:, 0])
-            error[np.flatnonzero(there)[alike & (off <= REACH)]] = off[alike & (off <= REACH)]
+            error[np.flatnonzero(there)[alike & (off <= limit)]] = off[alike & (off <= limit)]
         return error
 
 
@@ -100,13 +100,15 @@ class Marks:
 
 
 def match(
-    drawn: list[DrawnStroke], seen: list[DrawnStroke]
+    drawn: list[DrawnStroke], seen: list[DrawnStroke], covered: float
 ) -> tuple[dict[Linetype, Matched], Floats, Marks]:
     """Lengths of each linetype, the errors of matched points in px, and what to mark.
 
     Args:
         drawn: the true strokes.
         seen: those that were read.
+        covered: px beside a visible stroke within which a hidden one along it cannot be seen, so
+            that reading it or not is the same.
     """
     truth = {kind: Points.along(of_kind(drawn, kind)) for kind in Linetype}
     reading = {kind: Points.along(of_kind(seen, kind)) for kind in Linetype}
@@ -116,9 +118,8 @@ def match(
         found, right = np.isfinite(missed), np.isfinite(error)
         asked, given = np.ones(len(found), bool), np.ones(len(right), bool)
         if kind is Linetype.HIDDEN:
-            # A hidden line along a visible one cannot be seen: reading it or not is the same.
-            asked = np.isinf(truth[kind].across(truth[Linetype.VISIBLE]))
-            given = ~right | np.isinf(reading[kind].across(truth[Linetype.VISIBLE]))
+            asked = np.isinf(truth[kind].across(truth[Linetype.VISIBLE], covered))
+            given = ~right | np.isinf(reading[kind].across(truth[Linetype.VISIBLE], covered))
         lengths[kind] = Matched(
             float(truth[kind].weight[asked].sum()),
             float(truth[kind].weight[asked & found].sum()),
