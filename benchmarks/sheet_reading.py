@@ -7,11 +7,11 @@ from part to part, written to files, and read with nothing told.
     .venv/bin/python benchmarks/sheet_reading.py --data DIR [--keep DIR]
 
 Precision and recall are shares of length: a point of a stroke counts where a stroke of the same
-linetype passes within 1 px in the same direction.  Hidden lines under the ink of visible ones do not count.
-The position error is the distance of matched points across the true stroke.  Vertices are ends of
-true strokes with an end of a read stroke within 1 px.  ``box px`` is the largest error of a corner
-in nine of ten sheets.  ``views`` is the share of views with their right names, ``proj`` of sheets
-with the right projection, ``or`` of those where it was at least kept as an alternative.
+linetype passes within 1 px in the same direction.  Hidden lines under the ink of visible ones do
+not count.  The position error is the distance of matched points across the true stroke.  Vertices
+are ends of true strokes with an end of a read stroke within 1 px.  ``box px`` is the largest error
+of a corner in nine of ten sheets.  ``views`` is the share of views with their right names, ``proj``
+of sheets with the right projection, ``or`` of those where it was at least kept as an alternative.
 """
 
 import argparse
@@ -124,8 +124,9 @@ def compare(
     """A sheet's figures, and what to mark on its picture."""
     drawn = [stroke for view in sheet.views for stroke in view.strokes]
     seen = list(chain.from_iterable(found.strokes.values()))
-    matched, errors, marks = match(drawn, seen, 0.5 * style.visible_width)
-    corners = ends_of(drawn)
+    covered = 0.5 * style.visible_width
+    matched, errors, marks = match(drawn, seen, covered)
+    corners = ends_of(drawn, covered)
     near = nearness(corners, ends_of(seen))
     marks.missed.append(corners[~near])
     right = [role for role in sheet_roles(sheet) if role in found.boxes]
@@ -215,7 +216,7 @@ def _read_and_compare(
             time.perf_counter() - started,
             lost[Linetype.VISIBLE],
             lost[Linetype.HIDDEN],
-            ends=len(ends_of(drawn)),
+            ends=len(ends_of(drawn, 0.5 * style.visible_width)),
             box_error=float("inf"),
             views=len(sheet.views),
             failure=error.code,

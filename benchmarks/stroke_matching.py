@@ -1,6 +1,6 @@
 """How much of some strokes runs along others, by length."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -144,15 +144,28 @@ def of_kind(strokes: Iterable[DrawnStroke], kind: Linetype) -> list[DrawnStroke]
     return [stroke for stroke in strokes if stroke.linetype is kind]
 
 
-def ends_of(strokes: Iterable[DrawnStroke]) -> Floats:
-    """(n, 2) ends of the open strokes, those that meet once."""
-    points = [
-        point
-        for stroke in strokes
-        if not is_closed(stroke)
-        for point in stroke.sample(stroke.length)[[0, -1]]
-    ]
-    return np.unique(np.round(points, 3), axis=0) if points else np.empty((0, 2))
+def ends_of(strokes: Sequence[DrawnStroke], covered: float = 0.0) -> Floats:
+    """(n, 2) ends of the open strokes, those that meet once.
+
+    Args:
+        strokes: visible and hidden.
+        covered: px beside a visible stroke within which the end of a hidden one along it cannot be
+            seen, and is left out.
+    """
+    visible = Points.along(of_kind(strokes, Linetype.VISIBLE))
+    found = [np.empty((0, 2))]
+    for stroke in strokes:
+        if is_closed(stroke):
+            continue
+        points = stroke.sample(STEP)
+        ends = points[[0, -1]]
+        if covered and stroke.linetype is Linetype.HIDDEN:
+            steps = np.array([points[1] - points[0], points[-1] - points[-2]])
+            length = np.hypot(*steps.T)
+            ways = steps / np.maximum(length, 1e-12)[:, None]
+            ends = ends[np.isinf(Points(ends, ways, length).across(visible, covered))]
+        found.append(ends)
+    return np.unique(np.round(np.concatenate(found), 3), axis=0)
 
 
 def overlap(one: Box, other: Box) -> float:
