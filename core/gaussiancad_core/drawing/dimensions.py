@@ -14,8 +14,7 @@ from gaussiancad_core.drawing.centre_lines import Round, model_axis, rounds, to_
 from gaussiancad_core.drawing.drawn_view import DrawnView
 from gaussiancad_core.drawing.lettering import label, text_width
 from gaussiancad_core.drawing.pen import Board, Direction
-from gaussiancad_core.drawing.strokes import DrawnStroke
-from gaussiancad_core.views import Linetype, Segment
+from gaussiancad_core.drawing.stations import Station, border_station, stations
 
 _INNER = 2
 """Most dimensions a direction of a view has beside the whole extent."""
@@ -23,29 +22,8 @@ _INNER = 2
 _ROWS = 4
 """Most rows of dimensions on one side of a view."""
 
-_ON = 0.05
-"""px within which strokes are at the same station."""
-
 _KNOWN = 1.0
 """px within which a place has been said already."""
-
-
-@dataclass(frozen=True)
-class Station:
-    """Something that can be dimensioned, at a coordinate along a direction.
-
-    Attributes:
-        at: px along the direction.
-        low, high: px across: the interval of what is there.
-        weight: px: how much of it there is.
-        centre: it is the centre of a circle.
-    """
-
-    at: float
-    low: float
-    high: float
-    weight: float
-    centre: bool = False
 
 
 @dataclass(frozen=True)
@@ -107,11 +85,11 @@ def draw_dimensions(board: Board, group: int) -> list[Annotation]:
         axis = model_axis(view, direction)[0]
         ends = direction.span(view.box)
         first, last = ends if direction is Direction.HORIZONTAL else ends[::-1]
-        datum = _border(view, direction, first)
+        datum = border_station(view, direction, first)
         wanted = _inner(view, direction, places, board)
         wanted.sort(key=lambda station, first=first: abs(station.at - first))
         if axis not in whole:
-            wanted.append(_border(view, direction, last))
+            wanted.append(border_station(view, direction, last))
         beside = _Beside(view, direction, board)
         for station in wanted:
             text = value_text(abs(station.at - datum.at) * board.mm_per_pixel)
@@ -151,22 +129,13 @@ def _fills(circle: Round, view: DrawnView, direction: Direction) -> bool:
     return circle.whole and abs(2.0 * circle.radius - (high - low)) < _KNOWN
 
 
-def _border(view: DrawnView, direction: Direction, at: float) -> Station:
-    """The part's outermost point in a direction."""
-    across = [
-        float(point[direction.other.value])
-        for stroke in view.strokes
-        for point in stroke.sample(1.0)
-        if abs(point[direction.value] - at) < max(_ON, 0.5)
-    ]
-    return Station(at, min(across), max(across), 0.0)
-
-
 def _inner(view: DrawnView, direction: Direction, places: _Places, board: Board) -> list[Station]:
     """The weightiest stations between a view's borders that nothing has said yet."""
     low, high = direction.span(view.box)
     chosen: list[Station] = []
-    for station in sorted(_stations(view, direction, board), key=lambda item: -item.weight):
+    for station in sorted(
+        stations(view, direction, board.centre_lines), key=lambda item: -item.weight
+    ):
         taken = [low, high, *(other.at for other in chosen)]
         place = to_model(view, direction, station.at)
         if min(abs(station.at - at) for at in taken) < board.pen.height:
@@ -179,73 +148,24 @@ def _inner(view: DrawnView, direction: Direction, places: _Places, board: Board)
     return chosen
 
 
-def _stations(view: DrawnView, direction: Direction, board: Board) -> list[Station]:
-    """Visible edges across a direction, and the centres of circles."""
-    along, across = direction.value, direction.other.value
-    found: dict[float, Station] = {}
-
-    def add(station: Station) -> None:
-        key = round(station.at, 1)
-        old = found.get(key)
-        if old is not None:
-            station = Station(
-                old.at,
-                min(old.low, station.low),
-                max(old.high, station.high),
-                old.weight + station.weight,
-                old.centre or station.centre,
-            )
-        found[key] = station
-
-    for stroke in view.strokes:
-        if isinstance(stroke, Segment) and stroke.linetype is Linetype.VISIBLE:
-            low, high = sorted((stroke.start[across], stroke.end[across]))
-            if abs(stroke.start[along] - stroke.end[along]) < _ON:
-                add(Station(stroke.start[along], low, high, high - low))
-    for circle in rounds(view):
-        at, centre = circle.centre[along], circle.centre[across]
-        low, high = _marked(direction, at, board.centre_lines, (centre, circle.radius))
-        # Places of holes are what a machinist looks for first.
-        add(Station(at, low, high, 4.0 * circle.radius, True))
-    return list(found.values())
-
-
-def _marked(
-    direction: Direction,
-    at: float,
-    centre_lines: tuple[DrawnStroke, ...],
-    circle: tuple[float, float],
-) -> tuple[float, float]:
-    """Across a direction: from where to where a circle reaches with the centre line through it.
-
-    Args:
-        direction: along which the centre is measured.
-        at: px of the centre along the direction.
-        centre_lines: of all views.
-        circle: px of the centre across the direction, and the radius.
-    """
-    across = direction.other.value
-    low, high = circle[0] - circle[1], circle[0] + circle[1]
-    for stroke in centre_lines:
-        on = all(abs(point[direction.value] - at) < _ON for point in (stroke.start, stroke.end))
-        first, last = sorted((stroke.start[across], stroke.end[across]))
-        if on and first <= circle[0] <= last:
-            low, high = min(low, first), max(high, last)
-    return low, high
-
-
-def _sides(view: DrawnView, direction: Direction, views: tuple[DrawnView, ...]) -> tuple[int, ...]:
-    """The sides of a view for dimensions along a direction, those without a neighbour first."""
+def _side_costs(
+    view: DrawnView, direction: Direction, views: tuple[DrawnView, ...]
+) -> dict[int, float]:
+    """px of extension line that each side of a view is worth less than the best one."""
     low, high = direction.other.span(view.box)
-    busy = set()
-    for other in views:
-        start, end = direction.span(other.box)
-        if start < direction.span(view.box)[1] and direction.span(view.box)[0] < end:
-            first, last = direction.other.span(other.box)
-            busy |= {1} if first >= high else {-1} if last <= low else set()
+    start, end = direction.span(view.box)
     # Below and to the left, where nothing speaks for the other side.
-    order = (1, -1) if direction is Direction.HORIZONTAL else (-1, 1)
-    return tuple(sorted(order, key=lambda side: side in busy))
+    usual = 1 if direction is Direction.HORIZONTAL else -1
+    costs = {usual: 0.0, -usual: 1.0}
+    for other in views:
+        first, last = direction.span(other.box)
+        if other is view or last <= start or end <= first:
+            continue
+        first, last = direction.other.span(other.box)
+        for side, beside in ((1, first >= high), (-1, last <= low)):
+            if beside:
+                costs[side] += 0.25 * (high - low)
+    return costs
 
 
 class _Beside:
@@ -254,7 +174,8 @@ class _Beside:
     def __init__(self, view: DrawnView, direction: Direction, board: Board) -> None:
         self._view = view
         self._direction = direction
-        self._rows = {side: 0 for side in _sides(view, direction, board.views)}
+        self._costs = _side_costs(view, direction, board.views)
+        self._rows = dict.fromkeys(self._costs, 0)
         self._pen = board.pen
         self._room = board.room
 
@@ -262,8 +183,9 @@ class _Beside:
         """A dimension in the first row that is free; nothing if there is none."""
         low, high = self._direction.other.span(self._view.box)
         first, second = sorted((datum, station), key=lambda item: item.at)
-        for side, used in self._rows.items():
-            for row in range(used, _ROWS):
+        inside = {1: high - station.high, -1: station.low - low}
+        for side in sorted(self._rows, key=lambda side: inside[side] + self._costs[side]):
+            for row in range(self._rows[side], _ROWS):
                 away = self._pen.first + row * self._pen.pitch
                 at = high + away if side > 0 else low - away
                 line = _Line(self._direction, side, at, (first, second), text)
