@@ -22,6 +22,10 @@ class Line:
         across = offset @ np.array([-self.direction[1], self.direction[0]])
         return along, across
 
+    def distances(self, points: Points) -> Points:
+        """(n, 2) points -> (n,) distances from the line."""
+        return np.abs(self.coordinates(points)[1])
+
     def at(self, along: float) -> tuple[float, float]:
         """The point at a position along the line."""
         return (
@@ -36,3 +40,8 @@ class Circle:
 
     centre: tuple[float, float]
     radius: float
+
+    def distances(self, points: Points) -> Points:
+        """(n, 2) points -> (n,) distances from the circle."""
+        offset = points - np.array(self.centre)
+        return np.abs(np.hypot(offset[:, 0], offset[:, 1]) - self.radius)

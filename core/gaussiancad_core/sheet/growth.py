@@ -20,8 +20,11 @@ from gaussiancad_core.sheet.ridges import RidgePoints
 
 Floats = npt.NDArray[np.float64]
 
-_ARC_BONUS = 1.15
+_BONUS = {Line: 1.0, Circle: 1.15}
 """Lines explain an arc in pieces: at nearly the same number of points the arc wins."""
+
+_BESIDE = 0.5
+"""px from the centre line at which a point says nothing for a shape: corners that an arc rounds."""
 
 _FRESH = 0.35
 """Share of a shape's points that no better shape may have taken."""
@@ -83,12 +86,12 @@ def grow_shapes(ridges: RidgePoints, rules: GrowthRules = GrowthRules()) -> list
     fit = (float(rules.shortest), rules.flattest, rules.rms, rules.bowed)
     lines = [Grown(_line(row), own) for row, own in _unpacked(grow_lines(tables, limits, fit))]
     taken = np.zeros(len(ridges.points), dtype=np.bool_)
-    for grown in _chosen(lines, len(ridges.points), rules.shortest):
+    for grown in _chosen(lines, ridges, rules.shortest):
         if len(grown.members) >= _LONG:
             taken[grown.members] = True
     found = grow_arcs(tables, limits, fit, taken)
     arcs = [Grown(_circle(row), own) for row, own in _unpacked(found)]
-    return _chosen(lines + arcs, len(ridges.points), rules.shortest)
+    return _chosen(lines + arcs, ridges, rules.shortest)
 
 
 def warm_up() -> None:
@@ -115,22 +118,28 @@ def _unpacked(
         yield row, members[splits[k] : splits[k + 1]]
 
 
-def _chosen(shapes: list[Grown], points: int, shortest: int) -> list[Grown]:
-    """Greedily the shape with the most points that no other has taken."""
-    bonus = [_ARC_BONUS if isinstance(shape.geometry, Circle) else 1.0 for shape in shapes]
-    queue = [(-bonus[k] * len(shape.members), k) for k, shape in enumerate(shapes)]
+def _chosen(shapes: list[Grown], ridges: RidgePoints, shortest: int) -> list[Grown]:
+    """Greedily the shape that follows the most points that no other has taken."""
+    worth = [_BONUS[type(g.geometry)] * _closeness(g, ridges.points) for g in shapes]
+    queue = [(-float(own.sum()), k) for k, own in enumerate(worth)]
     heapq.heapify(queue)
-    free = np.ones(points, dtype=bool)
+    free = np.ones(len(ridges.points), dtype=bool)
     chosen = []
     while queue:
         score, k = heapq.heappop(queue)
         members = shapes[k].members
-        left = int(free[members].sum())
-        if left < max(shortest, _FRESH * len(members)):
+        left = free[members]
+        if left.sum() < max(shortest, _FRESH * len(members)):
             continue
-        if -bonus[k] * left > score:
-            heapq.heappush(queue, (-bonus[k] * left, k))
+        current = -float(worth[k][left].sum())
+        if current > score:
+            heapq.heappush(queue, (current, k))
             continue
         free[members] = False
         chosen.append(shapes[k])
     return chosen
+
+
+def _closeness(grown: Grown, points: Floats) -> Floats:
+    """(k,) 1 for members on the centre line, falling to 0 for those beside it."""
+    return np.clip(1.0 - (grown.geometry.distances(points[grown.members]) / _BESIDE) ** 2, 0.0, 1.0)

@@ -14,6 +14,9 @@ _CONSUMED = 1.3
 
 _CONSUMED_COSINE = np.cos(np.radians(22.0))
 
+_BENT_END = 6.0
+"""px at either end of a line in which another stroke's ink may bend the ridge."""
+
 _CHAINS = (6, 11, 20, 34)
 """px of chain on each side of a point from which an arc is started, in turn."""
 
@@ -39,10 +42,11 @@ def grow_lines(tables, limits, fit):  # noqa: ANN001, ANN201
         tried[seed] = True
         line = np.array([points[seed, 0], points[seed, 1], tangents[seed, 0], tangents[seed, 1]])
         good, number = _grow_line(tables, limits, fit, line, scratch)
-        for k in range(number):
-            tried[own[k]] = True
+        # A bad line that started in a corner must not keep its good neighbours from starting.
         if not good:
             continue
+        for k in range(number):
+            tried[own[k]] = True
         consumed = (limits[0], _CONSUMED, _CONSUMED_COSINE)
         number = _along_line(tables, line, 1e9, consumed, scratch)
         members = _room(members, used, number)
@@ -164,21 +168,32 @@ def _fit_line(points, own, number, line):  # noqa: ANN001, ANN202
 
 @njit(cache=True)
 def _line_quality(points, own, number, line):  # noqa: ANN001, ANN202
-    """Sagitta of the parabola through the points, and their rms distance, px."""
-    s2 = s4 = a = s2a = square = 0.0
+    """Sagitta of the parabola through the points, and their rms distance, px.
+
+    Near the ends the ink of other strokes bends the ridge: what lies there is left out.
+    """
     half = 0.0
     for k in range(number):
         ox, oy = points[own[k], 0] - line[0], points[own[k], 1] - line[1]
+        half = max(half, abs(ox * line[2] + oy * line[3]))
+    inner = half - min(_BENT_END, 0.3 * half)
+    count = s2 = s4 = a = s2a = square = 0.0
+    for k in range(number):
+        ox, oy = points[own[k], 0] - line[0], points[own[k], 1] - line[1]
         along, across = ox * line[2] + oy * line[3], oy * line[2] - ox * line[3]
-        half = max(half, abs(along))
+        if abs(along) > inner:
+            continue
+        count += 1.0
         s2 += along**2
         s4 += along**4
         a += across
         s2a += along**2 * across
         square += across**2
-    spread = s4 - s2**2 / number
-    bend = (s2a - s2 * a / number) / spread if spread > 1e-9 else 0.0
-    return abs(bend) * half**2, np.sqrt(square / number)
+    if count < 3.0:
+        return 0.0, 0.0
+    spread = s4 - s2**2 / count
+    bend = (s2a - s2 * a / count) / spread if spread > 1e-9 else 0.0
+    return abs(bend) * half**2, np.sqrt(square / count)
 
 
 @njit(cache=True)
