@@ -131,7 +131,7 @@ def _axes(
     view: DrawnView, views: tuple[DrawnView, ...]
 ) -> Iterator[tuple[Direction, float, Interval]]:
     """Axes, in one view, of what other views show as circles: direction, place and span."""
-    spans: dict[tuple[Direction, float], Interval] = {}
+    found: dict[tuple[Direction, float], tuple[float, Interval]] = {}
     for other in views:
         look = other.role.frame.look_axis[0]
         for direction in Direction:
@@ -146,9 +146,9 @@ def _axes(
                 if span is None or not circle.whole:
                     continue
                 key = direction, round(at, 1)
-                low, high = spans.get(key, span)
-                spans[key] = min(low, span[0]), max(high, span[1])
-    for (direction, at), span in spans.items():
+                at, (low, high) = found.get(key, (at, span))
+                found[key] = at, (min(low, span[0]), max(high, span[1]))
+    for (direction, _), (at, span) in found.items():
         yield direction, at, span
 
 

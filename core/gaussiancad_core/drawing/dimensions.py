@@ -130,7 +130,10 @@ def _fills(circle: Round, view: DrawnView, direction: Direction) -> bool:
 
 
 def _inner(view: DrawnView, direction: Direction, places: _Places, board: Board) -> list[Station]:
-    """The weightiest stations between a view's borders that nothing has said yet."""
+    """The weightiest stations between a view's borders that nothing has said yet.
+
+    Places of holes come first: a machinist looks for them first.
+    """
     low, high = direction.span(view.box)
     chosen: list[Station] = []
     for station in sorted(

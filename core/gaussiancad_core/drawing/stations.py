@@ -78,8 +78,7 @@ def stations(
     for circle in rounds(view):
         at, centre = circle.centre[along], circle.centre[across]
         low, high = _marked(direction, at, centre_lines, (centre, circle.radius))
-        # Places of holes are what a machinist looks for first.
-        add(Station(at, low, high, 4.0 * circle.radius, True))
+        add(Station(at, low, high, 2.0 * circle.radius, True))
     return list(found.values())
 
 
