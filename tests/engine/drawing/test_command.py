@@ -7,7 +7,7 @@ from PIL import Image
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.brep import write_step
 from gaussiancad_core.drawing.command import draw_file, write_image
-from gaussiancad_core.drawing.style import SheetStyle
+from gaussiancad_core.drawing.style import PRESETS, SheetStyle
 from gaussiancad_core.errors import UnreadableError, UsageError
 from gaussiancad_core.samples import sample
 
@@ -51,6 +51,22 @@ def test_sets_of_views_that_show_too_little_are_told(
         draw_file(solid, tmp_path / "a.png", roles, Projection.THIRD, SMALL)
     assert caught.value.code == code
     assert not list(tmp_path.iterdir())
+
+
+def test_a_dimensioned_sheet_names_its_title_and_its_resolution(
+    solid: Path, tmp_path: Path
+) -> None:
+    path = tmp_path / "a.png"
+    drawn = draw_file(solid, path, ROLES, Projection.THIRD, PRESETS["dimensioned"])
+    texts = {mark.label.text for mark in drawn.annotations if mark.label is not None}
+    assert "? block" in texts
+    with Image.open(path) as image:
+        assert image.info["dpi"] == pytest.approx((drawn.dpi, drawn.dpi), abs=0.02)
+        np.testing.assert_array_equal(np.asarray(image), drawn.image)
+    plain = tmp_path / "b.png"
+    draw_file(solid, plain, ROLES, Projection.THIRD, SMALL)
+    with Image.open(plain) as image:
+        assert "dpi" not in image.info
 
 
 def test_two_views_are_enough(solid: Path, tmp_path: Path) -> None:

@@ -142,3 +142,25 @@ def test_the_order_of_the_roles_does_not_matter() -> None:
     for order in permutations((FRONT, TOP, LEFT)):
         check_roles(order)
         assert _boxes(order, Projection.FIRST) == _boxes((FRONT, TOP, LEFT), Projection.FIRST)
+
+
+@pytest.mark.parametrize("projection", list(Projection))
+@pytest.mark.parametrize("corner", [(0.0, 0.0), (300.0, 200.0), (700.0, 500.0), (1000.0, 150.0)])
+def test_no_view_enters_the_corner_that_stays_free(
+    projection: Projection, corner: tuple[float, float]
+) -> None:
+    free = place_views(SIZE, (FRONT, TOP, RIGHT), projection, STYLE)
+    kept = place_views(SIZE, (FRONT, TOP, RIGHT), projection, STYLE, corner)
+    left, top = STYLE.width - corner[0], STYLE.height - corner[1]
+    for place in kept:
+        assert place.box[2] <= left + 1e-9 or place.box[3] <= top + 1e-9
+        assert min(place.box) >= STYLE.margin - 1e-9
+    if not any(place.box[2] > left and place.box[3] > top for place in free):
+        assert kept == free
+    assert kept[0].scale <= free[0].scale
+
+
+def test_a_corner_that_leaves_no_room_is_told() -> None:
+    with pytest.raises(UsageError) as caught:
+        place_views(SIZE, (FRONT, TOP, RIGHT), Projection.THIRD, STYLE, (1900.0, 1070.0))
+    assert caught.value.code == "sheet-too-small"

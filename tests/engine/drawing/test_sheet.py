@@ -1,15 +1,18 @@
 from dataclasses import replace
 
+import cv2
 import numpy as np
 import pytest
 from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
 from OCP.gp import gp_Trsf, gp_Vec
 
 from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.drawing.sheet import Sheet, draw_sheet
-from gaussiancad_core.drawing.style import SheetStyle, parse_style
+from gaussiancad_core.drawing.raster import rasterise
+from gaussiancad_core.drawing.sheet import Sheet, compose_sheet, draw_sheet, part_lines
+from gaussiancad_core.drawing.style import PRESETS, SheetStyle, parse_style
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.samples import sample
+from gaussiancad_core.views import Linetype
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 SMALL = SheetStyle(width=640, height=480, margin=30.0, view_gap=40.0)
@@ -98,6 +101,65 @@ def test_a_skewed_drawing_turns_counter_clockwise(bracket: object, sheet: Sheet)
     assert skewed[Role.FRONT].box[2] - skewed[Role.FRONT].box[0] > (
         sheet[Role.FRONT].box[2] - sheet[Role.FRONT].box[0]
     )
+
+
+@pytest.mark.parametrize("name", ["dimensioned", "photocopy", "ansi"])
+def test_under_skew_the_truth_is_the_level_one_turned(bracket: object, name: str) -> None:
+    lines = part_lines(bracket, ROLES)
+    style = replace(PRESETS[name], skew=0.0)
+    level = compose_sheet(lines, Projection.THIRD, style)
+    skewed = compose_sheet(lines, Projection.THIRD, replace(style, skew=3.0))
+    angle, centre = -np.radians(3.0), np.array([style.width / 2.0, style.height / 2.0])
+    turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    pairs = [
+        (one, other)
+        for first, second in (
+            *zip(level.views, skewed.views, strict=True),
+            *zip(level.annotations, skewed.annotations, strict=True),
+        )
+        for one, other in zip(first.strokes, second.strokes, strict=True)
+    ]
+    assert len(pairs) > 20
+    for one, other in pairs:
+        # Steps that no rounding makes one more or less.
+        step = one.length / 7.5
+        expected = (one.sample(step) - centre) @ turn.T + centre
+        np.testing.assert_allclose(other.sample(step), expected, atol=1e-9)
+    # The image shows what the truth says: ink lies under every visible line.
+    dark = 255 - skewed.image[..., 0].astype(int)
+    for view in skewed.views:
+        for stroke in view.strokes:
+            if stroke.linetype is Linetype.VISIBLE:
+                x, y = np.floor(stroke.sample(1.0)).astype(int).T
+                assert np.median(dark[y, x]) > 120
+
+
+@pytest.mark.parametrize("name", ["dimensioned", "photocopy"])
+def test_a_sheet_comes_from_its_seed(bracket: object, name: str) -> None:
+    lines = part_lines(bracket, ROLES)
+    one, same = (compose_sheet(lines, Projection.THIRD, PRESETS[name], seed=4) for _ in range(2))
+    assert one.image.tobytes() == same.image.tobytes()
+    assert one.annotations == same.annotations
+
+
+def test_without_annotations_there_is_nothing_but_the_views(bracket: object) -> None:
+    style = replace(SMALL, noise=3.0, blur=0.7)
+    sheet = draw_sheet(bracket, ROLES, Projection.THIRD, style, seed=9)
+    ink = rasterise(tuple(stroke for view in sheet.views for stroke in view.strokes), style)
+    ink = cv2.GaussianBlur(ink, (0, 0), style.blur)
+    noise = np.random.default_rng(9).standard_normal(ink.shape, dtype=np.float32)
+    expected = 255.0 - 255.0 * ink + np.float32(style.noise) * noise
+    assert sheet.annotations == ()
+    np.testing.assert_array_equal(
+        sheet.image, np.repeat(np.clip(np.rint(expected), 0, 255)[..., None], 3, axis=2)
+    )
+
+
+def test_lines_drawn_once_serve_every_style(bracket: object, sheet: Sheet) -> None:
+    lines = part_lines(bracket, ROLES)
+    again = compose_sheet(lines, Projection.THIRD, SMALL)
+    np.testing.assert_array_equal(again.image, sheet.image)
+    assert again.views == sheet.views
 
 
 def test_tangent_edges_are_drawn_on_request() -> None:

@@ -29,6 +29,37 @@ def test_values_override_a_preset() -> None:
     assert style.width == 800
 
 
+def test_annotations_and_defects_are_off_unless_asked_for() -> None:
+    style = SheetStyle()
+    assert not (style.annotations or style.frame or style.centre_lines)
+    assert (style.bleed, style.fade, style.specks, style.light, style.shadow, style.salt) == (
+        0,
+    ) * 6
+    assert style.contrast == 1.0
+
+
+def test_annotations_and_defects_are_overridden_by_name() -> None:
+    style = parse_style(
+        "dimensioned,frame=off,centre-lines=off,annotation-width=2,text-height=24,bleed=0.3,"
+        "fade=0.2,specks=12,contrast=2,light=0.1,shadow=9,salt=0.001"
+    )
+    assert (style.annotations, style.frame, style.centre_lines) == (True, False, False)
+    assert (style.annotation_width, style.text_height, style.bleed, style.fade) == (2, 24, 0.3, 0.2)
+    assert (style.specks, style.contrast, style.light, style.shadow) == (12, 2, 0.1, 9)
+    assert style.salt == 0.001
+
+
+def test_ansi_hidden_lines_are_as_thin_as_centre_lines() -> None:
+    style = PRESETS["ansi"]
+    assert style.hidden_width == style.annotation_width == style.visible_width / 2.0
+    assert style.centre_lines
+
+
+def test_every_style_makes_sense() -> None:
+    for style in PRESETS.values():
+        assert checked_style(style) == style
+
+
 def test_values_alone_change_the_clean_style() -> None:
     assert parse_style("noise=2") == SheetStyle(noise=2.0)
     assert parse_style("mm-per-pixel=0.5,mm-per-pixel=fit") == SheetStyle()
@@ -51,6 +82,10 @@ def test_values_alone_change_the_clean_style() -> None:
         ("mm-per-pixel=0", "style-value-bad"),
         ("mm-per-pixel=inf", "style-value-bad"),
         ("jpeg-quality=0", "style-value-bad"),
+        ("annotations=some", "style-value-bad"),
+        ("light=1.1", "style-value-bad"),
+        ("contrast=0.5", "style-value-bad"),
+        ("text-height=0", "style-value-bad"),
     ],
 )
 def test_mistakes_are_told(text: str, code: str) -> None:
