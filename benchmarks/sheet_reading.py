@@ -178,7 +178,8 @@ class Job:
         roles, projection = ARRANGEMENTS[self.arrangement % len(ARRANGEMENTS)]
         known = {part.name for part in SAMPLES}
         shape = sample(self.name).build() if self.name in known else random_part(self.seed)
-        return part_lines(shape, roles), projection
+        picture = any(parse_style(text).picture for text in self.styles)
+        return part_lines(shape, roles, picture=picture), projection
 
 
 def run(job: Job) -> list[Result]:

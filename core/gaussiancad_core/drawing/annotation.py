@@ -24,6 +24,7 @@ class AnnotationKind(Enum):
     CENTRE_LINE = "centre-line"
     CENTRE_MARK = "centre-mark"
     SYMBOL = "symbol"
+    PICTURE = "picture"
 
 
 class Rhythm(Enum):

@@ -10,7 +10,7 @@ from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind, Rhyt
 from gaussiancad_core.drawing.drawn_view import DrawnView
 from gaussiancad_core.drawing.intervals import Interval
 from gaussiancad_core.drawing.pen import Direction, Pen
-from gaussiancad_core.views import Arc, Segment
+from gaussiancad_core.views import Arc, Linetype, Segment
 
 _SAME = 0.6
 """px within which lines of two views are the same feature's."""
@@ -30,11 +30,13 @@ class Round:
         centre: (2,) sheet px.
         radius: px.
         whole: it is seen as a full circle.
+        visible: some of it is.
     """
 
     centre: tuple[float, float]
     radius: float
     whole: bool
+    visible: bool
 
 
 def draw_centre_lines(views: tuple[DrawnView, ...], pen: Pen, group: int) -> list[Annotation]:
@@ -70,17 +72,19 @@ def draw_centre_lines(views: tuple[DrawnView, ...], pen: Pen, group: int) -> lis
 
 def rounds(view: DrawnView) -> list[Round]:
     """The circles of a view, visible or hidden; arcs of one circle count together."""
-    sweeps: dict[tuple[float, ...], tuple[Arc, float]] = {}
+    arcs: dict[tuple[float, ...], list[Arc]] = {}
     for stroke in view.strokes:
         if isinstance(stroke, Arc):
             key = tuple(round(value, 2) for value in (*stroke.centre, stroke.radius))
-            arc, sweep = sweeps.get(key, (stroke, 0.0))
-            sweeps[key] = arc, sweep + stroke.sweep
-    return [
-        Round(arc.centre, arc.radius, sweep > 0.99 * 2.0 * np.pi)
-        for arc, sweep in sweeps.values()
-        if sweep >= _HALF
-    ]
+            arcs.setdefault(key, []).append(stroke)
+    found = []
+    for same in arcs.values():
+        sweep = sum(arc.sweep for arc in same)
+        if sweep >= _HALF:
+            whole = sweep > 0.99 * 2.0 * np.pi
+            visible = any(arc.linetype is Linetype.VISIBLE for arc in same)
+            found.append(Round(same[0].centre, same[0].radius, whole, visible))
+    return found
 
 
 def outermost(circles: Iterable[Round]) -> list[Round]:

@@ -82,7 +82,10 @@ class LineDrawing:
 
     def view(self, role: Role) -> tuple[DrawnStroke, ...]:
         """The strokes of a view in its plane's millimetres (right, up), each line once."""
-        frame = role.frame
+        return self.seen(role.frame)
+
+    def seen(self, frame: ViewFrame) -> tuple[DrawnStroke, ...]:
+        """The same for any direction of view."""
         sight = SightLines(self._shape, frame, self._precision.fit)
         witness = Witness(sight, frame, _BESIDE * self._extent)
         lines = self._lines(frame)

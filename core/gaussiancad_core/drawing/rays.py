@@ -1,7 +1,7 @@
 """What a viewer's line of sight meets: the faces of a solid in their order of depth."""
 
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import pairwise, product
 
 import numpy as np
 import numpy.typing as npt
@@ -58,7 +58,9 @@ class SightLines:
         self._patches = [self._patch(face, tolerance) for face in faces_of(shape)]
 
     def _patch(self, face: TopoDS_Face, tolerance: float) -> _Patch:
-        corners = bounding_box(face) @ np.stack([self._right, self._up], axis=1)
+        low, high = bounding_box(face)
+        all_corners = np.array(list(product(*zip(low, high, strict=True))))
+        corners = all_corners @ np.stack([self._right, self._up], axis=1)
         reversed_face = face.Orientation() == TopAbs_Orientation.TopAbs_REVERSED
         return _Patch(
             surface_of(face, tolerance),

@@ -15,6 +15,7 @@ from gaussiancad_core.drawing.drawn_view import DrawnView, drawn_view
 from gaussiancad_core.drawing.hlr import LineDrawing, LineOptions
 from gaussiancad_core.drawing.inking import ink_annotations
 from gaussiancad_core.drawing.layout import check_roles, place_views
+from gaussiancad_core.drawing.picture import ISOMETRIC, draw_picture
 from gaussiancad_core.drawing.raster import rasterise
 from gaussiancad_core.drawing.strokes import DrawnStroke
 from gaussiancad_core.drawing.style import SheetStyle
@@ -27,10 +28,12 @@ class PartLines:
     Attributes:
         size: (3,) extent in mm of the part; its bounding box starts at the origin.
         views: role -> strokes in mm of the view's plane (right, up), in the order asked for.
+        picture: strokes of the isometric picture in mm of its plane; empty without one.
     """
 
     size: npt.NDArray[np.float64]
     views: dict[Role, tuple[DrawnStroke, ...]]
+    picture: tuple[DrawnStroke, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -58,7 +61,11 @@ class Sheet:
 
 
 def part_lines(
-    shape: TopoDS_Shape, roles: tuple[Role, ...], tangent_edges: bool = False
+    shape: TopoDS_Shape,
+    roles: tuple[Role, ...],
+    *,
+    tangent_edges: bool = False,
+    picture: bool = False,
 ) -> PartLines:
     """The lines of a solid in several views: the slow part of drawing a sheet.
 
@@ -66,6 +73,7 @@ def part_lines(
         shape: solid in mm; it is moved so that its bounding box starts at the origin.
         roles: two to six different views.
         tangent_edges: draw smooth edges as well; what the style says of them counts no more.
+        picture: draw the isometric picture as well, for styles that ask for it.
 
     Raises:
         UsageError: ``views-count``, ``views-repeat``.
@@ -73,7 +81,9 @@ def part_lines(
     check_roles(roles)
     shape = moved_to_origin(shape)
     drawing = LineDrawing(shape, LineOptions(tangent_edges=tangent_edges))
-    return PartLines(bounding_box(shape)[1], {role: drawing.view(role) for role in roles})
+    views = {role: drawing.view(role) for role in roles}
+    seen = drawing.seen(ISOMETRIC) if picture else ()
+    return PartLines(bounding_box(shape)[1], views, seen)
 
 
 def draw_sheet(
@@ -98,9 +108,8 @@ def draw_sheet(
     Raises:
         UsageError: views or sheet size that cannot be.
     """
-    return compose_sheet(
-        part_lines(shape, roles, style.tangent_edges), projection, style, seed, title=title
-    )
+    lines = part_lines(shape, roles, tangent_edges=style.tangent_edges, picture=style.picture)
+    return compose_sheet(lines, projection, style, seed, title=title)
 
 
 def compose_sheet(
@@ -129,6 +138,8 @@ def compose_sheet(
     views = tuple(drawn_view(place, lines.views[place.role]) for place in placements)
     scale = 1.0 / placements[0].scale
     annotations = annotate(views, projection, scale, style, title)
+    if style.picture:
+        annotations += tuple(draw_picture(lines.picture, views, annotations, style))
     if style.skew:
         # Counter-clockwise to the eye is clockwise where y points down.
         angle, centre = -float(np.radians(style.skew)), (style.width / 2.0, style.height / 2.0)

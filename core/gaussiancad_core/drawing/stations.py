@@ -47,7 +47,7 @@ def border_station(view: DrawnView, direction: Direction, at: float) -> Station:
 def stations(
     view: DrawnView, direction: Direction, centre_lines: tuple[DrawnStroke, ...]
 ) -> list[Station]:
-    """Visible edges across a direction, and the centres of circles.
+    """Visible edges across a direction, and the centres of visible circles.
 
     Args:
         view: not turned.
@@ -76,6 +76,8 @@ def stations(
             if abs(stroke.start[along] - stroke.end[along]) < _ON:
                 add(Station(stroke.start[along], low, high, high - low))
     for circle in rounds(view):
+        if not circle.visible:
+            continue
         at, centre = circle.centre[along], circle.centre[across]
         low, high = _marked(direction, at, centre_lines, (centre, circle.radius))
         add(Station(at, low, high, 2.0 * circle.radius, True))

@@ -44,7 +44,8 @@ class SheetStyle:
         annotations: dimensions and notes (ISO 129-1).
         frame: border with its zones, title block and projection symbol (ISO 5457, ISO 7200).
         centre_lines: centre lines and centre marks of circles, axes of holes (ISO 128).
-        annotation_width: line width of all of these but the border.
+        picture: an isometric picture in a free corner, if there is one.
+        annotation_width: line width of all of these but the border and the picture.
         text_height: height of capitals and digits; arrows and distances follow from it.
         bleed: how far ink creeps to either side of a stroke.
         fade: share of the ink that pale regions lack, 0 to 1.
@@ -76,6 +77,7 @@ class SheetStyle:
     annotations: bool = False
     frame: bool = False
     centre_lines: bool = False
+    picture: bool = False
     annotation_width: float = 1.5
     text_height: float = 18.0
     bleed: float = 0.0
@@ -194,6 +196,7 @@ def _parser(name: str) -> Callable[[str], Any]:
         "annotations": _switch,
         "frame": _switch,
         "centre_lines": _switch,
+        "picture": _switch,
     }
     return special.get(name, float)
 

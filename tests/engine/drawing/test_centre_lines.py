@@ -47,7 +47,12 @@ def test_arcs_of_one_circle_count_together_and_fillets_not_at_all() -> None:
     fillet = _circle(150.0, 150.0, 20.0, np.pi / 2.0)
     end_of_slot = _circle(100.0, 50.0, 10.0, np.pi)
     found = rounds(_flat(*halves, fillet, end_of_slot))
-    assert [(circle.radius, circle.whole) for circle in found] == [(20.0, True), (10.0, False)]
+    assert [(circle.radius, circle.whole, circle.visible) for circle in found] == [
+        (20.0, True, True),
+        (10.0, False, True),
+    ]
+    hidden = Arc((50.0, 50.0), 20.0, 0.0, FULL, Linetype.HIDDEN)
+    assert not rounds(_flat(hidden))[0].visible
 
 
 def test_concentric_circles_share_the_lines_of_the_largest() -> None:

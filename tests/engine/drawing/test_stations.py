@@ -19,6 +19,7 @@ VIEW = DrawnView(
         Segment((70.0, 10.0), (70.0, 50.0), HIDDEN),
         Segment((40.0, 10.0), (48.0, 50.0), VISIBLE),
         Arc((80.0, 30.0), 10.0, 0.0, 2.0 * np.pi, VISIBLE),
+        Arc((55.0, 25.0), 10.0, 0.0, 2.0 * np.pi, HIDDEN),
         Arc((100.0, 45.0), 15.0, np.pi / 2.0, np.pi / 2.0, VISIBLE),
     ),
     (),
