@@ -80,9 +80,7 @@ def read_sheet(path: Path, page: int = 1) -> SheetImage:
     grey = content.grey
     if np.median(grey) < 128:
         grey = 255 - grey
-    return SheetImage(
-        path, grey, sha256, content.pixels_per_inch, content.vectors, content.notes
-    )
+    return SheetImage(path, grey, sha256, content.pixels_per_inch, content.vectors, content.notes)
 
 
 def _look_at(path: Path) -> tuple[bytes, str]:
@@ -90,13 +88,9 @@ def _look_at(path: Path) -> tuple[bytes, str]:
     if path.is_dir():
         raise UnreadableError("not-a-file", f"{path} is a folder: name a drawing file")
     if not path.exists():
-        raise UnreadableError(
-            "file-missing", f"{path} does not exist: check the name of the sheet"
-        )
+        raise UnreadableError("file-missing", f"{path} does not exist: check the name of the sheet")
     if not path.is_file():
-        raise UnreadableError(
-            "not-a-file", f"{path} is a device or pipe: name a drawing file"
-        )
+        raise UnreadableError("not-a-file", f"{path} is a device or pipe: name a drawing file")
     try:
         with path.open("rb") as file:
             head = file.read(HEAD_BYTES)
@@ -108,7 +102,5 @@ def _look_at(path: Path) -> tuple[bytes, str]:
             f"{path} cannot be opened ({error.strerror}): check its permissions",
         ) from error
     if not head:
-        raise UnreadableError(
-            "empty-file", f"{path} is empty: export the drawing again"
-        )
+        raise UnreadableError("empty-file", f"{path} is empty: export the drawing again")
     return head, sha256

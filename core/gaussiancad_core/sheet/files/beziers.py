@@ -45,7 +45,7 @@ def curves_from_beziers(beziers: list[npt.NDArray[np.float64]]) -> list[Curve]:
     run: list[tuple[npt.NDArray[np.float64], CircularArc, bool]] = []
     for bezier in beziers:
         if _is_straight(bezier):
-            curves += _joined(run) + [Line(to_point(bezier[0]), to_point(bezier[3]))]
+            curves += [*_joined(run), Line(to_point(bezier[0]), to_point(bezier[3]))]
             run = []
             continue
         fitted = _bezier_arc(bezier)
@@ -53,18 +53,14 @@ def curves_from_beziers(beziers: list[npt.NDArray[np.float64]]) -> list[Curve]:
             curves += [*_joined(run), _chain(bezier)]
             run = []
             continue
-        if run and not (
-            _same_circle(run[-1][1], fitted[0]) and run[-1][2] == fitted[1]
-        ):
+        if run and not (_same_circle(run[-1][1], fitted[0]) and run[-1][2] == fitted[1]):
             curves += _joined(run)
             run = []
         run.append((bezier, *fitted))
     return _chains_linked(curves + _joined(run))
 
 
-def curves_from_path(
-    pieces: list[npt.NDArray[np.float64]], exact: bool = True
-) -> list[Curve]:
+def curves_from_path(pieces: list[npt.NDArray[np.float64]], exact: bool = True) -> list[Curve]:
     """Curves of a path whose pieces join end to end.
 
     Args:
@@ -118,9 +114,7 @@ def _bezier_arc(bezier: npt.NDArray[np.float64]) -> tuple[CircularArc, bool] | N
     first, last = bezier[1] - bezier[0], bezier[3] - bezier[2]
     # The centre lies on the normals at both ends.
     system = np.array([first, last])
-    if abs(np.linalg.det(system)) <= 1e-12 * (
-        np.hypot(*first) * np.hypot(*last) + 1e-300
-    ):
+    if abs(np.linalg.det(system)) <= 1e-12 * (np.hypot(*first) * np.hypot(*last) + 1e-300):
         # A half circle has parallel tangents; its centre is the middle of its chord.
         centre = (bezier[0] + bezier[3]) / 2.0
     else:
@@ -137,9 +131,7 @@ def _bezier_arc(bezier: npt.NDArray[np.float64]) -> tuple[CircularArc, bool] | N
     if not ((steps > 0.0).all() or (steps < 0.0).all()) or abs(sweep) < SMALLEST_SWEEP:
         return None
     start = angles[0] if sweep > 0.0 else angles[-1]
-    return CircularArc(
-        to_point(centre), radius, wrapped(float(start)), abs(sweep)
-    ), sweep > 0.0
+    return CircularArc(to_point(centre), radius, wrapped(float(start)), abs(sweep)), sweep > 0.0
 
 
 def _same_circle(a: CircularArc, b: CircularArc) -> bool:
@@ -162,9 +154,7 @@ def _joined(
         sweep = FULL_TURN
     start = nodes[0] if turning else nodes[-1]
     angle = float(np.arctan2(start[1] - centre[1], start[0] - centre[0]))
-    return [
-        CircularArc(to_point(centre), radius, wrapped(angle), min(sweep, FULL_TURN))
-    ]
+    return [CircularArc(to_point(centre), radius, wrapped(angle), min(sweep, FULL_TURN))]
 
 
 def _whole_ellipse(beziers: list[npt.NDArray[np.float64]]) -> Curve | None:

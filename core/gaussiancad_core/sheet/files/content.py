@@ -21,7 +21,7 @@ VECTOR_DPI = 200.0
 MAX_PAGES = 1000
 """Pages of a file over which it is no drawing."""
 
-MAX_ELEMENTS = 300_000
+MAX_ELEMENTS = 100_000
 """Lines and other elements of a vector page, blocks and reused parts counted as often as shown."""
 
 Grey = npt.NDArray[np.uint8]
@@ -95,7 +95,8 @@ def too_many_pages(path: Path, count: int) -> UnreadableError:
     """The error for a file of more pages than any set of drawings has."""
     return UnreadableError(
         "too-many-pages",
-        f"{path} has {count} pages, at most {MAX_PAGES} are read: save the sheet in a file by itself",
+        f"{path} has {count} pages, at most {MAX_PAGES} are read: "
+        "save the sheet in a file by itself",
     )
 
 

@@ -36,9 +36,7 @@ def to_point(value: Vector) -> Point:
     return float(value[0]), float(value[1])
 
 
-def affine_arc(
-    centre: Vector, u: Vector, v: Vector, start: float, sweep: float
-) -> Curve:
+def affine_arc(centre: Vector, u: Vector, v: Vector, start: float, sweep: float) -> Curve:
     """The arc ``centre + u cos t + v sin t``, ``t`` from ``start`` on, over a signed ``sweep``.
 
     Any affine image of a circle has this form.  It comes back as a circular arc where it is one,
@@ -65,9 +63,7 @@ def affine_arc(
         radius = float(sizes.mean())
         return CircularArc(to_point(centre), radius, wrapped(angle + tilt), sweep)
     major = to_point(axes[:, 0] * sizes[0])
-    return EllipticArc(
-        to_point(centre), major, float(sizes[1] / sizes[0]), wrapped(angle), sweep
-    )
+    return EllipticArc(to_point(centre), major, float(sizes[1] / sizes[0]), wrapped(angle), sweep)
 
 
 def wrapped(angle: float) -> float:
@@ -79,9 +75,7 @@ def wrapped(angle: float) -> float:
 def polygon_curves(points: npt.NDArray[np.float64]) -> list[Curve]:
     """A line for each piece of (n, 2) points that is longer than nothing."""
     return [
-        Line(to_point(a), to_point(b))
-        for a, b in pairwise(points)
-        if np.hypot(*(b - a)) > 1e-9
+        Line(to_point(a), to_point(b)) for a, b in pairwise(points) if np.hypot(*(b - a)) > 1e-9
     ]
 
 

@@ -13,11 +13,10 @@ from pathlib import Path
 
 import ezdxf
 import numpy as np
-from ezdxf import recover, units
+from ezdxf import recover
 from ezdxf.document import Drawing
 from ezdxf.entities import Viewport
 from ezdxf.layouts import Layout, Modelspace
-from ezdxf.lldxf.const import DXFError
 
 from gaussiancad_core.errors import LimitError, UnreadableError
 from gaussiancad_core.sheet.files.content import (
@@ -47,6 +46,20 @@ from gaussiancad_core.sheet.files.vectors import (
 _MAX_BYTES = 256_000_000
 
 _MM_PER_INCH = 25.4
+
+_INCHES = {
+    1: 1.0,
+    2: 12.0,
+    4: 1.0 / _MM_PER_INCH,
+    5: 10.0 / _MM_PER_INCH,
+    6: 1000.0 / _MM_PER_INCH,
+    8: 1e-6,
+    9: 1e-3,
+    10: 36.0,
+    13: 1e-3 / _MM_PER_INCH,
+    14: 100.0 / _MM_PER_INCH,
+}
+"""Value of $INSUNITS -> inches, for the units that papers may be given in (DXF reference)."""
 
 _MARGIN = 0.05
 """Blank border around a drawing without paper, as a share of its longest side."""
@@ -134,44 +147,32 @@ def _check_size(path: Path) -> None:
 
 def _load(path: Path) -> Drawing:
     logging.getLogger("ezdxf").setLevel(logging.CRITICAL)
+    # ezdxf's parsers let through whatever broken values raise.
     try:
         return ezdxf.readfile(path)
-    except (
-        DXFError,
-        OSError,
-        ValueError,
-        KeyError,
-        TypeError,
-        AttributeError,
-        IndexError,
-    ):
-        # Whatever the strict parser stumbled over, the lenient one may not.
-        pass
+    except MemoryError:
+        raise
+    except Exception:
+        return _recovered(path)
+
+
+def _recovered(path: Path) -> Drawing:
+    """What the lenient parser makes of a file that the strict one stumbled over."""
     try:
-        doc, _ = recover.readfile(path)
-    except (
-        DXFError,
-        OSError,
-        ValueError,
-        KeyError,
-        TypeError,
-        AttributeError,
-        IndexError,
-    ) as error:
+        return recover.readfile(path)[0]
+    except MemoryError:
+        raise
+    except Exception as error:
         raise UnreadableError(
-            "damaged-dxf",
-            f"{path} is no DXF file, or is damaged ({error}): save it again",
+            "damaged-dxf", f"{path} is no DXF file, or is damaged ({error}): save it again"
         ) from error
-    return doc
 
 
 def _page(doc: Drawing, path: Path, page: int) -> _Page:
     model = doc.modelspace()
     layouts: list[Layout] = [model] if len(model) else []
     names = [name for name in doc.layout_names_in_taborder() if name != model.name]
-    layouts += [
-        doc.layout(name) for name in names if _shows_anything(doc.layout(name), model)
-    ]
+    layouts += [doc.layout(name) for name in names if _shows_anything(doc.layout(name), model)]
     if not layouts:
         layouts = [model]
     if not 1 <= page <= len(layouts):
@@ -179,19 +180,13 @@ def _page(doc: Drawing, path: Path, page: int) -> _Page:
     layout = layouts[page - 1]
     exploder = Exploder(doc, path)
     if isinstance(layout, Modelspace):
-        return _Page(
-            exploder.explode(layout), _model_limits(doc), _inches_per_unit(doc)
-        )
-    found = exploder.explode(
-        entity for entity in layout if not isinstance(entity, Viewport)
-    )
+        return _Page(exploder.explode(layout), _model_limits(doc), _inches_per_unit(doc))
+    found = exploder.explode(entity for entity in layout if not isinstance(entity, Viewport))
     for viewport in _views_of_model(layout):
         shown = exploder.explode(model, viewport.get_transformation_matrix())
         low, high = viewport.clipping_rect()
         found.curves += [
-            drawn
-            for drawn in shown.curves
-            if _lies_in(drawn, (low.x, low.y, high.x, high.y))
+            drawn for drawn in shown.curves if _lies_in(drawn, (low.x, low.y, high.x, high.y))
         ]
         found.complete &= shown.complete
     inches = 1.0 if layout.dxf.get("plot_paper_units", 1) == 0 else 1.0 / _MM_PER_INCH
@@ -236,13 +231,8 @@ def _model_limits(doc: Drawing) -> Box | None:
 def _inches_per_unit(doc: Drawing) -> float | None:
     """Of model space; None where the file does not say."""
     try:
-        code = int(doc.header.get("$INSUNITS", 0))
-        return (
-            float(units.conversion_factor(units.InsertUnits(code), units.IN))
-            if code
-            else None
-        )
-    except (ValueError, TypeError, KeyError, ZeroDivisionError):
+        return _INCHES.get(int(doc.header.get("$INSUNITS", 0)))
+    except (ValueError, TypeError):
         return None
 
 
@@ -260,11 +250,7 @@ def _sheet_box(box: Box, limits: Box | None) -> Box:
             box[2] - limits[2],
             box[3] - limits[3],
         )
-        if (
-            paper > 0.0
-            and longest >= _LEAST_USE * paper
-            and max(over) <= _OVERHANG * paper
-        ):
+        if paper > 0.0 and longest >= _LEAST_USE * paper and max(over) <= _OVERHANG * paper:
             left, bottom, right, top = (
                 reach + _EDGE * paper if reach > 0.0 else 0.0 for reach in over
             )
@@ -278,9 +264,7 @@ def _sheet_box(box: Box, limits: Box | None) -> Box:
     return box[0] - margin, box[1] - margin, box[2] + margin, box[3] + margin
 
 
-def _sizing(
-    doc: Drawing, width: float, height: float, inches_per_unit: float | None
-) -> Sizing:
+def _sizing(doc: Drawing, width: float, height: float, inches_per_unit: float | None) -> Sizing:
     """200 dpi of the unit that the file names; if that makes no paper, of millimetres or inches."""
     if inches_per_unit is not None:
         sizing = size_drawing(width, height, inches_per_unit)

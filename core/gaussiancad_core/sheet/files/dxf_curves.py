@@ -70,17 +70,10 @@ def fill_outline(entity: DXFGraphic) -> list[Curve]:
 def hatch_outlines(hatch: Hatch) -> list[Curve]:
     """The outlines of a filled hatch."""
     try:
-        loops = [
-            np.array([(p.x, p.y) for p in _flattened(path)])
-            for path in from_hatch(hatch)
-        ]
+        loops = [np.array([(p.x, p.y) for p in _flattened(path)]) for path in from_hatch(hatch)]
     except _BROKEN:
         return []
-    return [
-        Chain(tuple(to_point(p) for p in (*loop, loop[0])))
-        for loop in loops
-        if len(loop) > 2
-    ]
+    return [Chain(tuple(to_point(p) for p in (*loop, loop[0]))) for loop in loops if len(loop) > 2]
 
 
 def hatch_lines(hatch: Hatch) -> Iterator[Curve | None]:
@@ -98,10 +91,7 @@ def hatch_lines(hatch: Hatch) -> Iterator[Curve | None]:
 
 
 def _flattened(path: BoundaryPath) -> Iterator[Vec3]:
-    size = max(
-        (vertex - path.start).magnitude
-        for vertex in (*path.control_vertices(), path.end)
-    )
+    size = max((vertex - path.start).magnitude for vertex in (*path.control_vertices(), path.end))
     return path.flattening(max(size, 1e-9) * _FLATNESS)
 
 
@@ -125,9 +115,7 @@ def _curves(entity: DXFGraphic) -> list[Curve]:
     if isinstance(entity, Spline):
         return _spline(entity)
     if isinstance(entity, Face3d):
-        return polygon_curves(
-            np.array([(p.x, p.y) for p in entity.wcs_vertices(close=True)])
-        )
+        return polygon_curves(np.array([(p.x, p.y) for p in entity.wcs_vertices(close=True)]))
     return []
 
 
@@ -161,12 +149,10 @@ def _spline(spline: Spline) -> list[Curve]:
     if size <= 0.0:
         return []
     points = np.array([(p.x, p.y) for p in spline.flattening(size * _FLATNESS)])
-    return (
-        [Chain(tuple(to_point(point) for point in points))] if len(points) > 1 else []
-    )
+    return [Chain(tuple(to_point(point) for point in points))] if len(points) > 1 else []
 
 
 def _is_finite(curve: Curve) -> bool:
     """Whether a curve has numbers and a size at all."""
-    points = curve.sample(np.inf)
+    points = np.array((curve.start, curve.end)) if isinstance(curve, Line) else curve.sample(np.inf)
     return bool(np.isfinite(points).all() and np.ptp(points, axis=0).max() > 0.0)

@@ -97,9 +97,7 @@ class Exploder:
         self._path = path
         self._found = Explosion()
 
-    def explode(
-        self, entities: Iterable[DXFGraphic], matrix: Matrix44 | None = None
-    ) -> Explosion:
+    def explode(self, entities: Iterable[DXFGraphic], matrix: Matrix44 | None = None) -> Explosion:
         """Curves and texts of entities, each mapped by ``matrix`` where there is one.
 
         Raises:
@@ -115,30 +113,32 @@ class Exploder:
     def _take(self, entity: DXFGraphic, parent: Look, depth: int) -> None:
         self._count()
         look = self._looks.of(entity, parent)
-        kind = entity.dxftype()
         if isinstance(entity, Insert):
             if depth < _DEEPEST and not self._looks.is_frozen(look):
                 self._take_block(entity, look, depth)
         elif not self._looks.is_shown(entity, look):
             return
-        elif kind in _ANNOTATIONS:
+        elif entity.dxftype() in _ANNOTATIONS:
             if depth < _DEEPEST:
-                self._take_all(
-                    parts(entity), replace(look, kind=_ANNOTATIONS[kind]), depth
-                )
-        elif kind in _POLYLINES:
+                inner = replace(look, kind=_ANNOTATIONS[entity.dxftype()])
+                self._take_all(parts(entity), inner, depth)
+        else:
+            self._take_simple(entity, look)
+
+    def _take_simple(self, entity: DXFGraphic, look: Look) -> None:
+        """Take an entity that holds no others but lines and arcs."""
+        kind = entity.dxftype()
+        if kind in _POLYLINES:
             self._take_polyline(entity, look)
         elif isinstance(entity, Hatch):
             self._take_hatch(entity, look)
         elif isinstance(entity, MText):
             self._found.texts += placed_paragraph(entity)
         elif isinstance(entity, Text):
-            if kind != "ATTDEF":
-                self._found.texts += placed_text(entity)
+            # An ATTDEF is only the pattern of a text.
+            self._found.texts += placed_text(entity) if kind != "ATTDEF" else []
         elif kind in ("SOLID", "TRACE"):
-            self._add(
-                fill_outline(entity), replace(look, kind=StrokeKind.FILL, dashes=())
-            )
+            self._add(fill_outline(entity), replace(look, kind=StrokeKind.FILL, dashes=()))
         elif kind in _UNDRAWN:
             self._found.complete = False
         else:
@@ -165,20 +165,14 @@ class Exploder:
             self._take(entity, look, depth + 1)
 
     def _take_polyline(self, entity: DXFGraphic, look: Look) -> None:
-        width = (
-            float(entity.dxf.get("const_width", 0.0))
-            if isinstance(entity, LWPolyline)
-            else 0.0
-        )
+        width = float(entity.dxf.get("const_width", 0.0)) if isinstance(entity, LWPolyline) else 0.0
         for part in parts(entity):
             self._count()
             self._add(entity_curves(part), look, width or None)
 
     def _take_hatch(self, hatch: Hatch, look: Look) -> None:
         if hatch.dxf.solid_fill:
-            self._add(
-                hatch_outlines(hatch), replace(look, kind=StrokeKind.FILL, dashes=())
-            )
+            self._add(hatch_outlines(hatch), replace(look, kind=StrokeKind.FILL, dashes=()))
             return
         inner = replace(look, kind=StrokeKind.HATCH, dashes=())
         for line in hatch_lines(hatch):

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 from ezdxf.document import Drawing
-from ezdxf.entities import DXFGraphic
+from ezdxf.entities import DXFGraphic, Linetype
 
 from gaussiancad_core.sheet.files.linetypes import role_by_name, stroke_role
 from gaussiancad_core.sheet.files.vectors import StrokeKind, StrokeRole
@@ -25,6 +25,7 @@ class Look:
         weight: line weight in mm, or None for the default one.
         kind: of what entity it is a part.
         role: what the names say.
+        inherited: what the names of the blocks around say of their solid lines, if anything.
     """
 
     layer: str = "0"
@@ -33,6 +34,7 @@ class Look:
     weight: float | None = None
     kind: StrokeKind = StrokeKind.GEOMETRY
     role: StrokeRole = StrokeRole.VISIBLE
+    inherited: StrokeRole | None = None
 
 
 class Looks:
@@ -41,10 +43,7 @@ class Looks:
     def __init__(self, doc: Drawing) -> None:
         self._layers = {layer.dxf.name.casefold(): layer for layer in doc.layers}
         self._patterns = {
-            linetype.dxf.name.casefold(): tuple(
-                abs(float(value)) for value in linetype.simplified_line_pattern()
-            )
-            for linetype in doc.linetypes
+            linetype.dxf.name.casefold(): _pattern(linetype) for linetype in doc.linetypes
         }
         self._scale = float(doc.header.get("$LTSCALE", 1.0)) or 1.0
 
@@ -57,20 +56,11 @@ class Looks:
         pattern = self._patterns.get(name.casefold(), ())
         scale = self._scale * (float(entity.dxf.get("ltscale", 1.0)) or 1.0)
         dashes = tuple(value * scale for value in pattern)
-        if len(dashes) % 2:
-            dashes += (0.0,)
-        if not any(dashes[1::2]):
-            dashes = ()
         role = stroke_role(name, layer, dashes)
-        if (
-            parent.kind is StrokeKind.BLOCK
-            and parent.role is not StrokeRole.VISIBLE
-            and not dashes
-        ):
-            role = parent.role
-        return Look(
-            layer, name, dashes, self._weight(entity, layer, parent), parent.kind, role
-        )
+        if parent.inherited is not None and not dashes:
+            role = parent.inherited
+        weight = self._weight(entity, layer, parent)
+        return Look(layer, name, dashes, weight, parent.kind, role, parent.inherited)
 
     def is_shown(self, entity: DXFGraphic, look: Look) -> bool:
         """Whether an entity is printed: it and its layer are on."""
@@ -107,10 +97,20 @@ class Looks:
         return weight / 100.0 if weight >= 0 else None
 
 
+def _pattern(linetype: Linetype) -> tuple[float, ...]:
+    """Lengths of dash and gap in turn; empty for a solid line, and for one of letters or shapes."""
+    lengths = [abs(float(value)) for value in linetype.simplified_line_pattern()]
+    total = sum(lengths)
+    # The pattern's stated length may differ from its parts' by a rounding error.
+    while lengths and len(lengths) % 2 == 0 and lengths[-1] <= 1e-9 * total:
+        lengths.pop()
+    if len(lengths) % 2 and len(lengths) > 1:
+        # It ends in a dash, with which the next repetition begins.
+        lengths[0] += lengths.pop()
+    return tuple(lengths) if sum(lengths[1::2]) > 0.0 else ()
+
+
 def inside_block(look: Look, block: str) -> Look:
     """The look that a block's parts inherit."""
-    if look.kind is not StrokeKind.GEOMETRY:
-        return look
-    return replace(
-        look, kind=StrokeKind.BLOCK, role=role_by_name(block) or StrokeRole.VISIBLE
-    )
+    kind = StrokeKind.BLOCK if look.kind is StrokeKind.GEOMETRY else look.kind
+    return replace(look, kind=kind, inherited=role_by_name(block) or look.inherited)

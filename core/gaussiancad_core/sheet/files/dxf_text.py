@@ -47,9 +47,7 @@ def placed_text(text: Text) -> list[PlacedText]:
         angle = float(np.arctan2(second.y - first.y, second.x - first.x))
         length = float(np.hypot(second.x - first.x, second.y - first.y)) or length
     points = text.ocs().to_wcs(first)
-    return _lines(
-        [content], (points.x, points.y), (column, row), (length, height), float(angle)
-    )
+    return _lines([content], (points.x, points.y), (column, row), (length, height), float(angle))
 
 
 def placed_paragraph(text: MText) -> list[PlacedText]:
@@ -62,18 +60,14 @@ def placed_paragraph(text: MText) -> list[PlacedText]:
     angle = float(np.radians(text.get_rotation()))
     insert = text.dxf.insert
     spacing = height * _LINE_SPACING * float(text.dxf.get("line_spacing_factor", 1.0))
-    return _lines(
-        lines, (insert.x, insert.y), anchor, (longest, height), angle, spacing
-    )
+    return _lines(lines, (insert.x, insert.y), anchor, (longest, height), angle, spacing=spacing)
 
 
 def _anchor(align: TextEntityAlignment) -> tuple[float, float]:
     """Where in its box a text is held: 0 is left and bottom, 1 right and top."""
     name = align.name
     row = next((value for word, value in _ROWS.items() if name.startswith(word)), 0.0)
-    column = next(
-        (value for word, value in _COLUMNS.items() if name.endswith(word)), 0.0
-    )
+    column = next((value for word, value in _COLUMNS.items() if name.endswith(word)), 0.0)
     return column, row
 
 
@@ -83,6 +77,7 @@ def _lines(
     anchor: tuple[float, float],
     size: tuple[float, float],
     angle: float,
+    *,
     spacing: float = 0.0,
 ) -> list[PlacedText]:
     """Lines under each other, the block of them held at its anchor; blank ones left out."""

@@ -73,16 +73,10 @@ def _arc_along(points: npt.NDArray[np.float64]) -> CircularArc | None:
     steps = np.diff(angles)
     sweep = float(angles[-1] - angles[0])
     one_way = (steps > 0.0).all() or (steps < 0.0).all()
-    if (
-        not one_way
-        or np.abs(steps).max() > _LARGEST_STEP
-        or abs(sweep) < SMALLEST_SWEEP
-    ):
+    if not one_way or np.abs(steps).max() > _LARGEST_STEP or abs(sweep) < SMALLEST_SWEEP:
         return None
     start = float(angles[0] if sweep > 0.0 else angles[-1])
-    return CircularArc(
-        to_point(centre), radius, wrapped(start), min(abs(sweep), FULL_TURN)
-    )
+    return CircularArc(to_point(centre), radius, wrapped(start), min(abs(sweep), FULL_TURN))
 
 
 def _ellipse_along(points: npt.NDArray[np.float64]) -> Curve | None:
@@ -92,9 +86,7 @@ def _ellipse_along(points: npt.NDArray[np.float64]) -> Curve | None:
     middle = points.mean(axis=0)
     size = float(np.abs(points - middle).max())
     x, y = ((points - middle) / size).T
-    conic = np.linalg.svd(
-        np.column_stack([x * x, x * y, y * y, x, y, np.ones_like(x)])
-    )[2][-1]
+    conic = np.linalg.svd(np.column_stack([x * x, x * y, y * y, x, y, np.ones_like(x)]))[2][-1]
     form = np.array([[conic[0], conic[1] / 2.0], [conic[1] / 2.0, conic[2]]])
     values, axes = np.linalg.eigh(form)
     if values.prod() <= 1e-6 * np.abs(values).max() ** 2:

@@ -14,7 +14,7 @@ from gaussiancad_core.errors import GaussianCadError, LimitError, UnreadableErro
 from gaussiancad_core.sheet.files.content import FileContent
 from gaussiancad_core.sheet.files.kinds import FileKind
 
-TIME_LIMIT = 90.0
+TIME_LIMIT = 60.0
 """Seconds.  A sheet takes one or two, the largest that are allowed some twenty."""
 
 MEMORY_LIMIT = 4 << 30

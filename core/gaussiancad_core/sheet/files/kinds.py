@@ -1,6 +1,7 @@
 """Tell the kind of a file by its first bytes; its name counts only where they say nothing."""
 
 import codecs
+import re
 from enum import Enum
 
 HEAD_BYTES = 4096
@@ -37,6 +38,8 @@ _RASTER_MAGIC = (
     b"BM",
 )
 
+_SVG_TAG = re.compile(r"<(?:\w+:)?svg[\s>]")
+
 _UNSUPPORTED = (
     (b"AC10", "DWG", "save it as DXF"),
     (b"%!PS", "PostScript", "save it as PDF"),
@@ -59,20 +62,14 @@ def detect(head: bytes, suffix: str) -> FileKind:
         head: its first bytes.
         suffix: of its name, with the dot, in any case; decides only where the bytes do not.
     """
-    if head.startswith(_RASTER_MAGIC) or (
-        head[:4] == b"RIFF" and head[8:12] == b"WEBP"
-    ):
+    text = _as_text(head).lstrip()
+    if head.startswith(_RASTER_MAGIC) or (head[:4] == b"RIFF" and head[8:12] == b"WEBP"):
         return FileKind.RASTER
     if b"%PDF-" in head[:1024]:
         return FileKind.PDF
-    if head.startswith(b"AutoCAD Binary DXF"):
-        return FileKind.DXF
-    if head.startswith(GZIP_MAGIC):
+    if head.startswith(GZIP_MAGIC) or (text.startswith("<") and _SVG_TAG.search(text)):
         return FileKind.SVG
-    text = _as_text(head).lstrip()
-    if text.startswith("<") and ("<svg" in text or ":svg" in text):
-        return FileKind.SVG
-    if _starts_like_dxf(text):
+    if head.startswith(b"AutoCAD Binary DXF") or _starts_like_dxf(text):
         return FileKind.DXF
     return VECTOR_SUFFIXES.get(suffix.lower(), FileKind.RASTER)
 

@@ -3,6 +3,7 @@
 A strip bounds the memory: resvg paints in four bytes a pixel and hands the picture over as PNG.
 """
 
+from collections.abc import Iterable
 from html import escape
 from io import BytesIO
 from typing import Any
@@ -17,7 +18,6 @@ from gaussiancad_core.sheet.files.vectors import (
     Chain,
     CircularArc,
     Curve,
-    EllipticArc,
     Line,
     StrokeKind,
     StrokeRole,
@@ -33,6 +33,9 @@ _DEFAULT_WIDTH = 2.0
 
 _THINNEST = 1.4
 """px: thinner lines fade to grey.  Other lines than edges are as thin if the file does not say."""
+
+_SAGITTA = 5e-3
+"""px by which chords leave their circle."""
 
 _PARTS = (StrokeKind.GEOMETRY, StrokeKind.BLOCK)
 
@@ -64,9 +67,7 @@ def render_svg(body: str, width: int, height: int, scale: float = 1.0) -> Grey:
             f'width="{width}" height="{len(strip)}" viewBox="{box}" preserveAspectRatio="none">'
             f"{body}</svg>"
         )
-        picture = resvg_py.svg_to_bytes(
-            svg_string=text, background="#ffffff", **_font_options()
-        )
+        picture = resvg_py.svg_to_bytes(svg_string=text, background="#ffffff", **_font_options())
         with Image.open(BytesIO(bytes(picture)), formats=("PNG",)) as image:
             strip[:] = np.asarray(image.convert("L"))
     return sheet
@@ -88,9 +89,7 @@ def _font_options() -> dict[str, Any]:
 
 def paint(drawing: VectorDrawing, width: int, height: int) -> Grey:
     """(height, width) grey picture of a drawing, black on white."""
-    parts = [
-        '<g fill="none" stroke="#000" stroke-linecap="round" stroke-linejoin="round">'
-    ]
+    parts = ['<g fill="none" stroke="#000" stroke-linecap="round" stroke-linejoin="round">']
     parts += [_element(stroke) for stroke in drawing.strokes]
     parts.append('</g><g font-family="sans-serif">')
     parts += [_text(text) for text in drawing.texts]
@@ -121,40 +120,18 @@ def _legible(dashes: tuple[float, ...], width: float) -> tuple[float, ...]:
 
 
 def _path(curve: Curve) -> str:
+    """A curve in chords: resvg's own arcs lie a tenth of a pixel beside the circle."""
     if isinstance(curve, Line):
         return _polygon((curve.start, curve.end))
     if isinstance(curve, Chain):
-        closed = curve.points[0] == curve.points[-1]
-        return _polygon(curve.points) + ("Z" if closed else "")
-    if isinstance(curve, CircularArc):
-        rx = ry = curve.radius
-        tilt = 0.0
+        points, closed = curve.points, curve.points[0] == curve.points[-1]
     else:
-        rx = float(np.hypot(*curve.major))
-        ry = rx * curve.ratio
-        tilt = float(np.degrees(np.arctan2(curve.major[1], curve.major[0])))
-    # Halves: an SVG arc cannot be a whole turn.
-    start, middle, end = _thirds(curve)
-    arcs = "".join(
-        f"A{rx:.5f} {ry:.5f} {tilt:.6f} 0 1 {x:.5f} {y:.5f}" for x, y in (middle, end)
-    )
-    return f"M{start[0]:.5f} {start[1]:.5f}{arcs}" + ("Z" if curve.is_full else "")
+        radius = curve.radius if isinstance(curve, CircularArc) else float(np.hypot(*curve.major))
+        points, closed = curve.sample(np.sqrt(8.0 * radius * _SAGITTA)), curve.is_full
+    return _polygon(points[:-1]) + "Z" if closed else _polygon(points)
 
 
-def _thirds(curve: CircularArc | EllipticArc) -> np.ndarray:
-    """(3, 2) start, middle and end of an arc."""
-    if isinstance(curve, CircularArc):
-        u = np.array([curve.radius, 0.0])
-        t = curve.start_angle + curve.sweep * np.array([0.0, 0.5, 1.0])
-        v = np.array([0.0, curve.radius])
-    else:
-        u = np.array(curve.major)
-        t = curve.start + curve.sweep * np.array([0.0, 0.5, 1.0])
-        v = curve.ratio * np.array([-u[1], u[0]])
-    return np.array(curve.centre) + np.cos(t)[:, None] * u + np.sin(t)[:, None] * v
-
-
-def _polygon(points: tuple[tuple[float, float], ...]) -> str:
+def _polygon(points: Iterable[tuple[float, float]]) -> str:
     return "M" + "L".join(f"{x:.5f} {y:.5f}" for x, y in points)
 
 

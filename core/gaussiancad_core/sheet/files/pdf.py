@@ -158,9 +158,7 @@ def _render(page: pdfium.PdfPage, width: int, height: int) -> Grey:
     bitmap = pdfium.PdfBitmap.new_native(width, height, raw.FPDFBitmap_Gray)
     try:
         bitmap.fill_rect((255, 255, 255, 255), 0, 0, width, height)
-        raw.FPDF_RenderPageBitmap(
-            bitmap, page, 0, 0, width, height, 0, raw.FPDF_GRAYSCALE
-        )
+        raw.FPDF_RenderPageBitmap(bitmap, page, 0, 0, width, height, 0, raw.FPDF_GRAYSCALE)
         return bitmap.to_numpy().reshape(height, width).copy()
     finally:
         bitmap.close()

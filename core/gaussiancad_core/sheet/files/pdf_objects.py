@@ -34,6 +34,9 @@ Affine = npt.NDArray[np.float64]
 _DEEPEST = 24
 """Forms in forms."""
 
+_WORD_GAP, _TEXT_GAP = 0.38, 0.8
+"""Distances over the height of the letters: from here on words are apart, and texts."""
+
 _MAX_SEGMENTS = 4 * MAX_ELEMENTS
 
 
@@ -114,9 +117,7 @@ def _take_all(
         elif kind == raw.FPDF_PAGEOBJ_FORM:
             if depth < _DEEPEST:
                 count = raw.FPDFFormObj_CountObjects(item)
-                parts = (
-                    raw.FPDFFormObj_GetObject(item, index) for index in range(count)
-                )
+                parts = (raw.FPDFFormObj_GetObject(item, index) for index in range(count))
                 _take_all(walk, parts, _composed(outer, _matrix(item)), depth + 1)
         else:
             walk.complete = False
@@ -136,13 +137,9 @@ def _composed(outer: Affine, inner: Affine) -> Affine:
     return linear
 
 
-def _path_strokes(
-    walk: _Walk, item: raw.FPDF_PAGEOBJECT, outer: Affine
-) -> list[VectorStroke]:
+def _path_strokes(walk: _Walk, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> list[VectorStroke]:
     fill, stroked = ctypes.c_int(), ctypes.c_int()
-    if not raw.FPDFPath_GetDrawMode(item, fill, stroked) or not (
-        fill.value or stroked.value
-    ):
+    if not raw.FPDFPath_GetDrawMode(item, fill, stroked) or not (fill.value or stroked.value):
         return []
     matrix = _composed(outer, _matrix(item))
     subpaths = _subpaths(walk, item, matrix)
@@ -158,9 +155,7 @@ def _path_strokes(
     dashes = tuple(length * scale for length in _dashes(item))
     width = ctypes.c_float()
     raw.FPDFPageObj_GetStrokeWidth(item, width)
-    role = (
-        role_by_dashes(dashes) if dashes else role_by_name(layer) or StrokeRole.UNKNOWN
-    )
+    role = role_by_dashes(dashes) if dashes else role_by_name(layer) or StrokeRole.UNKNOWN
     return [
         VectorStroke(curve, width.value * scale, dashes, role, layer)
         for pieces in subpaths
@@ -206,12 +201,14 @@ def _subpaths(
 def _outline(pieces: list[npt.NDArray[np.float64]]) -> Curve | None:
     """The closed chain around a filled area."""
     curves = curves_from_path(pieces, exact=False)
-    parts = [
-        curve.points if isinstance(curve, Chain) else curve.sample(np.inf)
-        for curve in curves
-    ]
+    parts = [curve.points if isinstance(curve, Chain) else curve.sample(np.inf) for curve in curves]
     points = [to_point(point) for part in parts for point in part[1:]]
-    return Chain((points[-1], *points)) if len(points) > 2 else None
+    if not points:
+        return None
+    first = to_point(pieces[0][0])
+    # Filling closes what the path leaves open.
+    ring = (first, *points) if points[-1] == first else (first, *points, first)
+    return Chain(ring) if len(ring) > 3 else None
 
 
 def _dashes(item: raw.FPDF_PAGEOBJECT) -> tuple[float, ...]:
@@ -255,7 +252,8 @@ def _texts(walk: _Walk, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> list[Vector
     raw.FPDFTextObj_GetText(item, walk.text_page, buffer, length)
     text = bytes(buffer).decode("utf-16-le", errors="replace").rstrip("\0")
     sides = [ctypes.c_float() for _ in range(4)]
-    if not text.strip() or not raw.FPDFPageObj_GetBounds(item, *sides):
+    text = text.strip()
+    if not text or not raw.FPDFPageObj_GetBounds(item, *sides):
         return []
     left, bottom, right, top = (side.value for side in sides)
     corners = np.array([(left, bottom), (right, bottom), (right, top), (left, top)])
@@ -275,7 +273,7 @@ def _joined(texts: list[VectorText]) -> list[VectorText]:
         if last is None or gap is None:
             joined.append(text)
             continue
-        space = " " if gap > 0.25 and not last.text.endswith(" ") else ""
+        space = " " if gap > _WORD_GAP else ""
         low = np.minimum(last.box[:2], text.box[:2])
         high = np.maximum(last.box[2:], text.box[2:])
         box: Box = (*to_point(low), *to_point(high))
@@ -297,10 +295,6 @@ def _gap(last: VectorText, text: VectorText) -> float | None:
     shift = abs(float((first @ across).mean() - (second @ across).mean()))
     gap = float((second @ along).min() - (first @ along).max())
     # Letters of unequal height have their middles apart.
-    if (
-        height <= 0.0
-        or shift > 0.5 * height
-        or not -0.3 * height <= gap <= 0.8 * height
-    ):
+    if height <= 0.0 or shift > 0.5 * height or not -0.3 * height <= gap <= 0.8 * height:
         return None
     return gap / height

@@ -7,7 +7,7 @@ from gaussiancad_core.sheet.files.content import MAX_PIXELS, VECTOR_DPI
 _SMALLEST, _LARGEST = 2.0, 104.0
 """Inches: longest side of what is taken for paper; twice A0 is 93.6 inches long."""
 
-_FREE_SIDE = 4000.0
+_FREE_SIDE = 3000.0
 """px: longest side of a drawing that is no paper."""
 
 

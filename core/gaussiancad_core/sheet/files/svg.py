@@ -152,8 +152,7 @@ def _view_box(root: Element) -> tuple[float, float] | None:
     """Width and height of the root's view box."""
     try:
         _, _, width, height = (
-            float(part)
-            for part in (root.get("viewBox") or "").replace(",", " ").split()
+            float(part) for part in (root.get("viewBox") or "").replace(",", " ").split()
         )
     except ValueError:
         return None

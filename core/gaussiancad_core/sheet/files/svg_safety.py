@@ -64,13 +64,9 @@ _KEPT_ASIDE = frozenset(["symbol", "marker", "mask", "clipPath", "pattern"])
 """Elements that are only drawn where others refer to them."""
 
 _FOREIGN_URL = re.compile(r"url\(\s*(['\"]?)\s*(?!#)[^)]*\)", re.IGNORECASE)
-_IMPORT = re.compile(
-    r"@(?:import|font-face|namespace)[^;{]*(?:;|\{[^}]*\})", re.IGNORECASE
-)
+_IMPORT = re.compile(r"@(?:import|font-face|namespace)[^;{]*(?:;|\{[^}]*\})", re.IGNORECASE)
 _FILTER = re.compile(r"(^|[;{\s])(?:-\w+-)?filter\s*:[^;}]*", re.IGNORECASE)
-_DATA_IMAGE = re.compile(
-    r"\s*data:image/(png|jpe?g|webp|bmp)[^,]*?(;base64)?,", re.IGNORECASE
-)
+_DATA_IMAGE = re.compile(r"\s*data:image/(png|jpe?g|webp|bmp)[^,]*?(;base64)?,", re.IGNORECASE)
 
 
 @dataclass
@@ -168,11 +164,7 @@ def _clean_tree(path: Path, safe: SafeSvg) -> None:
     bare = not safe.root.tag.startswith("{")
     for level in list(_levels(safe.root)):
         for element in level:
-            if (
-                bare
-                and isinstance(element.tag, str)
-                and not element.tag.startswith("{")
-            ):
+            if bare and isinstance(element.tag, str) and not element.tag.startswith("{"):
                 element.tag = SVG + element.tag
             _clean_attributes(safe, element)
             if element.tag == SVG + "style" and element.text:
@@ -226,9 +218,7 @@ def _picture_pixels(reference: str) -> int | None:
     try:
         if match[2]:
             payload = base64.b64decode(payload)
-        with Image.open(
-            BytesIO(payload), formats=("PNG", "JPEG", "WEBP", "BMP")
-        ) as image:
+        with Image.open(BytesIO(payload), formats=("PNG", "JPEG", "WEBP", "BMP")) as image:
             return image.width * image.height
     except (OSError, ValueError, binascii.Error, Image.DecompressionBombError):
         return None
@@ -272,9 +262,7 @@ def _drop_loops(path: Path, root: Element) -> None:
         open_elements.add(element)
         total = 1 + sum(size(child, depth + 1) for child in element)
         if element.tag == SVG + "use":
-            target = by_id.get(
-                (element.get("href") or element.get(XLINK_HREF) or "")[1:]
-            )
+            target = by_id.get((element.get("href") or element.get(XLINK_HREF) or "")[1:])
             if target in open_elements:
                 looping.append(element)
             elif target is not None:

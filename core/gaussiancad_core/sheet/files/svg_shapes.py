@@ -87,14 +87,9 @@ def _shape_strokes(shape: svgelements.Shape, scale: float) -> list[VectorStroke]
         width = _number(shape.stroke_width, 1.0) * growth
         dashes = tuple(value * growth for value in _dashes(shape))
         names = (layer, shape.values.get("class", ""), shape.values.get("id", ""))
-        named = next(
-            (role for name in names if (role := role_by_name(str(name or "")))), None
-        )
+        named = next((role for name in names if (role := role_by_name(str(name or "")))), None)
         role = role_by_dashes(dashes) if dashes else named or StrokeRole.UNKNOWN
-        return [
-            VectorStroke(curve, width, dashes, role, layer)
-            for curve in _curves(shape, matrix)
-        ]
+        return [VectorStroke(curve, width, dashes, role, layer) for curve in _curves(shape, matrix)]
     if _is_painted(shape.fill):
         return [
             VectorStroke(outline, None, (), StrokeRole.UNKNOWN, layer, StrokeKind.FILL)
@@ -139,9 +134,7 @@ def _curves(shape: svgelements.Shape, matrix: npt.NDArray[np.float64]) -> list[C
     run: list[npt.NDArray[np.float64]] = []
     arcs: list[svgelements.Arc] = []
     for segment in _segments(shape):
-        is_arc = (
-            isinstance(segment, svgelements.Arc) and min(segment.rx, segment.ry) > 0.0
-        )
+        is_arc = isinstance(segment, svgelements.Arc) and min(segment.rx, segment.ry) > 0.0
         if arcs and not (is_arc and _continues(arcs[-1], segment)):
             curves.append(_joined_arc(arcs, matrix))
             arcs = []
@@ -162,11 +155,7 @@ def _curves(shape: svgelements.Shape, matrix: npt.NDArray[np.float64]) -> list[C
 
 
 def _segments(shape: svgelements.Shape) -> list[svgelements.PathSegment]:
-    return [
-        segment
-        for segment in shape.segments(transformed=False)
-        if segment.end is not None
-    ]
+    return [segment for segment in shape.segments(transformed=False) if segment.end is not None]
 
 
 def _piece(
@@ -181,9 +170,7 @@ def _piece(
         start, control, end = (
             np.array([p.x, p.y]) for p in (segment.start, segment.control, segment.end)
         )
-        cubic = np.array(
-            [start, (start + 2 * control) / 3, (end + 2 * control) / 3, end]
-        )
+        cubic = np.array([start, (start + 2 * control) / 3, (end + 2 * control) / 3, end])
         return cubic @ matrix[:, :2].T + matrix[:, 2]
     else:
         points = [segment.start, segment.end]
@@ -216,9 +203,7 @@ def _joined_arc(arcs: list[svgelements.Arc], matrix: npt.NDArray[np.float64]) ->
         ]
     )
     sweep = sum(float(arc.sweep) for arc in arcs)
-    if abs(complex(arcs[-1].end) - complex(first.start)) <= _SAME_ARC * min(
-        first.rx, first.ry
-    ):
+    if abs(complex(arcs[-1].end) - complex(first.start)) <= _SAME_ARC * min(first.rx, first.ry):
         sweep = np.copysign(FULL_TURN, sweep)
     return _mapped_arc(matrix, centre, axes, float(first.get_start_t()), float(sweep))
 

@@ -61,9 +61,7 @@ class Line:
 
     def sample(self, step: float) -> npt.NDArray[np.float64]:
         """(n, 2) points along the curve, at most ``step`` apart, both ends included."""
-        return np.linspace(
-            self.start, self.end, max(2, int(np.ceil(self.length / step)) + 1)
-        )
+        return np.linspace(self.start, self.end, max(2, int(np.ceil(self.length / step)) + 1))
 
 
 @dataclass(frozen=True)
@@ -95,9 +93,7 @@ class CircularArc:
         """(n, 2) points along the curve, at most ``step`` apart, both ends included."""
         count = max(3, int(np.ceil(self.length / step)) + 1)
         angles = self.start_angle + np.linspace(0.0, self.sweep, count)
-        return np.array(self.centre) + self.radius * np.stack(
-            [np.cos(angles), np.sin(angles)], 1
-        )
+        return np.array(self.centre) + self.radius * np.stack([np.cos(angles), np.sin(angles)], 1)
 
 
 @dataclass(frozen=True)
