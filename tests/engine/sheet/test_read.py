@@ -5,6 +5,7 @@ import pytest
 from PIL import Image
 
 from gaussiancad_core.errors import UnreadableError
+from gaussiancad_core.sheet.files.vectors import CircularArc
 from gaussiancad_core.sheet.read import read_sheet
 
 
@@ -101,9 +102,65 @@ def test_unreadable_files(tmp_path: Path, picture: Image.Image, code: str) -> No
     assert str(path) in caught.value.message
 
 
-def test_folders_and_vector_files_are_told_apart(tmp_path: Path) -> None:
-    (tmp_path / "a.pdf").write_bytes(b"%PDF-1.7")
-    for path, code in ((tmp_path, "not-a-file"), (tmp_path / "a.pdf", "format-not-supported")):
-        with pytest.raises(UnreadableError) as caught:
-            read_sheet(path)
-        assert caught.value.code == code
+def test_folders_are_told(tmp_path: Path) -> None:
+    with pytest.raises(UnreadableError) as caught:
+        read_sheet(tmp_path)
+    assert caught.value.code == "not-a-file"
+
+
+SVG = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="2in" height="1in" viewBox="0 0 200 100">'
+    '<circle cx="100" cy="50" r="30" fill="none" stroke="black"/></svg>'
+)
+
+
+@pytest.mark.parametrize("name", ["a.svg", "a", "a.png", "图 b.pdf"])
+def test_the_content_tells_the_kind(tmp_path: Path, name: str) -> None:
+    path = tmp_path / name
+    path.write_text(SVG)
+    sheet = read_sheet(path)
+    assert sheet.grey.shape == (200, 400)
+    assert sheet.pixels_per_inch == 200.0
+    (stroke,) = sheet.vectors.strokes
+    assert stroke.curve == CircularArc((200.0, 100.0), 60.0, 0.0, 2 * np.pi)
+    assert len(sheet.sha256) == 64
+
+
+def test_dark_vector_drawings_are_inverted(tmp_path: Path) -> None:
+    dark = SVG.replace("<circle", '<rect width="200" height="100" fill="#013"/><circle')
+    (tmp_path / "a.svg").write_text(dark.replace('stroke="black"', 'stroke="white"'))
+    sheet = read_sheet(tmp_path / "a.svg")
+    assert sheet.grey[0, 0] > 200
+    assert sheet.grey[100, 140] < 60
+
+
+def test_images_have_no_vectors(tmp_path: Path, picture: Image.Image) -> None:
+    picture.save(tmp_path / "a.png")
+    sheet = read_sheet(tmp_path / "a.png")
+    assert sheet.vectors is None
+    assert sheet.notes == ()
+
+
+def test_what_was_left_out_is_noted(tmp_path: Path) -> None:
+    (tmp_path / "a.svg").write_text(SVG.replace("<circle", '<image href="b.png"/><circle'))
+    assert [note.code for note in read_sheet(tmp_path / "a.svg").notes] == ["external-left-out"]
+
+
+@pytest.mark.parametrize(
+    ("name", "data", "code"),
+    [
+        ("a.pdf", b"%PDF-1.7", "damaged-pdf"),
+        ("a.pdf", b"hello", "damaged-pdf"),
+        ("a.svg", b"hello", "damaged-svg"),
+        ("a.dxf", b"hello", "damaged-dxf"),
+        ("a.dwg", b"AC1032 hello", "format-not-supported"),
+        ("a.png", b"AC1032 hello", "format-not-supported"),
+        ("a.pdf", b"", "empty-file"),
+    ],
+)
+def test_bad_vector_files(tmp_path: Path, name: str, data: bytes, code: str) -> None:
+    (tmp_path / name).write_bytes(data)
+    with pytest.raises(UnreadableError) as caught:
+        read_sheet(tmp_path / name)
+    assert caught.value.code == code
+    assert str(tmp_path / name) in caught.value.message

@@ -42,7 +42,8 @@ def read_raster(path: Path, page: int) -> FileContent:
     """
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+            # Of large images, and of tags that make no difference.
+            warnings.simplefilter("ignore")
             with Image.open(path, formats=_FORMATS) as image:
                 check_pixels(path, image.width, image.height)
                 _select_page(path, image, page)
@@ -67,16 +68,21 @@ def read_raster(path: Path, page: int) -> FileContent:
 
 
 def _select_page(path: Path, image: Image.Image, page: int) -> None:
-    """Seek to the page; the number of pages is only counted if there is no such page."""
+    """Seek to the page; how many there are is only counted if there is no such page."""
+    if page > MAX_PAGES:
+        raise too_many_pages(path, _count_pages(path))
     try:
         if page < 1:
             raise EOFError
-        if page > MAX_PAGES:
-            raise too_many_pages(path, getattr(image, "n_frames", 1))
         if page > 1:
             image.seek(page - 1)
     except EOFError:
-        raise page_missing(path, getattr(image, "n_frames", 1), page) from None
+        raise page_missing(path, _count_pages(path), page) from None
+
+
+def _count_pages(path: Path) -> int:
+    with Image.open(path, formats=_FORMATS) as image:
+        return getattr(image, "n_frames", 1)
 
 
 def _to_grey(image: Image.Image) -> Grey:
@@ -84,12 +90,12 @@ def _to_grey(image: Image.Image) -> Grey:
     image = ImageOps.exif_transpose(image)
     if image.mode.startswith("I") or image.mode == "F":
         return _scaled(np.asarray(image), sixteen_bits=image.mode.startswith("I;16"))
+    if image.mode == "LAB":
+        image = image.getchannel(0)
     if "A" in image.getbands() or "transparency" in image.info:
         rgba = image.convert("RGBA")
         paper = Image.new("RGBA", rgba.size, "white")
         image = Image.alpha_composite(paper, rgba)
-    if image.mode == "LAB":
-        image = image.getchannel(0)
     return np.array(image.convert("L"))
 
 
