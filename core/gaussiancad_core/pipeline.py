@@ -24,11 +24,14 @@ from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
 from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
 from gaussiancad_core.report import GaussiansReport, Report, SurfaceReport, ViewReport
+from gaussiancad_core.sheet.annotations.marks import Mark
+from gaussiancad_core.sheet.annotations.separate import separate_annotations
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.layout import Layout, find_layout
+from gaussiancad_core.sheet.layout import Layout
+from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.sheet.reading import RegisteredSheet, read_views, register_views
+from gaussiancad_core.sheet.reading import RegisteredSheet, find_views, read_views, register_views
 from gaussiancad_core.splatting.training import TrainingResult
 from gaussiancad_core.verification.agreement import MatchedLines
 from gaussiancad_core.views import ViewSet
@@ -112,6 +115,7 @@ class _Run:
         self.folder = folder
         self.progress = progress
         self.report = Report("", job.settings())
+        self.marks: tuple[Mark, ...] = ()
 
     def all_stages(self) -> Report:
         """Read, reconstruct, check and write."""
@@ -181,10 +185,12 @@ class _Run:
         reading = self.job.reading
         with self._stage("views"):
             given = {role: clean.turn.box_to_upright(box) for role, box in reading.views}
-            layout = find_layout(clean.ink, given, reading.projection)
+            separated = separate_annotations(clean)
+            self._tell_marks(separated.marks, clean.turn)
+            part, layout = find_views(clean, separated, given, reading.projection)
             self._tell_layout(layout, clean.turn)
         with self._stage("lines"):
-            drawn = read_views(clean, layout, self.progress)
+            drawn = read_views(part, layout, self.progress)
             boxes = {view.role: ViewReport(view.stored_box(clean.turn)) for view in drawn}
             self.report = replace(self.report, views=boxes)
         with self._stage("masks"):
@@ -194,6 +200,13 @@ class _Run:
             registered = register_views(drawn, options)
             self._tell_registration(registered)
         return registered
+
+    def _tell_marks(self, marks: tuple[Mark, ...], turn: Turn) -> None:
+        kinds: dict[str, list[Box]] = {}
+        for mark in marks:
+            kinds.setdefault(mark.kind.value, []).append(turn.box_to_stored(mark.box))
+        self.marks = marks
+        self.report = replace(self.report, annotations=kinds)
 
     def _tell_layout(self, layout: Layout, turn: Turn) -> None:
         self.report = replace(
@@ -334,7 +347,9 @@ class _Run:
             for view, match in zip(views.views, matched, strict=True)
         ]
         staging = self.folder.staging
-        (staging / "overlay.png").write_bytes(png_bytes(draw_overlay(clean.picture, overlays)))
+        (staging / "overlay.png").write_bytes(
+            png_bytes(draw_overlay(clean.picture, overlays, self.marks))
+        )
         colour = self.job.reading.colour
         (staging / "preview.png").write_bytes(png_bytes(render_preview(surface, colour)))
         self.progress.listener.send("preview", path=str((staging / "preview.png").resolve()))

@@ -81,6 +81,7 @@ class Report:
         projection, projection_source, projection_alternatives: reading of the arrangement.
         views: by role.
         scale_mm_per_pixel, scale_source: of sheet pixels.
+        annotations: boxes in sheet px of what is not the part, by kind.
         tolerance_px: within which lines were matched.
     """
 
@@ -94,6 +95,7 @@ class Report:
     projection_source: str = "default"
     projection_alternatives: tuple[Projection, ...] = ()
     views: dict[Role, ViewReport] = field(default_factory=dict)
+    annotations: dict[str, list[tuple[float, float, float, float]]] = field(default_factory=dict)
     tolerance_px: float = 0.0
     scale_mm_per_pixel: float | None = None
     scale_source: str = "default"
@@ -122,6 +124,10 @@ class Report:
             "projection_source": self.projection_source,
             "projection_alternatives": [p.value for p in self.projection_alternatives],
             "views": {role.value: view.as_json() for role, view in self.views.items()},
+            "annotations": {
+                kind: [[round(value, 1) for value in box] for box in boxes]
+                for kind, boxes in self.annotations.items()
+            },
             "tolerance_px": self.tolerance_px,
             "scale_mm_per_pixel": self.scale_mm_per_pixel,
             "scale_source": self.scale_source,

@@ -5,11 +5,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.layout import Layout
+from gaussiancad_core.sheet.layout import Layout, find_layout
 from gaussiancad_core.sheet.masks import Outline, Region, find_outline, supersampling_for
 from gaussiancad_core.sheet.options import Box, ReadingOptions
 from gaussiancad_core.sheet.registration import (
@@ -72,6 +73,35 @@ class RegisteredSheet:
     mm_per_pixel: float
     extents: AxisExtents
     opened: int
+
+
+def find_views(
+    sheet: CleanSheet,
+    separated: SeparatedSheet,
+    given: dict[Role, Box],
+    projection: Projection | None,
+) -> tuple[CleanSheet, Layout]:
+    """The ink to read and the views in it: the part's ink, or all of it where too little is left.
+
+    Args:
+        sheet: upright.
+        separated: the same without its annotations.
+        given: boxes that the user named, in px of the upright sheet.
+        projection: as told by the user, or nothing.
+
+    Raises:
+        NoModelError: see :func:`gaussiancad_core.sheet.layout.find_layout`.
+        UsageError: a given box holds no ink.
+    """
+    try:
+        return separated.part, find_layout(separated.part.ink, given, projection)
+    except NoModelError as error:
+        if not separated.marks:
+            raise
+        try:
+            return sheet, find_layout(sheet.ink, given, projection)
+        except NoModelError:
+            raise error from None
 
 
 def read_views(

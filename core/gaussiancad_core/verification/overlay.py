@@ -10,6 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.axes import Axis
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.verification.agreement import MatchedLines
 from gaussiancad_core.verification.lettering import put_text, text_image
 from gaussiancad_core.views import View
@@ -29,6 +31,23 @@ _LEGEND = (
     (_MISSING, "on the sheet only"),
     (_EXTRA, "in the result only"),
 )
+
+_MARKS = {
+    "frame, title block": (
+        (150, 150, 150),
+        (AnnotationKind.FRAME, AnnotationKind.TITLE_BLOCK, AnnotationKind.SYMBOL),
+    ),
+    "writing": ((127, 96, 170), (AnnotationKind.TEXT,)),
+    "dimensions": (
+        (128, 128, 0),
+        (AnnotationKind.DIMENSION, AnnotationKind.EXTENSION, AnnotationKind.LEADER),
+    ),
+    "centre lines": (
+        (0, 158, 115),
+        (AnnotationKind.CENTRE_LINE, AnnotationKind.CENTRE_MARK),
+    ),
+}
+"""What is not the part, in groups that share a colour."""
 
 _INK = 0.32
 """How much of the sheet's own contrast remains."""
@@ -65,12 +84,13 @@ class ViewOverlay:
         )
 
 
-def draw_overlay(sheet: Image, views: Sequence[ViewOverlay]) -> Image:
-    """Draw the views' lines over the sheet.
+def draw_overlay(sheet: Image, views: Sequence[ViewOverlay], marks: Sequence[Mark] = ()) -> Image:
+    """Draw the views' lines over the sheet, and what was taken off it.
 
     Args:
-        sheet: (h, w) grey or (h, w, 3) RGB, as stored.
+        sheet: (h, w) grey or (h, w, 3) RGB, upright.
         views: whose boxes are in pixels of that sheet.
+        marks: annotations in pixels of that sheet.
 
     Returns:
         (h2, w2, 3) RGB with a legend below; larger sheets are reduced to 4000 px.
@@ -86,6 +106,11 @@ def draw_overlay(sheet: Image, views: Sequence[ViewOverlay]) -> Image:
 
     width = max(1, round(max(picture.shape) / 900))
     letters = max(12, round(max(picture.shape) / 90))
+    legend = list(_LEGEND)
+    for label, (colour, kinds) in _MARKS.items():
+        own = [mark for mark in marks if mark.kind in kinds]
+        _draw_marks(picture, own, scale, colour)
+        legend += [(colour, label)] if own else []
     layers = [_layers(view) for view in views]
     for number, colour in ((1, _HIDDEN), (0, _VISIBLE), (3, _EXTRA), (2, _MISSING)):
         strong = width + (1 if colour in (_MISSING, _EXTRA) else 0)
@@ -93,7 +118,7 @@ def draw_overlay(sheet: Image, views: Sequence[ViewOverlay]) -> Image:
             _paint(picture, view.to_sheet(parts[number]) * scale, colour, strong)
     for view in views:
         _frame(picture, view.view, scale, letters)
-    return _with_legend(picture, letters)
+    return _with_legend(picture, legend, letters)
 
 
 def _range(axis: tuple[Axis, int], size: tuple[float, float, float]) -> tuple[float, float]:
@@ -151,9 +176,21 @@ def _frame(picture: Image, view: View, scale: float, letters: int) -> None:
     put_text(picture, name, start[0], start[1] - name.shape[0] - 2)
 
 
-def _with_legend(picture: Image, letters: int) -> Image:
+def _draw_marks(picture: Image, marks: Sequence[Mark], scale: float, colour: Colour) -> None:
+    """Lines as lines, all else as boxes."""
+    import cv2
+
+    for mark in marks:
+        x0, y0, x1, y1 = mark.box
+        start, end = mark.line or ((x0, y0), (x1, y1))
+        ends = [(round(x * scale), round(y * scale)) for x, y in (start, end)]
+        draw = cv2.line if mark.line else cv2.rectangle
+        draw(picture, ends[0], ends[1], colour, 1)
+
+
+def _with_legend(picture: Image, legend: Sequence[tuple[Colour, str]], letters: int) -> Image:
     """The picture with a strip below it that names the colours."""
-    entries = [(colour, text_image(label, letters)) for colour, label in _LEGEND]
+    entries = [(colour, text_image(label, letters)) for colour, label in legend]
     gap, sample = letters, 2 * letters
     needed = sum(sample + gap // 2 + text.shape[1] + 2 * gap for _, text in entries)
     width = max(picture.shape[1], needed)

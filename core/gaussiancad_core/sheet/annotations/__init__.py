@@ -1,0 +1,1 @@
+"""What stands on a sheet beside the part's own lines: found, named, and taken off."""

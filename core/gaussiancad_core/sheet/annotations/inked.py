@@ -1,0 +1,147 @@
+"""Shapes of a whole sheet with their runs of ink, and how wide the ink of each run is."""
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+import numpy.typing as npt
+from scipy.ndimage import median_filter
+
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.geometry import Circle, Line
+from gaussiancad_core.sheet.growth import Grown
+from gaussiancad_core.sheet.ridges import RidgePoints
+from gaussiancad_core.sheet.runs import InkField, Run, circle_runs, line_runs
+from gaussiancad_core.sheet.shapes import sample
+
+_BEYOND = 3.0
+"""px by which a shape is looked at beyond its last ridge point."""
+
+_STEADY = 6
+"""px on either side over which a width is made steady."""
+
+_EDGE = 10.0
+"""Length from which a wide stretch is an edge and no arrowhead, in widths of a line."""
+
+_CLEAR = 0.3
+"""Ink at the end of a profile from which another stroke disturbs it."""
+
+
+@dataclass(frozen=True)
+class InkedRun:
+    """A run of ink along a shape.
+
+    Attributes:
+        run: where it is.
+        width: px of ink across it; nothing where other strokes are everywhere beside it.
+    """
+
+    run: Run
+    width: float | None
+
+
+@dataclass(frozen=True)
+class InkedShape:
+    """A line or circle with its runs in order.
+
+    Attributes:
+        geometry: in px, centres of pixels at integers.
+        runs: of ink.
+    """
+
+    geometry: Line | Circle
+    runs: tuple[InkedRun, ...]
+
+
+def inked_shape(
+    sheet: CleanSheet, field: InkField, ridges: RidgePoints, grown: Grown
+) -> InkedShape:
+    """Cut a shape into its runs and measure them."""
+    geometry = grown.geometry
+    if isinstance(geometry, Line):
+        along, _ = geometry.coordinates(ridges.points[grown.members])
+        runs = line_runs(field, geometry, along.min() - _BEYOND, along.max() + _BEYOND)
+    else:
+        runs = circle_runs(field, geometry)
+    return InkedShape(
+        geometry, tuple(InkedRun(run, _run_width(sheet, geometry, run)) for run in runs)
+    )
+
+
+def points_along(geometry: Line | Circle, run: Run, step: float) -> npt.NDArray[np.float64]:
+    """(n, 2) px along a run, both ends included."""
+    along = np.linspace(run.start, run.end, max(2, int(np.ceil(run.length / step)) + 1))
+    if isinstance(geometry, Line):
+        return np.array(geometry.point) + along[:, None] * np.array(geometry.direction)
+    angles = along / geometry.radius
+    radial = np.stack([np.cos(angles), np.sin(angles)], 1)
+    return np.array(geometry.centre) + geometry.radius * radial
+
+
+def normals_along(geometry: Line | Circle, run: Run, step: float) -> npt.NDArray[np.float64]:
+    """(n, 2) unit normals at the points of :func:`points_along`."""
+    points = points_along(geometry, run, step)
+    if isinstance(geometry, Line):
+        normal = np.array([-geometry.direction[1], geometry.direction[0]])
+        return np.broadcast_to(normal, points.shape)
+    return (points - np.array(geometry.centre)) / geometry.radius
+
+
+def split_by_width(sheet: CleanSheet, shape: InkedShape, limit: float) -> InkedShape:
+    """The shape with runs cut where their ink gets wider or narrower than a limit in px: where an
+    extension line goes on as an edge."""
+    runs: list[InkedRun] = []
+    for run in shape.runs:
+        widths = _widths(sheet, shape.geometry, run.run)
+        known = np.flatnonzero(np.isfinite(widths))
+        if len(known) < 2:
+            runs.append(run)
+            continue
+        # Where another stroke is beside it, the run is as wide as next to there.
+        filled = np.interp(np.arange(len(widths)), known, widths[known])
+        smooth = median_filter(filled, 2 * _STEADY + 1, mode="nearest")
+        narrow = _without_short(smooth < limit, _EDGE * limit)
+        cuts = np.flatnonzero(np.diff(narrow)) + 0.5
+        ends = run.run.start + run.run.length * np.array([0, *cuts, len(widths) - 1]) / (
+            len(widths) - 1
+        )
+        for k in range(len(ends) - 1):
+            part = Run(float(ends[k]), float(ends[k + 1]))
+            middle = (cuts[k - 1] if k else 0, cuts[k] if k < len(cuts) else len(widths) - 1)
+            own = filled[int(np.ceil(middle[0])) : int(np.floor(middle[1])) + 1]
+            runs.append(InkedRun(part, float(np.median(own))))
+    return InkedShape(shape.geometry, tuple(runs))
+
+
+def _without_short(narrow: npt.NDArray[np.bool_], shortest: float) -> npt.NDArray[np.bool_]:
+    """Narrow places; wide stretches beside them that are shorter than an edge are arrowheads."""
+    result = narrow.copy()
+    borders = [0, *(np.flatnonzero(np.diff(narrow)) + 1), len(narrow)]
+    if len(borders) == 2:
+        return result
+    for start, end in pairwise(borders):
+        if not narrow[start] and end - start < shortest:
+            result[start:end] = True
+    return result
+
+
+def _run_width(sheet: CleanSheet, geometry: Line | Circle, run: Run) -> float | None:
+    """The median width of a run's ink where no other stroke is beside it."""
+    widths = _widths(sheet, geometry, run)
+    known = np.isfinite(widths)
+    return float(np.median(widths[known])) if known.any() else None
+
+
+def _widths(sheet: CleanSheet, geometry: Line | Circle, run: Run) -> npt.NDArray[np.float64]:
+    """(n,) px of ink across a run, about every px; NaN where another stroke is beside it."""
+    reach = 1.25 * sheet.stroke_width + 2.5
+    offsets = np.arange(-reach, reach + 0.25, 0.5)
+    points = points_along(geometry, run, 1.0)
+    normals = normals_along(geometry, run, 1.0)
+    profile = sample(
+        sheet.weight,
+        points[:, :1] + normals[:, :1] * offsets,
+        points[:, 1:] + normals[:, 1:] * offsets,
+    )
+    clear = np.maximum(profile[:, 0], profile[:, -1]) < _CLEAR
+    return np.where(clear, profile.sum(1) * 0.5, np.nan)

@@ -1,0 +1,163 @@
+"""Which lines of a sheet are the part's, told by their weight and their rhythm (ISO 128-2).
+
+Visible edges are wide and continuous, hidden ones dashed.  Narrow continuous lines are dimension,
+extension and leader lines; lines of long and short dashes in turn are centre lines.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
+from gaussiancad_core.sheet.runs import Rhythm, learn_rhythm
+
+_SOLID_PX = 20.0
+"""px of a run that says how wide continuous lines are."""
+
+_CONTRAST = 1.3
+"""Least ratio of the widths of wide and narrow lines (ISO 128-2 asks for 2, many take 1.4)."""
+
+_APART = 2.0
+"""Spreads by which the two families of widths differ at least."""
+
+_LEAST_SHARE = 0.1
+"""Share of the lines' length that either family has at least."""
+
+_SHORT = 0.45
+"""Length of the short dashes of a centre line, as a share of the long ones, at most."""
+
+_ALTERNATING = 0.75
+"""Share of a centre line's neighbouring dashes of which one is long and one short."""
+
+
+@dataclass(frozen=True)
+class Weights:
+    """The widths of a sheet's continuous lines.
+
+    Attributes:
+        visible: px, of the part's edges.
+        limit: px under which a continuous line is narrow; 0 where all lines are of one width.
+    """
+
+    visible: float
+    limit: float
+
+
+def line_weights(shapes: Sequence[InkedShape], stroke_width: float) -> Weights:
+    """Learn from a sheet's continuous runs whether it has wide and narrow lines."""
+    pairs = [
+        (own.width, own.run.length)
+        for shape in shapes
+        for own in shape.runs
+        if own.width is not None and own.run.length > _SOLID_PX
+    ]
+    if not pairs:
+        return Weights(stroke_width, 0.0)
+    widths, lengths = np.array(pairs).T
+    order = np.argsort(widths)
+    widths, lengths = widths[order], lengths[order]
+    limit = _valley(widths, lengths)
+    wide = widths >= limit
+    middle = np.searchsorted(np.cumsum(lengths[wide]), lengths[wide].sum() / 2)
+    return Weights(float(widths[wide][min(middle, wide.sum() - 1)]), limit)
+
+
+def _valley(widths: np.ndarray, lengths: np.ndarray) -> float:
+    """The width between two families of widths (Otsu 1979), or 0 where there is but one."""
+    total = lengths.sum()
+    below = np.cumsum(lengths)[:-1]
+    sums = np.cumsum(lengths * widths)[:-1]
+    distinct = np.diff(widths) > 1e-6
+    if not distinct.any():
+        return 0.0
+    above = total - below
+    low, high = sums / below, ((lengths * widths).sum() - sums) / above
+    between = np.where(distinct, below * above * (high - low) ** 2, -1.0)
+    cut = int(np.argmax(between))
+    if min(below[cut], above[cut]) < _LEAST_SHARE * total or high[cut] < _CONTRAST * low[cut]:
+        return 0.0
+    first, second = slice(0, cut + 1), slice(cut + 1, None)
+    spread = sum(
+        float(np.sqrt(np.average((widths[part] - mean) ** 2, weights=lengths[part])))
+        for part, mean in ((first, low[cut]), (second, high[cut]))
+    )
+    if high[cut] - low[cut] < _APART * spread:
+        return 0.0
+    # Nearer to the narrow ones: a wide line that was scanned faintly stays the part's.
+    return float(low[cut] + 0.45 * (high[cut] - low[cut]))
+
+
+def kinds_of_runs(
+    shapes: Sequence[InkedShape], weights: Weights, stroke_width: float
+) -> list[list[AnnotationKind | None]]:
+    """For each run of each shape what annotation it is, or nothing where it is the part's."""
+    kinds: list[list[AnnotationKind | None]] = [[None] * len(shape.runs) for shape in shapes]
+    rest: list[list[InkedRun]] = []
+    for shape, own in zip(shapes, kinds, strict=True):
+        for first, last in _groups(shape.runs, stroke_width, weights.limit):
+            if is_long_short([run.run.length for run in shape.runs[first:last]]):
+                own[first:last] = [AnnotationKind.CENTRE_LINE] * (last - first)
+        rest.append([run for run, kind in zip(shape.runs, own, strict=True) if kind is None])
+    if not weights.limit:
+        return kinds
+    rhythm = learn_rhythm([[run.run for run in runs] for runs in rest], stroke_width)
+    for shape, own in zip(shapes, kinds, strict=True):
+        for k, run in enumerate(shape.runs):
+            narrow = run.width is not None and run.width < weights.limit
+            if own[k] is None and narrow and not _is_dash(shape.runs, k, rhythm):
+                own[k] = AnnotationKind.EXTENSION
+        _spread(own, shape.runs, weights.limit)
+    return kinds
+
+
+def _spread(own: list[AnnotationKind | None], runs: Sequence[InkedRun], limit: float) -> None:
+    """Narrow runs between two of an annotation are of it as well, in place."""
+    for k in range(1, len(own) - 1):
+        between = own[k - 1] is not None and own[k + 1] is not None
+        if own[k] is None and between and not _is_wide(runs[k], limit):
+            own[k] = own[k - 1]
+
+
+def is_long_short(lengths: Sequence[float]) -> bool:
+    """Whether dashes are long and short in turn, as those of a centre line."""
+    if len(lengths) < 3:
+        return False
+    longest = np.median(sorted(lengths)[len(lengths) // 2 :])
+    short = np.array(lengths) < _SHORT * longest
+    # The pattern starts and ends with a long dash, but a crossing may cut one.
+    inner = short[1:-1]
+    turns = short[1:] != short[:-1]
+    mixed = inner.any() and (not inner.all() or len(inner) == 1)
+    return bool(mixed) and bool(turns.mean() >= _ALTERNATING)
+
+
+def _groups(runs: Sequence[InkedRun], stroke_width: float, limit: float) -> list[tuple[int, int]]:
+    """First and one past the last of runs that follow each other at gaps of a dashed line, wide and
+    narrow ones apart."""
+    widest = max(12.0, 5.0 * stroke_width)
+    groups, first = [], 0
+    for k in range(1, len(runs) + 1):
+        if k < len(runs):
+            far = runs[k].run.start - runs[k - 1].run.end > widest
+            if not far and _is_wide(runs[k], limit) == _is_wide(runs[k - 1], limit):
+                continue
+        groups.append((first, k))
+        first = k
+    return groups
+
+
+def _is_wide(run: InkedRun, limit: float) -> bool:
+    return bool(limit) and run.width is not None and run.width >= limit
+
+
+def _is_dash(runs: Sequence[InkedRun], k: int, rhythm: Rhythm) -> bool:
+    """Whether a run is a dash of a hidden line: of the sheet's length, with another beside it."""
+    own = runs[k].run
+    if own.length > 1.75 * rhythm.dash:
+        return False
+    gap = 2.2 * rhythm.gap + 2.0
+    before = k > 0 and own.start - runs[k - 1].run.end <= gap
+    after = k + 1 < len(runs) and runs[k + 1].run.start - own.end <= gap
+    return before or after

@@ -1,0 +1,172 @@
+"""A sheet taken apart: the part's ink, and the annotations."""
+
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.frame import find_frame
+from gaussiancad_core.sheet.annotations.inked import (
+    InkedShape,
+    inked_shape,
+    points_along,
+    split_by_width,
+)
+from gaussiancad_core.sheet.annotations.lines import kinds_of_runs, line_weights
+from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
+from gaussiancad_core.sheet.annotations.text import find_letters
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.geometry import Circle
+from gaussiancad_core.sheet.growth import Grown, GrowthRules, grow_shapes
+from gaussiancad_core.sheet.ridges import RidgePoints, ridge_points
+from gaussiancad_core.sheet.runs import ink_field
+
+_LETTER_SHARE = 0.04
+"""Shapes longer than this share of the sheet's longest side are no parts of letters."""
+
+_WHOLE = 0.85
+"""Share of a circle that is drawn at least, for it to be one by itself."""
+
+_DASHED = 0.45
+"""Share of a dashed shape that is ink at least: a line that meets letters by chance has less."""
+
+_DIRECTIONS = 48
+"""Sectors of a circle."""
+
+_LOOP = 0.36
+"""Radius of a circle as a share of its piece of ink: a loop of a letter has less."""
+
+_DASHES = 3
+"""Pieces of ink from which a shape is dashed."""
+
+_ARROW = 4.0
+"""Half widths of arrowheads that are erased with their line, in stroke widths, at most."""
+
+
+@dataclass(frozen=True, eq=False)
+class SeparatedSheet:
+    """A sheet without its annotations.
+
+    Attributes:
+        part: the sheet with the part's ink alone.
+        marks: what was taken off.
+    """
+
+    part: CleanSheet
+    marks: tuple[Mark, ...]
+
+
+def separate_annotations(sheet: CleanSheet) -> SeparatedSheet:
+    """Take frame, title block, writing, dimensions and centre lines off a sheet.
+
+    Args:
+        sheet: upright.
+    """
+    marks: list[Mark] = []
+    frame = find_frame(sheet.ink)
+    if frame is not None:
+        sheet = _masked(sheet, frame.drawing_area)
+        marks += frame.marks
+    ridges = ridge_points(sheet.weight, sheet.stroke_width)
+    grown = grow_shapes(ridges, GrowthRules.of_width(sheet.stroke_width))
+    letters = find_letters(sheet.ink, _explained(ridges, grown, sheet.ink), sheet.stroke_width)
+    marks += letters.marks
+    if letters.marks:
+        grown = [shape for shape in grown if not _in_letters(shape, ridges, letters.mask)]
+        sheet = _masked(sheet, cv2.dilate(letters.mask.astype(np.uint8), np.ones((5, 5))) == 0)
+    field = ink_field(sheet)
+    shapes = [inked_shape(sheet, field, ridges, shape) for shape in grown]
+    weights = line_weights(shapes, sheet.stroke_width)
+    if weights.limit:
+        shapes = [split_by_width(sheet, shape, weights.limit) for shape in shapes]
+    kinds = kinds_of_runs(shapes, weights, sheet.stroke_width)
+    if not any(kind for own in kinds for kind in own):
+        return SeparatedSheet(sheet, tuple(marks))
+    marks += _line_marks(shapes, kinds)
+    part = _erased(sheet, shapes, kinds)
+    return SeparatedSheet(replace(part, stroke_width=weights.visible), tuple(marks))
+
+
+def _masked(sheet: CleanSheet, kept: Mask) -> CleanSheet:
+    return replace(sheet, ink=sheet.ink & kept, weight=np.where(kept, sheet.weight, 0.0))
+
+
+def _explained(ridges: RidgePoints, grown: list[Grown], ink: Mask) -> Mask:
+    """Pixels near the ridge points of shapes that are no parts of letters: long ones, dashed ones,
+    and circles that are most of a piece of ink."""
+    longest = _LETTER_SHARE * max(ink.shape)
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(ink.astype(np.uint8), connectivity=8)
+    mask = np.zeros(ink.shape, np.uint8)
+    for own in grown:
+        points = ridges.points[own.members]
+        columns, rows = np.rint(points).astype(int).T
+        pieces = np.unique(labels[rows, columns])
+        pieces = pieces[pieces > 0]
+        dashed = len(pieces) >= _DASHES
+        if isinstance(own.geometry, Circle):
+            side = max(stats[piece, 2:4].max() for piece in pieces) if len(pieces) else 0
+            told = _turned_through(own.geometry, points) > (_DASHED if dashed else _WHOLE)
+            told &= dashed or own.geometry.radius > min(_LOOP * side, longest / 2)
+        else:
+            length = float(np.hypot(*np.ptp(points, axis=0)))
+            told = len(own.members) > _DASHED * length and (dashed or length > longest)
+        if told:
+            mask[rows, columns] = 1
+    return cv2.dilate(mask, np.ones((5, 5), np.uint8)) > 0
+
+
+def _turned_through(circle: Circle, points: np.ndarray) -> float:
+    """Share of a circle's directions in which it has points."""
+    offset = points - np.array(circle.centre)
+    angles = np.arctan2(offset[:, 1], offset[:, 0])
+    return len(np.unique(np.floor(angles * (_DIRECTIONS / (2 * np.pi))))) / _DIRECTIONS
+
+
+def _in_letters(shape: Grown, ridges: RidgePoints, mask: Mask) -> bool:
+    columns, rows = np.rint(ridges.points[shape.members]).astype(int).T
+    return bool(mask[rows, columns].mean() > 0.5)
+
+
+def _line_marks(shapes: list[InkedShape], kinds: list[list[AnnotationKind | None]]) -> list[Mark]:
+    marks = []
+    for shape, own in zip(shapes, kinds, strict=True):
+        for run, kind in zip(shape.runs, own, strict=True):
+            if kind is not None:
+                ends = points_along(shape.geometry, run.run, 1e9) + 0.5
+                marks.append(line_mark(kind, tuple(ends[0].tolist()), tuple(ends[-1].tolist())))
+    return marks
+
+
+def _erased(
+    sheet: CleanSheet, shapes: list[InkedShape], kinds: list[list[AnnotationKind | None]]
+) -> CleanSheet:
+    """The sheet without the runs that are annotations, and without what hung on them."""
+    inside = cv2.distanceTransform(sheet.ink.astype(np.uint8), cv2.DIST_L2, 5)
+    erase = np.zeros(sheet.ink.shape, np.uint8)
+    keep = np.zeros(sheet.ink.shape, np.uint8)
+    for shape, own in zip(shapes, kinds, strict=True):
+        for run, kind in zip(shape.runs, own, strict=True):
+            points = points_along(shape.geometry, run.run, 1.0)
+            if kind is None:
+                width = run.width or sheet.stroke_width
+                path = np.rint(points * 8).astype(np.int32)
+                cv2.polylines(keep, [path], False, 1, int(np.ceil(width)) + 2, shift=3)
+                continue
+            columns = np.clip(np.rint(points[:, 0]).astype(int), 0, sheet.ink.shape[1] - 1)
+            rows = np.clip(np.rint(points[:, 1]).astype(int), 0, sheet.ink.shape[0] - 1)
+            radii = np.minimum(inside[rows, columns], _ARROW * sheet.stroke_width) + 2.0
+            for column, row, radius in zip(columns, rows, radii, strict=True):
+                cv2.circle(erase, (int(column), int(row)), int(np.ceil(radius)), 1, -1)
+    part = _masked(sheet, (erase == 0) | (keep > 0))
+    # Crumbs: pieces that no stroke of the part runs through.
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(
+        part.ink.astype(np.uint8), connectivity=8
+    )
+    kept = np.zeros(len(stats), dtype=bool)
+    kept[np.unique(labels[keep > 0])] = True
+    sides = np.maximum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT])
+    kept |= sides > _LETTER_SHARE * max(sheet.ink.shape)
+    kept[0] = True
+    near = cv2.dilate((~kept[labels]).astype(np.uint8), np.ones((5, 5), np.uint8)) == 0
+    return _masked(part, near | (keep > 0))

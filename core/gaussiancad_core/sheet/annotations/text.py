@@ -1,0 +1,107 @@
+"""Letters and digits on a sheet: small pieces of ink that no long line or circle explains."""
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.marks import Mark, Mask
+
+_TALLEST = 0.04
+"""Height of a letter at most, as a share of the sheet's longest side."""
+
+_EXPLAINED = 0.5
+"""Share of a piece's ridge points from which shapes explain it: a dash, a small circle."""
+
+_SPACING = 0.9
+"""Gap between the letters of a word at most, in heights of a letter."""
+
+_SMALLEST_PX = 4
+
+_STRAIGHT = 1.35
+"""Ink of a straight piece at most, in stroke widths times its diagonal."""
+
+
+@dataclass(frozen=True, eq=False)
+class Letters:
+    """The writing on a sheet.
+
+    Attributes:
+        mask: (h, w) bool, its ink.
+        marks: one a word or line of words.
+    """
+
+    mask: Mask
+    marks: tuple[Mark, ...]
+
+
+def find_letters(ink: Mask, explained: Mask, stroke_width: float) -> Letters:
+    """Find the writing.
+
+    Args:
+        ink: (h, w) bool, without the frame.
+        explained: (h, w) bool, pixels near ridge points of shapes that are no parts of letters.
+        stroke_width: px, the mean over the sheet.
+    """
+    tallest = _TALLEST * max(ink.shape)
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(ink.astype(np.uint8), connectivity=8)
+    count = len(stats)
+    sizes = stats[:, cv2.CC_STAT_AREA].astype(float)
+    told = np.bincount(labels[explained & ink], minlength=count) / np.maximum(sizes, 1.0)
+    long_side = np.maximum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT])
+    small = (long_side <= tallest) & (long_side >= _SMALLEST_PX)
+    small[0] = False
+    # A straight piece is a dash or a one: only its neighbours can tell.
+    straight = sizes < _STRAIGHT * stroke_width * np.hypot(stats[:, 2], stats[:, 3])
+    seeds = small & (told < _EXPLAINED) & ~straight
+    glyphs = np.flatnonzero(seeds)
+    if not len(glyphs):
+        return Letters(np.zeros_like(ink), ())
+    words = _words(stats, glyphs, np.flatnonzero(small & ~seeds))
+    chosen = np.zeros(count, dtype=bool)
+    marks = []
+    for word in words:
+        chosen[word] = True
+        marks.append(Mark(AnnotationKind.TEXT, _box_of(stats, word)))
+    return Letters(chosen[labels], tuple(marks))
+
+
+def _words(
+    stats: npt.NDArray[np.int32], glyphs: npt.NDArray[np.int64], others: npt.NDArray[np.int64]
+) -> list[list[int]]:
+    """Groups of letters; pieces that shapes explain (an O, an I, a minus) join where letters of
+    about their height stand beside them."""
+    heights = np.maximum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT])
+    words: list[list[int]] = []
+    for glyph in sorted(glyphs, key=lambda g: -int(heights[g])):
+        reach = _SPACING * float(heights[glyph])
+        near = [word for word in words if any(_gap(stats, glyph, o) <= reach for o in word)]
+        merged = [int(glyph)] + [member for word in near for member in word]
+        words = [word for word in words if word not in near] + [merged]
+    for other in others:
+        slim = min(stats[other, 2:4]) < 0.4 * max(stats[other, 2:4])
+        for word in words:
+            beside = [o for o in word if _gap(stats, other, o) <= 0.6 * heights[o]]
+            least = 0.25 if slim and len(word) >= 2 else 0.7
+            if any(least < heights[other] / heights[o] < 1.4 for o in beside):
+                word.append(int(other))
+                break
+    return words
+
+
+def _gap(stats: npt.NDArray[np.int32], one: int, other: int) -> float:
+    """Distance between two pieces' boxes in px."""
+    ax, ay, aw, ah = (int(v) for v in stats[one, :4])
+    bx, by, bw, bh = (int(v) for v in stats[other, :4])
+    dx = max(ax - bx - bw, bx - ax - aw, 0)
+    dy = max(ay - by - bh, by - ay - ah, 0)
+    return float(np.hypot(dx, dy))
+
+
+def _box_of(stats: npt.NDArray[np.int32], members: list[int]) -> tuple[float, float, float, float]:
+    own = stats[members].astype(float)
+    low = own[:, :2].min(0)
+    high = (own[:, :2] + own[:, 2:4]).max(0)
+    return float(low[0]), float(low[1]), float(high[0]), float(high[1])
