@@ -1,5 +1,6 @@
 """Where each view stands on the sheet (ISO 5456-2), with shared rows and columns exact."""
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -75,12 +76,10 @@ def place_views(
     ]
     fitting = []
     for room in rooms:
-        try:
+        with suppress(UsageError):
             fitting.append(_placed(size, roles, projection, room))
-        except UsageError as error:
-            refusal = error
     if not fitting:
-        raise refusal
+        raise _too_small(style)
     return max(fitting, key=lambda places: places[0].scale)
 
 
@@ -121,12 +120,16 @@ def _scale(width: float, height: float, columns: int, rows: int, style: SheetSty
     largest = min(room_x / width, room_y / height)
     scale = largest if style.mm_per_pixel is None else 1.0 / style.mm_per_pixel
     if largest <= 0.0 or scale > largest * (1.0 + 1e-9):
-        raise UsageError(
-            "sheet-too-small",
-            f"the views do not fit on {style.width} x {style.height} px with these margins and "
-            "this scale: take a larger sheet, or mm_per_pixel=fit",
-        )
+        raise _too_small(style)
     return scale
+
+
+def _too_small(style: SheetStyle) -> UsageError:
+    return UsageError(
+        "sheet-too-small",
+        f"the views do not fit on {style.width} x {style.height} px with these margins and "
+        "this scale: take a larger sheet, or mm_per_pixel=fit",
+    )
 
 
 def _starts(

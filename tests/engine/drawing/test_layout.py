@@ -164,3 +164,4 @@ def test_a_corner_that_leaves_no_room_is_told() -> None:
     with pytest.raises(UsageError) as caught:
         place_views(SIZE, (FRONT, TOP, RIGHT), Projection.THIRD, STYLE, (1900.0, 1070.0))
     assert caught.value.code == "sheet-too-small"
+    assert "1920 x 1080" in caught.value.message
