@@ -4,15 +4,14 @@ Dimensions stand in rows beside a view, the shorter ones nearer to it, all from 
 lower border.  What one view says, no other says again.
 """
 
-import math
 from dataclasses import dataclass, replace
 from itertools import product
 
 from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind, Box
+from gaussiancad_core.drawing.annotation import Annotation, Box
 from gaussiancad_core.drawing.centre_lines import Round, model_axis, rounds, to_model
+from gaussiancad_core.drawing.dimension_line import DimensionLine
 from gaussiancad_core.drawing.drawn_view import DrawnView
-from gaussiancad_core.drawing.lettering import label, text_width
 from gaussiancad_core.drawing.pen import Board, Direction
 from gaussiancad_core.drawing.stations import Station, border_station, stations
 
@@ -24,25 +23,6 @@ _ROWS = 4
 
 _KNOWN = 1.0
 """px within which a place has been said already."""
-
-
-@dataclass(frozen=True)
-class _Line:
-    """A dimension line: where it is measured, from where, and how it is written.
-
-    Attributes:
-        direction: along which it runs.
-        side: 1 below or to the right of the view, -1 above or to the left.
-        at: px across the direction.
-        ends: the two stations, that with the lesser coordinate first.
-        text: what it says.
-    """
-
-    direction: Direction
-    side: int
-    at: float
-    ends: tuple[Station, Station]
-    text: str
 
 
 @dataclass(frozen=True)
@@ -191,95 +171,23 @@ class _Beside:
             for row in range(self._rows[side], _ROWS):
                 away = self._pen.first + row * self._pen.pitch
                 at = high + away if side > 0 else low - away
-                line = _Line(self._direction, side, at, (first, second), text)
+                ends = (first, second)
+                line = DimensionLine(self._direction, side, at, ends, text, self._pen)
                 if self._fits(line):
                     self._rows[side] = row + 1
-                    return self._drawn(line)
+                    for box in (*line.solid_boxes, *self._extension_boxes(line)):
+                        self._room.take(box)
+                    return line.draw()
         return []
 
-    def _fits(self, line: _Line) -> bool:
-        pen, direction = self._pen, line.direction
-        low, high = self._inked_span(line)
-        above = line.at - pen.gap - pen.height
-        whole = direction.box((low, high), (above, line.at + pen.overshoot))
-        if not self._room.free(whole, 0.25 * pen.height):
+    def _fits(self, line: DimensionLine) -> bool:
+        if not self._room.free(line.footprint, 0.25 * self._pen.height):
             return False
         return not any(self._room.touched(box) for box in self._extension_boxes(line))
 
-    def _extension_boxes(self, line: _Line) -> list[Box]:
+    def _extension_boxes(self, line: DimensionLine) -> list[Box]:
         """The extension lines outside of the view."""
         border = self._direction.other.span(self._view.box)[1 if line.side > 0 else 0]
         start = border + line.side * 0.5 * self._pen.gap
         across = tuple(sorted((start, line.at)))
         return [line.direction.box((end.at, end.at), across) for end in line.ends]
-
-    def _text_span(self, line: _Line) -> tuple[float, float]:
-        """Along the line: the text, in the middle if it fits, else beside it."""
-        pen = self._pen
-        low, high = (end.at for end in line.ends)
-        width = text_width(line.text, pen.height)
-        if width + pen.gap <= high - low:
-            middle = 0.5 * (low + high)
-            return middle - 0.5 * width, middle + 0.5 * width
-        outside = 1.2 * pen.arrow + pen.gap
-        if line.direction is Direction.HORIZONTAL:
-            return high + outside, high + outside + width
-        return low - outside - width, low - outside
-
-    def _arrows_outside(self, line: _Line) -> bool:
-        return line.ends[1].at - line.ends[0].at < 2.6 * self._pen.arrow
-
-    def _inked_span(self, line: _Line) -> tuple[float, float]:
-        """Along the line: all of it, with text and outer arrows."""
-        low, high = (end.at for end in line.ends)
-        text = self._text_span(line)
-        if self._arrows_outside(line):
-            low, high = low - 1.8 * self._pen.arrow, high + 1.8 * self._pen.arrow
-        return min(low, text[0]), max(high, text[1])
-
-    def _drawn(self, line: _Line) -> list[Annotation]:
-        pen, direction = self._pen, line.direction
-        low, high = (end.at for end in line.ends)
-        text = self._text_span(line)
-        start, end = self._inked_span(line)
-        way = -1.0 if self._arrows_outside(line) else 1.0
-        arrows = tuple(
-            pen.arrowhead(direction.point(tip, line.at), direction.point(tip + tail, line.at))
-            for tip, tail in ((low, way), (high, -way))
-        )
-        extensions = []
-        for station in line.ends:
-            border = station.high if line.side > 0 else station.low
-            near, far = border + line.side * pen.gap, line.at + line.side * pen.overshoot
-            extensions.append(direction.segment((station.at, near), (station.at, far)))
-        # Upright dimensions are read from the right.
-        angle = 0.0 if direction is Direction.HORIZONTAL else -0.5 * math.pi
-        middle = 0.5 * (text[0] + text[1]), line.at - pen.gap - 0.5 * pen.height
-        written = label(line.text, direction.point(*middle), pen.height, angle)
-        self._take(line, text)
-        stroke = direction.segment((start, line.at), (end, line.at))
-        return [
-            Annotation(
-                AnnotationKind.DIMENSION,
-                0,
-                (stroke,),
-                pen.width,
-                arrows=arrows,
-                value_mm=float(line.text),
-            ),
-            *(
-                Annotation(AnnotationKind.EXTENSION, 0, (extension,), pen.width)
-                for extension in extensions
-            ),
-            Annotation(AnnotationKind.TEXT, 0, label=written),
-        ]
-
-    def _take(self, line: _Line, text: tuple[float, float]) -> None:
-        pen, direction = self._pen, line.direction
-        low, high = (end.at for end in line.ends)
-        half = 0.2 * pen.arrow
-        self._room.take(direction.box((low, high), (line.at - half, line.at + half)))
-        top = line.at - pen.gap - pen.height
-        self._room.take(direction.box(text, (top, line.at)))
-        for box in self._extension_boxes(line):
-            self._room.take(box)

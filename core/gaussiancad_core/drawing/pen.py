@@ -6,7 +6,7 @@ from enum import Enum
 from gaussiancad_core.drawing.annotation import Box, Point
 from gaussiancad_core.drawing.drawn_view import DrawnView
 from gaussiancad_core.drawing.strokes import DrawnStroke
-from gaussiancad_core.drawing.style import SheetStyle
+from gaussiancad_core.drawing.style import SheetStyle, TextPlace
 from gaussiancad_core.views import Linetype, Segment
 
 
@@ -46,15 +46,17 @@ class Pen:
     Attributes:
         width: of the lines.
         height: of capitals and digits.
+        text_place: of dimensions.
     """
 
     width: float
     height: float
+    text_place: TextPlace = TextPlace.ABOVE
 
     @classmethod
     def of(cls, style: SheetStyle) -> "Pen":
         """The pen of a style."""
-        return cls(style.annotation_width, style.text_height)
+        return cls(style.annotation_width, style.text_height, style.text_place)
 
     @property
     def arrow(self) -> float:

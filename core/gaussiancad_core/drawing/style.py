@@ -18,6 +18,13 @@ class Cap(Enum):
     BUTT = "butt"
 
 
+class TextPlace(Enum):
+    """Where a dimension's text stands: above its line (ISO 129-1) or in it (ASME Y14.5)."""
+
+    ABOVE = "above"
+    INLINE = "inline"
+
+
 @dataclass(frozen=True)
 class SheetStyle:
     """The look of a sheet; lengths and widths in sheet pixels unless another unit is named.
@@ -47,6 +54,7 @@ class SheetStyle:
         picture: an isometric picture in a free corner, if there is one.
         annotation_width: line width of all of these but the border and the picture.
         text_height: height of capitals and digits; arrows and distances follow from it.
+        text_place: ``above`` dimension lines and along them, or ``inline`` and level.
         bleed: how far ink creeps to either side of a stroke.
         fade: share of the ink that pale regions lack, 0 to 1.
         specks: number of specks of dust and spots without ink per million pixels.
@@ -80,6 +88,7 @@ class SheetStyle:
     picture: bool = False
     annotation_width: float = 1.5
     text_height: float = 18.0
+    text_place: TextPlace = TextPlace.ABOVE
     bleed: float = 0.0
     fade: float = 0.0
     specks: float = 0.0
@@ -139,6 +148,7 @@ PRESETS: dict[str, SheetStyle] = {
         gap=4.0,
         cap=Cap.BUTT,
         centre_lines=True,
+        text_place=TextPlace.INLINE,
     ),
     "jpeg30": SheetStyle(jpeg_quality=30),
 }
@@ -191,6 +201,7 @@ def _parser(name: str) -> Callable[[str], Any]:
         "paper": _colour,
         "mm_per_pixel": lambda value: None if value == "fit" else float(value),
         "cap": Cap,
+        "text_place": TextPlace,
         "antialiasing": _switch,
         "tangent_edges": _switch,
         "annotations": _switch,

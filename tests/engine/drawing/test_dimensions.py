@@ -1,4 +1,5 @@
 from collections import defaultdict
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -7,8 +8,8 @@ import pytest
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind
 from gaussiancad_core.drawing.dimensions import value_text
-from gaussiancad_core.drawing.sheet import Sheet, compose_sheet, part_lines
-from gaussiancad_core.drawing.style import PRESETS
+from gaussiancad_core.drawing.sheet import PartLines, Sheet, compose_sheet, part_lines
+from gaussiancad_core.drawing.style import PRESETS, TextPlace
 from gaussiancad_core.samples import SAMPLES, sample
 from gaussiancad_core.samples.random_parts import random_part
 
@@ -17,11 +18,19 @@ THIRD = (Role.FRONT, Role.TOP, Role.RIGHT)
 NAMES = ("u-bracket", "stepped-block", "pulley", "wedge-block", "counterbored-block", "boss-plate")
 
 
+ABOVE, INLINE = TextPlace
+
+
 @cache
-def dimensioned(name: str) -> Sheet:
+def _lines(name: str) -> PartLines:
     known = {part.name for part in SAMPLES}
     shape = sample(name).build() if name in known else random_part(int(name))
-    return compose_sheet(part_lines(shape, THIRD), Projection.THIRD, STYLE)
+    return part_lines(shape, THIRD)
+
+
+@cache
+def dimensioned(name: str, place: TextPlace = ABOVE) -> Sheet:
+    return compose_sheet(_lines(name), Projection.THIRD, replace(STYLE, text_place=place))
 
 
 def notes(sheet: Sheet) -> list[dict[AnnotationKind, list[Annotation]]]:
@@ -34,9 +43,12 @@ def notes(sheet: Sheet) -> list[dict[AnnotationKind, list[Annotation]]]:
     return [group for group in groups.values() if AnnotationKind.DIMENSION in group]
 
 
+@pytest.mark.parametrize("place", list(TextPlace))
 @pytest.mark.parametrize("name", [*NAMES, "1", "7"])
-def test_every_dimension_says_how_far_its_extension_lines_are_apart(name: str) -> None:
-    sheet = dimensioned(name)
+def test_every_dimension_says_how_far_its_extension_lines_are_apart(
+    name: str, place: TextPlace
+) -> None:
+    sheet = dimensioned(name, place)
     found = notes(sheet)
     assert len(found) >= 3
     for note in found:
@@ -52,9 +64,10 @@ def test_every_dimension_says_how_far_its_extension_lines_are_apart(name: str) -
         assert np.hypot(*(tips[0] - tips[1])) == pytest.approx(apart)
 
 
+@pytest.mark.parametrize("place", list(TextPlace))
 @pytest.mark.parametrize("name", [*NAMES, "1", "7"])
-def test_dimensions_stay_out_of_the_views_and_apart(name: str) -> None:
-    sheet = dimensioned(name)
+def test_dimensions_stay_out_of_the_views_and_apart(name: str, place: TextPlace) -> None:
+    sheet = dimensioned(name, place)
     views = [view.box for view in sheet.views]
     texts = []
     for note in notes(sheet):
@@ -66,9 +79,10 @@ def test_dimensions_stay_out_of_the_views_and_apart(name: str) -> None:
         assert not any(_overlap(one, other) for other in texts[:index])
 
 
+@pytest.mark.parametrize("place", list(TextPlace))
 @pytest.mark.parametrize("name", [*NAMES, "1", "7"])
-def test_no_line_strikes_a_text_through(name: str) -> None:
-    sheet = dimensioned(name)
+def test_no_line_strikes_a_text_through(name: str, place: TextPlace) -> None:
+    sheet = dimensioned(name, place)
     found = notes(sheet)
     for note in found:
         box = note[AnnotationKind.TEXT][0].box
@@ -110,6 +124,22 @@ def test_upright_dimensions_are_read_from_the_right() -> None:
         # The text stands above its line, seen along it.
         beside = 0 if upright else 1
         assert text.label.centre[beside] < line.strokes[0].start[beside]
+
+
+def test_inline_texts_are_level_and_interrupt_their_lines() -> None:
+    interrupted = 0
+    for note in notes(dimensioned("u-bracket", INLINE)):
+        (line,), (text,) = note[AnnotationKind.DIMENSION], note[AnnotationKind.TEXT]
+        assert text.label.angle == 0.0
+        first = line.strokes[0]
+        upright = first.start[0] == first.end[0]
+        across, along = (0, 1) if upright else (1, 0)
+        assert text.label.centre[across] == pytest.approx(first.start[across])
+        interrupted += len(line.strokes) == 2
+        if len(line.strokes) == 2:
+            before, after = (stroke.start[along] for stroke in line.strokes)
+            assert before < text.label.centre[along] < after
+    assert interrupted >= 5
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,14 @@ from dataclasses import fields
 
 import pytest
 
-from gaussiancad_core.drawing.style import PRESETS, Cap, SheetStyle, checked_style, parse_style
+from gaussiancad_core.drawing.style import (
+    PRESETS,
+    Cap,
+    SheetStyle,
+    TextPlace,
+    checked_style,
+    parse_style,
+)
 from gaussiancad_core.errors import UsageError
 
 
@@ -47,6 +54,7 @@ def test_annotations_and_defects_are_overridden_by_name() -> None:
     assert (style.annotation_width, style.text_height, style.bleed, style.fade) == (2, 24, 0.3, 0.2)
     assert (style.specks, style.contrast, style.light, style.shadow) == (12, 2, 0.1, 9)
     assert style.salt == 0.001
+    assert parse_style("text-place=inline").text_place is TextPlace.INLINE
 
 
 def test_ansi_hidden_lines_are_as_thin_as_centre_lines() -> None:
@@ -86,6 +94,7 @@ def test_values_alone_change_the_clean_style() -> None:
         ("light=1.1", "style-value-bad"),
         ("contrast=0.5", "style-value-bad"),
         ("text-height=0", "style-value-bad"),
+        ("text-place=below", "style-value-bad"),
     ],
 )
 def test_mistakes_are_told(text: str, code: str) -> None:
