@@ -4,13 +4,9 @@ read -> views -> lines -> masks -> hull -> gaussians -> surface -> check -> writ
 """
 
 import json
-from dataclasses import dataclass, replace
-from pathlib import Path
-
-import numpy as np
+from dataclasses import replace
 
 from gaussiancad_core.axes import mutually_orthogonal
-from gaussiancad_core.cameras import Camera, orthographic_camera, paper_camera
 from gaussiancad_core.errors import (
     CancelledError,
     EngineError,
@@ -21,6 +17,7 @@ from gaussiancad_core.errors import (
 from gaussiancad_core.events import Listener, Progress
 from gaussiancad_core.job import Job
 from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.models import Models, write_models
 from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
 from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
 from gaussiancad_core.report import GaussiansReport, Report, SurfaceReport, ViewReport
@@ -29,12 +26,16 @@ from gaussiancad_core.sheet.annotations.separate import separate_annotations
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.layout import Layout
-from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.options import Box, ReadingOptions
 from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.sheet.reading import RegisteredSheet, find_views, read_views, register_views
-from gaussiancad_core.splatting.training import TrainingResult
+from gaussiancad_core.sheet.reading import (
+    ReadView,
+    RegisteredSheet,
+    find_views,
+    read_views,
+    register_views,
+)
 from gaussiancad_core.verification.agreement import MatchedLines
-from gaussiancad_core.views import ViewSet
 
 STAGES = ("read", "views", "lines", "masks", "hull", "gaussians", "surface", "check", "write")
 
@@ -49,26 +50,6 @@ width of a stroke.
 
 _EXPLAINED = 0.95
 """Share of the lines that has to agree for a view to be called explained."""
-
-_IMAGE_PX = 1024
-"""Side of the orthographic images in the cameras folder."""
-
-
-@dataclass(frozen=True, eq=False)
-class Models:
-    """What a run made of a sheet.
-
-    Attributes:
-        registered: the views.
-        training: the Gaussians.
-        surface: their Poisson mesh.
-        matched: the surface's lines against the sheet's, in the order of the views.
-    """
-
-    registered: RegisteredSheet
-    training: TrainingResult
-    surface: TriangleMesh
-    matched: tuple[MatchedLines, ...]
 
 
 def reconstruct(job: Job, listener: Listener) -> Report:
@@ -134,7 +115,7 @@ class _Run:
             )
         models = self._make_models(clean, registered)
         with self._stage("write"):
-            self._write_models(models)
+            write_models(models, self.job.recipe, self.folder.staging, self.progress)
         self._finish(Status.APPROXIMATE)
         return self.report
 
@@ -190,16 +171,43 @@ class _Run:
             part, layout = find_views(clean, separated, given, reading.projection)
             self._tell_layout(layout, clean.turn)
         with self._stage("lines"):
-            drawn = read_views(part, layout, self.progress)
-            boxes = {view.role: ViewReport(view.stored_box(clean.turn)) for view in drawn}
-            self.report = replace(self.report, views=boxes)
+            drawn = read_views(part, layout, self.progress, reading.finder)
         with self._stage("masks"):
             options = reading
             if self.job.recipe is Recipe.PAPER:
                 options = replace(reading, open_holes=False)
-            registered = register_views(drawn, options)
+            if layout.alternatives and not reading.views:
+                registered = self._choose_projection(drawn, layout, options)
+            else:
+                registered = register_views(drawn, options)
+            self._tell_views(registered, clean.turn)
             self._tell_registration(registered)
         return registered
+
+    def _choose_projection(
+        self, drawn: tuple[ReadView, ...], layout: Layout, options: ReadingOptions
+    ) -> RegisteredSheet:
+        from gaussiancad_core.projection_choice import choose_projection
+
+        choice = choose_projection(drawn, layout.projection, options)
+        other = choice.projection.other
+        self.report = replace(
+            self.report,
+            projection=choice.projection,
+            projection_source="inferred" if choice.inferred else "default",
+            projection_alternatives=() if choice.inferred else (other,),
+        )
+        if not choice.inferred:
+            self._warn(
+                "projection-assumed",
+                "the lines fit first and third angle alike: third angle was taken; "
+                "tell --projection first if the sheet is drawn in first angle",
+            )
+        return choice.registered
+
+    def _tell_views(self, registered: RegisteredSheet, turn: Turn) -> None:
+        boxes = {view.role: ViewReport(view.stored_box(turn)) for view in registered.drawn}
+        self.report = replace(self.report, views=boxes)
 
     def _tell_marks(self, marks: tuple[Mark, ...], turn: Turn) -> None:
         kinds: dict[str, list[Box]] = {}
@@ -216,12 +224,6 @@ class _Run:
             projection_alternatives=layout.alternatives,
             views={role: ViewReport(turn.box_to_stored(box)) for role, box in layout.boxes.items()},
         )
-        if layout.source == "default":
-            self._warn(
-                "projection-assumed",
-                "the projection is not known: third angle was taken; "
-                "tell --projection first if the sheet is drawn in first angle",
-            )
         if layout.left_out:
             boxes = ("({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*b) for b in layout.left_out[:5])
             places = "; ".join(boxes)
@@ -354,45 +356,6 @@ class _Run:
         (staging / "preview.png").write_bytes(png_bytes(render_preview(surface, colour)))
         self.progress.listener.send("preview", path=str((staging / "preview.png").resolve()))
         return tuple(matched)
-
-    def _write_models(self, models: Models) -> None:
-        """The surface, the Gaussians and the cameras, into the staging folder."""
-        from gaussiancad_core.splatting.ply import write_gaussians
-        from gaussiancad_core.surface.files import write_faceted_step, write_ply, write_stl
-
-        staging = self.folder.staging
-        write_stl(models.surface, staging / "surface.stl")
-        write_ply(models.surface, staging / "surface.ply")
-        self.progress(0.2)
-        write_faceted_step(models.surface, staging / "surface.step")
-        self.progress(0.7)
-        write_gaussians(models.training.gaussians, staging / "gaussians.ply")
-        _write_cameras(staging / "cameras", models, self.job.recipe)
-
-
-def _write_cameras(folder: Path, models: Models, recipe: Recipe) -> None:
-    from gaussiancad_core.colmap import as_pinhole, write_cameras
-    from gaussiancad_core.splatting.targets import targets_of
-
-    views = models.registered.views
-    cameras = _image_cameras(views, recipe)
-    targets = targets_of(views, cameras)
-    gaussians = models.training.gaussians
-    colours = np.clip(np.rint(gaussians.colours * 255), 0, 255).astype(np.uint8)
-    write_cameras(
-        folder,
-        tuple(as_pinhole(camera, views.size) for camera in cameras),
-        targets.colours.numpy(),
-        targets.masks.numpy(),
-        (gaussians.means.astype(np.float64), colours),
-    )
-
-
-def _image_cameras(views: ViewSet, recipe: Recipe) -> tuple[Camera, ...]:
-    """The recipe's cameras at the size of the images for other trainers."""
-    if recipe is Recipe.PAPER:
-        return tuple(paper_camera(role, views.size) for role in views.roles)
-    return tuple(orthographic_camera(role, views.size, _IMAGE_PX) for role in views.roles)
 
 
 def _check_device(device: Device) -> None:

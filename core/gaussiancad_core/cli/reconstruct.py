@@ -11,13 +11,15 @@ from gaussiancad_core.errors import ExitCode, UsageError
 from gaussiancad_core.events import PROTOCOL, Listener
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind
-from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.sheet.options import MEDIAN_KERNEL, Finder, ReadingOptions
 
 
 def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add the subcommand."""
     parser = commands.add_parser("reconstruct", help="make a model from a sheet")
-    parser.add_argument("sheet", type=Path, metavar="SHEET", help="PNG, JPEG, TIFF, BMP or WebP")
+    parser.add_argument(
+        "sheet", type=Path, metavar="SHEET", help="PNG, JPEG, TIFF, BMP, WebP, PDF, SVG or DXF"
+    )
     parser.add_argument("--output", type=Path, required=True, metavar="DIR")
     add_job_options(parser)
     parser.add_argument(
@@ -56,6 +58,7 @@ def add_job_options(parser: argparse.ArgumentParser) -> None:
         ("--recipe", Recipe, Recipe.ORTHOGRAPHIC),
         ("--preset", Preset, Preset.STANDARD),
         ("--device", Device, Device.AUTO),
+        ("--finder", Finder, Finder.RIDGES),
     ):
         parser.add_argument(
             option,
@@ -63,6 +66,13 @@ def add_job_options(parser: argparse.ArgumentParser) -> None:
             default=default,
             metavar="|".join(member.value for member in kind),
         )
+    parser.add_argument(
+        "--median",
+        type=int,
+        choices=(0, 3, 5, 7),
+        default=MEDIAN_KERNEL,
+        help="side in px of the filter that tells noise from ink; 0 for none",
+    )
     parser.add_argument("--colour", type=values.colour, default=(120, 160, 210), metavar="#RRGGBB")
     parser.add_argument("--seed", type=values.whole, default=0, metavar="N")
     parser.add_argument(
@@ -85,6 +95,8 @@ def job_of(options: argparse.Namespace, sheet: Path, output: Path) -> Job:
         length=options.length,
         mm_per_pixel=options.mm_per_pixel,
         colour=options.colour,
+        median_kernel=options.median,
+        finder=options.finder,
     )
     return Job(
         sheet=sheet,

@@ -32,6 +32,7 @@ class ReadingOptions:
         open_holes: open the through holes that the hidden lines prove; the paper's masks are only
             filled contours.
         median_kernel: px, 0 for none.
+        finder: of lines and circles.
     """
 
     projection: Projection | None = None
@@ -41,3 +42,4 @@ class ReadingOptions:
     colour: tuple[int, int, int] = (120, 160, 210)
     open_holes: bool = True
     median_kernel: int = MEDIAN_KERNEL
+    finder: Finder = Finder.RIDGES

@@ -12,7 +12,7 @@ from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.layout import Layout, find_layout
 from gaussiancad_core.sheet.masks import Outline, Region, find_outline, supersampling_for
-from gaussiancad_core.sheet.options import Box, ReadingOptions
+from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
 from gaussiancad_core.sheet.registration import (
     DEFAULT_LONGEST_MM,
     AxisExtents,
@@ -105,7 +105,10 @@ def find_views(
 
 
 def read_views(
-    sheet: CleanSheet, layout: Layout, progress: Callable[[float], None] = lambda _: None
+    sheet: CleanSheet,
+    layout: Layout,
+    progress: Callable[[float], None] = lambda _: None,
+    finder: Finder = Finder.RIDGES,
 ) -> tuple[ReadView, ...]:
     """Strokes and outlines of the views of a layout.
 
@@ -113,13 +116,14 @@ def read_views(
         sheet: the ink.
         layout: where the views are.
         progress: told the fraction done.
+        finder: of lines and circles.
 
     Raises:
         NoModelError: ``open-outline`` if the outline of a view does not close.
     """
     shapes = {}
     for index, (role, box) in enumerate(layout.boxes.items(), start=1):
-        shapes[role] = find_shapes(sheet, box)
+        shapes[role] = find_shapes(sheet, box, finder)
         progress(index / (len(layout.boxes) + 1))
     rhythm = view_rhythm(list(shapes.values()), sheet.stroke_width)
     largest = max(max(x1 - x0, y1 - y0) for x0, y0, x1, y1 in layout.boxes.values())

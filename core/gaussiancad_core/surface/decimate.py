@@ -7,8 +7,8 @@ from gaussiancad_core.meshes import TriangleMesh, make_mesh
 from gaussiancad_core.surface.repair import made_manifold
 
 FACETED_LIMIT = 3_000
-"""Triangles of a faceted solid: FreeCAD shows them with ease, and they lie within a thousandth of the
-part from the surface that they stand for."""
+"""Triangles of a faceted solid: FreeCAD shows them with ease, and they lie within a thousandth of
+the part from the surface that they stand for."""
 
 _TRIES = 6
 _SHRINK = 0.8

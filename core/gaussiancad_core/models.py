@@ -1,0 +1,87 @@
+"""What a run made, and its files: mesh, faceted solid, Gaussians, cameras."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from gaussiancad_core.cameras import Camera, orthographic_camera, paper_camera
+from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.modes import Recipe
+from gaussiancad_core.sheet.reading import RegisteredSheet
+from gaussiancad_core.splatting.training import TrainingResult
+from gaussiancad_core.verification.agreement import MatchedLines
+from gaussiancad_core.views import ViewSet
+
+_IMAGE_PX = 1024
+"""Side of the orthographic images in the cameras folder."""
+
+
+@dataclass(frozen=True, eq=False)
+class Models:
+    """What a run made of a sheet.
+
+    Attributes:
+        registered: the views.
+        training: the Gaussians.
+        surface: their Poisson mesh.
+        matched: the surface's lines against the sheet's, in the order of the views.
+    """
+
+    registered: RegisteredSheet
+    training: TrainingResult
+    surface: TriangleMesh
+    matched: tuple[MatchedLines, ...]
+
+
+def write_models(
+    models: Models, recipe: Recipe, folder: Path, progress: Callable[[float], None]
+) -> None:
+    """Write surface, Gaussians and cameras under their names into a folder.
+
+    Args:
+        models: of one run.
+        recipe: whose cameras they are.
+        folder: where the files go; it exists.
+        progress: told the fraction done.
+
+    Raises:
+        EngineError: the surface cannot be made a faceted solid.
+        UsageError, LimitError: the folder cannot be written, or the disk is full.
+    """
+    from gaussiancad_core.splatting.ply import write_gaussians
+    from gaussiancad_core.surface.files import write_faceted_step, write_ply, write_stl
+
+    write_stl(models.surface, folder / "surface.stl")
+    write_ply(models.surface, folder / "surface.ply")
+    progress(0.2)
+    write_faceted_step(models.surface, folder / "surface.step")
+    progress(0.7)
+    write_gaussians(models.training.gaussians, folder / "gaussians.ply")
+    _write_cameras(folder / "cameras", models, recipe)
+
+
+def _write_cameras(folder: Path, models: Models, recipe: Recipe) -> None:
+    from gaussiancad_core.colmap import as_pinhole, write_cameras
+    from gaussiancad_core.splatting.targets import targets_of
+
+    views = models.registered.views
+    cameras = _image_cameras(views, recipe)
+    targets = targets_of(views, cameras)
+    gaussians = models.training.gaussians
+    colours = np.clip(np.rint(gaussians.colours * 255), 0, 255).astype(np.uint8)
+    write_cameras(
+        folder,
+        tuple(as_pinhole(camera, views.size) for camera in cameras),
+        targets.colours.numpy(),
+        targets.masks.numpy(),
+        (gaussians.means.astype(np.float64), colours),
+    )
+
+
+def _image_cameras(views: ViewSet, recipe: Recipe) -> tuple[Camera, ...]:
+    """The recipe's cameras at the size of the images for other trainers."""
+    if recipe is Recipe.PAPER:
+        return tuple(paper_camera(role, views.size) for role in views.roles)
+    return tuple(orthographic_camera(role, views.size, _IMAGE_PX) for role in views.roles)

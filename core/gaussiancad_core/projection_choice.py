@@ -1,0 +1,107 @@
+"""First or third angle: the reading under which the sheet's lines fit together.
+
+Under the other reading each view beside the front is its opposite, and the part is mirrored.  The
+outlines do not tell the two apart, but what hides what does: the visual hull of either reading is
+drawn again, and its visible and hidden lines are matched with those of the sheet.
+"""
+
+from dataclasses import dataclass, replace
+
+from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.cameras import orthographic_camera
+from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.hull import visual_hull
+from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.sheet.reading import ReadView, RegisteredSheet, register_views
+from gaussiancad_core.verification.agreement import match_lines
+from gaussiancad_core.verification.redraw import RedrawSettings, redraw_mesh
+
+_CELLS = 96
+"""Grid cells of the hulls that are compared."""
+
+_PIXELS = 420
+"""Longest side in px of their drawings."""
+
+_TOLERANCE = 2.5
+"""px of those drawings within which lines agree."""
+
+_CLEAR = 0.02
+"""Difference of the two agreements from which one reading is better."""
+
+
+@dataclass(frozen=True)
+class Choice:
+    """How well either reading fits.
+
+    Attributes:
+        registered: the views as read under the better one, or the one that was assumed.
+        projection: that reading.
+        inferred: whether it is clearly better than the other.
+        scores: of the assumed one and the other: share of the lines that agree, 0 to 1.
+    """
+
+    registered: RegisteredSheet
+    projection: Projection
+    inferred: bool
+    scores: tuple[float, float]
+
+
+def choose_projection(
+    drawn: tuple[ReadView, ...], assumed: Projection, options: ReadingOptions
+) -> Choice:
+    """Decide between two readings of the same views.
+
+    Args:
+        drawn: views with the roles that they have under the assumed projection.
+        assumed: what to take where nothing tells.
+        options: of the registration.
+
+    Raises:
+        NoModelError: the views contradict each other under both.
+    """
+    registered = register_views(drawn, options)
+    mirrored = tuple(replace(view, role=opposite(view.role)) for view in drawn)
+    try:
+        other = register_views(mirrored, options)
+    except NoModelError:
+        return Choice(registered, assumed, True, (1.0, 0.0))
+    scores = _agreement(registered), _agreement(other)
+    clear = abs(scores[0] - scores[1]) > _CLEAR
+    if clear and scores[1] > scores[0]:
+        return Choice(other, assumed.other, True, scores)
+    return Choice(registered, assumed, clear, scores)
+
+
+def opposite(role: Role) -> Role:
+    """The role of a view beside the front under the other projection."""
+    return _OPPOSITES.get(role, role)
+
+
+_OPPOSITES = {
+    Role.TOP: Role.BOTTOM,
+    Role.BOTTOM: Role.TOP,
+    Role.LEFT: Role.RIGHT,
+    Role.RIGHT: Role.LEFT,
+}
+
+
+def _agreement(registered: RegisteredSheet) -> float:
+    """Share of the sheet's lines that its hull shows, visible as visible and hidden as hidden."""
+    views = registered.views
+    cameras = tuple(orthographic_camera(role, views.size, _PIXELS) for role in views.roles)
+    try:
+        hull = visual_hull(views, cameras, cells=_CELLS)
+    except NoModelError:
+        return 0.0
+    pitch = max(views.size) / _PIXELS
+    found = total = 0.0
+    for view in views.views:
+        lines = redraw_mesh(hull, view.role, pitch, RedrawSettings(most_pixels=_PIXELS))
+        matched = match_lines(view.strokes, lines, _TOLERANCE * pitch)
+        for points, near in (
+            (matched.sheet.visible, matched.visible_found),
+            (matched.sheet.hidden, matched.hidden_found),
+        ):
+            found += float(points.lengths[near].sum())
+            total += float(points.lengths.sum())
+    return found / total if total else 0.0
