@@ -50,7 +50,7 @@ def test_wrong_usage_is_one_line_and_exit_code_2(
     [
         (["reconstruct", "missing.png", "--output", "{tmp}/o"], 3, "file-missing"),
         (["reconstruct", "{tmp}/text.png", "--output", "{tmp}/o"], 3, "not-an-image"),
-        (["reconstruct", "{tmp}/a.pdf", "--output", "{tmp}/o"], 3, "format-not-supported"),
+        (["reconstruct", "{tmp}/a.pdf", "--output", "{tmp}/o"], 3, "damaged-pdf"),
         (["reconstruct", "{tmp}/text.png", "--output", "{tmp}/text.png/o"], 2, "output-not-wri"),
         (["reconstruct", "a.png", "--output", "{tmp}/o", "--device", "cuda"], 6, "cuda-unavail"),
         (["compare", "{tmp}/text.png", "missing.step"], 3, "model-format-unknown"),
