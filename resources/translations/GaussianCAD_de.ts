@@ -519,8 +519,28 @@
             <translation>Zeichnung hierher ziehen</translation>
         </message>
         <message>
-            <source>No preview of {name}</source>
-            <translation>Keine Vorschau von {name}</translation>
+            <source>No preview of {name} here; the engine shows it when it is done</source>
+            <translation>Hier keine Vorschau von {name}; die Engine zeigt sie, wenn sie fertig ist</translation>
+        </message>
+        <message>
+            <source>The page {name} shows no views of a part. Recompute it, or choose another one.</source>
+            <translation>Die Seite {name} zeigt keine Ansichten eines Teils. Berechnen Sie sie neu, oder wählen Sie eine andere.</translation>
+        </message>
+        <message>
+            <source>The picture of {name} is missing. Choose the drawing&apos;s file instead.</source>
+            <translation>Das Bild von {name} fehlt. Wählen Sie statt dessen die Datei der Zeichnung.</translation>
+        </message>
+        <message>
+            <source>From the Document</source>
+            <translation>Aus dem Dokument</translation>
+        </message>
+        <message>
+            <source>Takes a TechDraw page or an image of the active document</source>
+            <translation>Nimmt eine TechDraw-Seite oder ein Bild des aktiven Dokuments</translation>
+        </message>
+        <message>
+            <source>The document has no TechDraw pages and no images</source>
+            <translation>Das Dokument hat keine TechDraw-Seiten und keine Bilder</translation>
         </message>
         <message>
             <source>Compare</source>

@@ -6,7 +6,10 @@ from enum import Enum
 MODULE_ARGUMENTS = ("-I", "-u", "-m", "gaussiancad_core")
 """How the engine's interpreter is told to run the engine, isolated and unbuffered."""
 
-SHEET_SUFFIXES = ("png", "jpg", "jpeg", "tif", "tiff", "bmp", "webp", "pdf", "svg", "dxf")
+VECTOR_SUFFIXES = ("pdf", "svg", "svgz", "dxf")
+"""Files that the engine draws at 200 dpi of their paper."""
+
+SHEET_SUFFIXES = ("png", "jpg", "jpeg", "tif", "tiff", "bmp", "webp", *VECTOR_SUFFIXES)
 """Files that the engine reads."""
 
 
@@ -81,7 +84,7 @@ class ReconstructJob:
         output: folder for the engine's files.
         projection, preset, outcome, recipe, scale: see their types.
         colour: of the part, ``#RRGGBB``.
-        page: page of a PDF, from 1.
+        page: of a PDF, TIFF or DXF file, from 1.
         seed: of everything random.
     """
 

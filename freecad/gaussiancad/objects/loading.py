@@ -132,8 +132,9 @@ def _read_shape(path: Path) -> Part.Shape:
 
 
 def _cut_views(job: ReconstructJob, report: Report, scratch: Path) -> list[ViewImage]:
-    """From the sheet, or from the engine's overlay of it where Qt cannot read the sheet."""
-    for path in (Path(job.sheet), Path(job.output) / "overlay.png"):
+    """From the sheet, or from the engine's overlay of it where Qt cannot read that page of it."""
+    overlay = Path(job.output) / "overlay.png"
+    for path in (Path(job.sheet), overlay) if job.page == 1 else (overlay,):
         image = read_sheet_image(path) if path.is_file() else None
         if image is not None:
             return cut_views(image, report, scratch)

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import FreeCAD
 
+from freecad.gaussiancad.engine.job import VECTOR_SUFFIXES
 from freecad.gaussiancad.engine.report import Report, ViewBox, ViewReport
 from freecad.gaussiancad.objects.placing import PlanePlacement, part_size, place_view
 from freecad.gaussiancad.qt import QtCore, QtGui
@@ -29,7 +30,13 @@ class ViewImage:
 
 
 def read_sheet_image(path: Path) -> QtGui.QImage | None:
-    """The sheet's pixels, turned as its EXIF data say; None if Qt cannot read this format."""
+    """The sheet's pixels, turned as its EXIF data say; None if Qt cannot read this format.
+
+    Vector files are left to the engine: Qt reads some of them too, but draws them at another size,
+    and opens what they refer to.
+    """
+    if path.suffix.lower().lstrip(".") in VECTOR_SUFFIXES:
+        return None
     reader = QtGui.QImageReader(str(path))
     reader.setAutoTransform(True)
     if hasattr(reader, "setAllocationLimit"):

@@ -1,5 +1,6 @@
 """The task panel of *Reconstruct from Drawing…*."""
 
+import tempfile
 from pathlib import Path
 
 import FreeCAD
@@ -10,8 +11,10 @@ from freecad.gaussiancad.engine.job import SHEET_SUFFIXES, ReconstructJob
 from freecad.gaussiancad.engine.summary import report_lines, status_text
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.objects.document_sheets import export_sheet, first_sheet_object
 from freecad.gaussiancad.objects.loading import load_run
 from freecad.gaussiancad.objects.reconstruction import add_reconstruction
+from freecad.gaussiancad.panels.document_source import DocumentSource
 from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts, Success
 from freecad.gaussiancad.panels.settings_form import SettingsForm
 from freecad.gaussiancad.panels.sheet_preview import SheetPreview
@@ -19,7 +22,7 @@ from freecad.gaussiancad.panels.widgets import PathField
 from freecad.gaussiancad.preferences import read_preferences
 from freecad.gaussiancad.qt import QtWidgets
 
-_PAGED_SUFFIXES = (".pdf", ".tif", ".tiff")
+_PAGED_SUFFIXES = (".pdf", ".tif", ".tiff", ".dxf")
 
 
 class ReconstructPanel(EnginePanel):
@@ -38,10 +41,32 @@ class ReconstructPanel(EnginePanel):
         self.sheet.line.textChanged.connect(self._show_sheet)
         self.preview = SheetPreview(self.sheet.line.setText)
         self.settings = SettingsForm(read_preferences())
+        self.source = DocumentSource(self.take_source)
+        self._exports: tempfile.TemporaryDirectory[str] | None = None
+        self._scaled_sheet = ""
         self.form = [self._drawing_box(), self.settings, self.run_view]
         self.dress()
         self._job: ReconstructJob | None = None
         self._document_name = ""
+        selected = first_sheet_object(FreeCADGui.Selection.getSelection())
+        if selected is not None:
+            self.take_source(selected)
+
+    def take_source(self, source: FreeCAD.DocumentObject) -> None:
+        """Take the drawing that an object of the document holds; tell the user why not."""
+        if self._exports is None:
+            self._exports = tempfile.TemporaryDirectory(
+                prefix="gaussiancad-", ignore_cleanup_errors=True
+            )
+        try:
+            exported = export_sheet(source, Path(self._exports.name))
+        except (WorkbenchError, OSError) as error:
+            self._complain(str(error))
+            return
+        self.sheet.line.setText(str(exported.path))
+        if exported.mm_per_pixel is not None:
+            self.settings.tell_mm_per_pixel(exported.mm_per_pixel)
+            self._scaled_sheet = str(exported.path)
 
     def prepare(self, scratch: Path) -> list[str]:
         """Turn the settings into a job; remember the document that is active now."""
@@ -70,12 +95,18 @@ class ReconstructPanel(EnginePanel):
         self.sheet.setEnabled(editable)
         self.settings.setEnabled(editable)
         self.preview.setAcceptDrops(editable)
+        self.source.setEnabled(editable)
 
     def take_event(self, event: Event) -> None:
         """Show an event; a preview replaces the picture of the sheet."""
         super().take_event(event)
         if event.kind is EventKind.PREVIEW:
             self.preview.show_file(event.text("path"))
+
+    def _leave(self) -> None:
+        super()._leave()
+        if self._exports is not None:
+            self._exports.cleanup()
 
     def _document(self) -> FreeCAD.Document:
         """The document in which the run began, or a new one if there is none any more."""
@@ -94,6 +125,10 @@ class ReconstructPanel(EnginePanel):
         return path
 
     def _show_sheet(self, path: str) -> None:
+        if self._scaled_sheet:
+            # The scale was that of another drawing.
+            self._scaled_sheet = ""
+            self.settings.forget_scale()
         self.preview.show_file(path.strip())
         self.settings.show_page(path.strip().lower().endswith(_PAGED_SUFFIXES))
 
@@ -112,6 +147,7 @@ class ReconstructPanel(EnginePanel):
         box.setWindowTitle(translate("GaussianCAD", "Drawing"))
         layout = QtWidgets.QVBoxLayout(box)
         layout.addWidget(self.sheet)
+        layout.addWidget(self.source)
         layout.addWidget(self.preview)
         return box
 

@@ -42,7 +42,7 @@ class SettingsForm(QtWidgets.QWidget):
         self.length.setProperty("rawValue", _DEFAULT_LENGTH_MM)
         self.mm_per_pixel = QtWidgets.QDoubleSpinBox()
         self.mm_per_pixel.setObjectName("mmPerPixel")
-        self.mm_per_pixel.setDecimals(6)
+        self.mm_per_pixel.setDecimals(9)
         self.mm_per_pixel.setRange(1e-6, 1e4)
         self.mm_per_pixel.setSingleStep(0.01)
         self.mm_per_pixel.setValue(_DEFAULT_MM_PER_PIXEL)
@@ -78,6 +78,15 @@ class SettingsForm(QtWidgets.QWidget):
             self.colour.colour,
             self.page.value(),
         )
+
+    def tell_mm_per_pixel(self, value: float) -> None:
+        """Set a scale that is known."""
+        self.scale.choose(ScaleKind.MM_PER_PIXEL)
+        self.mm_per_pixel.setValue(value)
+
+    def forget_scale(self) -> None:
+        """Take back a scale that is not known any more."""
+        self.scale.choose(ScaleKind.UNKNOWN)
 
     def show_page(self, paged: bool) -> None:
         """Offer the page's number for files that have pages only."""

@@ -39,7 +39,9 @@ class SheetPreview(QtWidgets.QLabel):
             return
         image = read_sheet_image(Path(path)) if Path(path).is_file() else None
         if image is None:
-            text = translate("GaussianCAD", "No preview of {name}")
+            text = translate(
+                "GaussianCAD", "No preview of {name} here; the engine shows it when it is done"
+            )
             self.setText(text.format(name=Path(path).name))
             return
         if max(image.width(), image.height()) > _LARGEST_PREVIEW:

@@ -1,0 +1,145 @@
+"""A TechDraw page as a sheet for the engine: its views' edges, visible and hidden, as an SVG file.
+
+TechDraw's own exports draw hidden edges as the user's preferences say, solid ones too, and its SVG
+export needs a window.  The edges themselves say which they are, and need none.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from xml.sax.saxutils import quoteattr
+
+import FreeCAD
+import Part
+
+from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
+from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.objects.edge_paths import edge_path
+
+PIXELS_PER_MM = 200.0 / 25.4
+"""The engine draws SVG files at 200 dpi of their paper."""
+
+_VISIBLE = 'class="visible" stroke-width="0.5"'
+_HIDDEN = 'class="hidden" stroke-width="0.35" stroke-dasharray="2 1"'
+
+_SAME = 3
+"""Decimals of a millimetre to which two edges are compared."""
+
+_VIEW = "TechDraw::DrawViewPart"
+
+_NOT_VIEWS = ("TechDraw::DrawViewSection", "TechDraw::DrawViewDetail")
+"""Kinds of part views that show something else than the part from one side."""
+
+
+@dataclass(frozen=True)
+class PageExport:
+    """A page that was written.
+
+    Attributes:
+        path: of the SVG file.
+        mm_per_pixel: of the part, at the engine's resolution; None if the views' scales differ.
+    """
+
+    path: Path
+    mm_per_pixel: float | None
+
+
+@dataclass(frozen=True)
+class _PlacedView:
+    """A view and its centre on the page, in mm, y up."""
+
+    view: FreeCAD.DocumentObject
+    x: float
+    y: float
+
+
+def export_page(page: FreeCAD.DocumentObject, folder: Path) -> PageExport:
+    """Write the views of a page into an SVG file of the page's size.
+
+    Args:
+        page: a ``TechDraw::DrawPage``.
+        folder: receives the file, which is named after the page.
+
+    Raises:
+        WorkbenchError: the page shows no view of a part.
+    """
+    width, height = _page_size(page)
+    views = list(_placed_views(page))
+    drawn = [text for placed in views for text in _view_paths(placed, height)]
+    if not drawn:
+        text = translate(
+            "GaussianCAD",
+            "The page {name} shows no views of a part. Recompute it, or choose another one.",
+        )
+        raise WorkbenchError(ErrorCode.SHEET_MISSING, text.format(name=page.Label))
+    path = folder / f"{_file_name(page.Label)}.svg"
+    head = (
+        '<?xml version="1.0" encoding="UTF-8"?>\n'
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}mm" height="{height:g}mm" '
+        f'viewBox="0 0 {width:g} {height:g}">\n'
+        '<g fill="none" stroke="black" stroke-linecap="round">\n'
+    )
+    path.write_text(head + "\n".join(drawn) + "\n</g></svg>\n", encoding="utf-8")
+    scales = {round(_scale(page, placed.view), 9) for placed in views}
+    scale = scales.pop() if len(scales) == 1 else 0.0
+    return PageExport(path, 1.0 / (PIXELS_PER_MM * scale) if scale > 0.0 else None)
+
+
+def _page_size(page: FreeCAD.DocumentObject) -> tuple[float, float]:
+    """Width and height in mm."""
+    template = page.Template
+    if template is None:
+        return 297.0, 210.0
+    return _number(template.Width), _number(template.Height)
+
+
+def _placed_views(page: FreeCAD.DocumentObject) -> Iterator[_PlacedView]:
+    """The views of parts, those in projection groups too."""
+    for view in page.Views:
+        if view.isDerivedFrom("TechDraw::DrawProjGroup"):
+            for item in view.Views:
+                x, y = _number(view.X) + _number(item.X), _number(view.Y) + _number(item.Y)
+                yield _PlacedView(item, x, y)
+        elif view.isDerivedFrom(_VIEW) and not any(map(view.isDerivedFrom, _NOT_VIEWS)):
+            yield _PlacedView(view, _number(view.X), _number(view.Y))
+
+
+def _view_paths(placed: _PlacedView, page_height: float) -> Iterator[str]:
+    """Path elements of a view's edges; a hidden edge under a visible one is left out."""
+    origin = (placed.x, page_height - placed.y)
+    seen: set[tuple[float, ...]] = set()
+    name = quoteattr(placed.view.Label)
+    groups = ((_VISIBLE, placed.view.getVisibleEdges()), (_HIDDEN, placed.view.getHiddenEdges()))
+    for style, edges in groups:
+        for edge in edges:
+            key = _key(edge)
+            data = edge_path(edge, origin)
+            if data and key not in seen:
+                seen.add(key)
+                yield f'<path {style} d="{data}"><title>{name[1:-1]}</title></path>'
+
+
+def _key(edge: Part.Edge) -> tuple[float, ...]:
+    """Numbers that edges at the same place share, whichever way they run."""
+    first, last = edge.FirstParameter, edge.LastParameter
+    points = [edge.valueAt(value) for value in (first, last)]
+    ends = sorted((round(point.x, _SAME), round(point.y, _SAME)) for point in points)
+    middle = edge.valueAt((first + last) / 2.0)
+    return (*ends[0], *ends[1], round(middle.x, _SAME), round(middle.y, _SAME))
+
+
+def _scale(page: FreeCAD.DocumentObject, view: FreeCAD.DocumentObject) -> float:
+    """The scale at which a view's edges are given."""
+    if hasattr(view, "getScale"):
+        return float(view.getScale())
+    return float(page.Scale if view.ScaleType == "Page" else view.Scale)
+
+
+def _number(value: object) -> float:
+    """A property in mm as a number."""
+    return float(getattr(value, "Value", value))
+
+
+def _file_name(label: str) -> str:
+    """A label as the stem of a file's name."""
+    return "".join("_" if char in '/\\:*?"<>|\0' else char for char in label).strip() or "page"
