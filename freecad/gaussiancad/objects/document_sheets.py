@@ -9,6 +9,7 @@ import FreeCAD
 
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.objects.proxies import GroupProxy
 
 
 class SheetObject(Enum):
@@ -33,23 +34,28 @@ class ExportedSheet:
 
 def sheet_objects(document: FreeCAD.Document | None) -> list[FreeCAD.DocumentObject]:
     """The objects of a document that hold a drawing, pages first."""
-    if document is None:
-        return []
-    return [
-        found
-        for kind in SheetObject
-        for found in document.Objects
-        if found.isDerivedFrom(kind.value)
-    ]
+    objects = [] if document is None else document.Objects
+    pages = [found for found in objects if found.isDerivedFrom(SheetObject.PAGE.value)]
+    return pages + [found for found in objects if found not in pages and _is_sheet(found)]
 
 
 def first_sheet_object(objects: list[FreeCAD.DocumentObject]) -> FreeCAD.DocumentObject | None:
-    """The first of some objects that holds a drawing, or whose page does; None if none does."""
+    """The first of some objects that holds a drawing, a view's page too; None if none does."""
     for candidate in objects:
-        for found in (candidate, *candidate.InListRecursive):
-            if any(found.isDerivedFrom(kind.value) for kind in SheetObject):
+        above = candidate.InListRecursive if candidate.TypeId.startswith("TechDraw::") else []
+        for found in (candidate, *above):
+            if _is_sheet(found):
                 return found
     return None
+
+
+def _is_sheet(candidate: FreeCAD.DocumentObject) -> bool:
+    """Whether an object holds a drawing, and not just a view that was cut out of one."""
+    if not any(candidate.isDerivedFrom(kind.value) for kind in SheetObject):
+        return False
+    return not any(
+        isinstance(getattr(parent, "Proxy", None), GroupProxy) for parent in candidate.InList
+    )
 
 
 def export_sheet(source: FreeCAD.DocumentObject, folder: Path) -> ExportedSheet:
