@@ -39,12 +39,14 @@ from gaussiancad_core.drawing.sheet import PartLines, Sheet, compose_sheet, part
 from gaussiancad_core.drawing.strokes import DrawnStroke, turned
 from gaussiancad_core.drawing.style import SheetStyle, parse_style
 from gaussiancad_core.errors import GaussianCadError
+from gaussiancad_core.projection_choice import choose_projection
 from gaussiancad_core.samples import SAMPLES, sample
 from gaussiancad_core.samples.random_parts import random_part
+from gaussiancad_core.sheet.annotations.separate import separate_annotations
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
-from gaussiancad_core.sheet.layout import find_layout
+from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.sheet.reading import read_views
+from gaussiancad_core.sheet.reading import find_views, read_views
 from gaussiancad_core.views import Linetype
 
 STYLES = (
@@ -78,18 +80,20 @@ class Found:
 def read(path: Path) -> Found:
     """Read a sheet as ``gaussiancad reconstruct`` does, with nothing told."""
     clean = upright_sheet(clean_sheet(read_sheet(path).grey))
-    layout = find_layout(clean.ink, {}, None)
-    drawn = read_views(clean, layout)
+    part, layout = find_views(clean, separate_annotations(clean), {}, None)
+    drawn = read_views(part, layout)
+    projection, alternatives = layout.projection, layout.alternatives
+    if alternatives:
+        choice = choose_projection(drawn, projection, ReadingOptions())
+        drawn, projection = choice.registered.drawn, choice.projection
+        alternatives = () if choice.inferred else (projection.other,)
     turn = clean.turn
-    return Found(
-        {view.role: view.stored_box(turn) for view in drawn},
-        {
-            view.role: tuple(turned(stroke, turn.angle, turn.centre) for stroke in view.strokes)
-            for view in drawn
-        },
-        layout.projection,
-        layout.alternatives,
-    )
+    strokes = {
+        view.role: tuple(turned(stroke, turn.angle, turn.centre) for stroke in view.strokes)
+        for view in drawn
+    }
+    boxes = {view.role: view.stored_box(turn) for view in drawn}
+    return Found(boxes, strokes, projection, alternatives)
 
 
 @dataclass(frozen=True)
