@@ -1,5 +1,7 @@
 """Bézier curves back to what they stand for: lines, arcs, ellipses, and chains for all others."""
 
+from itertools import groupby
+
 import numpy as np
 import numpy.typing as npt
 
@@ -9,10 +11,11 @@ from gaussiancad_core.sheet.files.curves import (
     STRAIGHT,
     Vector,
     affine_arc,
+    polygon_curves,
     to_point,
     wrapped,
 )
-from gaussiancad_core.sheet.files.fitting import circle_through
+from gaussiancad_core.sheet.files.fitting import circle_through, lines_and_arcs
 from gaussiancad_core.sheet.files.vectors import (
     FULL_TURN,
     Chain,
@@ -68,23 +71,19 @@ def curves_from_path(pieces: list[npt.NDArray[np.float64]], exact: bool = True) 
         exact: recognise arcs; else Bézier curves become chains.
     """
     curves: list[Curve] = []
-    run: list[npt.NDArray[np.float64]] = []
-    for piece in pieces:
-        if len(piece) == 4:
-            run.append(piece)
-            continue
-        if np.hypot(*(piece[1] - piece[0])) <= 1e-9:
-            continue
-        curves += _from_run(run, exact)
-        run = []
-        curves.append(Line(to_point(piece[0]), to_point(piece[1])))
-    return curves + _from_run(run, exact)
-
-
-def _from_run(run: list[npt.NDArray[np.float64]], exact: bool) -> list[Curve]:
-    if not run:
-        return []
-    return curves_from_beziers(run) if exact else [_chain(bezier) for bezier in run]
+    for is_bezier, group in groupby(
+        (piece for piece in pieces if np.hypot(*np.ptp(piece, axis=0)) > 1e-9),
+        key=lambda piece: len(piece) == 4,
+    ):
+        run = list(group)
+        if not is_bezier:
+            points = np.array([piece[0] for piece in run] + [run[-1][1]])
+            curves += lines_and_arcs(points) if exact else polygon_curves(points)
+        elif exact:
+            curves += curves_from_beziers(run)
+        else:
+            curves += [_chain(bezier) for bezier in run]
+    return curves
 
 
 def _is_straight(bezier: npt.NDArray[np.float64]) -> bool:

@@ -24,6 +24,9 @@ MAX_PAGES = 1000
 MAX_ELEMENTS = 100_000
 """Lines and other elements of a vector page, blocks and reused parts counted as often as shown."""
 
+PAPER_LEVEL = 250
+"""From this level on, of 255, a colour is white paper."""
+
 Grey = npt.NDArray[np.uint8]
 """(h, w)"""
 

@@ -12,7 +12,7 @@ import numpy as np
 import resvg_py
 from PIL import Image
 
-from gaussiancad_core.sheet.files.content import Grey
+from gaussiancad_core.sheet.files.content import PAPER_LEVEL, Grey
 from gaussiancad_core.sheet.files.fonts import known_font
 from gaussiancad_core.sheet.files.vectors import (
     Chain,
@@ -41,9 +41,6 @@ _PARTS = (StrokeKind.GEOMETRY, StrokeKind.BLOCK)
 
 _FINEST_DASH = 2.0
 """px: dashes and gaps that are shorter run together, and are drawn longer."""
-
-_INK = 250
-"""Grey levels under which a pixel shows something."""
 
 
 def render_svg(body: str, width: int, height: int, scale: float = 1.0) -> Grey:
@@ -179,4 +176,4 @@ def shown_share(stroke: VectorStroke, grey: Grey) -> float:
     height, width = grey.shape
     inside = ((cells >= 0) & (cells < [width, height])).all(axis=1)
     columns, rows = cells[inside].T
-    return float((grey[rows, columns] < _INK).sum()) / len(points)
+    return float((grey[rows, columns] < PAPER_LEVEL).sum()) / len(points)

@@ -15,7 +15,7 @@ import pypdfium2 as pdfium
 from pypdfium2 import raw
 
 from gaussiancad_core.sheet.files.beziers import curves_from_path
-from gaussiancad_core.sheet.files.content import MAX_ELEMENTS, too_many_elements
+from gaussiancad_core.sheet.files.content import MAX_ELEMENTS, PAPER_LEVEL, too_many_elements
 from gaussiancad_core.sheet.files.curves import to_point
 from gaussiancad_core.sheet.files.linetypes import role_by_dashes, role_by_name
 from gaussiancad_core.sheet.files.vectors import (
@@ -97,6 +97,7 @@ def page_objects(page: pdfium.PdfPage, target: PageMap) -> PageContent:
     try:
         walk = _Walk(page, text_page, target.path)
         count = raw.FPDFPage_CountObjects(page)
+        walk.count(count, 0)
         objects = (raw.FPDFPage_GetObject(page, index) for index in range(count))
         _take_all(walk, objects, target.to_pixels, 0)
     finally:
@@ -108,7 +109,6 @@ def _take_all(
     walk: _Walk, objects: Iterator[raw.FPDF_PAGEOBJECT], outer: Affine, depth: int
 ) -> None:
     for item in objects:
-        walk.count(1, 0)
         kind = raw.FPDFPageObj_GetType(item)
         if kind == raw.FPDF_PAGEOBJ_PATH:
             walk.strokes += _path_strokes(walk, item, outer)
@@ -117,6 +117,7 @@ def _take_all(
         elif kind == raw.FPDF_PAGEOBJ_FORM:
             if depth < _DEEPEST:
                 count = raw.FPDFFormObj_CountObjects(item)
+                walk.count(count, 0)
                 parts = (raw.FPDFFormObj_GetObject(item, index) for index in range(count))
                 _take_all(walk, parts, _composed(outer, _matrix(item)), depth + 1)
         else:
@@ -145,6 +146,8 @@ def _path_strokes(walk: _Walk, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> list
     subpaths = _subpaths(walk, item, matrix)
     layer = _layer(item)
     if not stroked.value:
+        if _is_paper(item):
+            return []
         outlines = [_outline(pieces) for pieces in subpaths]
         return [
             VectorStroke(curve, None, (), StrokeRole.UNKNOWN, layer, StrokeKind.FILL)
@@ -161,6 +164,13 @@ def _path_strokes(walk: _Walk, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> list
         for pieces in subpaths
         for curve in curves_from_path(pieces)
     ]
+
+
+def _is_paper(item: raw.FPDF_PAGEOBJECT) -> bool:
+    """Whether an area is filled with white: it only covers what lies under it."""
+    channels = [ctypes.c_uint() for _ in range(4)]
+    known = raw.FPDFPageObj_GetFillColor(item, *channels)
+    return bool(known) and min(channel.value for channel in channels[:3]) >= PAPER_LEVEL
 
 
 def _subpaths(

@@ -9,6 +9,7 @@ import numpy.typing as npt
 import svgelements
 
 from gaussiancad_core.sheet.files.beziers import curves_from_path
+from gaussiancad_core.sheet.files.content import PAPER_LEVEL
 from gaussiancad_core.sheet.files.curves import affine_arc, to_point
 from gaussiancad_core.sheet.files.linetypes import role_by_dashes, role_by_name
 from gaussiancad_core.sheet.files.vectors import (
@@ -90,7 +91,7 @@ def _shape_strokes(shape: svgelements.Shape, scale: float) -> list[VectorStroke]
         named = next((role for name in names if (role := role_by_name(str(name or "")))), None)
         role = role_by_dashes(dashes) if dashes else named or StrokeRole.UNKNOWN
         return [VectorStroke(curve, width, dashes, role, layer) for curve in _curves(shape, matrix)]
-    if _is_painted(shape.fill):
+    if _is_painted(shape.fill) and min(_channels(shape.fill)) < PAPER_LEVEL:
         return [
             VectorStroke(outline, None, (), StrokeRole.UNKNOWN, layer, StrokeKind.FILL)
             for outline in _outlines(shape, matrix)
@@ -100,6 +101,10 @@ def _shape_strokes(shape: svgelements.Shape, scale: float) -> list[VectorStroke]
 
 def _is_painted(colour: svgelements.Color | None) -> bool:
     return colour is not None and colour.value is not None and colour.alpha != 0
+
+
+def _channels(colour: svgelements.Color) -> tuple[int, int, int]:
+    return colour.red, colour.green, colour.blue
 
 
 def _number(value: object, default: float) -> float:

@@ -189,6 +189,27 @@ def test_filled_shapes_are_told_apart(pdf: type, save: Save) -> None:
     assert stroke.curve.points[0] == stroke.curve.points[-1]
 
 
+def test_white_areas_are_paper(pdf: type, save: Save) -> None:
+    content = b"1 1 1 rg 100 100 200 90 re f 0 0 0 RG 100 100 200 90 re S"
+    strokes = read_pdf(save("a.pdf", pdf(content).to_bytes()), 1).vectors.strokes
+    assert [type(stroke.curve) for stroke in strokes] == [Line] * 4
+
+
+def test_plotted_circles_are_circles_again(pdf: type, save: Save) -> None:
+    """Plotters write arcs as short lines between rounded points."""
+    t = np.linspace(0, TURN, 91)
+    points = np.round(np.stack([300 + 120 * np.cos(t), 500 + 120 * np.sin(t)], 1), 2)
+    first, *others = (f"{x:.2f} {y:.2f}" for x, y in points)
+    content = f"{first} m " + " ".join(f"{other} l" for other in others) + " 500 500 l S"
+    data = pdf(content.encode()).to_bytes()
+    circle, line = (stroke.curve for stroke in read_pdf(save("a.pdf", data), 1).vectors.strokes)
+    assert isinstance(circle, CircularArc)
+    assert circle.is_full
+    assert np.allclose(circle.centre, (300 * SCALE, (HEIGHT - 500) * SCALE), atol=0.01)
+    assert circle.radius == pytest.approx(120 * SCALE, abs=0.01)
+    assert isinstance(line, Line)
+
+
 def test_layers_are_named(pdf: type, save: Save) -> None:
     layer = b"<< /Type /OCG /Name (HIDDEN EDGES) >>"
     page = b"/Resources << /Properties << /L 5 0 R >> >>"
