@@ -50,7 +50,8 @@ from gaussiancad_core.sheet.reading import find_views, read_views
 from gaussiancad_core.views import Linetype
 
 STYLES = (
-    "clean", "thin", "thick", "scan", "photocopy", "dimensioned", "jpeg30", "iso", "ansi", "even",
+    "clean", "thin", "thick", "scan", "photocopy", "dimensioned", "workshop", "jpeg30",
+    "iso", "ansi", "even",
 )  # fmt: skip
 """The last three have line weights and rhythms that nothing was tuned on."""
 
@@ -262,16 +263,17 @@ def jobs_of(options: argparse.Namespace) -> Iterator[Job]:
 
 def print_table(results: Sequence[Result]) -> None:
     """A row for each style and one for all."""
-    print(
-        f"{'style':14}{'sheets':>7}{'failed':>7}{'vis P':>8}{'vis R':>8}{'hid P':>8}{'hid R':>8}"
-        f"{'med px':>8}{'95% px':>8}{'vertices':>9}{'box px':>8}{'views':>7}{'proj':>7}{'or':>7}"
-        f"{'s':>7}"
-    )
     styles = defaultdict(list)
     for result in results:
         styles[result.style].append(result)
+    width = max(map(len, styles)) + 2
+    print(
+        f"{'style':{width}}{'sheets':>7}{'failed':>7}{'vis P':>8}{'vis R':>8}{'hid P':>8}"
+        f"{'hid R':>8}{'med px':>8}{'95% px':>8}{'vertices':>9}{'box px':>8}{'views':>7}"
+        f"{'proj':>7}{'or':>7}{'s':>7}"
+    )
     for style, rows in (*styles.items(), ("all", results)):
-        print(f"{style:14}" + "".join(_cells(rows)))
+        print(f"{style:{width}}" + "".join(_cells(rows)))
 
 
 def _cells(rows: Sequence[Result]) -> Iterator[str]:

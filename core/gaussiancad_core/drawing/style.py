@@ -98,6 +98,24 @@ class SheetStyle:
     salt: float = 0.0
 
 
+_PHOTOCOPY = SheetStyle(
+    ink=(26, 26, 26),
+    paper=(250, 250, 250),
+    margin=110.0,
+    skew=3.0,
+    bleed=0.5,
+    fade=0.12,
+    specks=60.0,
+    blur=0.8,
+    contrast=2.5,
+    light=0.12,
+    shadow=30.0,
+    noise=3.0,
+    salt=2e-4,
+    jpeg_quality=80,
+)
+"""A dark copy of a faint original, laid on the glass askew."""
+
 PRESETS: dict[str, SheetStyle] = {
     "clean": SheetStyle(),
     "thin": SheetStyle(visible_width=2.0, hidden_width=1.2, dash=10.0, gap=5.0),
@@ -115,25 +133,18 @@ PRESETS: dict[str, SheetStyle] = {
         noise=4.0,
         jpeg_quality=85,
     ),
-    # A dark copy of a faint original, laid on the glass askew.
-    "photocopy": SheetStyle(
-        ink=(26, 26, 26),
-        paper=(250, 250, 250),
-        margin=110.0,
-        skew=3.0,
-        bleed=0.5,
-        fade=0.12,
-        specks=60.0,
-        blur=0.8,
-        contrast=2.5,
-        light=0.12,
-        shadow=30.0,
-        noise=3.0,
-        salt=2e-4,
-        jpeg_quality=80,
-    ),
+    "photocopy": _PHOTOCOPY,
     "dimensioned": SheetStyle(
         margin=130.0,
+        view_gap=170.0,
+        annotations=True,
+        frame=True,
+        centre_lines=True,
+    ),
+    # What comes back from a workshop: a copy of a dimensioned sheet.
+    "workshop": replace(
+        _PHOTOCOPY,
+        margin=150.0,
         view_gap=170.0,
         annotations=True,
         frame=True,
