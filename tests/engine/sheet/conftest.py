@@ -1,8 +1,9 @@
 """Sheets with known lines, drawn by the engine itself, and how they are read."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
+from itertools import cycle, pairwise
 
 import cv2
 import numpy as np
@@ -10,8 +11,9 @@ import numpy.typing as npt
 import pytest
 
 from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.drawing.raster import draw_stroke
 from gaussiancad_core.drawing.sheet import Sheet, draw_sheet
-from gaussiancad_core.drawing.style import PRESETS
+from gaussiancad_core.drawing.style import PRESETS, Cap
 from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
 from gaussiancad_core.sheet.layout import Layout, find_layout
@@ -22,7 +24,9 @@ from gaussiancad_core.sheet.reading import (
     read_views,
     register_views,
 )
+from gaussiancad_core.views import Arc, Linetype, Segment
 
+Point = tuple[float, float]
 Grey = npt.NDArray[np.uint8]
 
 
@@ -38,6 +42,77 @@ class ReadCase:
 
     def __getitem__(self, role: Role) -> ReadView:
         return next(view for view in self.views if view.role is role)
+
+
+class Sketch:
+    """Ink on a small sheet, as exact as pixels can be; (x, y) px count from the centre of the first
+    pixel, as shapes do.
+
+    Attributes:
+        weight: (h, w) float32 share of ink, 0 to 1.
+    """
+
+    def __init__(self, width: int = 200, height: int = 160) -> None:
+        self.weight = np.zeros((height, width), np.float32)
+
+    def line(self, start: Point, end: Point, width: float = 3.0) -> "Sketch":
+        """A straight stroke, cut off square at its ends."""
+        ends = [(x + 0.5, y + 0.5) for x, y in (start, end)]
+        draw_stroke(self.weight, Segment(*ends, Linetype.VISIBLE), width, Cap.BUTT)
+        return self
+
+    def lines(self, *corners: Point, width: float = 3.0) -> "Sketch":
+        """Straight strokes from corner to corner."""
+        for start, end in pairwise(corners):
+            self.line(start, end, width)
+        return self
+
+    def broken(
+        self, start: Point, end: Point, lengths: Sequence[float], width: float = 2.0
+    ) -> "Sketch":
+        """A stroke of dashes and gaps, whose lengths take turns; it ends with a whole dash."""
+        whole = float(np.hypot(end[0] - start[0], end[1] - start[1]))
+        way = ((end[0] - start[0]) / whole, (end[1] - start[1]) / whole)
+        at = 0.0
+        for index, length in enumerate(cycle(lengths)):
+            if at + length > whole + 1e-9:
+                return self
+            if index % 2 == 0:
+                near = (start[0] + at * way[0], start[1] + at * way[1])
+                far = (near[0] + length * way[0], near[1] + length * way[1])
+                self.line(near, far, width)
+            at += length
+
+    def arc(
+        self,
+        centre: Point,
+        radius: float,
+        width: float = 3.0,
+        start: float = 0.0,
+        sweep: float = 2.0 * np.pi,
+    ) -> "Sketch":
+        """A circle or a piece of one; angles in radians from x to y."""
+        middle = (centre[0] + 0.5, centre[1] + 0.5)
+        arc = Arc(middle, radius, start, sweep, Linetype.VISIBLE)
+        draw_stroke(self.weight, arc, width, Cap.BUTT)
+        return self
+
+    def filled(self, *corners: Point) -> "Sketch":
+        """A polygon full of ink, its border not smoothed."""
+        points = np.rint(16.0 * np.array(corners)).astype(np.int32)
+        cv2.fillPoly(self.weight, [points], 1.0, shift=4)
+        return self
+
+    @property
+    def grey(self) -> Grey:
+        """(h, w) uint8, dark ink on white paper."""
+        return np.rint(255.0 * (1.0 - self.weight)).astype(np.uint8)
+
+
+@pytest.fixture(scope="session")
+def sketch() -> type[Sketch]:
+    """The class to draw small sheets with."""
+    return Sketch
 
 
 def _grey(image: npt.NDArray[np.uint8]) -> Grey:
