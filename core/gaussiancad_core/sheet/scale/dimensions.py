@@ -1,0 +1,248 @@
+"""Which length on the sheet a dimension's text belongs to (ISO 129-1, ASME Y14.5).
+
+A linear dimension's line runs level or upright, under its text or interrupted by it.  What it
+measures lies between the two lines that cross or meet it: extension lines, centre lines, edges.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.marks import Mark
+from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.files.vectors import Line, StrokeKind, VectorStroke
+from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.scale.texts import SheetText
+
+_SLANT = 0.01
+"""Sine of the angle within which a line is level or upright."""
+
+_RULES = frozenset({AnnotationKind.EXTENSION, AnnotationKind.DIMENSION, AnnotationKind.CENTRE_LINE})
+"""Marks that dimensions are made of."""
+
+_NO_LINES = frozenset({StrokeKind.FILL, StrokeKind.HATCH})
+
+_AWAY = 1.3
+"""Distance from a text's border to its dimension line at most, in its height."""
+
+_TOUCH = 4.0
+"""px by which lines may miss each other and still meet."""
+
+_ALIGNED = 1.5
+"""px by which pieces of one line may be out of line."""
+
+_GAP = 6.0
+"""px between pieces of a line that other lines cross."""
+
+_SPARE = 3.0
+"""Room that a text leaves in the line that it interrupts, in its height, at most."""
+
+_SHORTEST = 6.0
+"""px under which a length says little."""
+
+_REACH = 6.0
+"""Distance along its line from a text outside to what it says, in its height, at most."""
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A level or upright line in px of the upright sheet.
+
+    Attributes:
+        level: whether it runs along x.
+        at: its coordinate across.
+        low, high: its ends' coordinates along.
+    """
+
+    level: bool
+    at: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
+class Span:
+    """A length on the sheet that a text may belong to.
+
+    Attributes:
+        level: whether it runs along x.
+        low, high: px along.
+        weight: 1 for the likeliest reading of a text, less for others.
+    """
+
+    level: bool
+    low: float
+    high: float
+    weight: float = 1.0
+
+    @property
+    def length(self) -> float:
+        """In px."""
+        return self.high - self.low
+
+
+def rule_of(start: Sequence[float], end: Sequence[float]) -> Rule | None:
+    """The rule between two points; nothing if it is slanted."""
+    (x0, y0), (x1, y1) = start, end
+    dx, dy = abs(x1 - x0), abs(y1 - y0)
+    length = float(np.hypot(dx, dy))
+    if length == 0.0 or min(dx, dy) > max(_SLANT * length, 0.5):
+        return None
+    if dx > dy:
+        return Rule(True, 0.5 * (y0 + y1), min(x0, x1), max(x0, x1))
+    return Rule(False, 0.5 * (x0 + x1), min(y0, y1), max(y0, y1))
+
+
+def mark_rules(marks: Iterable[Mark]) -> list[Rule]:
+    """The rules among the marks of a sheet."""
+    found = [rule_of(*mark.line) for mark in marks if mark.kind in _RULES and mark.line is not None]
+    return [rule for rule in found if rule is not None]
+
+
+def file_rules(strokes: Iterable[VectorStroke], turn: Turn) -> list[Rule]:
+    """The rules among the strokes of a vector file."""
+    found = []
+    for stroke in strokes:
+        if isinstance(stroke.curve, Line) and stroke.kind not in (
+            StrokeKind.FILL,
+            StrokeKind.HATCH,
+        ):
+            ends = turn.to_upright(np.array([stroke.curve.start, stroke.curve.end]))
+            found.append(rule_of(*ends.tolist()))
+    return [rule for rule in found if rule is not None]
+
+
+def spans_of(text: SheetText, rules: Sequence[Rule], edges: Sequence[Rule]) -> tuple[Span, ...]:
+    """The lengths that a text may belong to, the likeliest first; none if there is no line.
+
+    Args:
+        text: of a dimension.
+        rules: the sheet's narrow lines.
+        edges: of the part, which dimension lines may end at.
+    """
+    found: list[Span] = []
+    for level in (True, False):
+        for line in _lines_beside(text, level, [rule for rule in rules if rule.level is level]):
+            across = [rule for rule in rules if rule.level is not level]
+            stops = _stops(line, across)
+            borders = _stops(line, [edge for edge in edges if edge.level is not level])
+            found += _spans(text, line, stops, borders)
+    unique: list[Span] = []
+    for span in sorted(found, key=lambda span: -span.weight):
+        if span.length >= _SHORTEST and not any(_same(span, other) for other in unique):
+            unique.append(span)
+    return tuple(unique)
+
+
+def _same(one: Span, other: Span) -> bool:
+    return (
+        one.level is other.level
+        and abs(one.low - other.low) < _ALIGNED
+        and abs(one.high - other.high) < _ALIGNED
+    )
+
+
+def _sides(box: Box, level: bool) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Spans of a box along and across a direction."""
+    x, y = (box[0], box[2]), (box[1], box[3])
+    return (x, y) if level else (y, x)
+
+
+def _lines_beside(text: SheetText, level: bool, rules: Sequence[Rule]) -> list[Rule]:
+    """Lines of a direction that run under, over or through a text, pieces joined, nearest first."""
+    along, across = _sides(text.box, level)
+    height = across[1] - across[0] if text.level is level else along[1] - along[0]
+    middle = 0.5 * (across[0] + across[1])
+    reach = 0.5 * (across[1] - across[0])
+    # A text that does not run along its line stands in it.
+    reach = reach + _AWAY * height if text.level is level else 0.5 * reach
+    near = sorted(
+        (rule for rule in rules if abs(rule.at - middle) <= reach),
+        key=lambda rule: abs(rule.at - middle),
+    )
+    centre = 0.5 * (along[0] + along[1])
+    found: list[Rule] = []
+    while near:
+        pieces = [rule for rule in near if abs(rule.at - near[0].at) < _ALIGNED]
+        near = [rule for rule in near if rule not in pieces]
+        inline = across[0] < pieces[0].at < across[1]
+        for line in _joined(pieces, (along[0] - height, along[1] + height) if inline else None):
+            beyond = max(line.low - centre, centre - line.high, 0.0)
+            if beyond <= (_REACH if inline else 0.5) * height:
+                found.append(line)
+    return found
+
+
+def _joined(pieces: Sequence[Rule], text: tuple[float, float] | None) -> list[Rule]:
+    """Pieces of a line put together over small gaps, and over that of a text."""
+    ordered = sorted(pieces, key=lambda rule: rule.low)
+    joined = [ordered[0]]
+    for rule in ordered[1:]:
+        last = joined[-1]
+        gap = rule.low - last.high
+        filled = text is not None and last.high >= text[0] - _GAP and rule.low <= text[1] + _GAP
+        if gap <= _GAP or filled:
+            longer = max(last, rule, key=lambda piece: piece.high - piece.low)
+            joined[-1] = Rule(last.level, longer.at, last.low, max(last.high, rule.high))
+        else:
+            joined.append(rule)
+    return joined
+
+
+def _stops(line: Rule, across: Sequence[Rule]) -> list[float]:
+    """Where other lines cross or meet a line, in order; each once, by its longest piece."""
+    met = [
+        rule
+        for rule in across
+        if rule.low - _TOUCH <= line.at <= rule.high + _TOUCH
+        and line.low - _TOUCH <= rule.at <= line.high + _TOUCH
+    ]
+    found: list[float] = []
+    for rule in sorted(met, key=lambda rule: rule.low - rule.high):
+        if all(abs(rule.at - at) > _ALIGNED for at in found):
+            found.append(rule.at)
+    return sorted(found)
+
+
+def _spans(
+    text: SheetText, line: Rule, stops: Sequence[float], borders: Sequence[float]
+) -> list[Span]:
+    """What a line may measure: all of it, or what is beside the text."""
+    along, across = _sides(text.box, line.level)
+    centre = 0.5 * (along[0] + along[1])
+    height = min(along[1] - along[0], across[1] - across[0])
+    found = _beside(line.level, centre, stops, 1.0, _REACH * height)
+    ends = (
+        [min(stops, key=lambda at, end=end: abs(at - end)) for end in (line.low, line.high)]
+        if (stops)
+        else []
+    )
+    if ends and ends[0] < ends[1] and _meets(ends, line):
+        found.append(Span(line.level, ends[0], ends[1], 1.0 if not found else 0.8))
+    if borders:
+        every = sorted([*stops, *borders])
+        found += _beside(line.level, centre, every, 0.5, _REACH * height)
+        ends = [min(every, key=lambda at, end=end: abs(at - end)) for end in (line.low, line.high)]
+        if ends[0] < ends[1] and _meets(ends, line):
+            found.append(Span(line.level, ends[0], ends[1], 0.7))
+    return found
+
+
+def _meets(ends: Sequence[float], line: Rule) -> bool:
+    return abs(ends[0] - line.low) <= _TOUCH and abs(ends[1] - line.high) <= _TOUCH
+
+
+def _beside(
+    level: bool, centre: float, stops: Sequence[float], weight: float, reach: float
+) -> list[Span]:
+    """Between the stops on both sides of a text's middle, or the nearest two on one side."""
+    pairs = [Span(level, low, high, weight) for low, high in pairwise(stops)]
+    around = [span for span in pairs if span.low <= centre <= span.high]
+    if around or not pairs:
+        return around
+    near = pairs[0] if centre < pairs[0].low else pairs[-1]
+    distance = max(near.low - centre, centre - near.high)
+    return [near] if distance <= reach else []

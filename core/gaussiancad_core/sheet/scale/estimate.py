@@ -1,0 +1,211 @@
+"""One scale from all dimensions of a sheet, whatever few of them say.
+
+Texts are misread and lines mistaken, but seldom so that several agree: the scale is that of the
+largest group of dimensions that agree.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.scale.numbers import DimensionText, Unit
+
+_AGREE = 0.01
+"""Share by which dimensions that agree may differ."""
+
+_EXACT = 0.003
+"""Share by which those may differ from their median of which the scale is taken."""
+
+_MISSED = 1.0
+"""px by which a length may be wrong without a word."""
+
+_SHARE = 0.34
+"""Share of the measured dimensions that agree at least: fewer may do so by chance."""
+
+_PAPER = 0.03
+"""Share by which a single dimension may differ from the paper's scale: copies shrink."""
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A length on the sheet that a dimension may belong to.
+
+    Attributes:
+        pixels: its length.
+        weight: 1 for the likeliest one.
+    """
+
+    pixels: float
+    weight: float = 1.0
+
+
+@dataclass(frozen=True)
+class Dimension:
+    """A dimension's text and what it may measure.
+
+    Attributes:
+        text: as it was read.
+        said: the length that it gives.
+        box: around the text, px.
+        candidates: lengths on the sheet, the likeliest first; empty if none was found.
+    """
+
+    text: str
+    said: DimensionText
+    box: Box
+    candidates: tuple[Candidate, ...]
+
+
+@dataclass(frozen=True)
+class ReadDimension:
+    """What became of a dimension.
+
+    Attributes:
+        text: as it was read.
+        value_mm: that it gives.
+        box: around the text, px.
+        mm_per_pixel: that follows from it; nothing where it was not found what it measures.
+        used: whether the sheet's scale is taken from it.
+    """
+
+    text: str
+    value_mm: float
+    box: Box
+    mm_per_pixel: float | None
+    used: bool
+
+
+@dataclass(frozen=True)
+class Agreement:
+    """The scale on which dimensions agree.
+
+    Attributes:
+        mm_per_pixel: of the sheet; nothing where they do not agree.
+        dimensions: all of them.
+    """
+
+    mm_per_pixel: float | None
+    dimensions: tuple[ReadDimension, ...]
+
+    @property
+    def disagreeing(self) -> tuple[ReadDimension, ...]:
+        """Dimensions that give another scale."""
+        if self.mm_per_pixel is None:
+            return ()
+        return tuple(own for own in self.dimensions if own.mm_per_pixel and not own.used)
+
+
+def usual_unit(
+    dimensions: Sequence[Dimension], noted: Unit | None, paper_scale: float | None
+) -> Unit:
+    """The unit of texts that do not name theirs.
+
+    Args:
+        dimensions: of the sheet.
+        noted: in a note such as ``DIMENSIONS IN MM``.
+        paper_scale: mm per px by the paper's size and the scale note, where both are known.
+    """
+    if noted is not None:
+        return noted
+    if paper_scale is not None:
+        fitting = {
+            unit: sum(
+                any(
+                    _fits(own, unit, candidate, paper_scale, _PAPER) for candidate in own.candidates
+                )
+                for own in dimensions
+            )
+            for unit in Unit
+        }
+        if fitting[Unit.INCH] != fitting[Unit.MILLIMETRE]:
+            return max(Unit, key=lambda unit: fitting[unit])
+    inches = sum(own.said.unit is Unit.INCH for own in dimensions)
+    return Unit.INCH if 2 * inches > len(dimensions) else Unit.MILLIMETRE
+
+
+def agree(dimensions: Sequence[Dimension], unit: Unit, paper_scale: float | None) -> Agreement:
+    """The scale on which most dimensions agree.
+
+    Args:
+        dimensions: of the sheet.
+        unit: of texts that do not name theirs.
+        paper_scale: mm per px by the paper's size and the scale note, where both are known.
+    """
+    scale = _commonest(dimensions, unit)
+    members = [own for own in dimensions if scale and _best(own, unit, scale)]
+    measured = [own for own in dimensions if own.candidates]
+    enough = len(members) >= max(2.0, _SHARE * len(measured))
+    if scale and not enough and paper_scale is not None:
+        members = [own for own in measured if _best(own, unit, paper_scale, _PAPER)]
+        enough = len(members) >= max(1.0, _SHARE * len(measured))
+        scale = _refined(members, unit, paper_scale, _PAPER) if enough else None
+    elif scale and enough:
+        scale = _refined(members, unit, scale, _AGREE)
+    if not scale or not enough:
+        return Agreement(None, tuple(_told(own, unit, None) for own in dimensions))
+    return Agreement(scale, tuple(_told(own, unit, scale) for own in dimensions))
+
+
+def _scale(own: Dimension, unit: Unit, candidate: Candidate) -> float:
+    return own.said.millimetres(unit) / candidate.pixels
+
+
+def _fits(
+    own: Dimension, unit: Unit, candidate: Candidate, scale: float, share: float = _AGREE
+) -> bool:
+    """Whether a length is what a dimension says, at a scale."""
+    tolerance = max(share, _MISSED / candidate.pixels)
+    return abs(float(np.log(_scale(own, unit, candidate) / scale))) <= tolerance
+
+
+def _best(own: Dimension, unit: Unit, scale: float, share: float = _AGREE) -> Candidate | None:
+    """The length of a dimension that fits a scale best; nothing if none does."""
+    fitting = [c for c in own.candidates if _fits(own, unit, c, scale, share)]
+    if not fitting:
+        return None
+    return min(fitting, key=lambda c: (-c.weight, abs(np.log(_scale(own, unit, c) / scale))))
+
+
+def _commonest(dimensions: Sequence[Dimension], unit: Unit) -> float | None:
+    """The scale that most dimensions fit; nothing if two fit as many."""
+    votes: list[tuple[float, float]] = []
+    for own in dimensions:
+        for candidate in own.candidates:
+            scale = _scale(own, unit, candidate)
+            fitting = (_best(other, unit, scale) for other in dimensions)
+            votes.append((sum(best.weight for best in fitting if best), scale))
+    if not votes:
+        return None
+    most, scale = max(votes)
+    rivals = [vote for vote, other in votes if abs(np.log(other / scale)) > 2 * _AGREE]
+    return scale if all(vote < most - 1e-9 for vote in rivals) else None
+
+
+def _refined(members: Sequence[Dimension], unit: Unit, scale: float, share: float) -> float:
+    """The scale that fits dimensions best; long ones count more."""
+    pairs = [
+        (own.said.millimetres(unit), best.pixels)
+        for own in members
+        if (best := _best(own, unit, scale, share))
+    ]
+    values, pixels = np.array(pairs).T
+    order = np.argsort(values / pixels)
+    values, pixels = values[order], pixels[order]
+    middle = float((values / pixels)[np.searchsorted(np.cumsum(pixels), 0.5 * pixels.sum())])
+    near = np.abs(values / pixels / middle - 1.0) <= np.maximum(_EXACT, 0.5 * _MISSED / pixels)
+    # Least squares: every length is wrong by about as many px.
+    return float((values * pixels)[near].sum() / (pixels**2)[near].sum())
+
+
+def _told(own: Dimension, unit: Unit, scale: float | None) -> ReadDimension:
+    best = _best(own, unit, scale) if scale else None
+    candidate = best or next(iter(own.candidates), None)
+    return ReadDimension(
+        own.text,
+        own.said.millimetres(unit),
+        own.box,
+        _scale(own, unit, candidate) if candidate else None,
+        best is not None,
+    )

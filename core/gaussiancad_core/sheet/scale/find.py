@@ -1,0 +1,206 @@
+"""The scale of a sheet: from its dimensions, or from its paper and scale note."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from enum import Enum
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.marks import Mark
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.files.content import Note
+from gaussiancad_core.sheet.read import SheetImage
+from gaussiancad_core.sheet.reading import ReadView
+from gaussiancad_core.sheet.scale.dimensions import (
+    Rule,
+    file_rules,
+    mark_rules,
+    rule_of,
+    spans_of,
+)
+from gaussiancad_core.sheet.scale.estimate import (
+    Agreement,
+    Candidate,
+    Dimension,
+    ReadDimension,
+    agree,
+    usual_unit,
+)
+from gaussiancad_core.sheet.scale.leaders import leaders_of, radius_at, shelves_of
+from gaussiancad_core.sheet.scale.numbers import (
+    MM_PER_INCH,
+    DimensionText,
+    Sign,
+    Unit,
+    parse_dimension,
+    parse_scale,
+    parse_unit,
+)
+from gaussiancad_core.sheet.scale.ocr import ocr_problem
+from gaussiancad_core.sheet.scale.texts import SheetText, file_texts, pixel_texts
+from gaussiancad_core.views import Arc, Segment
+
+_LEADER = 0.8
+"""Weight of a circle at the tip of a leader."""
+
+
+class ScaleSource(Enum):
+    """What a sheet's scale is taken from; in the report."""
+
+    GIVEN = "given"
+    DIMENSION = "dimension"
+    SHEET = "sheet"
+    DEFAULT = "default"
+
+
+@dataclass(frozen=True)
+class SheetScale:
+    """The scale of a sheet.
+
+    Attributes:
+        mm_per_pixel: of the part, or nothing where the sheet does not tell.
+        source: where it is from.
+        dimensions: those that were read; boxes in px of the sheet as stored.
+        notes: warnings.
+    """
+
+    mm_per_pixel: float | None
+    source: ScaleSource
+    dimensions: tuple[ReadDimension, ...] = ()
+    notes: tuple[Note, ...] = ()
+
+
+@dataclass(frozen=True)
+class _Lines:
+    """What dimensions may measure."""
+
+    rules: list[Rule]
+    edges: list[Rule]
+    arcs: list[Arc]
+
+
+def find_scale(
+    image: SheetImage, sheet: CleanSheet, marks: Sequence[Mark], drawn: Sequence[ReadView]
+) -> SheetScale:
+    """Find the scale of a sheet.
+
+    Args:
+        image: as read from its file.
+        sheet: the same, upright, with all of its ink.
+        marks: annotations found on it.
+        drawn: its views.
+    """
+    texts, notes = _texts(image, sheet, marks)
+    paper_scale, assumed = _paper_scale(image, texts)
+    dimensions = _dimensions(texts, marks, _lines(image, sheet, marks, drawn))
+    unit = usual_unit(dimensions, _noted_unit(texts), None if assumed else paper_scale)
+    found = agree(dimensions, unit, None if assumed else paper_scale)
+    told = tuple(replace(own, box=sheet.turn.box_to_stored(own.box)) for own in found.dimensions)
+    found = replace(found, dimensions=told)
+    if found.mm_per_pixel is not None:
+        notes += _disagreement(found)
+        return SheetScale(found.mm_per_pixel, ScaleSource.DIMENSION, told, notes)
+    if paper_scale is None:
+        return SheetScale(None, ScaleSource.DEFAULT, told, notes)
+    if assumed:
+        notes += (
+            Note(
+                "full-scale-assumed",
+                "the sheet has no scale note that could be read: its paper was taken to show the "
+                "part full scale; tell --length AXIS=MM if it does not",
+            ),
+        )
+    return SheetScale(paper_scale, ScaleSource.SHEET, told, notes)
+
+
+def _texts(
+    image: SheetImage, sheet: CleanSheet, marks: Sequence[Mark]
+) -> tuple[tuple[SheetText, ...], tuple[Note, ...]]:
+    if image.vectors is not None and image.vectors.texts:
+        return file_texts(image.vectors.texts, sheet.turn), ()
+    if not any(mark.kind is AnnotationKind.TEXT for mark in marks):
+        return (), ()
+    problem = ocr_problem()
+    if problem is not None:
+        message = f"the dimensions on the sheet were not read, as OCR is {problem}"
+        return (), (Note("dimensions-not-read", message),)
+    return pixel_texts(sheet, marks), ()
+
+
+def _paper_scale(image: SheetImage, texts: Sequence[SheetText]) -> tuple[float | None, bool]:
+    """mm per px by the paper's size, and whether full scale was assumed for want of a note."""
+    if image.pixels_per_inch is None:
+        return None, False
+    full = MM_PER_INCH / image.pixels_per_inch
+    ratios = _ratios(texts, field=True) or _ratios(texts, field=False)
+    if len(ratios) == 1:
+        return full / ratios.pop(), False
+    # A picture's resolution says little without a note, a vector file has the size it was drawn in.
+    return (full, True) if image.vectors is not None else (None, False)
+
+
+def _ratios(texts: Sequence[SheetText], field: bool) -> set[float]:
+    """The scales that notes name, in the title block or beside it."""
+    found = (parse_scale(text.text) for text in texts if text.field is field)
+    return {ratio for ratio in found if ratio is not None}
+
+
+def _noted_unit(texts: Sequence[SheetText]) -> Unit | None:
+    units = {unit for text in texts if (unit := parse_unit(text.text)) is not None}
+    return units.pop() if len(units) == 1 else None
+
+
+def _lines(
+    image: SheetImage, sheet: CleanSheet, marks: Sequence[Mark], drawn: Sequence[ReadView]
+) -> _Lines:
+    rules = mark_rules(marks)
+    if image.vectors is not None:
+        rules += file_rules(image.vectors.strokes, sheet.turn)
+    strokes = [stroke for view in drawn for stroke in view.strokes]
+    edges = [rule_of(own.start, own.end) for own in strokes if isinstance(own, Segment)]
+    arcs = [stroke for stroke in strokes if isinstance(stroke, Arc)]
+    return _Lines(rules, [edge for edge in edges if edge is not None], arcs)
+
+
+def _dimensions(
+    texts: Sequence[SheetText], marks: Sequence[Mark], lines: _Lines
+) -> tuple[Dimension, ...]:
+    leaders, shelves = leaders_of(marks), shelves_of(marks)
+    found = []
+    for text in texts:
+        said = None if text.field else parse_dimension(text.text)
+        if said is None:
+            continue
+        radius = radius_at(text, leaders, shelves, lines.arcs)
+        candidates = _candidates(text, said, lines, radius)
+        found.append(Dimension(text.text, said, text.box, candidates))
+    return tuple(found)
+
+
+def _candidates(
+    text: SheetText, said: DimensionText, lines: _Lines, radius: float | None
+) -> tuple[Candidate, ...]:
+    found = []
+    if said.sign is not Sign.RADIUS:
+        spans = spans_of(text, lines.rules, lines.edges)
+        found += [Candidate(span.length, span.weight) for span in spans]
+    if radius is not None:
+        # Where the sign was not read, the leader tells that it is a diameter.
+        times = 1.0 if said.sign is Sign.RADIUS else 2.0
+        found.append(Candidate(times * radius, _LEADER))
+    return tuple(sorted(found, key=lambda candidate: -candidate.weight))
+
+
+def _disagreement(found: Agreement) -> tuple[Note, ...]:
+    others = found.disagreeing
+    if not others:
+        return ()
+    places = "; ".join(
+        f"{own.text!r} at ({own.box[0]:.0f}, {own.box[1]:.0f})" for own in others[:5]
+    )
+    return (
+        Note(
+            "dimensions-disagree",
+            f"{len(others)} dimension(s) do not fit the scale of the others: {places} px; they may "
+            "have been misread, or the drawing is not to scale there",
+        ),
+    )

@@ -1,0 +1,103 @@
+"""Which circle or arc a text on a leader belongs to (ISO 128-22)."""
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.marks import Mark
+from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.scale.dimensions import rule_of
+from gaussiancad_core.sheet.scale.texts import SheetText
+from gaussiancad_core.views import Arc
+
+Points = npt.NDArray[np.float64]
+Leader = tuple[Points, Points]
+"""(2,) px each of the two ends of its slanted line."""
+
+_NEAR = 1.2
+"""Distance from a text to the line that leads away from it at most, in its height."""
+
+_TOUCH = 4.0
+"""px by which a leader's tip may miss its circle, and its shelf its slanted line."""
+
+_BESIDE = 0.15
+"""Distance at which a leader passes its circle's centre at most, in radii."""
+
+
+def leaders_of(marks: Iterable[Mark]) -> list[Leader]:
+    """The slanted narrow lines among the marks of a sheet."""
+    return [
+        (np.array(mark.line[0]), np.array(mark.line[1]))
+        for mark in marks
+        if mark.kind in (AnnotationKind.EXTENSION, AnnotationKind.LEADER)
+        and mark.line is not None
+        and rule_of(*mark.line) is None
+    ]
+
+
+def shelves_of(marks: Iterable[Mark]) -> list[Leader]:
+    """The level narrow lines among the marks of a sheet, under the texts of leaders."""
+    found = []
+    for mark in marks:
+        if mark.kind is AnnotationKind.EXTENSION and mark.line is not None:
+            rule = rule_of(*mark.line)
+            if rule is not None and rule.level:
+                found.append((np.array(mark.line[0]), np.array(mark.line[1])))
+    return found
+
+
+def radius_at(
+    text: SheetText, leaders: Sequence[Leader], shelves: Sequence[Leader], arcs: Sequence[Arc]
+) -> float | None:
+    """Radius in px of the circle that a text's leader points at; nothing if there is none.
+
+    Args:
+        text: level.
+        leaders: slanted lines of the sheet.
+        shelves: level lines of the sheet.
+        arcs: of the views, px of the upright sheet.
+    """
+    if not text.level:
+        return None
+    near = _NEAR * (text.box[3] - text.box[1])
+    starts = [end for shelf in shelves if _beside(shelf, text.box, near) for end in shelf]
+    best: tuple[float, float] | None = None
+    for leader in leaders:
+        for start, tip in (leader, leader[::-1]):
+            held = _distance(text.box, start) <= near or any(
+                np.hypot(*(start - end)) <= _TOUCH for end in starts
+            )
+            for miss, radius in _pointed_at(start, tip, arcs) if held else ():
+                if best is None or miss < best[0]:
+                    best = miss, radius
+    return None if best is None else best[1]
+
+
+def _beside(shelf: Leader, box: Box, near: float) -> bool:
+    """Whether a level line runs along a text, or starts beside it."""
+    left, right = sorted(float(end[0]) for end in shelf)
+    level = float(shelf[0][1])
+    below = box[1] - 0.2 * near <= level <= box[3] + near
+    return below and left <= box[2] + near and right >= box[0] - near
+
+
+def _distance(box: Box, point: Points) -> float:
+    """px from a box to a point."""
+    dx = max(box[0] - point[0], point[0] - box[2], 0.0)
+    dy = max(box[1] - point[1], point[1] - box[3], 0.0)
+    return float(np.hypot(dx, dy))
+
+
+def _pointed_at(start: Points, tip: Points, arcs: Sequence[Arc]) -> list[tuple[float, float]]:
+    """How far the tip misses each circle towards whose centre a leader runs, and its radius."""
+    way = (tip - start) / np.hypot(*(tip - start))
+    found = []
+    for arc in arcs:
+        offset = np.array(arc.centre) - tip
+        miss = abs(float(np.hypot(*offset)) - arc.radius)
+        beside = abs(float(way[0] * offset[1] - way[1] * offset[0]))
+        if miss <= _TOUCH and beside <= _BESIDE * arc.radius + 2.0:
+            found.append((miss, arc.radius))
+    return found

@@ -1,0 +1,172 @@
+"""What the texts of a drawing say in numbers: lengths, scales, units (ISO 129-1, ASME Y14.5)."""
+
+import re
+from dataclasses import dataclass
+from enum import Enum
+from fractions import Fraction
+
+MM_PER_INCH = 25.4
+
+
+class Unit(Enum):
+    """Of lengths on a drawing."""
+
+    MILLIMETRE = "mm"
+    INCH = "in"
+
+    @property
+    def millimetres(self) -> float:
+        """Length of one."""
+        return MM_PER_INCH if self is Unit.INCH else 1.0
+
+
+class Sign(Enum):
+    """What a dimension says its length is."""
+
+    LENGTH = ""
+    DIAMETER = "diameter"
+    RADIUS = "radius"
+
+
+@dataclass(frozen=True)
+class DimensionText:
+    """A length that a text gives.
+
+    Attributes:
+        value: in its unit, without tolerance.
+        sign: what of.
+        unit: nothing where the text itself does not tell.
+    """
+
+    value: float
+    sign: Sign = Sign.LENGTH
+    unit: Unit | None = None
+
+    def millimetres(self, usual: Unit) -> float:
+        """The length in mm, where the sheet's own unit is ``usual``."""
+        return self.value * (self.unit or usual).millimetres
+
+
+_ALIKE = str.maketrans(
+    {
+        "\u2300": "\u00d8",  # diameter sign
+        "\u00f8": "\u00d8",
+        "\u03a6": "\u00d8",
+        "\u03c6": "\u00d8",
+        "\u2205": "\u00d8",
+        "\u00d7": "x",
+        "X": "x",
+        "\u2212": "-",
+        "\u2013": "-",
+        "\u201c": '"',
+        "\u201d": '"',
+        "\u2033": '"',
+        "\u2044": "/",
+        "\u2236": ":",
+        "\uff1a": ":",
+        "\u00a0": " ",
+        "\u00bc": " 1/4",
+        "\u00bd": " 1/2",
+        "\u00be": " 3/4",
+    }
+)
+"""Characters that mean the same on a drawing."""
+
+_DENOMINATORS = (2, 4, 8, 16, 32, 64)
+"""Of an inch."""
+
+_SIGNS = {"\u00d8": Sign.DIAMETER, "DIA": Sign.DIAMETER, "R": Sign.RADIUS}
+
+_NUMBER = r"(?:(?:\d+[ -])?\d+/\d+|\d+[.,]\d+|[.,]\d+|\d+)"
+
+_DIMENSION = re.compile(
+    rf"""
+    (?:\d{{1,3}}\ ?x\ ?|\d{{1,3}}-(?=[\u00d8R]))?     # how often
+    (?:S?(?P<sign>[\u00d8R]|DIA)\ ?)?                 # a sphere's, too
+    (?P<number>{_NUMBER})\ ?
+    (?P<unit>"|''|in\b\.?|IN\b\.?|mm\b|MM\b)?
+    (?P<after>\ ?DIA)?
+    (?:
+        \ ?\u00b1\ ?{_NUMBER}"?                       # one tolerance both ways
+      | \ ?[+-]\ ?{_NUMBER}\ ?/?\ ?[+-]?\ ?{_NUMBER}  # one each way
+      | \ ?[A-Za-z]{{1,2}}\d{{1,2}}(?:/[a-z]{{1,2}}\d{{1,2}})?  # a fit
+    )?
+    (?:\ ?(?:THRU|TYP|REF)\.?)*
+    (?:\ ?\[[^]]*\])?                                 # the same in another unit
+    """,
+    re.VERBOSE,
+)
+
+_SCALE_WORD = r"(?:SCALE|MA(?:SS|\u00df|\u1e9e)STAB|[E\u00c9]CHELLE|SCALA|ESCALA|SKALA|M)"
+
+_SIDE = r"\d{1,4}(?:[.,]\d+)?"
+
+_SCALE = re.compile(
+    rf"(?P<word>{_SCALE_WORD}\.?\ ?[:=]?\ ?)?"
+    rf"\(?(?P<sheet>{_SIDE})\ ?(?P<mark>[:/])\ ?(?P<part>{_SIDE})\)?",
+    re.IGNORECASE,
+)
+
+_FULL_SCALE = re.compile(rf"{_SCALE_WORD}\ ?[:=]?\ ?FULL|FULL\ (?:SCALE|SIZE)", re.IGNORECASE)
+
+_LARGEST_RATIO = 5000.0
+
+
+def parse_dimension(text: str) -> DimensionText | None:
+    """The length that a text gives; nothing for threads, angles, scales and words."""
+    plain = " ".join(text.translate(_ALIKE).split())
+    if plain.startswith("(") and plain.endswith(")"):
+        # Given for reference only, but as true as the others.
+        plain = plain[1:-1].strip()
+    found = _DIMENSION.fullmatch(plain)
+    if found is None:
+        return None
+    number = found["number"]
+    value = _value(number)
+    if not value:
+        return None
+    sign = _SIGNS.get(found["sign"] or ("DIA" if found["after"] else ""), Sign.LENGTH)
+    return DimensionText(value, sign, _own_unit(number, found["unit"]))
+
+
+def _value(number: str) -> float:
+    """A number, 0 for fractions that no rule has."""
+    if "/" not in number:
+        return float(number.replace(",", "."))
+    *whole, part = re.split("[ -]", number)
+    over, under = (int(side) for side in part.split("/"))
+    if under not in _DENOMINATORS or not 0 < over < under:
+        return 0.0
+    return float(sum(int(inches) for inches in whole) + Fraction(over, under))
+
+
+def _own_unit(number: str, mark: str | None) -> Unit | None:
+    if mark:
+        return Unit.MILLIMETRE if mark.lower() == "mm" else Unit.INCH
+    # Millimetres have a zero before the point, inches have none (ASME Y14.5).
+    return Unit.INCH if "/" in number or number.startswith(".") else None
+
+
+def parse_scale(text: str) -> float | None:
+    """Length on the sheet over length on the part, where a text is a scale note (ISO 5455)."""
+    plain = " ".join(text.translate(_ALIKE).split())
+    if _FULL_SCALE.fullmatch(plain):
+        return 1.0
+    found = _SCALE.fullmatch(plain)
+    if found is None or (found["mark"] == "/" and not found["word"]):
+        return None
+    sheet, part = (float(found[side].replace(",", ".")) for side in ("sheet", "part"))
+    if min(sheet, part) <= 0.0 or 1.0 not in (sheet, part):
+        return None
+    ratio = sheet / part
+    return ratio if 1.0 / _LARGEST_RATIO <= ratio <= _LARGEST_RATIO else None
+
+
+def parse_unit(text: str) -> Unit | None:
+    """The unit that a note names, such as ``DIMENSIONS IN MM``."""
+    plain = " ".join(text.upper().split())
+    millimetres = re.search(r"\bMM\b|\bMILLIMET(?:ER|RE)S?\b", plain) is not None
+    inches = plain in ("IN", "IN.") or re.search(r"\bINCH(?:ES)?\b", plain) is not None
+    if millimetres == inches:
+        return None
+    return Unit.MILLIMETRE if millimetres else Unit.INCH

@@ -1,0 +1,149 @@
+"""Short lines of text read by a trained network, if the extra ``ocr`` is installed.
+
+Only the network of the package ``rapidocr`` is taken (PP-OCRv6, Apache-2.0), and run here: where
+the texts are is known already, a drawing needs few of its 18,000 characters, and that package's own
+code would look for other networks on the Internet.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib.metadata import PackageNotFoundError, distribution
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import cv2
+import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    from onnxruntime import InferenceSession
+
+Darkness = npt.NDArray[np.float32]
+"""(h, w) 0 for paper to 1 for ink."""
+
+_MODEL = "PP-OCRv6_rec_small.onnx"
+
+_ALPHABET = (
+    "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+    " .,:;/+-()[]=\"'\u00b1\u00b0\u00d8\u2300\u03a6\u00f8\u00d7\u00b5\u00c9\u00df\u201d\u2033"
+)
+"""What a drawing is written with."""
+
+_ROWS = 48
+"""px of height that the network takes."""
+
+_NARROWEST = 48
+"""px of width under which it reads nothing."""
+
+_WIDEST = 1600
+"""px of width that no short line of text has."""
+
+_FLAT = 0.25
+"""Blank border around a text, in its heights."""
+
+
+@dataclass(frozen=True)
+class ReadText:
+    """A text as it was read.
+
+    Attributes:
+        text: the characters.
+        confidence: 0 to 1, the mean over them.
+    """
+
+    text: str
+    confidence: float
+
+
+def ocr_problem() -> str | None:
+    """Why texts cannot be read from pixels, with what to do; nothing if they can."""
+    if find_spec("onnxruntime") is None or _model_path() is None:
+        return "not installed: pip install rapidocr onnxruntime"
+    return None
+
+
+def _model_path() -> Path | None:
+    try:
+        path = Path(str(distribution("rapidocr").locate_file(f"rapidocr/models/{_MODEL}")))
+    except PackageNotFoundError:
+        return None
+    return path if path.is_file() else None
+
+
+@dataclass(frozen=True, eq=False)
+class _Network:
+    """The loaded network.
+
+    Attributes:
+        session: runs it.
+        columns: of its output that are kept, that of no character first.
+        characters: of the others.
+    """
+
+    session: "InferenceSession"
+    columns: npt.NDArray[np.intp]
+    characters: str
+
+
+@lru_cache(maxsize=1)
+def _network() -> _Network:
+    import onnxruntime
+
+    options = onnxruntime.SessionOptions()
+    # One thread: the same result whatever the machine.
+    options.intra_op_num_threads = 1
+    options.log_severity_level = 3
+    session = onnxruntime.InferenceSession(
+        str(_model_path()), options, providers=["CPUExecutionProvider"]
+    )
+    known = session.get_modelmeta().custom_metadata_map["character"].split("\n")
+    places = {character: place for place, character in enumerate([*known, " "], start=1)}
+    kept = [character for character in _ALPHABET if character in places]
+    columns = np.array([0, *(places[character] for character in kept)], dtype=np.intp)
+    return _Network(session, columns, "".join(kept))
+
+
+def read_text(picture: Darkness) -> ReadText:
+    """Read one line of text.
+
+    Args:
+        picture: around the text, upright, without anything else.
+
+    Returns:
+        The text, empty where none is seen.
+    """
+    network = _network()
+    name = network.session.get_inputs()[0].name
+    (scores,) = network.session.run(None, {name: _prepared(picture)})
+    return _decoded(scores[0][:, network.columns], network.characters)
+
+
+def _prepared(picture: Darkness) -> npt.NDArray[np.float32]:
+    """(1, 3, 48, w) -1 for ink to 1 for paper."""
+    border = max(2, round(_FLAT * picture.shape[0]))
+    padded = cv2.copyMakeBorder(picture, border, border, border, border, cv2.BORDER_CONSTANT)
+    factor = _ROWS / padded.shape[0]
+    width = int(np.clip(round(padded.shape[1] * factor), 1, _WIDEST))
+    way = cv2.INTER_AREA if factor < 1.0 else cv2.INTER_CUBIC
+    scaled = np.clip(cv2.resize(padded, (width, _ROWS), interpolation=way), 0.0, 1.0)
+    if width < _NARROWEST:
+        spare = _NARROWEST - width
+        left = spare // 2
+        scaled = cv2.copyMakeBorder(scaled, 0, 0, left, spare - left, cv2.BORDER_CONSTANT)
+    paper = 1.0 - 2.0 * scaled
+    return np.broadcast_to(paper, (1, 3, *paper.shape)).astype(np.float32)
+
+
+def _decoded(scores: npt.NDArray[np.float32], characters: str) -> ReadText:
+    """The likeliest characters, repeated ones once (connectionist temporal classification,
+    Graves 2006).
+
+    Args:
+        scores: (time, 1 + characters), that of no character first.
+    """
+    best = scores.argmax(axis=1)
+    starts = np.flatnonzero((best > 0) & (np.diff(best, prepend=0) != 0))
+    text = "".join(characters[best[k] - 1] for k in starts)
+    sure = float(scores[starts, best[starts]].mean()) if len(starts) else 0.0
+    return ReadText(text.strip(), sure)

@@ -1,0 +1,206 @@
+"""The texts of a sheet: from its file where that has them, else read from its pixels."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.marks import Mark
+from gaussiancad_core.sheet.clean import CleanSheet, Ink
+from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.files.vectors import VectorText
+from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.scale.numbers import parse_dimension
+from gaussiancad_core.sheet.scale.ocr import ReadText, read_text
+
+_SURE = 0.7
+"""Least confidence of a text that counts."""
+
+_MOST = 120
+"""Texts that are read from the pixels of a sheet at most: more take too long."""
+
+_SLANT = 0.03
+"""Sine of the angle within which a text is level or upright."""
+
+_LONG = 2.5
+"""Ratio of a box's sides from which its text runs along the longer one."""
+
+_SPACE = 0.35
+"""Gap between pieces of one text, in its height, at most."""
+
+_SAME = 1.6
+"""Ratio of the heights of pieces of one text at most."""
+
+_SAME_UPRIGHT = 1.3
+"""The same of a text that runs up the sheet."""
+
+_UPRIGHT = 1.2
+"""Height over width of a piece that runs up the sheet, at least."""
+
+_COMMON = 0.6
+"""Share of their height that pieces of one text have in common at least."""
+
+_BORDER = 2
+"""px around a text's box that belong to its picture."""
+
+_INK = 0.3
+"""Share of full ink from which a pixel counts as inked."""
+
+_LARGEST_FIELD = 0.025
+"""Share of the sheet that a field of the title block has at most; others are its border's."""
+
+_SMALLEST_LETTER = 6
+"""px of height under which nothing can be read."""
+
+_TALLEST_LETTER = 0.04
+"""Height of a line of text at most, as a share of the sheet's longest side."""
+
+
+@dataclass(frozen=True)
+class SheetText:
+    """A line of text on a sheet.
+
+    Attributes:
+        text: the characters.
+        box: px of the upright sheet.
+        level: whether it runs along x; otherwise it runs up the sheet.
+        confidence: 0 to 1.
+        field: whether it stands in a field of the frame or title block.
+    """
+
+    text: str
+    box: Box
+    level: bool = True
+    confidence: float = 1.0
+    field: bool = False
+
+
+def file_texts(texts: Iterable[VectorText], turn: Turn) -> tuple[SheetText, ...]:
+    """Level and upright texts of a vector file."""
+    found = []
+    for text in texts:
+        angle = text.angle - turn.angle
+        level = abs(np.sin(angle)) < _SLANT
+        if level or abs(np.cos(angle)) < _SLANT:
+            found.append(SheetText(text.text.strip(), turn.box_to_upright(text.box), bool(level)))
+    return tuple(found)
+
+
+def pixel_texts(sheet: CleanSheet, marks: Sequence[Mark]) -> tuple[SheetText, ...]:
+    """Texts read from the pixels of a sheet.
+
+    Args:
+        sheet: upright, with all of its ink.
+        marks: found on it; those of texts and of the title block are read.
+    """
+    written = joined_boxes([mark.box for mark in marks if mark.kind is AnnotationKind.TEXT])
+    found = [_read(sheet, box) for box in written[:_MOST]]
+    fields = [mark.box for mark in marks if mark.kind is AnnotationKind.TITLE_BLOCK]
+    lines = [line for field in fields for line in _lines_of(sheet.ink, field)]
+    for box in lines[: _MOST - len(found)]:
+        read = read_text(_picture(sheet, box))
+        found.append(SheetText(read.text, box, True, read.confidence, field=True))
+    return tuple(text for text in found if text.text and text.confidence >= _SURE)
+
+
+def joined_boxes(boxes: Sequence[Box]) -> list[Box]:
+    """Boxes of texts, those of the pieces of one text joined."""
+    joined = list(boxes)
+    k = 0
+    while k < len(joined):
+        for other in range(len(joined)):
+            one, two = joined[k], joined[other]
+            if other != k and (_in_line(one, two, _SAME) or _up_the_sheet(one, two)):
+                low, high = np.minimum(one, two)[:2], np.maximum(one, two)[2:]
+                merged = (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
+                joined = [box for i, box in enumerate(joined) if i not in (k, other)] + [merged]
+                k = -1
+                break
+        k += 1
+    return joined
+
+
+def _in_line(one: Box, two: Box, alike: float) -> bool:
+    """Whether two boxes are pieces of one level text of which one is ``alike`` times as high as the
+    other at most."""
+    heights = one[3] - one[1], two[3] - two[1]
+    common = min(one[3], two[3]) - max(one[1], two[1])
+    gap = max(one[0], two[0]) - min(one[2], two[2])
+    return (
+        max(heights) <= alike * min(heights)
+        and common >= _COMMON * min(heights)
+        and gap <= _SPACE * min(heights)
+    )
+
+
+def _up_the_sheet(one: Box, two: Box) -> bool:
+    """Whether two boxes are pieces of one text that runs up the sheet, and no two level lines of
+    text below each other."""
+    longest = max((box[3] - box[1]) / (box[2] - box[0]) for box in (one, two))
+    return longest > _UPRIGHT and _in_line(_turned(one), _turned(two), _SAME_UPRIGHT)
+
+
+def _turned(box: Box) -> Box:
+    """The box with the axes of the sheet exchanged."""
+    return box[1], box[0], box[3], box[2]
+
+
+def _read(sheet: CleanSheet, box: Box) -> SheetText:
+    """Read a text that is level or runs up the sheet."""
+    picture = _picture(sheet, box)
+    upright = np.ascontiguousarray(np.rot90(picture, -1))
+    width, height = box[2] - box[0], box[3] - box[1]
+    if width > _LONG * height:
+        ways = {True: read_text(picture)}
+    elif height > _LONG * width:
+        # A single one is as narrow as a number that runs up the sheet.
+        ways = {False: read_text(upright), True: read_text(picture)}
+    else:
+        ways = {True: read_text(picture), False: read_text(upright)}
+    level = max(ways, key=lambda way: _credit(ways[way]))
+    return SheetText(ways[level].text, box, level, ways[level].confidence)
+
+
+def _credit(read: ReadText) -> tuple[bool, float]:
+    """How good a reading is: sure numbers first."""
+    number = parse_dimension(read.text) is not None
+    return number and read.confidence >= _SURE, read.confidence
+
+
+def _picture(sheet: CleanSheet, box: Box) -> npt.NDArray[np.float32]:
+    """(h, w) the ink in a box, without that of lines that pass through."""
+    rows, columns = sheet.weight.shape
+    x0, y0 = (max(0, int(np.floor(value)) - _BORDER) for value in box[:2])
+    x1 = min(columns, int(np.ceil(box[2])) + _BORDER)
+    y1 = min(rows, int(np.ceil(box[3])) + _BORDER)
+    part = sheet.weight[y0:y1, x0:x1].copy()
+    _, labels = cv2.connectedComponents((part > _INK).astype(np.uint8), connectivity=8)
+    border = np.unique(np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]]))
+    passing = np.isin(labels, border[border > 0])
+    part[cv2.dilate(passing.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0] = 0.0
+    return part
+
+
+def _lines_of(ink: Ink, field: Box) -> list[Box]:
+    """Boxes of the lines of text in a field."""
+    if (field[2] - field[0]) * (field[3] - field[1]) > _LARGEST_FIELD * ink.size:
+        return []
+    x0, y0, x1, y1 = (round(value) for value in field)
+    inner = ink[y0 + 2 : y1 - 2, x0 + 2 : x1 - 2].astype(np.uint8)
+    if not inner.any():
+        return []
+    reach = max(9, int(0.008 * max(ink.shape)))
+    closed = cv2.dilate(inner, np.ones((1, 2 * (reach // 2) + 1), np.uint8))
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(closed, connectivity=8)
+    found = []
+    for label in range(1, len(stats)):
+        rows, columns = np.nonzero((labels == label) & (inner > 0))
+        width, height = int(np.ptp(columns)) + 1, int(np.ptp(rows)) + 1
+        if not _SMALLEST_LETTER <= height <= _TALLEST_LETTER * max(ink.shape) or width < height:
+            continue
+        left, top = x0 + 2 + int(columns.min()), y0 + 2 + int(rows.min())
+        found.append((float(left), float(top), float(left + width), float(top + height)))
+    return found
