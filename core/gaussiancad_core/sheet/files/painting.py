@@ -37,6 +37,9 @@ _THINNEST = 1.4
 _SAGITTA = 5e-3
 """px by which chords leave their circle."""
 
+_MOST_SAMPLES = 5000
+"""Points at which a stroke is looked for in the picture."""
+
 _PARTS = (StrokeKind.GEOMETRY, StrokeKind.BLOCK)
 
 _FINEST_DASH = 2.0
@@ -171,9 +174,10 @@ def shown_share(stroke: VectorStroke, grey: Grey) -> float:
 
     Points off the sheet count as blank, those in the gaps of dashes too.
     """
-    points = stroke.curve.sample(1.0)
-    cells = np.floor(points).astype(int)
+    points = stroke.curve.sample(max(1.0, stroke.curve.length / _MOST_SAMPLES))
+    points = points[np.isfinite(points).all(axis=1)]
+    cells = np.floor(np.clip(points, -1.0, max(grey.shape) + 1.0)).astype(int)
     height, width = grey.shape
     inside = ((cells >= 0) & (cells < [width, height])).all(axis=1)
     columns, rows = cells[inside].T
-    return float((grey[rows, columns] < PAPER_LEVEL).sum()) / len(points)
+    return float((grey[rows, columns] < PAPER_LEVEL).sum()) / max(len(points), 1)

@@ -181,6 +181,12 @@ def test_what_does_not_show_is_left_out(pdf: type, save: Save) -> None:
     assert stroke.curve.start[1] == pytest.approx((HEIGHT - 200) * SCALE, abs=1e-3)
 
 
+def test_lines_of_absurd_length_cost_nothing(pdf: type, save: Save) -> None:
+    content = b"50 100 m 550 100 l S -1e9 -2e9 m 3e9 1e9 l S"
+    read = read_pdf(save("a.pdf", pdf(content).to_bytes()), 1)
+    assert len(read.vectors.strokes) == 1
+
+
 def test_filled_shapes_are_told_apart(pdf: type, save: Save) -> None:
     content = b"100 100 m 130 95 l 130 105 l f"
     (stroke,) = read_pdf(save("a.pdf", pdf(content).to_bytes()), 1).vectors.strokes
