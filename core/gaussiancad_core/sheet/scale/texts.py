@@ -31,6 +31,12 @@ _LONG = 2.5
 _SPACE = 0.35
 """Gap between pieces of one text, in its height, at most."""
 
+_WIDE_SPACE = 0.6
+"""The same between letters, where a point may stand."""
+
+_FAT = 1.5
+"""Thickness in the sheet's usual one from which a box holds several texts."""
+
 _SAME = 1.6
 """Ratio of the heights of pieces of one text at most."""
 
@@ -96,7 +102,7 @@ def pixel_texts(sheet: CleanSheet, marks: Sequence[Mark]) -> tuple[SheetText, ..
         sheet: upright, with all of its ink.
         marks: found on it; those of texts and of the title block are read.
     """
-    written = joined_boxes([mark.box for mark in marks if mark.kind is AnnotationKind.TEXT])
+    written = _written(sheet, [mark.box for mark in marks if mark.kind is AnnotationKind.TEXT])
     found = [_read(sheet, box) for box in written[:_MOST]]
     fields = [mark.box for mark in marks if mark.kind is AnnotationKind.TITLE_BLOCK]
     lines = [line for field in fields for line in _lines_of(sheet.ink, field)]
@@ -106,33 +112,72 @@ def pixel_texts(sheet: CleanSheet, marks: Sequence[Mark]) -> tuple[SheetText, ..
     return tuple(text for text in found if text.text and text.confidence >= _SURE)
 
 
-def joined_boxes(boxes: Sequence[Box]) -> list[Box]:
-    """Boxes of texts, those of the pieces of one text joined."""
+def _written(sheet: CleanSheet, boxes: Sequence[Box]) -> list[Box]:
+    """Boxes of texts, each of one line."""
+    if not boxes:
+        return []
+    usual = float(np.median([_thickness(box) for box in boxes]))
+    single: list[Box] = []
+    for box in boxes:
+        if _thickness(box) > _FAT * usual:
+            single += joined_boxes(_pieces(sheet, box), _WIDE_SPACE)
+        else:
+            single.append(box)
+    return joined_boxes([box for box in single if _thickness(box) >= _SMALLEST_LETTER])
+
+
+def _thickness(box: Box) -> float:
+    return min(box[2] - box[0], box[3] - box[1])
+
+
+def _pieces(sheet: CleanSheet, box: Box) -> list[Box]:
+    """Boxes of the letters in a box."""
+    part = (_picture(sheet, box) > _INK).astype(np.uint8)
+    _, _, stats, _ = cv2.connectedComponentsWithStats(part, connectivity=8)
+    x0, y0 = _corner(box)
+    return [
+        (float(x0 + x), float(y0 + y), float(x0 + x + w), float(y0 + y + h))
+        for x, y, w, h, _ in stats[1:].tolist()
+    ]
+
+
+def joined_boxes(boxes: Sequence[Box], space: float = _SPACE) -> list[Box]:
+    """Boxes of texts, those of the pieces of one text joined.
+
+    Args:
+        boxes: px.
+        space: gap between pieces of one text at most, in its height.
+    """
     joined = list(boxes)
-    k = 0
-    while k < len(joined):
-        for other in range(len(joined)):
-            one, two = joined[k], joined[other]
-            if other != k and (_in_line(one, two, _SAME) or _up_the_sheet(one, two)):
-                low, high = np.minimum(one, two)[:2], np.maximum(one, two)[2:]
-                merged = (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
-                joined = [box for i, box in enumerate(joined) if i not in (k, other)] + [merged]
-                k = -1
-                break
-        k += 1
+    first = 0
+    while first < len(joined):
+        one = joined[first]
+        near = [
+            box
+            for box in joined
+            if box is not one and (_in_line(one, box, _SAME, space) or _up_the_sheet(one, box))
+        ]
+        if not near:
+            first += 1
+            continue
+        corners = np.array([one, *near])
+        low, high = corners[:, :2].min(axis=0), corners[:, 2:].max(axis=0)
+        around = (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
+        joined = [box for box in joined if box is not one and box not in near] + [around]
+        first = 0
     return joined
 
 
-def _in_line(one: Box, two: Box, alike: float) -> bool:
+def _in_line(one: Box, two: Box, alike: float, space: float) -> bool:
     """Whether two boxes are pieces of one level text of which one is ``alike`` times as high as the
-    other at most."""
+    other at most, and which are ``space`` of its height apart."""
     heights = one[3] - one[1], two[3] - two[1]
     common = min(one[3], two[3]) - max(one[1], two[1])
     gap = max(one[0], two[0]) - min(one[2], two[2])
     return (
         max(heights) <= alike * min(heights)
         and common >= _COMMON * min(heights)
-        and gap <= _SPACE * min(heights)
+        and gap <= space * min(heights)
     )
 
 
@@ -140,7 +185,7 @@ def _up_the_sheet(one: Box, two: Box) -> bool:
     """Whether two boxes are pieces of one text that runs up the sheet, and no two level lines of
     text below each other."""
     longest = max((box[3] - box[1]) / (box[2] - box[0]) for box in (one, two))
-    return longest > _UPRIGHT and _in_line(_turned(one), _turned(two), _SAME_UPRIGHT)
+    return longest > _UPRIGHT and _in_line(_turned(one), _turned(two), _SAME_UPRIGHT, _SPACE)
 
 
 def _turned(box: Box) -> Box:
@@ -173,7 +218,7 @@ def _credit(read: ReadText) -> tuple[bool, float]:
 def _picture(sheet: CleanSheet, box: Box) -> npt.NDArray[np.float32]:
     """(h, w) the ink in a box, without that of lines that pass through."""
     rows, columns = sheet.weight.shape
-    x0, y0 = (max(0, int(np.floor(value)) - _BORDER) for value in box[:2])
+    x0, y0 = _corner(box)
     x1 = min(columns, int(np.ceil(box[2])) + _BORDER)
     y1 = min(rows, int(np.ceil(box[3])) + _BORDER)
     part = sheet.weight[y0:y1, x0:x1].copy()
@@ -182,6 +227,12 @@ def _picture(sheet: CleanSheet, box: Box) -> npt.NDArray[np.float32]:
     passing = np.isin(labels, border[border > 0])
     part[cv2.dilate(passing.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0] = 0.0
     return part
+
+
+def _corner(box: Box) -> tuple[int, int]:
+    """First column and row of a box's picture."""
+    x0, y0 = (max(0, int(np.floor(value)) - _BORDER) for value in box[:2])
+    return x0, y0
 
 
 def _lines_of(ink: Ink, field: Box) -> list[Box]:
