@@ -13,6 +13,7 @@ import psutil
 from gaussiancad_core import __version__
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.modes import Status
+from gaussiancad_core.sheet.scale.estimate import ReadDimension
 from gaussiancad_core.verification.agreement import Agreement
 
 SCHEMA = 1
@@ -81,6 +82,7 @@ class Report:
         projection, projection_source, projection_alternatives: reading of the arrangement.
         views: by role.
         scale_mm_per_pixel, scale_source: of sheet pixels.
+        dimensions: that were read from the sheet; boxes in px of it.
         annotations: boxes in sheet px of what is not the part, by kind.
         tolerance_px: within which lines were matched.
     """
@@ -99,6 +101,7 @@ class Report:
     tolerance_px: float = 0.0
     scale_mm_per_pixel: float | None = None
     scale_source: str = "default"
+    dimensions: tuple[ReadDimension, ...] = ()
     bounding_box_mm: tuple[float, float, float] | None = None
     surface: SurfaceReport | None = None
     gaussians: GaussiansReport | None = None
@@ -131,6 +134,10 @@ class Report:
             "tolerance_px": self.tolerance_px,
             "scale_mm_per_pixel": self.scale_mm_per_pixel,
             "scale_source": self.scale_source,
+            "dimensions": [
+                {**asdict(own), "box": [round(value, 1) for value in own.box]}
+                for own in self.dimensions
+            ],
             "bounding_box_mm": self.bounding_box_mm,
             "solid": None,
             "surface": asdict(self.surface) if self.surface else None,

@@ -2,7 +2,7 @@
 
 * ``engine-cuda.txt``: the engine, with PyTorch as indexes have it (CUDA on Linux, CPU elsewhere).
 * ``engine-cpu.txt``: the same versions, but PyTorch's own CPU build and no CUDA packages.
-* ``tests.txt``: what the tests need on top of either.
+* ``tests.txt``: what the tests need on top of either, and the extra ``ocr``.
 
 Each names every wheel by its hash, for all supported Pythons and platforms, and no index address:
 where wheels come from is up to whoever installs.  One engine has two files because pip takes the
@@ -45,7 +45,8 @@ def main(upgrade: bool) -> int:
     """
     project = tomllib.loads(PROJECT.read_text(encoding="utf-8"))
     engine = [*project["project"]["dependencies"], *project["build-system"]["requires"]]
-    tests = project["project"]["optional-dependencies"]["test"]
+    extras = project["project"]["optional-dependencies"]
+    tests = [*extras["test"], *extras["ocr"]]
     torch = next(line for line in engine if line.startswith("torch==")).removeprefix("torch==")
 
     hashes = sorted(offered_cpu_hashes(torch)) or locked_cpu_hashes(torch)

@@ -16,7 +16,9 @@ CHECKOUT = Path(__file__).resolve().parents[2]
 CORE = CHECKOUT / "core"
 PROJECT = tomllib.loads((CORE / "pyproject.toml").read_text(encoding="utf-8"))
 ENGINE = [*PROJECT["project"]["dependencies"], *PROJECT["build-system"]["requires"]]
-TESTS = PROJECT["project"]["optional-dependencies"]["test"]
+EXTRAS = PROJECT["project"]["optional-dependencies"]
+OCR = EXTRAS["ocr"]
+TESTS = [*EXTRAS["test"], *OCR]
 CUDA_ONLY = ("nvidia-", "cuda-", "triton")
 
 
@@ -71,7 +73,7 @@ def test_locks_hold_hashes_and_no_addresses(lock: str) -> None:
 
 @pytest.mark.parametrize(
     ("folder", "declared"),
-    [("core", ENGINE), ("benchmarks", ENGINE), ("tests/engine", ENGINE + TESTS)],
+    [("core", ENGINE + OCR), ("benchmarks", ENGINE), ("tests/engine", ENGINE + TESTS)],
 )
 def test_every_import_is_declared(folder: str, declared: list[str]) -> None:
     known = {"gaussiancad_core", *sys.stdlib_module_names}

@@ -62,11 +62,19 @@ def run(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
         broken += problem is not None
         state = f"BROKEN: {problem}" if problem else metadata.version(distribution)
         print(f"  {distribution:24} {state}", flush=True)
+    print(f"  {'ocr (optional)':24} {_ocr_state()}", flush=True)
     if broken:
         print(f"{broken} of {len(_NEEDED)} libraries cannot be used; run `make install` again")
         return ExitCode.ENGINE
     print("the engine is complete")
     return ExitCode.DONE
+
+
+def _ocr_state() -> str:
+    """Whether dimensions can be read from the pixels of a sheet."""
+    from gaussiancad_core.sheet.scale.ocr import ocr_problem
+
+    return ocr_problem() or metadata.version("rapidocr")
 
 
 def _problem(module: str, distribution: str) -> str | None:
