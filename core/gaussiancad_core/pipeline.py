@@ -22,7 +22,6 @@ from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
 from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
 from gaussiancad_core.report import GaussiansReport, Report, SurfaceReport, ViewReport
 from gaussiancad_core.sheet.annotations.marks import Mark
-from gaussiancad_core.sheet.annotations.separate import separate_annotations
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.layout import Layout
@@ -166,12 +165,11 @@ class _Run:
         reading = self.job.reading
         with self._stage("views"):
             given = {role: clean.turn.box_to_upright(box) for role, box in reading.views}
-            separated = separate_annotations(clean)
+            separated, layout = find_views(clean, given, reading.projection)
             self._tell_marks(separated.marks, clean.turn)
-            part, layout = find_views(clean, separated, given, reading.projection)
             self._tell_layout(layout, clean.turn)
         with self._stage("lines"):
-            drawn = read_views(part, layout, self.progress, reading.finder)
+            drawn = read_views(separated.part, layout, self.progress, reading.finder)
         with self._stage("masks"):
             options = reading
             if self.job.recipe is Recipe.PAPER:

@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.deskew import Turn, find_turn
-from gaussiancad_core.sheet.growth import GrowthRules, grow_shapes
+from gaussiancad_core.sheet.growth import GrowthRules, grow_straight
 from gaussiancad_core.sheet.options import MEDIAN_KERNEL
 from gaussiancad_core.sheet.ridges import ridge_points
 
@@ -101,7 +101,7 @@ def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL)
 def upright_sheet(sheet: CleanSheet) -> CleanSheet:
     """The sheet turned so that its lines are level; the sheet itself if they are."""
     ridges = ridge_points(sheet.weight, sheet.stroke_width)
-    shapes = grow_shapes(ridges, GrowthRules.of_width(sheet.stroke_width))
+    shapes = grow_straight(ridges, GrowthRules.of_width(sheet.stroke_width))
     turn = find_turn(shapes, sheet.ink.shape)
     if not turn.angle:
         return sheet

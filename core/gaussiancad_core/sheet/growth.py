@@ -79,19 +79,34 @@ def grow_shapes(ridges: RidgePoints, rules: GrowthRules = GrowthRules()) -> list
 
     Shapes compete for points: of two that run along each other only the better one stays.
     """
-    if not len(ridges.points):
-        return []
-    tables = (ridges.points, ridges.tangents, ridges.index)
-    limits = (rules.gap, rules.band, float(np.cos(np.radians(rules.turn_degrees))))
-    fit = (float(rules.shortest), rules.flattest, rules.rms, rules.bowed)
-    lines = [Grown(_line(row), own) for row, own in _unpacked(grow_lines(tables, limits, fit))]
+    lines = _all_lines(ridges, rules)
     taken = np.zeros(len(ridges.points), dtype=np.bool_)
     for grown in _chosen(lines, ridges, rules.shortest):
         if len(grown.members) >= _LONG:
             taken[grown.members] = True
-    found = grow_arcs(tables, limits, fit, taken)
+    found = grow_arcs(*_inputs(ridges, rules), taken)
     arcs = [Grown(_circle(row), own) for row, own in _unpacked(found)]
     return _chosen(lines + arcs, ridges, rules.shortest)
+
+
+def grow_straight(ridges: RidgePoints, rules: GrowthRules = GrowthRules()) -> list[Grown]:
+    """Lines alone, as :func:`grow_shapes` finds them before circles compete with them."""
+    return _chosen(_all_lines(ridges, rules), ridges, rules.shortest)
+
+
+def _all_lines(ridges: RidgePoints, rules: GrowthRules) -> list[Grown]:
+    found = grow_lines(*_inputs(ridges, rules))
+    return [Grown(_line(row), own) for row, own in _unpacked(found)]
+
+
+def _inputs(ridges: RidgePoints, rules: GrowthRules) -> tuple[tuple, tuple, tuple]:
+    """What the kernels take: tables, limits, fit."""
+    cosine = float(np.cos(np.radians(rules.turn_degrees)))
+    return (
+        (ridges.points, ridges.tangents, ridges.index),
+        (rules.gap, rules.band, cosine),
+        (float(rules.shortest), rules.flattest, rules.rms, rules.bowed),
+    )
 
 
 def warm_up() -> None:

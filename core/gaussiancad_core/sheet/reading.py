@@ -7,7 +7,7 @@ import numpy as np
 
 from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
+from gaussiancad_core.sheet.annotations.separate import SeparatedSheet, separate_annotations
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.layout import Layout, find_layout
@@ -26,6 +26,12 @@ from gaussiancad_core.sheet.registration import (
 from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_rhythm
 from gaussiancad_core.sheet.through_holes import Extent, ViewEvidence, is_through
 from gaussiancad_core.views import Linetype, Stroke, ViewSet
+
+_TINY = 0.02
+"""Share of the sheet that its views take together at least, to be relied on at once."""
+
+_MUCH_LARGER = 2.0
+"""Factor by which other views must be larger to be preferred."""
 
 
 @dataclass(frozen=True)
@@ -76,16 +82,14 @@ class RegisteredSheet:
 
 
 def find_views(
-    sheet: CleanSheet,
-    separated: SeparatedSheet,
-    given: dict[Role, Box],
-    projection: Projection | None,
-) -> tuple[CleanSheet, Layout]:
-    """The ink to read and the views in it: the part's ink, or all of it where too little is left.
+    sheet: CleanSheet, given: dict[Role, Box], projection: Projection | None
+) -> tuple[SeparatedSheet, Layout]:
+    """Take the annotations off a sheet and find the views on it.
+
+    Where the widths of the lines lead to no views, or to tiny ones, they are not relied on.
 
     Args:
         sheet: upright.
-        separated: the same without its annotations.
         given: boxes that the user named, in px of the upright sheet.
         projection: as told by the user, or nothing.
 
@@ -93,15 +97,33 @@ def find_views(
         NoModelError: see :func:`gaussiancad_core.sheet.layout.find_layout`.
         UsageError: a given box holds no ink.
     """
-    try:
-        return separated.part, find_layout(separated.part.ink, given, projection)
-    except NoModelError as error:
-        if not separated.marks:
-            raise
+    separated = separate_annotations(sheet)
+    ways: list[Callable[[], SeparatedSheet]] = [lambda: separated]
+    if separated.by_weight:
+        ways.append(lambda: separate_annotations(sheet, by_weight=False))
+    if separated.marks:
+        ways.append(lambda: SeparatedSheet(sheet, (), False))
+    best: tuple[SeparatedSheet, Layout] | None = None
+    first: NoModelError | None = None
+    for way in ways:
+        tried = way()
         try:
-            return sheet, find_layout(sheet.ink, given, projection)
-        except NoModelError:
-            raise error from None
+            layout = find_layout(tried.part.ink, given, projection)
+        except NoModelError as error:
+            first = first or error
+            continue
+        if best is None or _size(layout) > _MUCH_LARGER * _size(best[1]):
+            best = tried, layout
+        if _size(best[1]) > _TINY * sheet.ink.size:
+            return best
+    if best is None:
+        raise first
+    return best
+
+
+def _size(layout: Layout) -> float:
+    """px^2 that the views take."""
+    return sum((x1 - x0) * (y1 - y0) for x0, y0, x1, y1 in layout.boxes.values())
 
 
 def read_views(

@@ -63,13 +63,14 @@ class InkField:
 
     Attributes:
         weight: (h, w) float32 0..1.
-        double_angle: (h, w, 2) float32, cos and sin of twice the strokes' direction times how
-            clearly the ink has one.
+        cosine, sine: (h, w) float32, of twice the strokes' direction times how clearly the ink has
+            one.
         stroke_width: px.
     """
 
     weight: npt.NDArray[np.float32]
-    double_angle: npt.NDArray[np.float32]
+    cosine: npt.NDArray[np.float32]
+    sine: npt.NDArray[np.float32]
     stroke_width: float
 
 
@@ -83,7 +84,7 @@ def ink_field(sheet: CleanSheet) -> InkField:
     cosine = -cv2.GaussianBlur(gx * gx - gy * gy, (0, 0), sigma)
     sine = -cv2.GaussianBlur(2 * gx * gy, (0, 0), sigma)
     energy = cv2.GaussianBlur(gx * gx + gy * gy, (0, 0), sigma) + 1e-6
-    return InkField(sheet.weight, np.dstack([cosine / energy, sine / energy]), sheet.stroke_width)
+    return InkField(sheet.weight, cosine / energy, sine / energy, sheet.stroke_width)
 
 
 def runs_spans(runs: list[Run]) -> list[tuple[float, float]]:
@@ -128,8 +129,8 @@ def _runs(field: InkField, points: Floats, directions: Floats, along: Floats) ->
     xs = points[:, :1] + normals[:, :1] * offsets
     ys = points[:, 1:] + normals[:, 1:] * offsets
     inked = sample(field.weight, xs, ys).max(1) > 0.45
-    cosine = sample(field.double_angle[..., 0].copy(), xs[:, 1:2], ys[:, 1:2])[:, 0]
-    sine = sample(field.double_angle[..., 1].copy(), xs[:, 1:2], ys[:, 1:2])[:, 0]
+    cosine = sample(field.cosine, xs[:, 1:2], ys[:, 1:2])[:, 0]
+    sine = sample(field.sine, xs[:, 1:2], ys[:, 1:2])[:, 0]
     double = np.arctan2(directions[:, 1], directions[:, 0]) * 2
     agreement = cosine * np.cos(double) + sine * np.sin(double)
     strength = np.hypot(cosine, sine)

@@ -23,8 +23,11 @@ _STEADY = 6
 _EDGE = 10.0
 """Length from which a wide stretch is an edge and no arrowhead, in widths of a line."""
 
-_CLEAR = 0.3
-"""Ink at the end of a profile from which another stroke disturbs it."""
+_CLEAR = 0.2
+"""Ink across a stroke under which the stroke has ended."""
+
+_DIP = 0.8
+"""Ink on the centre line, as a share of the most across it, under which there are two lines."""
 
 
 @dataclass(frozen=True)
@@ -133,9 +136,10 @@ def _run_width(sheet: CleanSheet, geometry: Line | Circle, run: Run) -> float | 
 
 
 def _widths(sheet: CleanSheet, geometry: Line | Circle, run: Run) -> npt.NDArray[np.float64]:
-    """(n,) px of ink across a run, about every px; NaN where another stroke is beside it."""
+    """(n,) px of ink across a run, about every px; NaN where it merges with other strokes."""
     reach = 1.25 * sheet.stroke_width + 2.5
-    offsets = np.arange(-reach, reach + 0.25, 0.5)
+    half = int(np.ceil(reach * 2))
+    offsets = np.arange(-half, half + 1) * 0.5
     points = points_along(geometry, run, 1.0)
     normals = normals_along(geometry, run, 1.0)
     profile = sample(
@@ -143,5 +147,14 @@ def _widths(sheet: CleanSheet, geometry: Line | Circle, run: Run) -> npt.NDArray
         points[:, :1] + normals[:, :1] * offsets,
         points[:, 1:] + normals[:, 1:] * offsets,
     )
-    clear = np.maximum(profile[:, 0], profile[:, -1]) < _CLEAR
-    return np.where(clear, profile.sum(1) * 0.5, np.nan)
+    inked = profile > _CLEAR
+    # The ink that hangs together with the centre: outwards until the first blank.
+    after = np.cumprod(inked[:, half:], axis=1).astype(bool)
+    before = np.cumprod(inked[:, half::-1], axis=1).astype(bool)[:, ::-1]
+    own = np.concatenate([before[:, :-1], after], axis=1)
+    merged = own[:, 0] | own[:, -1]
+    # Between two lines that touch, the centre is paler than both.
+    highest = np.where(own, profile, 0.0).max(1)
+    double = profile[:, half] < _DIP * highest
+    width = np.where(own, profile, 0.0).sum(1) * 0.5
+    return np.where(merged | double | ~inked[:, half], np.nan, width)

@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 import cv2
 import numpy as np
 
-from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.frame import find_frame
 from gaussiancad_core.sheet.annotations.inked import (
     InkedShape,
@@ -13,7 +12,14 @@ from gaussiancad_core.sheet.annotations.inked import (
     points_along,
     split_by_width,
 )
-from gaussiancad_core.sheet.annotations.lines import kinds_of_runs, line_weights
+from gaussiancad_core.sheet.annotations.lines import Weights, kinds_of_runs, line_weights
+from gaussiancad_core.sheet.annotations.loose import (
+    Kinds,
+    arrowheads,
+    lettered_boxes,
+    mark_arrows,
+    split_loose,
+)
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
 from gaussiancad_core.sheet.annotations.text import find_letters
 from gaussiancad_core.sheet.clean import CleanSheet
@@ -40,6 +46,9 @@ _LOOP = 0.36
 _DASHES = 3
 """Pieces of ink from which a shape is dashed."""
 
+_LONGEST_DASH = 8.0
+"""Length of a dash at most, in stroke widths."""
+
 _ARROW = 4.0
 """Half widths of arrowheads that are erased with their line, in stroke widths, at most."""
 
@@ -51,17 +60,21 @@ class SeparatedSheet:
     Attributes:
         part: the sheet with the part's ink alone.
         marks: what was taken off.
+        by_weight: whether narrow lines were told from wide ones.
     """
 
     part: CleanSheet
     marks: tuple[Mark, ...]
+    by_weight: bool
 
 
-def separate_annotations(sheet: CleanSheet) -> SeparatedSheet:
+def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> SeparatedSheet:
     """Take frame, title block, writing, dimensions and centre lines off a sheet.
 
     Args:
         sheet: upright.
+        by_weight: whether narrow lines may be told from wide ones; without it, and where all lines
+            are of one width, dimensions are told by their arrowheads.
     """
     marks: list[Mark] = []
     frame = find_frame(sheet.ink)
@@ -77,15 +90,32 @@ def separate_annotations(sheet: CleanSheet) -> SeparatedSheet:
         sheet = _masked(sheet, cv2.dilate(letters.mask.astype(np.uint8), np.ones((5, 5))) == 0)
     field = ink_field(sheet)
     shapes = [inked_shape(sheet, field, ridges, shape) for shape in grown]
-    weights = line_weights(shapes, sheet.stroke_width)
-    if weights.limit:
+    weights = line_weights(shapes, sheet.stroke_width) if by_weight else None
+    if weights is None or not weights.limit:
+        weights = Weights(sheet.stroke_width, 0.0)
+    else:
         shapes = [split_by_width(sheet, shape, weights.limit) for shape in shapes]
     kinds = kinds_of_runs(shapes, weights, sheet.stroke_width)
-    if not any(kind for own in kinds for kind in own):
-        return SeparatedSheet(sheet, tuple(marks))
-    marks += _line_marks(shapes, kinds)
-    part = _erased(sheet, shapes, kinds)
-    return SeparatedSheet(replace(part, stroke_width=weights.visible), tuple(marks))
+    part = sheet
+    if letters.marks and not weights.limit:
+        shapes, kinds, boxes = _told_by_form(sheet, shapes, kinds, letters.marks)
+        part = _masked(part, ~boxes)
+    if any(kind for own in kinds for kind in own):
+        marks += _line_marks(shapes, kinds)
+        part = replace(_erased(part, shapes, kinds), stroke_width=weights.visible)
+    return SeparatedSheet(part, tuple(marks), bool(weights.limit))
+
+
+def _told_by_form(
+    sheet: CleanSheet, shapes: list[InkedShape], kinds: Kinds, letters: tuple[Mark, ...]
+) -> tuple[list[InkedShape], Kinds, Mask]:
+    """Dimensions by their arrowheads, then what bounds nothing, then boxes around letters."""
+    mark_arrows(shapes, kinds, arrowheads(sheet.ink, sheet.stroke_width), sheet.stroke_width)
+    ink = _erased(sheet, shapes, kinds).ink
+    boxes = lettered_boxes(ink, letters)
+    shapes, kinds = split_loose(shapes, kinds, ink & ~boxes, _LONGEST_DASH * sheet.stroke_width)
+    left = _erased(sheet, shapes, kinds).ink
+    return shapes, kinds, boxes | lettered_boxes(left, letters)
 
 
 def _masked(sheet: CleanSheet, kept: Mask) -> CleanSheet:
@@ -128,7 +158,7 @@ def _in_letters(shape: Grown, ridges: RidgePoints, mask: Mask) -> bool:
     return bool(mask[rows, columns].mean() > 0.5)
 
 
-def _line_marks(shapes: list[InkedShape], kinds: list[list[AnnotationKind | None]]) -> list[Mark]:
+def _line_marks(shapes: list[InkedShape], kinds: Kinds) -> list[Mark]:
     marks = []
     for shape, own in zip(shapes, kinds, strict=True):
         for run, kind in zip(shape.runs, own, strict=True):
@@ -138,9 +168,7 @@ def _line_marks(shapes: list[InkedShape], kinds: list[list[AnnotationKind | None
     return marks
 
 
-def _erased(
-    sheet: CleanSheet, shapes: list[InkedShape], kinds: list[list[AnnotationKind | None]]
-) -> CleanSheet:
+def _erased(sheet: CleanSheet, shapes: list[InkedShape], kinds: Kinds) -> CleanSheet:
     """The sheet without the runs that are annotations, and without what hung on them."""
     inside = cv2.distanceTransform(sheet.ink.astype(np.uint8), cv2.DIST_L2, 5)
     erase = np.zeros(sheet.ink.shape, np.uint8)

@@ -1,0 +1,152 @@
+"""Annotations on sheets whose lines are all of one width.
+
+Dimension lines and leaders end in arrowheads, which are thicker than any line.  Without them,
+extension lines, shoulders of leaders and centre marks bound nothing: the same blank area lies on
+both of their sides, while an edge of the part always parts two areas.
+"""
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import cv2
+import numpy as np
+import numpy.typing as npt
+from scipy.ndimage import median_filter
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.inked import (
+    InkedRun,
+    InkedShape,
+    normals_along,
+    points_along,
+)
+from gaussiancad_core.sheet.annotations.marks import Mark, Mask
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.runs import Run
+
+_THICK = 0.95
+"""Half width of an arrowhead at least, in widths of a line; where two lines cross it is 0.7."""
+
+_LARGEST = 12.0
+"""Length of an arrowhead's thick part at most, in widths of a line."""
+
+_BESIDE = 0.7
+"""Distance of an arrowhead's middle from its line at most, in widths of a line."""
+
+_STEADY = 4
+"""px on either side over which the areas beside a line are made steady."""
+
+_SHORTEST_PX = 5
+
+_LETTERED = 0.12
+"""Share of a box that letters fill at least, for it to be one around them."""
+
+_BOX_HEIGHT = 4.0
+"""Height of a box around letters at most, in heights of a letter."""
+
+Kinds = list[list[AnnotationKind | None]]
+
+
+def arrowheads(ink: Mask, stroke_width: float) -> npt.NDArray[np.float64]:
+    """(n, 2) px middles of the thick blots that arrowheads have."""
+    inside = cv2.distanceTransform(ink.astype(np.uint8), cv2.DIST_L2, 5)
+    core = (inside > _THICK * stroke_width).astype(np.uint8)
+    _, _, stats, middles = cv2.connectedComponentsWithStats(core, connectivity=8)
+    sides = stats[1:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
+    return middles[1:][sides <= _LARGEST * stroke_width]
+
+
+def mark_arrows(
+    shapes: Sequence[InkedShape], kinds: Kinds, heads: npt.NDArray[np.float64], stroke_width: float
+) -> None:
+    """Mark straight runs with an arrowhead on them as dimension lines, in place."""
+    if not len(heads):
+        return
+    for shape, own in zip(shapes, kinds, strict=True):
+        if not isinstance(shape.geometry, Line):
+            continue
+        along, across = shape.geometry.coordinates(heads)
+        near = along[np.abs(across) < _BESIDE * stroke_width]
+        slack = 2.0 * stroke_width
+        for k, run in enumerate(shape.runs):
+            low, high = run.run.start - slack, run.run.end + slack
+            if own[k] is None and ((near >= low) & (near <= high)).any():
+                own[k] = AnnotationKind.DIMENSION
+
+
+def split_loose(
+    shapes: Sequence[InkedShape], kinds: Kinds, ink: Mask, shortest: float
+) -> tuple[list[InkedShape], Kinds]:
+    """Cut runs where they begin or cease to part two areas, and mark what parts none.
+
+    Args:
+        shapes, kinds: with what is known by now.
+        ink: (h, w) bool, without what was marked.
+        shortest: px; shorter runs are dashes, which part nothing either.
+    """
+    closed = cv2.dilate(ink.astype(np.uint8), np.ones((3, 3), np.uint8))
+    _, areas = cv2.connectedComponents(1 - closed, connectivity=4)
+    cut: list[InkedShape] = []
+    cut_kinds: Kinds = []
+    for shape, own in zip(shapes, kinds, strict=True):
+        runs: list[InkedRun] = []
+        marks: list[AnnotationKind | None] = []
+        for run, kind in zip(shape.runs, own, strict=True):
+            parts = [(run.run, False)]
+            if kind is None and run.run.length > shortest:
+                parts = _parts(shape, run, areas)
+            for part, loose in parts:
+                runs.append(InkedRun(part, run.width))
+                marks.append(AnnotationKind.EXTENSION if loose else kind)
+        cut.append(InkedShape(shape.geometry, tuple(runs)))
+        cut_kinds.append(marks)
+    return cut, cut_kinds
+
+
+def _parts(
+    shape: InkedShape, run: InkedRun, areas: npt.NDArray[np.int32]
+) -> list[tuple[Run, bool]]:
+    """Stretches of a run, and whether the same area lies on both sides of each."""
+    points = points_along(shape.geometry, run.run, 1.0)
+    normals = normals_along(shape.geometry, run.run, 1.0)
+    beside = (run.width or 2.0) / 2 + 2.5
+    left, right = (_at(areas, points + side * beside * normals) for side in (1.0, -1.0))
+    known = np.flatnonzero((left > 0) & (right > 0))
+    if len(known) < _SHORTEST_PX:
+        return [(run.run, False)]
+    nearest = known[np.abs(np.arange(len(points))[:, None] - known).argmin(axis=1)]
+    loose = median_filter((left == right)[nearest].astype(np.uint8), 2 * _STEADY + 1) > 0
+    borders = [0, *(np.flatnonzero(np.diff(loose)) + 1), len(loose)]
+    step = run.run.length / len(loose)
+    return [
+        (Run(run.run.start + first * step, run.run.start + last * step), bool(loose[first]))
+        for first, last in pairwise(borders)
+    ]
+
+
+def _at(areas: npt.NDArray[np.int32], points: npt.NDArray[np.float64]) -> npt.NDArray[np.int32]:
+    """(n,) the areas at points; 0 on ink, the sheet's border continued."""
+    columns = np.clip(np.rint(points[:, 0]).astype(int), 0, areas.shape[1] - 1)
+    rows = np.clip(np.rint(points[:, 1]).astype(int), 0, areas.shape[0] - 1)
+    return areas[rows, columns]
+
+
+def lettered_boxes(ink: Mask, letters: Sequence[Mark]) -> Mask:
+    """(h, w) the ink of boxes around letters: tolerance frames, datum letters."""
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(ink.astype(np.uint8), connectivity=8)
+    chosen = np.zeros(len(stats), dtype=bool)
+    for label in range(1, len(stats)):
+        x, y, width, height = (float(value) for value in stats[label, :4])
+        within = [
+            mark.box
+            for mark in letters
+            if x <= (mark.box[0] + mark.box[2]) / 2 <= x + width
+            and y <= (mark.box[1] + mark.box[3]) / 2 <= y + height
+        ]
+        if not within:
+            continue
+        filled = sum((x1 - x0) * (y1 - y0) for x0, y0, x1, y1 in within)
+        tallest = max(min(x1 - x0, y1 - y0) for x0, y0, x1, y1 in within)
+        flat = min(width, height) < _BOX_HEIGHT * tallest
+        chosen[label] = flat and filled > _LETTERED * width * height
+    return chosen[labels]
