@@ -1,9 +1,8 @@
 """Points on the centre lines of strokes, to a fraction of a pixel (Steger 1998).
 
 The ink is smoothed by a Gaussian about as wide as the strokes.  Where its second derivative across
-a stroke is strongly negative, the stroke's profile is a parabola to second order, and its top is
-the point.  The measure is linear in the ink: nothing is thresholded, so that thin and pale lines
-keep their place.
+a stroke is strongly negative, the logarithm of the stroke's profile is a parabola, and its top is
+the point.  Nothing is thresholded, so that thin and pale lines keep their place.
 """
 
 from dataclasses import dataclass
@@ -20,7 +19,10 @@ _LEAST_INK = 0.15
 _LEAST_CURVATURE = 0.05
 """Share of full ink per px^2 by which the profile must fall off across a stroke, at sigma 1."""
 
-_FARTHEST = 0.6
+_FLOOR = 0.02
+"""Smoothed ink under which its logarithm would say more of the paper than of the stroke."""
+
+_FARTHEST = 0.55
 """px from the pixel's centre to the top of its parabola: beyond, a neighbour has the point."""
 
 
@@ -53,14 +55,14 @@ def ridge_points(weight: npt.NDArray[np.float32], stroke_width: float) -> RidgeP
     ys, xs = np.nonzero(candidates)
     inner = (ys > 0) & (xs > 0) & (ys < weight.shape[0] - 1) & (xs < weight.shape[1] - 1)
     ys, xs = ys[inner], xs[inner]
-    gx, gy, xx, xy, yy = _derivatives(smooth, xs, ys)
-    # The larger negative eigenvalue of the Hessian and its vector, in closed form.
-    half_trace, half_difference = (xx + yy) / 2, (xx - yy) / 2
-    curvature = half_trace - np.hypot(half_difference, xy)
-    angle = 0.5 * np.arctan2(-2 * xy, -2 * half_difference)
+    curvature, _ = _strongest(*_derivatives(smooth, xs, ys)[2:])
+    # A smoothed stroke is nearly a Gaussian across, and its logarithm a parabola everywhere: its
+    # differences give the top exactly, those of the stroke itself to a tenth of a pixel.
+    gx, gy, *hessian = _derivatives(np.log(np.maximum(smooth, _FLOOR)), xs, ys)
+    bend, angle = _strongest(*hessian)
     nx, ny = np.cos(angle), np.sin(angle)
     with np.errstate(divide="ignore", invalid="ignore"):
-        top = -(gx * nx + gy * ny) / curvature
+        top = -(gx * nx + gy * ny) / bend
     near = np.abs(top) * np.maximum(np.abs(nx), np.abs(ny)) <= _FARTHEST
     found = (curvature < -_LEAST_CURVATURE / sigma**2) & near
     xs, ys, nx, ny, top = xs[found], ys[found], nx[found], ny[found], top[found]
@@ -68,6 +70,13 @@ def ridge_points(weight: npt.NDArray[np.float32], stroke_width: float) -> RidgeP
     index[ys, xs] = np.arange(len(xs), dtype=np.int32)
     points = np.stack([xs + top * nx, ys + top * ny], axis=1)
     return RidgePoints(points, np.stack([-ny, nx], axis=1), index)
+
+
+def _strongest(xx: Floats, xy: Floats, yy: Floats) -> tuple[Floats, Floats]:
+    """The more negative eigenvalue of Hessians and the angle of its vector, (n,) each."""
+    half_trace, half_difference = (xx + yy) / 2, (xx - yy) / 2
+    angle = 0.5 * np.arctan2(-2 * xy, -2 * half_difference)
+    return half_trace - np.hypot(half_difference, xy), angle
 
 
 def _derivatives(
