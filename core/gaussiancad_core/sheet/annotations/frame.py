@@ -1,7 +1,8 @@
 """The frame around a drawing, its zone marks and title block (ISO 5457, ISO 7200).
 
-The frame is the ink that spans nearly the whole sheet.  The title block hangs together with it.
-What it encloses are areas: the largest is where the part is drawn, all others are fields.
+The frame is ink that spans most of the sheet and keeps off its middle.  The title block hangs
+together with it.  With the border of the paper it encloses areas: the largest is where the part is
+drawn, all others are fields.
 """
 
 from dataclasses import dataclass
@@ -11,15 +12,23 @@ import numpy as np
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask
+from gaussiancad_core.sheet.deskew import Turn
 
-_SPAN = 0.75
-"""Share of the sheet that a frame spans both ways."""
+_SPAN = 0.6
+"""Share of the sheet that a piece of a frame spans one way at least."""
+
+_MIDDLE = (0.1, 0.1, 0.9, 0.8)
+"""Left, top, right and bottom of the middle of a sheet, as shares: frames and title blocks lie
+outside."""
+
+_IN_MIDDLE = 0.1
+"""Share of a frame's ink in the middle of the sheet at most."""
 
 _LARGEST = 0.3
 """Share of the sheet that the drawing area has at least: less is a view drawn large."""
 
-_FILLED = 0.05
-"""Share of its box that a frame inks at most."""
+_FILLED = 0.6
+"""Share of its box that a field fills at least; corners between two zones do not."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,26 +44,36 @@ class Frame:
     marks: tuple[Mark, ...]
 
 
-def find_frame(ink: Mask) -> Frame | None:
-    """The frame of a sheet, or nothing where it has none."""
+def find_frame(ink: Mask, turn: Turn) -> Frame | None:
+    """The frame of a sheet, or nothing where it has none.
+
+    Args:
+        ink: (h, w) bool of the upright sheet.
+        turn: by which the sheet was turned: a frame may have lost its corners beyond the border.
+    """
     height, width = ink.shape
     # Lines of one pixel that a scan broke still hold together.
     closed = cv2.dilate(ink.astype(np.uint8), np.ones((3, 3), np.uint8))
     _, labels, stats, _ = cv2.connectedComponentsWithStats(closed, connectivity=8)
-    spans = (stats[:, cv2.CC_STAT_WIDTH] > _SPAN * width) & (
+    left, top, right, bottom = _MIDDLE
+    middle = labels[
+        int(top * height) : int(bottom * height), int(left * width) : int(right * width)
+    ]
+    inner = np.bincount(middle.ravel(), minlength=len(stats)) / stats[:, cv2.CC_STAT_AREA]
+    spans = (stats[:, cv2.CC_STAT_WIDTH] > _SPAN * width) | (
         stats[:, cv2.CC_STAT_HEIGHT] > _SPAN * height
     )
-    spans &= stats[:, cv2.CC_STAT_AREA] < _FILLED * height * width
+    spans &= inner < _IN_MIDDLE
     spans[0] = False
     if not spans.any():
         return None
     frame = spans[labels]
-    _, areas, facts, _ = cv2.connectedComponentsWithStats((~frame).astype(np.uint8), connectivity=4)
+    walls = frame.astype(np.uint8)
+    corners = turn.to_upright(np.array([[0, 0], [width, 0], [width, height], [0, height]], float))
+    cv2.polylines(walls, [np.rint(corners - 0.5).astype(np.int32)], True, 1, 5)
+    _, areas, facts, _ = cv2.connectedComponentsWithStats(1 - walls, connectivity=4)
     sizes = facts[:, cv2.CC_STAT_AREA].copy()
     sizes[0] = 0
-    # What reaches the border of the sheet lies outside of the frame.
-    border = np.concatenate([areas[0], areas[-1], areas[:, 0], areas[:, -1]])
-    sizes[np.unique(border)] = 0
     largest = int(np.argmax(sizes))
     if sizes[largest] < _LARGEST * height * width:
         return None
@@ -66,19 +85,19 @@ def find_frame(ink: Mask) -> Frame | None:
     cv2.drawContours(area, contours, -1, 1, cv2.FILLED)
     drawing_area = (area > 0) & ~frame
     marks = [Mark(AnnotationKind.FRAME, _box(stats[label])) for label in np.flatnonzero(spans)]
-    written = [
+    fields = [
         facts[label]
         for label in np.flatnonzero(sizes)
-        if label != largest and _is_written(ink, facts[label])
+        if label != largest and _is_field(ink, facts[label])
     ]
-    marks += [Mark(AnnotationKind.TITLE_BLOCK, _box(fact)) for fact in written]
+    marks += [Mark(AnnotationKind.TITLE_BLOCK, _box(fact)) for fact in fields]
     return Frame(drawing_area, tuple(marks))
 
 
-def _is_written(ink: Mask, fact: np.ndarray) -> bool:
-    """Whether there is ink in a field, away from its border."""
-    x, y, w, h = (int(value) for value in fact[:4])
-    return bool(ink[y + 2 : y + h - 2, x + 2 : x + w - 2].any())
+def _is_field(ink: Mask, fact: np.ndarray) -> bool:
+    """Whether an area is a rectangle with writing in it, away from its border."""
+    x, y, w, h, filled = (int(value) for value in fact)
+    return filled > _FILLED * w * h and bool(ink[y + 2 : y + h - 2, x + 2 : x + w - 2].any())
 
 
 def _box(fact: np.ndarray) -> tuple[float, float, float, float]:

@@ -77,7 +77,7 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
             are of one width, dimensions are told by their arrowheads.
     """
     marks: list[Mark] = []
-    frame = find_frame(sheet.ink)
+    frame = find_frame(sheet.ink, sheet.turn)
     if frame is not None:
         sheet = _masked(sheet, frame.drawing_area)
         marks += frame.marks
