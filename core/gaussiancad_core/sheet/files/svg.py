@@ -192,3 +192,5 @@ def _set_size(root: Element, size: _Size) -> None:
     root.set("height", repr(float(size.height)))
     for name in ("x", "y"):
         root.attrib.pop(name, None)
+    # The sheet ends where the drawing does; a clip would cost more time than all of its lines.
+    root.set("overflow", "visible")
