@@ -1,0 +1,123 @@
+"""Writing is found, and nothing else is taken for it."""
+
+from typing import Any
+
+import cv2
+import numpy as np
+import pytest
+
+from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind
+from gaussiancad_core.drawing.inking import ink_annotations
+from gaussiancad_core.drawing.lettering import label
+from gaussiancad_core.drawing.style import SheetStyle
+from gaussiancad_core.sheet.annotations.marks import Mask
+from gaussiancad_core.sheet.annotations.text import Letters, find_letters
+
+Sketch = Any
+"""The class that the fixture gives."""
+
+WIDTH, HEIGHT = 640, 400
+TALL, STROKE = 18.0, 2.2
+
+
+def _written(text: str, x: float, y: float, angle: float = 0.0) -> Mask:
+    words = label(text, (x, y), TALL, angle)
+    annotation = Annotation(AnnotationKind.TEXT, 0, label=words)
+    return ink_annotations((annotation,), SheetStyle(width=WIDTH, height=HEIGHT)) >= 0.5
+
+
+def _near(ink: Mask) -> Mask:
+    return cv2.dilate(ink.astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
+
+
+def _found(ink: Mask, explained: Mask | None = None) -> Letters:
+    told = np.zeros_like(ink) if explained is None else _near(explained)
+    return find_letters(ink, told, STROKE)
+
+
+def _part(sketch: Sketch) -> Mask:
+    """A box with a dashed line, a dashed cross and a small circle with its mark."""
+    drawn = sketch(WIDTH, HEIGHT).lines((60, 60), (400, 60), (400, 300), (60, 300), (60, 60))
+    drawn.broken((60, 110), (400, 110), (12, 6)).broken((200, 60), (200, 300), (12, 6))
+    drawn.arc((320, 220), 9.0, 2.0).line((308, 220), (332, 220), 1.5).line(
+        (320, 208), (320, 232), 1.5
+    )
+    return drawn.weight >= 0.5
+
+
+@pytest.mark.parametrize("text", ["125", "R8", "M10x1.5", "ABCDEFGHKLMNOPQRSTUVXYZ", "2x 45°"])
+@pytest.mark.parametrize("angle", [0.0, -np.pi / 2])
+def test_words_are_found_whole(text: str, angle: float) -> None:
+    ink = _written(text, 320, 200, angle)
+    letters = _found(ink)
+    assert (letters.mask & ~ink).sum() == 0
+    # Points and degree signs are less than letters.
+    missed = ink & ~letters.mask
+    assert missed.sum() <= (0.07 * ink.sum() if {".", "°"} & set(text) else 0)
+    rows, columns = np.nonzero(letters.mask)
+    boxes = np.array([mark.box for mark in letters.marks])
+    assert (boxes[:, :2].min(0) == (columns.min(), rows.min())).all()
+    assert (boxes[:, 2:].max(0) == (columns.max() + 1, rows.max() + 1)).all()
+    assert {mark.kind for mark in letters.marks} == {AnnotationKind.TEXT}
+
+
+def test_a_word_is_one_mark_and_words_apart_are_two() -> None:
+    ink = _written("125", 200, 200) | _written("34", 500, 200)
+    boxes = sorted(mark.box for mark in _found(ink).marks)
+    assert len(boxes) == 2
+    assert boxes[0][2] < 300 < boxes[1][0]
+    for box in boxes:
+        assert box[1] == pytest.approx(191, abs=2)
+        assert box[3] == pytest.approx(209, abs=2)
+
+
+def test_what_shapes_explain_is_no_letter(sketch: Sketch) -> None:
+    part = _part(sketch)
+    letters = _found(part, part)
+    assert not letters.mask.any()
+    assert letters.marks == ()
+
+
+def test_dashes_are_no_letters_even_unexplained(sketch: Sketch) -> None:
+    """Straight pieces say nothing by themselves."""
+    drawn = sketch(WIDTH, HEIGHT).broken((60, 110), (400, 110), (12, 6))
+    drawn.broken((90, 130), (390, 290), (14, 6), 3.0)
+    assert not _found(drawn.weight >= 0.5).mask.any()
+
+
+def test_writing_beside_the_part(sketch: Sketch) -> None:
+    part = _part(sketch)
+    text = _written("62", 230, 40) | _written("R8", 450, 200)
+    letters = _found(part | text, part)
+    assert np.array_equal(letters.mask, text)
+    assert len(letters.marks) == 2
+
+
+def test_a_one_is_a_letter_beside_others(sketch: Sketch) -> None:
+    """It looks like a dash: its neighbours tell."""
+    ink = _written("181", 200, 200)
+    assert np.array_equal(_found(ink).mask, ink)
+    bar = sketch(WIDTH, HEIGHT).line((400, 191), (400, 209), 2.0).weight >= 0.5
+    assert np.array_equal(_found(ink | bar).mask, ink)
+
+
+def test_an_o_explained_as_a_circle_joins_its_word() -> None:
+    ink = _written("10", 200, 200)
+    _, labels = cv2.connectedComponents(ink.astype(np.uint8))
+    nought = labels == labels[:, np.nonzero(ink)[1].max()].max()
+    seven = _written("7", 172, 200)
+    letters = _found(ink | seven, nought)
+    assert np.array_equal(letters.mask, ink | seven)
+
+
+def test_large_letters_are_drawing() -> None:
+    """What is taller than a twenty-fifth of the sheet is no writing."""
+    ink = np.kron(_written("R8", 320, 200), np.ones((3, 3), bool))[400:800, 640:1280]
+    assert ink.any()
+    assert not _found(ink).mask.any()
+
+
+def test_blank_paper() -> None:
+    letters = _found(np.zeros((HEIGHT, WIDTH), bool))
+    assert not letters.mask.any()
+    assert letters.marks == ()
