@@ -72,9 +72,11 @@ def run(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
 
 def _ocr_state() -> str:
     """Whether dimensions can be read from the pixels of a sheet."""
-    from gaussiancad_core.sheet.scale.ocr import ocr_problem
-
-    return ocr_problem() or metadata.version("rapidocr")
+    try:
+        version = metadata.version("rapidocr")
+    except metadata.PackageNotFoundError:
+        return "not installed: pip install rapidocr onnxruntime"
+    return _problem("onnxruntime", "onnxruntime") or version
 
 
 def _problem(module: str, distribution: str) -> str | None:

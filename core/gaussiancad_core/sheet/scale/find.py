@@ -36,7 +36,7 @@ from gaussiancad_core.sheet.scale.numbers import (
     parse_unit,
 )
 from gaussiancad_core.sheet.scale.ocr import ocr_problem
-from gaussiancad_core.sheet.scale.texts import SheetText, file_texts, pixel_texts
+from gaussiancad_core.sheet.scale.texts import SheetText, fields_of, file_texts, pixel_texts
 from gaussiancad_core.views import Arc, Segment
 
 _LEADER = 0.8
@@ -116,7 +116,8 @@ def _texts(
     image: SheetImage, sheet: CleanSheet, marks: Sequence[Mark]
 ) -> tuple[tuple[SheetText, ...], tuple[Note, ...]]:
     if image.vectors is not None and image.vectors.texts:
-        return file_texts(image.vectors.texts, sheet.turn), ()
+        fields = fields_of(marks, sheet.ink.size)
+        return file_texts(image.vectors.texts, sheet.turn, fields), ()
     if not any(mark.kind is AnnotationKind.TEXT for mark in marks):
         return (), ()
     problem = ocr_problem()

@@ -43,9 +43,6 @@ _SAME = 1.6
 _SAME_UPRIGHT = 1.3
 """The same of a text that runs up the sheet."""
 
-_UPRIGHT = 1.2
-"""Height over width of a piece that runs up the sheet, at least."""
-
 _COMMON = 0.6
 """Share of their height that pieces of one text have in common at least."""
 
@@ -84,15 +81,38 @@ class SheetText:
     field: bool = False
 
 
-def file_texts(texts: Iterable[VectorText], turn: Turn) -> tuple[SheetText, ...]:
-    """Level and upright texts of a vector file."""
+def file_texts(
+    texts: Iterable[VectorText], turn: Turn, fields: Sequence[Box]
+) -> tuple[SheetText, ...]:
+    """Level and upright texts of a vector file.
+
+    Args:
+        texts: of the file.
+        turn: of the sheet.
+        fields: of the title block, see :func:`fields_of`.
+    """
     found = []
     for text in texts:
         angle = text.angle - turn.angle
         level = abs(np.sin(angle)) < _SLANT
         if level or abs(np.cos(angle)) < _SLANT:
-            found.append(SheetText(text.text.strip(), turn.box_to_upright(text.box), bool(level)))
+            box = turn.box_to_upright(text.box)
+            field = any(_holds(own, box) for own in fields)
+            found.append(SheetText(text.text.strip(), box, bool(level), field=field))
     return tuple(found)
+
+
+def fields_of(marks: Iterable[Mark], pixels: int) -> list[Box]:
+    """Fields of the title block among the marks of a sheet of so many pixels."""
+    boxes = (mark.box for mark in marks if mark.kind is AnnotationKind.TITLE_BLOCK)
+    return [
+        box for box in boxes if (box[2] - box[0]) * (box[3] - box[1]) <= _LARGEST_FIELD * pixels
+    ]
+
+
+def _holds(field: Box, box: Box) -> bool:
+    x, y = 0.5 * (box[0] + box[2]), 0.5 * (box[1] + box[3])
+    return field[0] <= x <= field[2] and field[1] <= y <= field[3]
 
 
 def pixel_texts(sheet: CleanSheet, marks: Sequence[Mark]) -> tuple[SheetText, ...]:
@@ -104,8 +124,9 @@ def pixel_texts(sheet: CleanSheet, marks: Sequence[Mark]) -> tuple[SheetText, ..
     """
     written = _written(sheet, [mark.box for mark in marks if mark.kind is AnnotationKind.TEXT])
     found = [_read(sheet, box) for box in written[:_MOST]]
-    fields = [mark.box for mark in marks if mark.kind is AnnotationKind.TITLE_BLOCK]
-    lines = [line for field in fields for line in _lines_of(sheet.ink, field)]
+    lines = [
+        line for field in fields_of(marks, sheet.ink.size) for line in _lines_of(sheet.ink, field)
+    ]
     for box in lines[: _MOST - len(found)]:
         read = read_text(_picture(sheet, box))
         found.append(SheetText(read.text, box, True, read.confidence, field=True))
@@ -117,13 +138,15 @@ def _written(sheet: CleanSheet, boxes: Sequence[Box]) -> list[Box]:
     if not boxes:
         return []
     usual = float(np.median([_thickness(box) for box in boxes]))
+    thickest = _SAME_UPRIGHT * usual
     single: list[Box] = []
     for box in boxes:
         if _thickness(box) > _FAT * usual:
-            single += joined_boxes(_pieces(sheet, box), _WIDE_SPACE)
+            single += joined_boxes(_pieces(sheet, box), thickest, _WIDE_SPACE)
         else:
             single.append(box)
-    return joined_boxes([box for box in single if _thickness(box) >= _SMALLEST_LETTER])
+    lines = joined_boxes(single, thickest)
+    return [box for box in lines if _thickness(box) >= _SMALLEST_LETTER]
 
 
 def _thickness(box: Box) -> float:
@@ -141,11 +164,12 @@ def _pieces(sheet: CleanSheet, box: Box) -> list[Box]:
     ]
 
 
-def joined_boxes(boxes: Sequence[Box], space: float = _SPACE) -> list[Box]:
+def joined_boxes(boxes: Sequence[Box], thickest: float, space: float = _SPACE) -> list[Box]:
     """Boxes of texts, those of the pieces of one text joined.
 
     Args:
         boxes: px.
+        thickest: px of height of a line of text at most.
         space: gap between pieces of one text at most, in its height.
     """
     joined = list(boxes)
@@ -155,7 +179,8 @@ def joined_boxes(boxes: Sequence[Box], space: float = _SPACE) -> list[Box]:
         near = [
             box
             for box in joined
-            if box is not one and (_in_line(one, box, _SAME, space) or _up_the_sheet(one, box))
+            if box is not one
+            and (_in_line(one, box, _SAME, space) or _up_the_sheet(one, box, thickest))
         ]
         if not near:
             first += 1
@@ -181,11 +206,11 @@ def _in_line(one: Box, two: Box, alike: float, space: float) -> bool:
     )
 
 
-def _up_the_sheet(one: Box, two: Box) -> bool:
+def _up_the_sheet(one: Box, two: Box, thickest: float) -> bool:
     """Whether two boxes are pieces of one text that runs up the sheet, and no two level lines of
-    text below each other."""
-    longest = max((box[3] - box[1]) / (box[2] - box[0]) for box in (one, two))
-    return longest > _UPRIGHT and _in_line(_turned(one), _turned(two), _SAME_UPRIGHT, _SPACE)
+    text below each other, which are wider than a line of text is thick."""
+    widest = max(box[2] - box[0] for box in (one, two))
+    return widest <= thickest and _in_line(_turned(one), _turned(two), _SAME_UPRIGHT, _SPACE)
 
 
 def _turned(box: Box) -> Box:
@@ -237,8 +262,6 @@ def _corner(box: Box) -> tuple[int, int]:
 
 def _lines_of(ink: Ink, field: Box) -> list[Box]:
     """Boxes of the lines of text in a field."""
-    if (field[2] - field[0]) * (field[3] - field[1]) > _LARGEST_FIELD * ink.size:
-        return []
     x0, y0, x1, y1 = (round(value) for value in field)
     inner = ink[y0 + 2 : y1 - 2, x0 + 2 : x1 - 2].astype(np.uint8)
     if not inner.any():
