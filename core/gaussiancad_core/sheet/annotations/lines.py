@@ -25,6 +25,9 @@ _APART = 2.0
 _LEAST_SHARE = 0.1
 """Share of the lines' length that either family has at least."""
 
+_BREAK = 0.5
+"""Gap between dashes at least, in the sheet's usual gaps."""
+
 _SHORT = 0.45
 """Length of the short dashes of a centre line, as a share of the long ones, at most."""
 
@@ -106,7 +109,7 @@ def kinds_of_runs(
     for shape, own in zip(shapes, kinds, strict=True):
         for k, run in enumerate(shape.runs):
             narrow = run.width is not None and run.width < weights.limit
-            if own[k] is None and narrow and not _is_dash(shape.runs, k, rhythm):
+            if own[k] is None and narrow and not _is_dash(shape.runs, k, rhythm, weights.limit):
                 own[k] = AnnotationKind.EXTENSION
         _spread(own, shape.runs, weights.limit)
     return kinds
@@ -152,12 +155,25 @@ def _is_wide(run: InkedRun, limit: float) -> bool:
     return bool(limit) and run.width is not None and run.width >= limit
 
 
-def _is_dash(runs: Sequence[InkedRun], k: int, rhythm: Rhythm) -> bool:
-    """Whether a run is a dash of a hidden line: of the sheet's length, with another beside it."""
-    own = runs[k].run
-    if own.length > 1.75 * rhythm.dash:
+def _is_dash(runs: Sequence[InkedRun], k: int, rhythm: Rhythm, limit: float) -> bool:
+    """Whether a run is a dash of a hidden line: of the sheet's length, with another dash on one
+    side or an edge on both.  Beside one edge only, it is the extension line of that edge."""
+    # Faded ink breaks lines at gaps that are shorter than those between dashes.
+    broken = _BREAK * rhythm.gap
+    first = last = k
+    while first > 0 and runs[first].run.start - runs[first - 1].run.end < broken:
+        first -= 1
+    while last + 1 < len(runs) and runs[last + 1].run.start - runs[last].run.end < broken:
+        last += 1
+    start, end = runs[first].run.start, runs[last].run.end
+    longest = 1.75 * rhythm.dash
+    if end - start > longest:
         return False
     gap = 2.2 * rhythm.gap + 2.0
-    before = k > 0 and own.start - runs[k - 1].run.end <= gap
-    after = k + 1 < len(runs) and runs[k + 1].run.start - own.end <= gap
-    return before or after
+    beside = []
+    if first > 0 and start - runs[first - 1].run.end <= gap:
+        beside.append(runs[first - 1])
+    if last + 1 < len(runs) and runs[last + 1].run.start - end <= gap:
+        beside.append(runs[last + 1])
+    dashes = [run for run in beside if run.run.length <= longest and not _is_wide(run, limit)]
+    return bool(dashes) or len(beside) == 2
