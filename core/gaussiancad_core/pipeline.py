@@ -26,7 +26,7 @@ from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box, ReadingOptions
-from gaussiancad_core.sheet.read import read_sheet
+from gaussiancad_core.sheet.read import SheetImage, read_sheet
 from gaussiancad_core.sheet.reading import (
     ReadView,
     RegisteredSheet,
@@ -34,6 +34,7 @@ from gaussiancad_core.sheet.reading import (
     read_views,
     register_views,
 )
+from gaussiancad_core.sheet.scale.find import ScaleSource, find_scale
 from gaussiancad_core.verification.agreement import MatchedLines
 
 STAGES = ("read", "views", "lines", "masks", "hull", "gaussians", "surface", "check", "write")
@@ -105,8 +106,10 @@ class _Run:
             self.report = replace(self.report, sheet_sha256=image.sha256)
             if self.job.resume and (earlier := self._earlier()):
                 return earlier
+            for note in image.notes:
+                self._warn(note.code, note.message)
             clean = upright_sheet(clean_sheet(image.grey, self.job.reading.median_kernel))
-        registered = self._read_sheet(clean)
+        registered = self._read_sheet(image, clean)
         if self.job.result is ResultKind.SOLID:
             raise NoModelError(
                 "exact-solid-unavailable",
@@ -160,7 +163,7 @@ class _Run:
             return None
         return replace(self.report, status=Status(found["status"])) if same else None
 
-    def _read_sheet(self, clean: CleanSheet) -> RegisteredSheet:
+    def _read_sheet(self, image: SheetImage, clean: CleanSheet) -> RegisteredSheet:
         """Views, lines and masks of a sheet, on shared axes."""
         reading = self.job.reading
         with self._stage("views"):
@@ -170,10 +173,10 @@ class _Run:
             self._tell_layout(layout, clean.turn)
         with self._stage("lines"):
             drawn = read_views(separated.part, layout, self.progress, reading.finder)
+            options = self._scaled(image, clean, drawn)
         with self._stage("masks"):
-            options = reading
             if self.job.recipe is Recipe.PAPER:
-                options = replace(reading, open_holes=False)
+                options = replace(options, open_holes=False)
             if layout.alternatives and not reading.views:
                 registered = self._choose_projection(drawn, layout, options)
             else:
@@ -181,6 +184,22 @@ class _Run:
             self._tell_views(registered, clean.turn)
             self._tell_registration(registered)
         return registered
+
+    def _scaled(
+        self, image: SheetImage, clean: CleanSheet, drawn: tuple[ReadView, ...]
+    ) -> ReadingOptions:
+        """What the user said, with the scale that the sheet tells where they said none."""
+        reading = self.job.reading
+        if reading.length is not None or reading.mm_per_pixel is not None:
+            self.report = replace(self.report, scale_source=ScaleSource.GIVEN.value)
+            return reading
+        found = find_scale(image, clean, self.marks, drawn)
+        self.report = replace(
+            self.report, scale_source=found.source.value, dimensions=found.dimensions
+        )
+        for note in found.notes:
+            self._warn(note.code, note.message)
+        return replace(reading, mm_per_pixel=found.mm_per_pixel)
 
     def _choose_projection(
         self, drawn: tuple[ReadView, ...], layout: Layout, options: ReadingOptions
@@ -232,16 +251,13 @@ class _Run:
             )
 
     def _tell_registration(self, registered: RegisteredSheet) -> None:
-        reading = self.job.reading
-        given = reading.length is not None or reading.mm_per_pixel is not None
         self.report = replace(
             self.report,
             scale_mm_per_pixel=registered.mm_per_pixel,
-            scale_source="given" if given else "default",
             bounding_box_mm=registered.views.size,
             tolerance_px=TOLERANCE_PX,
         )
-        if not given:
+        if self.report.scale_source == ScaleSource.DEFAULT.value:
             self._warn(
                 "scale-assumed",
                 "the scale is not known: the longest edge was made 100 mm; "
