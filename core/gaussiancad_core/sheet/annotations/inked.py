@@ -102,7 +102,8 @@ def split_by_width(sheet: CleanSheet, shape: InkedShape, limit: float) -> InkedS
             continue
         # Where another stroke is beside it, the run is as wide as next to there.
         filled = np.interp(np.arange(len(widths)), known, widths[known])
-        smooth = median_filter(filled, 2 * _STEADY + 1, mode="nearest")
+        # Reflected, for at its very end a run is half paper.
+        smooth = median_filter(filled, 2 * _STEADY + 1, mode="reflect")
         narrow = _without_short(smooth < limit, _EDGE * limit)
         cuts = np.flatnonzero(np.diff(narrow)) + 0.5
         ends = run.run.start + run.run.length * np.array([0, *cuts, len(widths) - 1]) / (

@@ -1,0 +1,182 @@
+"""Centre lines by their rhythm, dimension lines by their weight, hidden lines spared."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.drawing.inking import long_short_intervals
+from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
+from gaussiancad_core.sheet.annotations.lines import (
+    Weights,
+    is_long_short,
+    kinds_of_runs,
+    line_weights,
+)
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.runs import Run
+
+EXTENSION, CENTRE = AnnotationKind.EXTENSION, AnnotationKind.CENTRE_LINE
+LEVEL = Line((0.0, 0.0), (1.0, 0.0))
+
+
+def _shape(*pieces: tuple[float, float, float | None]) -> InkedShape:
+    """Runs given as start, end and width."""
+    return InkedShape(LEVEL, tuple(InkedRun(Run(a, b), width) for a, b, width in pieces))
+
+
+def _solid(length: float, width: float | None) -> InkedShape:
+    return _shape((0.0, length, width))
+
+
+def _row(lengths: list[float], gap: float, width: float) -> InkedShape:
+    pieces, at = [], 0.0
+    for length in lengths:
+        pieces.append((at, at + length, width))
+        at += length + gap
+    return _shape(*pieces)
+
+
+@pytest.mark.parametrize(
+    ("lengths", "expected"),
+    [
+        ([40, 6, 40], True),
+        ([40, 6, 40, 6, 40], True),
+        ([24, 6, 24, 6, 24, 6, 24], True),
+        # Cut off at an end by an edge that it meets.
+        ([15, 6, 40, 6, 40], True),
+        ([6, 40, 6, 40, 6], True),
+        ([40, 6, 40, 6], True),
+        # A crossing joined two pieces in the middle.
+        ([40, 6, 40, 6, 90, 6, 40, 6, 40], True),
+        ([12, 12, 12, 12], False),
+        ([12, 11, 13, 12, 12.5], False),
+        # A dashed line whose last dash is short, or its first and its last.
+        ([12, 12, 12, 5], False),
+        ([5, 12, 12, 12, 5], False),
+        # An edge in three pieces, the middle one not much shorter.
+        ([60, 40, 60], False),
+        # Edges and the dashes of a hidden line between them.
+        ([80, 12, 12, 12, 12, 80], False),
+        ([100, 12, 12, 12], False),
+        ([12, 12, 100, 12, 12], False),
+        ([40, 6], False),
+        ([40], False),
+        ([], False),
+    ],
+)
+def test_long_and_short_in_turn(lengths: list[float], expected: bool) -> None:
+    assert is_long_short(lengths) is expected
+    assert is_long_short(lengths[::-1]) is expected
+
+
+@given(st.floats(60.0, 2000.0), st.floats(0.8, 4.0))
+def test_what_the_engine_draws_is_long_short(length: float, width: float) -> None:
+    pieces = [high - low for low, high in long_short_intervals(length, width)]
+    assert is_long_short(pieces)
+
+
+@given(st.integers(3, 40), st.floats(4.0, 40.0), st.data())
+def test_even_dashes_never_are(count: int, dash: float, data: st.DataObject) -> None:
+    """A fifth longer or shorter."""
+    shares = data.draw(st.lists(st.floats(0.8, 1.2), min_size=count, max_size=count))
+    assert not is_long_short([dash * share for share in shares])
+
+
+def test_two_families_of_widths() -> None:
+    shapes = [
+        _solid(300, 3.0),
+        _solid(250, 3.1),
+        _solid(80, 2.9),
+        _solid(200, 1.5),
+        _solid(90, 1.6),
+    ]
+    weights = line_weights(shapes, 2.4)
+    assert weights.visible == pytest.approx(3.0)
+    assert 1.7 < weights.limit < 2.6
+
+
+@pytest.mark.parametrize(("narrow", "wide"), [(1.0, 2.0), (1.5, 3.0), (1.8, 3.6), (2.0, 2.8)])
+def test_the_limit_is_between_the_families(narrow: float, wide: float) -> None:
+    spread = 0.04 * narrow
+    shapes = [_solid(100 + k, wide + spread * (k % 3 - 1)) for k in range(12)]
+    shapes += [_solid(60 + k, narrow + spread * (k % 3 - 1)) for k in range(9)]
+    weights = line_weights(shapes, 2.0)
+    assert narrow + 2 * spread < weights.limit < wide - 2 * spread
+    assert weights.visible == pytest.approx(wide, abs=2 * spread)
+    # In any order.
+    backwards = line_weights(shapes[::-1], 2.0)
+    assert backwards.limit == pytest.approx(weights.limit)
+    assert backwards.visible == weights.visible
+
+
+@pytest.mark.parametrize(
+    "shapes",
+    [
+        [_solid(300, 3.0), _solid(200, 3.0)],
+        [_solid(300, 3.0), _solid(200, 3.2), _solid(100, 2.8), _solid(50, 3.1)],
+        # Too little of it: a scratch, a smudge.
+        [_solid(900, 3.0), _solid(300, 3.1), _solid(30, 1.5)],
+        [_solid(900, 1.5), _solid(300, 1.6), _solid(30, 3.0)],
+        # Of all widths: badly scanned.
+        [_solid(100, 2.0 + 0.1 * k) for k in range(15)],
+        # Nothing long, nothing measured, nothing at all.
+        [_solid(12, 1.0), _solid(12, 3.0)],
+        [_solid(100, None)],
+        [],
+    ],
+)
+def test_one_family_has_no_limit(shapes: list[InkedShape]) -> None:
+    assert line_weights(shapes, 3.0).limit == 0.0
+
+
+def test_nothing_measured_is_as_wide_as_the_sheet() -> None:
+    assert line_weights([_solid(12, 1.0)], 2.7) == Weights(2.7, 0.0)
+
+
+TWO = Weights(3.0, 2.2)
+
+
+def _kinds(*shapes: InkedShape, weights: Weights = TWO) -> list[list[AnnotationKind | None]]:
+    return kinds_of_runs(shapes, weights, 2.4)
+
+
+def test_wide_lines_stay_and_narrow_ones_go() -> None:
+    found = _kinds(_solid(200, 3.0), _solid(200, 1.5), _solid(100, None))
+    assert found == [[None], [EXTENSION], [None]]
+
+
+def test_hidden_lines_stay_though_they_are_narrow() -> None:
+    dashes = _row([12.0] * 8, 6.0, 1.5)
+    assert _kinds(dashes, dashes, _solid(200, 3.0)) == [[None] * 8, [None] * 8, [None]]
+
+
+@pytest.mark.parametrize("width", [1.5, 3.0])
+@pytest.mark.parametrize("weights", [TWO, Weights(3.0, 0.0)])
+def test_centre_lines_go_whatever_their_weight(width: float, weights: Weights) -> None:
+    centre = _row([24.0, 6.0, 24.0, 6.0, 24.0], 4.5, width)
+    hidden = _row([12.0] * 8, 6.0, 1.5)
+    assert _kinds(centre, hidden, weights=weights) == [[CENTRE] * 5, [None] * 8]
+
+
+def test_an_extension_line_and_the_edge_that_it_goes_on_as() -> None:
+    both = _shape((0.0, 60.0, 1.5), (60.0, 200.0, 3.0), (200.0, 230.0, 1.5))
+    assert _kinds(both, _row([12.0] * 8, 6.0, 1.5))[0] == [EXTENSION, None, EXTENSION]
+
+
+def test_without_weights_only_rhythm_tells() -> None:
+    assert _kinds(_solid(200, 1.5), _solid(200, 3.0), weights=Weights(3.0, 0.0)) == [[None], [None]]
+
+
+def test_two_centre_lines_in_a_row_are_told_apart_from_what_lies_between() -> None:
+    """A gap wider than that of any dashed line parts them."""
+    first = [(0.0, 24.0), (28.5, 34.5), (39.0, 63.0)]
+    pieces = [(a + shift, b + shift, 1.5) for shift in (0.0, 300.0) for a, b in first]
+    assert _kinds(_shape(*pieces[:3], (120.0, 220.0, 3.0), *pieces[3:]))[0] == (
+        [CENTRE] * 3 + [None] + [CENTRE] * 3
+    )
+
+
+def test_no_shapes_no_kinds() -> None:
+    assert _kinds() == []
+    assert _kinds(_shape()) == [[]]
