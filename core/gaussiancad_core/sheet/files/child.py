@@ -27,8 +27,10 @@ def main(kind: FileKind, path: Path, page: int) -> None:
         outcome = (type(error), error.code, error.message)
     except MemoryError:
         outcome = (MemoryError, "", "")
-    except RecursionError:
-        message = f"{path} is nested too deeply: export the drawing again, or as PNG"
+    except Exception as error:
+        # Broken values make parsers raise anything, a RecursionError too.
+        reason = " ".join(f"{type(error).__name__}: {error}".split())
+        message = f"{path} cannot be read ({reason}): export the drawing again, or as PNG"
         outcome = (UnreadableError, f"damaged-{kind.value}", message)
     with answer:
         pickle.dump(outcome, answer, protocol=pickle.HIGHEST_PROTOCOL)

@@ -39,15 +39,10 @@ def read_isolated(
         LimitError: ``reading-takes-too-long``, ``out-of-memory``.
         UnreadableError: ``damaged-pdf``, ``damaged-svg``, ``damaged-dxf``: the library crashed.
     """
-    command = [
-        sys.executable,
-        "-I",
-        "-m",
-        _CHILD,
-        kind.value,
-        str(path.absolute()),
-        str(page),
-    ]
+    # The child imports from where the engine does.
+    isolated = ["-I"] if sys.flags.isolated else []
+    arguments = [kind.value, str(path.absolute()), str(page)]
+    command = [sys.executable, *isolated, "-m", _CHILD, *arguments]
     # More threads than one would only take address space.
     environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
     with subprocess.Popen(
@@ -56,6 +51,7 @@ def read_isolated(
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
         env=environment,
+        creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
     ) as child:
         try:
             answer, _ = child.communicate(timeout=time_limit)

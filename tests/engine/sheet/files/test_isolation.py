@@ -1,3 +1,4 @@
+import pickle
 from collections.abc import Callable
 from pathlib import Path
 
@@ -5,6 +6,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.errors import LimitError, UnreadableError
+from gaussiancad_core.sheet.files.child import main
 from gaussiancad_core.sheet.files.isolation import read_isolated
 from gaussiancad_core.sheet.files.kinds import FileKind
 from gaussiancad_core.sheet.files.pdf import read_pdf
@@ -27,6 +29,22 @@ def test_errors_come_back_with_the_name_that_was_given(
         read_isolated(FileKind.SVG, Path("bad.svg"), 1)
     assert caught.value.code == "damaged-svg"
     assert caught.value.message.startswith("bad.svg ")
+
+
+def test_defects_of_parsers_are_told_in_one_line(
+    save: Callable, monkeypatch: pytest.MonkeyPatch, capfdbinary: pytest.CaptureFixture[bytes]
+) -> None:
+    def fail(*_: object) -> None:
+        raise KeyError("two\nlines")
+
+    path = save("a.svg", "<svg/>")
+    monkeypatch.setattr("gaussiancad_core.sheet.files.svg.read_svg", fail)
+    monkeypatch.setattr("gaussiancad_core.sheet.files.child._limit_memory", lambda: None)
+    main(FileKind.SVG, path, 1)
+    error, code, message = pickle.loads(capfdbinary.readouterr().out)
+    assert (error, code) == (UnreadableError, "damaged-svg")
+    assert "\n" not in message
+    assert "KeyError" in message
 
 
 def test_time_is_bounded(pdf: type, save: Callable) -> None:
