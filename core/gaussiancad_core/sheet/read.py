@@ -70,8 +70,7 @@ def read_sheet(path: Path, page: int = 1) -> SheetImage:
     if known is not None:
         name, advice = known
         raise UnreadableError(
-            "format-not-supported",
-            f"{path} is a {name} file, which is not read: {advice}",
+            "format-not-supported", f"{path} is a {name} file, which is not read: {advice}"
         )
     if kind is FileKind.RASTER:
         content = read_raster(path, page)
@@ -98,8 +97,7 @@ def _look_at(path: Path) -> tuple[bytes, str]:
             sha256 = hashlib.file_digest(file, "sha256").hexdigest()
     except OSError as error:
         raise UnreadableError(
-            "file-unreadable",
-            f"{path} cannot be opened ({error.strerror}): check its permissions",
+            "file-unreadable", f"{path} cannot be opened ({error.strerror}): check its permissions"
         ) from error
     if not head:
         raise UnreadableError("empty-file", f"{path} is empty: export the drawing again")

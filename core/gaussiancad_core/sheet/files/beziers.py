@@ -16,13 +16,7 @@ from gaussiancad_core.sheet.files.curves import (
     wrapped,
 )
 from gaussiancad_core.sheet.files.fitting import circle_through, lines_and_arcs
-from gaussiancad_core.sheet.files.vectors import (
-    FULL_TURN,
-    Chain,
-    CircularArc,
-    Curve,
-    Line,
-)
+from gaussiancad_core.sheet.files.vectors import FULL_TURN, Chain, CircularArc, Curve, Line
 
 _ARC_DEVIATION = 1.5e-3
 """Share of its radius by which a Bézier curve that stands for an arc may leave it; the usual
@@ -139,9 +133,7 @@ def _same_circle(a: CircularArc, b: CircularArc) -> bool:
     return bool(apart <= tolerance and abs(a.radius - b.radius) <= tolerance)
 
 
-def _joined(
-    run: list[tuple[npt.NDArray[np.float64], CircularArc, bool]],
-) -> list[Curve]:
+def _joined(run: list[tuple[npt.NDArray[np.float64], CircularArc, bool]]) -> list[Curve]:
     """One arc for neighbouring Bézier arcs of one circle."""
     if len(run) < 2:
         return [arc for _, arc, _ in run]

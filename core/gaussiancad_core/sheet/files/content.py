@@ -89,8 +89,7 @@ def too_large(path: Path, size: str) -> UnreadableError:
 def page_missing(path: Path, count: int, page: int) -> UnreadableError:
     """The error for a page that a file does not have."""
     return UnreadableError(
-        "page-missing",
-        f"{path} has {count} page(s), there is no page {page}: choose another",
+        "page-missing", f"{path} has {count} page(s), there is no page {page}: choose another"
     )
 
 

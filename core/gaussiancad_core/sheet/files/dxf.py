@@ -107,8 +107,7 @@ def read_dxf(path: Path, page: int) -> FileContent:
     box = bounds(curves)
     if box is None or max(box[2] - box[0], box[3] - box[1]) <= 0.0:
         raise UnreadableError(
-            "empty-drawing",
-            f"{path} has no lines on page {page}: choose another page or file",
+            "empty-drawing", f"{path} has no lines on page {page}: choose another page or file"
         )
     sheet = _sheet_box(box, content.limits)
     width, height = sheet[2] - sheet[0], sheet[3] - sheet[1]
@@ -136,10 +135,7 @@ def _check_size(path: Path) -> None:
             f"{path} has {size // 1_000_000} MB, {_MAX_BYTES // 1_000_000} are read: "
             "save only the views, or export it as PNG",
         )
-    with (
-        path.open("rb") as file,
-        mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data,
-    ):
+    with path.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
         for count, _ in enumerate(_ENTITY.finditer(data)):
             if count > MAX_ELEMENTS:
                 raise too_many_elements(path)
@@ -244,22 +240,12 @@ def _sheet_box(box: Box, limits: Box | None) -> Box:
     longest = max(box[2] - box[0], box[3] - box[1])
     if limits is not None:
         paper = max(limits[2] - limits[0], limits[3] - limits[1])
-        over = (
-            limits[0] - box[0],
-            limits[1] - box[1],
-            box[2] - limits[2],
-            box[3] - limits[3],
-        )
+        over = (limits[0] - box[0], limits[1] - box[1], box[2] - limits[2], box[3] - limits[3])
         if paper > 0.0 and longest >= _LEAST_USE * paper and max(over) <= _OVERHANG * paper:
             left, bottom, right, top = (
                 reach + _EDGE * paper if reach > 0.0 else 0.0 for reach in over
             )
-            return (
-                limits[0] - left,
-                limits[1] - bottom,
-                limits[2] + right,
-                limits[3] + top,
-            )
+            return (limits[0] - left, limits[1] - bottom, limits[2] + right, limits[3] + top)
     margin = _MARGIN * longest
     return box[0] - margin, box[1] - margin, box[2] + margin, box[3] + margin
 

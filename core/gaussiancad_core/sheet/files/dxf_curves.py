@@ -4,16 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import numpy.typing as npt
-from ezdxf.entities import (
-    Arc,
-    Circle,
-    DXFGraphic,
-    Ellipse,
-    Face3d,
-    Hatch,
-    Solid,
-    Spline,
-)
+from ezdxf.entities import Arc, Circle, DXFGraphic, Ellipse, Face3d, Hatch, Solid, Spline
 from ezdxf.entities import Line as DxfLine
 from ezdxf.lldxf.const import DXFError
 from ezdxf.math import Vec3
@@ -27,14 +18,7 @@ from gaussiancad_core.sheet.files.vectors import FULL_TURN, Chain, Curve, Line
 _FLATNESS = 5e-6
 """Share of a free curve's own size by which its chain may leave it."""
 
-_BROKEN = (
-    DXFError,
-    ValueError,
-    TypeError,
-    ZeroDivisionError,
-    IndexError,
-    np.linalg.LinAlgError,
-)
+_BROKEN = (DXFError, ValueError, TypeError, ZeroDivisionError, IndexError, np.linalg.LinAlgError)
 """What ezdxf raises on entities whose data cannot be."""
 
 

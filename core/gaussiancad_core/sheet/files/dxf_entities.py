@@ -18,11 +18,7 @@ from gaussiancad_core.sheet.files.dxf_curves import (
     parts,
 )
 from gaussiancad_core.sheet.files.dxf_look import Look, Looks, inside_block
-from gaussiancad_core.sheet.files.dxf_text import (
-    PlacedText,
-    placed_paragraph,
-    placed_text,
-)
+from gaussiancad_core.sheet.files.dxf_text import PlacedText, placed_paragraph, placed_text
 from gaussiancad_core.sheet.files.vectors import Curve, StrokeKind
 
 _DEEPEST = 32

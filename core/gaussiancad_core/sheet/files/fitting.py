@@ -12,13 +12,7 @@ from gaussiancad_core.sheet.files.curves import (
     to_point,
     wrapped,
 )
-from gaussiancad_core.sheet.files.vectors import (
-    FULL_TURN,
-    Chain,
-    CircularArc,
-    Curve,
-    Line,
-)
+from gaussiancad_core.sheet.files.vectors import FULL_TURN, Chain, CircularArc, Curve, Line
 
 _ON_CIRCLE = 5e-3
 """px by which points of a circle may lie beside it."""

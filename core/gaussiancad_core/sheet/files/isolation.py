@@ -83,6 +83,5 @@ def _outcome(kind: FileKind, path: Path, answer: bytes) -> FileContent:
         # Messages name the file as the user did.
         raise error(code, message.replace(str(path.absolute()), str(path)))
     raise LimitError(
-        "out-of-memory",
-        f"{path} takes too much memory to read: export it as PNG instead",
+        "out-of-memory", f"{path} takes too much memory to read: export it as PNG instead"
     )

@@ -44,11 +44,7 @@ _UNSUPPORTED = (
     (b"AC10", "DWG", "save it as DXF"),
     (b"%!PS", "PostScript", "save it as PDF"),
     (b"GIF8", "GIF", "save it as PNG"),
-    (
-        b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1",
-        "Office or CAD part",
-        "export the drawing as PDF",
-    ),
+    (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", "Office or CAD part", "export the drawing as PDF"),
     (b"PK\x03\x04", "ZIP or Office", "take the drawing out of it"),
     (b"ISO-10303-21", "STEP", "draw a sheet of it with `gaussiancad draw`"),
 )

@@ -12,16 +12,7 @@ _WORDS: tuple[tuple[StrokeRole, tuple[str, ...]], ...] = (
     # Double-dotted lines first: their names contain those of the dotted ones.
     (
         StrokeRole.OTHER,
-        (
-            "phantom",
-            "divide",
-            "border",
-            r"iso0[56]w",
-            r"iso1[2-5]w",
-            "zweipunkt",
-            "双点",
-            "二点鎖",
-        ),
+        ("phantom", "divide", "border", r"iso0[56]w", r"iso1[2-5]w", "zweipunkt", "双点", "二点鎖"),
     ),
     (
         StrokeRole.CENTRE,

@@ -80,11 +80,7 @@ def _font_options() -> dict[str, Any]:
         return {"skip_system_fonts": True}
     file, family = font
     families = ("font_family", "serif_family", "sans_serif_family", "monospace_family")
-    return {
-        "skip_system_fonts": True,
-        "font_files": [file],
-        **dict.fromkeys(families, family),
-    }
+    return {"skip_system_fonts": True, "font_files": [file], **dict.fromkeys(families, family)}
 
 
 def paint(drawing: VectorDrawing, width: int, height: int) -> Grey:

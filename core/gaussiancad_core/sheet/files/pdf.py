@@ -99,8 +99,7 @@ def _open(path: Path) -> pdfium.PdfDocument:
         code = getattr(error, "err_code", None)
         if code in (raw.FPDF_ERR_PASSWORD, raw.FPDF_ERR_SECURITY):
             raise UnreadableError(
-                "encrypted-pdf",
-                f"{path} is protected by a password: save it without one",
+                "encrypted-pdf", f"{path} is protected by a password: save it without one"
             ) from error
         raise _damaged(path, error) from error
     except OSError as error:
@@ -109,8 +108,7 @@ def _open(path: Path) -> pdfium.PdfDocument:
 
 def _damaged(path: Path, error: Exception) -> UnreadableError:
     return UnreadableError(
-        "damaged-pdf",
-        f"{path} is no PDF file, or is damaged ({error}): export the drawing again",
+        "damaged-pdf", f"{path} is no PDF file, or is damaged ({error}): export the drawing again"
     )
 
 

@@ -62,8 +62,7 @@ def read_raster(path: Path, page: int) -> FileContent:
     except (OSError, ValueError, SyntaxError, EOFError, KeyError, TypeError) as error:
         # Pillow's decoders let the errors of their parsers through.
         raise UnreadableError(
-            "damaged-image",
-            f"{path} is damaged ({error}): export or scan the drawing again",
+            "damaged-image", f"{path} is damaged ({error}): export or scan the drawing again"
         ) from error
 
 

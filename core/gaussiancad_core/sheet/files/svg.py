@@ -70,14 +70,7 @@ def read_svg(path: Path, page: int) -> FileContent:
         return _read_tree(path, safe)
     except UnreadableError:
         raise
-    except (
-        ValueError,
-        TypeError,
-        KeyError,
-        IndexError,
-        AttributeError,
-        ArithmeticError,
-    ) as error:
+    except (ValueError, TypeError, KeyError, IndexError, AttributeError, ArithmeticError) as error:
         # What svgelements and resvg raise on values that no drawing has.
         raise UnreadableError(
             "damaged-svg", f"{path} cannot be drawn ({error}): export the drawing again"
@@ -106,10 +99,7 @@ def _read_tree(path: Path, safe: SafeSvg) -> FileContent:
     shown = tuple(stroke for stroke in strokes if shown_share(stroke, grey) >= _SHOWN)
     vectors = VectorDrawing(shown, tuple(texts), not safe.pictures)
     return FileContent(
-        grey,
-        pixels_per_inch,
-        vectors if shown or texts else None,
-        _notes(path, safe, size),
+        grey, pixels_per_inch, vectors if shown or texts else None, _notes(path, safe, size)
     )
 
 
@@ -180,8 +170,7 @@ def _size_of_content(path: Path, safe: SafeSvg) -> _Size:
     box = bounds([stroke.curve for stroke in svg_strokes(safe.root, 1.0)])
     if box is None or box[2] <= 0.0 or box[3] <= 0.0:
         raise UnreadableError(
-            "empty-drawing",
-            f"{path} has no lines and no size: export the drawing again",
+            "empty-drawing", f"{path} has no lines and no size: export the drawing again"
         )
     return _Size(box[2] + max(box[0], 0.0), box[3] + max(box[1], 0.0), physical=False)
 

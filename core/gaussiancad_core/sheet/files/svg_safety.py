@@ -113,8 +113,7 @@ def load_svg(path: Path) -> SafeSvg:
 
 def _damaged(path: Path, reason: object) -> UnreadableError:
     return UnreadableError(
-        "damaged-svg",
-        f"{path} is no SVG file, or is damaged ({reason}): export the drawing again",
+        "damaged-svg", f"{path} is no SVG file, or is damaged ({reason}): export the drawing again"
     )
 
 

@@ -248,10 +248,7 @@ def _text(item: svgelements.Text, scale: float) -> Iterator[VectorText]:
     length = _LETTER_WIDTH * size * len(content)
     anchor = {"middle": 0.5, "end": 1.0}.get(str(item.values.get("text-anchor")), 0.0)
     x, y = _number(item.x, 0.0) - anchor * length, _number(item.y, 0.0)
-    x, y = (
-        x + _number(item.values.get("dx"), 0.0),
-        y + _number(item.values.get("dy"), 0.0),
-    )
+    x, y = (x + _number(item.values.get("dx"), 0.0), y + _number(item.values.get("dy"), 0.0))
     low, high = y - _ASCENT * size, y + _DESCENT * size
     corners = np.array([(x, low), (x + length, low), (x + length, high), (x, high)])
     mapped = corners @ matrix[:, :2].T + matrix[:, 2]

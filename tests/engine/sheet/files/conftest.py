@@ -59,11 +59,7 @@ class Pdf:
 
 def stream(content: bytes, entries: bytes = b"") -> bytes:
     """The body of a stream object."""
-    return b"<< %s /Length %d >>\nstream\n%s\nendstream" % (
-        entries,
-        len(content),
-        content,
-    )
+    return b"<< %s /Length %d >>\nstream\n%s\nendstream" % (entries, len(content), content)
 
 
 def circle(x: float, y: float, radius: float) -> bytes:

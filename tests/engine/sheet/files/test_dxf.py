@@ -108,23 +108,11 @@ def test_curves_are_exact_at_200_dpi(read: Read) -> None:
 
 def test_polylines_with_bulges(read: Read) -> None:
     doc = _framed(_a4())
-    points = [
-        (20, 20, 0.0),
-        (60, 20, 1.0),
-        (60, 50, 0.0),
-        (20, 50, -0.4142135623730951),
-    ]
+    points = [(20, 20, 0.0), (60, 20, 1.0), (60, 50, 0.0), (20, 50, -0.4142135623730951)]
     doc.modelspace().add_lwpolyline(points, format="xyb", close=True)
     doc.modelspace().add_polyline2d([(100, 20), (150, 20), (150, 60)])
     strokes = [stroke.curve for stroke in _rest(read(doc))]
-    assert [type(curve) for curve in strokes] == [
-        Line,
-        CircularArc,
-        Line,
-        CircularArc,
-        Line,
-        Line,
-    ]
+    assert [type(curve) for curve in strokes] == [Line, CircularArc, Line, CircularArc, Line, Line]
     half, quarter = strokes[1], strokes[3]
     assert half.radius == pytest.approx(15 * MM)
     assert half.sweep == pytest.approx(np.pi)
@@ -418,10 +406,7 @@ def test_paper_layouts_are_pages(tmp_path: Path) -> None:
     paper.page_setup(size=(420, 297), margins=(0, 0, 0, 0), units="mm")
     paper.add_line((10, 10), (410, 287))
     paper.add_viewport(
-        center=(200, 150),
-        size=(200, 200),
-        view_center_point=(100, 100),
-        view_height=400,
+        center=(200, 150), size=(200, 200), view_center_point=(100, 100), view_height=400
     )
     doc.saveas(tmp_path / "a.dxf")
     (model,) = read_dxf(tmp_path / "a.dxf", 1).vectors.strokes
@@ -500,12 +485,7 @@ def test_blocks_in_blocks_are_bounded(read: Read, monkeypatch: pytest.MonkeyPatc
 def test_grids_of_blocks_are_bounded(read: Read) -> None:
     doc = _a4()
     doc.blocks.new("B").add_line((0, 0), (1, 1))
-    grid = {
-        "row_count": 30_000,
-        "column_count": 30_000,
-        "row_spacing": 1,
-        "column_spacing": 1,
-    }
+    grid = {"row_count": 30_000, "column_count": 30_000, "row_spacing": 1, "column_spacing": 1}
     doc.modelspace().add_blockref("B", (0, 0), dxfattribs=grid)
     with pytest.raises(LimitError):
         read(doc)

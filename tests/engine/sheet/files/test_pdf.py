@@ -95,16 +95,12 @@ def test_free_curves_are_chains(pdf: type, save: Save) -> None:
 
 
 def test_forms_are_walked_through_with_their_matrices(
-    pdf: type,
-    pdf_circle: Callable[..., bytes],
-    pdf_stream: Callable[..., bytes],
-    save: Save,
+    pdf: type, pdf_circle: Callable[..., bytes], pdf_stream: Callable[..., bytes], save: Save
 ) -> None:
     entries = b"/Type /XObject /Subtype /Form /BBox [-500 -500 500 500] "
     inner = pdf_stream(pdf_circle(50, 50, 20), entries + b"/Matrix [0 1 -1 0 10 20]")
     outer = pdf_stream(
-        b"q 2 0 0 2 5 0 cm /In Do Q",
-        entries + b"/Resources << /XObject << /In 5 0 R >> >>",
+        b"q 2 0 0 2 5 0 cm /In Do Q", entries + b"/Resources << /XObject << /In 5 0 R >> >>"
     )
     page = b"/Resources << /XObject << /Out 6 0 R >> >>"
     content = b"q 1 0 0 1 300 400 cm /Out Do Q"
@@ -269,32 +265,17 @@ def test_lines_inside_the_sheet_only(pdf: type, save: Save) -> None:
 
 def _encrypted(pdf: type) -> bytes:
     data = pdf(b"0 0 m 9 9 l S").to_bytes()
-    filter_ = b"<< /Filter /Standard /V 1 /R 2 /O <%s> /U <%s> /P -4 >>" % (
-        b"00" * 32,
-        b"11" * 32,
-    )
+    filter_ = b"<< /Filter /Standard /V 1 /R 2 /O <%s> /U <%s> /P -4 >>" % (b"00" * 32, b"11" * 32)
     return data.replace(b"/Root 1 0 R", b"/Root 1 0 R /ID [<00><00>] /Encrypt " + filter_)
 
 
 BAD: dict[str, tuple[Callable[[type], bytes], type[GaussianCadError]]] = {
     "encrypted-pdf": (_encrypted, UnreadableError),
     "damaged-pdf": (lambda _: b"%PDF-1.7\nnothing", UnreadableError),
-    "too-many-pages": (
-        lambda pdf: pdf(b"0 0 m 9 9 l S", kids=10_000).to_bytes(),
-        UnreadableError,
-    ),
-    "image-too-large": (
-        lambda pdf: pdf(b"", box="0 0 14400 14400").to_bytes(),
-        UnreadableError,
-    ),
-    "image-too-small": (
-        lambda pdf: pdf(b"", box="0 0 9 14400").to_bytes(),
-        UnreadableError,
-    ),
-    "too-many-elements": (
-        lambda pdf: pdf(b"0 0 m 9 9 l S\n" * 120_000).to_bytes(),
-        LimitError,
-    ),
+    "too-many-pages": (lambda pdf: pdf(b"0 0 m 9 9 l S", kids=10_000).to_bytes(), UnreadableError),
+    "image-too-large": (lambda pdf: pdf(b"", box="0 0 14400 14400").to_bytes(), UnreadableError),
+    "image-too-small": (lambda pdf: pdf(b"", box="0 0 9 14400").to_bytes(), UnreadableError),
+    "too-many-elements": (lambda pdf: pdf(b"0 0 m 9 9 l S\n" * 120_000).to_bytes(), LimitError),
 }
 
 

@@ -74,10 +74,7 @@ def _lightness(picture: Image.Image) -> Image.Image:
     ],
 )
 def test_rare_modes(
-    tmp_path: Path,
-    picture: Image.Image,
-    name: str,
-    convert: Callable[[Image.Image], Image.Image],
+    tmp_path: Path, picture: Image.Image, name: str, convert: Callable[[Image.Image], Image.Image]
 ) -> None:
     convert(picture).save(tmp_path / name)
     difference = read_raster(tmp_path / name, 1).grey.astype(int) - np.asarray(picture)
