@@ -53,19 +53,63 @@ def find_letters(ink: Mask, explained: Mask, stroke_width: float) -> Letters:
     long_side = np.maximum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT])
     small = (long_side <= tallest) & (long_side >= _SMALLEST_PX)
     small[0] = False
-    # A straight piece is a dash or a one: only its neighbours can tell.
+    # A straight piece is a dash or a one: only its neighbours can tell.  Its area says so quickly,
+    # but not where a threshold made it a pixel wider.
     straight = sizes < _STRAIGHT * stroke_width * np.hypot(stats[:, 2], stats[:, 3])
     seeds = small & (told < _EXPLAINED) & ~straight
+    for label in np.flatnonzero(seeds):
+        seeds[label] = _breadth(labels, stats, label) > _STRAIGHT * stroke_width
     glyphs = np.flatnonzero(seeds)
     if not len(glyphs):
         return Letters(np.zeros_like(ink), ())
     words = _words(stats, glyphs, np.flatnonzero(small & ~seeds))
+    words = _not_of_the_part(words, labels, stats)
     chosen = np.zeros(count, dtype=bool)
     marks = []
     for word in words:
         chosen[word] = True
         marks.append(Mark(AnnotationKind.TEXT, _box_of(stats, word)))
     return Letters(chosen[labels], tuple(marks))
+
+
+def _breadth(labels: npt.NDArray[np.int32], stats: npt.NDArray[np.int32], label: int) -> float:
+    """The shorter side in px of the smallest rectangle around the centres of a piece's pixels."""
+    x, y, width, height = (int(value) for value in stats[label, :4])
+    rows, columns = np.nonzero(labels[y : y + height, x : x + width] == label)
+    return min(cv2.minAreaRect(np.stack([columns, rows], axis=1).astype(np.float32))[1])
+
+
+def _not_of_the_part(
+    words: list[list[int]], labels: npt.NDArray[np.int32], stats: npt.NDArray[np.int32]
+) -> list[list[int]]:
+    """The words without what may be a small slot or pocket: a lone piece inside a view.
+
+    Where nothing is written beside the views, nothing is written in them.
+    """
+    _, areas, facts, _ = cv2.connectedComponentsWithStats(
+        (labels == 0).astype(np.uint8), connectivity=4
+    )
+    outside = 1 + int(np.argmax(facts[1:, cv2.CC_STAT_AREA]))
+    beside = [_is_in(areas, labels, stats, word, outside) for word in words]
+    if not any(beside):
+        return []
+    return [word for word, out in zip(words, beside, strict=True) if out or len(word) > 1]
+
+
+def _is_in(
+    areas: npt.NDArray[np.int32],
+    labels: npt.NDArray[np.int32],
+    stats: npt.NDArray[np.int32],
+    word: list[int],
+    area: int,
+) -> bool:
+    """Whether a word's largest piece lies in an area of blank paper."""
+    largest = max(word, key=lambda piece: int(stats[piece, cv2.CC_STAT_AREA]))
+    x, y, width, height = (int(value) for value in stats[largest, :4])
+    window = slice(max(y - 2, 0), y + height + 2), slice(max(x - 2, 0), x + width + 2)
+    own = (labels[window] == largest).astype(np.uint8)
+    ring = (cv2.dilate(own, np.ones((3, 3), np.uint8)) > 0) & (own == 0)
+    return bool((areas[window][ring] == area).any())
 
 
 def _words(
