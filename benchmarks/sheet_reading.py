@@ -42,7 +42,6 @@ from gaussiancad_core.errors import GaussianCadError
 from gaussiancad_core.projection_choice import choose_projection
 from gaussiancad_core.samples import SAMPLES, sample
 from gaussiancad_core.samples.random_parts import random_part
-from gaussiancad_core.sheet.annotations.separate import separate_annotations
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.read import read_sheet
@@ -81,8 +80,8 @@ class Found:
 def read(path: Path) -> Found:
     """Read a sheet as ``gaussiancad reconstruct`` does, with nothing told."""
     clean = upright_sheet(clean_sheet(read_sheet(path).grey))
-    part, layout = find_views(clean, separate_annotations(clean), {}, None)
-    drawn = read_views(part, layout)
+    separated, layout = find_views(clean, {}, None)
+    drawn = read_views(separated.part, layout)
     projection, alternatives = layout.projection, layout.alternatives
     if alternatives:
         choice = choose_projection(drawn, projection, ReadingOptions())

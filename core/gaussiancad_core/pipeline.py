@@ -104,6 +104,8 @@ class _Run:
         with self._stage("read"):
             image = read_sheet(self.job.sheet, self.job.page)
             self.report = replace(self.report, sheet_sha256=image.sha256)
+            for note in image.notes:
+                self._warn(note.code, note.message)
             if self.job.resume and (earlier := self._earlier()):
                 return earlier
             for note in image.notes:

@@ -49,7 +49,10 @@ class Layout:
 
 
 def find_layout(
-    ink: npt.NDArray[np.bool_], given: dict[Role, Box], projection: Projection | None
+    ink: npt.NDArray[np.bool_],
+    given: dict[Role, Box],
+    projection: Projection | None,
+    stub_width: float = 0.0,
 ) -> Layout:
     """Name the views of a sheet.
 
@@ -58,12 +61,14 @@ def find_layout(
         given: views that the user named, each by a box around it; two or more of them are taken
             as they are, one fixes where the others are looked for.
         projection: as told by the user, or None to take third angle.
+        stub_width: px; where single lines of at most this width stick out of a view, they are
+            remains of dimensions and do not count.
 
     Raises:
         NoModelError: there are fewer than two views that belong together.
         UsageError: a given box holds no ink.
     """
-    clusters = find_clusters(ink)
+    clusters = [_without_stubs(box, ink, stub_width) for box in find_clusters(ink)]
     source = "default" if projection is None else "given"
     chosen = projection or Projection.THIRD
     if given:
@@ -96,6 +101,22 @@ def find_clusters(ink: npt.NDArray[np.bool_]) -> list[Box]:
     merged = _merge_overlapping([box for box in boxes if box not in frames])
     views = [box for box in merged if max(_width(box), _height(box)) >= _MIN_SIDE]
     return sorted(views, key=lambda box: -_width(box) * _height(box))
+
+
+def _without_stubs(box: Box, ink: npt.NDArray[np.bool_], width: float) -> Box:
+    """The box without what a single line bounds: a body has two sides wherever it is cut."""
+    x0, y0, x1, y1 = (int(value) for value in box)
+    window = ink[y0:y1, x0:x1]
+    columns = np.flatnonzero(window.sum(axis=0) > width)
+    rows = np.flatnonzero(window.sum(axis=1) > width)
+    if not width or not len(columns) or not len(rows):
+        return box
+    return (
+        float(x0 + columns[0]),
+        float(y0 + rows[0]),
+        float(x0 + columns[-1] + 1),
+        float(y0 + rows[-1] + 1),
+    )
 
 
 def _is_frame(box: Box, boxes: list[Box], width: int, height: int) -> bool:

@@ -30,6 +30,9 @@ from gaussiancad_core.views import Linetype, Stroke, ViewSet
 _TINY = 0.02
 """Share of the sheet that its views take together at least, to be relied on at once."""
 
+_STUB = 1.8
+"""Width of a line that sticks out of a view at most, in stroke widths."""
+
 _MUCH_LARGER = 2.0
 """Factor by which other views must be larger to be preferred."""
 
@@ -108,7 +111,9 @@ def find_views(
     for way in ways:
         tried = way()
         try:
-            layout = find_layout(tried.part.ink, given, projection)
+            # Remains stick out of views only where something was taken off.
+            stub = _STUB * tried.part.stroke_width if tried.marks else 0.0
+            layout = find_layout(tried.part.ink, given, projection, stub)
         except NoModelError as error:
             first = first or error
             continue
