@@ -122,7 +122,7 @@ def _along_line(tables, line, reach, limits, scratch):  # noqa: ANN001, ANN202
     for way in (1.0, -1.0):
         s = last = 0.0
         while s <= reach and s - last <= gap:
-            column, row = int(np.rint(x + way * s * dx)), int(np.rint(y + way * s * dy))
+            column, row = _pixel(x + way * s * dx), _pixel(y + way * s * dy)
             for k in range(-around, around + 1):
                 cx, cy = (column, row + k) if level else (column + k, row)
                 if cx < 0 or cy < 0 or cx >= width or cy >= height:
@@ -141,6 +141,13 @@ def _along_line(tables, line, reach, limits, scratch):  # noqa: ANN001, ANN202
                     number += 1
             s += step
     return number
+
+
+@njit(cache=True)
+def _pixel(at):  # noqa: ANN001, ANN202
+    """The pixel at a coordinate; halves always go up, for rounded to even they would make a level
+    line's steps of one pixel miss every other column."""
+    return int(np.floor(at + 0.5 + 1e-9))
 
 
 @njit(cache=True)
