@@ -5,7 +5,7 @@ measures lies between the two lines that cross or meet it: extension lines, cent
 """
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -25,8 +25,14 @@ _RULES = frozenset({AnnotationKind.EXTENSION, AnnotationKind.DIMENSION, Annotati
 
 _NO_LINES = frozenset({StrokeKind.FILL, StrokeKind.HATCH})
 
-_AWAY = 1.3
-"""Distance from a text's border to its dimension line at most, in its height."""
+_AWAY = 0.9
+"""Distance from a text's border to the dimension line below it at most, in its height."""
+
+_ABOVE = 0.5
+"""The same to a dimension line above it, which is rare."""
+
+_HALF = 0.6
+"""Weight of what a line measures of which only one half was found."""
 
 _TOUCH = 4.0
 """px by which lines may miss each other and still meet."""
@@ -125,11 +131,13 @@ def spans_of(text: SheetText, rules: Sequence[Rule], edges: Sequence[Rule]) -> t
     """
     found: list[Span] = []
     for level in (True, False):
-        for line in _lines_beside(text, level, [rule for rule in rules if rule.level is level]):
+        own = [rule for rule in rules if rule.level is level]
+        for line, weight in _lines_beside(text, level, own):
             across = [rule for rule in rules if rule.level is not level]
             stops = _stops(line, across)
             borders = _stops(line, [edge for edge in edges if edge.level is not level])
-            found += _spans(text, line, stops, borders)
+            spans = _spans(text, line, stops, borders)
+            found += [replace(span, weight=weight * span.weight) for span in spans]
     unique: list[Span] = []
     for span in sorted(found, key=lambda span: -span.weight):
         if span.length >= _SHORTEST and not any(_same(span, other) for other in unique):
@@ -151,28 +159,35 @@ def _sides(box: Box, level: bool) -> tuple[tuple[float, float], tuple[float, flo
     return (x, y) if level else (y, x)
 
 
-def _lines_beside(text: SheetText, level: bool, rules: Sequence[Rule]) -> list[Rule]:
-    """Lines of a direction that run under, over or through a text, pieces joined, nearest first."""
+def _lines_beside(text: SheetText, level: bool, rules: Sequence[Rule]) -> list[tuple[Rule, float]]:
+    """Lines of a direction that run under, over or through a text, pieces joined, and how likely
+    each is its own; the nearest first."""
+    if level and not text.level:
+        return []
     along, across = _sides(text.box, level)
     height = across[1] - across[0] if text.level is level else along[1] - along[0]
-    middle = 0.5 * (across[0] + across[1])
-    reach = 0.5 * (across[1] - across[0])
-    # A text that does not run along its line stands in it.
-    reach = reach + _AWAY * height if text.level is level else 0.5 * reach
+    middle, reach = 0.5 * (across[0] + across[1]), 0.5 * (across[1] - across[0])
+    if text.level is level:
+        low, high = reach + _ABOVE * height, reach + _AWAY * height
+    else:
+        # A text that does not run along its line stands in it.
+        low = high = 0.5 * reach
     near = sorted(
-        (rule for rule in rules if abs(rule.at - middle) <= reach),
+        (rule for rule in rules if middle - low <= rule.at <= middle + high),
         key=lambda rule: abs(rule.at - middle),
     )
     centre = 0.5 * (along[0] + along[1])
-    found: list[Rule] = []
+    found: list[tuple[Rule, float]] = []
     while near:
         pieces = [rule for rule in near if abs(rule.at - near[0].at) < _ALIGNED]
         near = [rule for rule in near if rule not in pieces]
         inline = across[0] < pieces[0].at < across[1]
         for line in _joined(pieces, (along[0] - height, along[1] + height) if inline else None):
             beyond = max(line.low - centre, centre - line.high, 0.0)
-            if beyond <= (_REACH if inline else 0.5) * height:
-                found.append(line)
+            if inline and 0.0 < beyond <= _REACH * height:
+                found.append((_mirrored(line, centre), _HALF))
+            elif beyond <= 0.5 * height:
+                found.append((line, 1.0))
     return found
 
 
@@ -190,6 +205,14 @@ def _joined(pieces: Sequence[Rule], text: tuple[float, float] | None) -> list[Ru
         else:
             joined.append(rule)
     return joined
+
+
+def _mirrored(line: Rule, centre: float) -> Rule:
+    """The whole of a line of which only the half beside a text in its middle was found: short
+    pieces with an arrow are easily taken for letters."""
+    return replace(
+        line, low=min(line.low, 2 * centre - line.high), high=max(line.high, 2 * centre - line.low)
+    )
 
 
 def _stops(line: Rule, across: Sequence[Rule]) -> list[float]:

@@ -25,14 +25,11 @@ _MOST = 120
 _SLANT = 0.03
 """Sine of the angle within which a text is level or upright."""
 
-_LONG = 2.5
+_LONG = 1.9
 """Ratio of a box's sides from which its text runs along the longer one."""
 
-_SPACE = 0.35
-"""Gap between pieces of one text, in its height, at most."""
-
-_WIDE_SPACE = 0.6
-"""The same between letters, where a point may stand."""
+_SPACE = 0.6
+"""Gap between pieces of one text, in its height, at most: a point may stand there."""
 
 _FAT = 1.5
 """Thickness in the sheet's usual one from which a box holds several texts."""
@@ -40,8 +37,8 @@ _FAT = 1.5
 _SAME = 1.6
 """Ratio of the heights of pieces of one text at most."""
 
-_SAME_UPRIGHT = 1.3
-"""The same of a text that runs up the sheet."""
+_THICK = 1.3
+"""Height of a line of text at most, in the usual one."""
 
 _COMMON = 0.6
 """Share of their height that pieces of one text have in common at least."""
@@ -138,11 +135,11 @@ def _written(sheet: CleanSheet, boxes: Sequence[Box]) -> list[Box]:
     if not boxes:
         return []
     usual = float(np.median([_thickness(box) for box in boxes]))
-    thickest = _SAME_UPRIGHT * usual
+    thickest = _THICK * usual
     single: list[Box] = []
     for box in boxes:
         if _thickness(box) > _FAT * usual:
-            single += joined_boxes(_pieces(sheet, box), thickest, _WIDE_SPACE)
+            single += joined_boxes(_pieces(sheet, box), thickest)
         else:
             single.append(box)
     lines = joined_boxes(single, thickest)
@@ -164,13 +161,12 @@ def _pieces(sheet: CleanSheet, box: Box) -> list[Box]:
     ]
 
 
-def joined_boxes(boxes: Sequence[Box], thickest: float, space: float = _SPACE) -> list[Box]:
+def joined_boxes(boxes: Sequence[Box], thickest: float) -> list[Box]:
     """Boxes of texts, those of the pieces of one text joined.
 
     Args:
         boxes: px.
-        thickest: px of height of a line of text at most.
-        space: gap between pieces of one text at most, in its height.
+        thickest: px of height of a line of text at most: what is higher runs up the sheet.
     """
     joined = list(boxes)
     first = 0
@@ -180,7 +176,7 @@ def joined_boxes(boxes: Sequence[Box], thickest: float, space: float = _SPACE) -
             box
             for box in joined
             if box is not one
-            and (_in_line(one, box, _SAME, space) or _up_the_sheet(one, box, thickest))
+            and (_in_line(one, box, thickest) or _in_line(_turned(one), _turned(box), thickest))
         ]
         if not near:
             first += 1
@@ -193,24 +189,16 @@ def joined_boxes(boxes: Sequence[Box], thickest: float, space: float = _SPACE) -
     return joined
 
 
-def _in_line(one: Box, two: Box, alike: float, space: float) -> bool:
-    """Whether two boxes are pieces of one level text of which one is ``alike`` times as high as the
-    other at most, and which are ``space`` of its height apart."""
+def _in_line(one: Box, two: Box, thickest: float) -> bool:
+    """Whether two boxes are pieces of one level text."""
     heights = one[3] - one[1], two[3] - two[1]
     common = min(one[3], two[3]) - max(one[1], two[1])
     gap = max(one[0], two[0]) - min(one[2], two[2])
     return (
-        max(heights) <= alike * min(heights)
+        max(heights) <= min(thickest, _SAME * min(heights))
         and common >= _COMMON * min(heights)
-        and gap <= space * min(heights)
+        and gap <= _SPACE * min(heights)
     )
-
-
-def _up_the_sheet(one: Box, two: Box, thickest: float) -> bool:
-    """Whether two boxes are pieces of one text that runs up the sheet, and no two level lines of
-    text below each other, which are wider than a line of text is thick."""
-    widest = max(box[2] - box[0] for box in (one, two))
-    return widest <= thickest and _in_line(_turned(one), _turned(two), _SAME_UPRIGHT, _SPACE)
 
 
 def _turned(box: Box) -> Box:
