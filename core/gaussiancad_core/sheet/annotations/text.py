@@ -124,15 +124,29 @@ def _words(
         near = [word for word in words if any(_gap(stats, glyph, o) <= reach for o in word)]
         merged = [int(glyph)] + [member for word in near for member in word]
         words = [word for word in words if word not in near] + [merged]
-    for other in others:
-        slim = min(stats[other, 2:4]) < 0.4 * max(stats[other, 2:4])
-        for word in words:
-            beside = [o for o in word if _gap(stats, other, o) <= 0.6 * heights[o]]
-            least = 0.25 if slim and len(word) >= 2 else 0.7
-            if any(least < heights[other] / heights[o] < 1.4 for o in beside):
-                word.append(int(other))
-                break
+    waiting, before = [int(other) for other in others], -1
+    # The one that joins may be what the next one stands beside.
+    while len(waiting) != before:
+        before = len(waiting)
+        waiting = [other for other in waiting if not _joins(stats, heights, words, other)]
     return words
+
+
+def _joins(
+    stats: npt.NDArray[np.int32],
+    heights: npt.NDArray[np.int32],
+    words: list[list[int]],
+    other: int,
+) -> bool:
+    """Put a piece into the first word that it fits, in place; whether there is one."""
+    slim = min(stats[other, 2:4]) < 0.4 * max(stats[other, 2:4])
+    for word in words:
+        beside = [o for o in word if _gap(stats, other, o) <= 0.6 * heights[o]]
+        least = 0.25 if slim and len(word) >= 2 else 0.7
+        if any(least < heights[other] / heights[o] < 1.4 for o in beside):
+            word.append(other)
+            return True
+    return False
 
 
 def _gap(stats: npt.NDArray[np.int32], one: int, other: int) -> float:
