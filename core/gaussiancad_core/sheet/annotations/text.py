@@ -138,15 +138,20 @@ def _joins(
     words: list[list[int]],
     other: int,
 ) -> bool:
-    """Put a piece into the first word that it fits, in place; whether there is one."""
+    """Put a piece into the word that it fits, in place, and make one of those that it stands
+    between; whether there is any."""
     slim = min(stats[other, 2:4]) < 0.4 * max(stats[other, 2:4])
+    fitting = []
     for word in words:
         beside = [o for o in word if _gap(stats, other, o) <= 0.6 * heights[o]]
         least = 0.25 if slim and len(word) >= 2 else 0.7
         if any(least < heights[other] / heights[o] < 1.4 for o in beside):
-            word.append(other)
-            return True
-    return False
+            fitting.append(word)
+    if not fitting:
+        return False
+    words[:] = [word for word in words if word not in fitting]
+    words.append([other] + [member for word in fitting for member in word])
+    return True
 
 
 def _gap(stats: npt.NDArray[np.int32], one: int, other: int) -> float:

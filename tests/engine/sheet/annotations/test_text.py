@@ -101,6 +101,15 @@ def test_a_one_is_a_letter_beside_others(sketch: Sketch) -> None:
     assert np.array_equal(_found(ink | bar).mask, ink)
 
 
+def test_a_one_joins_what_stands_on_both_of_its_sides(sketch: Sketch) -> None:
+    """Else the lone digit after it, inside a view, would be a slot of the part."""
+    box = sketch(WIDTH, HEIGHT).lines((60, 60), (560, 60), (560, 340), (60, 340), (60, 60))
+    inside, beside = _written("Ø18", 320, 200), _written("62", 320, 30)
+    letters = _found((box.weight >= 0.5) | inside | beside)
+    assert np.array_equal(letters.mask, inside | beside)
+    assert len(letters.marks) == 2
+
+
 def test_an_o_explained_as_a_circle_joins_its_word() -> None:
     ink = _written("10", 200, 200)
     _, labels = cv2.connectedComponents(ink.astype(np.uint8))
