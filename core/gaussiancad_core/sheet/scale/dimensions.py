@@ -183,10 +183,10 @@ def _lines_beside(text: SheetText, level: bool, rules: Sequence[Rule]) -> list[t
         near = [rule for rule in near if rule not in pieces]
         inline = across[0] < pieces[0].at < across[1]
         for line in _joined(pieces, (along[0] - height, along[1] + height) if inline else None):
-            beyond = max(line.low - centre, centre - line.high, 0.0)
-            if inline and 0.0 < beyond <= _REACH * height:
+            apart = max(line.low - along[1], along[0] - line.high)
+            if inline and 0.0 < apart <= height:
                 found.append((_mirrored(line, centre), _HALF))
-            elif beyond <= 0.5 * height:
+            elif max(line.low - centre, centre - line.high) <= 0.5 * height:
                 found.append((line, 1.0))
     return found
 

@@ -75,14 +75,20 @@ _ALIKE = str.maketrans(
 _DENOMINATORS = (2, 4, 8, 16, 32, 64)
 """Of an inch."""
 
-_SIGNS = {"\u00d8": Sign.DIAMETER, "DIA": Sign.DIAMETER, "R": Sign.RADIUS}
+_SIGNS = {
+    "\u00d8": Sign.DIAMETER,
+    "O": Sign.DIAMETER,
+    "0": Sign.DIAMETER,
+    "DIA": Sign.DIAMETER,
+    "R": Sign.RADIUS,
+}
 
 _NUMBER = r"(?:(?:\d+[ -])?\d+/\d+|\d+[.,]\d+|[.,]\d+|\d+)"
 
 _DIMENSION = re.compile(
     rf"""
     (?:\d{{1,3}}\ ?x\ ?|\d{{1,3}}-(?=[\u00d8R]))?     # how often
-    (?:S?(?P<sign>[\u00d8R]|DIA)\ ?)?                 # a sphere's, too
+    (?:S?(?P<sign>[\u00d8R]|DIA|[O0](?=\d))\ ?)?      # a sphere's, too; misread without its slash
     (?P<number>{_NUMBER})\ ?
     (?P<unit>"|''|in\b\.?|IN\b\.?|mm\b|MM\b)?
     (?P<after>\ ?DIA)?

@@ -19,6 +19,9 @@ from gaussiancad_core.sheet.scale.ocr import ReadText, read_text
 _SURE = 0.7
 """Least confidence of a text that counts."""
 
+_STROKES = ("", "1")
+"""What is read where there may be a mere stroke."""
+
 _MOST = 120
 """Texts that are read from the pixels of a sheet at most: more take too long."""
 
@@ -44,7 +47,10 @@ _COMMON = 0.6
 """Share of their height that pieces of one text have in common at least."""
 
 _BORDER = 2
-"""px around a text's box that belong to its picture."""
+"""px of paper around the picture of a text."""
+
+_BELOW = 0.3
+"""How far letters reach out of their box, in its height: commas below the line."""
 
 _INK = 0.3
 """Share of full ink from which a pixel counts as inked."""
@@ -127,7 +133,7 @@ def pixel_texts(sheet: CleanSheet, marks: Sequence[Mark]) -> tuple[SheetText, ..
     for box in lines[: _MOST - len(found)]:
         read = read_text(_picture(sheet, box))
         found.append(SheetText(read.text, box, True, read.confidence, field=True))
-    return tuple(text for text in found if text.text and text.confidence >= _SURE)
+    return tuple(own for own in found if own.text not in _STROKES and own.confidence >= _SURE)
 
 
 def _written(sheet: CleanSheet, boxes: Sequence[Box]) -> list[Box]:
@@ -152,9 +158,9 @@ def _thickness(box: Box) -> float:
 
 def _pieces(sheet: CleanSheet, box: Box) -> list[Box]:
     """Boxes of the letters in a box."""
-    part = (_picture(sheet, box) > _INK).astype(np.uint8)
-    _, _, stats, _ = cv2.connectedComponentsWithStats(part, connectivity=8)
-    x0, y0 = _corner(box)
+    part, (x0, y0) = _letters(sheet, box)
+    inked = (part > _INK).astype(np.uint8)
+    _, _, stats, _ = cv2.connectedComponentsWithStats(inked, connectivity=8)
     return [
         (float(x0 + x), float(y0 + y), float(x0 + x + w), float(y0 + y + h))
         for x, y, w, h, _ in stats[1:].tolist()
@@ -229,23 +235,32 @@ def _credit(read: ReadText) -> tuple[bool, float]:
 
 
 def _picture(sheet: CleanSheet, box: Box) -> npt.NDArray[np.float32]:
-    """(h, w) the ink in a box, without that of lines that pass through."""
-    rows, columns = sheet.weight.shape
-    x0, y0 = _corner(box)
-    x1 = min(columns, int(np.ceil(box[2])) + _BORDER)
-    y1 = min(rows, int(np.ceil(box[3])) + _BORDER)
-    part = sheet.weight[y0:y1, x0:x1].copy()
+    """(h, w) the letters in a box, cut out closely."""
+    part, _ = _letters(sheet, box)
+    rows, columns = np.nonzero(part > _INK)
+    if not len(rows):
+        return part
+    part = part[rows.min() : rows.max() + 1, columns.min() : columns.max() + 1]
+    return cv2.copyMakeBorder(part, *4 * (_BORDER,), cv2.BORDER_CONSTANT)
+
+
+def _letters(sheet: CleanSheet, box: Box) -> tuple[npt.NDArray[np.float32], tuple[int, int]]:
+    """The ink of the letters in a box, and the column and row where it starts.
+
+    Commas reach below the box; lines pass through it or beside it.
+    """
+    height, width = sheet.weight.shape
+    reach = max(_BORDER, round(_BELOW * _thickness(box)))
+    x0, y0 = (max(0, int(np.floor(value)) - reach) for value in box[:2])
+    x1 = min(width, int(np.ceil(box[2])) + reach)
+    y1 = min(height, int(np.ceil(box[3])) + reach)
+    part = sheet.weight[y0:y1, x0:x1]
     _, labels = cv2.connectedComponents((part > _INK).astype(np.uint8), connectivity=8)
-    border = np.unique(np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]]))
-    passing = np.isin(labels, border[border > 0])
-    part[cv2.dilate(passing.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0] = 0.0
-    return part
-
-
-def _corner(box: Box) -> tuple[int, int]:
-    """First column and row of a box's picture."""
-    x0, y0 = (max(0, int(np.floor(value)) - _BORDER) for value in box[:2])
-    return x0, y0
+    passing = np.unique(np.concatenate([labels[0], labels[-1], labels[:, 0], labels[:, -1]]))
+    own = np.unique(labels[reach - 1 : 1 - reach, reach - 1 : 1 - reach])
+    letters = np.isin(labels, np.setdiff1d(own, np.append(passing, 0)))
+    near = cv2.dilate(letters.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    return np.where(near, part, np.float32(0.0)), (x0, y0)
 
 
 def _lines_of(ink: Ink, field: Box) -> list[Box]:

@@ -30,6 +30,8 @@ MM, INCH = Unit.MILLIMETRE, Unit.INCH
         ("\u03a6 16,5", 16.5, DIAMETER, None),
         ("\u00f814", 14.0, DIAMETER, None),
         (".750 DIA", 0.75, DIAMETER, INCH),
+        ("076", 76.0, DIAMETER, None),
+        ("2x O12.5", 12.5, DIAMETER, None),
         ("R8", 8.0, RADIUS, None),
         ("R 2.5", 2.5, RADIUS, None),
         ("SR20", 20.0, RADIUS, None),
