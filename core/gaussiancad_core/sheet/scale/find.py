@@ -25,7 +25,7 @@ from gaussiancad_core.sheet.scale.estimate import (
     agree,
     usual_unit,
 )
-from gaussiancad_core.sheet.scale.leaders import leaders_of, radius_at, shelves_of
+from gaussiancad_core.sheet.scale.leaders import leaders_of, radii_at, shelves_of
 from gaussiancad_core.sheet.scale.numbers import (
     MM_PER_INCH,
     DimensionText,
@@ -40,7 +40,10 @@ from gaussiancad_core.sheet.scale.texts import SheetText, fields_of, file_texts,
 from gaussiancad_core.views import Arc, Segment
 
 _LEADER = 0.8
-"""Weight of a circle at the tip of a leader."""
+"""Weight of the circle at the tip of a leader."""
+
+_OTHER = 0.6
+"""Weight of a circle that the leader crosses."""
 
 
 class ScaleSource(Enum):
@@ -171,23 +174,25 @@ def _dimensions(
         said = None if text.field else parse_dimension(text.text)
         if said is None:
             continue
-        radius = radius_at(text, leaders, shelves, lines.arcs)
-        candidates = _candidates(text, said, lines, radius)
+        radii = radii_at(text, leaders, shelves, lines.arcs)
+        candidates = _candidates(text, said, lines, radii)
         found.append(Dimension(text.text, said, text.box, candidates))
     return tuple(found)
 
 
 def _candidates(
-    text: SheetText, said: DimensionText, lines: _Lines, radius: float | None
+    text: SheetText, said: DimensionText, lines: _Lines, radii: Sequence[float]
 ) -> tuple[Candidate, ...]:
     found = []
     if said.sign is not Sign.RADIUS:
         spans = spans_of(text, lines.rules, lines.edges)
         found += [Candidate(span.length, span.weight) for span in spans]
-    if radius is not None:
-        # Where the sign was not read, the leader tells that it is a diameter.
-        times = 1.0 if said.sign is Sign.RADIUS else 2.0
-        found.append(Candidate(times * radius, _LEADER))
+    # Where the sign was not read, the leader tells that it is a diameter.
+    times = 1.0 if said.sign is Sign.RADIUS else 2.0
+    weights = [_LEADER] + [_OTHER] * len(radii)
+    found += [
+        Candidate(times * radius, weight) for radius, weight in zip(radii, weights, strict=False)
+    ]
     return tuple(sorted(found, key=lambda candidate: -candidate.weight))
 
 

@@ -22,6 +22,9 @@ _NEAR = 1.2
 _TOUCH = 4.0
 """px by which a leader's tip may miss its circle, and its shelf its slanted line."""
 
+_ALIGNED = 2.0
+"""px by which pieces of a leader may be out of line."""
+
 _BESIDE = 0.15
 """Distance at which a leader passes its circle's centre at most, in radii."""
 
@@ -48,10 +51,10 @@ def shelves_of(marks: Iterable[Mark]) -> list[Leader]:
     return found
 
 
-def radius_at(
+def radii_at(
     text: SheetText, leaders: Sequence[Leader], shelves: Sequence[Leader], arcs: Sequence[Arc]
-) -> float | None:
-    """Radius in px of the circle that a text's leader points at; nothing if there is none.
+) -> tuple[float, ...]:
+    """Radii in px of the circles that a text's leader may point at, the likeliest first.
 
     Args:
         text: level.
@@ -60,19 +63,28 @@ def radius_at(
         arcs: of the views, px of the upright sheet.
     """
     if not text.level:
-        return None
+        return ()
     near = _NEAR * (text.box[3] - text.box[1])
     starts = [end for shelf in shelves if _beside(shelf, text.box, near) for end in shelf]
-    best: tuple[float, float] | None = None
+    missed: dict[float, float] = {}
     for leader in leaders:
         for start, tip in (leader, leader[::-1]):
-            held = _distance(text.box, start) <= near or any(
+            if _distance(text.box, start) <= near or any(
                 np.hypot(*(start - end)) <= _TOUCH for end in starts
-            )
-            for miss, radius in _pointed_at(start, tip, arcs) if held else ():
-                if best is None or miss < best[0]:
-                    best = miss, radius
-    return None if best is None else best[1]
+            ):
+                # Edges that a leader crosses cut it into pieces.
+                tips = [tip, *(end for piece in leaders for end in piece if _on(start, tip, end))]
+                for miss, radius in (hit for end in tips for hit in _pointed_at(start, end, arcs)):
+                    missed[radius] = min(miss, missed.get(radius, miss))
+    return tuple(sorted(missed, key=lambda radius: missed[radius]))
+
+
+def _on(start: Points, tip: Points, point: Points) -> bool:
+    """Whether a point lies on the line from a start, beyond its tip."""
+    length = float(np.hypot(*(tip - start)))
+    way, offset = (tip - start) / length, point - start
+    beside = abs(float(way[0] * offset[1] - way[1] * offset[0]))
+    return float(way @ offset) > length and beside <= _ALIGNED
 
 
 def _beside(shelf: Leader, box: Box, near: float) -> bool:

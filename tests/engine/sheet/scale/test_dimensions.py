@@ -5,7 +5,7 @@ import pytest
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.marks import line_mark
 from gaussiancad_core.sheet.scale.dimensions import Rule, Span, mark_rules, rule_of, spans_of
-from gaussiancad_core.sheet.scale.leaders import leaders_of, radius_at, shelves_of
+from gaussiancad_core.sheet.scale.leaders import leaders_of, radii_at, shelves_of
 from gaussiancad_core.sheet.scale.texts import SheetText, joined_boxes
 from gaussiancad_core.views import Arc, Linetype
 
@@ -121,9 +121,20 @@ def test_a_leader_tells_the_circle_that_it_points_at() -> None:
     beside = Arc((100.0, 20.0), 58.0, 0.0, 6.28, Linetype.VISIBLE)
     note = text((175.0, 8.0, 225.0, 26.0))
     ways = leaders_of(marks), shelves_of(marks)
-    assert radius_at(note, *ways, [small, large, beside]) == 42.4
-    assert radius_at(note, *ways, [small, beside]) is None
-    assert radius_at(text((400.0, 8.0, 450.0, 26.0)), *ways, [large]) is None
+    assert radii_at(note, *ways, [small, large, beside]) == (42.4,)
+    assert radii_at(note, *ways, [small, beside]) == ()
+    assert radii_at(text((400.0, 8.0, 450.0, 26.0)), *ways, [large]) == ()
+
+
+def test_a_leader_that_an_edge_cuts_may_point_at_either_circle() -> None:
+    marks = [
+        line_mark(AnnotationKind.EXTENSION, (132, 68), (170, 30)),
+        line_mark(AnnotationKind.EXTENSION, (114.5, 85.5), (128, 72)),
+        line_mark(AnnotationKind.EXTENSION, (170, 30), (230, 30)),
+    ]
+    arcs = [Arc((100.0, 100.0), radius, 0.0, 6.28, Linetype.VISIBLE) for radius in (20.0, 42.4)]
+    note = text((175.0, 8.0, 225.0, 26.0))
+    assert set(radii_at(note, leaders_of(marks), shelves_of(marks), arcs)) == {20.0, 42.4}
 
 
 def test_pieces_of_a_text_are_joined_and_rows_are_not() -> None:
