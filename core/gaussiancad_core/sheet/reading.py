@@ -111,8 +111,7 @@ def find_views(
     for way in ways:
         tried = way()
         try:
-            # Remains stick out of views only where something was taken off.
-            stub = _STUB * tried.part.stroke_width if tried.marks else 0.0
+            stub = _STUB * tried.part.stroke_width
             layout = find_layout(tried.part.ink, given, projection, stub)
         except NoModelError as error:
             first = first or error

@@ -6,6 +6,8 @@ both of their sides, while an edge of the part always parts two areas.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import IntEnum
 from itertools import pairwise
 
 import cv2
@@ -47,6 +49,27 @@ _BOX_HEIGHT = 4.0
 Kinds = list[list[AnnotationKind | None]]
 
 
+class _Side(IntEnum):
+    """What a stretch of line lies between: two areas, one area of a view, or blank paper."""
+
+    PARTING = 0
+    INSIDE = 1
+    PAPER = 2
+
+
+@dataclass(frozen=True)
+class LooseRule:
+    """Which runs that part nothing are annotations.
+
+    Attributes:
+        shortest: px; shorter runs are dashes, which part nothing either.
+        everywhere: all of them; otherwise those that run on over blank paper.
+    """
+
+    shortest: float
+    everywhere: bool
+
+
 def arrowheads(ink: Mask, stroke_width: float) -> npt.NDArray[np.float64]:
     """(n, 2) px middles of the thick blots that arrowheads have."""
     inside = cv2.distanceTransform(ink.astype(np.uint8), cv2.DIST_L2, 5)
@@ -75,51 +98,60 @@ def mark_arrows(
 
 
 def split_loose(
-    shapes: Sequence[InkedShape], kinds: Kinds, ink: Mask, shortest: float
+    shapes: Sequence[InkedShape], kinds: Kinds, ink: Mask, rule: LooseRule
 ) -> tuple[list[InkedShape], Kinds]:
     """Cut runs where they begin or cease to part two areas, and mark what parts none.
 
     Args:
         shapes, kinds: with what is known by now.
         ink: (h, w) bool, without what was marked.
-        shortest: px; shorter runs are dashes, which part nothing either.
+        rule: which of the runs that part nothing are marked.
     """
     closed = cv2.dilate(ink.astype(np.uint8), np.ones((3, 3), np.uint8))
-    _, areas = cv2.connectedComponents(1 - closed, connectivity=4)
+    _, areas, facts, _ = cv2.connectedComponentsWithStats(1 - closed, connectivity=4)
+    paper = 1 + int(np.argmax(facts[1:, cv2.CC_STAT_AREA])) if len(facts) > 1 else -1
     cut: list[InkedShape] = []
     cut_kinds: Kinds = []
     for shape, own in zip(shapes, kinds, strict=True):
         runs: list[InkedRun] = []
         marks: list[AnnotationKind | None] = []
         for run, kind in zip(shape.runs, own, strict=True):
-            parts = [(run.run, False)]
-            if kind is None and run.run.length > shortest:
-                parts = _parts(shape, run, areas)
-            for part, loose in parts:
+            parts = [(run.run, _Side.PARTING)]
+            if kind is None and run.run.length > rule.shortest:
+                parts = _parts(shape, run, areas, paper)
+            # A line that runs on over blank paper is no edge, nor is its rest within a view.
+            loose = rule.everywhere or any(side is _Side.PAPER for _, side in parts)
+            for part, side in parts:
                 runs.append(InkedRun(part, run.width))
-                marks.append(AnnotationKind.EXTENSION if loose else kind)
+                parting = side is _Side.PARTING or not loose
+                marks.append(kind if parting else AnnotationKind.EXTENSION)
         cut.append(InkedShape(shape.geometry, tuple(runs)))
         cut_kinds.append(marks)
     return cut, cut_kinds
 
 
 def _parts(
-    shape: InkedShape, run: InkedRun, areas: npt.NDArray[np.int32]
-) -> list[tuple[Run, bool]]:
-    """Stretches of a run, and whether the same area lies on both sides of each."""
+    shape: InkedShape, run: InkedRun, areas: npt.NDArray[np.int32], paper: int
+) -> list[tuple[Run, _Side]]:
+    """Stretches of a run, and what lies on both sides of each."""
     points = points_along(shape.geometry, run.run, 1.0)
     normals = normals_along(shape.geometry, run.run, 1.0)
     beside = (run.width or 2.0) / 2 + 2.5
     left, right = (_at(areas, points + side * beside * normals) for side in (1.0, -1.0))
     known = np.flatnonzero((left > 0) & (right > 0))
     if len(known) < _SHORTEST_PX:
-        return [(run.run, False)]
-    nearest = known[np.abs(np.arange(len(points))[:, None] - known).argmin(axis=1)]
-    loose = median_filter((left == right)[nearest].astype(np.uint8), 2 * _STEADY + 1) > 0
-    borders = [0, *(np.flatnonzero(np.diff(loose)) + 1), len(loose)]
-    step = run.run.length / len(loose)
+        return [(run.run, _Side.PARTING)]
+    places = np.searchsorted(known, np.arange(len(points))).clip(1, len(known) - 1)
+    ahead, behind = known[places], known[places - 1]
+    index = np.arange(len(points))
+    nearest = np.where(index - behind < ahead - index, behind, ahead)
+    same = left == right
+    sides = np.where(same & (left == paper), _Side.PAPER, np.where(same, _Side.INSIDE, 0))
+    steady = median_filter(sides[nearest].astype(np.uint8), 2 * _STEADY + 1)
+    borders = [0, *(np.flatnonzero(np.diff(steady)) + 1), len(steady)]
+    step = run.run.length / len(steady)
     return [
-        (Run(run.run.start + first * step, run.run.start + last * step), bool(loose[first]))
+        (Run(run.run.start + first * step, run.run.start + last * step), _Side(int(steady[first])))
         for first, last in pairwise(borders)
     ]
 

@@ -15,6 +15,7 @@ from gaussiancad_core.sheet.annotations.inked import (
 from gaussiancad_core.sheet.annotations.lines import Weights, kinds_of_runs, line_weights
 from gaussiancad_core.sheet.annotations.loose import (
     Kinds,
+    LooseRule,
     arrowheads,
     lettered_boxes,
     mark_arrows,
@@ -100,6 +101,9 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
     if letters.marks and not weights.limit:
         shapes, kinds, boxes = _told_by_form(sheet, shapes, kinds, letters.marks)
         part = _masked(part, ~boxes)
+    else:
+        rule = LooseRule(_LONGEST_DASH * sheet.stroke_width, everywhere=False)
+        shapes, kinds = split_loose(shapes, kinds, _erased(sheet, shapes, kinds).ink, rule)
     if any(kind for own in kinds for kind in own):
         marks += _line_marks(shapes, kinds)
         part = replace(_erased(part, shapes, kinds), stroke_width=weights.visible)
@@ -113,7 +117,8 @@ def _told_by_form(
     mark_arrows(shapes, kinds, arrowheads(sheet.ink, sheet.stroke_width), sheet.stroke_width)
     ink = _erased(sheet, shapes, kinds).ink
     boxes = lettered_boxes(ink, letters)
-    shapes, kinds = split_loose(shapes, kinds, ink & ~boxes, _LONGEST_DASH * sheet.stroke_width)
+    rule = LooseRule(_LONGEST_DASH * sheet.stroke_width, everywhere=True)
+    shapes, kinds = split_loose(shapes, kinds, ink & ~boxes, rule)
     left = _erased(sheet, shapes, kinds).ink
     return shapes, kinds, boxes | lettered_boxes(left, letters)
 
