@@ -36,6 +36,7 @@ from gaussiancad_core.sheet.scale.numbers import (
     parse_unit,
 )
 from gaussiancad_core.sheet.scale.ocr import ocr_problem
+from gaussiancad_core.sheet.scale.ordinates import is_zero, ordinate_length
 from gaussiancad_core.sheet.scale.texts import SheetText, fields_of, file_texts, pixel_texts
 from gaussiancad_core.views import Arc, Segment
 
@@ -169,6 +170,7 @@ def _dimensions(
     texts: Sequence[SheetText], marks: Sequence[Mark], lines: _Lines
 ) -> tuple[Dimension, ...]:
     leaders, shelves = leaders_of(marks), shelves_of(marks)
+    zeros = [text for text in texts if is_zero(text)]
     found = []
     for text in texts:
         said = None if text.field else parse_dimension(text.text)
@@ -176,6 +178,9 @@ def _dimensions(
             continue
         radii = radii_at(text, leaders, shelves, lines.arcs)
         candidates = _candidates(text, said, lines, radii)
+        ordinate = ordinate_length(text, zeros, lines.rules)
+        if ordinate and said.sign is Sign.LENGTH:
+            candidates = (Candidate(ordinate), *candidates)
         found.append(Dimension(text.text, said, text.box, candidates))
     return tuple(found)
 
