@@ -133,19 +133,23 @@ def agree(dimensions: Sequence[Dimension], unit: Unit, paper_scale: float | None
         unit: of texts that do not name theirs.
         paper_scale: mm per px by the paper's size and the scale note, where both are known.
     """
-    scale = _commonest(dimensions, unit)
-    members = [own for own in dimensions if scale and _best(own, unit, scale)]
     measured = [own for own in dimensions if own.candidates]
-    enough = len(members) >= max(2.0, _SHARE * len(measured))
-    if scale and not enough and paper_scale is not None:
-        members = [own for own in measured if _best(own, unit, paper_scale, _PAPER)]
-        enough = len(members) >= max(1.0, _SHARE * len(measured))
-        scale = _refined(members, unit, paper_scale, _PAPER) if enough else None
-    elif scale and enough:
-        scale = _refined(members, unit, scale, _AGREE)
-    if not scale or not enough:
-        return Agreement(None, tuple(_told(own, unit, None) for own in dimensions))
+    scale = _group(measured, unit, _commonest(measured, unit), _AGREE, 2)
+    if scale is None:
+        scale = _group(measured, unit, paper_scale, _PAPER, 1)
     return Agreement(scale, tuple(_told(own, unit, scale) for own in dimensions))
+
+
+def _group(
+    measured: Sequence[Dimension], unit: Unit, scale: float | None, share: float, least: int
+) -> float | None:
+    """The scale of the dimensions that fit one, if they are enough."""
+    if scale is None:
+        return None
+    members = [own for own in measured if _best(own, unit, scale, share)]
+    if len(members) < max(least, _SHARE * len(measured)):
+        return None
+    return _refined(members, unit, scale, share)
 
 
 def _scale(own: Dimension, unit: Unit, candidate: Candidate) -> float:

@@ -66,6 +66,9 @@ def test_one_dimension_alone_is_believed_only_with_the_paper() -> None:
 def test_two_pairs_that_contradict_each_other_tell_nothing() -> None:
     others = [dimension("30", 30 / 0.3), dimension("50", 50 / 0.3)]
     assert agree([true(20), true(60), *others], MM, None).mm_per_pixel is None
+    # Unless the paper takes sides.
+    found = agree([true(20), true(60), *others], MM, 1.01 * SCALE)
+    assert found.mm_per_pixel == pytest.approx(SCALE, rel=1e-12)
 
 
 def test_two_of_many_may_agree_by_chance() -> None:
