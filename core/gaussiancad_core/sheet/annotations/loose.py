@@ -16,6 +16,7 @@ import numpy.typing as npt
 from scipy.ndimage import median_filter
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.erase import Kinds
 from gaussiancad_core.sheet.annotations.inked import (
     InkedRun,
     InkedShape,
@@ -45,8 +46,6 @@ _LETTERED = 0.12
 
 _BOX_HEIGHT = 4.0
 """Height of a box around letters at most, in heights of a letter."""
-
-Kinds = list[list[AnnotationKind | None]]
 
 
 class _Side(IntEnum):

@@ -5,16 +5,15 @@ from dataclasses import dataclass, replace
 import cv2
 import numpy as np
 
+from gaussiancad_core.sheet.annotations.erase import Told, erased, masked
 from gaussiancad_core.sheet.annotations.frame import find_frame
 from gaussiancad_core.sheet.annotations.inked import (
-    InkedShape,
     inked_shape,
     points_along,
     split_by_width,
 )
 from gaussiancad_core.sheet.annotations.lines import Weights, kinds_of_runs, line_weights
 from gaussiancad_core.sheet.annotations.loose import (
-    Kinds,
     LooseRule,
     arrowheads,
     lettered_boxes,
@@ -50,8 +49,8 @@ _DASHES = 3
 _LONGEST_DASH = 8.0
 """Length of a dash at most, in stroke widths."""
 
-_ARROW = 4.0
-"""Half widths of arrowheads that are erased with their line, in stroke widths, at most."""
+_SHORTEST_MARK = 16.0
+"""Length of a centre mark that sticks out of a view at least, in stroke widths."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +79,7 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
     marks: list[Mark] = []
     frame = find_frame(sheet.ink, sheet.turn)
     if frame is not None:
-        sheet = _masked(sheet, frame.drawing_area)
+        sheet = masked(sheet, frame.drawing_area)
         marks += frame.marks
     ridges = ridge_points(sheet.weight, sheet.stroke_width)
     grown = grow_shapes(ridges, GrowthRules.of_width(sheet.stroke_width))
@@ -88,7 +87,7 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
     marks += letters.marks
     if letters.marks:
         grown = [shape for shape in grown if not _in_letters(shape, ridges, letters.mask)]
-        sheet = _masked(sheet, cv2.dilate(letters.mask.astype(np.uint8), np.ones((5, 5))) == 0)
+        sheet = masked(sheet, cv2.dilate(letters.mask.astype(np.uint8), np.ones((5, 5))) == 0)
     field = ink_field(sheet)
     shapes = [inked_shape(sheet, field, ridges, shape) for shape in grown]
     weights = line_weights(shapes, sheet.stroke_width) if by_weight else None
@@ -97,34 +96,42 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
     else:
         shapes = [split_by_width(sheet, shape, weights.limit) for shape in shapes]
     kinds = kinds_of_runs(shapes, weights, sheet.stroke_width)
+    unexplained = _unexplained(ridges, grown, letters.mask)
     part = sheet
     if letters.marks and not weights.limit:
-        shapes, kinds, boxes = _told_by_form(sheet, shapes, kinds, letters.marks)
-        part = _masked(part, ~boxes)
+        told, boxes = _told_by_form(sheet, Told(shapes, kinds, unexplained), letters.marks)
+        part = masked(part, ~boxes)
     else:
-        rule = LooseRule(_LONGEST_DASH * sheet.stroke_width, everywhere=False)
-        shapes, kinds = split_loose(shapes, kinds, _erased(sheet, shapes, kinds).ink, rule)
-    if any(kind for own in kinds for kind in own):
-        marks += _line_marks(shapes, kinds)
-        part = replace(_erased(part, shapes, kinds), stroke_width=weights.visible)
+        rule = LooseRule(_SHORTEST_MARK * sheet.stroke_width, everywhere=False)
+        left = erased(sheet, Told(shapes, kinds, unexplained)).ink
+        told = Told(*split_loose(shapes, kinds, left, rule), unexplained)
+    if any(kind for own in told.kinds for kind in own):
+        marks += _line_marks(told)
+        part = replace(erased(part, told), stroke_width=weights.visible)
     return SeparatedSheet(part, tuple(marks), bool(weights.limit))
 
 
-def _told_by_form(
-    sheet: CleanSheet, shapes: list[InkedShape], kinds: Kinds, letters: tuple[Mark, ...]
-) -> tuple[list[InkedShape], Kinds, Mask]:
+def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> tuple[Told, Mask]:
     """Dimensions by their arrowheads, then what bounds nothing, then boxes around letters."""
-    mark_arrows(shapes, kinds, arrowheads(sheet.ink, sheet.stroke_width), sheet.stroke_width)
-    ink = _erased(sheet, shapes, kinds).ink
+    heads = arrowheads(sheet.ink, sheet.stroke_width)
+    mark_arrows(told.shapes, told.kinds, heads, sheet.stroke_width)
+    ink = erased(sheet, told).ink
     boxes = lettered_boxes(ink, letters)
     rule = LooseRule(_LONGEST_DASH * sheet.stroke_width, everywhere=True)
-    shapes, kinds = split_loose(shapes, kinds, ink & ~boxes, rule)
-    left = _erased(sheet, shapes, kinds).ink
-    return shapes, kinds, boxes | lettered_boxes(left, letters)
+    shapes, kinds = split_loose(told.shapes, told.kinds, ink & ~boxes, rule)
+    rest = Told(shapes, kinds, told.unexplained)
+    return rest, boxes | lettered_boxes(erased(sheet, rest).ink, letters)
 
 
-def _masked(sheet: CleanSheet, kept: Mask) -> CleanSheet:
-    return replace(sheet, ink=sheet.ink & kept, weight=np.where(kept, sheet.weight, 0.0))
+def _unexplained(ridges: RidgePoints, grown: list[Grown], letters: Mask) -> Mask:
+    """Pixels of ridge points that belong to no line or circle: free curves."""
+    free = np.ones(len(ridges.points), dtype=bool)
+    for shape in grown:
+        free[shape.members] = False
+    columns, rows = np.rint(ridges.points[free]).astype(int).T
+    mask = np.zeros(letters.shape, dtype=bool)
+    mask[rows, columns] = True
+    return mask & ~letters
 
 
 def _explained(ridges: RidgePoints, grown: list[Grown], ink: Mask) -> Mask:
@@ -163,43 +170,11 @@ def _in_letters(shape: Grown, ridges: RidgePoints, mask: Mask) -> bool:
     return bool(mask[rows, columns].mean() > 0.5)
 
 
-def _line_marks(shapes: list[InkedShape], kinds: Kinds) -> list[Mark]:
+def _line_marks(told: Told) -> list[Mark]:
     marks = []
-    for shape, own in zip(shapes, kinds, strict=True):
+    for shape, own in zip(told.shapes, told.kinds, strict=True):
         for run, kind in zip(shape.runs, own, strict=True):
             if kind is not None:
                 ends = points_along(shape.geometry, run.run, 1e9) + 0.5
                 marks.append(line_mark(kind, tuple(ends[0].tolist()), tuple(ends[-1].tolist())))
     return marks
-
-
-def _erased(sheet: CleanSheet, shapes: list[InkedShape], kinds: Kinds) -> CleanSheet:
-    """The sheet without the runs that are annotations, and without what hung on them."""
-    inside = cv2.distanceTransform(sheet.ink.astype(np.uint8), cv2.DIST_L2, 5)
-    erase = np.zeros(sheet.ink.shape, np.uint8)
-    keep = np.zeros(sheet.ink.shape, np.uint8)
-    for shape, own in zip(shapes, kinds, strict=True):
-        for run, kind in zip(shape.runs, own, strict=True):
-            points = points_along(shape.geometry, run.run, 1.0)
-            if kind is None:
-                width = run.width or sheet.stroke_width
-                path = np.rint(points * 8).astype(np.int32)
-                cv2.polylines(keep, [path], False, 1, int(np.ceil(width)) + 2, shift=3)
-                continue
-            columns = np.clip(np.rint(points[:, 0]).astype(int), 0, sheet.ink.shape[1] - 1)
-            rows = np.clip(np.rint(points[:, 1]).astype(int), 0, sheet.ink.shape[0] - 1)
-            radii = np.minimum(inside[rows, columns], _ARROW * sheet.stroke_width) + 2.0
-            for column, row, radius in zip(columns, rows, radii, strict=True):
-                cv2.circle(erase, (int(column), int(row)), int(np.ceil(radius)), 1, -1)
-    part = _masked(sheet, (erase == 0) | (keep > 0))
-    # Crumbs: pieces that no stroke of the part runs through.
-    _, labels, stats, _ = cv2.connectedComponentsWithStats(
-        part.ink.astype(np.uint8), connectivity=8
-    )
-    kept = np.zeros(len(stats), dtype=bool)
-    kept[np.unique(labels[keep > 0])] = True
-    sides = np.maximum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT])
-    kept |= sides > _LETTER_SHARE * max(sheet.ink.shape)
-    kept[0] = True
-    near = cv2.dilate((~kept[labels]).astype(np.uint8), np.ones((5, 5), np.uint8)) == 0
-    return _masked(part, near | (keep > 0))

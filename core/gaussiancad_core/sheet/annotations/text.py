@@ -124,26 +124,29 @@ def _words(
         near = [word for word in words if any(_gap(stats, glyph, o) <= reach for o in word)]
         merged = [int(glyph)] + [member for word in near for member in word]
         words = [word for word in words if word not in near] + [merged]
+    letters = {int(glyph) for glyph in glyphs}
     waiting, before = [int(other) for other in others], -1
     # The one that joins may be what the next one stands beside.
     while len(waiting) != before:
         before = len(waiting)
-        waiting = [other for other in waiting if not _joins(stats, heights, words, other)]
+        waiting = [other for other in waiting if not _joins(stats, words, letters, other)]
     return words
 
 
 def _joins(
-    stats: npt.NDArray[np.int32],
-    heights: npt.NDArray[np.int32],
-    words: list[list[int]],
-    other: int,
+    stats: npt.NDArray[np.int32], words: list[list[int]], letters: set[int], other: int
 ) -> bool:
     """Put a piece into the word that it fits, in place, and make one of those that it stands
-    between; whether there is any."""
+    between; whether there is any.
+
+    A slim piece must stand beside a letter: dashes would join one after the other.
+    """
+    heights = np.maximum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT])
     slim = min(stats[other, 2:4]) < 0.4 * max(stats[other, 2:4])
     fitting = []
     for word in words:
-        beside = [o for o in word if _gap(stats, other, o) <= 0.6 * heights[o]]
+        near = [o for o in word if o in letters] if slim else word
+        beside = [o for o in near if _gap(stats, other, o) <= 0.6 * heights[o]]
         least = 0.25 if slim and len(word) >= 2 else 0.7
         if any(least < heights[other] / heights[o] < 1.4 for o in beside):
             fitting.append(word)

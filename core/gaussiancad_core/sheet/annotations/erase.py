@@ -1,0 +1,72 @@
+"""Annotations taken off the ink, the part's own strokes left whole where they cross."""
+
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.inked import InkedShape, points_along
+from gaussiancad_core.sheet.annotations.marks import Mask
+from gaussiancad_core.sheet.clean import CleanSheet
+
+Kinds = list[list[AnnotationKind | None]]
+"""For each run of each shape what annotation it is, or nothing where it is the part's."""
+
+_ARROW = 4.0
+"""Half widths of arrowheads that are erased with their line, in stroke widths, at most."""
+
+_LARGEST_CRUMB = 0.04
+"""Size of what may be left of an annotation, as a share of the sheet's longest side."""
+
+
+@dataclass(frozen=True, eq=False)
+class Told:
+    """What is known of a sheet's ink.
+
+    Attributes:
+        shapes: lines and circles with their runs.
+        kinds: of the runs.
+        unexplained: (h, w) bool, ridge points of no line or circle; the part's until told else.
+    """
+
+    shapes: list[InkedShape]
+    kinds: Kinds
+    unexplained: Mask
+
+
+def masked(sheet: CleanSheet, kept: Mask) -> CleanSheet:
+    """The sheet with the ink under a mask alone."""
+    return replace(sheet, ink=sheet.ink & kept, weight=np.where(kept, sheet.weight, 0.0))
+
+
+def erased(sheet: CleanSheet, told: Told) -> CleanSheet:
+    """The sheet without the runs that are annotations, and without what hung on them."""
+    inside = cv2.distanceTransform(sheet.ink.astype(np.uint8), cv2.DIST_L2, 5)
+    erase = np.zeros(sheet.ink.shape, np.uint8)
+    keep = cv2.dilate(told.unexplained.astype(np.uint8), np.ones((3, 3), np.uint8))
+    for shape, own in zip(told.shapes, told.kinds, strict=True):
+        for run, kind in zip(shape.runs, own, strict=True):
+            points = points_along(shape.geometry, run.run, 1.0)
+            if kind is None:
+                width = run.width or sheet.stroke_width
+                path = np.rint(points * 8).astype(np.int32)
+                cv2.polylines(keep, [path], False, 1, int(np.ceil(width)) + 2, shift=3)
+                continue
+            columns = np.clip(np.rint(points[:, 0]).astype(int), 0, sheet.ink.shape[1] - 1)
+            rows = np.clip(np.rint(points[:, 1]).astype(int), 0, sheet.ink.shape[0] - 1)
+            radii = np.minimum(inside[rows, columns], _ARROW * sheet.stroke_width) + 2.0
+            for column, row, radius in zip(columns, rows, radii, strict=True):
+                cv2.circle(erase, (int(column), int(row)), int(np.ceil(radius)), 1, -1)
+    part = masked(sheet, (erase == 0) | (keep > 0))
+    # Crumbs: pieces that no stroke of the part runs through.
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(
+        part.ink.astype(np.uint8), connectivity=8
+    )
+    kept = np.zeros(len(stats), dtype=bool)
+    kept[np.unique(labels[keep > 0])] = True
+    sides = np.maximum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT])
+    kept |= sides > _LARGEST_CRUMB * max(sheet.ink.shape)
+    kept[0] = True
+    near = cv2.dilate((~kept[labels]).astype(np.uint8), np.ones((5, 5), np.uint8)) == 0
+    return masked(part, near | (keep > 0))
