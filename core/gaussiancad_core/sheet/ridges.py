@@ -22,7 +22,7 @@ _LEAST_CURVATURE = 0.05
 _FLOOR = 0.02
 """Smoothed ink under which its logarithm would say more of the paper than of the stroke."""
 
-_FARTHEST = 0.55
+_FARTHEST = 0.7
 """px from the pixel's centre to the top of its parabola: beyond, a neighbour has the point."""
 
 
