@@ -4,6 +4,7 @@ Texts are misread and lines mistaken, but seldom so that several agree: the scal
 largest group of dimensions that agree.
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -161,7 +162,7 @@ def _fits(
 ) -> bool:
     """Whether a length is what a dimension says, at a scale."""
     tolerance = max(share, _MISSED / candidate.pixels)
-    return abs(float(np.log(_scale(own, unit, candidate) / scale))) <= tolerance
+    return abs(math.log(_scale(own, unit, candidate) / scale)) <= tolerance
 
 
 def _best(own: Dimension, unit: Unit, scale: float, share: float = _AGREE) -> Candidate | None:
@@ -169,7 +170,7 @@ def _best(own: Dimension, unit: Unit, scale: float, share: float = _AGREE) -> Ca
     fitting = [c for c in own.candidates if _fits(own, unit, c, scale, share)]
     if not fitting:
         return None
-    return min(fitting, key=lambda c: (-c.weight, abs(np.log(_scale(own, unit, c) / scale))))
+    return min(fitting, key=lambda c: (-c.weight, abs(math.log(_scale(own, unit, c) / scale))))
 
 
 def _commonest(dimensions: Sequence[Dimension], unit: Unit) -> float | None:
@@ -183,7 +184,7 @@ def _commonest(dimensions: Sequence[Dimension], unit: Unit) -> float | None:
     if not votes:
         return None
     most, scale = max(votes)
-    rivals = [vote for vote, other in votes if abs(np.log(other / scale)) > 2 * _AGREE]
+    rivals = [vote for vote, other in votes if abs(math.log(other / scale)) > 2 * _AGREE]
     return scale if all(vote < most - 1e-9 for vote in rivals) else None
 
 

@@ -40,6 +40,12 @@ from gaussiancad_core.sheet.scale.ordinates import is_zero, ordinate_length
 from gaussiancad_core.sheet.scale.texts import SheetText, fields_of, file_texts, pixel_texts
 from gaussiancad_core.views import Arc, Segment
 
+_MOST_RULES = 5000
+"""Lines of a sheet that are looked at, the longest first: more take too long."""
+
+_MOST_TEXTS = 200
+"""The same of the texts that give lengths, in the sheet's order."""
+
 _LEADER = 0.8
 """Weight of the circle at the tip of a leader."""
 
@@ -160,6 +166,7 @@ def _lines(
     rules = mark_rules(marks)
     if image.vectors is not None:
         rules += file_rules(image.vectors.strokes, sheet.turn)
+    rules = sorted(rules, key=lambda rule: rule.low - rule.high)[:_MOST_RULES]
     strokes = [stroke for view in drawn for stroke in view.strokes]
     edges = [rule_of(own.start, own.end) for own in strokes if isinstance(own, Segment)]
     arcs = [stroke for stroke in strokes if isinstance(stroke, Arc)]
@@ -171,11 +178,10 @@ def _dimensions(
 ) -> tuple[Dimension, ...]:
     leaders, shelves = leaders_of(marks), shelves_of(marks)
     zeros = [text for text in texts if is_zero(text)]
+    parsed = ((text, parse_dimension(text.text)) for text in texts if not text.field)
+    numbers = [(text, said) for text, said in parsed if said is not None]
     found = []
-    for text in texts:
-        said = None if text.field else parse_dimension(text.text)
-        if said is None:
-            continue
+    for text, said in numbers[:_MOST_TEXTS]:
         radii = radii_at(text, leaders, shelves, lines.arcs)
         candidates = _candidates(text, said, lines, radii)
         ordinate = ordinate_length(text, zeros, lines.rules)

@@ -8,7 +8,6 @@ code would look for other networks on the Internet.
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib.metadata import PackageNotFoundError, distribution
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -58,8 +57,12 @@ class ReadText:
 
 def ocr_problem() -> str | None:
     """Why texts cannot be read from pixels, with what to do; nothing if they can."""
-    if find_spec("onnxruntime") is None or _model_path() is None:
+    if _model_path() is None:
         return "not installed: pip install rapidocr onnxruntime"
+    try:
+        import onnxruntime  # noqa: F401
+    except ImportError as error:
+        return f"broken ({error}): pip install rapidocr onnxruntime"
     return None
 
 

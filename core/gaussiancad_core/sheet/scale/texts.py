@@ -143,7 +143,7 @@ def _written(sheet: CleanSheet, boxes: Sequence[Box]) -> list[Box]:
     usual = float(np.median([_thickness(box) for box in boxes]))
     thickest = _THICK * usual
     single: list[Box] = []
-    for box in boxes:
+    for box in sorted(boxes, key=_thickness, reverse=True)[: 3 * _MOST]:
         if _thickness(box) > _FAT * usual:
             single += joined_boxes(_pieces(sheet, box), thickest)
         else:
@@ -175,24 +175,26 @@ def joined_boxes(boxes: Sequence[Box], thickest: float) -> list[Box]:
         thickest: px of height of a line of text at most: what is higher runs up the sheet.
     """
     joined = list(boxes)
-    first = 0
-    while first < len(joined):
-        one = joined[first]
-        near = [
-            box
-            for box in joined
-            if box is not one
-            and (_in_line(one, box, thickest) or _in_line(_turned(one), _turned(box), thickest))
-        ]
-        if not near:
-            first += 1
-            continue
-        corners = np.array([one, *near])
-        low, high = corners[:, :2].min(axis=0), corners[:, 2:].max(axis=0)
-        around = (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
-        joined = [box for box in joined if box is not one and box not in near] + [around]
-        first = 0
+    changed = True
+    while changed:
+        changed, rest, joined = False, joined, []
+        while rest:
+            one = rest.pop(0)
+            near = [box for box in rest if _in_one_text(one, box, thickest)]
+            if not near:
+                joined.append(one)
+                continue
+            changed = True
+            corners = np.array([one, *near])
+            low, high = corners[:, :2].min(axis=0), corners[:, 2:].max(axis=0)
+            around = (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
+            rest = [around, *(box for box in rest if box not in near)]
     return joined
+
+
+def _in_one_text(one: Box, two: Box, thickest: float) -> bool:
+    """Whether two boxes are pieces of one text, level or up the sheet."""
+    return _in_line(one, two, thickest) or _in_line(_turned(one), _turned(two), thickest)
 
 
 def _in_line(one: Box, two: Box, thickest: float) -> bool:
@@ -274,10 +276,12 @@ def _lines_of(ink: Ink, field: Box) -> list[Box]:
     _, labels, stats, _ = cv2.connectedComponentsWithStats(closed, connectivity=8)
     found = []
     for label in range(1, len(stats)):
-        rows, columns = np.nonzero((labels == label) & (inner > 0))
+        x, y, w, h = (int(value) for value in stats[label, :4])
+        own = (labels[y : y + h, x : x + w] == label) & (inner[y : y + h, x : x + w] > 0)
+        rows, columns = np.nonzero(own)
         width, height = int(np.ptp(columns)) + 1, int(np.ptp(rows)) + 1
         if not _SMALLEST_LETTER <= height <= _TALLEST_LETTER * max(ink.shape) or width < height:
             continue
-        left, top = x0 + 2 + int(columns.min()), y0 + 2 + int(rows.min())
+        left, top = x0 + 2 + x + int(columns.min()), y0 + 2 + y + int(rows.min())
         found.append((float(left), float(top), float(left + width), float(top + height)))
     return found
