@@ -80,11 +80,12 @@ def grow_shapes(ridges: RidgePoints, rules: GrowthRules = GrowthRules()) -> list
     Shapes compete for points: of two that run along each other only the better one stays.
     """
     lines = _all_lines(ridges, rules)
-    taken = np.zeros(len(ridges.points), dtype=np.bool_)
+    beside = np.full(len(ridges.points), np.inf)
     for grown in _chosen(lines, ridges, rules.shortest):
         if len(grown.members) >= _LONG:
-            taken[grown.members] = True
-    found = grow_arcs(*_inputs(ridges, rules), taken)
+            away = grown.geometry.distances(ridges.points[grown.members])
+            beside[grown.members] = np.minimum(beside[grown.members], away)
+    found = grow_arcs(*_inputs(ridges, rules), beside)
     arcs = [Grown(_circle(row), own) for row, own in _unpacked(found)]
     return _chosen(lines + arcs, ridges, rules.shortest)
 
@@ -114,7 +115,7 @@ def warm_up() -> None:
     tables = (np.zeros((0, 2)), np.zeros((0, 2)), np.full((1, 1), -1, dtype=np.int32))
     limits, fit = (14.0, 0.8, 0.97), (5.0, 0.35, 0.32, 0.8)
     grow_lines(tables, limits, fit)
-    grow_arcs(tables, limits, fit, np.zeros(0, dtype=np.bool_))
+    grow_arcs(tables, limits, fit, np.zeros(0))
 
 
 def _line(row: Floats) -> Line:

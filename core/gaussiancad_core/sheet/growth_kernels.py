@@ -17,6 +17,9 @@ _CONSUMED_COSINE = np.cos(np.radians(22.0))
 _BENT_END = 6.0
 """px at either end of a line in which another stroke's ink may bend the ridge."""
 
+_NEARER = 0.05
+"""px by which a line's point may be nearer to the line than to an arc that has it as well."""
+
 _CHAINS = (6, 11, 20, 34)
 """px of chain on each side of a point from which an arc is started, in turn."""
 
@@ -204,16 +207,20 @@ def _line_quality(points, own, number, line):  # noqa: ANN001, ANN202
 
 
 @njit(cache=True)
-def grow_arcs(tables, limits, fit, taken):  # noqa: ANN001, ANN201
-    """Arcs from all points that are not taken: rows (x, y, r, 0) and members, as for lines."""
+def grow_arcs(tables, limits, fit, beside):  # noqa: ANN001, ANN201
+    """Arcs from all points that no line has: rows (x, y, r, 0) and members, as for lines.
+
+    ``beside`` is each point's distance from the line that has it, infinite where none has.
+    """
     points = tables[0]
     count = len(points)
     rows, splits = [np.zeros(4)], [0]
     members = np.empty(0, dtype=np.int64)
     used = 0
-    tried = taken.copy()
+    tried = beside < np.inf
     scratch = _scratch(count)
     own = scratch[1]
+    unclaimed = np.full(count, np.inf)
     circle = np.zeros(4)
     for seed in range(count):
         if tried[seed]:
@@ -223,13 +230,13 @@ def grow_arcs(tables, limits, fit, taken):  # noqa: ANN001, ANN201
             number = _chain(tables, seed, chain, scratch)
             if number < 5 or not _osculating(tables, seed, own, number, circle):
                 continue
-            good, number = _grow_arc(tables, (limits, fit), seed, circle, scratch)
+            good, number = _grow_arc(tables, (limits, fit), seed, circle, (scratch, beside))
             if not good:
                 continue
             for k in range(number):
                 tried[own[k]] = True
             consumed = (limits[0], _CONSUMED, _CONSUMED_COSINE)
-            number, _ = _along_circle(tables, circle, seed, consumed, scratch)
+            number, _ = _along_circle(tables, circle, seed, consumed, (scratch, unclaimed))
             members = _room(members, used, number)
             members[used : used + number] = own[:number]
             used += number
@@ -311,15 +318,15 @@ def _osculating(tables, seed, own, number, circle):  # noqa: ANN001, ANN202
 
 
 @njit(cache=True)
-def _grow_arc(tables, rules, seed, circle, scratch):  # noqa: ANN001, ANN202
+def _grow_arc(tables, rules, seed, circle, work):  # noqa: ANN001, ANN202
     """Grow an arc in place: whether it is one, and how many points it has."""
-    points, own = tables[0], scratch[1]
+    points, own = tables[0], work[0][1]
     limits, fit = rules
     number, before, sweep = 0, -1, 0.0
     for turn in range(12):
         band = 1.8 if turn < 2 else (1.2 if turn < 4 else limits[1])
         looser = (limits[0], band, limits[2])
-        number, sweep = _along_circle(tables, circle, seed, looser, scratch)
+        number, sweep = _along_circle(tables, circle, seed, looser, work)
         if number < fit[0] or not _fit_circle(points, own, number, circle):
             return False, number
         if turn > 4 and number == before:
@@ -337,12 +344,12 @@ def _grow_arc(tables, rules, seed, circle, scratch):  # noqa: ANN001, ANN202
 
 
 @njit(cache=True)
-def _along_circle(tables, circle, seed, limits, scratch):  # noqa: ANN001, ANN202
+def _along_circle(tables, circle, seed, limits, work):  # noqa: ANN001, ANN202
     """Collect the points around a circle from the seed's angle to a gap both ways, and the angle
     that they span."""
     points, tangents, index = tables
     gap, band, cosine = limits
-    stamp, own, marks = scratch
+    (stamp, own, marks), beside = work
     marks[0] += 1
     mark = marks[0]
     height, width = index.shape
@@ -368,7 +375,8 @@ def _along_circle(tables, circle, seed, limits, scratch):  # noqa: ANN001, ANN20
                         continue
                     ox, oy = points[i, 0] - x, points[i, 1] - y
                     distance = np.hypot(ox, oy)
-                    if abs(distance - radius) > band or distance < 1e-9:
+                    # A tangent's points are the tangent's, however near to the arc.
+                    if abs(distance - radius) > min(band, beside[i] + _NEARER) or distance < 1e-9:
                         continue
                     # A point counts where it lies, not where it is first seen from.
                     if abs(ox * sine_here - oy * cosine_here) > 1.0:

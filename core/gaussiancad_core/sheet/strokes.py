@@ -54,6 +54,15 @@ _MIN_NEW = 0.4
 _MIN_CLEAR = 0.25
 """Share that no earlier stroke explains: half of a dash can lie under one that crosses it."""
 
+_BENT = 0.12
+"""Sagitta in px of what is new of an arc, from which it is a fillet between its tangents."""
+
+_MIN_BENT = 0.04
+"""Share of a fillet that no earlier stroke explains."""
+
+_PULLED = 0.5
+"""px by which a fit to the ink may move a circle that the ridges gave."""
+
 _HALF_TURN = 90
 """Marks of direction in half a turn."""
 
@@ -129,7 +138,16 @@ def _candidates(sheet: CleanSheet, finder: Finder) -> tuple[list[Line], list[Cir
     grown = grow_shapes(ridge_points(sheet.weight, sheet.stroke_width), rules)
     lines = [shape.geometry for shape in grown if isinstance(shape.geometry, Line)]
     circles = [shape.geometry for shape in grown if isinstance(shape.geometry, Circle)]
-    return lines, [fit_circle(sheet, circle) or circle for circle in circles]
+    return lines, [_better_fit(sheet, circle) for circle in circles]
+
+
+def _better_fit(sheet: CleanSheet, circle: Circle) -> Circle:
+    """The circle fitted to the ink, exact where it is whole; tangents pull a fillet away."""
+    fitted = fit_circle(sheet, circle)
+    if fitted is None:
+        return circle
+    moved = (*np.subtract(fitted.centre, circle.centre), fitted.radius - circle.radius)
+    return fitted if np.abs(moved).max() < _PULLED else circle
 
 
 def view_rhythm(views: list[ViewShapes], stroke_width: float) -> Rhythm:
@@ -238,6 +256,11 @@ def _is_new(geometry: Line | Circle, run: Run, explained: npt.NDArray[np.uint8])
     turn = np.abs(marks - _direction_marks(np.gradient(exact, axis=0)))
     alike = np.minimum(turn, _HALF_TURN - turn) <= _ALIKE
     old = marks > 0
+    if isinstance(geometry, Circle):
+        # Of an arc between two tangents only the middle lies clear of them: it must be bent.
+        fresh = float((~(old & alike)).mean()) * run.length
+        if fresh**2 / (8 * geometry.radius) > _BENT and (~old).mean() > _MIN_BENT:
+            return True
     return bool((~old).mean() > _MIN_CLEAR and (~(old & alike)).mean() > _MIN_NEW)
 
 
