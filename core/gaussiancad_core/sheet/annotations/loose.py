@@ -41,6 +41,12 @@ _STEADY = 4
 
 _SHORTEST_PX = 5
 
+_BRIDGE = np.ones((7, 7), np.uint8)
+"""Closes gaps of fewer px than it has."""
+
+_AHEAD_PX, _AROUND_PX = 14.0, 4.0
+"""px ahead of the end of a line, and beside it, where nothing is if it sticks out."""
+
 _LETTERED = 0.12
 """Share of a box that letters fill at least, for it to be one around them."""
 
@@ -106,7 +112,8 @@ def split_loose(
         ink: (h, w) bool, without what was marked.
         rule: which of the runs that part nothing are marked.
     """
-    closed = cv2.dilate(ink.astype(np.uint8), np.ones((3, 3), np.uint8))
+    # An outline that faded somewhere still parts the view from the paper.
+    closed = cv2.morphologyEx(ink.astype(np.uint8), cv2.MORPH_CLOSE, _BRIDGE)
     _, areas, facts, _ = cv2.connectedComponentsWithStats(1 - closed, connectivity=4)
     paper = 1 + int(np.argmax(facts[1:, cv2.CC_STAT_AREA])) if len(facts) > 1 else -1
     cut: list[InkedShape] = []
@@ -119,7 +126,8 @@ def split_loose(
             if kind is None and run.run.length > rule.shortest:
                 parts = _parts(shape, run, areas, paper)
             # A line that runs on over blank paper is no edge, nor is its rest within a view.
-            loose = rule.everywhere or any(side is _Side.PAPER for _, side in parts)
+            over_paper = any(side is _Side.PAPER for _, side in parts)
+            loose = rule.everywhere or (over_paper and _sticks_out(shape, run.run, ink))
             for part, side in parts:
                 runs.append(InkedRun(part, run.width))
                 parting = side is _Side.PARTING or not loose
@@ -127,6 +135,22 @@ def split_loose(
         cut.append(InkedShape(shape.geometry, tuple(runs)))
         cut_kinds.append(marks)
     return cut, cut_kinds
+
+
+def _sticks_out(shape: InkedShape, run: Run, ink: Mask) -> bool:
+    """Whether a straight run ends on blank paper: nothing goes on ahead or meets it there."""
+    if not isinstance(shape.geometry, Line):
+        return False
+    direction = np.array(shape.geometry.direction)
+    normal = np.array([-direction[1], direction[0]])
+    for position, outward in ((run.start, -1.0), (run.end, 1.0)):
+        end = np.array(shape.geometry.at(position))
+        ahead = np.arange(3.0, _AHEAD_PX)
+        beside = np.arange(-_AROUND_PX, _AROUND_PX + 1.0)
+        places = end + outward * ahead[:, None, None] * direction + beside[:, None] * normal
+        if not _at(ink, places.reshape(-1, 2)).any():
+            return True
+    return False
 
 
 def _parts(
