@@ -4,6 +4,7 @@ Parts (the samples and parts by chance) are drawn in every style, with roles and
 from part to part, written to files, and read with nothing told.
 
     .venv/bin/python benchmarks/sheet_reading.py [--parts N] [--styles NAME ...] [--keep DIR]
+    .venv/bin/python benchmarks/sheet_reading.py --finder hough --median 5
     .venv/bin/python benchmarks/sheet_reading.py --data DIR [--keep DIR]
 
 Precision and recall are shares of length: a point of a stroke counts where a stroke of the same
@@ -43,7 +44,7 @@ from gaussiancad_core.projection_choice import choose_projection
 from gaussiancad_core.samples import SAMPLES, sample
 from gaussiancad_core.samples.random_parts import random_part
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
-from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.sheet.options import MEDIAN_KERNEL, Finder, ReadingOptions
 from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import find_views, read_views
 from gaussiancad_core.views import Linetype
@@ -77,14 +78,14 @@ class Found:
     alternatives: tuple[Projection, ...]
 
 
-def read(path: Path) -> Found:
-    """Read a sheet as ``gaussiancad reconstruct`` does, with nothing told."""
-    clean = upright_sheet(clean_sheet(read_sheet(path).grey))
+def read(path: Path, reading: ReadingOptions) -> Found:
+    """Read a sheet as ``gaussiancad reconstruct`` does, with nothing told of it."""
+    clean = upright_sheet(clean_sheet(read_sheet(path).grey, reading.median_kernel))
     separated, layout = find_views(clean, {}, None)
-    drawn = read_views(separated.part, layout)
+    drawn = read_views(separated.part, layout, finder=reading.finder)
     projection, alternatives = layout.projection, layout.alternatives
     if alternatives:
-        choice = choose_projection(drawn, projection, ReadingOptions())
+        choice = choose_projection(drawn, projection, reading)
         drawn, projection = choice.registered.drawn, choice.projection
         alternatives = () if choice.inferred else (projection.other,)
     turn = clean.turn
@@ -176,6 +177,7 @@ class Job:
     styles: tuple[str, ...]
     keep: Path | None
     keep_below: float
+    reading: ReadingOptions
 
     def lines(self) -> tuple[PartLines, Projection]:
         """The part's lines, which all styles share."""
@@ -197,7 +199,7 @@ def run(job: Job) -> list[Result]:
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / f"{job.name}-{text.replace(',', '-').replace('=', '')}.{suffix}"
             write_image(sheet.image, path, style.jpeg_quality, sheet.dpi)
-            result, marks, found = _read_and_compare(path, sheet, style, (job.name, text))
+            result, marks, found = _read_and_compare(path, sheet, style, job, text)
             results.append(result)
             if job.keep is not None and (result.failure or result.score < job.keep_below):
                 job.keep.mkdir(parents=True, exist_ok=True)
@@ -208,11 +210,12 @@ def run(job: Job) -> list[Result]:
 
 
 def _read_and_compare(
-    path: Path, sheet: Sheet, style: SheetStyle, names: tuple[str, str]
+    path: Path, sheet: Sheet, style: SheetStyle, job: Job, text: str
 ) -> tuple[Result, Marks, Found | None]:
+    names = (job.name, text)
     started = time.perf_counter()
     try:
-        found = read(path)
+        found = read(path, job.reading)
     except GaussianCadError as error:
         drawn = [stroke for view in sheet.views for stroke in view.strokes]
         lost, _, _ = match(drawn, [], 0.5 * style.visible_width)
@@ -257,7 +260,13 @@ def jobs_of(options: argparse.Namespace) -> Iterator[Job]:
     names = chain(((part.name, options.seed + i) for i, part in enumerate(SAMPLES)), chance)
     for index, (name, seed) in enumerate(islice(names, options.parts)):
         if not options.only or name in options.only:
-            yield Job(name, seed, index, tuple(options.styles), options.keep, options.keep_below)
+            styles, reading = tuple(options.styles), _reading(options)
+            yield Job(name, seed, index, styles, options.keep, options.keep_below, reading)
+
+
+def _reading(options: argparse.Namespace) -> ReadingOptions:
+    """How sheets are read; the GaussianCAD paper's way is ``--finder hough --median 3``."""
+    return ReadingOptions(median_kernel=options.median, finder=Finder(options.finder))
 
 
 def print_table(results: Sequence[Result]) -> None:
@@ -313,7 +322,7 @@ def read_folder(options: argparse.Namespace) -> None:
             continue
         started = time.perf_counter()
         try:
-            found = read(path)
+            found = read(path, _reading(options))
         except GaussianCadError as error:
             print(f"{path.name:32}{time.perf_counter() - started:7.2f} s  {error.code}: {error}")
             continue
@@ -344,6 +353,8 @@ def main() -> None:
     parser.add_argument("--keep-below", type=float, default=0.97)
     parser.add_argument("--worst", type=int, default=12)
     parser.add_argument("--json", type=Path, help="file for the figures of every sheet")
+    parser.add_argument("--finder", choices=[finder.value for finder in Finder], default="ridges")
+    parser.add_argument("--median", type=int, choices=(0, 3, 5, 7), default=MEDIAN_KERNEL)
     parser.add_argument("--data", type=Path, help="folder of other sheets, read without a truth")
     options = parser.parse_args()
     cv2.setNumThreads(1)
