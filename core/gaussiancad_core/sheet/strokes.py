@@ -1,4 +1,4 @@
-"""The strokes of one view: Hough shapes, cut by the ink under them, with exact ends.
+"""The strokes of one view: lines and circles, cut by the ink under them, with exact ends.
 
 The shapes with the most ink come first; every accepted stroke explains its ink, and a shape that
 explains little that is new is dropped: a chord of a circle, or an arc that cuts a corner.  What no
