@@ -44,6 +44,9 @@ _SHORTEST_PX = 5
 _BRIDGE = np.ones((7, 7), np.uint8)
 """Closes gaps of fewer px than it has."""
 
+_LEAST_OUT_PX = 8.0
+"""px of a line over blank paper: runs seem to end a little beyond their ink."""
+
 _AHEAD_PX, _AROUND_PX = 14.0, 4.0
 """px ahead of the end of a line, and beside it, where nothing is if it sticks out."""
 
@@ -126,7 +129,9 @@ def split_loose(
             if kind is None and run.run.length > rule.shortest:
                 parts = _parts(shape, run, areas, paper)
             # A line that runs on over blank paper is no edge, nor is its rest within a view.
-            over_paper = any(side is _Side.PAPER for _, side in parts)
+            over_paper = any(
+                side is _Side.PAPER and part.length > _LEAST_OUT_PX for part, side in parts
+            )
             loose = rule.everywhere or (over_paper and _sticks_out(shape, run.run, ink))
             for part, side in parts:
                 runs.append(InkedRun(part, run.width))
