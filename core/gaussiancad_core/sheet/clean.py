@@ -30,6 +30,15 @@ _MAX_INK = 0.35
 """Largest share of a line drawing that can be ink; a photograph has more."""
 
 
+_MOST_PIECES = 1500
+"""Pieces of ink from which a sheet is asked for its lines: a full page of text has as many."""
+
+_LINE_PX = 24
+"""px from which a straight piece of ink is a line and no part of a texture."""
+
+_LEAST_LINES = 0.1
+"""Share of the strokes' length that lines have at least."""
+
 _PAPER_SCALE = 4
 """Factor by which the sheet is made smaller to find its paper."""
 
@@ -99,9 +108,21 @@ def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL)
 
 
 def upright_sheet(sheet: CleanSheet) -> CleanSheet:
-    """The sheet turned so that its lines are level; the sheet itself if they are."""
+    """The sheet turned so that its lines are level; the sheet itself if they are.
+
+    Raises:
+        NoModelError: ``not-a-line-drawing``, the ink is many pieces and hardly any is a line.
+    """
     ridges = ridge_points(sheet.weight, sheet.stroke_width)
     shapes = grow_straight(ridges, GrowthRules.of_width(sheet.stroke_width))
+    along_lines = sum(len(shape.members) for shape in shapes if len(shape.members) >= _LINE_PX)
+    pieces, _ = cv2.connectedComponents(sheet.ink.astype(np.uint8), connectivity=8)
+    if pieces > _MOST_PIECES and along_lines < _LEAST_LINES * len(ridges.points):
+        raise NoModelError(
+            "not-a-line-drawing",
+            f"the sheet has {pieces} pieces of ink and hardly a line: use an export or a scan of "
+            "the drawing, not a photograph",
+        )
     turn = find_turn(shapes, sheet.ink.shape)
     if not turn.angle:
         return sheet

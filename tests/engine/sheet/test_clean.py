@@ -202,3 +202,13 @@ def test_a_photograph() -> None:
     with pytest.raises(NoModelError) as caught:
         clean_sheet(image, 0)
     assert caught.value.code == "not-a-line-drawing"
+
+
+def test_a_texture_is_refused_before_it_is_read() -> None:
+    """Many pieces of ink without a line: reading them as letters would take minutes."""
+    rough = np.random.default_rng(0).normal(size=(1000, 1500)).astype(np.float32)
+    smooth = cv2.GaussianBlur(rough, (0, 0), 3.0)
+    image = cv2.normalize(smooth, None, 0, 255, cv2.NORM_MINMAX).astype(np.uint8)
+    with pytest.raises(NoModelError) as caught:
+        upright_sheet(clean_sheet(image))
+    assert caught.value.code == "not-a-line-drawing"
