@@ -15,6 +15,13 @@ from gaussiancad_core.sheet.clean import CleanSheet
 
 Mask = npt.NDArray[np.bool_]
 
+_GAPS_PX = (1, 3, 6)
+"""Half of the gaps in an outline that are closed, in turn: a pixel or two are missing at a corner,
+and more where a copy faded."""
+
+_LEAST_COVERED = 0.1
+"""Share of its box that a view covers at least."""
+
 
 @dataclass(frozen=True)
 class Region:
@@ -111,24 +118,25 @@ def find_outline(
     factor = supersampling
     fine = cv2.resize(weight, None, fx=factor, fy=factor, interpolation=cv2.INTER_CUBIC)
     ink = (fine > 0.5).astype(np.uint8)
-    # A pixel or two missing at a corner would open the outline.
-    reach = 2 * factor + 1
-    ink = cv2.morphologyEx(ink, cv2.MORPH_CLOSE, np.ones((reach, reach), np.uint8))
-    contours, _ = cv2.findContours(ink, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
-    if not contours:
-        return None
-    filled = np.zeros_like(ink)
-    cv2.drawContours(filled, contours, -1, 1, cv2.FILLED)
-    half = _outline_width(ink, filled) / 2
-    # Distances count from the first pixel outside, half a pixel beyond the edge.
-    inside = cv2.distanceTransform(filled, cv2.DIST_L2, 5) - 0.5
-    outside = cv2.distanceTransform(1 - filled, cv2.DIST_L2, 5) - 0.5
-    depth = np.where(filled > 0, inside, -outside) - half
-    covered = float((depth > 0).sum()) / max((box[2] - box[0]) * (box[3] - box[1]) * factor**2, 1.0)
-    if covered < 0.1:
-        return None
-    regions = _regions(ink, filled, half)
-    return Outline(depth.astype(np.float32), regions, factor, (float(x0), float(y0)))
+    area = (box[2] - box[0]) * (box[3] - box[1]) * factor**2
+    for gap in _GAPS_PX:
+        reach = 2 * gap * factor + 1
+        # Padded, or closing would fill what lies near the border.
+        padded = np.pad(ink, reach)
+        closed = cv2.morphologyEx(padded, cv2.MORPH_CLOSE, np.ones((reach, reach), np.uint8))
+        closed = np.ascontiguousarray(closed[reach:-reach, reach:-reach])
+        filled = np.zeros_like(ink)
+        contours, _ = cv2.findContours(closed, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+        cv2.drawContours(filled, contours, -1, 1, cv2.FILLED)
+        half = _outline_width(closed, filled) / 2 if contours else 0.0
+        # Distances count from the first pixel outside, half a pixel beyond the edge.
+        inside = cv2.distanceTransform(filled, cv2.DIST_L2, 5) - 0.5
+        outside = cv2.distanceTransform(1 - filled, cv2.DIST_L2, 5) - 0.5
+        depth = np.where(filled > 0, inside, -outside) - half
+        if float((depth > 0).sum()) >= _LEAST_COVERED * max(area, 1.0):
+            regions = _regions(closed, filled, half)
+            return Outline(depth.astype(np.float32), regions, factor, (float(x0), float(y0)))
+    return None
 
 
 def _near(ink: Mask) -> npt.NDArray[np.float32]:

@@ -1,0 +1,31 @@
+"""Outlines that faded somewhere are closed, those with a side missing are not."""
+
+import cv2
+import numpy as np
+import pytest
+
+from gaussiancad_core.sheet.clean import clean_sheet
+from gaussiancad_core.sheet.masks import find_outline
+
+BOX = (100.0, 80.0, 401.0, 281.0)
+
+
+def _rectangle(gap: int) -> np.ndarray:
+    """A rectangle of lines 3 px wide whose upper side lacks some px."""
+    image = np.full((360, 500), 255, np.uint8)
+    cv2.rectangle(image, (100, 80), (400, 280), 0, 3)
+    if gap:
+        image[70:90, 240 : 240 + gap] = 255
+    return image
+
+
+@pytest.mark.parametrize("gap", [0, 2, 5, 9])
+def test_a_faded_outline_is_closed(gap: int) -> None:
+    outline = find_outline(clean_sheet(_rectangle(gap)), BOX, 2)
+    assert outline is not None
+    assert outline.mask.sum() / 4 == pytest.approx(300 * 200, rel=0.01)
+    assert outline.box == pytest.approx((100.5, 80.5, 400.5, 280.5), abs=0.6)
+
+
+def test_an_outline_without_a_side_stays_open() -> None:
+    assert find_outline(clean_sheet(_rectangle(60)), BOX, 2) is None
