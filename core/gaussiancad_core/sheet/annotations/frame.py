@@ -18,11 +18,11 @@ _SPAN = 0.6
 """Share of the sheet that a piece of a frame spans one way at least."""
 
 _MIDDLE = (0.1, 0.1, 0.9, 0.8)
-"""Left, top, right and bottom of the middle of a sheet, as shares: frames and title blocks lie
-outside."""
+"""Left, top, right and bottom of the middle of a frame, as shares of its box: its lines and title
+block lie outside."""
 
 _IN_MIDDLE = 0.1
-"""Share of a frame's ink in the middle of the sheet at most."""
+"""Share of a frame's ink in its middle at most."""
 
 _LARGEST = 0.3
 """Share of the sheet that the drawing area has at least: less is a view drawn large."""
@@ -55,16 +55,12 @@ def find_frame(ink: Mask, turn: Turn) -> Frame | None:
     # Lines of one pixel that a scan broke still hold together.
     closed = cv2.dilate(ink.astype(np.uint8), np.ones((3, 3), np.uint8))
     _, labels, stats, _ = cv2.connectedComponentsWithStats(closed, connectivity=8)
-    left, top, right, bottom = _MIDDLE
-    middle = labels[
-        int(top * height) : int(bottom * height), int(left * width) : int(right * width)
-    ]
-    inner = np.bincount(middle.ravel(), minlength=len(stats)) / stats[:, cv2.CC_STAT_AREA]
     spans = (stats[:, cv2.CC_STAT_WIDTH] > _SPAN * width) | (
         stats[:, cv2.CC_STAT_HEIGHT] > _SPAN * height
     )
-    spans &= inner < _IN_MIDDLE
     spans[0] = False
+    for label in np.flatnonzero(spans):
+        spans[label] = _share_in_middle(labels, stats[label], label) < _IN_MIDDLE
     if not spans.any():
         return None
     frame = spans[labels]
@@ -92,6 +88,16 @@ def find_frame(ink: Mask, turn: Turn) -> Frame | None:
     ]
     marks += [Mark(AnnotationKind.TITLE_BLOCK, _box(fact)) for fact in fields]
     return Frame(drawing_area, tuple(marks))
+
+
+def _share_in_middle(labels: np.ndarray, fact: np.ndarray, label: int) -> float:
+    """Share of a piece's ink in the middle of its own box: the paper may be wider than the frame
+    is."""
+    x, y, w, h, count = (int(value) for value in fact)
+    left, top, right, bottom = _MIDDLE
+    rows = slice(y + int(top * h), y + int(bottom * h))
+    columns = slice(x + int(left * w), x + int(right * w))
+    return float((labels[rows, columns] == label).sum()) / count
 
 
 def _is_field(ink: Mask, fact: np.ndarray) -> bool:
