@@ -7,14 +7,24 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.precision import Precision
-from gaussiancad_core.drawing.strokes import DrawnStroke, Polyline, extent, is_closed, part
-from gaussiancad_core.views import Arc, Segment
+from gaussiancad_core.drawing.strokes import (
+    DrawnStroke,
+    Polyline,
+    as_chain,
+    extent,
+    is_closed,
+    part,
+)
+from gaussiancad_core.views import Arc, Ellipse, Segment
 
 Points = npt.NDArray[np.float64]
 
 _FEW_SAMPLES = 24
 _MOST_SAMPLES = 250
 _DIVISIONS, _ROUNDS = 16, 4
+
+_CHORD = 1e-5
+"""Share of its longer half axis at which an ellipse's chords may lie beside it."""
 
 
 class StrokeIndex:
@@ -138,6 +148,8 @@ def points_at(stroke: DrawnStroke, positions: Points) -> Points:
         return np.array(stroke.centre) + stroke.radius * np.stack(
             [np.cos(angles), np.sin(angles)], axis=1
         )
+    if isinstance(stroke, Ellipse):
+        return stroke.at(stroke.parameters(positions))
     vertices = np.array(stroke.points)
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(vertices, axis=0).T))])
     return np.stack([np.interp(positions, along, vertices[:, axis]) for axis in (0, 1)], axis=1)
@@ -149,6 +161,9 @@ def distances(points: Points, stroke: DrawnStroke) -> Points:
         return _chain_distances(points, np.array([stroke.start, stroke.end]))
     if isinstance(stroke, Polyline):
         return _chain_distances(points, np.array(stroke.points))
+    if isinstance(stroke, Ellipse):
+        chain = as_chain(stroke, _CHORD * stroke.semi_major)
+        return _chain_distances(points, np.array(chain.points))
     offsets = points - np.array(stroke.centre)
     turn = np.mod(np.arctan2(offsets[:, 1], offsets[:, 0]) - stroke.start_angle, 2.0 * np.pi)
     radial = np.abs(np.hypot(*offsets.T) - stroke.radius)

@@ -4,12 +4,15 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.coverage import StrokeIndex
-from gaussiancad_core.drawing.strokes import DrawnStroke, Polyline
-from gaussiancad_core.views import Arc, Segment
+from gaussiancad_core.drawing.strokes import DrawnStroke, Polyline, as_chain
+from gaussiancad_core.views import Arc, Ellipse, Segment
 
 Points = npt.NDArray[np.float64]
 
 _TURN = 2.0 * np.pi
+
+_CHORD = 1e-5
+"""Share of its longer half axis at which an ellipse's chords may lie beside it."""
 
 
 def junctions(stroke: DrawnStroke, others: StrokeIndex, tolerance: float) -> Points:
@@ -41,9 +44,11 @@ def _meet(one: DrawnStroke, other: DrawnStroke, tolerance: float) -> Points:
     return _chords_meet(_vertices(one), _vertices(other), tolerance)
 
 
-def _vertices(stroke: Segment | Polyline) -> Points:
+def _vertices(stroke: Segment | Ellipse | Polyline) -> Points:
     if isinstance(stroke, Segment):
         return np.array([stroke.start, stroke.end])
+    if isinstance(stroke, Ellipse):
+        return np.array(as_chain(stroke, _CHORD * stroke.semi_major).points)
     return np.array(stroke.points)
 
 

@@ -11,14 +11,24 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.dashes import dash_intervals
-from gaussiancad_core.drawing.strokes import FULL_TURN, DrawnStroke, Polyline, is_closed, part
+from gaussiancad_core.drawing.strokes import (
+    FULL_TURN,
+    DrawnStroke,
+    Polyline,
+    as_chain,
+    is_closed,
+    part,
+)
 from gaussiancad_core.drawing.style import Cap, SheetStyle
-from gaussiancad_core.views import Arc, Linetype, Segment
+from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment
 
 Coverage = npt.NDArray[np.float32]
 
 _REACH = 1.5
 """Pixels beyond a stroke's border up to which centres are looked at."""
+
+_CHORD = 0.01
+"""Pixels beside an ellipse at which its chords may lie."""
 
 
 def rasterise(strokes: tuple[DrawnStroke, ...], style: SheetStyle) -> Coverage:
@@ -64,6 +74,8 @@ def draw_stroke(ink: Coverage, stroke: DrawnStroke, width: float, cap: Cap) -> N
         _draw_segment(ink, ends, width, (cap, cap))
     elif isinstance(stroke, Arc):
         _draw_arc(ink, stroke, width, cap)
+    elif isinstance(stroke, Ellipse):
+        _draw_chain(ink, as_chain(stroke, _CHORD), width, cap)
     else:
         _draw_chain(ink, stroke, width, cap)
 

@@ -1,11 +1,16 @@
-"""The strokes of a drawing: straight, circular, and everything else as a fine chain."""
+"""The strokes of a drawing: straight, circular, and everything else as a fine chain.
+
+The lines of a solid are segments, arcs and chains; ellipses come from sheets that were read, and
+from :func:`as_plain_strokes`, which knows the chains that run along one.
+"""
 
 from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.views import Arc, Linetype, Segment
+from gaussiancad_core.ellipses import ellipse_through
+from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
 
 @dataclass(frozen=True)
@@ -46,21 +51,65 @@ class Polyline:
         )
 
 
-DrawnStroke = Segment | Arc | Polyline
+DrawnStroke = Segment | Arc | Ellipse | Polyline
 
 FULL_TURN = 2.0 * np.pi * (1.0 - 1e-9)
 """Sweeps from here on are whole circles."""
 
 
-def as_plain_strokes(strokes: tuple[DrawnStroke, ...]) -> tuple[Segment | Arc, ...]:
-    """The strokes as :data:`gaussiancad_core.views.Stroke`: chains become their chords."""
-    plain: list[Segment | Arc] = []
+_ON_ELLIPSE = 2e-4
+"""Share of a chain's size by which its points may lie beside an ellipse that replaces it."""
+
+_LONGEST_CHORD = np.radians(15.0)
+"""Largest step of the parameter between two points of a chain along an ellipse."""
+
+_LEAST_SWEEP = np.radians(20.0)
+"""Under this turn, many ellipses fit a chain."""
+
+
+def as_plain_strokes(strokes: tuple[DrawnStroke, ...]) -> tuple[Stroke, ...]:
+    """The strokes as :data:`gaussiancad_core.views.Stroke`: chains along an ellipse become that
+    ellipse, others their chords."""
+    plain: list[Stroke] = []
     for stroke in strokes:
-        if isinstance(stroke, Polyline):
-            plain.extend(stroke.segments())
-        else:
+        if not isinstance(stroke, Polyline):
             plain.append(stroke)
+            continue
+        ellipse = _ellipse_along(stroke)
+        plain.extend(stroke.segments() if ellipse is None else [ellipse])
     return tuple(plain)
+
+
+def _ellipse_along(chain: Polyline) -> Ellipse | None:
+    """The ellipse that a chain's points lie on, from one end to the other."""
+    points = np.array(chain.points)
+    found = ellipse_through(points)
+    if found is None:
+        return None
+    away, parameters = found.away(points)
+    size = float(np.ptp(points, axis=0).max())
+    steps = np.diff(np.unwrap(parameters))
+    way = np.sign(steps.sum())
+    sweep = abs(float(steps.sum()))
+    even = (way * steps > 0.0).all() and np.abs(steps).max() < _LONGEST_CHORD
+    if np.abs(away).max() > _ON_ELLIPSE * size or not even or sweep < _LEAST_SWEEP:
+        return None
+    first = float(np.mod(parameters[0] if way > 0.0 else parameters[-1], 2.0 * np.pi))
+    axes = found.semi_major, found.semi_minor, found.rotation
+    turn = min(sweep, 2.0 * np.pi)
+    return Ellipse(found.centre, *axes, first, turn, chain.linetype, chain.confidence)
+
+
+def as_chain(ellipse: Ellipse, chord: float) -> Polyline:
+    """A fine chain along an ellipse, at most ``chord`` beside it."""
+    # Chords of a circle of the major axis's size lie farther beside it than those of the ellipse.
+    step = np.sqrt(8.0 * chord / ellipse.semi_major)
+    count = max(8, int(np.ceil(ellipse.sweep / step)))
+    points = ellipse.at(ellipse.start + np.linspace(0.0, ellipse.sweep, count + 1))
+    if is_closed(ellipse):
+        points[-1] = points[0]
+    pairs = tuple((float(x), float(y)) for x, y in points)
+    return Polyline(pairs, ellipse.linetype, ellipse.confidence)
 
 
 def extent(strokes: tuple[DrawnStroke, ...]) -> npt.NDArray[np.float64]:
@@ -75,6 +124,8 @@ def _stroke_extent(stroke: DrawnStroke) -> npt.NDArray[np.float64]:
         points = np.array([stroke.start, stroke.end])
     elif isinstance(stroke, Polyline):
         points = np.array(stroke.points)
+    elif isinstance(stroke, Ellipse):
+        points = stroke.extremes()
     else:
         quarters = np.arange(8) * np.pi / 2.0
         first = np.mod(stroke.start_angle, 2.0 * np.pi)
@@ -106,6 +157,16 @@ def mapped(
         return replace(stroke, start=move(stroke.start), end=move(stroke.end))
     if isinstance(stroke, Polyline):
         return replace(stroke, points=tuple(move(point) for point in stroke.points))
+    if isinstance(stroke, Ellipse):
+        first = -(stroke.start + stroke.sweep) if flip else stroke.start
+        return replace(
+            stroke,
+            centre=move(stroke.centre),
+            semi_major=scale * stroke.semi_major,
+            semi_minor=scale * stroke.semi_minor,
+            rotation=sign * stroke.rotation,
+            start=float(np.mod(first, 2.0 * np.pi)),
+        )
     start = -(stroke.start_angle + stroke.sweep) if flip else stroke.start_angle
     return replace(
         stroke,
@@ -127,6 +188,8 @@ def turned(stroke: DrawnStroke, angle: float, centre: tuple[float, float]) -> Dr
         return replace(stroke, start=move(stroke.start), end=move(stroke.end))
     if isinstance(stroke, Polyline):
         return replace(stroke, points=tuple(move(point) for point in stroke.points))
+    if isinstance(stroke, Ellipse):
+        return replace(stroke, centre=move(stroke.centre), rotation=stroke.rotation + angle)
     return replace(
         stroke,
         centre=move(stroke.centre),
@@ -136,7 +199,7 @@ def turned(stroke: DrawnStroke, angle: float, centre: tuple[float, float]) -> Dr
 
 def is_closed(stroke: DrawnStroke) -> bool:
     """Whether the stroke ends where it begins."""
-    if isinstance(stroke, Arc):
+    if isinstance(stroke, Arc | Ellipse):
         return stroke.sweep >= FULL_TURN
     return isinstance(stroke, Polyline) and stroke.points[0] == stroke.points[-1]
 
@@ -151,6 +214,9 @@ def part(stroke: DrawnStroke, low: float, high: float) -> DrawnStroke:
         start = stroke.start_angle + low / stroke.radius
         sweep = (high - low) / stroke.radius
         return Arc(stroke.centre, stroke.radius, start, sweep, stroke.linetype)
+    if isinstance(stroke, Ellipse):
+        first, last = stroke.parameters(np.array([low, high]))
+        return replace(stroke, start=float(first), sweep=float(last - first))
     if isinstance(stroke, Segment):
         ends = np.array([stroke.start, stroke.end])
         low_point, high_point = (

@@ -15,7 +15,7 @@ from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.masks import Outline
 from gaussiancad_core.sheet.options import Box
-from gaussiancad_core.views import Arc, Linetype, Segment, Stroke, View
+from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke, View
 
 DEFAULT_LONGEST_MM = 100.0
 """Longest edge of the bounding box when the sheet's scale is not known."""
@@ -104,6 +104,8 @@ def view_box(strokes: tuple[Stroke, ...], outline: Outline) -> Box:
 def _extremes(stroke: Stroke) -> npt.NDArray[np.float64]:
     if isinstance(stroke, Segment):
         return np.array([stroke.start, stroke.end])
+    if isinstance(stroke, Ellipse):
+        return stroke.extremes()
     quarters = np.arange(0.0, 4 * np.pi, np.pi / 2)
     inside = quarters[
         (quarters >= stroke.start_angle) & (quarters <= stroke.start_angle + stroke.sweep)
@@ -168,6 +170,18 @@ def strokes_in_plane(strokes: tuple[Stroke, ...], place: Placement) -> tuple[Str
             placed.append(replace(stroke, start=moved(stroke.start), end=moved(stroke.end)))
             continue
         # The sheet's y runs down: angles change sign and the arc starts at its other end.
+        if isinstance(stroke, Ellipse):
+            placed.append(
+                replace(
+                    stroke,
+                    centre=moved(stroke.centre),
+                    semi_major=stroke.semi_major * scale / 2,
+                    semi_minor=stroke.semi_minor * scale / 2,
+                    rotation=-stroke.rotation,
+                    start=float(-(stroke.start + stroke.sweep) % (2 * np.pi)),
+                )
+            )
+            continue
         start = -(stroke.start_angle + stroke.sweep) % (2 * np.pi)
         placed.append(
             Arc(

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.views import Arc, Linetype, Stroke
+from gaussiancad_core.views import Linetype, Segment, Stroke
 
 _COVERED = 0.94
 """Share of the material's depth that a hole's walls must show."""
@@ -141,7 +141,7 @@ def _near(
     stroke: Stroke, depth: npt.NDArray[np.float64], position: float, vertical: bool, slack: float
 ) -> npt.NDArray[np.bool_]:
     """Which samples lie on a straight stroke along the depth."""
-    if isinstance(stroke, Arc):
+    if not isinstance(stroke, Segment):
         return np.zeros(len(depth), bool)
     across = (0, 1) if vertical else (1, 0)
     ends = (stroke.start, stroke.end)

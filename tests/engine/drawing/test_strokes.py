@@ -5,6 +5,7 @@ from hypothesis import strategies as st
 
 from gaussiancad_core.drawing.strokes import (
     Polyline,
+    as_chain,
     as_plain_strokes,
     extent,
     is_closed,
@@ -12,7 +13,7 @@ from gaussiancad_core.drawing.strokes import (
     part,
     turned,
 )
-from gaussiancad_core.views import Arc, Linetype, Segment
+from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment
 
 VISIBLE, HIDDEN = Linetype.VISIBLE, Linetype.HIDDEN
 TURN = 2.0 * np.pi
@@ -21,6 +22,15 @@ point = st.tuples(number, number)
 segments = st.tuples(point, point).map(lambda ends: Segment(*ends, VISIBLE))
 arcs = st.builds(
     Arc, point, st.floats(0.5, 40.0), st.floats(0.0, 6.28), st.floats(0.01, TURN), st.just(HIDDEN)
+)
+ellipses = st.builds(
+    lambda centre, major, ratio, *turns: Ellipse(centre, major, ratio * major, *turns, HIDDEN),
+    point,
+    st.floats(0.5, 40.0),
+    st.floats(0.1, 1.0),
+    st.floats(-3.0, 3.0),
+    st.floats(0.0, 6.28),
+    st.floats(0.1, TURN),
 )
 ZIGZAG = Polyline(((0.0, 0.0), (3.0, 4.0), (3.0, 10.0), (9.0, 2.0)), HIDDEN)
 SQUARE = Polyline(((0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (0.0, 0.0)), VISIBLE)
@@ -42,6 +52,22 @@ def test_plain_strokes_are_the_chords() -> None:
     assert {stroke.linetype for stroke in plain[1:]} == {HIDDEN}
 
 
+@given(ellipses)
+def test_the_chain_along_an_ellipse_is_that_ellipse(ellipse: Ellipse) -> None:
+    chain = as_chain(ellipse, 1e-4 * ellipse.semi_major)
+    assert chain.length == pytest.approx(ellipse.length, rel=2e-3)
+    plain = as_plain_strokes((chain,))
+    # Of a short piece, or a nearly round one, other curves may be told as well.
+    if ellipse.sweep > 1.5:
+        (found,) = plain
+        assert isinstance(found, Ellipse)
+        assert found.linetype is HIDDEN
+        ends, known = ellipse.sample(1e9)[[0, -1]], found.sample(1e9)[[0, -1]]
+        away = min(np.abs(ends - known).max(), np.abs(ends - known[::-1]).max())
+        assert away < 1e-6 * ellipse.semi_major
+        assert found.length == pytest.approx(ellipse.length, rel=1e-6)
+
+
 @given(arcs)
 def test_the_extent_of_an_arc_is_that_of_its_points(arc: Arc) -> None:
     samples = arc.sample(arc.radius / 200.0)
@@ -52,7 +78,12 @@ def test_the_extent_of_an_arc_is_that_of_its_points(arc: Arc) -> None:
     assert np.all(high >= samples.max(axis=0) - 1e-9)
 
 
-@given(st.one_of(segments, arcs, st.just(ZIGZAG)), st.floats(0.1, 20.0), point, st.booleans())
+@given(
+    st.one_of(segments, arcs, ellipses, st.just(ZIGZAG)),
+    st.floats(0.1, 20.0),
+    point,
+    st.booleans(),
+)
 def test_mapping_a_stroke_maps_its_points(
     stroke: Segment | Arc, scale: float, offset: tuple[float, float], flip: bool
 ) -> None:
@@ -61,13 +92,13 @@ def test_mapping_a_stroke_maps_its_points(
     assert image.linetype is stroke.linetype
     expected = stroke.sample(1.0) * (scale, -scale if flip else scale) + np.array(offset)
     found = image.sample(scale * 1.0)
-    if flip and isinstance(stroke, Arc):
+    if flip and isinstance(stroke, Arc | Ellipse):
         expected = expected[::-1]
     if len(found) == len(expected):
         np.testing.assert_allclose(found, expected, atol=1e-9 * scale * 100)
 
 
-@given(st.one_of(segments, arcs), st.floats(-3.0, 3.0), point)
+@given(st.one_of(segments, arcs, ellipses), st.floats(-3.0, 3.0), point)
 def test_turning_there_and_back_changes_nothing(
     stroke: Segment | Arc, angle: float, centre: tuple[float, float]
 ) -> None:
@@ -77,7 +108,7 @@ def test_turning_there_and_back_changes_nothing(
     np.testing.assert_allclose(back.sample(step), stroke.sample(step), atol=1e-9)
 
 
-@given(st.one_of(arcs, st.just(ZIGZAG)), st.floats(0.0, 0.45), st.floats(0.55, 1.0))
+@given(st.one_of(arcs, ellipses, st.just(ZIGZAG)), st.floats(0.0, 0.45), st.floats(0.55, 1.0))
 def test_a_part_has_its_length_and_its_ends(stroke: Arc, low: float, high: float) -> None:
     cut = part(stroke, low * stroke.length, high * stroke.length)
     assert cut.length == pytest.approx((high - low) * stroke.length)

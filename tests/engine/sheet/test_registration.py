@@ -1,0 +1,45 @@
+"""Strokes from sheet pixels to a view's plane."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.sheet.masks import Outline
+from gaussiancad_core.sheet.registration import Placement, strokes_in_plane, view_box
+from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment
+
+PLACE = Placement(Role.FRONT, (100.0, 200.0, 500.0, 440.0), (0.0, 80.0), (0.0, 48.0))
+ANGLE = st.floats(-4.0, 4.0)
+
+
+@given(ANGLE, ANGLE, st.floats(0.2, 6.2), st.sampled_from([Arc, Ellipse, Segment]))
+def test_a_stroke_in_the_plane_is_where_its_points_are(
+    rotation: float, start: float, sweep: float, kind: type
+) -> None:
+    own = {
+        Arc: Arc((250.0, 300.0), 40.0, start, sweep, Linetype.HIDDEN, 0.7),
+        Ellipse: Ellipse((250.0, 300.0), 40.0, 15.0, rotation, start, sweep, Linetype.HIDDEN, 0.7),
+        Segment: Segment((120.0, 210.0), (480.0, 330.0 + 10 * rotation), Linetype.HIDDEN, 0.7),
+    }[kind]
+    (placed,) = strokes_in_plane((own,), PLACE)
+    assert isinstance(placed, kind)
+    assert (placed.linetype, placed.confidence) == (Linetype.HIDDEN, 0.7)
+    assert placed.length == pytest.approx(own.length / 5.0)
+    # The sheet's y runs down: what goes around goes around the other way.
+    expected = PLACE.to_plane(own.sample(own.length / 7.5))
+    found = placed.sample(placed.length / 7.5)
+    assert found == pytest.approx(expected if kind is Segment else expected[::-1], abs=1e-6)
+
+
+def test_the_box_reaches_as_far_as_an_ellipse() -> None:
+    ellipse = Ellipse((50.0, 40.0), 30.0, 10.0, 0.5, 0.0, 2 * np.pi, Linetype.VISIBLE)
+    points = ellipse.sample(0.01)
+    low, high = points.min(0), points.max(0)
+    depth = np.full((80, 100), -1.0, np.float32)
+    x, y = np.rint(low).astype(int)
+    depth[y : round(high[1]), x : round(high[0])] = 1.0
+    assert view_box((ellipse,), Outline(depth, (), 1, (0.0, 0.0))) == pytest.approx(
+        (*low, *high), abs=1e-3
+    )
