@@ -1,0 +1,169 @@
+"""Cells, and the columns of cells that a line of sight meets.
+
+A cell is the space whose points fall into one region of each projection plane, and which lies on
+one side of each extra body.  A line of sight along an axis crosses the surfaces of the supports of
+the two other planes, and those of the bodies; between crossings it is in one cell.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.arrangement import CHAIN, OUTSIDE, Arrangement, distinct
+from gaussiancad_core.reasoning.planes import IN_PLANE
+
+Cell = tuple[int, int, int, int]
+"""Region of the X, Y and Z plane, and a bit for each extra body that it lies in; never outside."""
+
+Vector = tuple[float, float, float]
+
+Surface = tuple[int, int]
+"""Which surface: (normal of the plane, support) or (BODY, body)."""
+
+BODY = 3
+
+_FUSED = 1e-6
+"""Depths closer than this, with parallel normals, are one crossing."""
+
+_PARALLEL = 1.0 - 2e-4
+"""Cosine of the angle within which normals are parallel."""
+
+
+class Body(Protocol):
+    """A surface that is edge-on in no view: the border of a body."""
+
+    def crossings(self, normal: Axis, a: float, b: float) -> list[tuple[float, Vector]]:
+        """Depths and unit normals where the line through (a, b) along an axis meets it."""
+
+    def holds(self, point: Vector) -> bool:
+        """Whether a point lies in it."""
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """Where a column passes from one cell into another.
+
+    Attributes:
+        depth: along the axis.
+        normal: (3,) unit normal of the surface.
+        surface: that is crossed.
+        before, after: the cells; None where void by itself.
+    """
+
+    depth: float
+    normal: Vector
+    surface: Surface
+    before: Cell | None
+    after: Cell | None
+
+
+class Space:
+    """The cells of a part.
+
+    Args:
+        planes: arrangement of each projection plane; planes without views hold the box only.
+        bodies: extra ones.
+
+    Attributes:
+        planes, bodies: as given.
+        values: of each axis where an arrangement has a corner, ascending.
+    """
+
+    def __init__(self, planes: Mapping[Axis, Arrangement], bodies: Sequence[Body] = ()) -> None:
+        self.planes = dict(planes)
+        self.bodies = tuple(bodies)
+        self.values = {axis: self._values(axis) for axis in Axis}
+        self._columns: dict[tuple[Axis, float, float], tuple[Crossing, ...]] = {}
+
+    def _values(self, axis: Axis) -> list[float]:
+        found = []
+        for normal, plane in self.planes.items():
+            if normal is not axis:
+                place = IN_PLANE[normal].index(axis.value)
+                found += [corner[place] for corner in plane.corners]
+        return distinct(found)
+
+    def cell_at(self, point: Vector) -> Cell | None:
+        """The cell of a point, or None outside."""
+        regions = []
+        for normal in Axis:
+            first, second = IN_PLANE[normal]
+            regions.append(self.planes[normal].locate(point[first], point[second]))
+        if OUTSIDE in regions:
+            return None
+        bits = sum(1 << i for i, body in enumerate(self.bodies) if body.holds(point))
+        return regions[0], regions[1], regions[2], bits
+
+    def column(self, normal: Axis, a: float, b: float) -> tuple[Crossing, ...]:
+        """The crossings of the line through (a, b) of a plane, in ascending depth."""
+        key = normal, round(a, 7), round(b, 7)
+        found = self._columns.get(key)
+        if found is None:
+            found = self._columns[key] = self._column(normal, a, b)
+        return found
+
+    def _column(self, normal: Axis, a: float, b: float) -> tuple[Crossing, ...]:
+        own = self.planes[normal].locate(a, b)
+        if own == OUTSIDE:
+            return ()
+        regions = [OUTSIDE, OUTSIDE, OUTSIDE]
+        regions[normal.value] = own
+        # (depth, normal, surface, what changes: a plane's region or a body's bit)
+        steps: list[tuple[float, Vector, Surface, int]] = []
+        for axis, coordinate in zip(IN_PLANE[normal], (a, b), strict=True):
+            # The plane in which this coordinate is fixed, and depth runs along the other.
+            other = next(Axis(i) for i in range(3) if i not in (axis, normal.value))
+            steps += self._plane_steps(other, axis, coordinate, regions)
+        bits = 0
+        for number, body in enumerate(self.bodies):
+            for depth, direction in body.crossings(normal, a, b):
+                steps.append((depth, direction, (BODY, number), 0))
+        steps.sort(key=lambda step: step[0])
+        crossings: list[Crossing] = []
+        before = _cell(regions, bits)
+        for depth, direction, surface, region in steps:
+            if surface[0] == BODY:
+                bits ^= 1 << surface[1]
+            else:
+                regions[surface[0]] = region
+            after = _cell(regions, bits)
+            if surface[1] == CHAIN:
+                before = after
+                continue
+            last = crossings[-1] if crossings else None
+            if last and abs(last.depth - depth) < _FUSED and parallel(last.normal, direction):
+                crossings[-1] = Crossing(last.depth, last.normal, last.surface, last.before, after)
+            else:
+                crossings.append(Crossing(depth, direction, surface, before, after))
+            before = after
+        return tuple(c for c in crossings if c.before != c.after)
+
+    def _plane_steps(
+        self, plane: Axis, axis: int, coordinate: float, regions: list[int]
+    ) -> list[tuple[float, Vector, Surface, int]]:
+        """Steps of a column in one of the planes beside it; sets the region it starts in."""
+        axes = IN_PLANE[plane]
+        trace = self.planes[plane].trace(axes.index(axis), coordinate)
+        regions[plane.value] = trace.regions[0]
+        steps = []
+        for place, (position, flat, support) in enumerate(
+            zip(trace.positions, trace.normals, trace.supports, strict=True)
+        ):
+            direction = [0.0, 0.0, 0.0]
+            direction[axes[0]], direction[axes[1]] = flat
+            steps.append(
+                (position, tuple(direction), (plane.value, support), trace.regions[place + 1])
+            )
+        return steps
+
+
+def parallel(one: Vector, other: Vector) -> bool:
+    """Whether unit normals are parallel, whichever way they point."""
+    return abs(one[0] * other[0] + one[1] * other[1] + one[2] * other[2]) > _PARALLEL
+
+
+def _cell(regions: list[int], bits: int) -> Cell | None:
+    if OUTSIDE in regions:
+        return None
+    return regions[0], regions[1], regions[2], bits

@@ -1,0 +1,48 @@
+"""The lines of a part's views, as the reasoning takes them."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.verification.lines import Curve
+from gaussiancad_core.views import ViewSet
+
+
+@dataclass(frozen=True)
+class DrawnViews:
+    """Strokes of views that show one part.
+
+    Attributes:
+        strokes: of each view, mm in its plane (right, up); segments, arcs, and curves that are
+            neither (ellipses, chains of chords).
+        size: (3,) extent of the part's bounding box in mm; it starts at the origin.
+        tolerance: mm by which strokes may miss where they belong: about a px of a raster sheet,
+            or the rounding of exact lines.
+    """
+
+    strokes: Mapping[Role, tuple[Curve, ...]]
+    size: tuple[float, float, float]
+    tolerance: float
+
+    @property
+    def roles(self) -> tuple[Role, ...]:
+        """The views in their order."""
+        return tuple(self.strokes)
+
+
+EXACT_TOLERANCE = 2e-6
+"""Tolerance of lines known to rounding, as a share of the part's longest extent."""
+
+
+def exact_views(
+    strokes: Mapping[Role, Iterable[Curve]], size: tuple[float, float, float]
+) -> DrawnViews:
+    """Views whose lines are exact: drawn from a solid, or read from a vector file."""
+    return DrawnViews(
+        {role: tuple(drawn) for role, drawn in strokes.items()}, size, EXACT_TOLERANCE * max(size)
+    )
+
+
+def views_as_read(views: ViewSet, tolerance: float) -> DrawnViews:
+    """Views as they were read from a sheet; ``tolerance`` in mm."""
+    return DrawnViews({view.role: view.strokes for view in views.views}, views.size, tolerance)

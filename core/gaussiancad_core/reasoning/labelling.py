@@ -1,0 +1,232 @@
+"""Which cells are material: a constraint problem, solved with CP-SAT.
+
+Every cell is a Boolean.  Rules are hard first.  Where they contradict each other, a smallest set of
+them is given up: rules become assumptions, unsatisfiable cores are relaxed, and what is given up in
+the end weighs least.  Time is deterministic, so that the same input ends at the same labels.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ortools.sat.python import cp_model
+
+from gaussiancad_core.reasoning.columns import Cell
+from gaussiancad_core.reasoning.rules import Group, Rule, Transition
+from gaussiancad_core.views import Linetype
+
+Labels = dict[Cell, bool]
+"""True is material."""
+
+
+class Model:
+    """Rules as clauses over the labels of cells.
+
+    Args:
+        rules: to be fulfilled.
+        relaxable: whether each rule gets a literal that gives it up.
+
+    Attributes:
+        cells: the Boolean of each cell.
+        given_up: literal of each rule, in order; empty if not relaxable.
+    """
+
+    def __init__(self, rules: Sequence[Rule], *, relaxable: bool) -> None:
+        self.model = cp_model.CpModel()
+        self.cells: dict[Cell, cp_model.IntVar] = {}
+        self.given_up: list[cp_model.IntVar] = []
+        self._false = self.model.new_constant(0)
+        self._different: dict[tuple[int, int], cp_model.IntVar] = {}
+        self.surfaces: list[cp_model.IntVar] = []
+        for rule in rules:
+            escape: list[cp_model.IntVar] = []
+            if relaxable:
+                escape = [self.model.new_bool_var("")]
+                self.given_up.append(escape[0])
+            self._add(rule, escape)
+
+    def cell(self, cell: Cell | None) -> cp_model.IntVar:
+        """The Boolean of a cell; void for None."""
+        if cell is None:
+            return self._false
+        if cell not in self.cells:
+            self.cells[cell] = self.model.new_bool_var("")
+        return self.cells[cell]
+
+    def _surface(self, transition: Transition) -> cp_model.IntVar:
+        known = len(self._different)
+        literal = self._differ(self.cell(transition[0]), self.cell(transition[1]))
+        if len(self._different) > known:
+            self.surfaces.append(literal)
+        return literal
+
+    def _differ(self, one: cp_model.IntVar, other: cp_model.IntVar) -> cp_model.IntVar:
+        if one is other:
+            return self._false
+        if one is self._false:
+            return other
+        if other is self._false:
+            return one
+        key = min(one.index, other.index), max(one.index, other.index)
+        if key not in self._different:
+            literal = self.model.new_bool_var("")
+            self.model.add_bool_or([~literal, one, other])
+            self.model.add_bool_or([~literal, ~one, ~other])
+            self.model.add_bool_or([literal, ~one, other])
+            self.model.add_bool_or([literal, one, ~other])
+            self._different[key] = literal
+        return self._different[key]
+
+    def _discrepancies(self, group: Group) -> list[cp_model.IntVar]:
+        found = []
+        for one, other in group.pairs:
+            literal = self._differ(self._surface(one), self._surface(other))
+            if literal is not self._false:
+                found.append(literal)
+        for transition in group.lone:
+            literal = self._surface(transition)
+            if literal is not self._false:
+                found.append(literal)
+        return found
+
+    def _add(self, rule: Rule, escape: list[cp_model.IntVar]) -> None:
+        add = self.model.add_bool_or
+        if rule.linetype is None:
+            for group in rule.groups:
+                for literal in self._discrepancies(group):
+                    add([~literal, *escape])
+            return
+        covering: list[cp_model.IntVar] = []
+        places: list[cp_model.IntVar] = []
+        for group in rule.groups:
+            literals = self._discrepancies(group)
+            if literals:
+                place = self.model.new_bool_var("")
+                add([*literals, ~place])
+                places.append(place)
+                if rule.linetype is Linetype.VISIBLE:
+                    for literal in covering:
+                        self.model.add_implication(place, ~literal)
+                else:
+                    for literal in literals:
+                        add([~literal, *covering, *escape])
+            for transition in group.all:
+                literal = self._surface(transition)
+                if literal is not self._false and literal not in covering:
+                    covering.append(literal)
+        add([*places, *escape] or [self._false])
+
+    def forbid(self, labels: Labels, cells: Sequence[Cell]) -> None:
+        """Ask for labels that differ in at least one of some cells."""
+        self.model.add_bool_or(
+            [~self.cells[cell] if labels[cell] else self.cells[cell] for cell in cells]
+        )
+
+    def labels(self, solver: cp_model.CpSolver) -> Labels:
+        """The labels of a solution."""
+        return {cell: bool(solver.value(literal)) for cell, literal in self.cells.items()}
+
+
+@dataclass(frozen=True)
+class Effort:
+    """How long to look.
+
+    Attributes:
+        hard: deterministic time for the hard problem.
+        cores: for finding what contradicts.
+        soft: for the least that has to be given up.
+        workers: threads; more than one still ends at the same labels.
+    """
+
+    hard: float = 20.0
+    cores: float = 20.0
+    soft: float = 10.0
+    workers: int = 1
+
+
+@dataclass(frozen=True)
+class Labelling:
+    """Labels, and what they leave unexplained.
+
+    Attributes:
+        labels: of the cells; None if there are none in time.
+        given_up: rules that do not hold.
+        complete: whether the search proved what it found: that the rules hold, or that no less can
+            be given up.
+    """
+
+    labels: Labels | None
+    given_up: tuple[Rule, ...]
+    complete: bool
+
+
+def solver_for(time: float, workers: int = 1) -> cp_model.CpSolver:
+    """A solver that stops after a deterministic time and gives the same answer each time."""
+    solver = cp_model.CpSolver()
+    solver.parameters.max_deterministic_time = time
+    solver.parameters.num_workers = workers
+    solver.parameters.interleave_search = workers > 1
+    solver.parameters.random_seed = 0
+    return solver
+
+
+FOUND = (cp_model.OPTIMAL, cp_model.FEASIBLE)
+
+
+def label_cells(rules: Sequence[Rule], effort: Effort) -> Labelling:
+    """Labels under which all rules hold, or all but the least."""
+    hard = Model(rules, relaxable=False)
+    solver = solver_for(effort.hard, effort.workers)
+    status = solver.solve(hard.model)
+    if status in FOUND:
+        return Labelling(hard.labels(solver), (), True)
+    return relaxed_labels(rules, effort)
+
+
+def relaxed_labels(rules: Sequence[Rule], effort: Effort) -> Labelling:
+    """Labels that give up rules of the least weight, by unsatisfiable cores."""
+    model = Model(rules, relaxable=True)
+    number = {literal.index: i for i, literal in enumerate(model.given_up)}
+    weights = [max(1, round(10.0 * rule.weight)) for rule in rules]
+    relaxed: set[int] = set()
+    spent = 0.0
+    solver = solver_for(effort.cores)
+    while True:
+        model.model.clear_assumptions()
+        model.model.add_assumptions(
+            [~literal for i, literal in enumerate(model.given_up) if i not in relaxed]
+        )
+        solver = solver_for(effort.cores - spent)
+        status = solver.solve(model.model)
+        spent += solver.response_proto.deterministic_time
+        if status in FOUND:
+            break
+        if status != cp_model.INFEASIBLE or spent >= effort.cores:
+            return Labelling(None, (), False)
+        core = solver.sufficient_assumptions_for_infeasibility()
+        members = [number[-index - 1 if index < 0 else index] for index in core]
+        if not members:
+            return Labelling(None, (), False)
+        members.sort(key=lambda i: weights[i])
+        relaxed.update(members if len(members) <= 6 else members[: (len(members) + 1) // 2])
+    first = model.labels(solver)
+    model.model.clear_assumptions()
+    for i, literal in enumerate(model.given_up):
+        if i not in relaxed:
+            model.model.add(literal == 0)
+    for cell, literal in model.cells.items():
+        model.model.add_hint(literal, first[cell])
+    model.model.minimize(
+        sum(10 * weights[i] * model.given_up[i] for i in relaxed) + sum(model.surfaces)
+    )
+    final = solver_for(effort.soft, effort.workers)
+    status = final.solve(model.model)
+    if status not in FOUND:
+        return Labelling(first, _broken(rules, first), False)
+    labels = model.labels(final)
+    return Labelling(labels, _broken(rules, labels), status == cp_model.OPTIMAL)
+
+
+def _broken(rules: Sequence[Rule], labels: Labels) -> tuple[Rule, ...]:
+    from gaussiancad_core.reasoning.rules import drawn_under
+
+    return tuple(rule for rule in rules if drawn_under(rule, labels) is not rule.linetype)

@@ -1,0 +1,227 @@
+"""Pieces of lines, drawn or blank, that say something about the cells beside them.
+
+What a view shows can change only where a coordinate has a value of some corner, along supports, and
+along the curves in which the surfaces of the two other planes meet.  Each such line is cut into
+pieces along which nothing changes, and one point stands for each piece.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+from math import hypot
+
+import numpy as np
+
+from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.reasoning.columns import Space
+from gaussiancad_core.reasoning.curves import (
+    CircleCurve,
+    LineCurve,
+    PlaneCurve,
+    Point,
+    axis_line,
+    meetings,
+)
+from gaussiancad_core.reasoning.planes import IN_PLANE
+from gaussiancad_core.reasoning.supports import PlaneSupports, Support
+from gaussiancad_core.views import Linetype
+
+SHARE = 0.43819
+"""Where in a piece its point lies: at middles symmetric parts have coincidences."""
+
+_SHORT = 1e-3
+"""Units that a piece is long at least."""
+
+_NEAR = 1e-5
+"""Units within which a value is that of a support."""
+
+_EDGE_ON = 1e-6
+"""Slope below which a curve's tangent has no graph over depth."""
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A piece of a line in a view.
+
+    Attributes:
+        role: the view.
+        point: (2,) in its plane.
+        across: (2,) unit normal of the line.
+        linetype: how it is drawn; None if it is blank.
+        length: units.
+        confidence: 0 to 1, of the linetype.
+    """
+
+    role: Role
+    point: Point
+    across: Point
+    linetype: Linetype | None
+    length: float
+    confidence: float = 1.0
+
+
+def find_pieces(space: Space, planes: dict[Axis, PlaneSupports], near: float) -> Iterator[Piece]:
+    """All pieces of all views.
+
+    Args:
+        space: of the part.
+        planes: what is drawn in each plane.
+        near: units within which a curve of two surfaces is one that is drawn.
+    """
+    for normal, plane in planes.items():
+        for point, across, support, length in _lines(space, normal):
+            for role in plane.roles:
+                linetype, confidence = _drawn(support, role, point)
+                yield Piece(role, point, across, linetype, length, confidence)
+        finder = _DrawnNear(plane, near)
+        for point, across, length in _meeting_curves(space, normal):
+            for role in plane.roles:
+                yield Piece(role, point, across, finder.linetype(role, point), length)
+
+
+def _drawn(support: Support | None, role: Role, point: Point) -> tuple[Linetype | None, float]:
+    if support is None:
+        return None, 1.0
+    at = support.curve.parameter(point)
+    slack = 1e-4 / support.curve.speed
+    confidence = [
+        span.confidence
+        for span in support.spans.get(role, ())
+        if span.low - slack <= at <= span.high + slack
+    ]
+    return support.linetype_at(role, at), max(confidence, default=1.0)
+
+
+def _lines(
+    space: Space, normal: Axis
+) -> Iterator[tuple[Point, Point, Support | None, float]]:
+    """Pieces of the grid of values, and of the supports that are not parallel to an axis."""
+    plane = space.planes[normal]
+    values = [space.values[Axis(index)] for index in IN_PLANE[normal]]
+    for coordinate in (0, 1):
+        on_axis = [s for s in plane.supports if s.curve.axis == coordinate]
+        across = (1.0, 0.0) if coordinate == 0 else (0.0, 1.0)
+        for value in values[coordinate]:
+            support = next((s for s in on_axis if _is_at(s.curve, coordinate, value)), None)
+            for low, high in pairwise(values[1 - coordinate]):
+                at = low + SHARE * (high - low)
+                point = (value, at) if coordinate == 0 else (at, value)
+                yield point, across, support, high - low
+    for index, low, high in plane.stretches:
+        support = plane.supports[index]
+        if support.curve.axis is None:
+            yield from _cut(support, (low, high), values)
+
+
+def _is_at(curve: PlaneCurve, coordinate: int, value: float) -> bool:
+    return isinstance(curve, LineCurve) and abs(curve.point[coordinate] - value) < _NEAR
+
+
+def _cut(
+    support: Support, stretch: tuple[float, float], values: list[list[float]]
+) -> Iterator[tuple[Point, Point, Support, float]]:
+    curve = support.curve
+    cuts = {*stretch}
+    for coordinate in (0, 1):
+        for value in values[coordinate]:
+            for point in meetings(curve, axis_line(coordinate, value)):
+                cuts.add(curve.parameter(point))
+    inside = sorted(t for t in cuts if stretch[0] - 1e-9 <= t <= stretch[1] + 1e-9)
+    for low, high in pairwise(inside):
+        length = (high - low) * curve.speed
+        if length >= _SHORT:
+            at = low + SHARE * (high - low)
+            yield curve.at(at), curve.normal(at), support, length
+
+
+@dataclass(frozen=True)
+class _Branch:
+    """A slanted line's stretch or a part of a circle, as (coordinate, slope) over depth."""
+
+    curve: PlaneCurve
+    low: float
+    high: float
+
+    def over(self, depth: float, depth_coordinate: int) -> list[tuple[float, float]]:
+        """The other coordinate and its change with depth, wherever the depth is met."""
+        found = []
+        for point in meetings(self.curve, axis_line(depth_coordinate, depth)):
+            at = self.curve.parameter(point)
+            if not self.low + 1e-6 < at < self.high - 1e-6:
+                continue
+            normal = self.curve.normal(at)
+            along = normal[1 - depth_coordinate]
+            if abs(along) > _EDGE_ON:
+                found.append((point[1 - depth_coordinate], -normal[depth_coordinate] / along))
+        return found
+
+
+def _branches(space: Space, normal: Axis) -> list[_Branch]:
+    plane = space.planes[normal]
+    return [
+        _Branch(plane.supports[index].curve, low, high)
+        for index, low, high in plane.stretches
+        if plane.supports[index].curve.axis is None
+    ]
+
+
+def _meeting_curves(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, float]]:
+    """Points of the curves in which slanted and round surfaces of the two other planes meet."""
+    axes = IN_PLANE[normal]
+    # The plane that shows the first coordinate against depth, and the one with the second.
+    first, second = Axis(axes[1]), Axis(axes[0])
+    one, other = _branches(space, first), _branches(space, second)
+    if not one or not other:
+        return
+    places = [IN_PLANE[plane].index(normal.value) for plane in (first, second)]
+    for low, high in pairwise(space.values[normal]):
+        depth = low + SHARE * (high - low)
+        firsts = [hit for branch in one for hit in branch.over(depth, places[0])]
+        seconds = [hit for branch in other for hit in branch.over(depth, places[1])]
+        for a, slope_a in firsts:
+            for b, slope_b in seconds:
+                steep = hypot(slope_a, slope_b)
+                length = (high - low) * steep
+                if steep > 1e-3 and length > _SHORT:
+                    yield (a, b), (-slope_b / steep, slope_a / steep), length
+
+
+class _DrawnNear:
+    """What is drawn within reach of a point, be it on a support or along a chain."""
+
+    def __init__(self, plane: PlaneSupports, near: float) -> None:
+        self._plane = plane
+        self._near = near
+        self._chains = [
+            (role, np.array(chain), linetype) for role, chain, linetype in plane.chains
+        ]
+
+    def linetype(self, role: Role, point: Point) -> Linetype | None:
+        """Visible before hidden; None if nothing is drawn there."""
+        found: set[Linetype | None] = set()
+        for support in self._plane.supports:
+            if support.curve.distance(point) < self._near:
+                found.add(support.linetype_at(role, support.curve.parameter(point)))
+        for other, chain, linetype in self._chains:
+            if other is role and _chain_distance(chain, point) < self._near:
+                found.add(linetype)
+        if Linetype.VISIBLE in found:
+            return Linetype.VISIBLE
+        return Linetype.HIDDEN if Linetype.HIDDEN in found else None
+
+
+def _chain_distance(chain: np.ndarray, point: Point) -> float:
+    at = np.array(point)
+    low, high = chain.min(0), chain.max(0)
+    if (at < low - 1.0).any() or (at > high + 1.0).any():
+        return float("inf")
+    starts, spans = chain[:-1], np.diff(chain, axis=0)
+    squares = np.maximum((spans**2).sum(1), 1e-300)
+    shares = np.clip(((at - starts) * spans).sum(1) / squares, 0.0, 1.0)
+    nearest = starts + shares[:, None] * spans
+    return float(np.hypot(*(at - nearest).T).min())
+
+
+def is_round(curve: PlaneCurve) -> bool:
+    """Whether a support's surface is a cylinder."""
+    return isinstance(curve, CircleCurve)

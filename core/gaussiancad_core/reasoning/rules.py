@@ -1,0 +1,172 @@
+"""What a piece of a line says about the labels of the cells beside it.
+
+Just beside a line, on both of its sides, columns of cells are crossed.  A crossing is a surface of
+the part if the labels before and after it differ.  Crossings of both columns at one depth with
+parallel normals are the same surface; if it is there in one column only, or a crossing has no
+partner and is a surface, there is something to be drawn.  A line is visible if that comes before
+anything that both columns share, and hidden if each such place lies behind a surface.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.reasoning.columns import Cell, Crossing, Space, parallel
+from gaussiancad_core.reasoning.curves import Point
+from gaussiancad_core.reasoning.pieces import Piece
+from gaussiancad_core.reasoning.planes import role_plane
+from gaussiancad_core.views import Linetype
+
+BESIDE = 2e-5
+"""Units between a line and the columns beside it."""
+
+_GROUP = 0.06
+"""Units of depth within which crossings of both columns are looked at together."""
+
+_CLEAR = 2e-3
+"""Units around a piece's point within which nothing else may run."""
+
+Transition = tuple[Cell | None, Cell | None]
+"""From one cell into another; None is void by itself."""
+
+
+@dataclass(frozen=True)
+class Group:
+    """Crossings at one depth.
+
+    Attributes:
+        pairs: transitions of one column and of the other through the same surface.
+        lone: transitions without partner.
+        all: every transition of the group.
+    """
+
+    pairs: tuple[tuple[Transition, Transition], ...]
+    lone: tuple[Transition, ...]
+    all: tuple[Transition, ...]
+
+
+@dataclass(frozen=True)
+class Rule:
+    """What has to hold for one or more pieces to look as they do.
+
+    Attributes:
+        groups: from the viewer on.
+        linetype: how the pieces are drawn; None if they are blank.
+        weight: length of the pieces, in units, by confidence.
+        role, point: of one of the pieces.
+    """
+
+    groups: tuple[Group, ...]
+    linetype: Linetype | None
+    weight: float
+    role: Role
+    point: Point
+
+
+def rules_of(space: Space, pieces: Iterable[Piece]) -> list[Rule]:
+    """Rules of pieces; those that say the same become one."""
+    weights: dict[tuple[tuple[Group, ...], Linetype | None], float] = {}
+    first: dict[tuple[tuple[Group, ...], Linetype | None], Piece] = {}
+    for piece in pieces:
+        groups = _groups(space, piece)
+        if groups is None:
+            continue
+        key = groups, piece.linetype
+        weights[key] = weights.get(key, 0.0) + piece.length * piece.confidence
+        first.setdefault(key, piece)
+    return [
+        Rule(groups, linetype, weight, first[groups, linetype].role, first[groups, linetype].point)
+        for (groups, linetype), weight in weights.items()
+    ]
+
+
+def _groups(space: Space, piece: Piece) -> tuple[Group, ...] | None:
+    """Groups from the viewer on; None if the piece says nothing."""
+    plane = role_plane(piece.role)
+    (a, b), (da, db) = piece.point, piece.across
+    arrangement = space.planes[plane.normal]
+    sides = [(a + way * da, b + way * db) for way in (-BESIDE, BESIDE)]
+    if piece.linetype is None and all(arrangement.locate(*side) == 0 for side in sides):
+        return None
+    for way in (-_CLEAR, _CLEAR):
+        here = arrangement.locate(a + 0.01 * way * da, b + 0.01 * way * db)
+        for along in (-_CLEAR, 0.0, _CLEAR):
+            at = a + way * da - along * db, b + way * db + along * da
+            if arrangement.locate(*at) != here:
+                return None
+    one, other = (space.column(plane.normal, *side) for side in sides)
+    groups = []
+    for members in _by_depth(one, other):
+        group, doubtful = _group(*members)
+        if doubtful and piece.linetype is not None:
+            # Surfaces that pass smoothly into each other: a line may be drawn there or not.
+            return None
+        groups.append(group)
+    if not plane.looks_up:
+        groups.reverse()
+    if piece.linetype is None and all(_is_trivial(group) for group in groups):
+        return None
+    return tuple(groups)
+
+
+def _by_depth(
+    one: tuple[Crossing, ...], other: tuple[Crossing, ...]
+) -> list[tuple[list[Crossing], list[Crossing]]]:
+    events = sorted(
+        [(c.depth, 0, i) for i, c in enumerate(one)]
+        + [(c.depth, 1, i) for i, c in enumerate(other)]
+    )
+    groups: list[tuple[list[Crossing], list[Crossing]]] = []
+    last: float | None = None
+    for depth, side, index in events:
+        if last is None or depth - last > _GROUP:
+            groups.append(([], []))
+        groups[-1][side].append((one, other)[side][index])
+        last = depth
+    return groups
+
+
+def _group(one: list[Crossing], other: list[Crossing]) -> tuple[Group, bool]:
+    """Partners within a group, and whether different surfaces are partners."""
+    free = list(range(len(other)))
+    pairs, lone = [], []
+    doubtful = False
+    for crossing in one:
+        partners = [j for j in free if parallel(crossing.normal, other[j].normal)]
+        if not partners:
+            lone.append(_transition(crossing))
+            continue
+        best = min(partners, key=lambda j: abs(other[j].depth - crossing.depth))
+        free.remove(best)
+        pairs.append((_transition(crossing), _transition(other[best])))
+        doubtful |= crossing.surface != other[best].surface
+    lone += [_transition(other[j]) for j in free]
+    everything = [_transition(crossing) for crossing in (*one, *other)]
+    return Group(tuple(pairs), tuple(lone), tuple(dict.fromkeys(everything))), doubtful
+
+
+def _transition(crossing: Crossing) -> Transition:
+    return crossing.before, crossing.after
+
+
+def _is_trivial(group: Group) -> bool:
+    """Whether both columns do the same whatever the labels are."""
+    return not group.lone and all(set(one) == set(other) for one, other in group.pairs)
+
+
+def drawn_under(rule: Rule, labels: dict[Cell, bool]) -> Linetype | None:
+    """What would be drawn at a rule's pieces if cells had these labels."""
+
+    def solid(cell: Cell | None) -> bool:
+        return cell is not None and labels.get(cell, False)
+
+    def surface(transition: Transition) -> bool:
+        return solid(transition[0]) != solid(transition[1])
+
+    covered = False
+    for group in rule.groups:
+        differs = any(surface(one) != surface(other) for one, other in group.pairs)
+        if differs or any(surface(transition) for transition in group.lone):
+            return Linetype.HIDDEN if covered else Linetype.VISIBLE
+        covered |= any(surface(transition) for transition in group.all)
+    return None

@@ -1,0 +1,1 @@
+"""From labelled cells to a valid B-Rep, drawn again and checked against the sheet."""
