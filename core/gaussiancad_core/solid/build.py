@@ -1,0 +1,215 @@
+"""A labelled space as a B-Rep.
+
+Faces of all patches are fused, which splits them along their intersections.  Those sub-faces are
+kept that have material on one side only; sewn they bound the part.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+from OCP.BOPAlgo import BOPAlgo_Builder
+from OCP.BOPTools import BOPTools_AlgoTools3D
+from OCP.BRepAdaptor import BRepAdaptor_Surface
+from OCP.BRepBuilderAPI import (
+    BRepBuilderAPI_MakeFace,
+    BRepBuilderAPI_MakeSolid,
+    BRepBuilderAPI_Sewing,
+    BRepBuilderAPI_Transform,
+)
+from OCP.BRepCheck import BRepCheck_Analyzer
+from OCP.BRepTools import BRepTools
+from OCP.gp import gp_Ax3, gp_Cylinder, gp_Dir, gp_Pln, gp_Pnt, gp_Pnt2d, gp_Trsf
+from OCP.IntTools import IntTools_Context
+from OCP.ShapeFix import ShapeFix_Shape
+from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
+from OCP.Standard import Standard_Failure
+from OCP.TopAbs import TopAbs_Orientation, TopAbs_ShapeEnum
+from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Shape
+
+from gaussiancad_core.drawing.brep import faces_of, subshapes, volume
+from gaussiancad_core.drawing.surfaces import normal_at
+from gaussiancad_core.reasoning.curves import TURN, CircleCurve
+from gaussiancad_core.reasoning.planes import IN_PLANE, lifted
+from gaussiancad_core.solid.labelled import LabelledSpace
+from gaussiancad_core.solid.patches import Patch, PlanePatch, SweptPatch, find_patches
+
+_FUZZY = 1e-6
+_SEWING = 1e-4
+_BESIDE = 5e-5
+"""Units from a sub-face at which the labels of its sides are looked up."""
+
+_VECTORS = np.eye(3)
+
+
+@dataclass(frozen=True)
+class BuiltSolid:
+    """What came of a labelled space.
+
+    Attributes:
+        shape: the solid in mm; None if the faces did not close.
+        bodies: number of separate pieces of material.
+    """
+
+    shape: TopoDS_Shape | None
+    bodies: int
+
+
+def build_solid(
+    space: LabelledSpace, scale: float, bodies: Iterable[TopoDS_Face] = ()
+) -> BuiltSolid:
+    """The B-Rep of a labelled space.
+
+    Args:
+        space: in units.
+        scale: units per mm.
+        bodies: faces of the extra bodies, in units.
+    """
+    faces = [_face(patch) for patch in find_patches(space)] + list(bodies)
+    if not faces:
+        return BuiltSolid(None, 0)
+    sides = _Sides(space)
+    kept = []
+    for face in _fused(faces):
+        material = sides.material(face)
+        if material is not None and material[0] != material[1]:
+            kept.append(face)
+    solid, count = _sewn(sides, kept)
+    if solid is None:
+        return BuiltSolid(None, count)
+    return BuiltSolid(_scaled(_simplified(solid), 1.0 / scale), count)
+
+
+def _face(patch: Patch) -> TopoDS_Face:
+    if isinstance(patch, PlanePatch):
+        first, second = IN_PLANE[patch.axis]
+        origin = lifted(patch.axis, 0.0, 0.0, patch.value)
+        normal = np.cross(_VECTORS[first], _VECTORS[second])
+        plane = gp_Pln(_frame(origin, normal, _VECTORS[first]))
+        return BRepBuilderAPI_MakeFace(plane, *patch.rectangle).Face()
+    return _swept_face(patch)
+
+
+def _swept_face(patch: SweptPatch) -> TopoDS_Face:
+    start, end, near, far = patch.rectangle
+    first, second = IN_PLANE[patch.axis]
+    depth = _VECTORS[patch.axis.value]
+    if isinstance(patch.curve, CircleCurve):
+        up = np.cross(_VECTORS[first], _VECTORS[second])
+        way = float(np.sign(up @ depth))
+        origin = lifted(patch.axis, *patch.curve.centre, 0.0)
+        cylinder = gp_Cylinder(_frame(origin, up, _VECTORS[first]), patch.curve.radius)
+        low, high = (near, far) if way > 0.0 else (-far, -near)
+        if end - start > TURN - 1e-6:
+            start, end = 0.0, 2.0 * pi
+        return BRepBuilderAPI_MakeFace(cylinder, start, end, low, high).Face()
+    origin = lifted(patch.axis, *patch.curve.at(start), near)
+    along = np.array(lifted(patch.axis, *patch.curve.direction, 0.0))
+    normal = np.cross(along, depth)
+    plane = gp_Pln(_frame(origin, normal, along))
+    across = np.cross(normal, along)
+    low, high = (0.0, far - near) if across @ depth > 0.0 else (near - far, 0.0)
+    return BRepBuilderAPI_MakeFace(plane, 0.0, end - start, low, high).Face()
+
+
+def _frame(origin: tuple[float, float, float], normal: np.ndarray, x: np.ndarray) -> gp_Ax3:
+    return gp_Ax3(gp_Pnt(*origin), gp_Dir(*map(float, normal)), gp_Dir(*map(float, x)))
+
+
+def _fused(faces: list[TopoDS_Face]) -> list[TopoDS_Face]:
+    """The faces split along their intersections."""
+    builder = BOPAlgo_Builder()
+    for face in faces:
+        builder.AddArgument(face)
+    builder.SetRunParallel(False)
+    builder.SetFuzzyValue(_FUZZY)
+    builder.Perform()
+    return faces_of(builder.Shape())
+
+
+class _Sides:
+    """Tells on which side of a face the material is."""
+
+    def __init__(self, space: LabelledSpace) -> None:
+        self._space = space
+        self._context = IntTools_Context()
+
+    def material(self, face: TopoDS_Face) -> tuple[bool, bool] | None:
+        """Whether there is material (behind, before) a face; None where it has no inner point."""
+        point, parameters = gp_Pnt(), gp_Pnt2d()
+        if BOPTools_AlgoTools3D.PointInFace_s(face, point, parameters, self._context) != 0:
+            return None
+        normal = normal_at(BRepAdaptor_Surface(face), parameters.X(), parameters.Y())
+        if face.Orientation() == TopAbs_Orientation.TopAbs_REVERSED:
+            normal = -normal
+        at = np.array([point.X(), point.Y(), point.Z()])
+        behind, before = (
+            self._space.is_material(tuple(at + way * _BESIDE * normal)) for way in (-1.0, 1.0)
+        )
+        return behind, before
+
+
+def _sewn(sides: _Sides, faces: list[TopoDS_Face]) -> tuple[TopoDS_Shape | None, int]:
+    """One solid of all shells, and the number of its outer shells."""
+    sewing = BRepBuilderAPI_Sewing(_SEWING)
+    for face in faces:
+        sewing.Add(face)
+    sewing.Perform()
+    shells = subshapes(sewing.SewedShape(), TopAbs_ShapeEnum.TopAbs_SHELL)
+    if not shells or sewing.NbFreeEdges() > 0:
+        return None, len(shells)
+    signed = [_outward(sides, shell) for shell in shells]
+    outer = [shell for size, shell in signed if size > 0.0]
+    if len(outer) != 1:
+        return None, len(outer)
+    maker = BRepBuilderAPI_MakeSolid(TopoDS.Shell(outer[0]))
+    for size, shell in signed:
+        if size < 0.0:
+            maker.Add(TopoDS.Shell(shell))
+    return maker.Solid(), 1
+
+
+def _outward(sides: _Sides, shell: TopoDS_Shape) -> tuple[float, TopoDS_Shape]:
+    """The shell with normals that leave the material; its volume is negative around a cavity."""
+    for face in faces_of(shell):
+        material = sides.material(face)
+        if material is not None and material[0] != material[1]:
+            if material[1]:
+                shell = shell.Reversed()
+            break
+    return volume(BRepBuilderAPI_MakeSolid(TopoDS.Shell(shell)).Solid()), shell
+
+
+def _simplified(solid: TopoDS_Shape) -> TopoDS_Shape:
+    """The solid with as few faces as it can have, if that leaves it valid."""
+    # Borders of patches stay as edges inside of faces that they do not divide.
+    BRepTools.RemoveInternals_s(solid)
+    for whole_edges in (True, False):
+        unify = ShapeUpgrade_UnifySameDomain(solid, whole_edges, True, False)
+        unify.Build()
+        unified = unify.Shape()
+        for candidate in (unified, _mended(unified)):
+            if candidate is not None and BRepCheck_Analyzer(candidate).IsValid():
+                return _single(candidate)
+    return solid
+
+
+def _mended(shape: TopoDS_Shape) -> TopoDS_Shape | None:
+    try:
+        fix = ShapeFix_Shape(shape)
+        fix.Perform()
+        return fix.Shape()
+    except Standard_Failure:
+        return None
+
+
+def _single(shape: TopoDS_Shape) -> TopoDS_Shape:
+    solids = subshapes(shape, TopAbs_ShapeEnum.TopAbs_SOLID)
+    return solids[0] if len(solids) == 1 else shape
+
+
+def _scaled(shape: TopoDS_Shape, factor: float) -> TopoDS_Shape:
+    move = gp_Trsf()
+    move.SetScale(gp_Pnt(0.0, 0.0, 0.0), factor)
+    return BRepBuilderAPI_Transform(shape, move, True).Shape()
