@@ -1,7 +1,7 @@
 """The sheet's stages in order: image -> named views with strokes -> views on shared axes."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.layout import Layout, find_layout
 from gaussiancad_core.sheet.masks import Outline, Region, find_outline, supersampling_for
 from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
+from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.registration import (
     DEFAULT_LONGEST_MM,
     AxisExtents,
@@ -21,8 +22,13 @@ from gaussiancad_core.sheet.registration import (
     colourised,
     make_view,
     placement,
+    scaled,
+    shared_placement,
+    strokes_in_plane,
     view_box,
 )
+from gaussiancad_core.sheet.seen_coordinates import PlaneView
+from gaussiancad_core.sheet.shared_axes import share_axes
 from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_rhythm
 from gaussiancad_core.sheet.through_holes import Extent, ViewEvidence, is_through
 from gaussiancad_core.views import Linetype, Stroke, ViewSet
@@ -46,12 +52,14 @@ class ReadView:
         box: between the centre lines of the outermost strokes.
         strokes: visible and hidden.
         outline: its filled contour and blank regions.
+        source: where its strokes come from.
     """
 
     role: Role
     box: Box
     strokes: tuple[Stroke, ...]
     outline: Outline
+    source: StrokesSource = StrokesSource.RASTER
 
     def stored_box(self, turn: Turn) -> Box:
         """The view's box in px of the sheet as stored, before it was turned."""
@@ -175,9 +183,20 @@ def register_views(drawn: tuple[ReadView, ...], options: ReadingOptions) -> Regi
         NoModelError: the views contradict each other.
     """
     extents = axis_extents({view.role: view.box for view in drawn})
+    plain = [_own_placement(view) for view in drawn]
+    shared = share_axes(
+        [_in_own_plane(view, place) for view, place in zip(drawn, plain, strict=True)]
+    )
+    extents = replace(extents, extents=shared.extents, residuals=shared.residuals)
     scale = _scale(extents, options)
-    size = tuple(extents.extents[axis] * scale for axis in Axis)
-    placements = {view.role: placement(view.role, view.box, size) for view in drawn}
+    pixels = tuple(extents.extents[axis] for axis in Axis)
+    size = tuple(extent * scale for extent in pixels)
+    placements = {}
+    strokes = {}
+    for place, own, moved in zip(plain, shared.maps, shared.strokes, strict=True):
+        box = shared_placement(place, own, pixels).box
+        placements[place.role] = placement(place.role, box, size)
+        strokes[place.role] = scaled(moved, scale)
     views = []
     opened = 0
     for view in drawn:
@@ -185,13 +204,28 @@ def register_views(drawn: tuple[ReadView, ...], options: ReadingOptions) -> Regi
         opened += len(holes)
         plain = make_view(
             placements[view.role],
-            view.strokes,
+            strokes[view.role],
             view.outline.without(holes),
             view.outline,
             scale / view.outline.supersampling,
         )
         views.append(colourised(plain, options.colour))
     return RegisteredSheet(ViewSet(tuple(views), size), placements, drawn, scale, extents, opened)
+
+
+def _own_placement(view: ReadView) -> Placement:
+    """The view's box in its plane, in px and with its own extents."""
+    x0, y0, x1, y1 = view.box
+    frame = view.role.frame
+    size = [0.0, 0.0, 0.0]
+    size[frame.right_axis[0].value], size[frame.up_axis[0].value] = x1 - x0, y1 - y0
+    return placement(view.role, view.box, (size[0], size[1], size[2]))
+
+
+def _in_own_plane(view: ReadView, place: Placement) -> PlaneView:
+    x0, y0, x1, y1 = view.box
+    strokes = strokes_in_plane(view.strokes, place)
+    return PlaneView(view.role, strokes, (x1 - x0, y1 - y0), view.source.precision)
 
 
 def _scale(extents: AxisExtents, options: ReadingOptions) -> float:

@@ -2,10 +2,11 @@
 
 Each view's box runs between the centre lines of its outermost strokes.  Views that show the same
 axis are drawn to the same length; where they differ a little the mean is taken and each view is
-stretched to it, where they differ much the views do not belong together.
+stretched to it, where they differ much the views do not belong together.  In between, each
+coordinate is shared by all views (:mod:`gaussiancad_core.sheet.shared_axes`).
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import cv2
 import numpy as np
@@ -15,6 +16,7 @@ from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.masks import Outline
 from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.shared_axes import Residual, ViewMap
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke, View
 
 DEFAULT_LONGEST_MM = 100.0
@@ -37,15 +39,23 @@ class AxisExtents:
     Attributes:
         extents: axis -> mean over the views that show it.
         spread: axis -> largest minus smallest.
+        residuals: axis -> distances of what the views show from the shared coordinates, for axes
+            that two views show.
     """
 
     extents: dict[Axis, float]
     spread: dict[Axis, float]
+    residuals: dict[Axis, Residual] = field(default_factory=dict)
 
     @property
     def disagreeing(self) -> tuple[Axis, ...]:
-        """Axes on which the views differ noticeably."""
-        return tuple(axis for axis, spread in self.spread.items() if spread > _SAME)
+        """Axes on which the views differ noticeably, in extent or in what lies between."""
+        return tuple(
+            axis
+            for axis, spread in self.spread.items()
+            if spread > _SAME
+            or (axis in self.residuals and self.residuals[axis].median > _SAME / 3)
+        )
 
 
 @dataclass(frozen=True)
@@ -155,6 +165,44 @@ def placement(role: Role, box: Box, size: tuple[float, float, float]) -> Placeme
     return Placement(role, box, interval(*role.frame.right_axis), interval(*role.frame.up_axis))
 
 
+def shared_placement(plain: Placement, own: ViewMap, size: tuple[float, float, float]) -> Placement:
+    """Where a view lies in its plane once the axes are shared.
+
+    Args:
+        plain: its box in its plane, in px of its own extents.
+        own: its place on the shared axes.
+        size: of the part in px.
+    """
+    shared = placement(plain.role, plain.box, size)
+    frame = plain.role.frame
+    signs = np.array([frame.right_axis[1], frame.up_axis[1]])
+    corners = np.array([[shared.right[0], shared.up[0]], [shared.right[1], shared.up[1]]])
+    # Where the ends of the shared axes were on the view's own.
+    (x0, y1), (x1, y0) = plain.to_sheet((corners - signs * own.shift) / np.array(own.gain))
+    box = (float(x0), float(y0), float(x1), float(y1))
+    return Placement(plain.role, box, shared.right, shared.up)
+
+
+def scaled(strokes: tuple[Stroke, ...], factor: float) -> tuple[Stroke, ...]:
+    """Strokes in another unit of the same plane."""
+
+    def moved(point: tuple[float, float]) -> tuple[float, float]:
+        return factor * point[0], factor * point[1]
+
+    made: list[Stroke] = []
+    for stroke in strokes:
+        if isinstance(stroke, Segment):
+            made.append(replace(stroke, start=moved(stroke.start), end=moved(stroke.end)))
+        elif isinstance(stroke, Arc):
+            made.append(replace(stroke, centre=moved(stroke.centre), radius=factor * stroke.radius))
+        else:
+            axes = factor * stroke.semi_major, factor * stroke.semi_minor
+            made.append(
+                replace(stroke, centre=moved(stroke.centre), semi_major=axes[0], semi_minor=axes[1])
+            )
+    return tuple(made)
+
+
 def strokes_in_plane(strokes: tuple[Stroke, ...], place: Placement) -> tuple[Stroke, ...]:
     """Strokes in sheet px (y down) -> strokes in mm (right, up)."""
     x0, y0, x1, y1 = place.box
@@ -207,7 +255,7 @@ def make_view(
 
     Args:
         place: the view's box in its plane.
-        strokes: in sheet px.
+        strokes: in mm of its plane.
         depth: (h, w) mask px inside the material, on the outline's grid.
         outline: gives the grid of ``depth``.
         mm_per_pixel: of the view's mask.
@@ -234,7 +282,7 @@ def make_view(
     return View(
         place.role,
         place.box,
-        strokes_in_plane(strokes, place),
+        strokes,
         resampled > 0,
         np.full((height, width, 3), 255, np.uint8),
         origin,

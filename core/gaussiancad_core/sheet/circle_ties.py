@@ -1,0 +1,104 @@
+"""Coordinates and radii that hold together: the side of a circle is its centre and its radius.
+
+A hole's circle in one view and its sides, as lines, in another tell the same three numbers.  They
+are found together by least squares, with the ties held exactly.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+Floats = npt.NDArray[np.float64]
+
+_MOST = 1500
+"""Unknowns up to which ties are held: drawings with more are no parts of a few views."""
+
+
+@dataclass(frozen=True)
+class Tie:
+    """``values[edge] = values[centre] + side * values[radius]``, all by their numbers."""
+
+    edge: int
+    centre: int
+    radius: int
+    side: int
+
+
+@dataclass(frozen=True, eq=False)
+class Estimates:
+    """What the views say about the unknowns.
+
+    Attributes:
+        information: (n, n) of all observations.
+        start: (n,) values without ties.
+        limits: (n,) by how much ties may move each.
+        chains: numbers of unknowns whose values must keep rising.
+    """
+
+    information: Floats
+    start: Floats
+    limits: Floats
+    chains: tuple[npt.NDArray[np.int64], ...]
+
+
+def tied(known: Estimates, pull: Floats, ties: Sequence[Tie]) -> Floats:
+    """(n,) the most likely values that hold the ties.
+
+    Ties that would move a value further than it can be wrong, or turn the order of two
+    coordinates, are dropped, the one that fits worst first.
+
+    Args:
+        known: what the views say.
+        pull: (n,) information times observed values, summed over the observations.
+        ties: of circles and their sides.
+    """
+    held = list(ties) if len(known.start) <= _MOST else []
+    misfit = {tie: abs(_misfit(known.start, tie)) for tie in held}
+    while held:
+        values = _solved(known, pull, held)
+        wrong = _violated(known, values)
+        if not wrong.any():
+            return values
+        touched = [tie for tie in held if wrong[[tie.edge, tie.centre, tie.radius]].any()]
+        held.remove(max(touched or held, key=lambda tie: misfit[tie]))
+    return known.start
+
+
+def _misfit(values: Floats, tie: Tie) -> float:
+    return float(values[tie.edge] - values[tie.centre] - tie.side * values[tie.radius])
+
+
+def _solved(known: Estimates, pull: Floats, ties: Sequence[Tie]) -> Floats:
+    from scipy.linalg import null_space
+
+    rows = np.zeros((len(ties), len(known.start)))
+    for row, tie in zip(rows, ties, strict=True):
+        row[[tie.edge, tie.centre, tie.radius]] = 1.0, -1.0, -float(tie.side)
+    # Only what ties touch needs the null space; all else would make it large.
+    touched = np.flatnonzero(np.abs(rows).sum(axis=0))
+    free = np.setdiff1d(np.arange(len(known.start)), touched)
+    inner = null_space(rows[:, touched])
+    basis = np.zeros((len(known.start), len(free) + inner.shape[1]))
+    basis[free, np.arange(len(free))] = 1.0
+    basis[touched, len(free) :] = inner
+    system = basis.T @ known.information @ basis
+    # Solved for the move from the start: that keeps the digits.
+    right = basis.T @ (pull - known.information @ _projected(known.start, basis))
+    found = np.linalg.lstsq(system, right, rcond=None)[0]
+    return _projected(known.start, basis) + basis @ found
+
+
+def _projected(values: Floats, basis: Floats) -> Floats:
+    """The nearest values that hold the ties; the basis is orthonormal."""
+    return basis @ (basis.T @ values)
+
+
+def _violated(known: Estimates, values: Floats) -> npt.NDArray[np.bool_]:
+    wrong = np.abs(values - known.start) > known.limits
+    for chain in known.chains:
+        falling = np.flatnonzero(np.diff(values[chain]) <= 0.0)
+        wrong[chain[falling]] = True
+        wrong[chain[falling + 1]] = True
+    return wrong

@@ -1,0 +1,42 @@
+"""How exactly strokes are known: fitted to pixels, or as a file has them."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+from gaussiancad_core.sheet.axis_clusters import Limits
+
+
+@dataclass(frozen=True)
+class Precision:
+    """How exactly the strokes of a view are known.
+
+    Attributes:
+        noise: px, standard deviation of the place of one px of a stroke.
+        level: px by which a stroke along an axis may lean between its ends.
+        ends: px between the end of a stroke and where it is meant to end.
+        limits: of coordinates that are told apart.
+    """
+
+    noise: float
+    level: float
+    ends: float
+    limits: Limits
+
+
+FROM_PIXELS = Precision(0.3, 0.6, 1.2, Limits(apart=0.5, reach=1.0, finest=0.3))
+"""Fitted to ink: lines come out within a tenth of a pixel."""
+
+FROM_VECTORS = Precision(0.01, 0.02, 0.1, Limits(apart=0.02, reach=0.25, finest=0.01))
+"""As the file has them; plotters round to 1/1200 inch, a sixth of a pixel."""
+
+
+class StrokesSource(Enum):
+    """Where the strokes of a view come from."""
+
+    RASTER = "raster"
+    VECTOR = "vector"
+
+    @property
+    def precision(self) -> Precision:
+        """Of strokes from there."""
+        return FROM_VECTORS if self is StrokesSource.VECTOR else FROM_PIXELS
