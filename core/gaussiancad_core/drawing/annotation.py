@@ -25,6 +25,8 @@ class AnnotationKind(Enum):
     CENTRE_MARK = "centre-mark"
     SYMBOL = "symbol"
     PICTURE = "picture"
+    HATCHING = "hatching"
+    THREAD = "thread"
 
 
 class Rhythm(Enum):

@@ -125,9 +125,10 @@ def draw_title_block(style: SheetStyle, content: TitleBlock) -> list[Annotation]
     texts = []
     for box, caption, value in fields:
         texts += _field_text(box, caption, value, h)
-    symbol = draw_symbol(
-        content.projection, (left + 6.4 * h, top + 6.75 * h), 1.4 * h, Pen.of(style)
-    )
+    symbol = []
+    if style.symbol:
+        middle = (left + 6.4 * h, top + 6.75 * h)
+        symbol = draw_symbol(content.projection, middle, 1.4 * h, Pen.of(style))
     return [
         Annotation(AnnotationKind.TITLE_BLOCK, 0, outline, style.visible_width),
         Annotation(AnnotationKind.TITLE_BLOCK, 0, tuple(inner), style.annotation_width),

@@ -1,24 +1,26 @@
 """A solid on a sheet: lines of each view, placed, annotated, drawn."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 import numpy.typing as npt
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.drawing.annotation import Annotation
+from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind
 from gaussiancad_core.drawing.annotations import annotate, reserved_corner, sheet_dpi
 from gaussiancad_core.drawing.brep import bounding_box, moved_to_origin
 from gaussiancad_core.drawing.degrade import Image, finished
 from gaussiancad_core.drawing.drawn_view import DrawnView, drawn_view
 from gaussiancad_core.drawing.hlr import LineDrawing, LineOptions
 from gaussiancad_core.drawing.inking import ink_annotations
-from gaussiancad_core.drawing.layout import check_roles, place_views
+from gaussiancad_core.drawing.layout import Placement, check_roles, place_views
 from gaussiancad_core.drawing.picture import ISOMETRIC, draw_picture
 from gaussiancad_core.drawing.raster import rasterise
-from gaussiancad_core.drawing.strokes import DrawnStroke
-from gaussiancad_core.drawing.style import SheetStyle
+from gaussiancad_core.drawing.sections import SectionView, section_view
+from gaussiancad_core.drawing.strokes import DrawnStroke, mapped
+from gaussiancad_core.drawing.style import SectionKind, SheetStyle
+from gaussiancad_core.errors import UsageError
 
 
 @dataclass(frozen=True)
@@ -29,11 +31,13 @@ class PartLines:
         size: (3,) extent in mm of the part; its bounding box starts at the origin.
         views: role -> strokes in mm of the view's plane (right, up), in the order asked for.
         picture: strokes of the isometric picture in mm of its plane; empty without one.
+        sections: views that are cut open instead, for styles that ask for it.
     """
 
     size: npt.NDArray[np.float64]
     views: dict[Role, tuple[DrawnStroke, ...]]
     picture: tuple[DrawnStroke, ...] = ()
+    sections: dict[tuple[Role, SectionKind], SectionView] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -66,6 +70,7 @@ def part_lines(
     *,
     tangent_edges: bool = False,
     picture: bool = False,
+    sections: tuple[tuple[Role, SectionKind], ...] = (),
 ) -> PartLines:
     """The lines of a solid in several views: the slow part of drawing a sheet.
 
@@ -74,16 +79,19 @@ def part_lines(
         roles: two to six different views.
         tangent_edges: draw smooth edges as well; what the style says of them counts no more.
         picture: draw the isometric picture as well, for styles that ask for it.
+        sections: cut these views open as well, for styles that ask for it.
 
     Raises:
         UsageError: ``views-count``, ``views-repeat``.
     """
     check_roles(roles)
     shape = moved_to_origin(shape)
-    drawing = LineDrawing(shape, LineOptions(tangent_edges=tangent_edges))
+    options = LineOptions(tangent_edges=tangent_edges)
+    drawing = LineDrawing(shape, options)
     views = {role: drawing.view(role) for role in roles}
     seen = drawing.seen(ISOMETRIC) if picture else ()
-    return PartLines(bounding_box(shape)[1], views, seen)
+    cut = {(role, kind): section_view(shape, role, kind, options) for role, kind in sections}
+    return PartLines(bounding_box(shape)[1], views, seen, cut)
 
 
 def draw_sheet(
@@ -108,7 +116,13 @@ def draw_sheet(
     Raises:
         UsageError: views or sheet size that cannot be.
     """
-    lines = part_lines(shape, roles, tangent_edges=style.tangent_edges, picture=style.picture)
+    lines = part_lines(
+        shape,
+        roles,
+        tangent_edges=style.tangent_edges,
+        picture=style.picture,
+        sections=((style.section, style.section_kind),) if style.section else (),
+    )
     return compose_sheet(lines, projection, style, seed, title=title)
 
 
@@ -130,16 +144,28 @@ def compose_sheet(
         title: of the title block, where the style has one.
 
     Raises:
-        UsageError: ``sheet-too-small``.
+        UsageError: ``sheet-too-small``; ``style-value-bad``, the section is none of the views.
     """
     placements = place_views(
         lines.size, tuple(lines.views), projection, style, reserved_corner(style)
     )
-    views = tuple(drawn_view(place, lines.views[place.role]) for place in placements)
+    cut = lines.sections.get((style.section, style.section_kind)) if style.section else None
+    if style.section and (cut is None or style.section not in lines.views):
+        raise UsageError(
+            "style-value-bad",
+            f"style section={style.section.value}: name one of the views that are drawn",
+        )
+    plain = dict(lines.views)
+    if cut is not None:
+        plain[style.section] = cut.strokes
+    views = tuple(drawn_view(place, plain[place.role]) for place in placements)
     scale = 1.0 / placements[0].scale
     annotations = annotate(views, projection, scale, style, title)
     if style.picture:
         annotations += tuple(draw_picture(lines.picture, views, annotations, style))
+    if cut is not None:
+        place = next(place for place in placements if place.role is style.section)
+        annotations += _hatching(cut, place, style)
     if style.skew:
         # Counter-clockwise to the eye is clockwise where y points down.
         angle, centre = -float(np.radians(style.skew)), (style.width / 2.0, style.height / 2.0)
@@ -150,3 +176,13 @@ def compose_sheet(
         ink = np.maximum(ink, ink_annotations(annotations, style))
     dpi = sheet_dpi(scale) if style.frame else None
     return Sheet(finished(ink, style, seed), scale, projection, views, annotations, dpi)
+
+
+def _hatching(cut: SectionView, place: Placement, style: SheetStyle) -> tuple[Annotation, ...]:
+    lines = tuple(
+        mapped(line, place.scale, place.offset, flip=True)
+        for line in cut.hatching(style.hatch_pitch / place.scale)
+    )
+    if not lines:
+        return ()
+    return (Annotation(AnnotationKind.HATCHING, 0, lines, style.annotation_width),)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, fields, replace
 from enum import Enum
 from typing import Any
 
+from gaussiancad_core.axes import Role
 from gaussiancad_core.errors import UsageError
 
 Colour = tuple[int, int, int]
@@ -23,6 +24,14 @@ class TextPlace(Enum):
 
     ABOVE = "above"
     INLINE = "inline"
+
+
+class SectionKind(Enum):
+    """How much of a view is cut open (ISO 128-3)."""
+
+    FULL = "full"
+    HALF = "half"
+    BROKEN_OUT = "broken-out"
 
 
 @dataclass(frozen=True)
@@ -52,6 +61,10 @@ class SheetStyle:
         frame: border with its zones, title block and projection symbol (ISO 5457, ISO 7200).
         centre_lines: centre lines and centre marks of circles, axes of holes (ISO 128).
         picture: an isometric picture in a free corner, if there is one.
+        symbol: the projection symbol in the title block, where there is a frame.
+        section: the view that is cut open and hatched, or None.
+        section_kind: how much of it.
+        hatch_pitch: from line to line of the hatching.
         annotation_width: line width of all of these but the border and the picture.
         text_height: height of capitals and digits; arrows and distances follow from it.
         text_place: ``above`` dimension lines and along them, or ``inline`` and level.
@@ -86,6 +99,10 @@ class SheetStyle:
     frame: bool = False
     centre_lines: bool = False
     picture: bool = False
+    symbol: bool = True
+    section: Role | None = None
+    section_kind: SectionKind = SectionKind.FULL
+    hatch_pitch: float = 14.0
     annotation_width: float = 1.5
     text_height: float = 18.0
     text_place: TextPlace = TextPlace.ABOVE
@@ -219,6 +236,9 @@ def _parser(name: str) -> Callable[[str], Any]:
         "frame": _switch,
         "centre_lines": _switch,
         "picture": _switch,
+        "symbol": _switch,
+        "section": lambda value: None if value == "none" else Role(value),
+        "section_kind": SectionKind,
     }
     return special.get(name, float)
 
@@ -246,6 +266,7 @@ _LIMITS: dict[str, tuple[float, float]] = {
     "gap": (1, 1000),
     "margin": (0, 5000),
     "view_gap": (0, 5000),
+    "hatch_pitch": (4, 500),
     "skew": (-45, 45),
     "blur": (0, 50),
     "noise": (0, 100),

@@ -28,11 +28,13 @@ class Told:
         shapes: lines and circles with their runs.
         kinds: of the runs.
         unexplained: (h, w) bool, ridge points of no line or circle; the part's until told else.
+        loose: (h, w) bool, ridge points of no line or circle that are annotations, or nothing.
     """
 
     shapes: list[InkedShape]
     kinds: Kinds
     unexplained: Mask
+    loose: Mask | None = None
 
 
 def masked(sheet: CleanSheet, kept: Mask) -> CleanSheet:
@@ -58,6 +60,9 @@ def erased(sheet: CleanSheet, told: Told) -> CleanSheet:
             radii = np.minimum(inside[rows, columns], _ARROW * sheet.stroke_width) + 2.0
             for column, row, radius in zip(columns, rows, radii, strict=True):
                 cv2.circle(erase, (int(column), int(row)), int(np.ceil(radius)), 1, -1)
+    if told.loose is not None:
+        reach = 2 * int(np.ceil(0.5 * sheet.stroke_width)) + 3
+        erase |= cv2.dilate(told.loose.astype(np.uint8), np.ones((reach, reach), np.uint8))
     part = masked(sheet, (erase == 0) | (keep > 0))
     # Crumbs: pieces that no stroke of the part runs through.
     _, labels, stats, _ = cv2.connectedComponentsWithStats(

@@ -4,9 +4,11 @@ from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
+import numpy.typing as npt
 
 from gaussiancad_core.sheet.annotations.erase import Told, erased, masked
 from gaussiancad_core.sheet.annotations.frame import find_frame
+from gaussiancad_core.sheet.annotations.hatching import find_hatching
 from gaussiancad_core.sheet.annotations.inked import (
     inked_shape,
     points_along,
@@ -61,15 +63,19 @@ class SeparatedSheet:
         part: the sheet with the part's ink alone.
         marks: what was taken off.
         by_weight: whether narrow lines were told from wide ones.
+        hatched: (h, w) bool, cut material; nothing where there is none.
+        told: the lines and circles, and what each is; nothing where they were not looked at.
     """
 
     part: CleanSheet
     marks: tuple[Mark, ...]
     by_weight: bool
+    hatched: Mask | None = None
+    told: Told | None = None
 
 
 def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> SeparatedSheet:
-    """Take frame, title block, writing, dimensions and centre lines off a sheet.
+    """Take frame, title block, writing, hatching, dimensions and centre lines off a sheet.
 
     Args:
         sheet: upright.
@@ -90,13 +96,21 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
         sheet = masked(sheet, cv2.dilate(letters.mask.astype(np.uint8), np.ones((5, 5))) == 0)
     field = ink_field(sheet)
     shapes = [inked_shape(sheet, field, ridges, shape) for shape in grown]
+    hatching = find_hatching(sheet, shapes, ridges, _free(ridges, grown))
+    unexplained = _pixels(ridges, _free(ridges, grown), letters.mask)
+    if hatching.marks:
+        marks += hatching.marks
+        loose = _pixels(ridges, hatching.loose, letters.mask)
+        unexplained &= ~loose
+        told = Told(shapes, hatching.kinds(shapes), unexplained, loose)
+        sheet = erased(sheet, told)
+        shapes = hatching.others(shapes)
     weights = line_weights(shapes, sheet.stroke_width) if by_weight else None
     if weights is None or not weights.limit:
         weights = Weights(sheet.stroke_width, 0.0)
     else:
         shapes = [split_by_width(sheet, shape, weights.limit) for shape in shapes]
     kinds = kinds_of_runs(shapes, weights, sheet.stroke_width)
-    unexplained = _unexplained(ridges, grown, letters.mask)
     part = sheet
     if letters.marks and not weights.limit:
         told, boxes = _told_by_form(sheet, Told(shapes, kinds, unexplained), letters.marks)
@@ -108,7 +122,8 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
     if any(kind for own in told.kinds for kind in own):
         marks += _line_marks(told)
         part = replace(erased(part, told), stroke_width=weights.visible)
-    return SeparatedSheet(part, tuple(marks), bool(weights.limit))
+    hatched = hatching.area if hatching.marks else None
+    return SeparatedSheet(part, tuple(marks), bool(weights.limit), hatched, told)
 
 
 def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> tuple[Told, Mask]:
@@ -123,12 +138,17 @@ def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> t
     return rest, boxes | lettered_boxes(erased(sheet, rest).ink, letters)
 
 
-def _unexplained(ridges: RidgePoints, grown: list[Grown], letters: Mask) -> Mask:
-    """Pixels of ridge points that belong to no line or circle: free curves."""
+def _free(ridges: RidgePoints, grown: list[Grown]) -> npt.NDArray[np.bool_]:
+    """(n,) ridge points that belong to no line or circle: free curves."""
     free = np.ones(len(ridges.points), dtype=bool)
     for shape in grown:
         free[shape.members] = False
-    columns, rows = np.rint(ridges.points[free]).astype(int).T
+    return free
+
+
+def _pixels(ridges: RidgePoints, chosen: npt.NDArray[np.bool_], letters: Mask) -> Mask:
+    """(h, w) bool, pixels of some of the ridge points beside the letters."""
+    columns, rows = np.rint(ridges.points[chosen]).astype(int).T
     mask = np.zeros(letters.shape, dtype=bool)
     mask[rows, columns] = True
     return mask & ~letters
