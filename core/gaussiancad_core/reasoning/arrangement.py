@@ -312,10 +312,7 @@ class Arrangement:
                 met.append((a, (1.0, 0.0), support))
         met.sort(key=lambda item: item[0])
         positions = [item[0] for item in met]
-        between = [
-            self.locate((low + high) / 2.0, b)
-            for low, high in pairwise(positions)
-        ]
+        between = [self.locate((low + high) / 2.0, b) for low, high in pairwise(positions)]
         regions = (OUTSIDE, *between, OUTSIDE) if met else (OUTSIDE,)
         return Trace(
             tuple(positions),

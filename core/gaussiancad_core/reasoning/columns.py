@@ -7,6 +7,7 @@ the two other planes, and those of the bodies; between crossings it is in one ce
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Protocol
 
 from gaussiancad_core.axes import Axis
@@ -94,6 +95,16 @@ class Space:
             return None
         bits = sum(1 << i for i, body in enumerate(self.bodies) if body.holds(point))
         return regions[0], regions[1], regions[2], bits
+
+    def thickness(self) -> dict[Cell, float]:
+        """The longest stretch of each cell on any column looked at so far, in units."""
+        longest: dict[Cell, float] = {}
+        for column in self._columns.values():
+            for one, other in pairwise(column):
+                if one.after is not None:
+                    length = other.depth - one.depth
+                    longest[one.after] = max(longest.get(one.after, 0.0), length)
+        return longest
 
     def column(self, normal: Axis, a: float, b: float) -> tuple[Crossing, ...]:
         """The crossings of the line through (a, b) of a plane, in ascending depth."""

@@ -173,13 +173,72 @@ FOUND = (cp_model.OPTIMAL, cp_model.FEASIBLE)
 
 
 def label_cells(rules: Sequence[Rule], effort: Effort) -> Labelling:
-    """Labels under which all rules hold, or all but the least."""
+    """Labels under which all rules hold, or all but the least; the simplest of them.
+
+    Simple means few surfaces: of parts that look alike in all views, the drawn one is nearly always
+    the one with the fewest.
+    """
     hard = Model(rules, relaxable=False)
     solver = solver_for(effort.hard, effort.workers)
     status = solver.solve(hard.model)
-    if status in FOUND:
-        return Labelling(hard.labels(solver), (), True)
-    return relaxed_labels(rules, effort)
+    if status not in FOUND:
+        return relaxed_labels(rules, effort)
+    first = hard.labels(solver)
+    for cell, literal in hard.cells.items():
+        hard.model.add_hint(literal, first[cell])
+    hard.model.minimize(sum(hard.surfaces))
+    solver = solver_for(effort.soft, effort.workers)
+    status = solver.solve(hard.model)
+    return Labelling(hard.labels(solver) if status in FOUND else first, (), True)
+
+
+@dataclass(frozen=True)
+class Others:
+    """Further labels under which the same rules hold.
+
+    Attributes:
+        labels: each differs from all others in a cell that counts.
+        complete: whether there are no more.
+    """
+
+    labels: tuple[Labels, ...]
+    complete: bool
+
+
+def other_labels(
+    rules: Sequence[Rule], found: Labelling, cells: Sequence[Cell], most: int, effort: Effort
+) -> Others:
+    """Other labels that fulfil what the found ones fulfil.
+
+    Args:
+        rules: of the part.
+        found: labels; the rules that they give up are not asked for.
+        cells: those that count: labels that differ in others only are the same.
+        most: how many to look for.
+        effort: the deterministic time of ``hard`` is for all of them.
+    """
+    if found.labels is None:
+        return Others((), False)
+    given_up = {id(rule) for rule in found.given_up}
+    model = Model([rule for rule in rules if id(rule) not in given_up], relaxable=False)
+    counting = [cell for cell in cells if cell in model.cells and cell in found.labels]
+    if not counting:
+        return Others((), True)
+    others: list[Labels] = []
+    latest = found.labels
+    spent = 0.0
+    while len(others) < most:
+        model.forbid(latest, counting)
+        solver = solver_for(effort.hard - spent, effort.workers)
+        status = solver.solve(model.model)
+        spent += solver.response_proto.deterministic_time
+        if status == cp_model.INFEASIBLE:
+            return Others(tuple(others), True)
+        if status not in FOUND or spent >= effort.hard:
+            break
+        latest = model.labels(solver)
+        others.append(latest)
+    return Others(tuple(others), False)
 
 
 def relaxed_labels(rules: Sequence[Rule], effort: Effort) -> Labelling:

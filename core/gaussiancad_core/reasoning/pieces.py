@@ -92,9 +92,7 @@ def _drawn(support: Support | None, role: Role, point: Point) -> tuple[Linetype 
     return support.linetype_at(role, at), max(confidence, default=1.0)
 
 
-def _lines(
-    space: Space, normal: Axis
-) -> Iterator[tuple[Point, Point, Support | None, float]]:
+def _lines(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, Support | None, float]]:
     """Pieces of the grid of values, and of the supports that are not parallel to an axis."""
     plane = space.planes[normal]
     values = [space.values[Axis(index)] for index in IN_PLANE[normal]]
@@ -192,9 +190,7 @@ class _DrawnNear:
     def __init__(self, plane: PlaneSupports, near: float) -> None:
         self._plane = plane
         self._near = near
-        self._chains = [
-            (role, np.array(chain), linetype) for role, chain, linetype in plane.chains
-        ]
+        self._chains = [(role, np.array(chain), linetype) for role, chain, linetype in plane.chains]
 
     def linetype(self, role: Role, point: Point) -> Linetype | None:
         """Visible before hidden; None if nothing is drawn there."""

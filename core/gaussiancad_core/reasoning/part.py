@@ -1,0 +1,104 @@
+"""A drawing as cells and rules: what the labelling starts from."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.reasoning.arrangement import OUTSIDE, Arrangement
+from gaussiancad_core.reasoning.columns import Space
+from gaussiancad_core.reasoning.curves import axis_line
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.pieces import find_pieces
+from gaussiancad_core.reasoning.planes import IN_PLANE
+from gaussiancad_core.reasoning.rules import Rule, rules_of
+from gaussiancad_core.reasoning.supports import (
+    Chain,
+    PartSupports,
+    PlaneSupports,
+    Span,
+    Support,
+    find_supports,
+)
+from gaussiancad_core.views import Linetype
+
+_NEAR = 0.01
+"""Units within which a computed curve is one that is drawn, at least."""
+
+_BESIDE = 0.02
+"""Units beside a chain at which its sides are looked up."""
+
+
+@dataclass(frozen=True)
+class PartModel:
+    """A part as cells with rules.
+
+    Attributes:
+        supports: of the views.
+        space: the cells.
+        rules: what the views say about them.
+    """
+
+    supports: PartSupports
+    space: Space
+    rules: tuple[Rule, ...]
+
+
+def model_part(views: DrawnViews) -> PartModel:
+    """Supports, cells and rules of views."""
+    supports = find_supports(views)
+    planes = {axis: _arranged(plane) for axis, plane in supports.planes.items()}
+    for axis in Axis:
+        if axis not in planes:
+            planes[axis] = _box(axis, supports.size)
+    space = Space(planes)
+    near = max(_NEAR, 2.0 * supports.tolerance)
+    rules = rules_of(space, find_pieces(space, supports.planes, near))
+    return PartModel(supports, space, tuple(rules))
+
+
+def _arranged(plane: PlaneSupports) -> Arrangement:
+    """The plane's regions; chains become boundaries where the outline is open without them."""
+    plain = Arrangement(plane.supports)
+    chains = [chain for _, chain, _ in plane.chains]
+    leaking = [chain for chain in chains if _lies_outside(plain, chain)]
+    if not leaking:
+        return plain
+    return Arrangement(plane.supports, [_attached(chain, plain, chains) for chain in leaking])
+
+
+def _lies_outside(arrangement: Arrangement, chain: Chain) -> bool:
+    """Whether most of a drawn curve has the outside on both sides, which cannot be."""
+    outside = 0
+    inner = chain[1:-1] or chain
+    for a, b in inner:
+        sides = ((a + x, b + y) for x in (-_BESIDE, _BESIDE) for y in (-_BESIDE, _BESIDE))
+        outside += all(arrangement.locate(*side) == OUTSIDE for side in sides)
+    return 2 * outside > len(inner)
+
+
+def _attached(chain: Chain, arrangement: Arrangement, chains: Sequence[Chain]) -> Chain:
+    """The chain with its ends moved onto the corners, or ends of other chains, that they meet."""
+    ends = [end for other in chains if other is not chain for end in (other[0], other[-1])]
+    targets = [*arrangement.corners, *ends]
+
+    def moved(end: tuple[float, float]) -> tuple[float, float]:
+        near = min(targets, key=lambda t: (t[0] - end[0]) ** 2 + (t[1] - end[1]) ** 2)
+        close = (near[0] - end[0]) ** 2 + (near[1] - end[1]) ** 2 < 0.25
+        return near if close else end
+
+    return (moved(chain[0]), *chain[1:-1], moved(chain[-1]))
+
+
+def _box(normal: Axis, size: tuple[float, float, float]) -> Arrangement:
+    """The plane of an axis along which no view looks: nothing is known but the box."""
+    first, second = (size[index] for index in IN_PLANE[normal])
+    role = next(role for role in Role if role.frame.look_axis[0] is normal)
+    sides = ((0, 0.0, second), (0, first, second), (1, 0.0, first), (1, second, first))
+    return Arrangement(
+        [
+            Support(
+                axis_line(coordinate, value), {role: (Span(0.0, length, Linetype.VISIBLE, 1.0),)}
+            )
+            for coordinate, value, length in sides
+        ]
+    )

@@ -1,0 +1,194 @@
+"""The exact solid of a drawing: reason, build, draw again, look for others."""
+
+import time
+from dataclasses import dataclass, field
+
+from OCP.TopoDS import TopoDS_Shape
+
+from gaussiancad_core.axes import mutually_orthogonal
+from gaussiancad_core.modes import Status
+from gaussiancad_core.reasoning.columns import Cell
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.labelling import (
+    Effort,
+    Labelling,
+    Labels,
+    label_cells,
+    other_labels,
+)
+from gaussiancad_core.reasoning.part import PartModel, model_part
+from gaussiancad_core.solid.build import build_solid
+from gaussiancad_core.solid.labelled import LabelledSpace
+from gaussiancad_core.solid.verify import Verification, verify
+
+_COUNTING = 0.3
+"""Units of thickness from which a cell makes a different solid."""
+
+
+@dataclass(frozen=True)
+class Limits:
+    """How far the search goes.
+
+    Attributes:
+        effort: of the labelling, deterministic.
+        alternatives: solids looked at beside the first.
+        seconds: after which no further alternative is begun.
+    """
+
+    effort: Effort = field(default_factory=Effort)
+    alternatives: int = 8
+    seconds: float = 60.0
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A solid that may be the part.
+
+    Attributes:
+        shape: mm, in the model's axes.
+        verification: how its lines agree with the views.
+    """
+
+    shape: TopoDS_Shape
+    verification: Verification
+
+
+@dataclass(frozen=True)
+class ExactResult:
+    """What was found.
+
+    Attributes:
+        status: ``VERIFIED`` as the contract defines it, ``APPROXIMATE`` with reasons, ``FAILED``
+            without a solid.
+        shape: the solid in mm; None if there is none.
+        verification: of the solid.
+        alternatives: other solids that agree with the views as well.
+        reasons: (code, sentence).
+        seconds: of the steps.
+    """
+
+    status: Status
+    shape: TopoDS_Shape | None
+    verification: Verification | None
+    alternatives: tuple[TopoDS_Shape, ...]
+    reasons: tuple[tuple[str, str], ...]
+    seconds: dict[str, float]
+
+
+def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
+    """The solid whose lines are those of the views.
+
+    Args:
+        views: two to six.
+        limits: of the search.
+    """
+    limits = limits or Limits()
+    clock = _Clock()
+    part = model_part(views)
+    clock.lap("model")
+    labelling = label_cells(part.rules, limits.effort)
+    clock.lap("label")
+    if labelling.labels is None:
+        reason = "no-solid-found", "no solid with such lines was found in the time allowed"
+        return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
+    candidates, complete = _candidates(part, views, labelling, limits, clock)
+    if not candidates:
+        reason = (
+            "no-valid-solid",
+            "the cells that fit the lines best bound no closed solid: lines are missing or wrong",
+        )
+        return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
+    agreeing = [c for c in candidates if c.verification.holds]
+    best = agreeing[0] if agreeing else candidates[0]
+    reasons = _reasons(best, agreeing, complete, views)
+    return ExactResult(
+        Status.APPROXIMATE if reasons else Status.VERIFIED,
+        best.shape,
+        best.verification,
+        tuple(other.shape for other in agreeing if other is not best),
+        tuple(reasons),
+        clock.seconds,
+    )
+
+
+class _Clock:
+    """Seconds of named steps."""
+
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {}
+        self._start = self._last = time.perf_counter()
+
+    def lap(self, name: str) -> None:
+        now = time.perf_counter()
+        self.seconds[name] = self.seconds.get(name, 0.0) + now - self._last
+        self._last = now
+
+    @property
+    def total(self) -> float:
+        return time.perf_counter() - self._start
+
+
+def _candidates(
+    part: PartModel, views: DrawnViews, labelling: Labelling, limits: Limits, clock: _Clock
+) -> tuple[list[Candidate], bool]:
+    """Solids of the labels and of others, simplest first; whether all there are were looked at."""
+    counting: list[Cell] = [
+        cell for cell, thickness in part.space.thickness().items() if thickness > _COUNTING
+    ]
+    others = other_labels(part.rules, labelling, counting, limits.alternatives, limits.effort)
+    clock.lap("others")
+    complete = others.complete and labelling.complete
+    candidates = []
+    for labels in (labelling.labels, *others.labels):
+        if clock.total > limits.seconds and candidates:
+            return candidates, False
+        candidate = _candidate(part, views, labels, clock)
+        if candidate is not None:
+            candidates.append(candidate)
+    return candidates, complete
+
+
+def _candidate(
+    part: PartModel, views: DrawnViews, labels: Labels | None, clock: _Clock
+) -> Candidate | None:
+    if labels is None:
+        return None
+    built = build_solid(LabelledSpace(part.space, labels), part.supports.scale)
+    clock.lap("build")
+    if built.shape is None:
+        return None
+    verification = verify(built.shape, views)
+    clock.lap("verify")
+    return Candidate(built.shape, verification)
+
+
+def _reasons(
+    best: Candidate, agreeing: list[Candidate], complete: bool, views: DrawnViews
+) -> list[tuple[str, str]]:
+    reasons = []
+    if not mutually_orthogonal(views.roles):
+        reasons.append(
+            ("two-views", "only two directions of view: what a third would show is not known")
+        )
+    if not best.verification.sound:
+        reasons.append(("solid-unsound", "the solid is not one valid closed body"))
+    if best.verification.flaws:
+        worst = best.verification.flaws[0]
+        what = "does not show" if worst.missing else "shows"
+        reasons.append(
+            (
+                "lines-unexplained",
+                f"the solid {what} a line of {worst.length:.1f} mm that the {worst.role.value} "
+                f"view has{'' if worst.missing else ' not'}, at ({worst.place[0]:.1f}, "
+                f"{worst.place[1]:.1f}) mm, and {len(best.verification.flaws) - 1} more",
+            )
+        )
+    if len(agreeing) > 1:
+        reasons.append(
+            ("ambiguous", f"{len(agreeing)} different solids have these lines: see alternatives/")
+        )
+    if not complete:
+        reasons.append(
+            ("search-unfinished", "the search for other solids with these lines was not completed")
+        )
+    return reasons

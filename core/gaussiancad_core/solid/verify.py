@@ -1,0 +1,115 @@
+"""A solid drawn again and compared with the views it was made from."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+from OCP.TopoDS import TopoDS_Shape
+from scipy.spatial import cKDTree
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.drawing.brep import soundness
+from gaussiancad_core.drawing.hlr import LineDrawing
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.verification.agreement import MatchedLines, match_lines
+from gaussiancad_core.verification.lines import LinePoints, lines_of_strokes
+
+_LOOSE = 4.0
+"""Tolerances of the views within which lines are the same."""
+
+_LEAST = 1e-3
+"""The same as a share of the longest extent, at least."""
+
+_FLAW = 3.0
+"""Matching tolerances of line in one place from which a disagreement counts."""
+
+_SMALLEST_FLAW = 0.002
+"""The same as a share of the longest extent, at least."""
+
+
+@dataclass(frozen=True)
+class Flaw:
+    """A place where the drawings disagree.
+
+    Attributes:
+        role: the view.
+        place: (right, up) mm, a point of the place.
+        length: mm of line.
+        missing: the sheet has the line and the solid does not; otherwise the other way round.
+    """
+
+    role: Role
+    place: tuple[float, float]
+    length: float
+    missing: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Verification:
+    """How a solid's lines agree with the views.
+
+    Attributes:
+        sound: one valid closed solid.
+        matched: of each view.
+        flaws: all places of disagreement, worst first.
+    """
+
+    sound: bool
+    matched: Mapping[Role, MatchedLines]
+    flaws: tuple[Flaw, ...]
+
+    @property
+    def holds(self) -> bool:
+        """Whether the solid is sound and its lines are those of the views."""
+        return self.sound and not self.flaws
+
+
+def matching_tolerance(views: DrawnViews) -> float:
+    """mm within which a line of a solid is a line of the views."""
+    return max(_LOOSE * views.tolerance, _LEAST * max(views.size))
+
+
+def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
+    """Draw a solid in the views' directions and match the lines both ways."""
+    facts = soundness(shape)
+    tolerance = matching_tolerance(views)
+    least = max(_FLAW * tolerance, _SMALLEST_FLAW * max(views.size))
+    drawing = LineDrawing(shape)
+    matched, flaws = {}, []
+    for role in views.roles:
+        lines = lines_of_strokes(drawing.view(role), tolerance / 8.0)
+        found = matched[role] = match_lines(views.strokes[role], lines, tolerance)
+        for points, agree, missing in (
+            (found.sheet.visible, found.visible_found, True),
+            (found.sheet.hidden, found.hidden_found, True),
+            (found.result.visible, found.visible_explained, False),
+            (found.result.hidden, found.hidden_explained, False),
+        ):
+            for place, length in _places(points, ~agree, tolerance):
+                if length >= least:
+                    flaws.append(Flaw(role, place, length, missing))
+    flaws.sort(key=lambda flaw: -flaw.length)
+    return Verification(facts.valid and facts.closed and facts.solids == 1, matched, tuple(flaws))
+
+
+def _places(
+    points: LinePoints, wrong: npt.NDArray[np.bool_], tolerance: float
+) -> list[tuple[tuple[float, float], float]]:
+    """Groups of neighbouring wrong points: a point of each, and its length in mm."""
+    chosen = points.only(wrong)
+    if not len(chosen.points):
+        return []
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
+    pairs = cKDTree(chosen.points).query_pairs(tolerance, output_type="ndarray")
+    count = len(chosen.points)
+    graph = coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (count, count))
+    groups, labels = connected_components(graph, directed=False)
+    found = []
+    for group in range(groups):
+        own = np.flatnonzero(labels == group)
+        middle = chosen.points[own[len(own) // 2]]
+        found.append(((float(middle[0]), float(middle[1])), float(chosen.lengths[own].sum())))
+    return found
