@@ -43,6 +43,9 @@ _UNEVEN = 0.15
 
 _FREE_PX = 1.5
 
+_LOOSE_PX = 2.0
+"""By how much the end of a piece may lie beside the direction of its family."""
+
 _ENDING = 0.6
 """Share of the ends of a family's lines at which another stroke passes by."""
 
@@ -192,7 +195,7 @@ def find_hatching(
     area = np.zeros(sheet.ink.shape, np.uint8)
     loose = np.zeros(len(ridges.points), dtype=bool)
     for angle in _directions(pieces, sheet.stroke_width):
-        own = [piece for piece in pieces if _between(piece.angle, angle) < _PARALLEL]
+        own = [piece for piece in pieces if _is_parallel(piece, angle)]
         for seed in _families(own, angle, sheet):
             family = seed.with_short(own)
             filled = family.area(area.shape)
@@ -222,6 +225,11 @@ def _slanted(shapes: Sequence[InkedShape]) -> list[_Piece]:
 def _between(one: float, other: float) -> float:
     """Angle between two directions modulo half a turn."""
     return float(abs((one - other + np.pi / 2) % np.pi - np.pi / 2))
+
+
+def _is_parallel(piece: _Piece, angle: float) -> bool:
+    """Whether a piece runs along a direction; the shorter it is, the less exactly it is known."""
+    return _between(piece.angle, angle) < max(_PARALLEL, _LOOSE_PX / piece.run.length)
 
 
 def _directions(pieces: Sequence[_Piece], stroke_width: float) -> list[float]:

@@ -48,8 +48,16 @@ class Weights:
     limit: float
 
 
-def line_weights(shapes: Sequence[InkedShape], stroke_width: float) -> Weights:
-    """Learn from a sheet's continuous runs whether it has wide and narrow lines."""
+def line_weights(
+    shapes: Sequence[InkedShape], stroke_width: float, least_px: float = 0.0
+) -> Weights:
+    """Learn from a sheet's continuous runs whether it has wide and narrow lines.
+
+    Args:
+        shapes: with their runs measured.
+        stroke_width: px, the mean over the sheet.
+        least_px: by which wide lines are wider than narrow ones at least.
+    """
     pairs = [
         (own.width, own.run.length)
         for shape in shapes
@@ -61,13 +69,13 @@ def line_weights(shapes: Sequence[InkedShape], stroke_width: float) -> Weights:
     widths, lengths = np.array(pairs).T
     order = np.argsort(widths)
     widths, lengths = widths[order], lengths[order]
-    limit = _valley(widths, lengths)
+    limit = _valley(widths, lengths, least_px)
     wide = widths >= limit
     middle = np.searchsorted(np.cumsum(lengths[wide]), lengths[wide].sum() / 2)
     return Weights(float(widths[wide][min(middle, wide.sum() - 1)]), limit)
 
 
-def _valley(widths: np.ndarray, lengths: np.ndarray) -> float:
+def _valley(widths: np.ndarray, lengths: np.ndarray, least_px: float) -> float:
     """The width between two families of widths (Otsu 1979), or 0 where there is but one."""
     total = lengths.sum()
     below = np.cumsum(lengths)[:-1]
@@ -86,7 +94,7 @@ def _valley(widths: np.ndarray, lengths: np.ndarray) -> float:
         float(np.sqrt(np.average((widths[part] - mean) ** 2, weights=lengths[part])))
         for part, mean in ((first, low[cut]), (second, high[cut]))
     )
-    if high[cut] - low[cut] < _APART * spread:
+    if high[cut] - low[cut] < max(_APART * spread, least_px):
         return 0.0
     # Nearer to the narrow ones: a wide line that was scanned faintly stays the part's.
     return float(low[cut] + 0.45 * (high[cut] - low[cut]))

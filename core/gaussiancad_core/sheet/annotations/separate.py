@@ -55,6 +55,17 @@ _SHORTEST_MARK = 16.0
 """Length of a centre mark that sticks out of a view at least, in stroke widths."""
 
 
+_ROUNDED_PX = 1.25
+"""Least difference of wide and narrow lines on sheets without grey: lines of one width have as many
+whole px as their places make of it."""
+
+_GREY = (0.15, 0.85)
+"""Darkness between paper and ink."""
+
+_LEAST_GREY = 0.05
+"""Share of the ink that is grey at least, where edges of strokes are smooth."""
+
+
 @dataclass(frozen=True, eq=False)
 class SeparatedSheet:
     """A sheet without its annotations.
@@ -105,7 +116,8 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
         told = Told(shapes, hatching.kinds(shapes), unexplained, loose)
         sheet = erased(sheet, told)
         shapes = hatching.others(shapes)
-    weights = line_weights(shapes, sheet.stroke_width) if by_weight else None
+    least = _ROUNDED_PX if _is_two_valued(sheet) else 0.0
+    weights = line_weights(shapes, sheet.stroke_width, least) if by_weight else None
     if weights is None or not weights.limit:
         weights = Weights(sheet.stroke_width, 0.0)
     else:
@@ -136,6 +148,13 @@ def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> t
     shapes, kinds = split_loose(told.shapes, told.kinds, ink & ~boxes, rule)
     rest = Told(shapes, kinds, told.unexplained)
     return rest, boxes | lettered_boxes(erased(sheet, rest).ink, letters)
+
+
+def _is_two_valued(sheet: CleanSheet) -> bool:
+    """Whether every pixel is ink or paper, so that widths are whole numbers of px."""
+    inked = sheet.weight > _GREY[0]
+    grey = inked & (sheet.weight < _GREY[1])
+    return float(grey.sum()) < _LEAST_GREY * max(float(inked.sum()), 1.0)
 
 
 def _free(ridges: RidgePoints, grown: list[Grown]) -> npt.NDArray[np.bool_]:

@@ -1,0 +1,118 @@
+"""Hatching goes as a whole, and nothing else does."""
+
+from functools import cache
+
+import cv2
+import numpy as np
+import pytest
+
+from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.drawing.inking import ink_annotations
+from gaussiancad_core.drawing.raster import rasterise
+from gaussiancad_core.drawing.sheet import PartLines, compose_sheet, part_lines
+from gaussiancad_core.drawing.style import SectionKind, parse_style
+from gaussiancad_core.samples import sample
+from gaussiancad_core.sheet.annotations.separate import separate_annotations
+from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
+
+ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
+SIZE = "width=1440,height=900,section=front"
+
+
+@cache
+def _lines(part: str) -> PartLines:
+    kinds = tuple((Role.FRONT, kind) for kind in SectionKind)
+    return part_lines(sample(part).build(), ROLES, sections=kinds)
+
+
+def _near(ink: np.ndarray, px: int) -> np.ndarray:
+    return cv2.dilate(ink.astype(np.uint8), np.ones((2 * px + 1, 2 * px + 1), np.uint8)) > 0
+
+
+@pytest.mark.parametrize(
+    "look",
+    [
+        "clean",
+        "clean,annotation-width=3",
+        "clean,hatch-pitch=8",
+        "clean,hatch-pitch=30",
+        "clean,section-kind=half",
+        "clean,section-kind=broken-out",
+        "scan,skew=0",
+        "photocopy,skew=0",
+        "dimensioned",
+    ],
+)
+@pytest.mark.parametrize("part", ["counterbored-block", "stepped-shaft"])
+def test_hatching_is_taken_off(part: str, look: str) -> None:
+    style = parse_style(f"{look},{SIZE}")
+    drawn = compose_sheet(_lines(part), Projection.THIRD, style)
+    clean = clean_sheet(cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY))
+    separated = separate_annotations(clean)
+    hatching = tuple(m for m in drawn.annotations if m.kind is AnnotationKind.HATCHING)
+    strokes = tuple(stroke for view in drawn.views for stroke in view.strokes)
+    part_ink = rasterise(strokes, style) > 0.5
+    others = tuple(m for m in drawn.annotations if m.kind is not AnnotationKind.HATCHING)
+    beside = _near(part_ink, 4)
+    if others:
+        beside |= _near(ink_annotations(others, style) > 0.1, 4)
+    lines = (ink_annotations(hatching, style) > 0.5) & ~beside
+    assert lines.sum() > 200
+    assert (lines & separated.part.ink).sum() <= 0.01 * lines.sum()
+    kept = _near(separated.part.ink, 1)
+    assert (part_ink & kept).sum() >= 0.985 * (part_ink & _near(clean.ink, 1)).sum()
+    # The marks lie around the lines, and within the view.
+    boxes = [m.box for m in separated.marks if m.kind is AnnotationKind.HATCHING]
+    x0, y0, x1, y1 = hatching[0].box
+    low, high = np.min(boxes, axis=0)[:2], np.max(boxes, axis=0)[2:]
+    assert (*low, *high) == pytest.approx((x0, y0, x1, y1), abs=0.8 * style.hatch_pitch + 8)
+    assert separated.hatched is not None
+
+
+def test_hatching_of_a_turned_sheet_is_taken_off() -> None:
+    style = parse_style(f"photocopy,{SIZE}")
+    drawn = compose_sheet(_lines("counterbored-block"), Projection.THIRD, style)
+    clean = upright_sheet(clean_sheet(cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)))
+    separated = separate_annotations(clean)
+    upright = tuple(
+        mark.turned(np.radians(3.0), (720.0, 450.0))
+        for mark in drawn.annotations
+        if mark.kind is AnnotationKind.HATCHING
+    )
+    lines = ink_annotations(upright, style) > 0.5
+    strokes = tuple(stroke for view in drawn.views for stroke in view.strokes)
+    cosine, sine = np.cos(np.radians(3.0)), np.sin(np.radians(3.0))
+    matrix = np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0]])
+    matrix[:, 2] = np.array([720.0, 450.0]) - matrix[:, :2] @ np.array([720.0, 450.0])
+    part_ink = cv2.warpAffine(rasterise(strokes, style), matrix, (1440, 900)) > 0.3
+    lines &= ~_near(part_ink, 5)
+    assert lines.sum() > 2000
+    assert (lines & separated.part.ink).sum() <= 0.01 * lines.sum()
+
+
+def _teeth(sketch, steep: bool):  # noqa: ANN001, ANN202
+    """A rack: a body whose upper side has many equal slanted edges."""
+    corners = [(20.0, 130.0), (20.0, 80.0)]
+    for k in range(7):
+        start = 20.0 + 22.0 * k
+        slant = (start + 22.0, 58.0)
+        corners += [slant, (slant[0], 80.0)] if steep else [(start + 11.0, 58.0), (slant[0], 80.0)]
+    corners += [(corners[-1][0], 130.0), (20.0, 130.0)]
+    return sketch().lines(*corners)
+
+
+@pytest.mark.parametrize("steep", [True, False])
+def test_teeth_are_no_hatching(sketch, steep: bool) -> None:  # noqa: ANN001
+    clean = clean_sheet(_teeth(sketch, steep).grey)
+    separated = separate_annotations(clean)
+    assert separated.marks == ()
+    assert np.array_equal(separated.part.ink, clean.ink)
+
+
+def test_three_lines_are_no_hatching(sketch) -> None:  # noqa: ANN001
+    drawn = sketch().lines((20, 20), (180, 20), (180, 140), (20, 140), (20, 20))
+    for k in range(3):
+        drawn.line((40.0 + 20.0 * k, 140.0), (160.0 + 20.0 * k - 40.0, 20.0))
+    separated = separate_annotations(clean_sheet(drawn.grey))
+    assert AnnotationKind.HATCHING not in {mark.kind for mark in separated.marks}
