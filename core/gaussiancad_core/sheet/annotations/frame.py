@@ -24,6 +24,9 @@ block lie outside."""
 _IN_MIDDLE = 0.1
 """Share of a frame's ink in its middle at most."""
 
+_ALL = 0.95
+"""Share of the sheet's ink that lies inside of a frame, with its own."""
+
 _LARGEST = 0.3
 """Share of the sheet that the drawing area has at least: less is a view drawn large."""
 
@@ -60,7 +63,13 @@ def find_frame(ink: Mask, turn: Turn) -> Frame | None:
     )
     spans[0] = False
     for label in np.flatnonzero(spans):
-        spans[label] = _share_in_middle(labels, stats[label], label) < _IN_MIDDLE
+        around = _middle_of((0, 0, width, height))
+        if not _contains_all(closed, stats[label]):
+            # The paper's own middle, not the piece's: a long view has an empty one, too.
+            spans[label] = _share_in(labels, stats[label], label, around) < _IN_MIDDLE
+            continue
+        own = _middle_of(tuple(int(value) for value in stats[label, :4]))
+        spans[label] = _share_in(labels, stats[label], label, own) < _IN_MIDDLE
     if not spans.any():
         return None
     frame = spans[labels]
@@ -90,14 +99,27 @@ def find_frame(ink: Mask, turn: Turn) -> Frame | None:
     return Frame(drawing_area, tuple(marks))
 
 
-def _share_in_middle(labels: np.ndarray, fact: np.ndarray, label: int) -> float:
-    """Share of a piece's ink in the middle of its own box: the paper may be wider than the frame
-    is."""
-    x, y, w, h, count = (int(value) for value in fact)
+def _middle_of(box: tuple[int, int, int, int]) -> tuple[slice, slice]:
+    """Rows and columns of the middle of a box (x, y, width, height)."""
+    x, y, w, h = box
     left, top, right, bottom = _MIDDLE
     rows = slice(y + int(top * h), y + int(bottom * h))
-    columns = slice(x + int(left * w), x + int(right * w))
-    return float((labels[rows, columns] == label).sum()) / count
+    return rows, slice(x + int(left * w), x + int(right * w))
+
+
+def _share_in(
+    labels: np.ndarray, fact: np.ndarray, label: int, middle: tuple[slice, slice]
+) -> float:
+    """Share of a piece's ink in a middle."""
+    return float((labels[middle] == label).sum()) / float(fact[cv2.CC_STAT_AREA])
+
+
+def _contains_all(ink: np.ndarray, fact: np.ndarray) -> bool:
+    """Whether a piece goes around nearly all ink and most of the paper: a frame that is smaller
+    than the paper, not in proportion to it."""
+    x, y, w, h = (int(value) for value in fact[:4])
+    large = w > _SPAN * ink.shape[1] and h > _SPAN * ink.shape[0]
+    return large and float(ink[y : y + h, x : x + w].sum()) > _ALL * float(ink.sum())
 
 
 def _is_field(ink: Mask, fact: np.ndarray) -> bool:

@@ -173,3 +173,33 @@ def test_a_dark_border_of_a_copier_is_taken_off() -> None:
     assert frame is not None
     assert frame.drawing_area[31:-31, 26:-26].all()
     assert not (frame.drawing_area & ink).any()
+
+
+def _framed(width: int, sketch: Sketch) -> np.ndarray:
+    """A frame of 300 x 200 px with a view in it, in the middle of paper of some width."""
+    left = (width - 300) / 2
+    drawn = sketch(width, 240)
+    for inset in (0, 12):
+        x0, y0, x1, y1 = left + inset, 20 + inset, left + 300 - inset, 220 - inset
+        drawn.lines((x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0))
+    drawn.line((left + 150, 20), (left + 150, 32))
+    x0, y0, x1, y1 = left + 100, 80, left + 180, 150
+    drawn.lines((x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0))
+    return drawn.weight >= 0.5
+
+
+@pytest.mark.parametrize("width", [320, 400, 480])
+def test_a_frame_on_wider_paper_is_taken_off(sketch: Sketch, width: int) -> None:
+    ink = _framed(width, sketch)
+    frame = _found(ink)
+    assert frame is not None
+    left = ink & frame.drawing_area
+    columns = np.flatnonzero(left.any(axis=0))
+    assert (columns[0], columns[-1]) == pytest.approx((width / 2 - 50, width / 2 + 30), abs=2.5)
+
+
+def test_a_long_view_that_is_empty_within_is_no_frame(sketch: Sketch) -> None:
+    """A plate wider than most of the sheet, beside other views."""
+    drawn = sketch(400, 300).lines((20, 40), (300, 40), (300, 180), (20, 180), (20, 40))
+    drawn.lines((20, 230), (300, 230), (300, 250), (20, 250), (20, 230))
+    assert _found(drawn.weight >= 0.5) is None
