@@ -12,9 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.axes import Role
-
-_TURN = np.linspace(0.0, 2 * np.pi, 513)
-"""Parameters at which an ellipse's lengths are tabled."""
+from gaussiancad_core.ellipses import WholeEllipse
 
 
 class Linetype(Enum):
@@ -110,34 +108,31 @@ class Ellipse:
     confidence: float = 1.0
 
     @property
+    def whole(self) -> WholeEllipse:
+        """The ellipse that the stroke is a piece of."""
+        return WholeEllipse(self.centre, self.semi_major, self.semi_minor, self.rotation)
+
+    @property
     def length(self) -> float:
         """Length along the ellipse."""
-        return float(np.diff(self._lengths(np.array([self.start, self.start + self.sweep])))[0])
+        return float(np.diff(self.whole.lengths(np.array([self.start, self._end])))[0])
 
-    def at(self, parameters: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
-        """(n,) parameters -> (n, 2) points of the whole ellipse."""
-        cosine, sine = float(np.cos(self.rotation)), float(np.sin(self.rotation))
-        u, v = self.semi_major * np.cos(parameters), self.semi_minor * np.sin(parameters)
-        return np.array(self.centre) + np.stack([u * cosine - v * sine, u * sine + v * cosine], 1)
+    @property
+    def _end(self) -> float:
+        return self.start + self.sweep
 
     def parameters(self, positions: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
         """(n,) lengths along the ellipse from the stroke's start -> (n,) parameters."""
-        around = self._lengths(np.array([0.0, 2 * np.pi]))
-        first = float(self._lengths(np.array([self.start]))[0])
-        turns, rest = np.divmod(positions + first, float(around[1] - around[0]))
-        found = np.interp(rest, self._lengths(_TURN), _TURN)
-        # The table is good to 1e-5; Newton's method makes that exact.
-        for _ in range(2):
-            found += (rest - self._lengths(found)) / self._speed(found)
-        return found + 2 * np.pi * turns
+        whole = self.whole
+        return whole.parameters(positions + whole.lengths(np.array([self.start])))
 
     def sample(self, step: float) -> npt.NDArray[np.float64]:
         """(n, 2) even points along the stroke, at most ``step`` apart, both ends included."""
         length = self.length
         count = max(3, int(np.ceil(length / step)) + 1)
         parameters = self.parameters(np.linspace(0.0, length, count))
-        parameters[0], parameters[-1] = self.start, self.start + self.sweep
-        return self.at(parameters)
+        parameters[0], parameters[-1] = self.start, self._end
+        return self.whole.at(parameters)
 
     def extremes(self) -> npt.NDArray[np.float64]:
         """(n, 2) both ends and the points at which the stroke turns back along an axis."""
@@ -149,20 +144,8 @@ class Ellipse:
             ]
         )
         turning = self.start + np.mod(np.append(turning, turning + np.pi) - self.start, 2 * np.pi)
-        ends = np.array([self.start, self.start + self.sweep])
-        return self.at(np.concatenate([ends, turning[turning < ends[1]]]))
-
-    def _speed(self, parameters: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
-        return np.hypot(self.semi_major * np.sin(parameters), self.semi_minor * np.cos(parameters))
-
-    def _lengths(self, parameters: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
-        """(n,) lengths from parameter 0: incomplete elliptic integrals of the second kind."""
-        from scipy.special import ellipeinc
-
-        flatness = 1.0 - (self.semi_minor / self.semi_major) ** 2
-        quarter = np.pi / 2
-        found = ellipeinc(parameters - quarter, flatness) - ellipeinc(-quarter, flatness)
-        return self.semi_major * found
+        ends = np.array([self.start, self._end])
+        return self.whole.at(np.concatenate([ends, turning[turning < self._end]]))
 
 
 Stroke = Segment | Arc | Ellipse

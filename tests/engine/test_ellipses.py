@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.ellipses import WholeEllipse, ellipse_through
+from gaussiancad_core.ellipses import WholeEllipse, ellipse_through, refined
 
 ellipses = st.builds(
     lambda x, y, major, ratio, rotation: WholeEllipse((x, y), major, ratio * major, rotation),
@@ -54,3 +54,39 @@ def test_other_curves_are_no_ellipses() -> None:
     assert ellipse_through(np.stack([x, 2.0 * x], 1)) is None
     assert ellipse_through(np.zeros((9, 2))) is None
     assert ellipse_through(np.eye(5, 2)) is None
+
+
+@given(ellipses, st.floats(-3.0, 3.0), st.floats(2.0, 6.2))
+def test_steps_lead_to_the_nearest_ellipse(
+    ellipse: WholeEllipse, start: float, sweep: float
+) -> None:
+    """Points that lie beside an ellipse, now outside and now inside, and a start that is off."""
+    at = start + np.linspace(0.0, sweep, 80)
+    beside = 0.002 * ellipse.semi_minor * np.cos(40.0 * (at - start))
+    points = np.concatenate(
+        [_points(ellipse, np.array([t]), d) for t, d in zip(at, beside, strict=True)]
+    )
+    shift = 0.02 * ellipse.semi_minor
+    found = WholeEllipse(
+        (ellipse.centre[0] + shift, ellipse.centre[1] - shift),
+        1.02 * ellipse.semi_major,
+        0.99 * ellipse.semi_minor,
+        ellipse.rotation + 0.01,
+    )
+    for _ in range(8):
+        found = refined(found, points)
+    assert found.distances(points).max() < 0.004 * ellipse.semi_minor
+
+
+@given(ellipses, st.floats(0.0, 1.0))
+def test_lengths_and_parameters_are_each_others(ellipse: WholeEllipse, share: float) -> None:
+    along = share * ellipse.around
+    parameter = ellipse.parameters(np.array([along]))
+    assert ellipse.lengths(parameter) == pytest.approx(along, abs=1e-6 * ellipse.semi_major)
+    point = ellipse.points_at(np.array([along]))
+    assert np.mod(ellipse.positions(point) - along + 1.0, ellipse.around) == pytest.approx(
+        1.0, abs=1e-5 * ellipse.semi_major
+    )
+    ahead = ellipse.points_at(np.array([along + 1e-6 * ellipse.around])) - point
+    way = ahead / np.hypot(*ahead.T)
+    assert (way * ellipse.tangents_at(np.array([along]))).sum() == pytest.approx(1.0, abs=1e-6)

@@ -35,7 +35,7 @@ def test_samples_are_even_and_lie_on_the_ellipse(ellipse: Ellipse) -> None:
     u = offset @ major / ellipse.semi_major
     v = offset @ np.array([-major[1], major[0]]) / ellipse.semi_minor
     assert u**2 + v**2 == pytest.approx(1.0, abs=1e-9)
-    ends = ellipse.at(np.array([ellipse.start, ellipse.start + ellipse.sweep]))
+    ends = ellipse.whole.at(np.array([ellipse.start, ellipse.start + ellipse.sweep]))
     assert points[[0, -1]] == pytest.approx(ends, abs=1e-9)
 
 

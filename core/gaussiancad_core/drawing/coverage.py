@@ -149,7 +149,7 @@ def points_at(stroke: DrawnStroke, positions: Points) -> Points:
             [np.cos(angles), np.sin(angles)], axis=1
         )
     if isinstance(stroke, Ellipse):
-        return stroke.at(stroke.parameters(positions))
+        return stroke.whole.at(stroke.parameters(positions))
     vertices = np.array(stroke.points)
     along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(vertices, axis=0).T))])
     return np.stack([np.interp(positions, along, vertices[:, axis]) for axis in (0, 1)], axis=1)

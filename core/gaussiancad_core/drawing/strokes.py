@@ -105,7 +105,7 @@ def as_chain(ellipse: Ellipse, chord: float) -> Polyline:
     # Chords of a circle of the major axis's size lie farther beside it than those of the ellipse.
     step = np.sqrt(8.0 * chord / ellipse.semi_major)
     count = max(8, int(np.ceil(ellipse.sweep / step)))
-    points = ellipse.at(ellipse.start + np.linspace(0.0, ellipse.sweep, count + 1))
+    points = ellipse.whole.at(ellipse.start + np.linspace(0.0, ellipse.sweep, count + 1))
     if is_closed(ellipse):
         points[-1] = points[0]
     pairs = tuple((float(x), float(y)) for x, y in points)

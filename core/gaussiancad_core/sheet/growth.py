@@ -1,4 +1,4 @@
-"""Lines and circles grown along ridge points.
+"""Lines, circles and ellipses grown along ridge points.
 
 From a point with a direction, a line is fitted to the points near it that run its way, followed
 further, fitted again, and so on until the ink ends.  It is followed across gaps as wide as those
@@ -14,14 +14,18 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.sheet.geometry import Circle, Line
-from gaussiancad_core.sheet.growth_kernels import grow_arcs, grow_lines
+from gaussiancad_core.ellipses import WholeEllipse
+from gaussiancad_core.sheet.arc_kernels import grow_arcs
+from gaussiancad_core.sheet.geometry import Circle, Geometry, Line
+from gaussiancad_core.sheet.line_kernels import grow_lines
+from gaussiancad_core.sheet.ovals import OvalRules, grow_ovals
 from gaussiancad_core.sheet.ridges import RidgePoints
 
 Floats = npt.NDArray[np.float64]
 
-_BONUS = {Line: 1.0, Circle: 1.15}
-"""Lines explain an arc in pieces: at nearly the same number of points the arc wins."""
+_BONUS = {Line: 1.0, Circle: 1.15, WholeEllipse: 1.05}
+"""Lines explain an arc in pieces: at nearly the same number of points the arc wins.  Between them
+ellipses: they win where they explain what takes two arcs, not what is one."""
 
 _BESIDE = 0.5
 """px from the centre line at which a point says nothing for a shape: corners that an arc rounds."""
@@ -63,14 +67,14 @@ class GrowthRules:
 
 @dataclass(frozen=True, eq=False)
 class Grown:
-    """A line or a circle with the ridge points that it explains.
+    """A line, circle or ellipse with the ridge points that it explains.
 
     Attributes:
         geometry: in px, centres of pixels at integers.
         members: (k,) rows of the ridge points.
     """
 
-    geometry: Line | Circle
+    geometry: Geometry
     members: npt.NDArray[np.int64]
 
 
@@ -79,6 +83,29 @@ def grow_shapes(ridges: RidgePoints, rules: GrowthRules = GrowthRules()) -> list
 
     Shapes compete for points: of two that run along each other only the better one stays.
     """
+    lines, arcs, _ = _lines_and_arcs(ridges, rules)
+    return _chosen(lines + arcs, ridges, rules.shortest)
+
+
+def grow_all(ridges: RidgePoints, rules: GrowthRules = GrowthRules()) -> list[Grown]:
+    """Lines, circles and ellipses, as :func:`grow_shapes` gives lines and circles."""
+    lines, arcs, beside = _lines_and_arcs(ridges, rules)
+    seeds = sorted(arcs, key=lambda grown: -len(grown.members))
+    cosine = float(np.cos(np.radians(rules.turn_degrees)))
+    ovals = grow_ovals(
+        ridges,
+        [(grown.geometry, grown.members) for grown in seeds],
+        beside,
+        OvalRules(rules.gap, rules.band, cosine),
+    )
+    shapes = lines + arcs + [Grown(ellipse, members) for ellipse, members in ovals]
+    return _chosen(shapes, ridges, rules.shortest)
+
+
+def _lines_and_arcs(
+    ridges: RidgePoints, rules: GrowthRules
+) -> tuple[list[Grown], list[Grown], Floats]:
+    """All lines, all arcs, and (n,) px from each point to the long line that has it."""
     lines = _all_lines(ridges, rules)
     beside = np.full(len(ridges.points), np.inf)
     for grown in _chosen(lines, ridges, rules.shortest):
@@ -86,8 +113,7 @@ def grow_shapes(ridges: RidgePoints, rules: GrowthRules = GrowthRules()) -> list
             away = grown.geometry.distances(ridges.points[grown.members])
             beside[grown.members] = np.minimum(beside[grown.members], away)
     found = grow_arcs(*_inputs(ridges, rules), beside)
-    arcs = [Grown(_circle(row), own) for row, own in _unpacked(found)]
-    return _chosen(lines + arcs, ridges, rules.shortest)
+    return lines, [Grown(_circle(row), own) for row, own in _unpacked(found)], beside
 
 
 def grow_straight(ridges: RidgePoints, rules: GrowthRules = GrowthRules()) -> list[Grown]:

@@ -10,7 +10,8 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.sheet.geometry import Circle, Line
+from gaussiancad_core.ellipses import WholeEllipse
+from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
 from gaussiancad_core.sheet.runs import Piece, Rhythm
 from gaussiancad_core.views import Linetype
 
@@ -19,10 +20,13 @@ FULL_TURN = 2 * np.pi
 _SEEN_BEYOND = 1.8
 """px by which a run may seem to end beyond the ink it has in common with another stroke."""
 
+_TANGENT = 1.2
+"""px by which a line may miss or cut a curve and be its tangent."""
+
 _ABUTTING = 0.75
 """px between the ends of pieces that continue each other."""
 
-Placed = tuple[Line | Circle, Piece]
+Placed = tuple[Geometry, Piece]
 """A piece and the shape that it is a stretch of."""
 
 Crossing = tuple[float, float]
@@ -42,6 +46,7 @@ def ended_at_junctions(
         stretches = [piece for other, piece in pieces if other == geometry]
         others = [(other, piece) for other, piece in pieces if other != geometry]
         ended = []
+        crossings: list[Crossing] = []
         for piece in stretches:
             if is_full_circle(geometry, piece):
                 ended.append(piece)
@@ -53,28 +58,39 @@ def ended_at_junctions(
             ]
             ended.append(_end_at(piece, crossings, rhythm))
             ended[-2:] = _parted(ended[-2:], crossings, rhythm)
+        if len(ended) > 1 and np.isfinite(geometry.around):
+            # On a curve the last piece is followed by the first.
+            last, first = _parted([ended[-1], _moved(ended[0], geometry.around)], crossings, rhythm)
+            ended[-1], ended[0] = last, _moved(first, -geometry.around)
         moved += [(geometry, piece) for piece in _joined(ended)]
     return moved
 
 
-def is_full_circle(geometry: Line | Circle, piece: Piece) -> bool:
-    """Whether a piece goes once around its circle."""
-    around = FULL_TURN * geometry.radius if isinstance(geometry, Circle) else np.inf
-    return piece.end - piece.start >= around - 1e-6
+def is_full_circle(geometry: Geometry, piece: Piece) -> bool:
+    """Whether a piece goes once around its circle or ellipse."""
+    return piece.end - piece.start >= geometry.around - 1e-6
 
 
 def _end_at(piece: Piece, crossings: list[Crossing], rhythm: Rhythm) -> Piece:
     """Move the ends of a piece to the nearest crossings."""
-    visible = piece.linetype is Linetype.VISIBLE
-    outward = _SEEN_BEYOND if visible else 1.8 * rhythm.gap + 3.0
-    start = -_nearest([(-at, reach) for at, reach in crossings], -piece.start, outward)
-    end = _nearest(crossings, piece.end, outward)
+    mirrored = [(-at, reach) for at, reach in crossings]
+    start = -_nearest(mirrored, -piece.start, piece.linetype, rhythm)
+    end = _nearest(crossings, piece.end, piece.linetype, rhythm)
     return replace(piece, start=start, end=end) if end - start > 1.0 else piece
 
 
-def _nearest(crossings: list[Crossing], position: float, outward: float) -> float:
+def _nearest(
+    crossings: list[Crossing], position: float, linetype: Linetype, rhythm: Rhythm
+) -> float:
     """The crossing at which a piece that was seen to end at ``position`` really ends."""
-    near = [at for at, reach in crossings if -reach - _SEEN_BEYOND <= at - position <= outward]
+    hidden = linetype is Linetype.HIDDEN
+    outward = 1.8 * rhythm.gap + 3.0 if hidden else _SEEN_BEYOND
+    near = [
+        at
+        for at, reach in crossings
+        # Dashes in ink that the other stroke has too are not seen.
+        if -reach - _SEEN_BEYOND <= at - position <= outward + hidden * reach
+    ]
     return min(near, key=lambda at: abs(at - position), default=position)
 
 
@@ -101,6 +117,10 @@ def _parted(pair: list[Piece], crossings: list[Crossing], rhythm: Rhythm) -> lis
     return [replace(first, end=at), replace(second, start=at)]
 
 
+def _moved(piece: Piece, by: float) -> Piece:
+    return replace(piece, start=piece.start + by, end=piece.end + by)
+
+
 def _joined(pieces: list[Piece]) -> list[Piece]:
     """Pieces of one linetype that continue each other as one."""
     joined: list[Piece] = []
@@ -119,7 +139,7 @@ def _joined(pieces: list[Piece]) -> list[Piece]:
 
 
 def _crossings(
-    geometry: Line | Circle, piece: Piece, other: Line | Circle, stretch: Piece, stroke_width: float
+    geometry: Geometry, piece: Piece, other: Geometry, stretch: Piece, stroke_width: float
 ) -> list[Crossing]:
     """Where along ``geometry`` a stretch of another shape meets it."""
     half = stroke_width / 2
@@ -131,11 +151,11 @@ def _crossings(
         da, db = np.array(geometry.direction), np.array(other.direction)
         sine = max(abs(da[0] * db[1] - da[1] * db[0]), 0.05)
         reach = min((half + 1.0) / sine - 1.0, 8.0 * half)
-    elif isinstance(geometry, Line) and isinstance(other, Circle):
-        points = _line_circle(geometry, other)
+    elif isinstance(geometry, Line) and not isinstance(other, Line):
+        points = _line_curve(geometry, other)
         reach = _shared_with_tangent(points, other, half)
-    elif isinstance(geometry, Circle) and isinstance(other, Line):
-        points = _line_circle(other, geometry)
+    elif isinstance(other, Line) and not isinstance(geometry, Line):
+        points = _line_curve(other, geometry)
         reach = _shared_with_tangent(points, geometry, half)
     else:
         return []
@@ -147,22 +167,29 @@ def _crossings(
     ]
 
 
-def _shared_with_tangent(
-    points: list[npt.NDArray[np.float64]], circle: Circle, half: float
-) -> float:
-    """How far from a junction a line and a circle share their ink: long if they are tangent."""
-    return float(np.sqrt(2.0 * circle.radius * (half + 1.0))) if len(points) == 1 else half
+def _shared_with_tangent(points: list[npt.NDArray[np.float64]], curve: Curve, half: float) -> float:
+    """How far from a junction a line and a curve share their ink: long if they are tangent."""
+    if len(points) != 1:
+        return half
+    return float(np.sqrt(2.0 * _radius_at(curve, points[0]) * (half + 1.0)))
 
 
-def _position(geometry: Line | Circle, point: npt.NDArray[np.float64], piece: Piece) -> float:
-    """Position of a point along a shape; on a circle the turn nearest to the piece's middle."""
+def _radius_at(curve: Curve, point: npt.NDArray[np.float64]) -> float:
+    """The radius of curvature next to a point."""
+    if isinstance(curve, Circle):
+        return curve.radius
+    a, b = curve.semi_major, curve.semi_minor
+    parameter = float(curve.away(point[None])[1][0])
+    return float(np.hypot(a * np.sin(parameter), b * np.cos(parameter))) ** 3 / (a * b)
+
+
+def _position(geometry: Geometry, point: npt.NDArray[np.float64], piece: Piece) -> float:
+    """Position of a point along a shape; on a curve the turn nearest to the piece's middle."""
+    along = float(geometry.positions(point[None])[0])
     if isinstance(geometry, Line):
-        return float(geometry.coordinates(point[None])[0][0])
-    offset = point - np.array(geometry.centre)
-    around = FULL_TURN * geometry.radius
-    along = float(np.arctan2(offset[1], offset[0])) * geometry.radius
+        return along
     middle = (piece.start + piece.end) / 2
-    return along + around * round((middle - along) / around)
+    return along + geometry.around * round((middle - along) / geometry.around)
 
 
 def _line_line(a: Line, b: Line) -> list[npt.NDArray[np.float64]]:
@@ -175,12 +202,40 @@ def _line_line(a: Line, b: Line) -> list[npt.NDArray[np.float64]]:
     return [np.array(a.point) + along * da]
 
 
+def _line_curve(line: Line, curve: Curve) -> list[npt.NDArray[np.float64]]:
+    if isinstance(curve, Circle):
+        return _line_circle(line, curve)
+    return _line_ellipse(line, curve)
+
+
+def _line_ellipse(line: Line, ellipse: WholeEllipse) -> list[npt.NDArray[np.float64]]:
+    """In the frame in which the ellipse is the unit circle lines meet it as they do a circle."""
+    axes = np.array([ellipse.semi_major, ellipse.semi_minor])
+    ends = line.points_at(np.array([0.0, 1.0]))
+    start, end = ellipse.local(ends) / axes
+    way = end - start
+    length = float(np.hypot(*way))
+    foot = start - way * float(start @ way) / length**2
+    distance = float(np.hypot(*foot))
+    # How far the line passes inside or outside of its parallel tangent.
+    normal = np.array([-way[1], way[0]]) / length
+    touch = np.arctan2(normal[1], normal[0])
+    across = np.array([-line.direction[1], line.direction[0]])
+    reach = abs(float((ellipse.at(np.array([touch]))[0] - np.array(ellipse.centre)) @ across))
+    if (distance - 1.0) * reach > _TANGENT:
+        return []
+    half = np.sqrt(max(1.0 - distance**2, 0.0))
+    halves = (0.0,) if abs(distance - 1.0) * reach < _TANGENT else (-half, half)
+    first = -float(start @ way) / length**2
+    return [np.array(line.at(first + h / length)) for h in halves]
+
+
 def _line_circle(line: Line, circle: Circle) -> list[npt.NDArray[np.float64]]:
     along, across = line.coordinates(np.array([circle.centre]))
     distance = abs(float(across[0]))
-    if distance > circle.radius + 1.2:
+    if distance > circle.radius + _TANGENT:
         return []
     half = np.sqrt(max(circle.radius**2 - distance**2, 0.0))
-    # Within 1.2 px a line is tangent: one junction, below the centre.
-    halves = (0.0,) if abs(distance - circle.radius) < 1.2 else (-half, half)
+    # A tangent has one junction, below the centre.
+    halves = (0.0,) if abs(distance - circle.radius) < _TANGENT else (-half, half)
     return [np.array(line.at(float(along[0]) + h)) for h in halves]

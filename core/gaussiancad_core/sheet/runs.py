@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.geometry import Circle, Line
+from gaussiancad_core.sheet.geometry import Curve, Line
 from gaussiancad_core.sheet.shapes import sample
 from gaussiancad_core.views import Linetype
 
@@ -24,6 +24,10 @@ STEP = 0.5
 
 _MAX_TURN = np.cos(np.radians(16.0))
 """Ink that runs in a direction further from the shape's than this belongs to another shape."""
+
+
+_LEAST_OWN = 4.0
+"""px of ink in a shape's own direction that are a dash, though they lead into other ink."""
 
 
 @dataclass(frozen=True)
@@ -95,22 +99,17 @@ def runs_spans(runs: list[Run]) -> list[tuple[float, float]]:
 def line_runs(field: InkField, line: Line, start: float, end: float) -> list[Run]:
     """Runs of ink along a line between two positions."""
     along = np.arange(start, end + STEP, STEP)
-    points = np.array(line.point) + along[:, None] * np.array(line.direction)
-    directions = np.broadcast_to(np.array(line.direction), points.shape)
-    return _runs(field, points, directions, along)
+    return _runs(field, line.points_at(along), line.tangents_at(along), along)
 
 
-def circle_runs(field: InkField, circle: Circle) -> list[Run]:
-    """Runs of ink around a circle, in px of arc length from angle 0; a run that crosses angle 0
-    ends beyond the circumference."""
-    circumference = 2 * np.pi * circle.radius
-    count = max(16, int(np.ceil(circumference / STEP)))
-    angles = np.arange(count) * (2 * np.pi / count)
-    radial = np.stack([np.cos(angles), np.sin(angles)], 1)
-    tangents = np.stack([-radial[:, 1], radial[:, 0]], 1)
-    points = np.array(circle.centre) + circle.radius * radial
-    runs = _runs(field, points, tangents, angles * circle.radius)
-    return _join_around(runs, circumference)
+def circle_runs(field: InkField, curve: Curve) -> list[Run]:
+    """Runs of ink around a circle or an ellipse, in px along it; a run that crosses position 0 ends
+    beyond the circumference."""
+    around = curve.around
+    count = max(16, int(np.ceil(around / STEP)))
+    along = np.arange(count) * (around / count)
+    runs = _runs(field, curve.points_at(along), curve.tangents_at(along), along)
+    return _join_around(runs, around)
 
 
 def _join_around(runs: list[Run], circumference: float) -> list[Run]:
@@ -139,14 +138,29 @@ def _runs(field: InkField, points: Floats, directions: Floats, along: Floats) ->
     foreign = clear & (agreement <= (2 * _MAX_TURN**2 - 1) * strength)
     own = clear & ~foreign
     runs = []
-    for first, last in _spans(inked):
-        length = (last - first) * STEP
-        crossed = foreign[first : last + 1].mean() > 0.4
-        vague = own[first : last + 1].sum() * STEP < 1.5 and length < 1.2 * field.stroke_width
-        if crossed or vague:
-            continue
-        runs.append(Run(float(along[first]), float(along[last])))
+    for inked_span in _spans(inked):
+        span = _own_span(inked_span, own, foreign, field.stroke_width)
+        if span is not None:
+            runs.append(Run(float(along[span[0]]), float(along[span[1]])))
     return _close_gaps(runs, 1.6)
+
+
+def _own_span(
+    span: tuple[int, int],
+    own: npt.NDArray[np.bool_],
+    foreign: npt.NDArray[np.bool_],
+    stroke_width: float,
+) -> tuple[int, int] | None:
+    """The part of a stretch of ink that is the shape's, by the direction that its ink has."""
+    first, last = span
+    if foreign[first : last + 1].mean() > 0.4:
+        # A crossing, perhaps with the dash that leads to it.
+        mine = first + np.flatnonzero(own[first : last + 1])
+        if len(mine) * STEP < max(_LEAST_OWN, stroke_width):
+            return None
+        first, last = int(mine[0]), int(mine[-1])
+    vague = own[first : last + 1].sum() * STEP < 1.5
+    return None if vague and (last - first) * STEP < 1.2 * stroke_width else (first, last)
 
 
 def _spans(flags: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
@@ -187,13 +201,19 @@ def learn_rhythm(series: Sequence[list[Run]], stroke_width: float) -> Rhythm:
     return Rhythm(typical, float(np.median(gaps)))
 
 
-def classify(runs: list[Run], rhythm: Rhythm, touches: Sequence[tuple[bool, bool]]) -> list[Piece]:
+def classify(
+    runs: list[Run],
+    rhythm: Rhythm,
+    touches: Sequence[tuple[bool, bool]],
+    around: float = float("inf"),
+) -> list[Piece]:
     """Visible and hidden pieces of a shape.
 
     Args:
         runs: in order along the shape.
         rhythm: of the sheet.
         touches: for each run whether its start and its end lie on another stroke.
+        around: px, of a shape that closes on itself.
     """
     longest_dash = 1.75 * rhythm.dash
     widest_gap = min(2.2 * rhythm.gap + 2.0, 4.0 * rhythm.gap)
@@ -215,7 +235,7 @@ def classify(runs: list[Run], rhythm: Rhythm, touches: Sequence[tuple[bool, bool
             close_group()
         group.append(index)
     close_group()
-    return _extend_hidden(pieces, 1.8 * rhythm.gap + 1.0)
+    return _extend_hidden(pieces, 1.8 * rhythm.gap + 1.0, around)
 
 
 def _short_piece(
@@ -233,16 +253,18 @@ def _short_piece(
     return Piece(start, end, Linetype.VISIBLE, 0.5 if typical else 0.7)
 
 
-def _extend_hidden(pieces: list[Piece], reach: float) -> list[Piece]:
+def _extend_hidden(pieces: list[Piece], reach: float, around: float) -> list[Piece]:
     """Let a dashed piece end where the solid piece beside it starts."""
     extended = list(pieces)
     for index, piece in enumerate(pieces):
         if piece.linetype is not Linetype.HIDDEN:
             continue
         start, end = piece.start, piece.end
-        if index and 0 < start - pieces[index - 1].end <= reach:
-            start = pieces[index - 1].end
-        if index + 1 < len(pieces) and 0 < pieces[index + 1].start - end <= reach:
-            end = pieces[index + 1].start
+        before = pieces[index - 1].end if index else pieces[-1].end - around
+        after = pieces[index + 1].start if index + 1 < len(pieces) else pieces[0].start + around
+        if 0 < start - before <= reach:
+            start = before
+        if 0 < after - end <= reach:
+            end = after
         extended[index] = Piece(start, end, piece.linetype, piece.confidence)
     return extended

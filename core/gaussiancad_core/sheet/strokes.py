@@ -1,8 +1,8 @@
-"""The strokes of one view: lines and circles, cut by the ink under them, with exact ends.
+"""The strokes of one view: lines, circles and ellipses, cut by the ink under them, with exact ends.
 
 The shapes with the most ink come first; every accepted stroke explains its ink, and a shape that
 explains little that is new is dropped: a chord of a circle, or an arc that cuts a corner.  What no
-line or circle explains (ellipses, free curves, small fillets) is traced as short segments.
+of them explains (free curves) is traced as short segments.
 """
 
 from dataclasses import dataclass, replace
@@ -11,9 +11,11 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.ellipses import WholeEllipse
 from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.geometry import Circle, Line
-from gaussiancad_core.sheet.growth import GrowthRules, grow_shapes
+from gaussiancad_core.sheet.ellipse_fits import ellipse_profile, refit_ellipse
+from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
+from gaussiancad_core.sheet.growth import GrowthRules, grow_all
 from gaussiancad_core.sheet.junctions import (
     FULL_TURN,
     Placed,
@@ -46,7 +48,7 @@ from gaussiancad_core.sheet.shapes import (
     refit_line,
 )
 from gaussiancad_core.sheet.tracing import trace_remainder
-from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
+from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
 _MIN_NEW = 0.4
 """Share of a run's ink that no earlier stroke of about its direction explains."""
@@ -78,7 +80,7 @@ _CURVED = 0.85
 
 @dataclass(frozen=True)
 class Shape:
-    """A line or circle with the runs of ink along it.
+    """A line, circle or ellipse with the runs of ink along it.
 
     Attributes:
         geometry: the fitted shape.
@@ -86,7 +88,7 @@ class Shape:
         support: px of its ink whose centre line it follows, in doubt less than its length.
     """
 
-    geometry: Line | Circle
+    geometry: Geometry
     runs: tuple[Run, ...]
     support: float
 
@@ -98,7 +100,7 @@ class ViewShapes:
     Attributes:
         sheet: the view's part of the sheet.
         field: its ink with directions.
-        shapes: circles, then lines.
+        shapes: ellipses and circles, then lines.
         offset: (x, y) px of the crop on the sheet.
     """
 
@@ -111,13 +113,16 @@ class ViewShapes:
 def find_shapes(
     sheet: CleanSheet, box: tuple[float, float, float, float], finder: Finder = Finder.RIDGES
 ) -> ViewShapes:
-    """Lines and circles of the view inside a box of the sheet."""
+    """Lines, circles and ellipses of the view inside a box of the sheet."""
     crop, offset = _crop(sheet, box)
     field = ink_field(crop)
     height, width = crop.ink.shape
-    lines, circles = _candidates(crop, finder)
-    shapes = [shape for circle in circles if (shape := _circle_shape(crop, field, circle))]
-    for line in lines:
+    candidates = _candidates(crop, finder)
+    curves = [curve for curve in candidates if not isinstance(curve, Line)]
+    shapes = [shape for curve in curves if (shape := _curve_shape(crop, field, curve))]
+    for line in candidates:
+        if not isinstance(line, Line):
+            continue
         along, _ = line.coordinates(
             np.array([[0, 0], [width, 0], [0, height], [width, height]], dtype=np.float64)
         )
@@ -131,14 +136,16 @@ def find_shapes(
     return ViewShapes(crop, field, tuple(shapes), offset)
 
 
-def _candidates(sheet: CleanSheet, finder: Finder) -> tuple[list[Line], list[Circle]]:
+def _candidates(sheet: CleanSheet, finder: Finder) -> list[Geometry]:
+    """Ellipses first, then circles, then lines."""
     if finder is Finder.HOUGH:
-        return find_lines(sheet, edge_map(sheet)), find_circles(sheet)
+        return [*find_circles(sheet), *find_lines(sheet, edge_map(sheet))]
     rules = GrowthRules.of_width(sheet.stroke_width)
-    grown = grow_shapes(ridge_points(sheet.weight, sheet.stroke_width), rules)
-    lines = [shape.geometry for shape in grown if isinstance(shape.geometry, Line)]
-    circles = [shape.geometry for shape in grown if isinstance(shape.geometry, Circle)]
-    return lines, [_better_fit(sheet, circle) for circle in circles]
+    grown = grow_all(ridge_points(sheet.weight, sheet.stroke_width), rules)
+    shapes = [shape.geometry for shape in grown]
+    ellipses = [shape for shape in shapes if isinstance(shape, WholeEllipse)]
+    circles = [_better_fit(sheet, shape) for shape in shapes if isinstance(shape, Circle)]
+    return [*ellipses, *circles, *(shape for shape in shapes if isinstance(shape, Line))]
 
 
 def _better_fit(sheet: CleanSheet, circle: Circle) -> Circle:
@@ -164,8 +171,8 @@ def classify_strokes(view: ViewShapes, rhythm: Rhythm) -> tuple[Stroke, ...]:
     for shape in order:
         fresh = [run for run in shape.runs if _is_new(shape.geometry, run, explained)]
         touches = [_touches(view.field, shape.geometry, run) for run in fresh]
-        found = classify(fresh, rhythm, touches)
-        if isinstance(shape.geometry, Circle):
+        found = classify(fresh, rhythm, touches, shape.geometry.around)
+        if not isinstance(shape.geometry, Line):
             found = [piece for piece in found if _is_curved(shape.geometry, piece, view.sheet)]
             found = _closed(shape.geometry, found, rhythm)
         for piece in found:
@@ -191,22 +198,31 @@ def _crop(
     return part, (x0, y0)
 
 
-def _circle_shape(sheet: CleanSheet, field: InkField, circle: Circle) -> Shape | None:
-    """The circle with its runs, if the ink follows it and not a tangent or a polygon."""
-    angles, radii = radial_profile(sheet, circle, sheet.stroke_width / 2 + 1.5)
-    residual = radii - circle.radius
-    followed = angles[np.abs(residual) < 0.6] * circle.radius
+def _curve_shape(sheet: CleanSheet, field: InkField, curve: Curve) -> Shape | None:
+    """The curve with its runs, if the ink follows it and not a tangent or a polygon."""
+    if isinstance(curve, WholeEllipse):
+        curve = refit_ellipse(sheet, curve, runs_spans(circle_runs(field, curve)))
+        along, residual = ellipse_profile(sheet, curve)
+    else:
+        angles, radii = radial_profile(sheet, curve, sheet.stroke_width / 2 + 1.5)
+        along, residual = angles * curve.radius, radii - curve.radius
+    followed = along[np.abs(residual) < 0.6]
     runs = []
-    for run in circle_runs(field, circle):
-        inside = _count_within(followed, run, FULL_TURN * circle.radius)
+    for run in circle_runs(field, curve):
+        inside = _count_within(followed, run, curve.around)
         if inside > 0.75 * run.length:
             runs.append(run)
     longest = max((run.length for run in runs), default=0.0)
-    covered = sum(run.length for run in runs) / (FULL_TURN * circle.radius)
-    bowed = longest**2 / (8 * circle.radius) > _MIN_SAGITTA + sheet.stroke_width / 2
+    covered = sum(run.length for run in runs) / curve.around
+    bowed = longest**2 / (8 * _radius(curve)) > _MIN_SAGITTA + sheet.stroke_width / 2
     if covered < 0.45 and not (bowed and longest > 6):
         return None
-    return Shape(circle, tuple(runs), _CURVED * following(residual))
+    return Shape(curve, tuple(runs), _CURVED * following(residual))
+
+
+def _radius(curve: Curve) -> float:
+    """px of a circle's radius, of an ellipse the mean one."""
+    return curve.around / FULL_TURN
 
 
 def _count_within(positions: npt.NDArray[np.float64], run: Run, around: float) -> int:
@@ -214,15 +230,15 @@ def _count_within(positions: npt.NDArray[np.float64], run: Run, around: float) -
     return int((relative <= run.length).sum())
 
 
-def _is_curved(circle: Circle, piece: Piece, sheet: CleanSheet) -> bool:
+def _is_curved(curve: Curve, piece: Piece, sheet: CleanSheet) -> bool:
     length = piece.end - piece.start
-    sagitta = length**2 / (8 * circle.radius)
-    return sagitta > _MIN_SAGITTA + sheet.stroke_width / 2 or length > np.pi * circle.radius
+    sagitta = length**2 / (8 * _radius(curve))
+    return sagitta > _MIN_SAGITTA + sheet.stroke_width / 2 or length > curve.around / 2
 
 
-def _closed(circle: Circle, pieces: list[Piece], rhythm: Rhythm) -> list[Piece]:
-    """Make a piece that leaves only a dash's gap open the full circle."""
-    around = FULL_TURN * circle.radius
+def _closed(curve: Curve, pieces: list[Piece], rhythm: Rhythm) -> list[Piece]:
+    """Make a piece that leaves only a dash's gap open the full circle or ellipse."""
+    around = curve.around
     if len(pieces) == 1:
         piece = pieces[0]
         slack = 2.5 * rhythm.gap + 1.0 if piece.linetype is Linetype.HIDDEN else 6.0
@@ -236,17 +252,12 @@ def _closed(circle: Circle, pieces: list[Piece], rhythm: Rhythm) -> list[Piece]:
     return pieces
 
 
-def _points(geometry: Line | Circle, start: float, end: float) -> npt.NDArray[np.float64]:
+def _points(geometry: Geometry, start: float, end: float) -> npt.NDArray[np.float64]:
     """(n, 2) px about one px apart along a shape."""
-    along = np.linspace(start, end, max(2, int(np.ceil(end - start)) + 1))
-    if isinstance(geometry, Line):
-        return np.array(geometry.point) + along[:, None] * np.array(geometry.direction)
-    angles = along / geometry.radius
-    radial = np.stack([np.cos(angles), np.sin(angles)], 1)
-    return np.array(geometry.centre) + geometry.radius * radial
+    return geometry.points_at(np.linspace(start, end, max(2, int(np.ceil(end - start)) + 1)))
 
 
-def _is_new(geometry: Line | Circle, run: Run, explained: npt.NDArray[np.uint8]) -> bool:
+def _is_new(geometry: Geometry, run: Run, explained: npt.NDArray[np.uint8]) -> bool:
     """Whether enough of a run's ink is unexplained; strokes of other directions may cross it."""
     exact = _points(geometry, run.start, run.end)
     points = np.rint(exact).astype(int)
@@ -265,12 +276,12 @@ def _is_new(geometry: Line | Circle, run: Run, explained: npt.NDArray[np.uint8])
 
 
 def _explain(
-    explained: npt.NDArray[np.uint8], geometry: Line | Circle, piece: Piece, stroke_width: float
+    explained: npt.NDArray[np.uint8], geometry: Geometry, piece: Piece, stroke_width: float
 ) -> None:
     """Mark the ink of a piece with its direction, a little wider and longer than the stroke."""
     reach = stroke_width / 2
     points = _points(geometry, piece.start - reach, piece.end + reach)
-    chord = len(points) - 1 if isinstance(geometry, Line) else max(1, int(geometry.radius / 10))
+    chord = len(points) - 1 if isinstance(geometry, Line) else max(1, int(_radius(geometry) / 10))
     for first in range(0, len(points) - 1, chord):
         part = points[first : first + chord + 1]
         mark = int(_direction_marks(part[-1:] - part[:1])[0])
@@ -284,7 +295,7 @@ def _direction_marks(vectors: npt.NDArray[np.float64]) -> npt.NDArray[np.int64]:
     return np.rint(degrees / 2.0).astype(int) % _HALF_TURN + 1
 
 
-def _touches(field: InkField, geometry: Line | Circle, run: Run) -> tuple[bool, bool]:
+def _touches(field: InkField, geometry: Geometry, run: Run) -> tuple[bool, bool]:
     """Whether the start and the end of a run lie on another stroke: there is ink beside it."""
     half = field.stroke_width / 2
     beside = half + 2.0
@@ -325,14 +336,18 @@ def _scaled(piece: Piece, factor: float) -> Piece:
     return replace(piece, start=piece.start * factor, end=piece.end * factor)
 
 
-def _stroke(geometry: Line | Circle, piece: Piece) -> Stroke:
+def _stroke(geometry: Geometry, piece: Piece) -> Stroke:
+    kind = piece.linetype, piece.confidence
     if isinstance(geometry, Line):
-        return Segment(
-            geometry.at(piece.start), geometry.at(piece.end), piece.linetype, piece.confidence
-        )
+        return Segment(geometry.at(piece.start), geometry.at(piece.end), *kind)
+    if isinstance(geometry, WholeEllipse):
+        first, last = geometry.parameters(np.array([piece.start, piece.end]))
+        turn = FULL_TURN if is_full_circle(geometry, piece) else float(last - first)
+        axes = geometry.semi_major, geometry.semi_minor, geometry.rotation
+        return Ellipse(geometry.centre, *axes, float(first % FULL_TURN), turn, *kind)
     sweep = min((piece.end - piece.start) / geometry.radius, FULL_TURN)
     start = (piece.start / geometry.radius) % FULL_TURN
-    return Arc(geometry.centre, geometry.radius, start, sweep, piece.linetype, piece.confidence)
+    return Arc(geometry.centre, geometry.radius, start, sweep, *kind)
 
 
 def _shifted(stroke: Stroke, shift: npt.NDArray[np.float64]) -> Stroke:
@@ -341,4 +356,4 @@ def _shifted(stroke: Stroke, shift: npt.NDArray[np.float64]) -> Stroke:
 
     if isinstance(stroke, Segment):
         return replace(stroke, start=moved(stroke.start), end=moved(stroke.end))
-    return replace(stroke, centre=moved(stroke.centre), radius=float(stroke.radius))
+    return replace(stroke, centre=moved(stroke.centre))
