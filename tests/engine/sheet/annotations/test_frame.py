@@ -175,7 +175,7 @@ def test_a_dark_border_of_a_copier_is_taken_off() -> None:
     assert not (frame.drawing_area & ink).any()
 
 
-def _framed(width: int, sketch: Sketch) -> np.ndarray:
+def _on_paper(width: int, sketch: Sketch) -> np.ndarray:
     """A frame of 300 x 200 px with a view in it, in the middle of paper of some width."""
     left = (width - 300) / 2
     drawn = sketch(width, 240)
@@ -190,7 +190,7 @@ def _framed(width: int, sketch: Sketch) -> np.ndarray:
 
 @pytest.mark.parametrize("width", [320, 400, 480])
 def test_a_frame_on_wider_paper_is_taken_off(sketch: Sketch, width: int) -> None:
-    ink = _framed(width, sketch)
+    ink = _on_paper(width, sketch)
     frame = _found(ink)
     assert frame is not None
     left = ink & frame.drawing_area
