@@ -19,8 +19,8 @@ _WIDEST_REACH = 10.0
 _ROBUST = 3.0
 """Times the median disagreement from which on a match counts less (Huber 1964)."""
 
-_STEPS = 200
-"""Steps of the alternating fit at most."""
+_STEPS = 10
+"""Steps at most, with the weights of the one before."""
 
 _SETTLED = 1e-10
 """px by which the last step moves a view at most."""
@@ -93,13 +93,17 @@ def fit_axis(seen: SeenCoordinates, extents: Floats, limits: Limits) -> AxisFit:
     mean = float(extents.mean())
     gain = mean / extents if stretched else np.ones(len(extents))
     shift = (mean - gain * extents) / 2.0
-    fit = _matched(seen, AxisFit(gain, shift, np.zeros(len(seen.at), int), limits.reach), limits)
+    fit = _matched(
+        seen, AxisFit(gain, shift, np.zeros(len(seen.at), int), limits.reach), limits
+    )
     if len(extents) > 1:
         for _ in range(2):
             fit = _moved(seen, fit, extents, stretched)
             narrow = _WIDEST_REACH * _disagreement(seen, fit)
             reach = float(np.clip(narrow, limits.finest, limits.reach))
-            fit = _matched(seen, AxisFit(fit.gain, fit.shift, fit.cluster, reach), limits)
+            fit = _matched(
+                seen, AxisFit(fit.gain, fit.shift, fit.cluster, reach), limits
+            )
     return fit
 
 
@@ -108,7 +112,9 @@ def _matched(seen: SeenCoordinates, fit: AxisFit, limits: Limits) -> AxisFit:
     low = max(float(common[seen.view == v].min()) for v in np.unique(seen.view))
     high = min(float(common[seen.view == v].max()) for v in np.unique(seen.view))
     own = Limits(limits.apart, fit.reach, limits.finest)
-    cluster = clustered(SeenCoordinates(common, seen.weight, seen.view), own, (low, high))
+    cluster = clustered(
+        SeenCoordinates(common, seen.weight, seen.view), own, (low, high)
+    )
     return AxisFit(fit.gain, fit.shift, cluster, fit.reach)
 
 
@@ -135,44 +141,46 @@ def _disagreement(seen: SeenCoordinates, fit: AxisFit) -> float:
     return float(np.median(np.abs(away[shared])))
 
 
-def _moved(seen: SeenCoordinates, fit: AxisFit, extents: Floats, stretched: bool) -> AxisFit:
-    """Views and averages fitted to each other in turn, with the clusters as they are."""
+def _moved(
+    seen: SeenCoordinates, fit: AxisFit, extents: Floats, stretched: bool
+) -> AxisFit:
+    """Views fitted to each other by least squares, with the clusters as they are."""
     shared = _shared(seen, fit.cluster)
     if not shared.any():
         return fit
+    views = len(extents)
+    at, view = seen.at[shared], seen.view[shared]
+    cluster = np.unique(fit.cluster[shared], return_inverse=True)[1]
+    columns = np.zeros((len(at), 2 * views if stretched else views))
+    columns[np.arange(len(at)), view] = 1.0
+    if stretched:
+        # In units of the extent, so that stretches and shifts are alike.
+        columns[np.arange(len(at)), views + view] = at / extents[view]
     gain, shift = fit.gain.copy(), fit.shift.copy()
     limit = max(_ROBUST * _disagreement(seen, fit), 1e-9)
-    members = [np.flatnonzero(shared & (seen.view == view)) for view in range(len(gain))]
     for _ in range(_STEPS):
-        common = gain[seen.view] * seen.at + shift[seen.view]
-        target = averages(common, seen.weight, fit.cluster)[fit.cluster]
-        away = np.abs(target - common)
-        weight = seen.weight * np.minimum(1.0, limit / np.maximum(away, limit))
-        before = np.concatenate([gain, shift])
-        for view, own in enumerate(members):
-            if not len(own):
-                continue
-            at, wanted, w = seen.at[own], target[own], weight[own]
-            middle = float(np.average(at, weights=w))
-            spread = float(np.average((at - middle) ** 2, weights=w))
-            if stretched and spread > (0.1 * extents[view]) ** 2:
-                rise = np.average((at - middle) * wanted, weights=w) / spread
-                gain[view] = float(rise)
-            shift[view] = float(np.average(wanted - gain[view] * at, weights=w))
+        common = gain[view] * at + shift[view]
+        weight = seen.weight[shared]
+        away = np.abs(common - averages(common, weight, cluster)[cluster])
+        weight = weight * np.minimum(1.0, limit / np.maximum(away, limit))
+        # What each average takes along is taken off: only differences of the views are left.
+        means = [averages(column, weight, cluster)[cluster] for column in columns.T]
+        root = np.sqrt(weight)[:, None]
+        system = (columns - np.stack(means, axis=1)) * root
+        right = (averages(common, weight, cluster)[cluster] - common) * root[:, 0]
         if stretched:
-            # Averages of stretched views shrink: the mean extent is what must stay.
-            growth = float((gain * extents).mean() / extents.mean())
-            gain, shift = gain / growth, shift / growth
-        if np.abs(
-            np.concatenate([gain * extents.max(), shift]) - _scaled(before, extents)
-        ).max() < (_SETTLED):
+            # Stretched views would shrink to a point: the mean extent is what must stay.
+            kept = np.concatenate(
+                [np.zeros(views), np.full(views, np.abs(system).sum())]
+            )
+            system, right = np.vstack([system, kept]), np.append(right, 0.0)
+        move = np.linalg.lstsq(system, right, rcond=None)[0]
+        shift += move[:views]
+        if stretched:
+            gain += move[views:] / extents
+        if np.abs(move).max() < _SETTLED:
             break
     return AxisFit(gain, shift, fit.cluster, fit.reach)
-
-
-def _scaled(state: Floats, extents: Floats) -> Floats:
-    count = len(extents)
-    return np.concatenate([state[:count] * extents.max(), state[count:]])
 
 
 def clustered(
@@ -255,7 +263,12 @@ class _Runs:
 
     def _cost(self, weight: list[Floats], total: list[Floats], index: int) -> float:
         """Distance of a run from the next; infinite if they must stay two."""
-        w0, w1, s0, s1 = weight[index], weight[index + 1], total[index], total[index + 1]
+        w0, w1, s0, s1 = (
+            weight[index],
+            weight[index + 1],
+            total[index],
+            total[index + 1],
+        )
         gap = float(s1.sum() / w1.sum() - s0.sum() / w0.sum())
         if gap > self._limits.reach:
             return float("inf")

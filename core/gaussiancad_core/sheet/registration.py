@@ -28,6 +28,12 @@ _SAME = 1.5
 _CONTRADICTION = 0.1
 """Share by which they may differ at most."""
 
+_NEAR_OUTLINE = 1.5
+"""px between a stroke along a side of a view and the outline there."""
+
+_LEVEL, _SHORTEST_SIDE = 0.6, 8.0
+"""px: largest lean and shortest length of a stroke along a side."""
+
 _MARGIN = 4
 """Blank mask px around the view's box."""
 
@@ -99,28 +105,58 @@ def view_box(strokes: tuple[Stroke, ...], outline: Outline) -> Box:
     """The box between the centre lines of the outermost strokes.
 
     The strokes are exact to a tenth of a px; where the outline says something else (a curve that no
-    stroke follows) it is the outline that counts.
+    stroke follows) it is the outline that counts.  Of the strokes those along a side of the box
+    tell where it is; ends of others only where there are none.
     """
     rough = outline.box
     solid = [stroke for stroke in strokes if stroke.linetype is Linetype.VISIBLE]
     if not solid:
         return rough
     points = np.concatenate([_extremes(stroke) for stroke in solid])
-    low, high = points.min(0), points.max(0)
-    exact = (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
-    return tuple(e if abs(e - r) < 1.5 else r for e, r in zip(exact, rough, strict=True))
+    sides = []
+    for side, near in enumerate(rough):
+        direction, inward = side % 2, 1.0 if side < 2 else -1.0
+        along = [level for stroke in solid for level in _levels(stroke, direction)]
+        found = [level for level in along if abs(level - near) < _NEAR_OUTLINE]
+        ends = points[:, direction]
+        outermost = float(ends.min() if inward > 0 else ends.max())
+        if found:
+            sides.append(min(found) if inward > 0 else max(found))
+        else:
+            sides.append(outermost if abs(outermost - near) < _NEAR_OUTLINE else near)
+    return sides[0], sides[1], sides[2], sides[3]
+
+
+def _levels(stroke: Stroke, direction: int) -> list[float]:
+    """Coordinates at which a stroke runs across a direction of the sheet."""
+    if isinstance(stroke, Segment):
+        across = np.abs(np.subtract(stroke.end, stroke.start))
+        is_level = across[direction] < _LEVEL and across[1 - direction] > _SHORTEST_SIDE
+        return (
+            [(stroke.start[direction] + stroke.end[direction]) / 2.0]
+            if is_level
+            else []
+        )
+    inner = (
+        stroke.extremes()[2:] if isinstance(stroke, Ellipse) else _extremes(stroke)[2:]
+    )
+    return [float(point[direction]) for point in inner]
 
 
 def _extremes(stroke: Stroke) -> npt.NDArray[np.float64]:
+    """(n, 2) both ends and the points at which a stroke turns back along an axis."""
     if isinstance(stroke, Segment):
         return np.array([stroke.start, stroke.end])
     if isinstance(stroke, Ellipse):
         return stroke.extremes()
     quarters = np.arange(0.0, 4 * np.pi, np.pi / 2)
     inside = quarters[
-        (quarters >= stroke.start_angle) & (quarters <= stroke.start_angle + stroke.sweep)
+        (quarters >= stroke.start_angle)
+        & (quarters <= stroke.start_angle + stroke.sweep)
     ]
-    angles = np.concatenate([[stroke.start_angle, stroke.start_angle + stroke.sweep], inside])
+    angles = np.concatenate(
+        [[stroke.start_angle, stroke.start_angle + stroke.sweep], inside]
+    )
     radial = np.stack([np.cos(angles), np.sin(angles)], 1)
     return np.array(stroke.centre) + stroke.radius * radial
 
@@ -144,14 +180,18 @@ def axis_extents(boxes: dict[Role, Box]) -> AxisExtents:
     for axis, by_role in seen.items():
         longest, shortest = max(by_role.values()), min(by_role.values())
         if longest - shortest > max(_CONTRADICTION * longest, 3.0):
-            told = ", ".join(f"{role.value} {px:.0f} px" for role, px in by_role.items())
+            told = ", ".join(
+                f"{role.value} {px:.0f} px" for role, px in by_role.items()
+            )
             raise NoModelError(
                 "views-contradict",
                 f"the views disagree about the part's extent along {axis.name} ({told}): "
                 "check that they show one part at one scale, or name them with --view",
             )
     extents = {axis: float(np.mean(list(seen[axis].values()))) for axis in Axis}
-    spread = {axis: max(seen[axis].values()) - min(seen[axis].values()) for axis in Axis}
+    spread = {
+        axis: max(seen[axis].values()) - min(seen[axis].values()) for axis in Axis
+    }
     return AxisExtents(extents, spread)
 
 
@@ -162,10 +202,14 @@ def placement(role: Role, box: Box, size: tuple[float, float, float]) -> Placeme
         extent = size[axis.value]
         return (0.0, extent) if sign > 0 else (-extent, 0.0)
 
-    return Placement(role, box, interval(*role.frame.right_axis), interval(*role.frame.up_axis))
+    return Placement(
+        role, box, interval(*role.frame.right_axis), interval(*role.frame.up_axis)
+    )
 
 
-def shared_placement(plain: Placement, own: ViewMap, size: tuple[float, float, float]) -> Placement:
+def shared_placement(
+    plain: Placement, own: ViewMap, size: tuple[float, float, float]
+) -> Placement:
     """Where a view lies in its plane once the axes are shared.
 
     Args:
@@ -176,9 +220,13 @@ def shared_placement(plain: Placement, own: ViewMap, size: tuple[float, float, f
     shared = placement(plain.role, plain.box, size)
     frame = plain.role.frame
     signs = np.array([frame.right_axis[1], frame.up_axis[1]])
-    corners = np.array([[shared.right[0], shared.up[0]], [shared.right[1], shared.up[1]]])
+    corners = np.array(
+        [[shared.right[0], shared.up[0]], [shared.right[1], shared.up[1]]]
+    )
     # Where the ends of the shared axes were on the view's own.
-    (x0, y1), (x1, y0) = plain.to_sheet((corners - signs * own.shift) / np.array(own.gain))
+    (x0, y1), (x1, y0) = plain.to_sheet(
+        (corners - signs * own.shift) / np.array(own.gain)
+    )
     box = (float(x0), float(y0), float(x1), float(y1))
     return Placement(plain.role, box, shared.right, shared.up)
 
@@ -192,21 +240,36 @@ def scaled(strokes: tuple[Stroke, ...], factor: float) -> tuple[Stroke, ...]:
     made: list[Stroke] = []
     for stroke in strokes:
         if isinstance(stroke, Segment):
-            made.append(replace(stroke, start=moved(stroke.start), end=moved(stroke.end)))
+            made.append(
+                replace(stroke, start=moved(stroke.start), end=moved(stroke.end))
+            )
         elif isinstance(stroke, Arc):
-            made.append(replace(stroke, centre=moved(stroke.centre), radius=factor * stroke.radius))
+            made.append(
+                replace(
+                    stroke, centre=moved(stroke.centre), radius=factor * stroke.radius
+                )
+            )
         else:
             axes = factor * stroke.semi_major, factor * stroke.semi_minor
             made.append(
-                replace(stroke, centre=moved(stroke.centre), semi_major=axes[0], semi_minor=axes[1])
+                replace(
+                    stroke,
+                    centre=moved(stroke.centre),
+                    semi_major=axes[0],
+                    semi_minor=axes[1],
+                )
             )
     return tuple(made)
 
 
-def strokes_in_plane(strokes: tuple[Stroke, ...], place: Placement) -> tuple[Stroke, ...]:
+def strokes_in_plane(
+    strokes: tuple[Stroke, ...], place: Placement
+) -> tuple[Stroke, ...]:
     """Strokes in sheet px (y down) -> strokes in mm (right, up)."""
     x0, y0, x1, y1 = place.box
-    scale = (place.right[1] - place.right[0]) / (x1 - x0) + (place.up[1] - place.up[0]) / (y1 - y0)
+    scale = (place.right[1] - place.right[0]) / (x1 - x0) + (
+        place.up[1] - place.up[0]
+    ) / (y1 - y0)
 
     def moved(point: tuple[float, float]) -> tuple[float, float]:
         right, up = place.to_plane(np.array([point]))[0]
@@ -215,7 +278,9 @@ def strokes_in_plane(strokes: tuple[Stroke, ...], place: Placement) -> tuple[Str
     placed: list[Stroke] = []
     for stroke in strokes:
         if isinstance(stroke, Segment):
-            placed.append(replace(stroke, start=moved(stroke.start), end=moved(stroke.end)))
+            placed.append(
+                replace(stroke, start=moved(stroke.start), end=moved(stroke.end))
+            )
             continue
         # The sheet's y runs down: angles change sign and the arc starts at its other end.
         if isinstance(stroke, Ellipse):
@@ -270,7 +335,9 @@ def make_view(
     plane = np.array(origin) + corners * np.array([mm_per_pixel, -mm_per_pixel])
     sheet = place.to_sheet(plane)
     source = (sheet - np.array(outline.offset)) * outline.supersampling - 0.5
-    affine = cv2.getAffineTransform((corners - 0.5).astype(np.float32), source.astype(np.float32))
+    affine = cv2.getAffineTransform(
+        (corners - 0.5).astype(np.float32), source.astype(np.float32)
+    )
     resampled = cv2.warpAffine(
         depth,
         affine,

@@ -14,8 +14,16 @@ from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
 Floats = npt.NDArray[np.float64]
 
+_LEANING = 0.2
+"""Lean in standard deviations of one px from which a line counts half: something pulled its fit."""
+
 _DASHED = 0.5
 """Ink of a hidden stroke over its length."""
+
+_OPEN = 0.3
+"""What the ink of an open arc counts for: where its tangents leave it, theirs pulls its fit."""
+
+_WHOLE = 2 * np.pi * (1.0 - 1e-9)
 
 _TURN = np.radians(0.5)
 """Slanted strokes that differ by more than this do not continue each other."""
@@ -105,7 +113,11 @@ def supports_of(strokes: tuple[Stroke, ...], precision: Precision) -> SupportedS
         fixed = _along_axis(stroke, precision)
         found = None
         if fixed is None:
-            like = (n for n, own in enumerate(groups) if _alike(strokes[own[0]], stroke, precision))
+            like = (
+                n
+                for n, own in enumerate(groups)
+                if _alike(strokes[own[0]], stroke, precision)
+            )
             found = next(like, None)
         if found is None:
             groups.append([index])
@@ -138,7 +150,10 @@ def _alike(first: Stroke, other: Stroke, precision: Precision) -> bool:
     if _along_axis(first, precision) is not None:
         return False
     line, second = _line(first), _line(other)
-    sine = abs(line.direction[0] * second.direction[1] - line.direction[1] * second.direction[0])
+    sine = abs(
+        line.direction[0] * second.direction[1]
+        - line.direction[1] * second.direction[0]
+    )
     ends = np.array([other.start, other.end])
     return bool(sine <= _TURN and line.distances(ends).max() <= apart)
 
@@ -164,8 +179,9 @@ def _support(strokes: list[Stroke], precision: Precision) -> Support:
     weight = sum(ink_of(stroke) for stroke in segments)
     fixed = _along_axis(first, precision)
     if fixed is not None:
-        at = (segments[0].start[fixed] + segments[0].end[fixed]) / 2.0
-        return AxisLine(fixed, at, weight)
+        low, high = segments[0].start[fixed], segments[0].end[fixed]
+        lean = abs(high - low) / (_LEANING * precision.noise)
+        return AxisLine(fixed, (low + high) / 2.0, weight / (1.0 + lean**2))
     longest = max(segments, key=lambda own: own.length)
     if len(segments) == 1:
         return Slant(_line(longest), weight)
@@ -187,7 +203,9 @@ def _round(arcs: list[Arc]) -> Round:
         for arc, weight in zip(arcs, weights, strict=True)
     )
     spans = tuple((arc.start_angle, arc.sweep) for arc in arcs)
-    return Round((float(centre[0]), float(centre[1])), radius, np.asarray(information), spans)
+    return Round(
+        (float(centre[0]), float(centre[1])), radius, np.asarray(information), spans
+    )
 
 
 def _information(arc: Arc) -> Floats:
@@ -196,4 +214,5 @@ def _information(arc: Arc) -> Floats:
     angles = arc.start_angle + (np.arange(count) + 0.5) * (arc.sweep / count)
     rows = np.stack([np.cos(angles), np.sin(angles), np.ones(count)], axis=1)
     # A little of each alone keeps flat arcs, which leave their centre open, where they are.
-    return rows.T @ rows * (arc.length / count) + 1e-6 * np.eye(3)
+    share = 1.0 if arc.sweep >= _WHOLE else _OPEN
+    return rows.T @ rows * (share * arc.length / count) + 1e-6 * np.eye(3)
