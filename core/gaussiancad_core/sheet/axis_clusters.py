@@ -93,17 +93,13 @@ def fit_axis(seen: SeenCoordinates, extents: Floats, limits: Limits) -> AxisFit:
     mean = float(extents.mean())
     gain = mean / extents if stretched else np.ones(len(extents))
     shift = (mean - gain * extents) / 2.0
-    fit = _matched(
-        seen, AxisFit(gain, shift, np.zeros(len(seen.at), int), limits.reach), limits
-    )
+    fit = _matched(seen, AxisFit(gain, shift, np.zeros(len(seen.at), int), limits.reach), limits)
     if len(extents) > 1:
         for _ in range(2):
             fit = _moved(seen, fit, extents, stretched)
             narrow = _WIDEST_REACH * _disagreement(seen, fit)
             reach = float(np.clip(narrow, limits.finest, limits.reach))
-            fit = _matched(
-                seen, AxisFit(fit.gain, fit.shift, fit.cluster, reach), limits
-            )
+            fit = _matched(seen, AxisFit(fit.gain, fit.shift, fit.cluster, reach), limits)
     return fit
 
 
@@ -112,9 +108,7 @@ def _matched(seen: SeenCoordinates, fit: AxisFit, limits: Limits) -> AxisFit:
     low = max(float(common[seen.view == v].min()) for v in np.unique(seen.view))
     high = min(float(common[seen.view == v].max()) for v in np.unique(seen.view))
     own = Limits(limits.apart, fit.reach, limits.finest)
-    cluster = clustered(
-        SeenCoordinates(common, seen.weight, seen.view), own, (low, high)
-    )
+    cluster = clustered(SeenCoordinates(common, seen.weight, seen.view), own, (low, high))
     return AxisFit(fit.gain, fit.shift, cluster, fit.reach)
 
 
@@ -141,9 +135,7 @@ def _disagreement(seen: SeenCoordinates, fit: AxisFit) -> float:
     return float(np.median(np.abs(away[shared])))
 
 
-def _moved(
-    seen: SeenCoordinates, fit: AxisFit, extents: Floats, stretched: bool
-) -> AxisFit:
+def _moved(seen: SeenCoordinates, fit: AxisFit, extents: Floats, stretched: bool) -> AxisFit:
     """Views fitted to each other by least squares, with the clusters as they are."""
     shared = _shared(seen, fit.cluster)
     if not shared.any():
@@ -170,9 +162,7 @@ def _moved(
         right = (averages(common, weight, cluster)[cluster] - common) * root[:, 0]
         if stretched:
             # Stretched views would shrink to a point: the mean extent is what must stay.
-            kept = np.concatenate(
-                [np.zeros(views), np.full(views, np.abs(system).sum())]
-            )
+            kept = np.concatenate([np.zeros(views), np.full(views, np.abs(system).sum())])
             system, right = np.vstack([system, kept]), np.append(right, 0.0)
         move = np.linalg.lstsq(system, right, rcond=None)[0]
         shift += move[:views]

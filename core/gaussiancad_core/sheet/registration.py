@@ -132,14 +132,8 @@ def _levels(stroke: Stroke, direction: int) -> list[float]:
     if isinstance(stroke, Segment):
         across = np.abs(np.subtract(stroke.end, stroke.start))
         is_level = across[direction] < _LEVEL and across[1 - direction] > _SHORTEST_SIDE
-        return (
-            [(stroke.start[direction] + stroke.end[direction]) / 2.0]
-            if is_level
-            else []
-        )
-    inner = (
-        stroke.extremes()[2:] if isinstance(stroke, Ellipse) else _extremes(stroke)[2:]
-    )
+        return [(stroke.start[direction] + stroke.end[direction]) / 2.0] if is_level else []
+    inner = stroke.extremes()[2:] if isinstance(stroke, Ellipse) else _extremes(stroke)[2:]
     return [float(point[direction]) for point in inner]
 
 
@@ -151,12 +145,9 @@ def _extremes(stroke: Stroke) -> npt.NDArray[np.float64]:
         return stroke.extremes()
     quarters = np.arange(0.0, 4 * np.pi, np.pi / 2)
     inside = quarters[
-        (quarters >= stroke.start_angle)
-        & (quarters <= stroke.start_angle + stroke.sweep)
+        (quarters >= stroke.start_angle) & (quarters <= stroke.start_angle + stroke.sweep)
     ]
-    angles = np.concatenate(
-        [[stroke.start_angle, stroke.start_angle + stroke.sweep], inside]
-    )
+    angles = np.concatenate([[stroke.start_angle, stroke.start_angle + stroke.sweep], inside])
     radial = np.stack([np.cos(angles), np.sin(angles)], 1)
     return np.array(stroke.centre) + stroke.radius * radial
 
@@ -180,18 +171,14 @@ def axis_extents(boxes: dict[Role, Box]) -> AxisExtents:
     for axis, by_role in seen.items():
         longest, shortest = max(by_role.values()), min(by_role.values())
         if longest - shortest > max(_CONTRADICTION * longest, 3.0):
-            told = ", ".join(
-                f"{role.value} {px:.0f} px" for role, px in by_role.items()
-            )
+            told = ", ".join(f"{role.value} {px:.0f} px" for role, px in by_role.items())
             raise NoModelError(
                 "views-contradict",
                 f"the views disagree about the part's extent along {axis.name} ({told}): "
                 "check that they show one part at one scale, or name them with --view",
             )
     extents = {axis: float(np.mean(list(seen[axis].values()))) for axis in Axis}
-    spread = {
-        axis: max(seen[axis].values()) - min(seen[axis].values()) for axis in Axis
-    }
+    spread = {axis: max(seen[axis].values()) - min(seen[axis].values()) for axis in Axis}
     return AxisExtents(extents, spread)
 
 
@@ -202,14 +189,10 @@ def placement(role: Role, box: Box, size: tuple[float, float, float]) -> Placeme
         extent = size[axis.value]
         return (0.0, extent) if sign > 0 else (-extent, 0.0)
 
-    return Placement(
-        role, box, interval(*role.frame.right_axis), interval(*role.frame.up_axis)
-    )
+    return Placement(role, box, interval(*role.frame.right_axis), interval(*role.frame.up_axis))
 
 
-def shared_placement(
-    plain: Placement, own: ViewMap, size: tuple[float, float, float]
-) -> Placement:
+def shared_placement(plain: Placement, own: ViewMap, size: tuple[float, float, float]) -> Placement:
     """Where a view lies in its plane once the axes are shared.
 
     Args:
@@ -220,13 +203,9 @@ def shared_placement(
     shared = placement(plain.role, plain.box, size)
     frame = plain.role.frame
     signs = np.array([frame.right_axis[1], frame.up_axis[1]])
-    corners = np.array(
-        [[shared.right[0], shared.up[0]], [shared.right[1], shared.up[1]]]
-    )
+    corners = np.array([[shared.right[0], shared.up[0]], [shared.right[1], shared.up[1]]])
     # Where the ends of the shared axes were on the view's own.
-    (x0, y1), (x1, y0) = plain.to_sheet(
-        (corners - signs * own.shift) / np.array(own.gain)
-    )
+    (x0, y1), (x1, y0) = plain.to_sheet((corners - signs * own.shift) / np.array(own.gain))
     box = (float(x0), float(y0), float(x1), float(y1))
     return Placement(plain.role, box, shared.right, shared.up)
 
@@ -240,15 +219,9 @@ def scaled(strokes: tuple[Stroke, ...], factor: float) -> tuple[Stroke, ...]:
     made: list[Stroke] = []
     for stroke in strokes:
         if isinstance(stroke, Segment):
-            made.append(
-                replace(stroke, start=moved(stroke.start), end=moved(stroke.end))
-            )
+            made.append(replace(stroke, start=moved(stroke.start), end=moved(stroke.end)))
         elif isinstance(stroke, Arc):
-            made.append(
-                replace(
-                    stroke, centre=moved(stroke.centre), radius=factor * stroke.radius
-                )
-            )
+            made.append(replace(stroke, centre=moved(stroke.centre), radius=factor * stroke.radius))
         else:
             axes = factor * stroke.semi_major, factor * stroke.semi_minor
             made.append(
@@ -262,14 +235,10 @@ def scaled(strokes: tuple[Stroke, ...], factor: float) -> tuple[Stroke, ...]:
     return tuple(made)
 
 
-def strokes_in_plane(
-    strokes: tuple[Stroke, ...], place: Placement
-) -> tuple[Stroke, ...]:
+def strokes_in_plane(strokes: tuple[Stroke, ...], place: Placement) -> tuple[Stroke, ...]:
     """Strokes in sheet px (y down) -> strokes in mm (right, up)."""
     x0, y0, x1, y1 = place.box
-    scale = (place.right[1] - place.right[0]) / (x1 - x0) + (
-        place.up[1] - place.up[0]
-    ) / (y1 - y0)
+    scale = (place.right[1] - place.right[0]) / (x1 - x0) + (place.up[1] - place.up[0]) / (y1 - y0)
 
     def moved(point: tuple[float, float]) -> tuple[float, float]:
         right, up = place.to_plane(np.array([point]))[0]
@@ -278,9 +247,7 @@ def strokes_in_plane(
     placed: list[Stroke] = []
     for stroke in strokes:
         if isinstance(stroke, Segment):
-            placed.append(
-                replace(stroke, start=moved(stroke.start), end=moved(stroke.end))
-            )
+            placed.append(replace(stroke, start=moved(stroke.start), end=moved(stroke.end)))
             continue
         # The sheet's y runs down: angles change sign and the arc starts at its other end.
         if isinstance(stroke, Ellipse):
@@ -335,9 +302,7 @@ def make_view(
     plane = np.array(origin) + corners * np.array([mm_per_pixel, -mm_per_pixel])
     sheet = place.to_sheet(plane)
     source = (sheet - np.array(outline.offset)) * outline.supersampling - 0.5
-    affine = cv2.getAffineTransform(
-        (corners - 0.5).astype(np.float32), source.astype(np.float32)
-    )
+    affine = cv2.getAffineTransform((corners - 0.5).astype(np.float32), source.astype(np.float32))
     resampled = cv2.warpAffine(
         depth,
         affine,

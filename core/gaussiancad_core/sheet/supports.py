@@ -113,11 +113,7 @@ def supports_of(strokes: tuple[Stroke, ...], precision: Precision) -> SupportedS
         fixed = _along_axis(stroke, precision)
         found = None
         if fixed is None:
-            like = (
-                n
-                for n, own in enumerate(groups)
-                if _alike(strokes[own[0]], stroke, precision)
-            )
+            like = (n for n, own in enumerate(groups) if _alike(strokes[own[0]], stroke, precision))
             found = next(like, None)
         if found is None:
             groups.append([index])
@@ -150,10 +146,7 @@ def _alike(first: Stroke, other: Stroke, precision: Precision) -> bool:
     if _along_axis(first, precision) is not None:
         return False
     line, second = _line(first), _line(other)
-    sine = abs(
-        line.direction[0] * second.direction[1]
-        - line.direction[1] * second.direction[0]
-    )
+    sine = abs(line.direction[0] * second.direction[1] - line.direction[1] * second.direction[0])
     ends = np.array([other.start, other.end])
     return bool(sine <= _TURN and line.distances(ends).max() <= apart)
 
@@ -203,9 +196,7 @@ def _round(arcs: list[Arc]) -> Round:
         for arc, weight in zip(arcs, weights, strict=True)
     )
     spans = tuple((arc.start_angle, arc.sweep) for arc in arcs)
-    return Round(
-        (float(centre[0]), float(centre[1])), radius, np.asarray(information), spans
-    )
+    return Round((float(centre[0]), float(centre[1])), radius, np.asarray(information), spans)
 
 
 def _information(arc: Arc) -> Floats:

@@ -33,17 +33,13 @@ class Jitter:
         """px, never more than the size."""
         return share * self._size * float(self._rng.uniform(-1.0, 1.0))
 
-    def level(
-        self, up: float, *ends: float, kind: Linetype = Linetype.VISIBLE
-    ) -> Segment:
+    def level(self, up: float, *ends: float, kind: Linetype = Linetype.VISIBLE) -> Segment:
         """A stroke along right."""
         at = up + self.by()
         first, last = (end + self.by(3.0) for end in ends)
         return Segment((first, at), (last, at + self.by(0.3)), kind)
 
-    def upright(
-        self, right: float, *ends: float, kind: Linetype = Linetype.VISIBLE
-    ) -> Segment:
+    def upright(self, right: float, *ends: float, kind: Linetype = Linetype.VISIBLE) -> Segment:
         """A stroke along up."""
         own = self.level(right, *ends, kind=kind)
         return Segment(own.start[::-1], own.end[::-1], kind)
@@ -80,8 +76,7 @@ def part_views(seed: int, size: float, precision=FROM_PIXELS) -> list[PlaneView]
     views = []
     for role, drawn in strokes.items():
         extents = [
-            SIZE[axis.value] + own.by()
-            for axis, _ in (role.frame.right_axis, role.frame.up_axis)
+            SIZE[axis.value] + own.by() for axis, _ in (role.frame.right_axis, role.frame.up_axis)
         ]
         views.append(PlaneView(role, tuple(drawn), (extents[0], extents[1]), precision))
     return views
@@ -112,15 +107,11 @@ def test_jittered_views_come_back(seed: int, size: float) -> None:
     for found, right in zip(shared.strokes, truth.strokes, strict=True):
         for one, other in zip(found, right, strict=True):
             # Centres of quarter circles are known several times less well than their sides.
-            corner = np.isclose(
-                np.abs(ends(other) - np.array(SIZE)[[0, 2]]), FILLET
-            ).any()
+            corner = np.isclose(np.abs(ends(other) - np.array(SIZE)[[0, 2]]), FILLET).any()
             slack = 8.0 if corner else 4.0
             assert ends(one) == pytest.approx(ends(other), abs=slack * size + 1e-9)
     for axis in Axis:
-        assert shared.extents[axis] == pytest.approx(
-            SIZE[axis.value], abs=2.0 * size + 1e-9
-        )
+        assert shared.extents[axis] == pytest.approx(SIZE[axis.value], abs=2.0 * size + 1e-9)
 
 
 def test_averages_are_better_by_the_root_of_the_number_of_views() -> None:
@@ -132,9 +123,7 @@ def test_averages_are_better_by_the_root_of_the_number_of_views() -> None:
         for role in roles:
             sign = role.frame.right_axis[1]
             line = own.upright(150.0, 0.0, 90.0)
-            lines = [
-                Segment((at, 0.0), (at, 90.0), Linetype.VISIBLE) for at in (0.0, 400.0)
-            ]
+            lines = [Segment((at, 0.0), (at, 90.0), Linetype.VISIBLE) for at in (0.0, 400.0)]
             mirrored = tuple(
                 Segment((sign * s.start[0], 0.0), (sign * s.end[0], 90.0), s.linetype)
                 for s in (*lines, line)
@@ -180,9 +169,7 @@ def test_a_plane_is_one_number_and_strokes_share_their_ends(seed: int) -> None:
     assert hole.centre[1] - hole.radius == pytest.approx(right[6].start[1], abs=1e-9)
     # The rounded corner goes on into both its tangents.
     assert fillet.centre == (upper.end[0], side.end[1])
-    assert (fillet.start_angle, fillet.sweep) == pytest.approx(
-        (0.0, np.pi / 2), abs=1e-12
-    )
+    assert (fillet.start_angle, fillet.sweep) == pytest.approx((0.0, np.pi / 2), abs=1e-12)
     assert fillet.centre[0] + fillet.radius == pytest.approx(side.start[0], abs=1e-9)
     assert fillet.centre[1] + fillet.radius == pytest.approx(upper.start[1], abs=1e-9)
 
@@ -201,17 +188,13 @@ def test_the_order_never_changes_and_what_one_view_shows_apart_stays_two(
     width = 97 * pitch
 
     def view(role: Role, places: list[int], height: float) -> PlaneView:
-        strokes = [
-            own.upright(at * pitch, 0.0, height) for at in (0, *sorted(places), 97)
-        ]
+        strokes = [own.upright(at * pitch, 0.0, height) for at in (0, *sorted(places), 97)]
         return PlaneView(role, tuple(strokes), (width, height), FROM_PIXELS)
 
     views = [view(Role.FRONT, front_at, 40.0), view(Role.TOP, top_at, 30.0)]
     shared = share_axes(views)
     for seen, strokes in zip(views, shared.strokes, strict=True):
-        before = (
-            np.array([stroke.start[0] + stroke.end[0] for stroke in seen.strokes]) / 2
-        )
+        before = np.array([stroke.start[0] + stroke.end[0] for stroke in seen.strokes]) / 2
         after = np.array([stroke.start[0] for stroke in strokes])
         order = np.argsort(before, kind="stable")
         assert (np.diff(after[order]) >= 0.0).all()
@@ -250,9 +233,7 @@ def test_a_belt_around_two_circles_touches_them() -> None:
         for arc, point in ((large, line.start), (small, line.end)):
             offset = np.subtract(point, arc.centre)
             assert np.hypot(*offset) == pytest.approx(arc.radius, abs=1e-9)
-            assert offset @ np.subtract(line.end, line.start) == pytest.approx(
-                0.0, abs=1e-6
-            )
+            assert offset @ np.subtract(line.end, line.start) == pytest.approx(0.0, abs=1e-6)
             assert offset[1] * sign > 0.0
 
 
