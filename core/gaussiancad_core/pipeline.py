@@ -257,6 +257,11 @@ class _Run:
             self.report,
             scale_mm_per_pixel=registered.mm_per_pixel,
             bounding_box_mm=registered.views.size,
+            strokes_source=registered.source.value,
+            residuals_px={
+                axis.name.lower(): (residual.median, residual.largest)
+                for axis, residual in registered.extents.residuals.items()
+            },
             tolerance_px=TOLERANCE_PX,
         )
         if self.report.scale_source == ScaleSource.DEFAULT.value:
@@ -267,9 +272,11 @@ class _Run:
             )
         for axis in registered.extents.disagreeing:
             spread = registered.extents.spread[axis]
+            residual = registered.extents.residuals[axis]
             self._warn(
                 "views-disagree",
-                f"the views differ by {spread:.1f} px in the part's extent along {axis.name}: "
+                f"the views differ by {spread:.1f} px in the part's extent along {axis.name}, and "
+                f"by up to {residual.largest:.1f} px from the coordinates that they share: "
                 "their mean was taken",
             )
         if not mutually_orthogonal(registered.views.roles):

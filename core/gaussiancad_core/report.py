@@ -84,6 +84,9 @@ class Report:
         scale_mm_per_pixel, scale_source: of sheet pixels.
         dimensions: that were read from the sheet; boxes in px of it.
         annotations: boxes in sheet px of what is not the part, by kind.
+        strokes_source: ``vector`` if all views have the strokes of the file, else ``raster``.
+        residuals_px: axis -> (median, largest) distance of what the views show from the coordinates
+            that they share, for axes that two views show.
         tolerance_px: within which lines were matched.
     """
 
@@ -98,6 +101,8 @@ class Report:
     projection_alternatives: tuple[Projection, ...] = ()
     views: dict[Role, ViewReport] = field(default_factory=dict)
     annotations: dict[str, list[tuple[float, float, float, float]]] = field(default_factory=dict)
+    strokes_source: str = "raster"
+    residuals_px: dict[str, tuple[float, float]] = field(default_factory=dict)
     tolerance_px: float = 0.0
     scale_mm_per_pixel: float | None = None
     scale_source: str = "default"
@@ -130,6 +135,11 @@ class Report:
             "annotations": {
                 kind: [[round(value, 1) for value in box] for box in boxes]
                 for kind, boxes in self.annotations.items()
+            },
+            "strokes_source": self.strokes_source,
+            "residuals_px": {
+                axis: {"median": round(median, 4), "max": round(largest, 4)}
+                for axis, (median, largest) in self.residuals_px.items()
             },
             "tolerance_px": self.tolerance_px,
             "scale_mm_per_pixel": self.scale_mm_per_pixel,

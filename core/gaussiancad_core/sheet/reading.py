@@ -10,7 +10,7 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.annotations.separate import SeparatedSheet, separate_annotations
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.layout import Layout, find_layout
+from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.masks import Outline, Region, find_outline, supersampling_for
 from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
 from gaussiancad_core.sheet.precision import StrokesSource
@@ -29,6 +29,7 @@ from gaussiancad_core.sheet.registration import (
 )
 from gaussiancad_core.sheet.seen_coordinates import PlaneView
 from gaussiancad_core.sheet.shared_axes import share_axes
+from gaussiancad_core.sheet.special_views.finding import LayoutRequest, find_named_layout
 from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_rhythm
 from gaussiancad_core.sheet.through_holes import Extent, ViewEvidence, is_through
 from gaussiancad_core.views import Linetype, Stroke, ViewSet
@@ -91,6 +92,12 @@ class RegisteredSheet:
     extents: AxisExtents
     opened: int
 
+    @property
+    def source(self) -> StrokesSource:
+        """Where the strokes come from: the file only if it has those of every view."""
+        exact = all(view.source is StrokesSource.VECTOR for view in self.drawn)
+        return StrokesSource.VECTOR if exact else StrokesSource.RASTER
+
 
 def find_views(
     sheet: CleanSheet, given: dict[Role, Box], projection: Projection | None
@@ -105,7 +112,7 @@ def find_views(
         projection: as told by the user, or nothing.
 
     Raises:
-        NoModelError: see :func:`gaussiancad_core.sheet.layout.find_layout`.
+        NoModelError: see :func:`gaussiancad_core.sheet.special_views.finding.find_named_layout`.
         UsageError: a given box holds no ink.
     """
     separated = separate_annotations(sheet)
@@ -120,7 +127,7 @@ def find_views(
         tried = way()
         try:
             stub = _STUB * tried.part.stroke_width
-            layout = find_layout(tried.part.ink, given, projection, stub)
+            layout = find_named_layout(tried, LayoutRequest(given, projection, stub))
         except NoModelError as error:
             first = first or error
             continue
