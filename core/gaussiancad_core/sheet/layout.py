@@ -15,6 +15,7 @@ import numpy.typing as npt
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.errors import NoModelError, UsageError
 from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.special_views.kinds import SpecialView
 
 _REACH = 6
 """Ink closer than this many px belongs to the same cluster."""
@@ -38,7 +39,8 @@ class Layout:
         projection: the reading of the arrangement.
         source: ``given``, ``inferred`` or ``default``, as in the report.
         alternatives: other projections that fit the arrangement as well.
-        left_out: boxes of clusters that are no view.
+        left_out: boxes of clusters that are no view and have no name.
+        special: drawings that are no plain views, by name.
     """
 
     boxes: dict[Role, Box]
@@ -46,6 +48,7 @@ class Layout:
     source: str
     alternatives: tuple[Projection, ...]
     left_out: tuple[Box, ...]
+    special: tuple[SpecialView, ...] = ()
 
 
 def find_layout(
@@ -68,7 +71,23 @@ def find_layout(
         NoModelError: there are fewer than two views that belong together.
         UsageError: a given box holds no ink.
     """
-    clusters = [_without_stubs(box, ink, stub_width) for box in find_clusters(ink)]
+    return arrange_clusters(view_clusters(ink, stub_width), given, projection)
+
+
+def view_clusters(ink: npt.NDArray[np.bool_], stub_width: float) -> list[Box]:
+    """Boxes of connected groups of ink, largest first, without single lines that stick out."""
+    return [_without_stubs(box, ink, stub_width) for box in find_clusters(ink)]
+
+
+def arrange_clusters(
+    clusters: list[Box], given: dict[Role, Box], projection: Projection | None
+) -> Layout:
+    """Name clusters of ink, as :func:`find_layout` does.
+
+    Raises:
+        NoModelError: there are fewer than two views that belong together.
+        UsageError: a given box holds no cluster.
+    """
     source = "default" if projection is None else "given"
     chosen = projection or Projection.THIRD
     if given:
@@ -177,7 +196,26 @@ def _around(front: Box, clusters: list[Box], projection: Projection) -> dict[Rol
         ]
         if neighbours:
             found[role] = min(neighbours)[1]
+    _add_rear(found, clusters)
     return found
+
+
+def _add_rear(found: dict[Role, Box], clusters: list[Box]) -> None:
+    """Add the rear view in place: as large as the front view, beyond a view beside it."""
+    front = found[Role.FRONT]
+    beside = [(role, found[role]) for role in (Role.RIGHT, Role.LEFT) if role in found]
+    for _, box in beside:
+        column = 1 if box[0] > front[0] else -1
+        beyond = [
+            (gap, other)
+            for other in clusters
+            if (gap := _gap(box, other, column, 0)) is not None
+            and _gap(front, other, column, 0) is not None
+            and _same_interval(0.0, _width(front), 0.0, _width(other))
+        ]
+        if beyond:
+            found[Role.REAR] = min(beyond)[1]
+            return
 
 
 def _gap(front: Box, box: Box, column: int, row: int) -> float | None:

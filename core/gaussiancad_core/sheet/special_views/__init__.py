@@ -1,0 +1,1 @@
+"""Drawings on a sheet that are none of the principal views: recognised by name, left out."""

@@ -1,0 +1,98 @@
+"""The principal views of a sheet, and the names of what else is drawn on it."""
+
+from dataclasses import dataclass, replace
+
+from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
+from gaussiancad_core.sheet.layout import Layout, arrange_clusters, view_clusters
+from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
+from gaussiancad_core.sheet.special_views.naming import merged, special_kind
+from gaussiancad_core.sheet.special_views.sections import section_kind
+
+_ENOUGH = 0.5
+"""Size of the views without the sections as a share of what is left out of them, at least."""
+
+
+@dataclass(frozen=True)
+class LayoutRequest:
+    """What the user said about the views.
+
+    Attributes:
+        given: boxes that were named, in px of the upright sheet.
+        projection: or nothing.
+        stub_width: px; single lines up to this width that stick out of a view do not count.
+    """
+
+    given: dict[Role, Box]
+    projection: Projection | None
+    stub_width: float = 0.0
+
+
+def find_named_layout(separated: SeparatedSheet, request: LayoutRequest) -> Layout:
+    """Find the principal views, and name what is none of them.
+
+    A full section is left out where two other views belong together, and stands for a view where
+    they do not.  What else is hatched stays: its outline is whole.
+
+    Raises:
+        NoModelError: there are fewer than two views that belong together.
+        UsageError: a given box holds no ink.
+    """
+    clusters = view_clusters(separated.part.ink, request.stub_width)
+    cut = _sections(separated, clusters)
+    layout = _arranged(clusters, cut, request)
+    special = [SpecialView(kind, box, box in layout.boxes.values()) for box, kind in cut.items()]
+    rest = [box for box in layout.left_out if box not in cut]
+    if separated.told is not None:
+        for box in list(rest):
+            kind = special_kind(separated.told, box, separated.part.stroke_width)
+            if kind is not None:
+                special.append(SpecialView(kind, box))
+                rest.remove(box)
+    for other in _other_parts(rest, layout):
+        special.append(SpecialView(SpecialKind.OTHER_PART, merged(other)))
+        rest = [box for box in rest if box not in other]
+    return replace(layout, left_out=tuple(rest), special=tuple(special))
+
+
+def _sections(separated: SeparatedSheet, clusters: list[Box]) -> dict[Box, SpecialKind]:
+    if separated.hatched is None:
+        return {}
+    kinds = {box: section_kind(separated.hatched, box) for box in clusters}
+    return {box: kind for box, kind in kinds.items() if kind is not None}
+
+
+def _arranged(clusters: list[Box], cut: dict[Box, SpecialKind], request: LayoutRequest) -> Layout:
+    """The views without full sections if there are enough, or else with them."""
+    full = [box for box, kind in cut.items() if kind is SpecialKind.SECTION]
+    plain = [box for box in clusters if box not in full]
+    if full and not request.given:
+        try:
+            layout = arrange_clusters(plain, request.given, request.projection)
+        except NoModelError:
+            return arrange_clusters(clusters, request.given, request.projection)
+        used = sum(_area(box) for box in layout.boxes.values())
+        if used > _ENOUGH * sum(_area(box) for box in layout.left_out):
+            return replace(layout, left_out=layout.left_out + tuple(full))
+    return arrange_clusters(clusters, request.given, request.projection)
+
+
+def _other_parts(rest: list[Box], layout: Layout) -> list[list[Box]]:
+    """Groups of views that belong together, and not to the part's."""
+    least = 0.1 * min(_area(box) for box in layout.boxes.values())
+    left = [box for box in rest if _area(box) > least]
+    found = []
+    while len(left) >= 2:
+        try:
+            other = arrange_clusters(left, {}, layout.projection)
+        except NoModelError:
+            break
+        found.append(list(other.boxes.values()))
+        left = [box for box in left if box not in found[-1]]
+    return found
+
+
+def _area(box: Box) -> float:
+    return (box[2] - box[0]) * (box[3] - box[1])

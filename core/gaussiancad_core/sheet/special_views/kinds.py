@@ -1,0 +1,35 @@
+"""What a drawing on a sheet is that is no principal view."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+from gaussiancad_core.sheet.options import Box
+
+
+class SpecialKind(Enum):
+    """Names of ISO 128-3 and ISO 5456-3; the value is the one in the report."""
+
+    SECTION = "section"
+    HALF_SECTION = "half-section"
+    PARTIAL_SECTION = "partial-section"
+    PICTORIAL = "pictorial"
+    DETAIL = "detail"
+    AUXILIARY = "auxiliary-view"
+    OTHER_PART = "other-part"
+    BROKEN = "broken-view"
+    HALF_VIEW = "half-view"
+
+
+@dataclass(frozen=True)
+class SpecialView:
+    """A drawing that is no plain principal view.
+
+    Attributes:
+        kind: what it is.
+        box: around it, px of the upright sheet.
+        used: whether it stands for a principal view all the same.
+    """
+
+    kind: SpecialKind
+    box: Box
+    used: bool = False

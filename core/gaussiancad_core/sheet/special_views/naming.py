@@ -1,0 +1,175 @@
+"""Names for the drawings that are left once the principal views are found.
+
+A pictorial shows the part's axes in three directions of which at most one is upright.  An auxiliary
+view is turned: its edges are square to each other, but not level.  A detail is cut out by a circle.
+Another part has views of its own that belong together.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.sheet.annotations.erase import Told
+from gaussiancad_core.sheet.annotations.inked import points_along
+from gaussiancad_core.sheet.geometry import Circle, Line
+from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.special_views.kinds import SpecialKind
+
+Floats = npt.NDArray[np.float64]
+
+_LEAST_PX = 40.0
+"""Longer side of a drawing that has a name at least."""
+
+_LEAST_STROKES = 5
+"""Strokes of a drawing that has a name at least."""
+
+_SQUARE = np.radians(4.0)
+"""Largest angle to the sheet's own directions of what is level or upright."""
+
+_ONE_WAY = np.radians(3.0)
+"""Largest angle between lines that run one way."""
+
+_LEVEL = 0.15
+"""Share of a pictorial's lines that are level at most."""
+
+_SLANTED = 0.3
+"""Share of its lines that are slanted at least; of an auxiliary view's twice as many."""
+
+_SECOND = 0.1
+"""Share of its lines that run the second slanted way at least."""
+
+_AROUND = 0.85
+"""Diameter of a detail's circle as a share of the detail's longer side at least."""
+
+_WHOLE = 0.7
+"""Share of a detail's circle that is drawn at least: the part's edges may cut it."""
+
+_MEETING = 4.0
+"""Distance of a detail's lines from its circle at their ends at most, in stroke widths."""
+
+
+@dataclass(frozen=True, eq=False)
+class Lines:
+    """The straight lines of a drawing.
+
+    Attributes:
+        angles: (n,) radians in 0..pi, from the sheet's right towards its bottom.
+        lengths: (n,) px.
+        ends: (n, 2, 2) px.
+    """
+
+    angles: Floats
+    lengths: Floats
+    ends: Floats
+
+    def share(self, chosen: npt.NDArray[np.bool_]) -> float:
+        """Share of the length of all lines that some of them have."""
+        return float(self.lengths[chosen].sum() / max(self.lengths.sum(), 1e-9))
+
+
+def lines_in(told: Told, box: Box) -> Lines:
+    """The straight lines of the part in a box."""
+    ends, angles = [], []
+    for shape, own in zip(told.shapes, told.kinds, strict=True):
+        if not isinstance(shape.geometry, Line):
+            continue
+        way = shape.geometry.direction
+        for run, kind in zip(shape.runs, own, strict=True):
+            both = points_along(shape.geometry, run.run, 1e9)[[0, -1]] + 0.5
+            if kind is None and _within(both, box):
+                ends.append(both)
+                angles.append(np.arctan2(way[1], way[0]) % np.pi)
+    stacked = np.array(ends).reshape(-1, 2, 2)
+    return Lines(np.array(angles), np.hypot(*(stacked[:, 1] - stacked[:, 0]).T), stacked)
+
+
+def special_kind(told: Told, box: Box, stroke_width: float) -> SpecialKind | None:
+    """What a drawing is that fits no principal view, or nothing where it has no name.
+
+    Args:
+        told: the lines and circles of the sheet.
+        box: of the drawing in px.
+        stroke_width: px.
+    """
+    lines = lines_in(told, box)
+    side = max(box[2] - box[0], box[3] - box[1])
+    if side < _LEAST_PX:
+        return None
+    if _is_detail(told, lines, box, stroke_width):
+        return SpecialKind.DETAIL
+    if len(lines.lengths) < _LEAST_STROKES:
+        return None
+    return _slanted_kind(lines)
+
+
+def _slanted_kind(lines: Lines) -> SpecialKind | None:
+    """Pictorial or auxiliary view, by the directions of the lines."""
+    level = _apart(lines.angles, 0.0) < _SQUARE
+    upright = _apart(lines.angles, np.pi / 2) < _SQUARE
+    slanted = ~level & ~upright
+    if lines.share(slanted) < _SLANTED:
+        return None
+    first = _commonest(lines, slanted)
+    rest = slanted & (_apart(lines.angles, first) > _ONE_WAY)
+    if lines.share(rest) < _SECOND:
+        return None
+    second = _commonest(lines, rest)
+    square = abs(_apart(np.array([first]), second)[0] - np.pi / 2) < _ONE_WAY
+    both = ~rest | (_apart(lines.angles, second) < _ONE_WAY)
+    if square and lines.share(slanted & both) > 2.0 * _SLANTED:
+        return SpecialKind.AUXILIARY
+    if not square and lines.share(level) < _LEVEL:
+        return SpecialKind.PICTORIAL
+    return None
+
+
+def _commonest(lines: Lines, chosen: npt.NDArray[np.bool_]) -> float:
+    """The direction in which the chosen lines are longest together."""
+    angles, lengths = lines.angles[chosen], lines.lengths[chosen]
+    near = _apart(angles[:, None], angles) < _ONE_WAY
+    return float(angles[int(np.argmax(near @ lengths))])
+
+
+def _apart(angles: Floats, other: float | Floats) -> Floats:
+    """Angles between directions modulo half a turn."""
+    return np.abs((angles - other + np.pi / 2) % np.pi - np.pi / 2)
+
+
+def _is_detail(told: Told, lines: Lines, box: Box, stroke_width: float) -> bool:
+    """Whether a circle goes around all of a drawing and cuts its lines off."""
+    for circle in circles_around(told, box):
+        radial = np.hypot(*np.moveaxis(lines.ends - np.array(circle.centre) - 0.5, 2, 0))
+        on_circle = np.abs(radial - circle.radius) < _MEETING * stroke_width
+        if int(on_circle.sum()) >= 2:
+            return True
+    return False
+
+
+def circles_around(told: Told, box: Box) -> list[Circle]:
+    """Circles about as large as a box, of whatever width, drawn nearly whole."""
+    side = max(box[2] - box[0], box[3] - box[1])
+    middle = np.array([box[0] + box[2], box[1] + box[3]]) / 2
+    found = []
+    for shape in told.shapes:
+        if not isinstance(shape.geometry, Circle):
+            continue
+        radius = shape.geometry.radius
+        off = float(np.hypot(*(np.array(shape.geometry.centre) + 0.5 - middle)))
+        drawn = sum(run.run.length for run in shape.runs) / (2.0 * np.pi * radius)
+        fits = _AROUND * side < 2.0 * radius < 1.3 * side and off < 0.2 * side
+        if fits and drawn > _WHOLE:
+            found.append(shape.geometry)
+    return found
+
+
+def _within(points: Floats, box: Box) -> bool:
+    low, high = np.array(box[:2]) - 2.0, np.array(box[2:]) + 2.0
+    return bool(((points >= low) & (points <= high)).all())
+
+
+def merged(boxes: Sequence[Box]) -> Box:
+    """The box around boxes."""
+    x0, y0, x1, y1 = zip(*boxes, strict=True)
+    return min(x0), min(y0), max(x1), max(y1)
