@@ -1,8 +1,9 @@
-"""What a run made, and its files: mesh, faceted solid, Gaussians, cameras."""
+"""What a run made, and its files: exact solids, mesh, faceted solid, Gaussians, cameras."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -11,8 +12,10 @@ from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.modes import Recipe
 from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.splatting.training import TrainingResult
-from gaussiancad_core.verification.agreement import MatchedLines
 from gaussiancad_core.views import ViewSet
+
+if TYPE_CHECKING:
+    from gaussiancad_core.solid.exact import ExactResult
 
 _IMAGE_PX = 1024
 """Side of the orthographic images in the cameras folder."""
@@ -26,13 +29,27 @@ class Models:
         registered: the views.
         training: the Gaussians.
         surface: their Poisson mesh.
-        matched: the surface's lines against the sheet's, in the order of the views.
     """
 
     registered: RegisteredSheet
     training: TrainingResult
     surface: TriangleMesh
-    matched: tuple[MatchedLines, ...]
+
+
+def write_solids(result: "ExactResult", folder: Path) -> None:
+    """Write the exact solid as ``solid.step``, and others that fit under ``alternatives``.
+
+    Raises:
+        EngineError: the STEP writer refuses.
+        UsageError, LimitError: the folder cannot be written, or the disk is full.
+    """
+    from gaussiancad_core.drawing.brep import write_step
+
+    write_step(result.shape, folder / "solid.step")
+    if result.alternatives:
+        (folder / "alternatives").mkdir(exist_ok=True)
+    for number, shape in enumerate(result.alternatives, start=1):
+        write_step(shape, folder / "alternatives" / f"{number}.step")
 
 
 def write_models(

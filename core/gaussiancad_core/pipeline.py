@@ -1,12 +1,13 @@
 """The stages of a run in order, each from dataclass to dataclass.
 
-read -> views -> lines -> masks -> hull -> gaussians -> surface -> check -> write.
+read -> views -> lines -> masks -> solid -> hull -> gaussians -> surface -> check -> write.
 """
 
 import json
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
-from gaussiancad_core.axes import mutually_orthogonal
+from gaussiancad_core.axes import Projection, mutually_orthogonal
 from gaussiancad_core.errors import (
     CancelledError,
     EngineError,
@@ -16,8 +17,7 @@ from gaussiancad_core.errors import (
 )
 from gaussiancad_core.events import Listener, Progress
 from gaussiancad_core.job import Job
-from gaussiancad_core.meshes import TriangleMesh
-from gaussiancad_core.models import Models, write_models
+from gaussiancad_core.models import Models, write_models, write_solids
 from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
 from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
 from gaussiancad_core.report import GaussiansReport, Report, SurfaceReport, ViewReport
@@ -35,21 +35,37 @@ from gaussiancad_core.sheet.reading import (
     register_views,
 )
 from gaussiancad_core.sheet.scale.find import ScaleSource, find_scale
-from gaussiancad_core.verification.agreement import MatchedLines
 
-STAGES = ("read", "views", "lines", "masks", "hull", "gaussians", "surface", "check", "write")
+if TYPE_CHECKING:
+    from gaussiancad_core.exact_stage import ExactModel, Reading
+    from gaussiancad_core.solid.exact import ExactResult
+
+STAGES = (
+    "read",
+    "views",
+    "lines",
+    "masks",
+    "solid",
+    "hull",
+    "gaussians",
+    "surface",
+    "check",
+    "write",
+)
+
+_SURFACE_STAGES = ("hull", "gaussians", "surface")
 
 REPORT_FILE = "report.json"
 
-TOLERANCE_PX = 3.0
-"""px of the sheet within which a line of the result is the sheet's line.
 
-A surface rounds its edges by about a hundredth of its size, so lines are matched to about the
-width of a stroke.
-"""
-
-_EXPLAINED = 0.95
-"""Share of the lines that has to agree for a view to be called explained."""
+def stages_of(result: ResultKind) -> tuple[str, ...]:
+    """The stages of a run that is asked for some of the models."""
+    left_out = {
+        ResultKind.SOLID: _SURFACE_STAGES,
+        ResultKind.SURFACE: ("solid",),
+        ResultKind.BOTH: (),
+    }[result]
+    return tuple(name for name in STAGES if name not in left_out)
 
 
 def reconstruct(job: Job, listener: Listener) -> Report:
@@ -63,7 +79,7 @@ def reconstruct(job: Job, listener: Listener) -> Report:
             report is written all the same.
     """
     folder = OutputFolder(job.output, RUN_FILES, REPORT_FILE)
-    run = _Run(job, folder, Progress(listener, len(STAGES)))
+    run = _Run(job, folder, Progress(listener, len(stages_of(job.result))))
     try:
         return run.all_stages()
     except CancelledError as error:
@@ -111,16 +127,23 @@ class _Run:
             for note in image.notes:
                 self._warn(note.code, note.message)
             clean = upright_sheet(clean_sheet(image.grey, self.job.reading.median_kernel))
-        registered = self._read_sheet(image, clean)
-        if self.job.result is ResultKind.SOLID:
-            raise NoModelError(
-                "exact-solid-unavailable",
-                "this version makes no exact solid yet: ask for --result surface or both",
-            )
-        models = self._make_models(clean, registered)
+        own, other = self._read_sheet(image, clean)
+        exact = None
+        if self.job.result is not ResultKind.SURFACE:
+            with self._stage("solid"):
+                exact = self._find_solid(own, other)
+                own = exact.reading
+        solid = exact.result if exact and exact.result.shape is not None else None
+        with_surface = self.job.result is not ResultKind.SOLID
+        models = self._make_models(own.registered) if with_surface else None
+        with self._stage("check"):
+            self._check(clean, own.registered, models, solid)
         with self._stage("write"):
-            write_models(models, self.job.recipe, self.folder.staging, self.progress)
-        self._finish(Status.APPROXIMATE)
+            if solid:
+                write_solids(solid, self.folder.staging)
+            if models:
+                write_models(models, self.job.recipe, self.folder.staging, self.progress)
+        self._finish(solid.status if solid else Status.APPROXIMATE)
         return self.report
 
     def write_failure(self, error: GaussianCadError) -> None:
@@ -136,7 +159,8 @@ class _Run:
         name = self.progress.current
         if not name:
             return "before its first stage: nothing was written"
-        where = f"{name} ({STAGES.index(name) + 1} of {len(STAGES)})"
+        stages = stages_of(self.job.result)
+        where = f"{name} ({stages.index(name) + 1} of {len(stages)})"
         return f"in the stage {where}: nothing was written"
 
     def _stage(self, name: str):  # noqa: ANN202
@@ -165,8 +189,10 @@ class _Run:
             return None
         return replace(self.report, status=Status(found["status"])) if same else None
 
-    def _read_sheet(self, image: SheetImage, clean: CleanSheet) -> RegisteredSheet:
-        """Views, lines and masks of a sheet, on shared axes."""
+    def _read_sheet(self, image: SheetImage, clean: CleanSheet) -> "tuple[Reading, Reading | None]":
+        """Views, lines and masks of a sheet, on shared axes, under one or two projections."""
+        from gaussiancad_core.exact_stage import Reading
+
         reading = self.job.reading
         with self._stage("views"):
             given = {role: clean.turn.box_to_upright(box) for role, box in reading.views}
@@ -180,12 +206,13 @@ class _Run:
             if self.job.recipe is Recipe.PAPER:
                 options = replace(options, open_holes=False)
             if layout.alternatives and not reading.views:
-                registered = self._choose_projection(drawn, layout, options)
+                own, other = self._choose_projection(drawn, layout, options)
             else:
-                registered = register_views(drawn, options)
-            self._tell_views(registered, clean.turn)
-            self._tell_registration(registered)
-        return registered
+                own = Reading(register_views(drawn, options), self.report.projection)
+                other = None
+            self._tell_views(own.registered, clean.turn)
+            self._tell_registration(own.registered)
+        return own, other
 
     def _scaled(
         self, image: SheetImage, clean: CleanSheet, drawn: tuple[ReadView, ...]
@@ -205,24 +232,36 @@ class _Run:
 
     def _choose_projection(
         self, drawn: tuple[ReadView, ...], layout: Layout, options: ReadingOptions
-    ) -> RegisteredSheet:
+    ) -> "tuple[Reading, Reading | None]":
+        """The likelier reading of the views, and the other one where it is possible."""
+        from gaussiancad_core.exact_stage import Reading
         from gaussiancad_core.projection_choice import choose_projection
 
         choice = choose_projection(drawn, layout.projection, options)
-        other = choice.projection.other
+        self._tell_projection(choice.projection, choice.inferred)
+        other = Reading(choice.other, choice.projection.other) if choice.other else None
+        return Reading(choice.registered, choice.projection), other
+
+    def _tell_projection(self, projection: Projection, inferred: bool) -> None:
         self.report = replace(
             self.report,
-            projection=choice.projection,
-            projection_source="inferred" if choice.inferred else "default",
-            projection_alternatives=() if choice.inferred else (other,),
+            projection=projection,
+            projection_source="inferred" if inferred else "default",
+            projection_alternatives=() if inferred else (projection.other,),
         )
-        if not choice.inferred:
-            self._warn(
-                "projection-assumed",
-                "the lines fit first and third angle alike: third angle was taken; "
-                "tell --projection first if the sheet is drawn in first angle",
-            )
-        return choice.registered
+
+    def _find_solid(self, own: "Reading", other: "Reading | None") -> "ExactModel":
+        """The exact solid, and what it says about the projection."""
+        from gaussiancad_core.exact_stage import find_exact
+
+        exact = find_exact(own, other)
+        if exact.decided:
+            self._tell_projection(exact.reading.projection, inferred=True)
+        if self.job.result is ResultKind.SOLID and exact.result.shape is None:
+            raise NoModelError(*exact.result.reasons[0])
+        for code, message in exact.result.reasons:
+            self.report = self.report.doubted(code, message)
+        return exact
 
     def _tell_views(self, registered: RegisteredSheet, turn: Turn) -> None:
         boxes = {view.role: ViewReport(view.stored_box(turn)) for view in registered.drawn}
@@ -262,7 +301,6 @@ class _Run:
                 axis.name.lower(): (residual.median, residual.largest)
                 for axis, residual in registered.extents.residuals.items()
             },
-            tolerance_px=TOLERANCE_PX,
         )
         if self.report.scale_source == ScaleSource.DEFAULT.value:
             self._warn(
@@ -284,8 +322,8 @@ class _Run:
                 "two-views", "only two directions of view: what a third would show is not known"
             )
 
-    def _make_models(self, clean: CleanSheet, registered: RegisteredSheet) -> Models:
-        """Hull, Gaussians and surface, and how the surface agrees with the sheet."""
+    def _make_models(self, registered: RegisteredSheet) -> Models:
+        """Hull, Gaussians and surface."""
         from gaussiancad_core.hull import visual_hull
         from gaussiancad_core.splatting.gaussians import Start, gaussians_on
         from gaussiancad_core.splatting.settings import training_cameras, training_settings
@@ -329,56 +367,47 @@ class _Run:
                     float(surface.volume),
                 ),
             )
-        with self._stage("check"):
-            matched = self._check(clean, registered, surface)
-        return Models(registered, training, surface, matched)
+        return Models(registered, training, surface)
 
     def _check(
-        self, clean: CleanSheet, registered: RegisteredSheet, surface: TriangleMesh
-    ) -> tuple[MatchedLines, ...]:
-        """Draw the surface again and match its lines with the sheet's; overlay and preview."""
-        from gaussiancad_core.verification.agreement import match_lines
-        from gaussiancad_core.verification.overlay import ViewOverlay, draw_overlay
-        from gaussiancad_core.verification.preview import png_bytes, render_preview
-        from gaussiancad_core.verification.redraw import redraw_mesh
+        self,
+        clean: CleanSheet,
+        registered: RegisteredSheet,
+        models: Models | None,
+        solid: "ExactResult | None",
+    ) -> None:
+        """How the lines of the best model agree with the sheet's; overlay and preview."""
+        from gaussiancad_core.check_stage import (
+            check_solid,
+            check_surface,
+            overlay_picture,
+            preview_picture,
+        )
 
-        views = registered.views
-        pitch = registered.mm_per_pixel
-        matched = []
-        for index, view in enumerate(views.views):
-            lines = redraw_mesh(surface, view.role, pitch)
-            matched.append(match_lines(view.strokes, lines, TOLERANCE_PX * pitch))
-            self.progress((index + 1) / (len(views.views) + 1))
-        reports = {
-            view.role: ViewReport(view.stored_box(clean.turn), match.agreement)
-            for view, match in zip(registered.drawn, matched, strict=True)
-        }
-        self.report = replace(self.report, views=reports).doubted(
-            "no-exact-solid",
-            "the model is a surface around the space that the outlines leave, "
-            "not an exact solid: measure nothing from it that the sheet dimensions",
-        )
-        unexplained = [
-            role.value for role, view in reports.items() if view.agreement.worst < _EXPLAINED
-        ]
-        if unexplained:
-            self.report = self.report.doubted(
-                "lines-unexplained",
-                f"the surface does not show all lines of the {', '.join(unexplained)} view(s), or "
-                "shows others: see overlay.png",
+        if self.report.projection_alternatives:
+            self._warn(
+                "projection-assumed",
+                "the lines fit first and third angle alike: third angle was taken; "
+                "tell --projection first if the sheet is drawn in first angle",
             )
-        overlays = [
-            ViewOverlay(view, views.size, match)
-            for view, match in zip(views.views, matched, strict=True)
-        ]
-        staging = self.folder.staging
-        (staging / "overlay.png").write_bytes(
-            png_bytes(draw_overlay(clean.picture, overlays, self.marks))
+        checked = check_solid(solid) if solid else check_surface(registered, models, self.progress)
+        reports = {
+            view.role: ViewReport(view.stored_box(clean.turn), checked.matched[view.role].agreement)
+            for view in registered.drawn
+        }
+        self.report = replace(
+            self.report,
+            views=reports,
+            tolerance_px=checked.tolerance_px,
+            solid=checked.solid,
         )
-        colour = self.job.reading.colour
-        (staging / "preview.png").write_bytes(png_bytes(render_preview(surface, colour)))
-        self.progress.listener.send("preview", path=str((staging / "preview.png").resolve()))
-        return tuple(matched)
+        for code, message in checked.reasons:
+            self.report = self.report.doubted(code, message)
+        overlay = overlay_picture(checked, registered, clean, self.marks)
+        (self.folder.staging / "overlay.png").write_bytes(overlay)
+        preview = self.folder.staging / "preview.png"
+        preview.write_bytes(preview_picture(checked, self.job.reading.colour))
+        self.progress.listener.send("preview", path=str(preview.resolve()))
 
 
 def _check_device(device: Device) -> None:

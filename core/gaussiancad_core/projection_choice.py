@@ -35,12 +35,14 @@ class Choice:
 
     Attributes:
         registered: the views as read under the better one, or the one that was assumed.
+        other: as read under the other one; None where the views contradict each other then.
         projection: that reading.
         inferred: whether it is clearly better than the other.
         scores: of the assumed one and the other: share of the lines that agree, 0 to 1.
     """
 
     registered: RegisteredSheet
+    other: RegisteredSheet | None
     projection: Projection
     inferred: bool
     scores: tuple[float, float]
@@ -64,12 +66,12 @@ def choose_projection(
     try:
         other = register_views(mirrored, options)
     except NoModelError:
-        return Choice(registered, assumed, True, (1.0, 0.0))
+        return Choice(registered, None, assumed, True, (1.0, 0.0))
     scores = _agreement(registered), _agreement(other)
     clear = abs(scores[0] - scores[1]) > _CLEAR
     if clear and scores[1] > scores[0]:
-        return Choice(other, assumed.other, True, scores)
-    return Choice(registered, assumed, clear, scores)
+        return Choice(other, registered, assumed.other, True, scores)
+    return Choice(registered, other, assumed, clear, scores)
 
 
 def opposite(role: Role) -> Role:

@@ -26,6 +26,7 @@ ENGINE_PACKAGES = (
     "open3d",
     "trimesh",
     "cadquery-ocp-novtk",
+    "ortools",
 )
 
 
@@ -50,6 +51,18 @@ class ViewReport:
         if self.agreement:
             entry.update({k: round(v, 4) for k, v in asdict(self.agreement).items()})
         return entry
+
+
+@dataclass(frozen=True)
+class SolidReport:
+    """The exact solid; ``alternatives`` is the number of others that fit the sheet as well."""
+
+    valid: bool
+    closed: bool
+    faces: int
+    volume_mm3: float
+    bounding_box_mm: tuple[float, float, float]
+    alternatives: int
 
 
 @dataclass(frozen=True)
@@ -108,6 +121,7 @@ class Report:
     scale_source: str = "default"
     dimensions: tuple[ReadDimension, ...] = ()
     bounding_box_mm: tuple[float, float, float] | None = None
+    solid: SolidReport | None = None
     surface: SurfaceReport | None = None
     gaussians: GaussiansReport | None = None
     seconds: dict[str, float] = field(default_factory=dict)
@@ -149,7 +163,7 @@ class Report:
                 for own in self.dimensions
             ],
             "bounding_box_mm": self.bounding_box_mm,
-            "solid": None,
+            "solid": asdict(self.solid) if self.solid else None,
             "surface": asdict(self.surface) if self.surface else None,
             "gaussians": asdict(self.gaussians) if self.gaussians else None,
             "seconds": self.seconds,

@@ -172,8 +172,10 @@ def solver_for(time: float, workers: int = 1) -> cp_model.CpSolver:
 FOUND = (cp_model.OPTIMAL, cp_model.FEASIBLE)
 
 
-def label_cells(rules: Sequence[Rule], effort: Effort) -> Labelling:
+def label_cells(rules: Sequence[Rule], effort: Effort, *, relaxed: bool = True) -> Labelling:
     """Labels under which all rules hold, or all but the least; the simplest of them.
+
+    Without ``relaxed`` there are no labels where the rules contradict each other.
 
     Simple means few surfaces: of parts that look alike in all views, the drawn one is nearly always
     the one with the fewest.
@@ -182,7 +184,9 @@ def label_cells(rules: Sequence[Rule], effort: Effort) -> Labelling:
     solver = solver_for(effort.hard, effort.workers)
     status = solver.solve(hard.model)
     if status not in FOUND:
-        return relaxed_labels(rules, effort)
+        if relaxed:
+            return relaxed_labels(rules, effort)
+        return Labelling(None, (), status == cp_model.INFEASIBLE)
     first = hard.labels(solver)
     for cell, literal in hard.cells.items():
         hard.model.add_hint(literal, first[cell])

@@ -25,6 +25,10 @@ _COUNTING = 0.3
 """Units of thickness from which a cell makes a different solid."""
 
 
+_NONE = "no-solid-fits", "no solid has these lines: they contradict each other"
+_UNFINISHED = "search-unfinished", "the search for solids with these lines was not completed"
+
+
 @dataclass(frozen=True)
 class Limits:
     """How far the search goes.
@@ -32,11 +36,13 @@ class Limits:
     Attributes:
         effort: of the labelling, deterministic.
         alternatives: solids looked at beside the first.
+        relaxed: whether lines may be given up where all together fit no solid.
         seconds: after which no further alternative is begun.
     """
 
     effort: Effort = field(default_factory=Effort)
     alternatives: int = 8
+    relaxed: bool = True
     seconds: float = 60.0
 
 
@@ -86,10 +92,10 @@ def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
     clock = _Clock()
     part = model_part(views)
     clock.lap("model")
-    labelling = label_cells(part.rules, limits.effort)
+    labelling = label_cells(part.rules, limits.effort, relaxed=limits.relaxed)
     clock.lap("label")
     if labelling.labels is None:
-        reason = "no-solid-found", "no solid with such lines was found in the time allowed"
+        reason = _NONE if labelling.complete else _UNFINISHED
         return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
     candidates, complete = _candidates(part, views, labelling, limits, clock)
     if not candidates:
@@ -188,7 +194,5 @@ def _reasons(
             ("ambiguous", f"{len(agreeing)} different solids have these lines: see alternatives/")
         )
     if not complete:
-        reasons.append(
-            ("search-unfinished", "the search for other solids with these lines was not completed")
-        )
+        reasons.append(_UNFINISHED)
     return reasons

@@ -15,13 +15,13 @@ from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.verification.agreement import MatchedLines, match_lines
 from gaussiancad_core.verification.lines import LinePoints, lines_of_strokes
 
-_LOOSE = 4.0
+LOOSE = 2.5
 """Tolerances of the views within which lines are the same."""
 
 _LEAST = 1e-3
 """The same as a share of the longest extent, at least."""
 
-_FLAW = 3.0
+_FLAW = 2.5
 """Matching tolerances of line in one place from which a disagreement counts."""
 
 _SMALLEST_FLAW = 0.002
@@ -67,7 +67,7 @@ class Verification:
 
 def matching_tolerance(views: DrawnViews) -> float:
     """mm within which a line of a solid is a line of the views."""
-    return max(_LOOSE * views.tolerance, _LEAST * max(views.size))
+    return max(LOOSE * views.tolerance, _LEAST * max(views.size))
 
 
 def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:

@@ -1,0 +1,123 @@
+"""How a model's own lines agree with the sheet's, and the pictures of it."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.drawing.brep import bounding_box, soundness, tessellate
+from gaussiancad_core.exact_stage import TOLERANCE_PX
+from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.models import Models
+from gaussiancad_core.report import SolidReport
+from gaussiancad_core.sheet.annotations.marks import Mark
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.reading import RegisteredSheet
+from gaussiancad_core.solid.exact import ExactResult
+from gaussiancad_core.solid.verify import LOOSE
+from gaussiancad_core.verification.agreement import MatchedLines, match_lines
+from gaussiancad_core.verification.overlay import ViewOverlay, draw_overlay
+from gaussiancad_core.verification.preview import png_bytes, render_preview
+from gaussiancad_core.verification.redraw import redraw_mesh
+
+SURFACE_TOLERANCE_PX = 3.0
+"""px of the sheet within which a line of a surface is the sheet's line.
+
+A surface rounds its edges by about a hundredth of its size, so lines are matched to about the
+width of a stroke.
+"""
+
+_EXPLAINED = 0.95
+"""Share of the lines that has to agree for a view to be called explained by a surface."""
+
+_PREVIEW_DEFLECTION = 5e-4
+"""Deviation of the preview's triangles, as a share of the longest extent."""
+
+_NO_SOLID = (
+    "no-exact-solid",
+    "the model is a surface around the space that the outlines leave, "
+    "not an exact solid: measure nothing from it that the sheet dimensions",
+)
+
+
+@dataclass(frozen=True, eq=False)
+class CheckedModel:
+    """A model beside the sheet.
+
+    Attributes:
+        mesh: what the preview shows, mm.
+        matched: its lines and the sheet's, of each view.
+        tolerance_px: within which they were matched.
+        reasons: (code, sentence) why the model is not verified, beyond what is known.
+        solid: facts of the exact solid, if it is one.
+    """
+
+    mesh: TriangleMesh
+    matched: Mapping[Role, MatchedLines]
+    tolerance_px: float
+    reasons: tuple[tuple[str, str], ...] = ()
+    solid: SolidReport | None = None
+
+
+def check_solid(result: ExactResult) -> CheckedModel:
+    """An exact solid, whose lines were matched when it was found."""
+    facts = soundness(result.shape)
+    box = bounding_box(result.shape)
+    size = box[1] - box[0]
+    vertices, triangles = tessellate(result.shape, _PREVIEW_DEFLECTION * float(size.max()))
+    report = SolidReport(
+        facts.valid,
+        facts.closed,
+        facts.faces,
+        facts.volume_mm3,
+        (float(size[0]), float(size[1]), float(size[2])),
+        len(result.alternatives),
+    )
+    mesh = TriangleMesh(vertices.astype(np.float64), triangles)
+    return CheckedModel(mesh, result.verification.matched, LOOSE * TOLERANCE_PX, solid=report)
+
+
+def check_surface(
+    registered: RegisteredSheet, models: Models, progress: Callable[[float], None]
+) -> CheckedModel:
+    """Draw a surface again and match its lines with the sheet's."""
+    pitch = registered.mm_per_pixel
+    views = registered.views.views
+    matched: dict[Role, MatchedLines] = {}
+    for index, view in enumerate(views):
+        lines = redraw_mesh(models.surface, view.role, pitch)
+        matched[view.role] = match_lines(view.strokes, lines, SURFACE_TOLERANCE_PX * pitch)
+        progress((index + 1) / (len(views) + 1))
+    unexplained = [
+        role.value for role, match in matched.items() if match.agreement.worst < _EXPLAINED
+    ]
+    reasons = [_NO_SOLID]
+    if unexplained:
+        reasons.append(
+            (
+                "lines-unexplained",
+                f"the surface does not show all lines of the {', '.join(unexplained)} view(s), or "
+                "shows others: see overlay.png",
+            )
+        )
+    return CheckedModel(models.surface, matched, SURFACE_TOLERANCE_PX, tuple(reasons))
+
+
+def overlay_picture(
+    checked: CheckedModel,
+    registered: RegisteredSheet,
+    clean: CleanSheet,
+    marks: tuple[Mark, ...],
+) -> bytes:
+    """PNG of the sheet with the model's lines over it."""
+    overlays = [
+        ViewOverlay(view, registered.views.size, checked.matched[view.role])
+        for view in registered.views.views
+    ]
+    return png_bytes(draw_overlay(clean.picture, overlays, marks))
+
+
+def preview_picture(checked: CheckedModel, colour: tuple[int, int, int]) -> bytes:
+    """PNG of the model, shaded."""
+    return png_bytes(render_preview(checked.mesh, colour))

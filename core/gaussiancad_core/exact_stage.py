@@ -1,0 +1,115 @@
+"""The exact solid of a sheet, under the reading of its projection that has one.
+
+First and third angle are two readings of the same views.  Where the user says neither, the solid
+decides: the reading is right whose lines a solid has.  If both have one, and the two differ, nobody
+can tell from the sheet which is meant.
+"""
+
+from dataclasses import dataclass, replace
+
+from gaussiancad_core.axes import Projection
+from gaussiancad_core.modes import Status
+from gaussiancad_core.reasoning.drawn_views import views_as_read
+from gaussiancad_core.sheet.reading import RegisteredSheet
+from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
+from gaussiancad_core.solid.same import same_solid
+
+TOLERANCE_PX = 1.0
+"""px by which lines of a sheet may miss where they belong."""
+
+_KEPT = 0.9
+"""Share of the lines, in each view and each way, that a solid must explain to be kept at all."""
+
+_AMBIGUOUS = (
+    "ambiguous",
+    "the views fit different solids in first and in third angle: tell --projection",
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Reading:
+    """The views of a sheet under a projection.
+
+    Attributes:
+        registered: on shared axes.
+        projection: first or third angle.
+    """
+
+    registered: RegisteredSheet
+    projection: Projection
+
+
+@dataclass(frozen=True, eq=False)
+class ExactModel:
+    """The solid of a sheet.
+
+    Attributes:
+        reading: under which it was found.
+        result: the solid; its shape is None if there is none worth keeping.
+        decided: whether the solids tell which reading is right.
+    """
+
+    reading: Reading
+    result: ExactResult
+    decided: bool
+
+
+def find_exact(own: Reading, other: Reading | None, limits: Limits | None = None) -> ExactModel:
+    """The exact solid of a sheet.
+
+    Args:
+        own: the reading that was told, inferred or assumed.
+        other: the other one, if it is possible.
+        limits: of the search.
+    """
+    limits = limits or Limits()
+    result = _solved(own, limits)
+    if other is None:
+        return ExactModel(own, result, False)
+    contrary = _solved(other, replace(limits, relaxed=False))
+    if _holds(contrary) and not _holds(result):
+        return ExactModel(other, contrary, True)
+    if not _holds(contrary):
+        if contrary.status is Status.FAILED and _is_open(contrary):
+            result = _doubted(result, contrary.reasons[0])
+        return ExactModel(own, result, _holds(result))
+    shapes = [
+        shape
+        for shape in (contrary.shape, *contrary.alternatives)
+        if shape is not None and not same_solid(shape, result.shape)
+    ]
+    if not shapes:
+        return ExactModel(own, result, False)
+    result = replace(result, alternatives=(*result.alternatives, *shapes))
+    return ExactModel(own, _doubted(result, _AMBIGUOUS), False)
+
+
+def _solved(reading: Reading, limits: Limits) -> ExactResult:
+    registered = reading.registered
+    tolerance = TOLERANCE_PX * registered.mm_per_pixel
+    result = exact_solid(views_as_read(registered.views, tolerance), limits)
+    if result.verification is None:
+        return result
+    worst = min(match.agreement.worst for match in result.verification.matched.values())
+    if worst >= _KEPT and result.verification.sound:
+        return result
+    reason = (
+        "no-exact-solid",
+        f"the exact solid that fits best explains {100 * worst:.0f} % of the lines only and was "
+        "not kept: see overlay.png",
+    )
+    return replace(result, status=Status.FAILED, shape=None, alternatives=(), reasons=(reason,))
+
+
+def _holds(result: ExactResult) -> bool:
+    return result.shape is not None and bool(result.verification and result.verification.holds)
+
+
+def _is_open(result: ExactResult) -> bool:
+    return any(code == "search-unfinished" for code, _ in result.reasons)
+
+
+def _doubted(result: ExactResult, reason: tuple[str, str]) -> ExactResult:
+    if result.status is Status.FAILED or reason in result.reasons:
+        return result
+    return replace(result, status=Status.APPROXIMATE, reasons=(*result.reasons, reason))
