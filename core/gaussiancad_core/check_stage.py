@@ -14,6 +14,7 @@ from gaussiancad_core.report import SolidReport
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.reading import RegisteredSheet
+from gaussiancad_core.sheet.special_views.kinds import SpecialView
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.verify import LOOSE
 from gaussiancad_core.verification.agreement import MatchedLines, match_lines
@@ -108,14 +109,14 @@ def overlay_picture(
     checked: CheckedModel,
     registered: RegisteredSheet,
     clean: CleanSheet,
-    marks: tuple[Mark, ...],
+    beside: tuple[tuple[Mark, ...], tuple[SpecialView, ...]],
 ) -> bytes:
-    """PNG of the sheet with the model's lines over it."""
+    """PNG of the sheet with the model's lines over it, and what else was found on it."""
     overlays = [
         ViewOverlay(view, registered.views.size, checked.matched[view.role])
         for view in registered.views.views
     ]
-    return png_bytes(draw_overlay(clean.picture, overlays, marks))
+    return png_bytes(draw_overlay(clean.picture, overlays, *beside))
 
 
 def preview_picture(checked: CheckedModel, colour: tuple[int, int, int]) -> bytes:

@@ -35,6 +35,8 @@ from gaussiancad_core.sheet.reading import (
     register_views,
 )
 from gaussiancad_core.sheet.scale.find import ScaleSource, find_scale
+from gaussiancad_core.sheet.special_views.kinds import SpecialView
+from gaussiancad_core.sheet.special_views.telling import tellings
 
 if TYPE_CHECKING:
     from gaussiancad_core.exact_stage import ExactModel, Reading
@@ -113,6 +115,7 @@ class _Run:
         self.progress = progress
         self.report = Report("", job.settings())
         self.marks: tuple[Mark, ...] = ()
+        self.special: tuple[SpecialView, ...] = ()
 
     def all_stages(self) -> Report:
         """Read, reconstruct, check and write."""
@@ -143,7 +146,9 @@ class _Run:
                 write_solids(solid, self.folder.staging)
             if models:
                 write_models(models, self.job.recipe, self.folder.staging, self.progress)
-        self._finish(solid.status if solid else Status.APPROXIMATE)
+        # Lines of a section are no edges, and a broken view is no measure: nothing verifies them.
+        plain = not any(view.used for view in self.special)
+        self._finish(solid.status if solid and plain else Status.APPROXIMATE)
         return self.report
 
     def write_failure(self, error: GaussianCadError) -> None:
@@ -282,6 +287,14 @@ class _Run:
             projection_alternatives=layout.alternatives,
             views={role: ViewReport(turn.box_to_stored(box)) for role, box in layout.boxes.items()},
         )
+        special = tuple(replace(view, box=turn.box_to_stored(view.box)) for view in layout.special)
+        self.special = layout.special
+        self.report = replace(self.report, special_views=special)
+        for told in tellings(special):
+            if told.doubt:
+                self.report = self.report.doubted(told.code, told.message)
+            else:
+                self._warn(told.code, told.message)
         if layout.left_out:
             boxes = ("({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*b) for b in layout.left_out[:5])
             places = "; ".join(boxes)
@@ -403,7 +416,7 @@ class _Run:
         )
         for code, message in checked.reasons:
             self.report = self.report.doubted(code, message)
-        overlay = overlay_picture(checked, registered, clean, self.marks)
+        overlay = overlay_picture(checked, registered, clean, (self.marks, self.special))
         (self.folder.staging / "overlay.png").write_bytes(overlay)
         preview = self.folder.staging / "preview.png"
         preview.write_bytes(preview_picture(checked, self.job.reading.colour))

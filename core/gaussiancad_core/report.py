@@ -14,6 +14,7 @@ from gaussiancad_core import __version__
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.modes import Status
 from gaussiancad_core.sheet.scale.estimate import ReadDimension
+from gaussiancad_core.sheet.special_views.kinds import SpecialView
 from gaussiancad_core.verification.agreement import Agreement
 
 SCHEMA = 1
@@ -100,6 +101,7 @@ class Report:
         strokes_source: ``vector`` if all views have the strokes of the file, else ``raster``.
         residuals_px: axis -> (median, largest) distance of what the views show from the coordinates
             that they share, for axes that two views show.
+        special_views: drawings that are no plain principal views; boxes in sheet px.
         tolerance_px: within which lines were matched.
     """
 
@@ -116,6 +118,7 @@ class Report:
     annotations: dict[str, list[tuple[float, float, float, float]]] = field(default_factory=dict)
     strokes_source: str = "raster"
     residuals_px: dict[str, tuple[float, float]] = field(default_factory=dict)
+    special_views: tuple[SpecialView, ...] = ()
     tolerance_px: float = 0.0
     scale_mm_per_pixel: float | None = None
     scale_source: str = "default"
@@ -155,6 +158,14 @@ class Report:
                 axis: {"median": round(median, 4), "max": round(largest, 4)}
                 for axis, (median, largest) in self.residuals_px.items()
             },
+            "special_views": [
+                {
+                    "kind": view.kind.value,
+                    "box": [round(value, 1) for value in view.box],
+                    "used": view.used,
+                }
+                for view in self.special_views
+            ],
             "tolerance_px": self.tolerance_px,
             "scale_mm_per_pixel": self.scale_mm_per_pixel,
             "scale_source": self.scale_source,

@@ -12,6 +12,7 @@ import numpy.typing as npt
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.marks import Mark
+from gaussiancad_core.sheet.special_views.kinds import SpecialView
 from gaussiancad_core.verification.agreement import MatchedLines
 from gaussiancad_core.verification.lettering import put_text, text_image
 from gaussiancad_core.views import View
@@ -46,8 +47,13 @@ _MARKS = {
         (0, 158, 115),
         (AnnotationKind.CENTRE_LINE, AnnotationKind.CENTRE_MARK),
     ),
+    "hatching": ((230, 159, 0), (AnnotationKind.HATCHING,)),
+    "threads": ((120, 94, 60), (AnnotationKind.THREAD,)),
 }
 """What is not the part, in groups that share a colour."""
+
+_SPECIAL = (90, 60, 160)
+"""Other drawings than the principal views."""
 
 _INK = 0.32
 """How much of the sheet's own contrast remains."""
@@ -84,13 +90,19 @@ class ViewOverlay:
         )
 
 
-def draw_overlay(sheet: Image, views: Sequence[ViewOverlay], marks: Sequence[Mark] = ()) -> Image:
+def draw_overlay(
+    sheet: Image,
+    views: Sequence[ViewOverlay],
+    marks: Sequence[Mark] = (),
+    special: Sequence[SpecialView] = (),
+) -> Image:
     """Draw the views' lines over the sheet, and what was taken off it.
 
     Args:
         sheet: (h, w) grey or (h, w, 3) RGB, upright.
         views: whose boxes are in pixels of that sheet.
         marks: annotations in pixels of that sheet.
+        special: drawings that are no plain principal views, in pixels of that sheet.
 
     Returns:
         (h2, w2, 3) RGB with a legend below; larger sheets are reduced to 4000 px.
@@ -111,6 +123,8 @@ def draw_overlay(sheet: Image, views: Sequence[ViewOverlay], marks: Sequence[Mar
         own = [mark for mark in marks if mark.kind in kinds]
         _draw_marks(picture, own, scale, colour)
         legend += [(colour, label)] if own else []
+    _draw_special(picture, special, scale, letters)
+    legend += [(_SPECIAL, "other drawings")] if special else []
     layers = [_layers(view) for view in views]
     for number, colour in ((1, _HIDDEN), (0, _VISIBLE), (3, _EXTRA), (2, _MISSING)):
         strong = width + (1 if colour in (_MISSING, _EXTRA) else 0)
@@ -186,6 +200,20 @@ def _draw_marks(picture: Image, marks: Sequence[Mark], scale: float, colour: Col
         ends = [(round(x * scale), round(y * scale)) for x, y in (start, end)]
         draw = cv2.line if mark.line else cv2.rectangle
         draw(picture, ends[0], ends[1], colour, 1)
+
+
+def _draw_special(
+    picture: Image, special: Sequence[SpecialView], scale: float, letters: int
+) -> None:
+    """Boxes with what is in them below their left corner."""
+    import cv2
+
+    gap = letters
+    for view in special:
+        x0, y0, x1, y1 = (value * scale for value in view.box)
+        start, end = (round(x0 - gap), round(y0 - gap)), (round(x1 + gap), round(y1 + gap))
+        cv2.rectangle(picture, start, end, _SPECIAL, 2)
+        put_text(picture, text_image(view.kind.value, letters), start[0], end[1] + 4)
 
 
 def _with_legend(picture: Image, legend: Sequence[tuple[Colour, str]], letters: int) -> Image:

@@ -40,6 +40,9 @@ _SLANTED = 0.3
 _SECOND = 0.1
 """Share of its lines that run the second slanted way at least."""
 
+_CURVED = 0.3
+"""Share of a round pictorial's strokes that are curves at least."""
+
 _AROUND = 0.85
 """Diameter of a detail's circle as a share of the detail's longer side at least."""
 
@@ -99,9 +102,34 @@ def special_kind(told: Told, box: Box, stroke_width: float) -> SpecialKind | Non
         return None
     if _is_detail(told, lines, box, stroke_width):
         return SpecialKind.DETAIL
-    if len(lines.lengths) < _LEAST_STROKES:
-        return None
-    return _slanted_kind(lines)
+    if _is_round_pictorial(told, lines, box):
+        return SpecialKind.PICTORIAL
+    return _slanted_kind(lines) if len(lines.lengths) >= _LEAST_STROKES else None
+
+
+def _is_round_pictorial(told: Told, lines: Lines, box: Box) -> bool:
+    """Whether a drawing is of curves, none of them a circle, and its lines run one slanted way:
+    what was turned on a lathe, seen askew."""
+    x0, y0, x1, y1 = (int(value) for value in box)
+    curved = float(told.unexplained[y0:y1, x0:x1].sum())
+    for shape, own in zip(told.shapes, told.kinds, strict=True):
+        if isinstance(shape.geometry, Line):
+            continue
+        runs = [run for run, kind in zip(shape.runs, own, strict=True) if kind is None]
+        runs = [r for r in runs if _within(points_along(shape.geometry, r.run, 2.0) + 0.5, box)]
+        length = sum(run.run.length for run in runs)
+        round_one = isinstance(shape.geometry, Circle)
+        if round_one and length > _WHOLE * 2.0 * np.pi * shape.geometry.radius:
+            return False
+        curved += length
+    straight = float(lines.lengths.sum())
+    if curved < max(_CURVED * (curved + straight), 2.0 * _LEAST_PX):
+        return False
+    if not len(lines.lengths):
+        return True
+    level = np.minimum(_apart(lines.angles, 0.0), _apart(lines.angles, np.pi / 2)) < _SQUARE
+    one_way = _apart(lines.angles, _commonest(lines, np.ones(len(level), bool))) < _ONE_WAY
+    return lines.share(one_way & ~level) > 1.0 - _LEVEL
 
 
 def _slanted_kind(lines: Lines) -> SpecialKind | None:

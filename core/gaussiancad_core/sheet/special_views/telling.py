@@ -1,0 +1,101 @@
+"""What the report says of drawings that are no plain principal views."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
+
+_MOST_PLACES = 5
+"""Boxes that one message names at most."""
+
+_SECTIONS = (SpecialKind.SECTION, SpecialKind.HALF_SECTION, SpecialKind.PARTIAL_SECTION)
+
+
+@dataclass(frozen=True)
+class Telling:
+    """A message about special views.
+
+    Attributes:
+        code: kebab-case.
+        message: one sentence that names the boxes.
+        doubt: whether it is a reason why the model is not verified; otherwise it is a warning.
+    """
+
+    code: str
+    message: str
+    doubt: bool
+
+
+def tellings(special: Sequence[SpecialView]) -> list[Telling]:
+    """One message for each kind, in the order of the kinds.
+
+    Args:
+        special: with boxes in px of the sheet as stored.
+    """
+    found = []
+    for kind in SpecialKind:
+        for used in (False, True):
+            boxes = [view.box for view in special if view.kind is kind and view.used is used]
+            if boxes:
+                found.append(_told(kind, used, boxes))
+    return found
+
+
+def _told(kind: SpecialKind, used: bool, boxes: list[Box]) -> Telling:
+    places = _places(boxes)
+    if not used:
+        return Telling(
+            _LEFT_OUT[kind],
+            f"{_NAMES[kind]} at {places} px: left out, it is none of the part's views",
+            doubt=False,
+        )
+    if kind in _SECTIONS:
+        return Telling(
+            "section-used",
+            f"{_NAMES[kind]} at {places} px stands for a view: its outline is the part's, but what "
+            "its lines show lies within the part",
+            doubt=True,
+        )
+    return Telling(_USED[kind], f"{_NAMES[kind]} at {places} px: {_DOUBTS[kind]}", doubt=True)
+
+
+def _places(boxes: list[Box]) -> str:
+    places = ["({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*box) for box in boxes[:_MOST_PLACES]]
+    return "; ".join(places)
+
+
+_NAMES = {
+    SpecialKind.SECTION: "a section",
+    SpecialKind.HALF_SECTION: "a half section",
+    SpecialKind.PARTIAL_SECTION: "a view with a broken-out section",
+    SpecialKind.PICTORIAL: "a pictorial view",
+    SpecialKind.DETAIL: "an enlarged detail",
+    SpecialKind.AUXILIARY: "an auxiliary view",
+    SpecialKind.OTHER_PART: "views of another part",
+    SpecialKind.BROKEN: "a broken view",
+    SpecialKind.HALF_VIEW: "a half view",
+}
+
+_LEFT_OUT = {
+    SpecialKind.SECTION: "section-left-out",
+    SpecialKind.HALF_SECTION: "half-section-left-out",
+    SpecialKind.PARTIAL_SECTION: "partial-section-left-out",
+    SpecialKind.PICTORIAL: "pictorial-left-out",
+    SpecialKind.DETAIL: "detail-left-out",
+    SpecialKind.AUXILIARY: "auxiliary-view-left-out",
+    SpecialKind.OTHER_PART: "other-part-left-out",
+    SpecialKind.BROKEN: "broken-view-left-out",
+    SpecialKind.HALF_VIEW: "half-view-left-out",
+}
+
+_USED = {
+    SpecialKind.BROKEN: "broken-view",
+    SpecialKind.HALF_VIEW: "half-view",
+}
+
+_DOUBTS = {
+    SpecialKind.BROKEN: "its length is not as drawn, as a piece of the part is left out",
+    SpecialKind.HALF_VIEW: "the part is symmetrical and drawn up to its centre line alone, so the "
+    "model is half of it",
+}
