@@ -1,0 +1,77 @@
+"""The parts of benchmarks/exact_solid.py: made by class, STEP files, or pairs of STEP and DXF."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
+from OCP.TopAbs import TopAbs_ShapeEnum
+from OCP.TopoDS import TopoDS_Shape
+
+from gaussiancad_core.drawing.brep import moved_to_origin, read_solid, subshapes
+from gaussiancad_core.samples.classed import LEVEL_FACES, PartClass, classed_part
+
+USUAL_LEVELS = len(LEVEL_FACES) - 1
+"""Levels of the usual parts, up to 120 faces; the last one goes to 150."""
+
+
+@dataclass(frozen=True)
+class Case:
+    """A part to be drawn and solved.
+
+    Attributes:
+        name: unique.
+        group: the row of the table.
+        seed, level: of a part made by class; the seed is that of noise, too.
+        step: file of the solid, where it is not made by class.
+        dxf: file of its drawing in third angle, where there is one.
+    """
+
+    name: str
+    group: str
+    seed: int = 0
+    level: int = 0
+    step: Path | None = None
+    dxf: Path | None = None
+
+    def truth(self) -> TopoDS_Shape:
+        """The solid, its box starting at the origin; faces that continue each other are one."""
+        if self.step is None:
+            return classed_part(PartClass(self.group), self.seed, self.level)
+        unifier = ShapeUpgrade_UnifySameDomain(read_solid(self.step), True, True, False)
+        unifier.Build()
+        solids = subshapes(unifier.Shape(), TopAbs_ShapeEnum.TopAbs_SOLID)
+        return moved_to_origin(solids[0] if len(solids) == 1 else unifier.Shape())
+
+
+def classed_cases(classes: list[PartClass], parts: int, seed: int, large: int) -> Iterator[Case]:
+    """Parts of all usual levels in turn, and large ones with planes."""
+    for kind in classes:
+        for number in range(seed, seed + parts):
+            level = number % USUAL_LEVELS
+            yield Case(f"{kind.value}-{number}", kind.value, number, level)
+    if PartClass.PLANES in classes:
+        for number in range(seed, seed + large):
+            name = f"{PartClass.PLANES.value}-large-{number}"
+            yield Case(name, PartClass.PLANES.value, number, USUAL_LEVELS)
+
+
+def folder_cases(folder: Path, parts: int) -> Iterator[Case]:
+    """STEP files of a folder; as pairs where DXF files of the same names lie beside them.
+
+    Of a folder with pairs only the pairs are taken, and only even numbers where names are numbers:
+    the odd ones are somebody else's test.
+    """
+    steps = sorted(path for path in folder.iterdir() if path.suffix.lower() in (".step", ".stp"))
+    pairs = [(path, path.with_suffix(".dxf")) for path in steps]
+    pairs = [(step, dxf) for step, dxf in pairs if dxf.exists() and not _odd(step.stem)]
+    if pairs:
+        for number, (step, dxf) in enumerate(pairs[:parts]):
+            yield Case(step.stem, folder.name, number, step=step, dxf=dxf)
+        return
+    for number, step in enumerate(steps[:parts]):
+        yield Case(step.stem, folder.name, number, step=step)
+
+
+def _odd(name: str) -> bool:
+    return name.isdecimal() and int(name) % 2 == 1

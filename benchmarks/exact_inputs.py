@@ -1,0 +1,154 @@
+"""The drawings of benchmarks/exact_solid.py: exact, noisy, or read from a sheet."""
+
+import hashlib
+import pickle
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import Enum
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+from exact_cases import Case
+from exact_perturbations import jittered, missing_and_spurious, of_wrong_length
+from OCP.TopoDS import TopoDS_Shape
+
+import gaussiancad_core
+from gaussiancad_core.axes import Axis, Projection, Role
+from gaussiancad_core.drawing.command import write_image
+from gaussiancad_core.drawing.sheet import PartLines, compose_sheet, part_lines
+from gaussiancad_core.drawing.style import parse_style
+from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views, views_as_read
+from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
+from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.sheet.read import read_sheet
+from gaussiancad_core.sheet.reading import RegisteredSheet, find_views, read_views, register_views
+from gaussiancad_core.views import ViewSet
+
+ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
+
+
+class InputKind(Enum):
+    """How the solver gets a drawing."""
+
+    VECTORS = "vectors"
+    MISSING = "missing"
+    JITTER = "jitter"
+    LENGTHS = "lengths"
+    CLEAN = "clean"
+    SCAN = "scan"
+    DIMENSIONED = "dimensioned"
+    DXF_RASTER = "dxf-raster"
+    DXF_VECTORS = "dxf-vectors"
+
+
+DRAWN_KINDS = tuple(kind for kind in InputKind if not kind.value.startswith("dxf"))
+FILE_KINDS = (InputKind.DXF_RASTER, InputKind.DXF_VECTORS)
+
+_NOISE = {
+    InputKind.MISSING: missing_and_spurious,
+    InputKind.JITTER: jittered,
+    InputKind.LENGTHS: of_wrong_length,
+}
+
+
+@dataclass(frozen=True)
+class Input:
+    """What goes into the solver.
+
+    Attributes:
+        views: the strokes.
+        masks: the views with their masks, where they come from a sheet.
+    """
+
+    views: DrawnViews
+    masks: ViewSet | None = None
+
+
+def make_input(case: Case, truth: TopoDS_Shape, kind: InputKind, folder: Path) -> Input:
+    """The drawing of a case, as exact lines, with noise, or read from a sheet.
+
+    Args:
+        case: the part.
+        truth: its solid.
+        kind: which way.
+        folder: where lines that were drawn are kept.
+
+    Raises:
+        GaussianCadError: the sheet cannot be read.
+    """
+    if kind in FILE_KINDS:
+        if case.dxf is None:
+            raise FileNotFoundError(f"{case.name} has no DXF file")
+        return _read_file(case.dxf, vectors=kind is InputKind.DXF_VECTORS)
+    lines = kept_lines(case, truth, folder)
+    if kind in _NOISE or kind is InputKind.VECTORS:
+        views = exact_views(lines.views, _size(lines))
+        return Input(_NOISE[kind](views, case.seed) if kind in _NOISE else views)
+    return _drawn_and_read(case, lines, kind)
+
+
+def kept_lines(case: Case, truth: TopoDS_Shape, folder: Path) -> PartLines:
+    """The lines of a part, from the folder if they were drawn before."""
+    return _kept(folder, case, lambda: part_lines(truth, ROLES))
+
+
+def _kept(folder: Path, case: Case, make: Callable[[], PartLines]) -> PartLines:
+    source = case.step.read_bytes() if case.step is not None else b""
+    key = hashlib.sha256(source + f"{case.level} {_version()}".encode()).hexdigest()[:12]
+    path = folder / "exact-lines" / f"{case.group}-{case.name}-{key}.pickle"
+    if path.exists():
+        return pickle.loads(path.read_bytes())
+    made = make()
+    path.parent.mkdir(parents=True, exist_ok=True)
+    # Workers may draw the same part at the same time.
+    with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as file:
+        file.write(pickle.dumps(made))
+    Path(file.name).replace(path)
+    return made
+
+
+@cache
+def _version() -> str:
+    """Of the code that makes and draws parts: its change makes kept lines old."""
+    digest = hashlib.sha256()
+    package = Path(gaussiancad_core.__file__).parent
+    for room in ("drawing", "samples"):
+        for path in sorted((package / room).rglob("*.py")):
+            digest.update(path.read_bytes())
+    return digest.hexdigest()[:12]
+
+
+def _size(lines: PartLines) -> tuple[float, float, float]:
+    x, y, z = (float(value) for value in lines.size)
+    return x, y, z
+
+
+def _drawn_and_read(case: Case, lines: PartLines, kind: InputKind) -> Input:
+    """Through a sheet's file; its scale is told as a user would, by the longest extent."""
+    style = parse_style(kind.value)
+    sheet = compose_sheet(lines, Projection.THIRD, style, case.seed, title=case.name.upper())
+    longest = int(np.argmax(lines.size))
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / ("sheet.png" if style.jpeg_quality >= 95 else "sheet.jpg")
+        write_image(sheet.image, path, style.jpeg_quality, sheet.dpi)
+        return _read(path, (Axis(longest), float(lines.size[longest])))
+
+
+def _read(path: Path, length: tuple[Axis, float] | None) -> Input:
+    options = ReadingOptions(projection=Projection.THIRD, length=length)
+    clean = upright_sheet(clean_sheet(read_sheet(path).grey, options.median_kernel))
+    separated, layout = find_views(clean, {}, options.projection)
+    return _as_read(register_views(read_views(separated.part, layout), options))
+
+
+def _as_read(registered: RegisteredSheet) -> Input:
+    views = registered.views
+    return Input(views_as_read(views, registered.mm_per_pixel), views)
+
+
+def _read_file(path: Path, vectors: bool) -> Input:
+    if not vectors:
+        return _read(path, None)
+    raise NotImplementedError("no exact lines are read from DXF files yet")

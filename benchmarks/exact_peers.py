@@ -1,0 +1,55 @@
+"""What else can be made of a sheet's views: the models that exact solids are compared with."""
+
+from enum import Enum
+
+from exact_measures import fine_mesh, mesh_iou
+from OCP.TopoDS import TopoDS_Shape
+
+from gaussiancad_core.cameras import orthographic_camera
+from gaussiancad_core.hull import visual_hull
+from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.modes import Preset, Recipe
+from gaussiancad_core.views import ViewSet
+
+_CAMERA_PX = 600
+
+
+class Peer(Enum):
+    """A model of the same views."""
+
+    HULL = "hull"
+    PAPER = "paper"
+
+
+def peer_iou(peer: Peer, views: ViewSet, truth: TopoDS_Shape) -> float | None:
+    """Volume IoU of a model with the truth; nothing where its mesh bounds no solid."""
+    made = _hull(views) if peer is Peer.HULL else _paper(views)
+    return mesh_iou(made, fine_mesh(truth))
+
+
+def _hull(views: ViewSet) -> TriangleMesh:
+    cameras = tuple(orthographic_camera(role, views.size, _CAMERA_PX) for role in views.roles)
+    return visual_hull(views, cameras)
+
+
+def _paper(views: ViewSet) -> TriangleMesh:
+    """Gaussians trained with the paper's cameras, as a surface."""
+    from gaussiancad_core.splatting.gaussians import Start, gaussians_on
+    from gaussiancad_core.splatting.settings import training_cameras, training_settings
+    from gaussiancad_core.splatting.targets import mean_colour, targets_of
+    from gaussiancad_core.splatting.training import train
+    from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
+
+    settings = training_settings(Recipe.PAPER, Preset.DRAFT)
+    cameras = training_cameras(Recipe.PAPER, settings, views.roles, views.size)
+    start = gaussians_on(
+        visual_hull(views, cameras),
+        Start(
+            count=settings.count,
+            thickness=settings.thickness,
+            opacity=settings.opacity,
+            colour=mean_colour(views),
+        ),
+    )
+    trained = train(start, cameras, targets_of(views, cameras), settings, lambda *_: None)
+    return gaussian_surface(trained.gaussians, PoissonSettings(), None)

@@ -1,0 +1,196 @@
+"""One part, one kind of drawing: draw, solve, measure; in a process that can be ended."""
+
+import time
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import Any
+
+from exact_cases import Case
+from exact_inputs import FILE_KINDS, InputKind, make_input
+from exact_measures import EXACT_IOU, closeness, mirrored_alike, registered, solid_iou
+from exact_peers import Peer, peer_iou
+
+from gaussiancad_core.drawing.brep import faces_of
+from gaussiancad_core.errors import GaussianCadError
+from gaussiancad_core.modes import Status
+from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
+
+Row = dict[str, Any]
+
+CLOSE_IOU = 0.98
+"""From here on a solid with the right number of faces is the truth but for its measures."""
+
+_PREPARING_S = 400.0
+"""s for drawing and reading a sheet."""
+
+_MEASURING_S = 120.0
+"""s for Booleans with the truth."""
+
+_PEERS_S = 900.0
+"""s for the models to compare with: some are trained."""
+
+
+@dataclass(frozen=True)
+class Task:
+    """What a process gets.
+
+    Attributes:
+        case: the part.
+        kind: of its drawing.
+        cache: folder of lines that were drawn.
+        limit: s of wall clock for the solver.
+        peers: what else to make of the drawing.
+    """
+
+    case: Case
+    kind: InputKind
+    cache: Path
+    limit: float
+    peers: tuple[Peer, ...] = ()
+
+    @property
+    def name(self) -> tuple[str, str, str]:
+        """What tells it from other tasks."""
+        return self.case.group, self.case.name, self.kind.value
+
+
+def worked(task: Task) -> Iterator[Row]:
+    """What becomes known of a task, bit by bit; each bit tells the stage that comes next."""
+    truth = task.case.truth()
+    yield {"true_faces": len(faces_of(truth))}
+    drawing = make_input(task.case, truth, task.kind, task.cache)
+    strokes = sum(len(drawn) for drawn in drawing.views.strokes.values())
+    yield {"strokes": strokes, "stage": "solve"}
+    started = time.perf_counter()
+    result = exact_solid(drawing.views, Limits())
+    seconds = time.perf_counter() - started
+    yield {**_told(result), "seconds": seconds, "stage": "measure"}
+    yield from _measured(task, result, truth, drawing.views.size)
+    if task.peers and drawing.masks is not None:
+        yield {"stage": "peers"}
+        for peer in task.peers:
+            yield {peer.value: peer_iou(peer, drawing.masks, truth)}
+
+
+def _told(result: ExactResult) -> Row:
+    return {
+        "status": result.status.value,
+        "reasons": [code for code, _ in result.reasons],
+        "message": result.reasons[0][1] if result.reasons else "",
+        "laps": {name: round(value, 3) for name, value in result.seconds.items()},
+        "alternatives": len(result.alternatives),
+    }
+
+
+def _measured(task: Task, result: ExactResult, truth: Any, size: Any) -> Iterator[Row]:  # noqa: ANN401
+    if result.shape is None:
+        return
+    placing = ""
+    if task.kind in FILE_KINDS:
+        truth, placing = registered(result.shape, truth, size)
+    close = closeness(result.shape, truth, placing)
+    yield {**asdict(close), "exact": close.exact}
+    if close.exact:
+        return
+    row: Row = {"mirrored": mirrored_alike(result.shape, truth)}
+    others = (solid_iou(other, truth) for other in result.alternatives)
+    row["in_alternatives"] = any((iou or 0.0) >= EXACT_IOU for iou in others)
+    yield row
+
+
+def serve(connection: Connection) -> None:
+    """Work on tasks until there is none: the child's main function."""
+    while (task := connection.recv()) is not None:
+        try:
+            for bit in worked(task):
+                connection.send(bit)
+        except GaussianCadError as error:
+            connection.send({"failure": error.code, "message": error.message})
+        except Exception as error:
+            # Any defect is a row of the table, not the end of the run.
+            connection.send({"failure": f"error-{type(error).__name__}", "message": str(error)})
+        connection.send(None)
+
+
+class Worker:
+    """A child process that works on tasks one after the other; a new one when it hangs or dies."""
+
+    def __init__(self) -> None:
+        self._context = get_context("spawn")
+        self._process: Any = None
+        self._connection: Any = None
+
+    def run(self, task: Task) -> Row:
+        """The row of a task; ``failure`` tells what ended it."""
+        if self._process is None:
+            self._start()
+        group, name, kind = task.name
+        row: Row = {"group": group, "name": name, "input": kind, "stage": "prepare"}
+        allowed = {
+            "prepare": _PREPARING_S,
+            "solve": task.limit,
+            "measure": _MEASURING_S,
+            "peers": _PEERS_S,
+        }
+        self._connection.send(task)
+        deadline = time.monotonic() + allowed["prepare"]
+        while True:
+            try:
+                if not self._connection.poll(max(0.0, deadline - time.monotonic())):
+                    return self._ended(row, f"{row['stage']}-over-time")
+                bit = self._connection.recv()
+            except (EOFError, ConnectionError):
+                return self._ended(row, f"{row['stage']}-crashed")
+            if bit is None:
+                return row
+            row.update(bit)
+            if "stage" in bit:
+                deadline = time.monotonic() + allowed[row["stage"]]
+
+    def close(self) -> None:
+        """End the child."""
+        if self._process is not None:
+            self._process.kill()
+            self._process.join()
+            self._process = None
+
+    def _start(self) -> None:
+        self._connection, other = self._context.Pipe()
+        self._process = self._context.Process(target=serve, args=(other,), daemon=True)
+        self._process.start()
+        other.close()
+
+    def _ended(self, row: Row, failure: str) -> Row:
+        self.close()
+        return {**row, "failure": failure}
+
+
+def solved(row: Row) -> bool:
+    """Whether a row counts: valid, and the truth."""
+    return bool(row.get("exact"))
+
+
+def close(row: Row) -> bool:
+    """Whether a row counts but for its measures: as many faces as the truth, nearly its volume."""
+    alike = row.get("valid") and row["faces"] == row["true_faces"]
+    return solved(row) or bool(alike and row["iou"] >= CLOSE_IOU)
+
+
+def falsely_verified(row: Row) -> bool:
+    """Whether a solid was called verified that is not the truth."""
+    return row.get("status") == Status.VERIFIED.value and not solved(row)
+
+
+def causes(row: Row) -> list[str]:
+    """Why a row is not the truth, in codes."""
+    if solved(row):
+        return []
+    if "failure" in row:
+        return [row["failure"]]
+    found = list(row.get("reasons", [])) or ["verified-but-wrong"]
+    if row.get("mirrored"):
+        found.append("mirrored")
+    return found

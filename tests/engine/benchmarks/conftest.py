@@ -1,0 +1,5 @@
+import sys
+from pathlib import Path
+
+# The modules of a benchmark find each other beside the script that is run.
+sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "benchmarks"))

@@ -1,0 +1,84 @@
+import numpy as np
+import pytest
+from exact_measures import (
+    closeness,
+    fine_mesh,
+    mesh_iou,
+    mirrored_alike,
+    placed,
+    registered,
+    rotations,
+    solid_iou,
+)
+from OCP.TopoDS import TopoDS_Shape
+
+from gaussiancad_core.axes import Axis
+from gaussiancad_core.drawing.brep import bounding_box, volume
+from gaussiancad_core.samples.modelling import box, cut, cylinder
+
+
+@pytest.fixture(scope="module")
+def bracket() -> TopoDS_Shape:
+    """An angle with a bore, like none of its mirror images."""
+    angle = cut(box((0, 0, 0), (60, 40, 30)), box((20, -1, 10), (61, 41, 31)))
+    return cut(angle, cylinder(Axis.Z, (45, 12), 5, -1, 31), box((-1, 30, 20), (8, 41, 31)))
+
+
+def test_a_solid_is_itself(bracket: TopoDS_Shape) -> None:
+    same = closeness(bracket, bracket)
+    assert same.exact
+    assert (same.iou, same.mesh_iou) == (pytest.approx(1.0), pytest.approx(1.0))
+    assert same.faces == same.true_faces
+
+
+def test_both_booleans_measure_volumes() -> None:
+    one, other = box((0, 0, 0), (10, 10, 10)), box((5, 0, 0), (15, 10, 10))
+    assert solid_iou(one, other) == pytest.approx(1.0 / 3.0)
+    assert mesh_iou(fine_mesh(one), fine_mesh(other)) == pytest.approx(1.0 / 3.0)
+    bored = cut(one, cylinder(Axis.Z, (5, 5), 3, -1, 11))
+    expected = 1.0 - 0.09 * np.pi
+    assert solid_iou(one, bored) == pytest.approx(expected)
+    assert mesh_iou(fine_mesh(one), fine_mesh(bored)) == pytest.approx(expected, abs=1e-3)
+
+
+def test_a_solid_turned_inside_out_is_not_valid(bracket: TopoDS_Shape) -> None:
+    inverted = bracket.Reversed()
+    assert volume(inverted) < 0.0
+    assert solid_iou(inverted, bracket) is None
+    close = closeness(inverted, bracket)
+    assert not close.valid and not close.exact
+
+
+def test_a_thin_difference_is_not_exact(bracket: TopoDS_Shape) -> None:
+    close = closeness(cut(bracket, cylinder(Axis.Z, (30, 30), 3, -1, 31)), bracket)
+    assert close.valid
+    assert 0.98 < close.iou < 0.999
+    assert not close.exact
+    assert close.faces == close.true_faces + 1
+
+
+@pytest.mark.parametrize("index", range(3))
+def test_mirror_images_are_told(bracket: TopoDS_Shape, index: int) -> None:
+    matrix = np.eye(3)
+    matrix[index, index] = -1.0
+    mirrored = placed(bracket, matrix)
+    assert volume(mirrored) == pytest.approx(volume(bracket))
+    np.testing.assert_allclose(bounding_box(mirrored), bounding_box(bracket), atol=1e-6)
+    assert mirrored_alike(mirrored, bracket) == "xyz"[index]
+    assert not closeness(mirrored, bracket).exact
+
+
+def test_there_are_24_rotations() -> None:
+    found = rotations()
+    assert len(found) == len({tuple(matrix.ravel()) for matrix in found}) == 24
+    assert all(np.linalg.det(matrix) == pytest.approx(1.0) for matrix in found)
+    np.testing.assert_array_equal(found[0], np.eye(3))
+
+
+def test_the_truth_is_turned_and_scaled_to_fit(bracket: TopoDS_Shape) -> None:
+    turn = np.array([[0.0, 0.0, 1.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]])
+    assert np.linalg.det(turn) == pytest.approx(1.0)
+    small = placed(bracket, turn, 0.03)
+    back, name = registered(bracket, small, (60.0, 40.0, 30.0))
+    assert closeness(back, bracket).exact
+    assert name == "-y-z+x x33.33"
