@@ -11,7 +11,8 @@ from exact_work import Row, causes, close, falsely_verified, solved
 # Okabe and Ito (2008): colour-blind people can tell them apart.
 _COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
 
-_WIDTH, _HEIGHT, _MARGIN = 720.0, 440.0, 60.0
+_WIDTH, _HEIGHT, _MARGIN = 820.0, 440.0, 60.0
+_LEGEND = 100.0
 _SECONDS = (0.1, 300.0)
 
 
@@ -96,7 +97,7 @@ def time_picture(rows: Sequence[Row], most_faces: int = 150) -> str:
     colours = dict(zip(dict.fromkeys(row["group"] for row in shown), _COLOURS * 9, strict=False))
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_WIDTH:.0f}" height="{_HEIGHT:.0f}" '
-        'font-family="sans-serif" font-size="13">',
+        'font-family="DejaVu Sans, Arial, sans-serif" font-size="13">',
         '<rect width="100%" height="100%" fill="white"/>',
     ]
     for faces in range(0, most_faces + 1, 25):
@@ -105,7 +106,7 @@ def time_picture(rows: Sequence[Row], most_faces: int = 150) -> str:
         parts.append(_text((x, _HEIGHT - _MARGIN + 20.0), str(faces), "middle"))
     for seconds in (0.1, 1.0, 10.0, 100.0):
         y = _y(seconds)
-        parts.append(_line((_MARGIN, y), (_WIDTH - _MARGIN, y)))
+        parts.append(_line((_MARGIN, y), (_x(most_faces, most_faces), y)))
         parts.append(_text((_MARGIN - 8.0, y + 4.0), f"{seconds:g} s", "end"))
     for row in shown:
         x, y = _x(min(row["true_faces"], most_faces), most_faces), _y(row["seconds"])
@@ -113,7 +114,7 @@ def time_picture(rows: Sequence[Row], most_faces: int = 150) -> str:
         fill = colour if solved(row) else "none"
         parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{fill}" stroke="{colour}"/>')
     for index, (group, colour) in enumerate(colours.items()):
-        at = (_MARGIN + 12.0, _MARGIN / 2.0 + 18.0 * index + 6.0)
+        at = (_WIDTH - _LEGEND - 30.0, _MARGIN / 2.0 + 18.0 * index + 6.0)
         parts.append(f'<circle cx="{at[0]:.1f}" cy="{at[1] - 4.5:.1f}" r="4" fill="{colour}"/>')
         parts.append(_text((at[0] + 10.0, at[1]), escape(group), "start"))
     parts.append(_text((_WIDTH / 2.0, _HEIGHT - 16.0), "faces of the part", "middle"))
@@ -121,7 +122,7 @@ def time_picture(rows: Sequence[Row], most_faces: int = 150) -> str:
 
 
 def _x(faces: float, most: int) -> float:
-    return _MARGIN + (_WIDTH - 2.0 * _MARGIN) * faces / most
+    return _MARGIN + (_WIDTH - _LEGEND - 2.0 * _MARGIN) * faces / most
 
 
 def _y(seconds: float) -> float:
