@@ -9,7 +9,7 @@ from gaussiancad_core.sheet.layout import Layout, arrange_clusters, view_cluster
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 from gaussiancad_core.sheet.special_views.naming import merged, special_kind
-from gaussiancad_core.sheet.special_views.sections import section_kind
+from gaussiancad_core.sheet.special_views.sections import hatched_box, section_kind
 
 _ENOUGH = 0.5
 """Size of the views without the sections as a share of what is left out of them, at least."""
@@ -43,7 +43,10 @@ def find_named_layout(separated: SeparatedSheet, request: LayoutRequest) -> Layo
     clusters = view_clusters(separated.part.ink, request.stub_width)
     cut = _sections(separated, clusters)
     layout = _arranged(clusters, cut, request)
-    special = [SpecialView(kind, box, box in layout.boxes.values()) for box, kind in cut.items()]
+    special = [
+        SpecialView(kind, box, box in layout.boxes.values(), hatched_box(separated.hatched, box))
+        for box, kind in cut.items()
+    ]
     rest = [box for box in layout.left_out if box not in cut]
     if separated.told is not None:
         for box in list(rest):

@@ -28,8 +28,10 @@ class SpecialView:
         kind: what it is.
         box: around it, px of the upright sheet.
         used: whether it stands for a principal view all the same.
+        cut: around the hatching of a section, px of the upright sheet.
     """
 
     kind: SpecialKind
     box: Box
     used: bool = False
+    cut: Box | None = None

@@ -39,6 +39,18 @@ def section_kind(hatched: Mask, box: Box) -> SpecialKind | None:
     return SpecialKind.PARTIAL_SECTION
 
 
+def hatched_box(hatched: Mask, box: Box) -> Box:
+    """The box in px around what is hatched of a view."""
+    x0, y0, x1, y1 = (round(value) for value in box)
+    rows, columns = np.nonzero(hatched[y0:y1, x0:x1])
+    return (
+        float(x0 + columns.min()),
+        float(y0 + rows.min()),
+        float(x0 + columns.max() + 1),
+        float(y0 + rows.max() + 1),
+    )
+
+
 def _span(flags: np.ndarray) -> tuple[float, float]:
     """First and last place that is marked, as shares of the whole."""
     places = np.flatnonzero(flags)
