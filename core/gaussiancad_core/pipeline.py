@@ -25,7 +25,7 @@ from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.layout import Layout
-from gaussiancad_core.sheet.options import Box, ReadingOptions
+from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
 from gaussiancad_core.sheet.read import SheetImage, read_sheet
 from gaussiancad_core.sheet.reading import (
     ReadView,
@@ -37,6 +37,7 @@ from gaussiancad_core.sheet.reading import (
 from gaussiancad_core.sheet.scale.find import ScaleSource, find_scale
 from gaussiancad_core.sheet.special_views.kinds import SpecialView
 from gaussiancad_core.sheet.special_views.telling import tellings
+from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 
 if TYPE_CHECKING:
     from gaussiancad_core.exact_stage import ExactModel, Reading
@@ -205,7 +206,8 @@ class _Run:
             self._tell_marks(separated.marks, clean.turn)
             self._tell_layout(layout, clean.turn)
         with self._stage("lines"):
-            drawn = read_views(separated.part, layout, self.progress, reading.finder)
+            vectors = _vectors(image, clean) if reading.finder is Finder.RIDGES else None
+            drawn = read_views(separated.part, layout, self.progress, reading.finder, vectors)
             options = self._scaled(image, clean, drawn)
         with self._stage("masks"):
             if self.job.recipe is Recipe.PAPER:
@@ -421,6 +423,11 @@ class _Run:
         preview = self.folder.staging / "preview.png"
         preview.write_bytes(preview_picture(checked, self.job.reading.colour))
         self.progress.listener.send("preview", path=str(preview.resolve()))
+
+
+def _vectors(image: SheetImage, clean: CleanSheet) -> VectorSheet | None:
+    """The exact lines of a sheet's file, where it has them."""
+    return VectorSheet(image.vectors, clean) if image.vectors is not None else None
 
 
 def _check_device(device: Device) -> None:

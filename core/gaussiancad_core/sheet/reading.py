@@ -29,9 +29,11 @@ from gaussiancad_core.sheet.registration import (
 )
 from gaussiancad_core.sheet.seen_coordinates import PlaneView
 from gaussiancad_core.sheet.shared_axes import share_axes
+from gaussiancad_core.sheet.special_views.cut_views import cut_region, with_hidden_inside
 from gaussiancad_core.sheet.special_views.finding import LayoutRequest, find_named_layout
 from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_rhythm
 from gaussiancad_core.sheet.through_holes import Extent, ViewEvidence, is_through
+from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet, vector_views
 from gaussiancad_core.views import Linetype, Stroke, ViewSet
 
 _TINY = 0.02
@@ -150,28 +152,34 @@ def read_views(
     layout: Layout,
     progress: Callable[[float], None] = lambda _: None,
     finder: Finder = Finder.RIDGES,
+    vectors: VectorSheet | None = None,
 ) -> tuple[ReadView, ...]:
     """Strokes and outlines of the views of a layout.
+
+    The exact lines of a file are taken for the views whose ink they explain.
 
     Args:
         sheet: the ink.
         layout: where the views are.
         progress: told the fraction done.
         finder: of lines and circles.
+        vectors: of a file that has exact lines.
 
     Raises:
         NoModelError: ``open-outline`` if the outline of a view does not close.
     """
+    exact = vector_views(vectors, sheet, layout) if vectors is not None else {}
     shapes = {}
     for index, (role, box) in enumerate(layout.boxes.items(), start=1):
-        shapes[role] = find_shapes(sheet, box, finder)
+        if role not in exact:
+            shapes[role] = find_shapes(sheet, box, finder)
         progress(index / (len(layout.boxes) + 1))
     rhythm = view_rhythm(list(shapes.values()), sheet.stroke_width)
     largest = max(max(x1 - x0, y1 - y0) for x0, y0, x1, y1 in layout.boxes.values())
     supersampling = supersampling_for(largest)
     drawn = []
     for role, box in layout.boxes.items():
-        strokes = classify_strokes(shapes[role], rhythm)
+        strokes = exact[role] if role in exact else classify_strokes(shapes[role], rhythm)
         outline = find_outline(sheet, box, supersampling)
         if outline is None:
             raise NoModelError(
@@ -179,7 +187,11 @@ def read_views(
                 "the outline of the {} view at ({:.0f}, {:.0f})-({:.0f}, {:.0f}) px is not "
                 "closed: draw its visible edges without gaps".format(role.value, *box),
             )
-        drawn.append(ReadView(role, view_box(strokes, outline), strokes, outline))
+        region = cut_region(layout, box)
+        if region is not None:
+            strokes = with_hidden_inside(strokes, outline, region)
+        source = StrokesSource.VECTOR if role in exact else StrokesSource.RASTER
+        drawn.append(ReadView(role, view_box(strokes, outline), strokes, outline, source))
     return tuple(drawn)
 
 

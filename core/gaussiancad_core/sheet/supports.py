@@ -3,6 +3,7 @@
 Strokes are in px of the view's plane.  Strokes that continue each other share their support.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -106,23 +107,44 @@ def supports_of(strokes: tuple[Stroke, ...], precision: Precision) -> SupportedS
     """What the strokes of a view lie on."""
     groups: list[list[int]] = []
     of: list[int | None] = []
+    firsts: dict[type, list[int]] = {Arc: [], Segment: []}
     for index, stroke in enumerate(strokes):
         if isinstance(stroke, Ellipse):
             of.append(None)
             continue
-        fixed = _along_axis(stroke, precision)
-        found = None
-        if fixed is None:
-            like = (n for n, own in enumerate(groups) if _alike(strokes[own[0]], stroke, precision))
-            found = next(like, None)
-        if found is None:
-            groups.append([index])
-            of.append(len(groups) - 1)
-        else:
-            groups[found].append(index)
-            of.append(found)
+        number = len(groups)
+        if _along_axis(stroke, precision) is None:
+            known = firsts[type(stroke)]
+            others = [strokes[groups[own][0]] for own in known]
+            near = np.flatnonzero(_alike(stroke, others, precision)) if others else ()
+            number = known[int(near[0])] if len(near) else number
+        if number == len(groups):
+            groups.append([])
+            if _along_axis(stroke, precision) is None:
+                firsts[type(stroke)].append(number)
+        groups[number].append(index)
+        of.append(number)
     supports = tuple(_support([strokes[i] for i in own], precision) for own in groups)
     return SupportedStrokes(strokes, supports, tuple(of))
+
+
+def _alike(
+    stroke: Arc | Segment, others: Sequence[Arc | Segment], precision: Precision
+) -> npt.NDArray[np.bool_]:
+    """(n,) whether a stroke lies on one circle or one slanted line with others of its kind."""
+    apart = precision.limits.apart
+    if isinstance(stroke, Arc):
+        numbers = np.array([(*other.centre, other.radius) for other in others])
+        away = numbers - (*stroke.centre, stroke.radius)
+        return (np.hypot(*away[:, :2].T) <= apart) & (np.abs(away[:, 2]) <= apart)
+    ends = np.array([(other.start, other.end) for other in others])
+    ways = ends[:, 1] - ends[:, 0]
+    ways /= np.maximum(np.hypot(*ways.T), 1e-12)[:, None]
+    own = np.array(_line(stroke).direction)
+    sine = np.abs(ways[:, 0] * own[1] - ways[:, 1] * own[0])
+    offsets = np.array([stroke.start, stroke.end])[:, None] - ends[:, 0]
+    across = np.abs(offsets[..., 1] * ways[:, 0] - offsets[..., 0] * ways[:, 1])
+    return (sine <= _TURN) & (across.max(axis=0) <= apart)
 
 
 def _along_axis(stroke: Stroke, precision: Precision) -> int | None:
@@ -133,22 +155,6 @@ def _along_axis(stroke: Stroke, precision: Precision) -> int | None:
     fixed = int(np.argmin(across))
     allowed = precision.level + _DRIFT * stroke.length
     return fixed if across[fixed] <= min(allowed, 0.2 * across[1 - fixed]) else None
-
-
-def _alike(first: Stroke, other: Stroke, precision: Precision) -> bool:
-    """Whether two strokes lie on one circle or one slanted line."""
-    apart = precision.limits.apart
-    if isinstance(first, Arc) and isinstance(other, Arc):
-        away = float(np.hypot(*np.subtract(first.centre, other.centre)))
-        return away <= apart and abs(first.radius - other.radius) <= apart
-    if not (isinstance(first, Segment) and isinstance(other, Segment)):
-        return False
-    if _along_axis(first, precision) is not None:
-        return False
-    line, second = _line(first), _line(other)
-    sine = abs(line.direction[0] * second.direction[1] - line.direction[1] * second.direction[0])
-    ends = np.array([other.start, other.end])
-    return bool(sine <= _TURN and line.distances(ends).max() <= apart)
 
 
 def _line(segment: Segment) -> Line:

@@ -1,0 +1,141 @@
+"""Strokes of views from a file's curves, for those views whose ink they explain."""
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.files.vectors import Curve, VectorDrawing, VectorStroke, bounds
+from gaussiancad_core.sheet.layout import Layout
+from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.vector_views.part_curves import InkMasks, Mask, part_curves
+from gaussiancad_core.sheet.vector_views.view_strokes import strokes_of, tracks_and_rhythm
+from gaussiancad_core.views import Linetype, Stroke
+
+_MARGIN = 4.0
+"""px by which a view's curves may reach over its box, beyond half a stroke."""
+
+_MOST_CURVES = 6000
+"""Curves of a view from which it is no drawing of edges."""
+
+_EXPLAINED = 0.98
+"""Share of a view's ink that lies on its strokes."""
+
+_SHOWN, _DASHES_SHOWN = 0.97, 0.3
+"""Share of the strokes, visible and hidden, that ink shows."""
+
+
+_MOST_CHORDS = 4000
+"""Pieces in which a curve is drawn."""
+
+
+@dataclass(frozen=True, eq=False)
+class VectorSheet:
+    """The exact lines of a sheet, and the sheet before annotations were taken off.
+
+    Attributes:
+        drawing: in px of the sheet as stored.
+        whole: the upright sheet.
+    """
+
+    drawing: VectorDrawing
+    whole: CleanSheet
+
+
+@dataclass(frozen=True, eq=False)
+class _Known:
+    """What the file says about a view.
+
+    Attributes:
+        curves: of the part.
+        others: of annotations, anywhere on the sheet.
+        masks: of the ink.
+    """
+
+    curves: list[VectorStroke]
+    others: tuple[Curve, ...]
+    masks: InkMasks
+
+
+def vector_views(
+    vectors: VectorSheet, part: CleanSheet, layout: Layout
+) -> dict[Role, tuple[Stroke, ...]]:
+    """The strokes of the views that the file's curves explain, in px of the upright sheet.
+
+    Args:
+        vectors: of the file.
+        part: the upright sheet without annotations.
+        layout: its views.
+    """
+    masks = InkMasks.of(vectors.whole, part)
+    curves, others = part_curves(vectors.drawing.strokes, vectors.whole.turn, masks)
+    margin = _MARGIN + part.stroke_width / 2.0
+    of_view = {
+        role: [stroke for stroke in curves if _lies_in(stroke.curve, box, margin)]
+        for role, box in layout.boxes.items()
+    }
+    usable = [role for role, own in of_view.items() if 0 < len(own) <= _MOST_CURVES]
+    tracks, rhythm = tracks_and_rhythm([of_view[role] for role in usable], part.stroke_width)
+    found = {}
+    for role, own in zip(usable, tracks, strict=True):
+        strokes = strokes_of(own, of_view[role], rhythm)
+        known = _Known(of_view[role], others, masks)
+        if _explains(strokes, known, layout.boxes[role], part):
+            found[role] = strokes
+    return found
+
+
+def _lies_in(curve: Curve, box: Box, margin: float) -> bool:
+    own = bounds([curve])
+    if own is None:
+        return False
+    within = np.array([own[0] - box[0], own[1] - box[1], box[2] - own[2], box[3] - own[3]])
+    return bool((within >= -margin).all())
+
+
+def _explains(strokes: tuple[Stroke, ...], known: _Known, box: Box, part: CleanSheet) -> bool:
+    """Whether strokes and ink of a view agree, both ways.
+
+    What the file draws and is not the part's need not be explained.
+    """
+    solid = [stroke for stroke in strokes if stroke.linetype is Linetype.VISIBLE]
+    if not solid:
+        return False
+    widths = [stroke.width for stroke in known.curves if stroke.width is not None]
+    width = int(np.ceil(max([part.stroke_width, *widths]))) + 3
+    x0, y0 = (max(0, int(value - _MARGIN)) for value in box[:2])
+    x1, y1 = (int(np.ceil(value + _MARGIN)) for value in box[2:])
+    ink = part.ink[y0:y1, x0:x1]
+    drawn = np.zeros(ink.shape, np.uint8)
+    for curve in known.others:
+        if (own := bounds([curve])) and own[0] < x1 and own[2] > x0 and own[1] < y1 and own[3] > y0:
+            _draw(drawn, curve, (x0, y0), width)
+    ink = ink & (drawn == 0)
+    drawn[:] = 0
+    for stroke in strokes:
+        _draw(drawn, stroke, (x0, y0), width)
+    if ink.any() and float((drawn[ink] > 0).mean()) < _EXPLAINED:
+        return False
+    shown = {
+        kind: _shown([s for s in strokes if s.linetype is kind], known.masks) for kind in Linetype
+    }
+    return shown[Linetype.VISIBLE] >= _SHOWN and shown[Linetype.HIDDEN] >= _DASHES_SHOWN
+
+
+def _draw(mask: Mask, curve: Curve | Stroke, corner: tuple[int, int], width: int) -> None:
+    step = max(2.0, curve.length / _MOST_CHORDS)
+    path = np.rint((curve.sample(step) - np.array(corner) - 0.5) * 16).astype(np.int32)
+    cv2.polylines(mask, [path], False, 1, width, shift=4)
+
+
+def _shown(strokes: list[Stroke], masks: InkMasks) -> float:
+    """Share of some strokes that lies on the sheet's ink; 1 where there are none."""
+    if not strokes:
+        return 1.0
+    points = np.concatenate([stroke.sample(1.0) for stroke in strokes])
+    height, width = masks.whole.shape
+    columns = np.clip(np.floor(points[:, 0]).astype(int), 0, width - 1)
+    rows = np.clip(np.floor(points[:, 1]).astype(int), 0, height - 1)
+    return float(masks.whole[rows, columns].mean())

@@ -1,0 +1,225 @@
+"""The strokes of one view from the curves of a file.
+
+A line that the file calls hidden, or gives dashes, is one hidden stroke.  Where a file has no
+dashed lines at all, dashes may have been drawn one by one: then the rhythm of short lines tells, as
+it does in a picture.
+"""
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import cv2
+import numpy as np
+
+from gaussiancad_core.ellipses import WholeEllipse
+from gaussiancad_core.sheet.files.vectors import Chain, StrokeRole, VectorStroke
+from gaussiancad_core.sheet.geometry import Geometry, Line
+from gaussiancad_core.sheet.runs import Piece, Rhythm, Run, classify, learn_rhythm
+from gaussiancad_core.sheet.vector_views.spans import Span, united, without
+from gaussiancad_core.sheet.vector_views.tracks import EXACT, PLOTTED, Track, tracks_of
+from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
+
+_TOUCHING = 0.02
+"""px of a gap between strokes that continue each other."""
+
+_SHORTEST = 0.5
+"""px: what is left of hidden lines under visible ones is shorter."""
+
+_BENT = 0.1
+"""px by which the chords of a free curve leave it."""
+
+_FEWEST_DASHES = 6
+"""Dashes on a sheet from which they are a rhythm."""
+
+_WHOLE = 1e-6
+"""px that a whole turn may lack."""
+
+
+def tracks_and_rhythm(
+    views: Sequence[Sequence[VectorStroke]], stroke_width: float
+) -> tuple[list[list[Track]], Rhythm | None]:
+    """Lines and circles of all views, and the rhythm of dashes that were drawn one by one.
+
+    Args:
+        views: the part's curves of each.
+        stroke_width: px.
+
+    Returns:
+        Tracks of each view; the rhythm is None where the file tells hidden lines itself.
+    """
+    told = any(stroke.role is StrokeRole.HIDDEN for own in views for stroke in own)
+    if not told:
+        plotted = [tracks_of(own, PLOTTED) for own in views]
+        runs = [_runs(track) for own in plotted for track in own]
+        regular = [series for series in runs if len(series) >= 3]
+        rhythm = learn_rhythm(regular, stroke_width)
+        short = sum(0.5 < run.length / rhythm.dash < 1.5 for series in regular for run in series)
+        if short >= _FEWEST_DASHES:
+            return plotted, rhythm
+    return [tracks_of(own, EXACT) for own in views], None
+
+
+def _runs(track: Track) -> list[Run]:
+    spans = united(track.solid, track.geometry.around, _TOUCHING)
+    return [Run(start, end) for start, end in spans]
+
+
+def strokes_of(
+    tracks: Sequence[Track], strokes: Sequence[VectorStroke], rhythm: Rhythm | None
+) -> tuple[Stroke, ...]:
+    """The strokes of a view in px of the sheet (y down).
+
+    Args:
+        tracks: lines, circles and ellipses of the view.
+        strokes: its curves; of these only the chains are used.
+        rhythm: of dashes that were drawn one by one.
+    """
+    found: list[Stroke] = []
+    for track in tracks:
+        pieces = _told(track) if rhythm is None else _heard(track, tracks, rhythm)
+        found += [_stroke(track.geometry, piece) for piece in pieces]
+    for stroke in strokes:
+        if isinstance(stroke.curve, Chain):
+            found += _chords(stroke)
+    return tuple(found)
+
+
+def _told(track: Track) -> list[Piece]:
+    """Visible and hidden pieces as the file calls them; nothing hidden under a visible one."""
+    around = track.geometry.around
+    visible = united(track.solid, around, _TOUCHING)
+    dashes = united(track.hidden, around, _TOUCHING)
+    hidden = without(_bridged(dashes, around), visible, around, _SHORTEST)
+    return [Piece(*span, Linetype.VISIBLE, 1.0) for span in visible] + [
+        Piece(*span, Linetype.HIDDEN, 1.0) for span in hidden
+    ]
+
+
+def _bridged(dashes: list[Span], around: float) -> list[Span]:
+    """Lines of one length with gaps of one length that are no longer are one dashed line."""
+    if len(dashes) < 3:
+        return dashes
+    lengths = np.array([end - start for start, end in dashes])
+    gaps = np.array([after[0] - before[1] for before, after in pairwise(dashes)])
+    dash, gap = float(np.median(lengths)), float(np.median(gaps))
+    if gap > 1.2 * dash or np.mean(np.abs(lengths - dash) < 0.5 * dash) < 0.5:
+        return dashes
+    return united(dashes, around, 1.5 * gap)
+
+
+def _heard(track: Track, tracks: Sequence[Track], rhythm: Rhythm) -> list[Piece]:
+    """Visible and hidden pieces by the lengths of runs, dashes with their ends at other strokes."""
+    runs = _runs(track)
+    touches = [
+        (_meets(track, run.start, tracks, 0.6), _meets(track, run.end, tracks, 0.6)) for run in runs
+    ]
+    pieces = classify(runs, rhythm, touches, track.geometry.around)
+    reach = 1.2 * rhythm.gap + 0.6
+    return [
+        piece
+        if piece.linetype is Linetype.VISIBLE
+        else Piece(
+            _reaching(track, piece.start, -1.0, reach, tracks),
+            _reaching(track, piece.end, 1.0, reach, tracks),
+            piece.linetype,
+            piece.confidence,
+        )
+        for piece in pieces
+    ]
+
+
+def _drawn_at(track: Track, position: float, slack: float) -> bool:
+    around = track.geometry.around
+    spans = track.solid + track.hidden
+    if not np.isfinite(around):
+        return any(start - slack <= position <= end + slack for start, end in spans)
+    return any(
+        np.mod(position - start + slack, around) <= end - start + 2 * slack for start, end in spans
+    )
+
+
+def _meets(track: Track, position: float, tracks: Sequence[Track], slack: float) -> bool:
+    """Whether another stroke passes a place along a track."""
+    point = track.geometry.points_at(np.array([position]))
+    return any(
+        other is not track
+        and other.geometry.distances(point)[0] <= slack
+        and _drawn_at(other, float(other.geometry.positions(point)[0]), slack)
+        for other in tracks
+    )
+
+
+def _reaching(
+    track: Track, position: float, way: float, reach: float, tracks: Sequence[Track]
+) -> float:
+    """The end of a dashed line at the first stroke that it would meet within a gap."""
+    if _meets(track, position, tracks, 0.1):
+        return position
+    ahead = position + way * np.arange(0.0, reach + 0.5, 0.5)
+    points = track.geometry.points_at(ahead)
+    best = position
+    nearest = np.inf
+    for other in tracks:
+        if other is track:
+            continue
+        distances = other.geometry.distances(points)
+        index = int(np.argmin(distances))
+        # A stroke that is crossed comes nearer and goes away again, by about a step's half.
+        if distances[index] > 0.26 or distances.max() < 1.0 or index * 0.5 >= nearest:
+            continue
+        if _drawn_at(other, float(other.geometry.positions(points[[index]])[0]), 0.6):
+            nearest = index * 0.5
+            best = _refined(track.geometry, other.geometry, float(ahead[index]))
+    return best
+
+
+def _refined(own: Geometry, other: Geometry, near: float) -> float:
+    """The position along a shape where it comes nearest to another, from half a px away."""
+    low, high = near - 0.6, near + 0.6
+    for _ in range(40):
+        a, b = low + (high - low) / 3.0, high - (high - low) / 3.0
+        first, second = other.distances(own.points_at(np.array([a, b])))
+        low, high = (low, b) if first < second else (a, high)
+    return (low + high) / 2.0
+
+
+def _stroke(geometry: Geometry, piece: Piece) -> Stroke:
+    kind = piece.linetype, piece.confidence
+    if isinstance(geometry, Line):
+        return Segment(geometry.at(piece.start), geometry.at(piece.end), *kind)
+    whole = piece.end - piece.start >= geometry.around - _WHOLE
+    if isinstance(geometry, WholeEllipse):
+        first, last = geometry.parameters(np.array([piece.start, piece.end]))
+        turn = 2.0 * np.pi if whole else float(last - first)
+        axes = geometry.semi_major, geometry.semi_minor, geometry.rotation
+        return Ellipse(geometry.centre, *axes, float(np.mod(first, 2.0 * np.pi)), turn, *kind)
+    sweep = 2.0 * np.pi if whole else (piece.end - piece.start) / geometry.radius
+    start = float(np.mod(piece.start / geometry.radius, 2.0 * np.pi))
+    return Arc(geometry.centre, geometry.radius, start, sweep, *kind)
+
+
+def _chords(stroke: VectorStroke) -> list[Segment]:
+    """A free curve in straight pieces."""
+    kind = Linetype.HIDDEN if stroke.role is StrokeRole.HIDDEN else Linetype.VISIBLE
+    points = np.array(stroke.curve.points)
+    kept = _simplified(points, _BENT)
+    return [
+        Segment((float(a[0]), float(a[1])), (float(b[0]), float(b[1])), kind)
+        for a, b in pairwise(kept)
+        if np.hypot(*(b - a)) > _TOUCHING
+    ]
+
+
+def _simplified(points: np.ndarray, deviation: float) -> np.ndarray:
+    """Points of a chain that its other points are near to (Douglas and Peucker 1973)."""
+    origin = points.mean(axis=0)
+    chain = (points - origin).astype(np.float32)[:, None]
+    corners = cv2.approxPolyDP(chain, deviation, closed=False)[:, 0]
+    # In single precision only which points are kept is known well.
+    kept: list[int] = []
+    at = 0
+    for corner in corners:
+        away = np.abs(chain[at:, 0] - corner).max(axis=1)
+        at += int(np.argmin(away))
+        kept.append(at)
+    return points[kept]
