@@ -15,8 +15,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import hypot, pi, sin, sqrt
 
+from gaussiancad_core.reasoning.chains import Chain, crossings_with_chain, crossings_with_curves
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve, LineCurve, Point, meetings
-from gaussiancad_core.reasoning.supports import Chain, Support
+from gaussiancad_core.reasoning.supports import Support
 
 _SAME = 3e-6
 """Coordinates closer than this are one."""
@@ -138,8 +139,13 @@ class Arrangement:
         )
         self.corners = self._corners()
         self._pieces, self._uprights = self._monotone()
-        for chain in chains:
+        curves = [self.supports[index].curve for index, _, _ in self.stretches]
+        for number, chain in enumerate(chains):
             self._add_chain(chain)
+            # Pieces must not cross within a slab: they would change their order in it.
+            self._chain_ends += crossings_with_curves(chain, curves)
+            for other in chains[:number]:
+                self._chain_ends += crossings_with_chain(chain, other)
         self._borders = distinct([corner[0] for corner in self.corners] + self._chain_ends)
         self._slabs = self._ordered()
         self._join()

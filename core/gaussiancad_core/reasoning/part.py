@@ -3,8 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.reasoning.arrangement import OUTSIDE, Arrangement
+from gaussiancad_core.reasoning.bridges import bridges
+from gaussiancad_core.reasoning.chains import Chain, through_points
 from gaussiancad_core.reasoning.columns import Space
 from gaussiancad_core.reasoning.curves import axis_line
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
@@ -12,7 +16,6 @@ from gaussiancad_core.reasoning.pieces import find_pieces
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.rules import Rule, rules_of
 from gaussiancad_core.reasoning.supports import (
-    Chain,
     PartSupports,
     PlaneSupports,
     Span,
@@ -24,8 +27,15 @@ from gaussiancad_core.views import Linetype
 _NEAR = 0.01
 """Units within which a computed curve is one that is drawn, at least."""
 
+_MEETING = 0.5
+"""Units between a chain's end and the corner that it ends at, at most: where a curve turns back,
+its last point is a sample."""
+
+_GAP = 0.05
+"""Units between the end of a curve and the one that it ends at, at most."""
+
 _BESIDE = 0.02
-"""Units beside a chain at which its sides are looked up."""
+"""Units beside a chain at which its sides are looked up, and corners are on it."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +56,7 @@ class PartModel:
 def model_part(views: DrawnViews) -> PartModel:
     """Supports, cells and rules of views."""
     supports = find_supports(views)
-    planes = {axis: _arranged(plane) for axis, plane in supports.planes.items()}
+    planes = {axis: _arranged(plane, supports.tolerance) for axis, plane in supports.planes.items()}
     for axis in Axis:
         if axis not in planes:
             planes[axis] = _box(axis, supports.size)
@@ -56,14 +66,17 @@ def model_part(views: DrawnViews) -> PartModel:
     return PartModel(supports, space, tuple(rules))
 
 
-def _arranged(plane: PlaneSupports) -> Arrangement:
+def _arranged(plane: PlaneSupports, tolerance: float) -> Arrangement:
     """The plane's regions; chains become boundaries where the outline is open without them."""
     plain = Arrangement(plane.supports)
     chains = [chain for _, chain, _ in plane.chains]
     leaking = [chain for chain in chains if _lies_outside(plain, chain)]
-    if not leaking:
+    reach = max(_GAP, 1.5 * tolerance)
+    attached = [_attached(chain, plain, chains) for chain in leaking]
+    closing = bridges(plain, attached, reach)
+    if not attached and not closing:
         return plain
-    return Arrangement(plane.supports, [_attached(chain, plain, chains) for chain in leaking])
+    return Arrangement(plane.supports, [*attached, *closing])
 
 
 def _lies_outside(arrangement: Arrangement, chain: Chain) -> bool:
@@ -77,16 +90,18 @@ def _lies_outside(arrangement: Arrangement, chain: Chain) -> bool:
 
 
 def _attached(chain: Chain, arrangement: Arrangement, chains: Sequence[Chain]) -> Chain:
-    """The chain with its ends moved onto the corners, or ends of other chains, that they meet."""
+    """The chain led through the corners, and ends of other chains, that it meets.
+
+    Its points are known less exactly than they are; a gap would open the outline.
+    """
     ends = [end for other in chains if other is not chain for end in (other[0], other[-1])]
-    targets = [*arrangement.corners, *ends]
-
-    def moved(end: tuple[float, float]) -> tuple[float, float]:
-        near = min(targets, key=lambda t: (t[0] - end[0]) ** 2 + (t[1] - end[1]) ** 2)
-        close = (near[0] - end[0]) ** 2 + (near[1] - end[1]) ** 2 < 0.25
-        return near if close else end
-
-    return (moved(chain[0]), *chain[1:-1], moved(chain[-1]))
+    targets = np.array([*arrangement.corners, *ends])
+    points = np.array(chain)
+    for end in (0, -1):
+        away = np.hypot(*(targets - points[end]).T)
+        if away.min() < _MEETING:
+            points[end] = targets[int(away.argmin())]
+    return through_points(points, targets, _BESIDE)
 
 
 def _box(normal: Axis, size: tuple[float, float, float]) -> Arrangement:

@@ -13,9 +13,9 @@ from math import hypot
 import numpy as np
 
 from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.reasoning.chains import chain_distances
 from gaussiancad_core.reasoning.columns import Space
 from gaussiancad_core.reasoning.curves import (
-    CircleCurve,
     LineCurve,
     PlaneCurve,
     Point,
@@ -199,25 +199,14 @@ class _DrawnNear:
             if support.curve.distance(point) < self._near:
                 found.add(support.linetype_at(role, support.curve.parameter(point)))
         for other, chain, linetype in self._chains:
-            if other is role and _chain_distance(chain, point) < self._near:
+            if other is role and self._is_near(chain, point):
                 found.add(linetype)
         if Linetype.VISIBLE in found:
             return Linetype.VISIBLE
         return Linetype.HIDDEN if Linetype.HIDDEN in found else None
 
-
-def _chain_distance(chain: np.ndarray, point: Point) -> float:
-    at = np.array(point)
-    low, high = chain.min(0), chain.max(0)
-    if (at < low - 1.0).any() or (at > high + 1.0).any():
-        return float("inf")
-    starts, spans = chain[:-1], np.diff(chain, axis=0)
-    squares = np.maximum((spans**2).sum(1), 1e-300)
-    shares = np.clip(((at - starts) * spans).sum(1) / squares, 0.0, 1.0)
-    nearest = starts + shares[:, None] * spans
-    return float(np.hypot(*(at - nearest).T).min())
-
-
-def is_round(curve: PlaneCurve) -> bool:
-    """Whether a support's surface is a cylinder."""
-    return isinstance(curve, CircleCurve)
+    def _is_near(self, chain: np.ndarray, point: Point) -> bool:
+        low, high = chain.min(0) - self._near, chain.max(0) + self._near
+        if not (low[0] <= point[0] <= high[0] and low[1] <= point[1] <= high[1]):
+            return False
+        return bool(chain_distances(chain, np.array([point]))[0] < self._near)

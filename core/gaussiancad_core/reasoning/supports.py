@@ -13,6 +13,7 @@ from math import hypot, pi
 import numpy as np
 
 from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.reasoning.chains import Chain, single_runs
 from gaussiancad_core.reasoning.curves import (
     TURN,
     CircleCurve,
@@ -29,10 +30,20 @@ from gaussiancad_core.reasoning.snapping import CircleReading, Reading, Snapped,
 from gaussiancad_core.reasoning.tangents import tangent_line
 from gaussiancad_core.views import Arc, Linetype, Segment
 
-Chain = tuple[Point, ...]
+_FOLDED = 0.01
+"""Units within which the way back of a curve runs along its way out."""
 
 _SHORT = 1.0
 """Tolerances that a stroke is long at least to be taken at all."""
+
+_SHORT_SLANT = 0.5
+"""Units that a slanted segment is long at least to tell a plane; shorter ones are boundaries."""
+
+_CHAIN_LINKS = 128
+"""Links of a chain."""
+
+_DROPPED = 0.03
+"""Units of line that a drawing may leave out at the ends of strokes."""
 
 _FLAT = 4.0
 """Tolerances of rise that an arc has at least to tell a circle; flatter ones are boundaries."""
@@ -202,18 +213,26 @@ def _sorted_strokes(views: DrawnViews, scale: float, tolerance: float) -> dict[A
         for stroke in strokes:
             if stroke.length * scale <= _SHORT * tolerance:
                 continue
-            if isinstance(stroke, Segment):
-                start, end = plane_points(np.array([stroke.start, stroke.end]), role, scale)
-                line = _Line(role, tuple(start), tuple(end), stroke.linetype, stroke.confidence)
+            line = _line(stroke, role, scale) if isinstance(stroke, Segment) else None
+            if line is not None and _tells_line(line, tolerance):
                 plane.lines.append(line)
             elif isinstance(stroke, Arc) and _tells_circle(stroke, scale, tolerance):
                 plane.circles.append(_circle(stroke, role, scale))
             else:
-                step = max(stroke.length / 48.0, 1e-9)
-                points = plane_points(stroke.sample(step), role, scale)
-                chain = tuple((float(a), float(b)) for a, b in points)
-                plane.chains.append((role, chain, stroke.linetype))
+                points = plane_points(stroke.sample(stroke.length / _CHAIN_LINKS), role, scale)
+                for chain in single_runs(points, max(_FOLDED, tolerance)):
+                    plane.chains.append((role, chain, stroke.linetype))
     return planes
+
+
+def _line(stroke: Segment, role: Role, scale: float) -> _Line:
+    start, end = plane_points(np.array([stroke.start, stroke.end]), role, scale)
+    ends = (float(start[0]), float(start[1])), (float(end[0]), float(end[1]))
+    return _Line(role, *ends, stroke.linetype, stroke.confidence)
+
+
+def _tells_line(line: _Line, tolerance: float) -> bool:
+    return line.length >= _SHORT_SLANT or _parallel_axis(line, tolerance) is not None
 
 
 def _tells_circle(arc: Arc, scale: float, tolerance: float) -> bool:
@@ -330,7 +349,7 @@ def _with_spans(
     grid: list[PlaneCurve],
     tolerance: float,
 ) -> tuple[Support, ...]:
-    reach = 3.0 * tolerance
+    reach = max(3.0 * tolerance, _DROPPED)
     stations = [_stations(curve, [*curves, *grid]) for curve in curves]
     spans: list[dict[Role, list[Span]]] = [{} for _ in curves]
     for index, stroke in strokes:
