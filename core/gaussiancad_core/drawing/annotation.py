@@ -27,6 +27,9 @@ class AnnotationKind(Enum):
     PICTURE = "picture"
     HATCHING = "hatching"
     THREAD = "thread"
+    DETAIL = "detail"
+    AUXILIARY = "auxiliary-view"
+    OTHER_PART = "other-part"
 
 
 class Rhythm(Enum):

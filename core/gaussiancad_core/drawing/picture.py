@@ -16,7 +16,7 @@ from gaussiancad_core.views import Linetype
 _SIDES = (0.5, 0.42, 0.35, 0.29, 0.24, 0.2)
 """Sides of the square for the picture, as shares of the sheet's shorter side."""
 
-_CLEARANCE = 1.5
+CLEARANCE = 1.5
 """To everything else, in heights of the text."""
 
 
@@ -54,11 +54,10 @@ def draw_picture(
     visible = tuple(stroke for stroke in strokes if stroke.linetype is Linetype.VISIBLE)
     if not visible:
         return []
-    room = _room(views, annotations, style)
-    box = next((box for box in _corners(style) if room.free(box)), None)
+    box = free_corner(views, annotations, style)
     if box is None:
         return []
-    pad = _CLEARANCE * style.text_height
+    pad = CLEARANCE * style.text_height
     (x0, y0), (x1, y1) = extent(visible)
     scale = min(
         (box[2] - box[0] - 2.0 * pad) / (x1 - x0), (box[3] - box[1] - 2.0 * pad) / (y1 - y0)
@@ -69,6 +68,14 @@ def draw_picture(
     )
     placed = tuple(mapped(stroke, scale, offset, flip=True) for stroke in visible)
     return [Annotation(AnnotationKind.PICTURE, 0, placed, style.visible_width)]
+
+
+def free_corner(
+    views: tuple[DrawnView, ...], annotations: tuple[Annotation, ...], style: SheetStyle
+) -> Box | None:
+    """The largest square in a corner of the sheet where nothing is, or none."""
+    room = _room(views, annotations, style)
+    return next((box for box in _corners(style) if room.free(box)), None)
 
 
 def _room(

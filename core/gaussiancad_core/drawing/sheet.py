@@ -14,6 +14,7 @@ from gaussiancad_core.drawing.degrade import Image, finished
 from gaussiancad_core.drawing.drawn_view import DrawnView, drawn_view
 from gaussiancad_core.drawing.hlr import LineDrawing, LineOptions
 from gaussiancad_core.drawing.inking import ink_annotations
+from gaussiancad_core.drawing.insets import draw_inset
 from gaussiancad_core.drawing.layout import Placement, check_roles, place_views
 from gaussiancad_core.drawing.picture import ISOMETRIC, draw_picture
 from gaussiancad_core.drawing.raster import rasterise
@@ -163,6 +164,8 @@ def compose_sheet(
     annotations = annotate(views, projection, scale, style, title)
     if style.picture:
         annotations += tuple(draw_picture(lines.picture, views, annotations, style))
+    if style.inset is not None:
+        annotations += tuple(draw_inset(views, annotations, style))
     if cut is not None:
         place = next(place for place in placements if place.role is style.section)
         annotations += _hatching(cut, place, style)

@@ -34,6 +34,14 @@ class SectionKind(Enum):
     BROKEN_OUT = "broken-out"
 
 
+class Inset(Enum):
+    """What is drawn beside the views: it belongs to none of them."""
+
+    DETAIL = "detail"
+    AUXILIARY = "auxiliary-view"
+    OTHER_PART = "other-part"
+
+
 @dataclass(frozen=True)
 class SheetStyle:
     """The look of a sheet; lengths and widths in sheet pixels unless another unit is named.
@@ -61,6 +69,7 @@ class SheetStyle:
         frame: border with its zones, title block and projection symbol (ISO 5457, ISO 7200).
         centre_lines: centre lines and centre marks of circles, axes of holes (ISO 128).
         picture: an isometric picture in a free corner, if there is one.
+        inset: what else is drawn in a free corner, if there is one, or None.
         symbol: the projection symbol in the title block, where there is a frame.
         section: the view that is cut open and hatched, or None.
         section_kind: how much of it.
@@ -99,6 +108,7 @@ class SheetStyle:
     frame: bool = False
     centre_lines: bool = False
     picture: bool = False
+    inset: Inset | None = None
     symbol: bool = True
     section: Role | None = None
     section_kind: SectionKind = SectionKind.FULL
@@ -237,6 +247,7 @@ def _parser(name: str) -> Callable[[str], Any]:
         "centre_lines": _switch,
         "picture": _switch,
         "symbol": _switch,
+        "inset": lambda value: None if value == "none" else Inset(value),
         "section": lambda value: None if value == "none" else Role(value),
         "section_kind": SectionKind,
     }

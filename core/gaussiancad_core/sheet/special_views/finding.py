@@ -8,7 +8,7 @@ from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
 from gaussiancad_core.sheet.layout import Layout, arrange_clusters, view_clusters
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
-from gaussiancad_core.sheet.special_views.naming import merged, special_kind
+from gaussiancad_core.sheet.special_views.naming import details, inside, merged, special_kind
 from gaussiancad_core.sheet.special_views.sections import hatched_box, section_kind
 
 _ENOUGH = 0.5
@@ -49,8 +49,13 @@ def find_named_layout(separated: SeparatedSheet, request: LayoutRequest) -> Layo
     ]
     rest = [box for box in layout.left_out if box not in cut]
     if separated.told is not None:
+        used = list(layout.boxes.values())
+        width = separated.part.stroke_width
+        for ring in details(separated.told, used, width):
+            special.append(SpecialView(SpecialKind.DETAIL, ring))
+            rest = [box for box in rest if not inside(box, ring)]
         for box in list(rest):
-            kind = special_kind(separated.told, box, separated.part.stroke_width)
+            kind = special_kind(separated.told, box)
             if kind is not None:
                 special.append(SpecialView(kind, box))
                 rest.remove(box)

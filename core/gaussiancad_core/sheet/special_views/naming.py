@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.erase import Told
 from gaussiancad_core.sheet.annotations.inked import points_along
 from gaussiancad_core.sheet.geometry import Circle, Line
@@ -22,8 +23,8 @@ Floats = npt.NDArray[np.float64]
 _LEAST_PX = 40.0
 """Longer side of a drawing that has a name at least."""
 
-_LEAST_STROKES = 5
-"""Strokes of a drawing that has a name at least."""
+_LEAST_STROKES = 4
+"""Lines of a drawing that their directions name at least."""
 
 _SQUARE = np.radians(4.0)
 """Largest angle to the sheet's own directions of what is level or upright."""
@@ -43,14 +44,11 @@ _SECOND = 0.1
 _CURVED = 0.3
 """Share of a round pictorial's strokes that are curves at least."""
 
-_AROUND = 0.85
-"""Diameter of a detail's circle as a share of the detail's longer side at least."""
-
 _WHOLE = 0.7
 """Share of a detail's circle that is drawn at least: the part's edges may cut it."""
 
 _MEETING = 4.0
-"""Distance of a detail's lines from its circle at their ends at most, in stroke widths."""
+"""Distance of a detail's strokes from its circle at their ends at most, in stroke widths."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,20 +86,17 @@ def lines_in(told: Told, box: Box) -> Lines:
     return Lines(np.array(angles), np.hypot(*(stacked[:, 1] - stacked[:, 0]).T), stacked)
 
 
-def special_kind(told: Told, box: Box, stroke_width: float) -> SpecialKind | None:
+def special_kind(told: Told, box: Box) -> SpecialKind | None:
     """What a drawing is that fits no principal view, or nothing where it has no name.
 
     Args:
         told: the lines and circles of the sheet.
         box: of the drawing in px.
-        stroke_width: px.
     """
     lines = lines_in(told, box)
     side = max(box[2] - box[0], box[3] - box[1])
     if side < _LEAST_PX:
         return None
-    if _is_detail(told, lines, box, stroke_width):
-        return SpecialKind.DETAIL
     if _is_round_pictorial(told, lines, box):
         return SpecialKind.PICTORIAL
     return _slanted_kind(lines) if len(lines.lengths) >= _LEAST_STROKES else None
@@ -165,31 +160,60 @@ def _apart(angles: Floats, other: float | Floats) -> Floats:
     return np.abs((angles - other + np.pi / 2) % np.pi - np.pi / 2)
 
 
-def _is_detail(told: Told, lines: Lines, box: Box, stroke_width: float) -> bool:
-    """Whether a circle goes around all of a drawing and cuts its lines off."""
-    for circle in circles_around(told, box):
-        radial = np.hypot(*np.moveaxis(lines.ends - np.array(circle.centre) - 0.5, 2, 0))
-        on_circle = np.abs(radial - circle.radius) < _MEETING * stroke_width
-        if int(on_circle.sum()) >= 2:
-            return True
-    return False
+def details(told: Told, used: Sequence[Box], stroke_width: float) -> list[Box]:
+    """Boxes of the circles beside the views that cut lines off: enlarged details.
 
-
-def circles_around(told: Told, box: Box) -> list[Circle]:
-    """Circles about as large as a box, of whatever width, drawn nearly whole."""
-    side = max(box[2] - box[0], box[3] - box[1])
-    middle = np.array([box[0] + box[2], box[1] + box[3]]) / 2
+    Args:
+        told: the lines and circles of the sheet, whatever they were taken for.
+        used: boxes of the views.
+        stroke_width: px.
+    """
     found = []
-    for shape in told.shapes:
-        if not isinstance(shape.geometry, Circle):
+    for circle in _whole_circles(told):
+        (x, y), radius = circle.centre, circle.radius
+        box = (x + 0.5 - radius, y + 0.5 - radius, x + 0.5 + radius, y + 0.5 + radius)
+        if 2.0 * radius < _LEAST_PX or any(_overlap(box, other) for other in used):
             continue
-        radius = shape.geometry.radius
-        off = float(np.hypot(*(np.array(shape.geometry.centre) + 0.5 - middle)))
-        drawn = sum(run.run.length for run in shape.runs) / (2.0 * np.pi * radius)
-        fits = _AROUND * side < 2.0 * radius < 1.3 * side and off < 0.2 * side
-        if fits and drawn > _WHOLE:
-            found.append(shape.geometry)
+        if _cut_off(told, circle, stroke_width) >= 2:
+            found.append(box)
     return found
+
+
+def _whole_circles(told: Told) -> list[Circle]:
+    return [
+        shape.geometry
+        for shape in told.shapes
+        if isinstance(shape.geometry, Circle)
+        and sum(r.run.length for r in shape.runs) > _WHOLE * 2.0 * np.pi * shape.geometry.radius
+    ]
+
+
+def _cut_off(told: Told, circle: Circle, stroke_width: float) -> int:
+    """How many ends of strokes within a circle lie on it."""
+    count = 0
+    for shape, own in zip(told.shapes, told.kinds, strict=True):
+        if shape.geometry == circle:
+            continue
+        for run, kind in zip(shape.runs, own, strict=True):
+            if kind is AnnotationKind.CENTRE_LINE or run.run.length < _LEAST_PX / 2:
+                continue
+            points = points_along(shape.geometry, run.run, 2.0) - np.array(circle.centre)
+            away = np.hypot(*points.T) - circle.radius
+            if away[len(away) // 2] < -_MEETING * stroke_width:
+                count += int((np.abs(away[[0, -1]]) < _MEETING * stroke_width).sum())
+    return count
+
+
+def _overlap(one: Box, other: Box) -> bool:
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
+
+
+def inside(box: Box, other: Box) -> bool:
+    """Whether most of a box lies in another one."""
+    wide = min(box[2], other[2]) - max(box[0], other[0])
+    high = min(box[3], other[3]) - max(box[1], other[1])
+    area = (box[2] - box[0]) * (box[3] - box[1])
+    return min(wide, high) > 0.0 and wide * high > 0.7 * area
 
 
 def _within(points: Floats, box: Box) -> bool:
