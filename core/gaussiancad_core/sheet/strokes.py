@@ -14,6 +14,7 @@ import numpy.typing as npt
 from gaussiancad_core.ellipses import WholeEllipse
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.ellipse_fits import ellipse_profile, refit_ellipse
+from gaussiancad_core.sheet.fillets import find_fillets
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
 from gaussiancad_core.sheet.growth import GrowthRules, grow_all
 from gaussiancad_core.sheet.junctions import (
@@ -64,6 +65,9 @@ _MIN_BENT = 0.04
 
 _PULLED = 0.5
 """px by which a fit to the ink may move a circle that the ridges gave."""
+
+_BESIDE_ARC = 1.2
+"""px beside a fillet within which a short piece is a chord of it."""
 
 _HALF_TURN = 90
 """Marks of direction in half a turn."""
@@ -181,6 +185,7 @@ def classify_strokes(view: ViewShapes, rhythm: Rhythm) -> tuple[Stroke, ...]:
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     pieces = _refitted(pieces, ended, view.sheet)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
+    ended = _with_fillets(ended, view.sheet, explained)
     strokes = [_stroke(geometry, piece) for geometry, piece in ended]
     remainder = view.sheet.ink & (explained == 0)
     strokes += trace_remainder(remainder, view.sheet.stroke_width, rhythm.dash)
@@ -329,6 +334,33 @@ def _refitted(pieces: list[Placed], ended: list[Placed], sheet: CleanSheet) -> l
         else (geometry, piece)
         for geometry, piece in pieces
     ]
+
+
+def _with_fillets(
+    ended: list[Placed], sheet: CleanSheet, explained: npt.NDArray[np.uint8]
+) -> list[Placed]:
+    """The pieces with the arcs that round their corners; what was taken for a chord goes."""
+    rounded = list(ended)
+    arcs: list[Placed] = []
+    for fillet in find_fillets(sheet.weight, ended, sheet.stroke_width):
+        for index, piece in fillet.pieces:
+            rounded[index] = (rounded[index][0], piece)
+        arcs.append(fillet.arc)
+        _explain(explained, *fillet.arc, sheet.stroke_width)
+    return [own for own in rounded if not any(_is_chord(own, arc) for arc in arcs)] + arcs
+
+
+def _is_chord(own: Placed, arc: Placed) -> bool:
+    """Whether a piece is no longer than an arc and runs along it."""
+    geometry, piece = own
+    length = arc[1].end - arc[1].start
+    if piece.end - piece.start > length + 4.0:
+        return False
+    points = _points(geometry, piece.start, piece.end)
+    ends = arc[0].points_at(np.array([arc[1].start, arc[1].end]))
+    near = np.minimum(*(np.hypot(*(points - end).T) for end in ends)) < length
+    # Where it ends at the lines beside the arc it may have left the arc.
+    return bool((arc[0].distances(points) < _BESIDE_ARC).mean() > 0.6 and near.all())
 
 
 def _scaled(piece: Piece, factor: float) -> Piece:

@@ -1,0 +1,369 @@
+"""Small fillets: where two straight strokes meet, is the corner sharp, rounded or cut?
+
+A fillet of a few px has too few ridge points of its own to be grown: tangents on both sides bend
+them.  But all is known of such a corner except one number.  The two lines are exact, and how ink
+falls off beside them has been measured.  So the corner is drawn with every radius, and compared
+with the sheet pixel by pixel (analysis by synthesis).  A sharp corner is drawn in the ways that
+pens and printers join lines, a cut one with a straight piece.  The fillet is taken if it explains
+the ink far better than they do.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.sheet.geometry import Circle, Line
+from gaussiancad_core.sheet.junctions import Placed
+from gaussiancad_core.sheet.pen import Pen, fit_pen
+from gaussiancad_core.sheet.runs import Piece
+from gaussiancad_core.views import Linetype
+
+Floats = npt.NDArray[np.float64]
+
+_LONGEST_TANGENT = 26.0
+"""px from the corner to where an arc begins, at most: larger fillets are grown."""
+
+_BEYOND = 3.0
+"""px by which a stroke may seem to end beyond its corner."""
+
+_SMALLEST_RADIUS = 3.0
+"""px under which a corner is as good as sharp."""
+
+_FLATTEST, _STEEPEST = np.radians(25.0), np.radians(155.0)
+"""Angles between two lines whose corner is looked at."""
+
+_JOINED = 2.5
+"""px from a line's end within which another stroke's end takes the corner."""
+
+_AROUND = 3.0
+"""px beside a stroke's ink that are compared."""
+
+_BETTER = 0.4
+"""Share of a sharp or cut corner's squared error that a fillet's may have."""
+
+_LEAST_GAIN = 1.0
+"""Squared ink, in full pixels, that a fillet must explain more."""
+
+_FINE = 0.1
+"""px between the radii that are tried at last."""
+
+
+@dataclass(frozen=True)
+class _End:
+    """An end of a straight piece.
+
+    Attributes:
+        index: of the piece.
+        at_start: whether it is the start of the piece.
+        place: (2,) px.
+        inward: (2,) unit vector into the piece.
+        length: px of the piece.
+    """
+
+    index: int
+    at_start: bool
+    place: Floats
+    inward: Floats
+    length: float
+
+
+@dataclass(frozen=True)
+class _Corner:
+    """Where two lines meet, and the pixels around.
+
+    Attributes:
+        first, second: the ends that meet.
+        place: (2,) px of the lines' crossing.
+        longest: px from there to where an arc may begin.
+    """
+
+    first: _End
+    second: _End
+    place: Floats
+    longest: float
+
+    @property
+    def half(self) -> float:
+        """Half of the angle between the strokes."""
+        cosine = float(np.clip(self.first.inward @ self.second.inward, -1.0, 1.0))
+        return 0.5 * float(np.arccos(cosine))
+
+    @property
+    def bisector(self) -> Floats:
+        """(2,) unit vector to between the strokes."""
+        total = self.first.inward + self.second.inward
+        return total / np.hypot(*total)
+
+    def circle(self, radius: float) -> Circle:
+        """The circle that touches both lines."""
+        centre = self.place + radius / np.sin(self.half) * self.bisector
+        return Circle((float(centre[0]), float(centre[1])), radius)
+
+
+@dataclass(frozen=True)
+class Fillet:
+    """A corner that is round.
+
+    Attributes:
+        pieces: of the two straight pieces, their number and what is left of them.
+        arc: between them.
+    """
+
+    pieces: tuple[tuple[int, Piece], tuple[int, Piece]]
+    arc: Placed
+
+
+def find_fillets(
+    weight: npt.NDArray[np.float32], placed: Sequence[Placed], stroke_width: float
+) -> list[Fillet]:
+    """The round corners between the ends of visible straight pieces.
+
+    Args:
+        weight: (h, w) ink.
+        placed: pieces with their ends at junctions; px, pixel centres at integers.
+        stroke_width: px.
+    """
+    ends = _ends(placed)
+    corners = _corners(ends, placed)
+    if not corners:
+        return []
+    straight = [
+        (geometry, piece.start, piece.end)
+        for geometry, piece in placed
+        if isinstance(geometry, Line) and piece.linetype is Linetype.VISIBLE
+    ]
+    pen = fit_pen(weight, straight, stroke_width)
+    found: list[Fillet] = []
+    pieces = dict(enumerate(piece for _, piece in placed))
+    taken: set[tuple[int, bool]] = set()
+    for corner in corners:
+        keys = {(end.index, end.at_start) for end in (corner.first, corner.second)}
+        if keys & taken:
+            continue
+        radius = _radius(weight, corner, placed, pen)
+        if radius is None:
+            continue
+        taken |= keys
+        fillet = _fillet(corner, radius, placed, pieces)
+        pieces.update(fillet.pieces)
+        found.append(fillet)
+    return found
+
+
+def _ends(placed: Sequence[Placed]) -> list[_End]:
+    ends = []
+    for index, (geometry, piece) in enumerate(placed):
+        if not isinstance(geometry, Line) or piece.linetype is not Linetype.VISIBLE:
+            continue
+        way = np.array(geometry.direction)
+        length = piece.end - piece.start
+        ends.append(_End(index, True, np.array(geometry.at(piece.start)), way, length))
+        ends.append(_End(index, False, np.array(geometry.at(piece.end)), -way, length))
+    return ends
+
+
+def _corners(ends: list[_End], placed: Sequence[Placed]) -> list[_Corner]:
+    """Pairs of ends that may be joined by an arc, the nearest first."""
+    others = _other_ends(placed)
+    corners = []
+    for first, second in combinations(ends, 2):
+        if first.index == second.index:
+            continue
+        if np.hypot(*(first.place - second.place)) > 2.0 * _LONGEST_TANGENT:
+            continue
+        corner = _corner(first, second)
+        if corner is not None and not _is_taken(corner, others):
+            corners.append(corner)
+    return sorted(corners, key=lambda c: float(np.hypot(*(c.first.place - c.second.place))))
+
+
+def _corner(first: _End, second: _End) -> _Corner | None:
+    u, v = first.inward, second.inward
+    cross = float(u[0] * v[1] - u[1] * v[0])
+    angle = float(np.arctan2(abs(cross), u @ v))
+    if not _FLATTEST <= angle <= _STEEPEST:
+        return None
+    gap = second.place - first.place
+    # How far outward from each end the lines cross.
+    short = -float(gap[0] * v[1] - gap[1] * v[0]) / cross
+    other = -float(gap[0] * u[1] - gap[1] * u[0]) / cross
+    if not all(-_BEYOND <= beyond <= _LONGEST_TANGENT for beyond in (short, other)):
+        return None
+    place = first.place - short * u
+    room = min(first.length + short, second.length + other)
+    return _Corner(first, second, place, min(_LONGEST_TANGENT, 0.75 * room))
+
+
+def _other_ends(placed: Sequence[Placed]) -> list[tuple[int, Floats]]:
+    """The ends of pieces of curves, with the number of the piece."""
+    found = []
+    for index, (geometry, piece) in enumerate(placed):
+        if isinstance(geometry, Line):
+            continue
+        found.append((index, geometry.points_at(np.array([piece.start, piece.end]))))
+    return found
+
+
+def _is_taken(corner: _Corner, others: list[tuple[int, Floats]]) -> bool:
+    """Whether an arc that was grown goes on where one of the strokes ends."""
+    return any(
+        np.hypot(*(points - end.place).T).min() < _JOINED
+        for _, points in others
+        for end in (corner.first, corner.second)
+    )
+
+
+def _radius(
+    weight: npt.NDArray[np.float32], corner: _Corner, placed: Sequence[Placed], pen: Pen
+) -> float | None:
+    """The radius that explains the corner's ink, None if it is sharp or cut."""
+    most = corner.longest * np.tan(corner.half)
+    if most <= _SMALLEST_RADIUS:
+        return None
+    offsets, ink = _pixels(weight, corner, placed, pen)
+    if len(ink) < 20:
+        return None
+
+    def error(distance: Floats) -> float:
+        return float(((pen.ink(distance) - ink) ** 2).sum())
+
+    def rounded(radius: float) -> float:
+        return error(_from_fillet(corner, offsets, radius))
+
+    sharp = min(error(distance) for distance in _from_joins(corner, offsets))
+    coarse = np.arange(_SMALLEST_RADIUS, most + 0.5, 1.0)
+    if sharp < _LEAST_GAIN:
+        return None
+    radius = _best(rounded, coarse)
+    radius = _best(rounded, np.arange(radius - 1.0, radius + 1.0 + 1e-9, _FINE))
+    best = rounded(radius)
+    if best > _BETTER * sharp or sharp - best < _LEAST_GAIN or radius < _SMALLEST_RADIUS:
+        return None
+    cuts = np.arange(1.0, corner.longest, 0.5)
+    cut = min(error(_from_cut(corner, offsets, float(length))) for length in cuts)
+    return radius if best < 0.8 * cut else None
+
+
+def _best(function: Callable[[float], float], values: Floats) -> float:
+    return float(values[int(np.argmin([function(float(value)) for value in values]))])
+
+
+def _pixels(
+    weight: npt.NDArray[np.float32], corner: _Corner, placed: Sequence[Placed], pen: Pen
+) -> tuple[Floats, Floats]:
+    """(n, 2) px from the corner, and (n,) ink, of the pixels that tell of it: near its strokes and
+    between them, away from other strokes."""
+    reach = corner.longest + pen.width / 2 + _AROUND
+    low = np.maximum(np.floor(corner.place - reach), 0).astype(int)
+    high = np.minimum(np.ceil(corner.place + reach) + 1, weight.shape[::-1]).astype(int)
+    ys, xs = np.mgrid[low[1] : max(high[1], low[1]), low[0] : max(high[0], low[0])]
+    pixels = np.stack([xs.ravel(), ys.ravel()], axis=1).astype(np.float64)
+    offsets = pixels - corner.place
+    beside = pen.width / 2 + _AROUND
+    near = np.minimum.reduce([_from_ray(corner.first, offsets), _from_ray(corner.second, offsets)])
+    along = [offsets @ end.inward for end in (corner.first, corner.second)]
+    inner = near <= beside
+    # The triangle in which arcs run.
+    u, v = corner.first.inward, corner.second.inward
+    cross = u[0] * v[1] - u[1] * v[0]
+    a = (offsets[:, 0] * v[1] - offsets[:, 1] * v[0]) / cross
+    b = (u[0] * offsets[:, 1] - u[1] * offsets[:, 0]) / cross
+    inner |= (a >= 0.0) & (b >= 0.0) & (a + b <= corner.longest)
+    inner &= np.maximum(*along) <= corner.longest + 1.0
+    own = {corner.first.index, corner.second.index}
+    for index, (geometry, piece) in enumerate(placed):
+        if index in own or _is_within(geometry.points_at(_samples(piece)), corner):
+            continue
+        away = geometry.distances(pixels)
+        at = geometry.positions(pixels)
+        if np.isfinite(geometry.around):
+            at = piece.start + np.mod(at - piece.start, geometry.around)
+        inner &= (
+            (away > beside)
+            | (at < piece.start - beside)
+            | ((at > piece.end + beside) & (at < piece.start + geometry.around - beside))
+        )
+    x, y = pixels[inner].astype(int).T
+    return offsets[inner], weight[y, x].astype(np.float64)
+
+
+def _samples(piece: Piece) -> Floats:
+    return np.linspace(piece.start, piece.end, max(2, int(piece.end - piece.start)))
+
+
+def _is_within(points: Floats, corner: _Corner) -> bool:
+    """Whether a piece lies between the strokes: a chord of the arc that is looked for."""
+    offsets = points - corner.place
+    u, v = corner.first.inward, corner.second.inward
+    cross = u[0] * v[1] - u[1] * v[0]
+    a = (offsets[:, 0] * v[1] - offsets[:, 1] * v[0]) / cross
+    b = (u[0] * offsets[:, 1] - u[1] * offsets[:, 0]) / cross
+    return bool((np.minimum(a, b) > -1.5).all() and (a + b < corner.longest + 3.0).all())
+
+
+def _from_ray(end: _End, offsets: Floats, begin: float = 0.0) -> Floats:
+    """(n,) px from a stroke that begins some px from the corner."""
+    along = offsets @ end.inward - begin
+    across = offsets[:, 0] * end.inward[1] - offsets[:, 1] * end.inward[0]
+    return np.where(along >= 0.0, np.abs(across), np.hypot(along, across))
+
+
+def _from_joins(corner: _Corner, offsets: Floats) -> list[Floats]:
+    """Distances from a sharp corner: round, pointed, and with square ends that leave a notch."""
+    rays = [_from_ray(end, offsets) for end in (corner.first, corner.second)]
+    round_join = np.minimum(*rays)
+    along = [offsets @ end.inward for end in (corner.first, corner.second)]
+    across = [
+        np.abs(offsets[:, 0] * end.inward[1] - offsets[:, 1] * end.inward[0])
+        for end in (corner.first, corner.second)
+    ]
+    outside = (along[0] < 0.0) & (along[1] < 0.0)
+    pointed = np.where(outside, np.maximum(*across), round_join)
+    square = np.minimum(
+        *(np.where(a >= 0.0, c, np.inf) for a, c in zip(along, across, strict=True))
+    )
+    return [round_join, pointed, np.where(np.isfinite(square), square, 1e3)]
+
+
+def _from_fillet(corner: _Corner, offsets: Floats, radius: float) -> Floats:
+    """Distances from two strokes and the arc that touches both."""
+    begin = radius / np.tan(corner.half)
+    rays = [_from_ray(end, offsets, begin) for end in (corner.first, corner.second)]
+    around = offsets - radius / np.sin(corner.half) * corner.bisector
+    distance = np.hypot(*around.T)
+    facing = -(around @ corner.bisector) >= distance * np.sin(corner.half)
+    arc = np.where(facing, np.abs(distance - radius), np.inf)
+    return np.minimum(np.minimum(*rays), arc)
+
+
+def _from_cut(corner: _Corner, offsets: Floats, begin: float) -> Floats:
+    """Distances from two strokes and the straight piece that cuts their corner."""
+    rays = [_from_ray(end, offsets, begin) for end in (corner.first, corner.second)]
+    start = begin * corner.first.inward
+    way = begin * corner.second.inward - start
+    share = np.clip((offsets - start) @ way / (way @ way), 0.0, 1.0)
+    return np.minimum(np.minimum(*rays), np.hypot(*(offsets - start - share[:, None] * way).T))
+
+
+def _fillet(
+    corner: _Corner, radius: float, placed: Sequence[Placed], pieces: dict[int, Piece]
+) -> Fillet:
+    begin = radius / np.tan(corner.half)
+    cut: list[tuple[int, Piece]] = []
+    touching = []
+    for end in (corner.first, corner.second):
+        place = corner.place + begin * end.inward
+        touching.append(place)
+        at = float(placed[end.index][0].positions(place[None])[0])
+        piece = pieces[end.index]
+        cut.append((end.index, replace(piece, **{"start" if end.at_start else "end": at})))
+    circle = corner.circle(radius)
+    low, high = (float(circle.positions(place[None])[0]) for place in touching)
+    if (high - low) % circle.around > circle.around / 2:
+        low, high = high, low
+    sure = min(piece.confidence for _, piece in cut)
+    arc = Piece(low, low + (high - low) % circle.around, Linetype.VISIBLE, sure)
+    return Fillet((cut[0], cut[1]), (circle, arc))
