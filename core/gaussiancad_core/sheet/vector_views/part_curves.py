@@ -89,7 +89,9 @@ def part_curves(
             continue
         named = stroke.kind in _PARTS and stroke.role in _LINES_OF_PARTS
         inked = share_inked(curve, masks.whole) if named else 0.0
-        if inked > 0.0 and share_inked(curve, masks.part) >= _LEFT * inked:
+        # No annotation is drawn in even dashes: the file is right where the picture was misread.
+        told = stroke.role is StrokeRole.HIDDEN
+        if inked > 0.0 and (told or share_inked(curve, masks.part) >= _LEFT * inked):
             found.append(replace(stroke, curve=curve))
         else:
             others.append(curve)

@@ -8,13 +8,13 @@ it does in a picture.
 from collections.abc import Sequence
 from itertools import pairwise
 
-import cv2
 import numpy as np
 
 from gaussiancad_core.ellipses import WholeEllipse
 from gaussiancad_core.sheet.files.vectors import Chain, StrokeRole, VectorStroke
 from gaussiancad_core.sheet.geometry import Geometry, Line
 from gaussiancad_core.sheet.runs import Piece, Rhythm, Run, classify, learn_rhythm
+from gaussiancad_core.sheet.vector_views.free_curves import free_curve
 from gaussiancad_core.sheet.vector_views.spans import Span, united, without
 from gaussiancad_core.sheet.vector_views.tracks import EXACT, PLOTTED, Track, tracks_of
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
@@ -24,9 +24,6 @@ _TOUCHING = 0.02
 
 _SHORTEST = 0.5
 """px: what is left of hidden lines under visible ones is shorter."""
-
-_BENT = 0.1
-"""px by which the chords of a free curve leave it."""
 
 _FEWEST_DASHES = 6
 """Dashes on a sheet from which they are a rhythm."""
@@ -80,7 +77,8 @@ def strokes_of(
         found += [_stroke(track.geometry, piece) for piece in pieces]
     for stroke in strokes:
         if isinstance(stroke.curve, Chain):
-            found += _chords(stroke)
+            kind = Linetype.HIDDEN if stroke.role is StrokeRole.HIDDEN else Linetype.VISIBLE
+            found += free_curve(stroke.curve, kind)
     return tuple(found)
 
 
@@ -196,30 +194,3 @@ def _stroke(geometry: Geometry, piece: Piece) -> Stroke:
     sweep = 2.0 * np.pi if whole else (piece.end - piece.start) / geometry.radius
     start = float(np.mod(piece.start / geometry.radius, 2.0 * np.pi))
     return Arc(geometry.centre, geometry.radius, start, sweep, *kind)
-
-
-def _chords(stroke: VectorStroke) -> list[Segment]:
-    """A free curve in straight pieces."""
-    kind = Linetype.HIDDEN if stroke.role is StrokeRole.HIDDEN else Linetype.VISIBLE
-    points = np.array(stroke.curve.points)
-    kept = _simplified(points, _BENT)
-    return [
-        Segment((float(a[0]), float(a[1])), (float(b[0]), float(b[1])), kind)
-        for a, b in pairwise(kept)
-        if np.hypot(*(b - a)) > _TOUCHING
-    ]
-
-
-def _simplified(points: np.ndarray, deviation: float) -> np.ndarray:
-    """Points of a chain that its other points are near to (Douglas and Peucker 1973)."""
-    origin = points.mean(axis=0)
-    chain = (points - origin).astype(np.float32)[:, None]
-    corners = cv2.approxPolyDP(chain, deviation, closed=False)[:, 0]
-    # In single precision only which points are kept is known well.
-    kept: list[int] = []
-    at = 0
-    for corner in corners:
-        away = np.abs(chain[at:, 0] - corner).max(axis=1)
-        at += int(np.argmin(away))
-        kept.append(at)
-    return points[kept]

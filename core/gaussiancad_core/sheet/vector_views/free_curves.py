@@ -1,0 +1,59 @@
+"""Free curves of a file as strokes: arcs where they are as good as round, else straight pieces."""
+
+from itertools import pairwise
+
+import numpy as np
+import numpy.typing as npt
+from skimage.measure import approximate_polygon
+
+from gaussiancad_core.sheet.files.fitting import circle_through
+from gaussiancad_core.sheet.files.vectors import Chain
+from gaussiancad_core.views import Arc, Linetype, Segment
+
+Floats = npt.NDArray[np.float64]
+
+_BENT = 0.1
+"""px by which straight pieces leave the curve."""
+
+_ROUND = 0.25
+"""px by which a curve may leave its circle: silhouettes are approximated by CAD systems."""
+
+_BOWED = 20.0
+"""Height of an arc over its chord, in what it may be off: flatter ones are not told from others."""
+
+_SAME_PLACE = 0.01
+"""px between the ends of a closed curve."""
+
+
+def free_curve(chain: Chain, linetype: Linetype) -> list[Arc | Segment]:
+    """The strokes along a chain."""
+    points = np.array(chain.points)
+    arc = _arc(points, linetype)
+    if arc is not None:
+        return [arc]
+    kept = approximate_polygon(points, _BENT)
+    return [
+        Segment((float(a[0]), float(a[1])), (float(b[0]), float(b[1])), linetype)
+        for a, b in pairwise(kept)
+    ]
+
+
+def _arc(points: Floats, linetype: Linetype) -> Arc | None:
+    """The arc that (n, 2) points follow, or None."""
+    if len(points) < 5:
+        return None
+    centre, radius = circle_through(points)
+    offset = points - centre
+    if np.abs(np.hypot(*offset.T) - radius).max() > _ROUND:
+        return None
+    angles = np.unwrap(np.arctan2(offset[:, 1], offset[:, 0]))
+    steps = np.diff(angles)
+    sweep = float(angles[-1] - angles[0])
+    one_way = (steps >= 0.0).all() or (steps <= 0.0).all()
+    height = radius * (1.0 - np.cos(min(abs(sweep) / 2.0, np.pi)))
+    if not one_way or height < _BOWED * _ROUND:
+        return None
+    start = float(np.mod(angles[0] if sweep > 0.0 else angles[-1], 2.0 * np.pi))
+    closed = float(np.hypot(*(points[-1] - points[0]))) <= _SAME_PLACE
+    turn = 2.0 * np.pi if closed else min(abs(sweep), 2.0 * np.pi)
+    return Arc((float(centre[0]), float(centre[1])), radius, start, turn, linetype)
