@@ -136,6 +136,7 @@ def find_fillets(
         if isinstance(geometry, Line) and piece.linetype is Linetype.VISIBLE
     ]
     pen = fit_pen(weight, straight, stroke_width)
+    boxes = _boxes(placed)
     found: list[Fillet] = []
     pieces = dict(enumerate(piece for _, piece in placed))
     taken: set[tuple[int, bool]] = set()
@@ -143,7 +144,8 @@ def find_fillets(
         keys = {(end.index, end.at_start) for end in (corner.first, corner.second)}
         if keys & taken:
             continue
-        radius = _radius(weight, corner, placed, pen)
+        others = _others(corner, placed, boxes, pen.width + 2.0 * _AROUND)
+        radius = _radius(weight, corner, others, pen)
         if radius is None:
             continue
         taken |= keys
@@ -217,13 +219,13 @@ def _is_taken(corner: _Corner, others: list[tuple[int, Floats]]) -> bool:
 
 
 def _radius(
-    weight: npt.NDArray[np.float32], corner: _Corner, placed: Sequence[Placed], pen: Pen
+    weight: npt.NDArray[np.float32], corner: _Corner, others: Sequence[Placed], pen: Pen
 ) -> float | None:
     """The radius that explains the corner's ink, None if it is sharp or cut."""
     most = corner.longest * np.tan(corner.half)
     if most <= _SMALLEST_RADIUS:
         return None
-    offsets, ink = _pixels(weight, corner, placed, pen)
+    offsets, ink = _pixels(weight, corner, others, pen)
     if len(ink) < 20:
         return None
 
@@ -252,7 +254,7 @@ def _best(function: Callable[[float], float], values: Floats) -> float:
 
 
 def _pixels(
-    weight: npt.NDArray[np.float32], corner: _Corner, placed: Sequence[Placed], pen: Pen
+    weight: npt.NDArray[np.float32], corner: _Corner, others: Sequence[Placed], pen: Pen
 ) -> tuple[Floats, Floats]:
     """(n, 2) px from the corner, and (n,) ink, of the pixels that tell of it: near its strokes and
     between them, away from other strokes."""
@@ -273,10 +275,7 @@ def _pixels(
     b = (u[0] * offsets[:, 1] - u[1] * offsets[:, 0]) / cross
     inner |= (a >= 0.0) & (b >= 0.0) & (a + b <= corner.longest)
     inner &= np.maximum(*along) <= corner.longest + 1.0
-    own = {corner.first.index, corner.second.index}
-    for index, (geometry, piece) in enumerate(placed):
-        if index in own or _is_within(geometry.points_at(_samples(piece)), corner):
-            continue
+    for geometry, piece in others:
         away = geometry.distances(pixels)
         at = geometry.positions(pixels)
         if np.isfinite(geometry.around):
@@ -288,6 +287,26 @@ def _pixels(
         )
     x, y = pixels[inner].astype(int).T
     return offsets[inner], weight[y, x].astype(np.float64)
+
+
+def _boxes(placed: Sequence[Placed]) -> Floats:
+    """(n, 2, 2) px, the lower and upper corner of each piece's bounding box."""
+    points = [geometry.points_at(_samples(piece)) for geometry, piece in placed]
+    return np.array([[own.min(0), own.max(0)] for own in points])
+
+
+def _others(
+    corner: _Corner, placed: Sequence[Placed], boxes: Floats, margin: float
+) -> list[Placed]:
+    """Other pieces that come near a corner, without the chords of an arc that may be there."""
+    reach = corner.longest + margin
+    near = (boxes[:, 0] <= corner.place + reach) & (boxes[:, 1] >= corner.place - reach)
+    near[[corner.first.index, corner.second.index]] = False
+    return [
+        placed[index]
+        for index in np.flatnonzero(near.all(1))
+        if not _is_within(placed[index][0].points_at(_samples(placed[index][1])), corner)
+    ]
 
 
 def _samples(piece: Piece) -> Floats:

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
-from scipy.optimize import least_squares
 from scipy.special import ndtr
 
 from gaussiancad_core.sheet.geometry import Line
@@ -17,6 +16,9 @@ _ENDS = 8.0
 
 _EVERY = 3.0
 """px along a line between the pixels that are looked at."""
+
+_MOST = 40
+"""Places along a line that are looked at, at most."""
 
 _LINES = 12
 """Lines that are looked at: the longest."""
@@ -58,6 +60,8 @@ def fit_pen(
         lines: with the positions between which each is drawn, in px.
         stroke_width: px; what is taken where no line is long enough to tell.
     """
+    from scipy.optimize import least_squares
+
     longest = sorted(lines, key=lambda own: own[1] - own[2])[:_LINES]
     reach = stroke_width / 2 + 2.5
     parts = [_pixels(weight, *own, reach) for own in longest]
@@ -83,7 +87,7 @@ def _pixels(
     weight: npt.NDArray[np.float32], line: Line, start: float, end: float, reach: float
 ) -> Floats:
     """(n, 2) distance and ink of pixels on and beside a line."""
-    along = np.arange(start + _ENDS, end - _ENDS, _EVERY)
+    along = np.arange(start + _ENDS, end - _ENDS, max(_EVERY, (end - start) / _MOST))
     offsets = np.arange(-np.ceil(reach), np.ceil(reach) + 1.0)
     normal = np.array([-line.direction[1], line.direction[0]])
     places = line.points_at(along)[:, None] + offsets[:, None] * normal
