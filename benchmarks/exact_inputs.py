@@ -22,8 +22,10 @@ from gaussiancad_core.drawing.style import parse_style
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views, views_as_read
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.sheet.reading import RegisteredSheet, find_views, read_views, register_views
+from gaussiancad_core.sheet.reading import find_views, read_views, register_views
+from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.views import ViewSet
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
@@ -43,6 +45,9 @@ class InputKind(Enum):
     DXF_VECTORS = "dxf-vectors"
 
 
+_TOLERANCE_PX = {StrokesSource.RASTER: 1.0, StrokesSource.VECTOR: 0.05}
+"""px by which strokes of a sheet may miss where they belong."""
+
 DRAWN_KINDS = tuple(kind for kind in InputKind if not kind.value.startswith("dxf"))
 FILE_KINDS = (InputKind.DXF_RASTER, InputKind.DXF_VECTORS)
 
@@ -60,10 +65,12 @@ class Input:
     Attributes:
         views: the strokes.
         masks: the views with their masks, where they come from a sheet.
+        source: whether the strokes were fitted to pixels or are those of a file.
     """
 
     views: DrawnViews
     masks: ViewSet | None = None
+    source: str = ""
 
 
 def make_input(case: Case, truth: TopoDS_Shape, kind: InputKind, folder: Path) -> Input:
@@ -81,7 +88,7 @@ def make_input(case: Case, truth: TopoDS_Shape, kind: InputKind, folder: Path) -
     if kind in FILE_KINDS:
         if case.dxf is None:
             raise FileNotFoundError(f"{case.name} has no DXF file")
-        return _read_file(case.dxf, vectors=kind is InputKind.DXF_VECTORS)
+        return _read(case.dxf, None, vectors=kind is InputKind.DXF_VECTORS)
     lines = kept_lines(case, truth, folder)
     if kind in _NOISE or kind is InputKind.VECTORS:
         views = exact_views(lines.views, _size(lines))
@@ -136,19 +143,13 @@ def _drawn_and_read(case: Case, lines: PartLines, kind: InputKind) -> Input:
         return _read(path, (Axis(longest), float(lines.size[longest])))
 
 
-def _read(path: Path, length: tuple[Axis, float] | None) -> Input:
+def _read(path: Path, length: tuple[Axis, float] | None, vectors: bool = False) -> Input:
     options = ReadingOptions(projection=Projection.THIRD, length=length)
-    clean = upright_sheet(clean_sheet(read_sheet(path).grey, options.median_kernel))
+    image = read_sheet(path)
+    clean = upright_sheet(clean_sheet(image.grey, options.median_kernel))
     separated, layout = find_views(clean, {}, options.projection)
-    return _as_read(register_views(read_views(separated.part, layout), options))
-
-
-def _as_read(registered: RegisteredSheet) -> Input:
+    lines = VectorSheet(image.vectors, clean) if vectors and image.vectors is not None else None
+    registered = register_views(read_views(separated.part, layout, vectors=lines), options)
+    tolerance = _TOLERANCE_PX[registered.source] * registered.mm_per_pixel
     views = registered.views
-    return Input(views_as_read(views, registered.mm_per_pixel), views)
-
-
-def _read_file(path: Path, vectors: bool) -> Input:
-    if not vectors:
-        return _read(path, None)
-    raise NotImplementedError("no exact lines are read from DXF files yet")
+    return Input(views_as_read(views, tolerance), views, registered.source.value)

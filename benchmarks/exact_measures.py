@@ -34,6 +34,7 @@ _SAME_BOX = 0.02
 """Share of the longest extent by which boxes may differ to be compared at all."""
 
 Floats = npt.NDArray[np.float64]
+Size = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
@@ -141,13 +142,11 @@ def rotations() -> list[Floats]:
     return found
 
 
-def registered(
-    shape: TopoDS_Shape, truth: TopoDS_Shape, size: tuple[float, float, float]
-) -> tuple[TopoDS_Shape, str]:
-    """The truth scaled to a box and turned so that it is most like a solid.
+def registered(mesh: TriangleMesh, truth: TopoDS_Shape, size: Size) -> tuple[TopoDS_Shape, str]:
+    """The truth scaled to a box and turned so that it is most like a mesh.
 
     Args:
-        shape: the solid.
+        mesh: of what was made of the drawing.
         truth: in another scale, and perhaps along other axes.
         size: (3,) mm of the box that the drawing has.
 
@@ -156,7 +155,7 @@ def registered(
     """
     extents = np.ptp(bounding_box(truth), axis=0)
     scale = max(size) / float(extents.max())
-    mesh, coarse = fine_mesh(shape), fine_mesh(truth)
+    coarse = fine_mesh(truth)
     best, best_matrix = -1.0, np.eye(3)
     for matrix in rotations():
         turned = np.abs(matrix) @ extents * scale

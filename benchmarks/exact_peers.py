@@ -2,9 +2,6 @@
 
 from enum import Enum
 
-from exact_measures import fine_mesh, mesh_iou
-from OCP.TopoDS import TopoDS_Shape
-
 from gaussiancad_core.cameras import orthographic_camera
 from gaussiancad_core.hull import visual_hull
 from gaussiancad_core.meshes import TriangleMesh
@@ -21,10 +18,9 @@ class Peer(Enum):
     PAPER = "paper"
 
 
-def peer_iou(peer: Peer, views: ViewSet, truth: TopoDS_Shape) -> float | None:
-    """Volume IoU of a model with the truth; nothing where its mesh bounds no solid."""
-    made = _hull(views) if peer is Peer.HULL else _paper(views)
-    return mesh_iou(made, fine_mesh(truth))
+def peer_mesh(peer: Peer, views: ViewSet) -> TriangleMesh:
+    """A model of the views in mm."""
+    return _hull(views) if peer is Peer.HULL else _paper(views)
 
 
 def _hull(views: ViewSet) -> TriangleMesh:

@@ -7,14 +7,14 @@ solved as exact lines, with noise, and through sheets that are written to files 
         [--inputs KIND ...] [--workers N] [--json FILE] [--resume] [--plot FILE.svg]
     .venv/bin/python benchmarks/exact_solid.py --data DIR [--parts N] [--inputs KIND ...]
 
-``exact`` is the share of parts that came out as one valid closed solid with a volume IoU of .999 at
-least, by OpenCASCADE's Booleans; a Boolean of meshes (manifold3d) has to agree.  ``close`` adds
+``exact`` is the share of parts that came out as one valid closed solid with a volume IoU of .999
+at least, by OpenCASCADE's Booleans; a Boolean of meshes (manifold3d) has to agree.  ``close`` adds
 those with as many faces as the truth and an IoU of .98: right but for their measures.  ``faces=``
 is the share of the exact ones that have exactly as many faces as the truth.  ``false`` counts
 solids that were called verified and are not exact, ``far`` those of them that are not even close;
-``alt.`` parts whose truth was among the alternatives only; ``mirror`` solids that are the truth's mirror
-image.  Every part is solved in a process that is ended at the time limit.  Sheets are in third
-angle, and the reader is told so, and the longest extent.
+``alt.`` parts whose truth was among the alternatives only; ``mirror`` solids that are the truth's
+mirror image.  Every part is solved in a process that is ended at the time limit.  Sheets are in
+third angle, and the reader is told so, and the longest extent.
 
 With ``--data`` the parts are the STEP files of a folder; where DXF files of the same names lie
 beside them, these drawings (third angle) are solved instead and the STEP solids are scaled and

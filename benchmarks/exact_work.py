@@ -10,11 +10,22 @@ from typing import Any
 
 from exact_cases import Case
 from exact_inputs import FILE_KINDS, InputKind, make_input
-from exact_measures import EXACT_IOU, closeness, mirrored_alike, registered, solid_iou
-from exact_peers import Peer, peer_iou
+from exact_measures import (
+    EXACT_IOU,
+    Size,
+    closeness,
+    fine_mesh,
+    mesh_iou,
+    mirrored_alike,
+    registered,
+    solid_iou,
+)
+from exact_peers import Peer, peer_mesh
+from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.drawing.brep import faces_of
 from gaussiancad_core.errors import GaussianCadError
+from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.modes import Status
 from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
 
@@ -63,16 +74,27 @@ def worked(task: Task) -> Iterator[Row]:
     yield {"true_faces": len(faces_of(truth))}
     drawing = make_input(task.case, truth, task.kind, task.cache)
     strokes = sum(len(drawn) for drawn in drawing.views.strokes.values())
-    yield {"strokes": strokes, "stage": "solve"}
+    yield {"strokes": strokes, "source": drawing.source}
+    # First, so that those of parts that are not solved in time are known as well.
+    if task.peers and drawing.masks is not None:
+        yield {"stage": "peers"}
+        for peer in task.peers:
+            mesh = peer_mesh(peer, drawing.masks)
+            fitted, _ = _fitted(task, mesh, truth, drawing.views.size)
+            yield {peer.value: mesh_iou(mesh, fine_mesh(fitted))}
+    yield {"stage": "solve"}
     started = time.perf_counter()
     result = exact_solid(drawing.views, Limits())
     seconds = time.perf_counter() - started
     yield {**_told(result), "seconds": seconds, "stage": "measure"}
     yield from _measured(task, result, truth, drawing.views.size)
-    if task.peers and drawing.masks is not None:
-        yield {"stage": "peers"}
-        for peer in task.peers:
-            yield {peer.value: peer_iou(peer, drawing.masks, truth)}
+
+
+def _fitted(
+    task: Task, mesh: TriangleMesh, truth: TopoDS_Shape, size: Size
+) -> tuple[TopoDS_Shape, str]:
+    """The truth as the drawing has it: another program's files differ in scale and axes."""
+    return registered(mesh, truth, size) if task.kind in FILE_KINDS else (truth, "")
 
 
 def _told(result: ExactResult) -> Row:
@@ -85,12 +107,10 @@ def _told(result: ExactResult) -> Row:
     }
 
 
-def _measured(task: Task, result: ExactResult, truth: Any, size: Any) -> Iterator[Row]:  # noqa: ANN401
+def _measured(task: Task, result: ExactResult, truth: TopoDS_Shape, size: Size) -> Iterator[Row]:
     if result.shape is None:
         return
-    placing = ""
-    if task.kind in FILE_KINDS:
-        truth, placing = registered(result.shape, truth, size)
+    truth, placing = _fitted(task, fine_mesh(result.shape), truth, size)
     close = closeness(result.shape, truth, placing)
     yield {**asdict(close), "exact": close.exact}
     if close.exact:
