@@ -209,7 +209,7 @@ class Arrangement:
     def _add_chain(self, chain: Chain) -> None:
         for (a0, b0), (a1, b1) in pairwise(chain):
             self._chain_ends += [a0, a1]
-            if abs(a1 - a0) <= 2.0 * _SAME:
+            if a0 == a1:
                 self._uprights.append((a0, min(b0, b1), max(b0, b1), CHAIN))
             elif a0 < a1:
                 self._pieces.append(_Link(a0, b0, a1, b1, CHAIN))
@@ -221,7 +221,12 @@ class Arrangement:
         borders = self._borders
         slabs: list[list[_Piece]] = [[] for _ in range(max(0, len(borders) - 1))]
         for piece in self._pieces:
-            for slab in range(_index(borders, piece.start), _index(borders, piece.end)):
+            first, last = _index(borders, piece.start), _index(borders, piece.end)
+            if first == last:
+                # Too steep for a slab of its own, yet still a wall.
+                ends = sorted((piece.value(piece.start), piece.value(piece.end)))
+                self._uprights.append((borders[first], ends[0], ends[1], piece.support))
+            for slab in range(first, last):
                 slabs[slab].append(piece)
         for slab, own in enumerate(slabs):
             middle = (borders[slab] + borders[slab + 1]) / 2.0
@@ -245,8 +250,15 @@ class Arrangement:
             standing[_index(borders, upright[0])].append(upright)
         for border in range(1, len(borders) - 1):
             at = borders[border]
-            left = [piece.value(at) for piece in slabs[border - 1]]
-            right = [piece.value(at) for piece in slabs[border]]
+            # Steep pieces change much over the width of a border: their own ends are exact.
+            left = [
+                piece.value(piece.end if _index(borders, piece.end) == border else at)
+                for piece in slabs[border - 1]
+            ]
+            right = [
+                piece.value(piece.start if _index(borders, piece.start) == border else at)
+                for piece in slabs[border]
+            ]
             walls = standing[border]
             marks = sorted([*left, *right, *(b for wall in walls for b in wall[1:3])])
             for low, high in zip([-1e9, *marks], [*marks, 1e9], strict=True):
