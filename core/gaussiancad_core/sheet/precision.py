@@ -26,17 +26,22 @@ class Precision:
 FROM_PIXELS = Precision(0.3, 0.6, 1.2, Limits(apart=0.5, reach=1.0, finest=0.3))
 """Fitted to ink: lines come out within a tenth of a pixel."""
 
-FROM_VECTORS = Precision(0.01, 0.02, 0.1, Limits(apart=0.02, reach=0.25, finest=0.01))
-"""As the file has them; plotters round to 1/1200 inch, a sixth of a pixel."""
+FROM_VECTORS = Precision(0.01, 0.02, 0.02, Limits(apart=0.02, reach=0.25, finest=0.01))
+"""As the file has them."""
+
+FROM_PLOTS = Precision(0.06, 0.2, 0.35, Limits(apart=0.2, reach=0.5, finest=0.1))
+"""Rounded by a plotter or printer driver, to 1/1200 inch or so: a sixth of a pixel."""
 
 
 class StrokesSource(Enum):
-    """Where the strokes of a view come from."""
+    """Where the strokes of a view come from: its picture, the file, or a file that was plotted."""
 
     RASTER = "raster"
     VECTOR = "vector"
+    PLOT = "plot"
 
     @property
     def precision(self) -> Precision:
         """Of strokes from there."""
-        return FROM_VECTORS if self is StrokesSource.VECTOR else FROM_PIXELS
+        known = {StrokesSource.VECTOR: FROM_VECTORS, StrokesSource.PLOT: FROM_PLOTS}
+        return known.get(self, FROM_PIXELS)

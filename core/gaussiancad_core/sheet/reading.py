@@ -97,7 +97,7 @@ class RegisteredSheet:
     @property
     def source(self) -> StrokesSource:
         """Where the strokes come from: the file only if it has those of every view."""
-        exact = all(view.source is StrokesSource.VECTOR for view in self.drawn)
+        exact = all(view.source is not StrokesSource.RASTER for view in self.drawn)
         return StrokesSource.VECTOR if exact else StrokesSource.RASTER
 
 
@@ -179,7 +179,11 @@ def read_views(
     supersampling = supersampling_for(largest)
     drawn = []
     for role, box in layout.boxes.items():
-        strokes = exact[role] if role in exact else classify_strokes(shapes[role], rhythm)
+        strokes, source = (
+            exact[role]
+            if role in exact
+            else (classify_strokes(shapes[role], rhythm), StrokesSource.RASTER)
+        )
         outline = find_outline(sheet, box, supersampling)
         if outline is None:
             raise NoModelError(
@@ -190,7 +194,6 @@ def read_views(
         region = cut_region(layout, box)
         if region is not None:
             strokes = with_hidden_inside(strokes, outline, region)
-        source = StrokesSource.VECTOR if role in exact else StrokesSource.RASTER
         drawn.append(ReadView(role, view_box(strokes, outline), strokes, outline, source))
     return tuple(drawn)
 

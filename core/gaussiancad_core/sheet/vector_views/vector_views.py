@@ -1,15 +1,25 @@
 """Strokes of views from a file's curves, for those views whose ink they explain."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
 import numpy as np
+from scipy.spatial import cKDTree
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.files.vectors import Curve, VectorDrawing, VectorStroke, bounds
+from gaussiancad_core.sheet.files.vectors import (
+    CircularArc,
+    Curve,
+    Line,
+    VectorDrawing,
+    VectorStroke,
+    bounds,
+)
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.vector_views.part_curves import InkMasks, Mask, part_curves
 from gaussiancad_core.sheet.vector_views.view_strokes import strokes_of, tracks_and_rhythm
 from gaussiancad_core.views import Linetype, Stroke
@@ -26,6 +36,12 @@ _EXPLAINED = 0.98
 _SHOWN, _DASHES_SHOWN = 0.97, 0.3
 """Share of the strokes, visible and hidden, that ink shows."""
 
+
+_PLOTTER_STEP, _EXACTLY = 0.3, 0.005
+"""px between the ends of plotted strokes that meet, and of exact ones."""
+
+_OFTEN, _FEWEST_PLOTTED = 0.3, 8
+"""Share of meetings that are missed in plots, and strokes from which that is a rule."""
 
 _MOST_CHORDS = 4000
 """Pieces in which a curve is drawn."""
@@ -61,8 +77,9 @@ class _Known:
 
 def vector_views(
     vectors: VectorSheet, part: CleanSheet, layout: Layout
-) -> dict[Role, tuple[Stroke, ...]]:
-    """The strokes of the views that the file's curves explain, in px of the upright sheet.
+) -> dict[Role, tuple[tuple[Stroke, ...], StrokesSource]]:
+    """The strokes of the views that the file's curves explain, in px of the upright sheet, and
+    whether they were plotted.
 
     Args:
         vectors: of the file.
@@ -77,14 +94,29 @@ def vector_views(
         for role, box in layout.boxes.items()
     }
     usable = [role for role, own in of_view.items() if 0 < len(own) <= _MOST_CURVES]
+    source = StrokesSource.PLOT if _are_plotted(curves) else StrokesSource.VECTOR
     tracks, rhythm = tracks_and_rhythm([of_view[role] for role in usable], part.stroke_width)
     found = {}
     for role, own in zip(usable, tracks, strict=True):
         strokes = strokes_of(own, of_view[role], rhythm)
         known = _Known(of_view[role], others, masks)
         if _explains(strokes, known, layout.boxes[role], part):
-            found[role] = strokes
+            found[role] = strokes, source
     return found
+
+
+def _are_plotted(strokes: Sequence[VectorStroke]) -> bool:
+    """Whether strokes that meet often miss each other by a plotter's step."""
+    open_curves = [s.curve for s in strokes if isinstance(s.curve, Line | CircularArc)]
+    if len(open_curves) < _FEWEST_PLOTTED:
+        return False
+    ends = np.concatenate([curve.sample(np.inf)[[0, -1]] for curve in open_curves])
+    # The nearest but one: the nearest is the end itself, or the other end of a circle.
+    distances = cKDTree(ends).query(ends, k=min(4, len(ends)))[0][:, 1:]
+    meeting = distances[(distances < _PLOTTER_STEP).any(axis=1)]
+    missed = (meeting > _EXACTLY) & (meeting < _PLOTTER_STEP)
+    exactly = (meeting <= _EXACTLY).any(axis=1)
+    return bool((missed.any(axis=1) & ~exactly).mean() > _OFTEN) if len(meeting) else False
 
 
 def _lies_in(curve: Curve, box: Box, margin: float) -> bool:

@@ -31,11 +31,13 @@ class FileStyle:
         dashes_apart: every dash of a hidden line is a line of its own.
         parts: every line is written in this many pieces.
         centre_lines: with a cross at each circle's centre, drawn long-short.
+        step: px to which a plotter rounded all points; 0 for none. In PDF files.
     """
 
     dashes_apart: bool = False
     parts: int = 1
     centre_lines: bool = False
+    step: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -110,7 +112,10 @@ def _pdf(sheet: Sheet, style: FileStyle, path: Path) -> None:
         own = line.stroke
         content.append(f"{_width(line)} w [{' '.join(map(str, line.dashes))}] 0 d")
         if isinstance(own, Segment):
-            content.append("{:.6f} {:.6f} m {:.6f} {:.6f} l S".format(*own.start, *own.end))
+            ends = np.array([*own.start, *own.end])
+            if style.step:
+                ends = np.rint((ends + style.step / 3.0) / style.step) * style.step
+            content.append("{:.6f} {:.6f} m {:.6f} {:.6f} l S".format(*ends))
             continue
         count = max(1, int(np.ceil(own.sweep / (np.pi / 2) - 1e-9)))
         handle = 4.0 / 3.0 * np.tan(own.sweep / count / 4.0) * own.radius

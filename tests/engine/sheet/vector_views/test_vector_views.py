@@ -107,6 +107,23 @@ def test_dashes_of_their_own_are_hidden_lines(write_sheet, suffix: str) -> None:
     assert min(stroke.length for stroke in hidden) > 2 * 12.0
 
 
+def test_plotted_lines_are_taken_for_what_they_are(write_sheet) -> None:  # noqa: ANN001
+    sheet, path = write_sheet("slotted-link", ".pdf", step=1.0 / 6.0)
+    views = read(path)
+    # Its circles and arcs were not rounded, so that lines miss them.
+    assert {view.source for view in views} == {StrokesSource.PLOT}
+    check(sheet, views, slack=0.2)
+    registered = register_views(views, ReadingOptions(mm_per_pixel=1.0))
+    assert registered.source is StrokesSource.VECTOR
+    strokes = registered.views.views[1].strokes
+    corners = np.concatenate([s.sample(1e9)[[0, -1]] for s in strokes if isinstance(s, Segment)])
+    arcs = [s for s in strokes if isinstance(s, Arc) and s.sweep < 6.0]
+    assert len(arcs) == 4
+    for arc in arcs:
+        for end in arc.sample(1e9)[[0, -1]]:
+            assert np.hypot(*(corners - end).T).min() < 1e-9
+
+
 def test_centre_lines_by_their_linetype_are_none_of_the_part(write_sheet) -> None:  # noqa: ANN001
     sheet, path = write_sheet("bored-plate", ".dxf", centre_lines=True)
     views = read(path)
