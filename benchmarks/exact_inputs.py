@@ -4,7 +4,7 @@ import hashlib
 import pickle
 import tempfile
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cache
 from pathlib import Path
@@ -64,11 +64,13 @@ class Input:
 
     Attributes:
         views: the strokes.
-        masks: the views with their masks, where they come from a sheet.
+        outlines: the views with their filled outlines as masks, where they come from a sheet.
+        masks: the same with the through holes that the hidden lines prove.
         source: whether the strokes were fitted to pixels or are those of a file.
     """
 
     views: DrawnViews
+    outlines: ViewSet | None = None
     masks: ViewSet | None = None
     source: str = ""
 
@@ -149,7 +151,11 @@ def _read(path: Path, length: tuple[Axis, float] | None, vectors: bool = False) 
     clean = upright_sheet(clean_sheet(image.grey, options.median_kernel))
     separated, layout = find_views(clean, {}, options.projection)
     lines = VectorSheet(image.vectors, clean) if vectors and image.vectors is not None else None
-    registered = register_views(read_views(separated.part, layout, vectors=lines), options)
+    drawn = read_views(separated.part, layout, vectors=lines)
+    registered = register_views(drawn, options)
+    plain = register_views(drawn, replace(options, open_holes=False))
     tolerance = _TOLERANCE_PX[registered.source] * registered.mm_per_pixel
     views = registered.views
-    return Input(views_as_read(views, tolerance), views, registered.source.value)
+    return Input(
+        views_as_read(views, tolerance), plain.views, views, source=registered.source.value
+    )

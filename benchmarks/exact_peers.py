@@ -12,15 +12,25 @@ _CAMERA_PX = 600
 
 
 class Peer(Enum):
-    """A model of the same views."""
+    """A model of the same views: the outlines' hull, the same with the through features cut out,
+    and the GaussianCAD paper's mesh."""
 
     HULL = "hull"
+    SWEEP_AND_CUT = "sweep-and-cut"
     PAPER = "paper"
 
 
-def peer_mesh(peer: Peer, views: ViewSet) -> TriangleMesh:
-    """A model of the views in mm."""
-    return _hull(views) if peer is Peer.HULL else _paper(views)
+def peer_mesh(peer: Peer, outlines: ViewSet, masks: ViewSet) -> TriangleMesh:
+    """A model in mm.
+
+    Args:
+        peer: which.
+        outlines: views whose masks are their filled outlines.
+        masks: the same with their through holes open.
+    """
+    if peer is Peer.PAPER:
+        return _paper(outlines)
+    return _hull(masks if peer is Peer.SWEEP_AND_CUT else outlines)
 
 
 def _hull(views: ViewSet) -> TriangleMesh:

@@ -76,10 +76,10 @@ def worked(task: Task) -> Iterator[Row]:
     strokes = sum(len(drawn) for drawn in drawing.views.strokes.values())
     yield {"strokes": strokes, "source": drawing.source}
     # First, so that those of parts that are not solved in time are known as well.
-    if task.peers and drawing.masks is not None:
+    if task.peers and drawing.outlines is not None and drawing.masks is not None:
         yield {"stage": "peers"}
         for peer in task.peers:
-            mesh = peer_mesh(peer, drawing.masks)
+            mesh = peer_mesh(peer, drawing.outlines, drawing.masks)
             fitted, _ = _fitted(task, mesh, truth, drawing.views.size)
             yield {peer.value: mesh_iou(mesh, fine_mesh(fitted))}
     yield {"stage": "solve"}

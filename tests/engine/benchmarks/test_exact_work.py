@@ -1,14 +1,17 @@
 from pathlib import Path
 
+import numpy as np
 import pytest
 from exact_cases import USUAL_LEVELS, Case, classed_cases, folder_cases
 from exact_inputs import InputKind, kept_lines, make_input
+from exact_peers import Peer, peer_mesh
 from exact_tables import tables, time_picture
 from exact_work import Row, causes, close, falsely_verified, solved
 
-from gaussiancad_core.axes import Role
+from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.drawing.brep import faces_of, write_step
 from gaussiancad_core.samples.classed import LEVEL_FACES, PartClass
+from gaussiancad_core.samples.modelling import box, cut, cylinder
 
 EXACT: Row = {
     "group": "planes", "name": "a", "input": "vectors", "status": "verified", "reasons": [],
@@ -101,3 +104,21 @@ def test_every_kind_of_drawing_shows_the_same_part(
     assert (made.masks is not None) == (kind is InputKind.CLEAN)
     if kind is not InputKind.VECTORS:
         assert made.views.tolerance > 100.0 * exact.views.tolerance
+
+
+def test_peers_are_what_their_names_say(tmp_path: Path) -> None:
+    # A plate with a through hole and a blind one: only the first can be swept out.
+    plate = cut(
+        box((0, 0, 0), (60, 40, 20)),
+        cylinder(Axis.Z, (15, 20), 8, -1, 21),
+        cylinder(Axis.Z, (45, 20), 8, 10, 21),
+    )
+    write_step(plate, tmp_path / "plate.step")
+    (case,) = folder_cases(tmp_path, 1)
+    made = make_input(case, plate, InputKind.CLEAN, tmp_path)
+    volumes = [
+        peer_mesh(peer, made.outlines, made.masks).volume
+        for peer in (Peer.HULL, Peer.SWEEP_AND_CUT)
+    ]
+    block, bore = 48000.0, 64.0 * np.pi * 20.0
+    assert volumes == pytest.approx([block, block - bore], rel=2e-3)
