@@ -13,6 +13,9 @@ not count.  The position error is the distance of matched points across the true
 are ends of true strokes with an end of a read stroke within 1 px.  ``box px`` is the largest error
 of a corner in nine of ten sheets.  ``views`` is the share of views with their right names, ``proj``
 of sheets with the right projection, ``or`` of those where it was at least kept as an alternative.
+
+With ``--data`` other sheets are read.  PDF, SVG and DXF files are read directly and as pictures,
+and the lines of the picture are matched with those of the file.
 """
 
 import argparse
@@ -45,8 +48,10 @@ from gaussiancad_core.samples import SAMPLES, sample
 from gaussiancad_core.samples.random_parts import random_part
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.options import MEDIAN_KERNEL, Finder, ReadingOptions
+from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import find_views, read_views
+from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.views import Linetype
 
 STYLES = (
@@ -70,19 +75,29 @@ FILES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".webp", ".pdf", ".sv
 
 @dataclass(frozen=True)
 class Found:
-    """What was read: views in px of the sheet as stored, and the projection."""
+    """What was read: views in px of the sheet as stored, the projection, and how many views have
+    the strokes of the file."""
 
     boxes: dict[Role, Box]
     strokes: dict[Role, tuple[DrawnStroke, ...]]
     projection: Projection
     alternatives: tuple[Projection, ...]
+    direct_views: int = 0
 
 
-def read(path: Path, reading: ReadingOptions) -> Found:
-    """Read a sheet as ``gaussiancad reconstruct`` does, with nothing told of it."""
-    clean = upright_sheet(clean_sheet(read_sheet(path).grey, reading.median_kernel))
+def read(path: Path, reading: ReadingOptions, direct: bool = True) -> Found:
+    """Read a sheet as ``gaussiancad reconstruct`` does, with nothing told of it.
+
+    Args:
+        path: of the sheet.
+        reading: finder and filter.
+        direct: use the exact lines of vector files; else their picture alone.
+    """
+    image = read_sheet(path)
+    clean = upright_sheet(clean_sheet(image.grey, reading.median_kernel))
     separated, layout = find_views(clean, {}, None)
-    drawn = read_views(separated.part, layout, finder=reading.finder)
+    vectors = VectorSheet(image.vectors, clean) if direct and image.vectors else None
+    drawn = read_views(separated.part, layout, finder=reading.finder, vectors=vectors)
     projection, alternatives = layout.projection, layout.alternatives
     if alternatives:
         choice = choose_projection(drawn, projection, reading)
@@ -94,7 +109,8 @@ def read(path: Path, reading: ReadingOptions) -> Found:
         for view in drawn
     }
     boxes = {view.role: view.stored_box(turn) for view in drawn}
-    return Found(boxes, strokes, projection, alternatives)
+    direct_views = sum(view.source is not StrokesSource.RASTER for view in drawn)
+    return Found(boxes, strokes, projection, alternatives, direct_views)
 
 
 @dataclass(frozen=True)
@@ -316,7 +332,12 @@ def print_worst(results: Sequence[Result], count: int) -> None:
 
 
 def read_folder(options: argparse.Namespace) -> None:
-    """Read other material and say what was found, without a truth to compare with."""
+    """Read other material and say what was found.
+
+    There is no truth to compare with, but vector files are read twice: the lines that their picture
+    gives are matched with those that the file has.
+    """
+    compared = []
     for path in sorted(options.data.rglob("*")):
         if path.suffix.lower() not in FILES:
             continue
@@ -333,10 +354,65 @@ def read_folder(options: argparse.Namespace) -> None:
             for role, strokes in found.strokes.items()
         )
         print(f"{path.name:32}{seconds:7.2f} s  {found.projection.value}: {views}", flush=True)
+        if found.direct_views:
+            compared.append(as_a_picture(path, found, _reading(options)))
         if options.keep is not None:
             options.keep.mkdir(parents=True, exist_ok=True)
             image = np.repeat(read_sheet(path).grey[..., None], 3, axis=2)
             write_image(drawn_over(image, found, Marks()), options.keep / f"{path.stem}-read.png")
+    if compared:
+        print_compared(compared)
+
+
+@dataclass(frozen=True)
+class Compared:
+    """A vector sheet read from its picture, against what the file has."""
+
+    views: int
+    direct_views: int
+    visible: Matched = field(default_factory=Matched)
+    hidden: Matched = field(default_factory=Matched)
+    errors: tuple[float, ...] = ()
+    failed: bool = False
+
+
+def as_a_picture(path: Path, direct: Found, reading: ReadingOptions) -> Compared:
+    """Read a vector sheet again, as a picture, and match its lines with those of the file."""
+    count = len(direct.strokes)
+    try:
+        found = read(path, reading, direct=False)
+    except GaussianCadError as error:
+        print(f"{'':32}as a picture: {error.code}")
+        return Compared(count, direct.direct_views, failed=True)
+    drawn = list(chain.from_iterable(direct.strokes.values()))
+    seen = list(chain.from_iterable(found.strokes.values()))
+    matched, errors, _ = match(drawn, seen, covered=1.0)
+    visible, hidden = matched[Linetype.VISIBLE], matched[Linetype.HIDDEN]
+    print(
+        f"{'':32}{direct.direct_views} of {count} views direct; as a picture visible "
+        f"{visible.precision:.3f}/{visible.recall:.3f} hidden {hidden.precision:.3f}/"
+        f"{hidden.recall:.3f} median {np.median(errors) if len(errors) else np.nan:.3f} px",
+        flush=True,
+    )
+    return Compared(count, direct.direct_views, visible, hidden, tuple(errors.tolist()))
+
+
+def print_compared(rows: Sequence[Compared]) -> None:
+    """One line for all vector sheets."""
+    good = [row for row in rows if not row.failed]
+    shares = []
+    for kind in ("visible", "hidden"):
+        parts = [getattr(row, kind) for row in good]
+        total = Matched(*(sum(getattr(p, name) for p in parts) for name in asdict(Matched())))
+        shares.append(f"{kind} {total.precision:.4f}/{total.recall:.4f}")
+    errors = np.concatenate([np.array(row.errors) for row in good] or [np.empty(0)])
+    middle, most = np.percentile(errors, (50, 95)) if len(errors) else (np.nan, np.nan)
+    print(
+        f"\n{len(rows)} vector sheets: {sum(row.direct_views for row in rows)} of "
+        f"{sum(row.views for row in rows)} views direct; as pictures {', '.join(shares)} "
+        f"(precision/recall), median {middle:.3f} px, 95 % {most:.3f} px, "
+        f"{len(rows) - len(good)} not read"
+    )
 
 
 def main() -> None:
