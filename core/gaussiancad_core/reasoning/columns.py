@@ -12,6 +12,7 @@ from typing import Protocol
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.arrangement import CHAIN, OUTSIDE, Arrangement, distinct
+from gaussiancad_core.reasoning.curves import PlaneCurve
 from gaussiancad_core.reasoning.planes import IN_PLANE
 
 Cell = tuple[int, int, int, int]
@@ -39,6 +40,9 @@ class Body(Protocol):
 
     def holds(self, point: Vector) -> bool:
         """Whether a point lies in it."""
+
+    def rims(self, normal: Axis) -> list[tuple[PlaneCurve, tuple[float, float]]]:
+        """Curves, and stretches of them, along which a view may show the body."""
 
 
 @dataclass(frozen=True)

@@ -35,6 +35,9 @@ _SHORT = 1e-3
 _NEAR = 1e-5
 """Units within which a value is that of a support."""
 
+_RIM = 0.01
+"""Units within which the rim of a body is a support's curve."""
+
 _EDGE_ON = 1e-6
 """Slope below which a curve's tangent has no graph over depth."""
 
@@ -74,6 +77,9 @@ def find_pieces(space: Space, planes: dict[Axis, PlaneSupports], near: float) ->
                 linetype, confidence = _drawn(support, role, point)
                 yield Piece(role, point, across, linetype, length, confidence)
         finder = _DrawnNear(plane, near)
+        for point, across, length in _rims(space, normal):
+            for role in plane.roles:
+                yield Piece(role, point, across, finder.linetype(role, point), length)
         for point, across, length in _meeting_curves(space, normal):
             for role in plane.roles:
                 yield Piece(role, point, across, finder.linetype(role, point), length)
@@ -130,6 +136,24 @@ def _cut(
         if length >= _SHORT:
             at = low + SHARE * (high - low)
             yield curve.at(at), curve.normal(at), support, length
+
+
+def _rims(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, float]]:
+    """Points of the curves along which extra bodies begin, end or turn away."""
+    values = [space.values[Axis(index)] for index in IN_PLANE[normal]]
+    for body in space.bodies:
+        for curve, stretch in body.rims(normal):
+            if any(_near_same(curve, support.curve) for support in space.planes[normal].supports):
+                continue
+            for point, across, _, length in _cut(Support(curve, {}), stretch, values):
+                yield point, across, length
+
+
+def _near_same(one: PlaneCurve, other: PlaneCurve) -> bool:
+    """Whether curves are one within what pieces can tell."""
+    if type(one) is not type(other):
+        return False
+    return all(other.distance(one.at(t)) < _RIM for t in (0.0, 1.0, 2.5))
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,6 @@ Faces of all patches are fused, which splits them along their intersections.  Th
 kept that have material on one side only; sewn they bound the part.
 """
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from math import pi
 
@@ -32,6 +31,7 @@ from gaussiancad_core.drawing.brep import faces_of, subshapes, volume
 from gaussiancad_core.drawing.surfaces import normal_at
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve
 from gaussiancad_core.reasoning.planes import IN_PLANE, lifted
+from gaussiancad_core.solid.bodies import revolved_face
 from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.solid.patches import Patch, PlanePatch, SweptPatch, find_patches
 
@@ -56,17 +56,15 @@ class BuiltSolid:
     bodies: int
 
 
-def build_solid(
-    space: LabelledSpace, scale: float, bodies: Iterable[TopoDS_Face] = ()
-) -> BuiltSolid:
+def build_solid(space: LabelledSpace, scale: float) -> BuiltSolid:
     """The B-Rep of a labelled space.
 
     Args:
         space: in units.
         scale: units per mm.
-        bodies: faces of the extra bodies, in units.
     """
-    faces = [_face(patch) for patch in find_patches(space)] + list(bodies)
+    faces = [_face(patch) for patch in find_patches(space)]
+    faces += [revolved_face(body) for body in space.space.bodies]
     if not faces:
         return BuiltSolid(None, 0)
     sides = _Sides(space)

@@ -1,0 +1,216 @@
+"""Which bodies of revolution the views speak of.
+
+The axis is the centre of a circle in one view.  A cone shows the same slanted line, a sphere or
+torus the same arc, beside that axis in both other views.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import pairwise
+from math import pi
+
+from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.bodies import ArcProfile, LineProfile, Profile, RevolvedBody
+from gaussiancad_core.reasoning.curves import TURN, CircleCurve
+from gaussiancad_core.reasoning.planes import IN_PLANE
+from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports, Support
+
+_MOST = 24
+"""Bodies that are looked at: each one divides cells."""
+
+_SAME = 0.02
+"""Units within which profiles of two views are one, at least."""
+
+_WHOLE = 1.2 * pi
+"""Angle of a circle that is drawn at least if the body turns all around."""
+
+_TINY = 1e-6
+
+_THIN = 0.05
+"""Units of height or radius that a profile has at least."""
+
+
+def find_bodies(supports: PartSupports) -> tuple[RevolvedBody, ...]:
+    """Bodies whose profile is seen beside an axis in every view that shows the axis lengthwise."""
+    near = max(_SAME, 1.5 * supports.tolerance)
+    found: list[RevolvedBody] = []
+    for axis, plane in supports.planes.items():
+        sides = [other for normal, other in supports.planes.items() if normal is not axis]
+        if not sides:
+            continue
+        for centre in _centres(plane, near):
+            by_side = [_merged(_profiles(side, axis, centre, near), near) for side in sides]
+            for profile in by_side[0]:
+                shown = [_matching(profile, other, near) for other in by_side[1:]]
+                if any(match is None for match in shown):
+                    continue
+                whole = _joined([profile, *shown])
+                for sector in _sectors(plane, centre, whole, near):
+                    body = RevolvedBody(axis, centre, whole, sector)
+                    if not any(_repeats(body, other, near) for other in found):
+                        found.append(body)
+    found.sort(key=lambda body: body.profile.low - body.profile.high)
+    return tuple(found[:_MOST])
+
+
+def _centres(plane: PlaneSupports, near: float) -> list[tuple[float, float]]:
+    centres: list[tuple[float, float]] = []
+    for support in plane.supports:
+        if isinstance(support.curve, CircleCurve):
+            a, b = support.curve.centre
+            if not any(abs(a - x) <= near and abs(b - y) <= near for x, y in centres):
+                centres.append((a, b))
+    return centres
+
+
+def _sectors(
+    plane: PlaneSupports, centre: tuple[float, float], profile: Profile, near: float
+) -> list[tuple[float, float] | None]:
+    """Through which angles a profile turns: a whole turn, or those of the arcs at its ends."""
+    concentric = [
+        support
+        for support in plane.supports
+        if isinstance(support.curve, CircleCurve)
+        and abs(support.curve.centre[0] - centre[0]) <= near
+        and abs(support.curve.centre[1] - centre[1]) <= near
+    ]
+    if any(sum(high - low for low, high in s.drawn()) > _WHOLE for s in concentric):
+        return [None]
+    ends = (profile.radius(profile.low), profile.radius(profile.high))
+    found: list[tuple[float, float] | None] = []
+    for support in concentric:
+        if min(abs(support.curve.radius - end) for end in ends) <= near:
+            arcs = support.drawn()
+            if len(arcs) > 1 and arcs[0][0] < _TINY and arcs[-1][1] > TURN - _TINY:
+                arcs = [*arcs[1:-1], (arcs[-1][0], TURN + arcs[0][1])]
+            found += [(low, high - low) for low, high in arcs if high - low <= pi + _TINY]
+    return found
+
+
+def _profiles(
+    side: PlaneSupports, axis: Axis, centre: tuple[float, float], near: float
+) -> Iterator[Profile]:
+    """What the drawn lines and arcs of a view are as profiles about an axis in its plane."""
+    axes = IN_PLANE[side.normal]
+    along = axes.index(axis.value)
+    other = axes[1 - along]
+    middle = centre[IN_PLANE[axis].index(other)]
+    for support in side.supports:
+        if support.curve.axis is not None:
+            continue
+        for low, high in support.drawn():
+            if isinstance(support.curve, CircleCurve):
+                yield from _arcs(support, (low, high), (along, middle), near)
+            else:
+                yield from _line(support, (low, high), (along, middle), near)
+
+
+def _line(
+    support: Support, stretch: tuple[float, float], frame: tuple[int, float], near: float
+) -> Iterator[LineProfile]:
+    along, middle = frame
+    ends = sorted(
+        (point[along], point[1 - along] - middle)
+        for point in (support.curve.at(at) for at in stretch)
+    )
+    (low, at_low), (high, at_high) = ends
+    if at_low * at_high < 0.0 and min(abs(at_low), abs(at_high)) > near:
+        return
+    profile = LineProfile(low, high, abs(at_low), abs(at_high))
+    if high - low > _THIN and abs(profile.at_high - profile.at_low) > _THIN:
+        yield profile
+
+
+def _arcs(
+    support: Support, stretch: tuple[float, float], frame: tuple[int, float], near: float
+) -> Iterator[ArcProfile]:
+    """Parts of an arc between its farthest points along the axis, as profiles."""
+    along, middle = frame
+    circle = support.curve
+    off = circle.centre[1 - along] - middle
+    sphere = abs(off) <= near
+    # Angles at which the arc runs straight away from the axis or back, where profiles end.
+    turns = [k * pi for k in range(3)] if along == 0 else [pi / 2 + k * pi for k in range(2)]
+    cuts = [stretch[0], *(t for t in turns if stretch[0] < t < stretch[1]), stretch[1]]
+    for low, high in pairwise(cuts):
+        half = circle.at((low + high) / 2.0)[1 - along] - circle.centre[1 - along]
+        heights = [circle.at(at)[along] for at in (low, high)]
+        inner = not sphere and half * off < 0.0
+        profile = ArcProfile(
+            min(heights),
+            max(heights),
+            circle.centre[along],
+            0.0 if sphere else abs(off),
+            circle.radius,
+            -1 if inner else 1,
+        )
+        if (
+            profile.high - profile.low > _THIN
+            and min(profile.radius(profile.low), profile.radius(profile.high)) > -near
+        ):
+            yield profile
+
+
+def _same_carrier(one: Profile, other: Profile, near: float) -> bool:
+    """Whether two profiles lie on one line or circle."""
+    if isinstance(one, LineProfile) and isinstance(other, LineProfile):
+        return all(abs(_beyond(one, z) - other.radius(z)) <= near for z in (other.low, other.high))
+    if isinstance(one, ArcProfile) and isinstance(other, ArcProfile):
+        return one.side == other.side and all(
+            abs(a - b) <= near
+            for a, b in (
+                (one.z, other.z),
+                (one.r, other.r),
+                (one.radius_of_arc, other.radius_of_arc),
+            )
+        )
+    return False
+
+
+def _beyond(line: LineProfile, z: float) -> float:
+    slope = (line.at_high - line.at_low) / (line.high - line.low)
+    return line.at_low + slope * (z - line.low)
+
+
+def _merged(profiles: Iterator[Profile], near: float) -> list[Profile]:
+    """Profiles on one carrier that touch or overlap, as one."""
+    merged: list[Profile] = []
+    for profile in sorted(profiles, key=lambda p: (p.low, p.high)):
+        for place, other in enumerate(merged):
+            if profile.low <= other.high + near and _same_carrier(other, profile, near):
+                merged[place] = _joined([other, profile])
+                break
+        else:
+            merged.append(profile)
+    return merged
+
+
+def _matching(profile: Profile, others: list[Profile], near: float) -> Profile | None:
+    """The other view's profile on the same carrier that shares some height."""
+    for other in others:
+        overlap = min(profile.high, other.high) - max(profile.low, other.low)
+        if overlap > -near and _same_carrier(profile, other, near):
+            return other
+    return None
+
+
+def _joined(profiles: list[Profile]) -> Profile:
+    """The first profile's line or circle over all heights."""
+    leader = max(profiles, key=lambda p: p.high - p.low)
+    low = min(p.low for p in profiles)
+    high = max(p.high for p in profiles)
+    if isinstance(leader, ArcProfile):
+        return replace(leader, low=low, high=high)
+    at_low, at_high = _beyond(leader, low), _beyond(leader, high)
+    return LineProfile(low, high, max(at_low, 0.0), max(at_high, 0.0))
+
+
+def _repeats(one: RevolvedBody, other: RevolvedBody, near: float) -> bool:
+    return (
+        one.axis is other.axis
+        and one.sector == other.sector
+        and all(abs(a - b) <= near for a, b in zip(one.centre, other.centre, strict=True))
+        and min(one.profile.high, other.profile.high) - max(one.profile.low, other.profile.low)
+        > -near
+        and _same_carrier(one.profile, other.profile, near)
+    )
