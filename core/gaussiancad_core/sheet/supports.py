@@ -139,7 +139,7 @@ def _alike(
         return (np.hypot(*away[:, :2].T) <= apart) & (np.abs(away[:, 2]) <= apart)
     ends = np.array([(other.start, other.end) for other in others])
     ways = ends[:, 1] - ends[:, 0]
-    ways /= np.maximum(np.hypot(*ways.T), 1e-12)[:, None]
+    ways = ways / np.maximum(np.hypot(*ways.T), 1e-12)[:, None]
     own = np.array(_line(stroke).direction)
     sine = np.abs(ways[:, 0] * own[1] - ways[:, 1] * own[0])
     offsets = np.array([stroke.start, stroke.end])[:, None] - ends[:, 0]
