@@ -26,6 +26,9 @@ _MIN_SIDE = 12
 _MIN_VIEW = 32
 """px; clusters smaller than this in both directions are too small for a view."""
 
+_DEEP = 0.15
+"""Share of the part's depth by which the width of a rear view differs from it at least."""
+
 _FRAME_SHARE = 0.8
 """A cluster that spans this share of the sheet both ways, around others, is its frame."""
 
@@ -196,15 +199,31 @@ def _around(front: Box, clusters: list[Box], projection: Projection) -> dict[Rol
         ]
         if neighbours:
             found[role] = min(neighbours)[1]
+    _rename_rear(found)
     _add_rear(found, clusters)
     return found
+
+
+def _rename_rear(found: dict[Role, Box]) -> None:
+    """Call a view beside the front one the rear view, in place, where it is as wide as that and not
+    as wide as the part is deep."""
+    depths = [_height(found[role]) for role in (Role.TOP, Role.BOTTOM) if role in found]
+    for role, other in ((Role.RIGHT, Role.LEFT), (Role.LEFT, Role.RIGHT)):
+        if role not in found or Role.REAR in found:
+            continue
+        wide = _width(found[role])
+        known = [*depths, *([_width(found[other])] if other in found else [])]
+        clash = bool(known) and min(abs(wide - depth) / depth for depth in known) > _DEEP
+        if clash and _same_interval(0.0, _width(found[Role.FRONT]), 0.0, wide):
+            found[Role.REAR] = found.pop(role)
 
 
 def _add_rear(found: dict[Role, Box], clusters: list[Box]) -> None:
     """Add the rear view in place: as large as the front view, beyond a view beside it."""
     front = found[Role.FRONT]
-    beside = [(role, found[role]) for role in (Role.RIGHT, Role.LEFT) if role in found]
-    for _, box in beside:
+    if Role.REAR in found:
+        return
+    for box in [found[role] for role in (Role.RIGHT, Role.LEFT) if role in found]:
         column = 1 if box[0] > front[0] else -1
         beyond = [
             (gap, other)

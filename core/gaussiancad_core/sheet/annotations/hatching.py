@@ -49,6 +49,13 @@ _LOOSE_PX = 2.0
 _ENDING = 0.6
 """Share of the ends of a family's lines at which another stroke passes by."""
 
+_MISSING = 3.0
+"""Distances from one line to the next found at most."""
+
+_REACH = 1.1
+"""Distances of the lines over which their area is closed and looked around: one line may be
+missing."""
+
 _STRAY = 5.0
 """Length of a piece that was taken for something else at most, in distances of the lines."""
 
@@ -78,6 +85,18 @@ class Hatching:
             [AnnotationKind.HATCHING if (k, j) in self.runs else None for j in range(len(s.runs))]
             for k, s in enumerate(shapes)
         ]
+
+    def shortened(self, shapes: Sequence[InkedShape], by: float) -> list[InkedShape]:
+        """The shapes, the lines of the hatching shorter at both ends by some px: they run on
+        through the strokes that they end at."""
+        found = []
+        for k, shape in enumerate(shapes):
+            runs = []
+            for j, run in enumerate(shape.runs):
+                cut = min(by, 0.5 * run.run.length) if (k, j) in self.runs else 0.0
+                runs.append(replace(run, run=Run(run.run.start + cut, run.run.end - cut)))
+            found.append(InkedShape(shape.geometry, tuple(runs)))
+        return found
 
     def others(self, shapes: Sequence[InkedShape]) -> list[InkedShape]:
         """The shapes without the runs that are hatching."""
@@ -132,8 +151,9 @@ class _Family:
         """The area with the corners in which its shortest lines lie."""
         return cv2.dilate(area, self._kernel())
 
-    def with_short(self, pieces: Sequence[_Piece]) -> "_Family":
-        """The family with all pieces that lie beside its own, or beside one of those."""
+    def with_others(self, pieces: Sequence[_Piece], sheet: CleanSheet) -> "_Family":
+        """The family with all pieces that lie beside its own, or beside one of those, and end where
+        another stroke passes by: a chamfer may lie on a line of the hatching by chance."""
         normal = np.array([-self.way[1], self.way[0]])
         ends = np.array([_ends(piece) for piece in pieces])
         spans = np.sort(ends @ self.way, axis=1)
@@ -141,11 +161,13 @@ class _Family:
         fitting = self.on_lines(ends.mean(axis=1))
         known = {piece.key for piece in self.pieces}
         member = np.array([piece.key in known for piece in pieces])
+        for k in np.flatnonzero(fitting & ~member):
+            fitting[k] = _ending([pieces[k]], sheet) > 0.0
         waiting = list(np.flatnonzero(member))
         while waiting:
             k = waiting.pop()
             shared = np.minimum(spans[:, 1], spans[k, 1]) - np.maximum(spans[:, 0], spans[k, 0])
-            near = (np.abs(across - across[k]) < 1.3 * self.pitch) & (shared > -self.pitch)
+            near = (np.abs(across - across[k]) < 2.3 * self.pitch) & (shared > -self.pitch)
             new = np.flatnonzero(near & fitting & ~member)
             member[new] = True
             waiting.extend(new)
@@ -172,7 +194,7 @@ class _Family:
         return np.abs(turns - np.round(turns)) * self.pitch < max(_FREE_PX, _UNEVEN * self.pitch)
 
     def _kernel(self) -> Mask:
-        reach = 2 * int(np.ceil(0.75 * self.pitch)) + 1
+        reach = 2 * int(np.ceil(_REACH * self.pitch)) + 1
         return cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (reach, reach))
 
 
@@ -197,7 +219,7 @@ def find_hatching(
     for angle in _directions(pieces, sheet.stroke_width):
         own = [piece for piece in pieces if _is_parallel(piece, angle)]
         for seed in _families(own, angle, sheet):
-            family = seed.with_short(own)
+            family = seed.with_others(own, sheet)
             filled = family.area(area.shape)
             near = family.around(filled)
             chosen |= {piece.key for piece in family.pieces}
@@ -316,7 +338,9 @@ def _joined(steps: dict[int, tuple[int, float]], count: int) -> list[list[int]]:
         return []
     usual = _usual(np.array([distance for _, distance in steps.values()]))
     for k, (nearest, distance) in steps.items():
-        if abs(distance - usual) <= max(_FREE_PX, _UNEVEN * usual):
+        # A line may be missing, or have been taken for a flat arc.
+        times = float(np.clip(np.round(distance / usual), 1.0, _MISSING))
+        if abs(distance / times - usual) <= max(_FREE_PX, _UNEVEN * usual):
             parent[root(k)] = root(nearest)
     groups: dict[int, list[int]] = {}
     for k in range(count):

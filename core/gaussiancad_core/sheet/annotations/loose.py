@@ -41,8 +41,8 @@ _STEADY = 4
 
 _SHORTEST_PX = 5
 
-_BRIDGE = np.ones((7, 7), np.uint8)
-"""Closes gaps of fewer px than it has."""
+_BRIDGE_PX = 7
+"""px; closes gaps of fewer."""
 
 _LEAST_OUT_PX = 8.0
 """px of a line over blank paper: runs seem to end a little beyond their ink."""
@@ -72,10 +72,12 @@ class LooseRule:
     Attributes:
         shortest: px; shorter runs are dashes, which part nothing either.
         everywhere: all of them; otherwise those that run on over blank paper.
+        bridge: px; gaps of fewer do not open an outline.
     """
 
     shortest: float
     everywhere: bool
+    bridge: int = _BRIDGE_PX
 
 
 def arrowheads(ink: Mask, stroke_width: float) -> npt.NDArray[np.float64]:
@@ -116,7 +118,8 @@ def split_loose(
         rule: which of the runs that part nothing are marked.
     """
     # An outline that faded somewhere still parts the view from the paper.
-    closed = cv2.morphologyEx(ink.astype(np.uint8), cv2.MORPH_CLOSE, _BRIDGE)
+    kernel = np.ones((rule.bridge, rule.bridge), np.uint8)
+    closed = cv2.morphologyEx(ink.astype(np.uint8), cv2.MORPH_CLOSE, kernel)
     _, areas, facts, _ = cv2.connectedComponentsWithStats(1 - closed, connectivity=4)
     paper = 1 + int(np.argmax(facts[1:, cv2.CC_STAT_AREA])) if len(facts) > 1 else -1
     cut: list[InkedShape] = []

@@ -55,6 +55,12 @@ _SHORTEST_MARK = 16.0
 """Length of a centre mark that sticks out of a view at least, in stroke widths."""
 
 
+_WIDEST_FADED = 3.0
+"""Half of the gap in a faded outline that does not open it, in stroke widths."""
+
+_CURVE = 6.0
+"""Length from which ridge points that no shape explains are a stroke, in widths of it."""
+
 _ROUNDED_PX = 1.25
 """Least difference of wide and narrow lines on sheets without grey: lines of one width have as many
 whole px as their places make of it."""
@@ -113,7 +119,12 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
         marks += hatching.marks
         loose = _pixels(ridges, hatching.loose, letters.mask)
         unexplained &= ~loose
-        told = Told(shapes, hatching.kinds(shapes), unexplained, loose)
+        # Beside other strokes, a point of a line may be one of theirs.
+        loose &= ~_wide_curves(unexplained, 2.0 * sheet.stroke_width)
+        shorter = hatching.shortened(shapes, 0.5 * sheet.stroke_width)
+        # Hatching ends at strokes of which no one says yet what they are: all of their width stays.
+        curves = unexplained | _wide_curves(unexplained, sheet.stroke_width)
+        told = Told(shorter, hatching.kinds(shapes), curves, loose)
         sheet = erased(sheet, told)
         shapes = hatching.others(shapes)
     least = _ROUNDED_PX if _is_two_valued(sheet) else 0.0
@@ -128,7 +139,9 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
         told, boxes = _told_by_form(sheet, Told(shapes, kinds, unexplained), letters.marks)
         part = masked(part, ~boxes)
     else:
-        rule = LooseRule(_SHORTEST_MARK * sheet.stroke_width, everywhere=False)
+        # Beside wide gaps in a faded outline nothing else is looked for that they could close.
+        bridge = 2 * int(_WIDEST_FADED * sheet.stroke_width) + 1
+        rule = LooseRule(_SHORTEST_MARK * sheet.stroke_width, everywhere=False, bridge=bridge)
         left = erased(sheet, Told(shapes, kinds, unexplained)).ink
         told = Told(*split_loose(shapes, kinds, left, rule), unexplained)
     if any(kind for own in told.kinds for kind in own):
@@ -148,6 +161,17 @@ def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> t
     shapes, kinds = split_loose(told.shapes, told.kinds, ink & ~boxes, rule)
     rest = Told(shapes, kinds, told.unexplained)
     return rest, boxes | lettered_boxes(erased(sheet, rest).ink, letters)
+
+
+def _wide_curves(points: Mask, width: float) -> Mask:
+    """(h, w) bool, strokes of a width around ridge points, where these make a stroke at all: where
+    lines meet, a few are left over."""
+    side = 2 * int(np.ceil(0.5 * width)) + 1
+    wide = cv2.dilate(points.astype(np.uint8), np.ones((side, side), np.uint8))
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(wide, connectivity=8)
+    long = stats[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1) > _CURVE * width
+    long[0] = False
+    return long[labels]
 
 
 def _is_two_valued(sheet: CleanSheet) -> bool:

@@ -23,6 +23,9 @@ Floats = npt.NDArray[np.float64]
 _LEAST_PX = 40.0
 """Longer side of a drawing that has a name at least."""
 
+_SLACK_PX = 6.0
+"""px by which a stroke of a drawing may seem to end beyond its box."""
+
 _LEAST_STROKES = 4
 """Lines of a drawing that their directions name at least."""
 
@@ -217,7 +220,7 @@ def inside(box: Box, other: Box) -> bool:
 
 
 def _within(points: Floats, box: Box) -> bool:
-    low, high = np.array(box[:2]) - 2.0, np.array(box[2:]) + 2.0
+    low, high = np.array(box[:2]) - _SLACK_PX, np.array(box[2:]) + _SLACK_PX
     return bool(((points >= low) & (points <= high)).all())
 
 

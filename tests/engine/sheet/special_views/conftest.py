@@ -1,0 +1,66 @@
+"""Sheets with other drawings than the principal views on them, and how they are read."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+
+import cv2
+import pytest
+
+from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.drawing.sheet import PartLines, Sheet, compose_sheet, part_lines
+from gaussiancad_core.drawing.style import SectionKind, parse_style
+from gaussiancad_core.samples import sample
+from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
+from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
+from gaussiancad_core.sheet.layout import Layout
+from gaussiancad_core.sheet.reading import find_views
+
+
+@dataclass(frozen=True)
+class Found:
+    """A drawn sheet, and the views on it.
+
+    Attributes:
+        drawn: with the true boxes, in px of the sheet as stored.
+        clean: upright.
+        separated: without annotations.
+        layout: in px of the upright sheet.
+    """
+
+    drawn: Sheet
+    clean: CleanSheet
+    separated: SeparatedSheet
+    layout: Layout
+
+    def stored(self, box: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
+        """A box of the layout on the sheet as stored."""
+        return self.clean.turn.box_to_stored(box)
+
+
+@cache
+def _lines(part: str, roles: str) -> PartLines:
+    named = tuple(Role(role) for role in roles.split(","))
+    cuts = tuple((role, kind) for role in named[:1] for kind in SectionKind)
+    return part_lines(sample(part).build(), named, picture=True, sections=cuts)
+
+
+@cache
+def _found(part: str, style: str, roles: str, projection: str) -> Found:
+    look = parse_style(f"{style},width=1280,height=800")
+    drawn = compose_sheet(_lines(part, roles), Projection(projection), look)
+    clean = upright_sheet(clean_sheet(cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)))
+    separated, layout = find_views(clean, {}, Projection(projection))
+    return Found(drawn, clean, separated, layout)
+
+
+@pytest.fixture(scope="session")
+def find() -> Callable[..., Found]:
+    """Draws a sample part in a style and finds the views, each once a session."""
+
+    def found(
+        part: str, style: str, roles: str = "front,top,right", projection: str = "third"
+    ) -> Found:
+        return _found(part, style, roles, projection)
+
+    return found
