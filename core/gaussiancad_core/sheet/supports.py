@@ -195,14 +195,19 @@ def _support(strokes: list[Stroke], precision: Precision) -> Support:
 
 def _round(arcs: list[Arc]) -> Round:
     weights = np.array([ink_of(arc) for arc in arcs])
-    centre = np.average([arc.centre for arc in arcs], axis=0, weights=weights)
-    radius = float(np.average([arc.radius for arc in arcs], weights=weights))
+    first = arcs[0]
+    centre, radius = first.centre, first.radius
+    if any((arc.centre, arc.radius) != (centre, radius) for arc in arcs):
+        # The average of equal numbers would not always be that number.
+        x, y = np.average([arc.centre for arc in arcs], axis=0, weights=weights)
+        centre = float(x), float(y)
+        radius = float(np.average([arc.radius for arc in arcs], weights=weights))
     information = sum(
         _information(arc) * (weight / max(arc.length, 1e-12))
         for arc, weight in zip(arcs, weights, strict=True)
     )
     spans = tuple((arc.start_angle, arc.sweep) for arc in arcs)
-    return Round((float(centre[0]), float(centre[1])), radius, np.asarray(information), spans)
+    return Round(centre, radius, np.asarray(information), spans)
 
 
 def _information(arc: Arc) -> Floats:
