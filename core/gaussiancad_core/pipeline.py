@@ -128,8 +128,6 @@ class _Run:
                 self._warn(note.code, note.message)
             if self.job.resume and (earlier := self._earlier()):
                 return earlier
-            for note in image.notes:
-                self._warn(note.code, note.message)
             clean = upright_sheet(clean_sheet(image.grey, self.job.reading.median_kernel))
         own, other = self._read_sheet(image, clean)
         exact = None
