@@ -21,6 +21,9 @@ _CIRCLE_FITS = ((3.0, 4.0), (2.5, 3.0), (2.0, 2.0), (1.5, 1.2), (1.5, 0.8), (1.5
 _FOLLOWED = 0.8
 """px by which a shape may pass beside a stroke's centre line at most."""
 
+_WINDOWS = ((1.0, 0.1), (1.5, 0.1), (2.0, 0.3))
+"""px beside a stroke that its profile reaches, and the ink at its ends under which it is white."""
+
 _MOST_ROWS = 30_000
 """Rows that OpenCV samples at once: fewer than 2^15."""
 
@@ -168,10 +171,19 @@ def _cross_profile(
     xs = points[:, :1] + offsets * normal[0]
     ys = points[:, 1:] + offsets * normal[1]
     profile = sample(sheet.weight, xs, ys)
-    total = profile.sum(1)
-    # Where the profile is inked at an end, another stroke crosses or lies beside.
-    clear = (total > 0.8) & (np.maximum(profile[:, 0], profile[:, -1]) < 0.3)
-    return along[clear], (profile[clear] * offsets).sum(1) / total[clear]
+    # The narrowest window that is white at both ends keeps neighbours out; where none is white,
+    # another stroke crosses or lies beside.
+    middle = len(offsets) // 2
+    centre = np.full(len(along), np.nan)
+    for beside, white in _WINDOWS:
+        half = round(2.0 * (sheet.stroke_width / 2 + beside))
+        window = slice(max(middle - half, 0), middle + half + 1)
+        part = profile[:, window]
+        total = part.sum(1)
+        clear = (total > 0.8) & (np.maximum(part[:, 0], part[:, -1]) < white) & np.isnan(centre)
+        centre[clear] = (part[clear] * offsets[window]).sum(1) / total[clear]
+    found = np.isfinite(centre)
+    return along[found], centre[found]
 
 
 def find_circles(sheet: CleanSheet) -> list[Circle]:

@@ -217,12 +217,22 @@ def _curve_shape(sheet: CleanSheet, field: InkField, curve: Curve) -> Shape | No
         inside = _count_within(followed, run, curve.around)
         if inside > 0.75 * run.length:
             runs.append(run)
-    longest = max((run.length for run in runs), default=0.0)
+    longest = _longest_stretch(runs, GrowthRules.of_width(sheet.stroke_width).gap, curve.around)
     covered = sum(run.length for run in runs) / curve.around
     bowed = longest**2 / (8 * _radius(curve)) > _MIN_SAGITTA + sheet.stroke_width / 2
     if covered < 0.45 and not (bowed and longest > 6):
         return None
     return Shape(curve, tuple(runs), _CURVED * following(residual))
+
+
+def _longest_stretch(runs: list[Run], gap: float, around: float) -> float:
+    """px of the longest series of runs with no wider gap between them, over position 0 too."""
+    longest = length = 0.0
+    for before, run in zip([None, *runs, *runs], [*runs, *runs], strict=False):
+        follows = before is not None and (run.start - before.end) % around <= gap
+        length = length + (run.end - before.end) % around if follows else run.length
+        longest = max(longest, length)
+    return min(longest, around)
 
 
 def _radius(curve: Curve) -> float:
