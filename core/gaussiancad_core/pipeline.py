@@ -116,6 +116,8 @@ class _Run:
         self.progress = progress
         self.report = Report("", job.settings())
         self.marks: tuple[Mark, ...] = ()
+        self.symbol: Projection | None = None
+        self.contradicted = False
         self.special: tuple[SpecialView, ...] = ()
 
     def all_stages(self) -> Report:
@@ -135,6 +137,7 @@ class _Run:
             with self._stage("solid"):
                 exact = self._find_solid(own, other)
                 own = exact.reading
+        self._tell_symbol(own.projection)
         solid = exact.result if exact and exact.result.shape is not None else None
         with_surface = self.job.result is not ResultKind.SOLID
         models = self._make_models(own.registered) if with_surface else None
@@ -243,9 +246,24 @@ class _Run:
         from gaussiancad_core.projection_choice import choose_projection
 
         choice = choose_projection(drawn, layout.projection, options)
+        if layout.symbol is not None:
+            self.symbol = layout.symbol
+            self.contradicted = choice.inferred and choice.projection is not layout.symbol
+            choice = choice.told(layout.symbol)
         self._tell_projection(choice.projection, choice.inferred)
         other = Reading(choice.other, choice.projection.other) if choice.other else None
         return Reading(choice.registered, choice.projection), other
+
+    def _tell_symbol(self, taken: Projection) -> None:
+        """Say where the projection symbol and the lines do not agree."""
+        if self.symbol is None or (taken is self.symbol and not self.contradicted):
+            return
+        self._warn(
+            "symbol-contradicts-lines",
+            f"the projection symbol says {self.symbol.value} angle, but the visible and hidden "
+            f"lines fit {self.symbol.other.value} angle better: {taken.value} angle was taken; "
+            "tell --projection if it is the other",
+        )
 
     def _tell_projection(self, projection: Projection, inferred: bool) -> None:
         self.report = replace(

@@ -47,6 +47,14 @@ class Choice:
     inferred: bool
     scores: tuple[float, float]
 
+    def told(self, projection: Projection) -> "Choice":
+        """The choice where a reading is told from elsewhere; unchanged if that cannot be."""
+        if projection is self.projection:
+            return replace(self, inferred=True)
+        if self.other is None:
+            return self
+        return Choice(self.other, self.registered, projection, True, self.scores[::-1])
+
 
 def choose_projection(
     drawn: tuple[ReadView, ...], assumed: Projection, options: ReadingOptions

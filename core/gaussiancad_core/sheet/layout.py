@@ -44,6 +44,7 @@ class Layout:
         alternatives: other projections that fit the arrangement as well.
         left_out: boxes of clusters that are no view and have no name.
         special: drawings that are no plain views, by name.
+        symbol: what the projection symbol of the sheet says, or None.
     """
 
     boxes: dict[Role, Box]
@@ -52,6 +53,7 @@ class Layout:
     alternatives: tuple[Projection, ...]
     left_out: tuple[Box, ...]
     special: tuple[SpecialView, ...] = ()
+    symbol: Projection | None = None
 
 
 def find_layout(

@@ -31,6 +31,7 @@ from gaussiancad_core.sheet.seen_coordinates import PlaneView
 from gaussiancad_core.sheet.shared_axes import share_axes
 from gaussiancad_core.sheet.special_views.cut_views import cut_region, with_hidden_inside
 from gaussiancad_core.sheet.special_views.finding import LayoutRequest, find_named_layout
+from gaussiancad_core.sheet.special_views.symbol import find_symbol
 from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_rhythm
 from gaussiancad_core.sheet.through_holes import Extent, ViewEvidence, is_through
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet, vector_views
@@ -111,12 +112,29 @@ def find_views(
     Args:
         sheet: upright.
         given: boxes that the user named, in px of the upright sheet.
-        projection: as told by the user, or nothing.
+        projection: as told by the user, or nothing: then the sheet's symbol is looked for.
 
     Raises:
         NoModelError: see :func:`gaussiancad_core.sheet.special_views.finding.find_named_layout`.
         UsageError: a given box holds no ink.
     """
+    symbol = find_symbol(sheet) if projection is None else None
+    separated, layout = _separated_views(sheet, given, symbol.projection if symbol else projection)
+    if symbol is not None:
+        separated = replace(separated, marks=(*separated.marks, symbol.mark))
+        layout = replace(
+            layout,
+            symbol=symbol.projection,
+            source="inferred",
+            alternatives=(symbol.projection.other,),
+        )
+    return separated, layout
+
+
+def _separated_views(
+    sheet: CleanSheet, given: dict[Role, Box], projection: Projection | None
+) -> tuple[SeparatedSheet, Layout]:
+    """Without relying on line widths, or on annotations at all, where that leads to more."""
     separated = separate_annotations(sheet)
     ways: list[Callable[[], SeparatedSheet]] = [lambda: separated]
     if separated.by_weight:
