@@ -97,6 +97,10 @@ def test_the_report_has_what_others_rely_on(run: tuple) -> None:
         assert all(0.0 <= share <= 1.0 for share in shares)
         assert min(shares[:2]) > 0.95
     assert report["scale_source"] == "given" and report["scale_mm_per_pixel"] > 0
+    assert report["strokes_source"] == "raster"
+    assert set(report["residuals_px"]) == {"x", "y", "z"}
+    for residual in report["residuals_px"].values():
+        assert 0.0 <= residual["median"] <= residual["max"] < 0.5
     assert report["surface"]["watertight"] is True
     assert report["gaussians"]["count"] > 0 and report["gaussians"]["loss"] < 0.2
     assert set(report["seconds"]) == set(STAGES) and report["peak_memory_mb"] > 0
