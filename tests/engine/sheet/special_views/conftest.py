@@ -47,7 +47,7 @@ def _lines(part: str, roles: str) -> PartLines:
 
 @cache
 def _found(part: str, style: str, roles: str, projection: str) -> Found:
-    look = parse_style(f"{style},width=1280,height=800")
+    look = parse_style(f"{style},width=1440,height=900")
     drawn = compose_sheet(_lines(part, roles), Projection(projection), look)
     clean = upright_sheet(clean_sheet(cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)))
     separated, layout = find_views(clean, {}, Projection(projection))

@@ -1,0 +1,107 @@
+"""The projection symbol is found, told right, and nothing else is taken for it."""
+
+from functools import cache
+
+import cv2
+import numpy as np
+import pytest
+
+from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.drawing.frame import draw_symbol
+from gaussiancad_core.drawing.inking import ink_annotations
+from gaussiancad_core.drawing.pen import Pen
+from gaussiancad_core.drawing.sheet import PartLines, compose_sheet, part_lines
+from gaussiancad_core.drawing.style import SheetStyle, parse_style
+from gaussiancad_core.samples import sample
+from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
+from gaussiancad_core.sheet.reading import find_views
+from gaussiancad_core.sheet.special_views.symbol import find_symbol
+
+
+@cache
+def _lines() -> PartLines:
+    return part_lines(sample("boss-plate").build(), (Role.FRONT, Role.TOP, Role.RIGHT))
+
+
+def _sheet(projection: Projection, look: str) -> CleanSheet:
+    drawn = compose_sheet(_lines(), projection, parse_style(look))
+    return upright_sheet(clean_sheet(cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)))
+
+
+@pytest.mark.parametrize("projection", Projection)
+@pytest.mark.parametrize(
+    "look",
+    [
+        "dimensioned",
+        "dimensioned,text-height=14",
+        "dimensioned,text-height=26",
+        "dimensioned,blur=0.7,noise=4,jpeg-quality=85,skew=0.4",
+    ],
+)
+def test_the_symbol_of_a_title_block_tells_the_projection(
+    projection: Projection, look: str
+) -> None:
+    style = parse_style(look)
+    drawn = compose_sheet(_lines(), projection, style)
+    clean = upright_sheet(clean_sheet(cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)))
+    symbol = find_symbol(clean)
+    assert symbol is not None
+    assert symbol.projection is projection
+    true = next(m.box for m in drawn.annotations if m.kind is AnnotationKind.SYMBOL)
+    assert clean.turn.box_to_stored(symbol.mark.box) == pytest.approx(true, abs=4.0)
+
+
+def _alone(projection: Projection, size: float, quarter_turns: int, width: float) -> CleanSheet:
+    style = SheetStyle(width=400, height=400, annotation_width=width)
+    marks = draw_symbol(projection, (200.0, 200.0), size, Pen.of(style))
+    ink = np.rot90(ink_annotations(tuple(marks), style), quarter_turns)
+    return clean_sheet(np.rint(255.0 * (1.0 - ink)).astype(np.uint8))
+
+
+@pytest.mark.parametrize("projection", Projection)
+@pytest.mark.parametrize("turns", range(4))
+@pytest.mark.parametrize(("size", "width"), [(20.0, 1.5), (26.0, 2.0), (40.0, 2.0)])
+def test_it_may_stand_anywhere_and_any_way_up(
+    projection: Projection, size: float, turns: int, width: float
+) -> None:
+    clean = _alone(projection, size, turns, width)
+    # What is a twentieth of a sheet is no more than one of this small one.
+    wide = np.zeros((800, 1600), bool)
+    weight = np.zeros((800, 1600), np.float32)
+    wide[:400, :400], weight[:400, :400] = clean.ink, clean.weight
+    symbol = find_symbol(CleanSheet(wide, weight, clean.stroke_width, clean.turn))
+    assert symbol is not None
+    assert symbol.projection is projection
+
+
+def test_a_mirrored_symbol_says_the_same() -> None:
+    """The end view stands beside the same end of the cone."""
+    clean = _alone(Projection.FIRST, 40.0, 0, 2.0)
+    wide = np.zeros((800, 1600), bool)
+    weight = np.zeros((800, 1600), np.float32)
+    wide[:400, :400], weight[:400, :400] = clean.ink[:, ::-1], clean.weight[:, ::-1]
+    symbol = find_symbol(CleanSheet(wide, weight, clean.stroke_width, clean.turn))
+    assert symbol is not None
+    assert symbol.projection is Projection.FIRST
+
+
+@pytest.mark.parametrize("look", ["clean", "dimensioned,symbol=off", "ansi"])
+def test_without_a_symbol_none_is_found(look: str) -> None:
+    assert find_symbol(_sheet(Projection.THIRD, look)) is None
+
+
+@pytest.mark.parametrize("projection", Projection)
+def test_the_views_are_named_by_the_symbol(projection: Projection) -> None:
+    clean = _sheet(projection, "dimensioned")
+    separated, layout = find_views(clean, {}, None)
+    assert set(layout.boxes) == {Role.FRONT, Role.TOP, Role.RIGHT}
+    assert (layout.projection, layout.source) == (projection, "inferred")
+    assert (layout.symbol, layout.alternatives) == (projection, (projection.other,))
+    assert AnnotationKind.SYMBOL in {mark.kind for mark in separated.marks}
+
+
+def test_what_the_user_says_counts_more() -> None:
+    clean = _sheet(Projection.FIRST, "dimensioned")
+    _, layout = find_views(clean, {}, Projection.THIRD)
+    assert (layout.projection, layout.source, layout.symbol) == (Projection.THIRD, "given", None)
