@@ -60,11 +60,13 @@ class Snapped:
 
     Attributes:
         values: of each axis, ascending.
+        weights: of the values.
         circles: distinct ones, with the normal of their plane.
         reach: how far a reading may lie from its value.
     """
 
     values: dict[Axis, tuple[float, ...]]
+    weights: dict[tuple[Axis, float], float]
     circles: tuple[tuple[Axis, CircleCurve], ...]
     reach: float
 
@@ -117,11 +119,16 @@ def snapped(
     values = {
         axis: tuple(sorted({float(solved[column]) for column in clusters[axis]})) for axis in Axis
     }
+    weights: dict[tuple[Axis, float], float] = {}
+    for axis in Axis:
+        for column in clusters[axis]:
+            key = axis, float(solved[column])
+            weights[key] = weights.get(key, 0.0) + variables.weights[column]
     circles_out = tuple(
         (normal, CircleCurve((float(solved[x]), float(solved[y])), float(solved[radius])))
         for normal, x, y, radius in own
     )
-    return Snapped(values, circles_out, 2.0 * tolerance)
+    return Snapped(values, weights, circles_out, 2.0 * tolerance)
 
 
 class _Variables:

@@ -24,6 +24,7 @@ from gaussiancad_core.reasoning.curves import (
     line_through,
     meetings,
 )
+from gaussiancad_core.reasoning.derived import Vertices, with_derived_values
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.planes import IN_PLANE, UNITS, plane_points, role_plane
 from gaussiancad_core.reasoning.snapping import CircleReading, Reading, Snapped, snapped
@@ -41,6 +42,9 @@ _SHORT_SLANT = 0.5
 
 _CHAIN_LINKS = 128
 """Links of a chain."""
+
+_DERIVED = 0.5
+"""Tolerances by which a value may miss what it follows from."""
 
 _DROPPED = 0.03
 """Units of line that a drawing may leave out at the ends of strokes."""
@@ -268,7 +272,26 @@ def _snap(
                 value = (line.start[along] + line.end[along]) / 2.0
                 readings.append(Reading(axes[along], value, line.length * line.confidence))
         circles += [CircleReading(plane.normal, c.circle, c.weight) for c in plane.circles]
-    return snapped(readings, circles, tolerance)
+    snap = snapped(readings, circles, tolerance)
+    return with_derived_values(
+        snap, [_vertices(p, snap, tolerance) for p in planes.values()], tolerance
+    )
+
+
+def _vertices(plane: _Plane, snap: Snapped, tolerance: float) -> Vertices:
+    curves: list[PlaneCurve] = [c for normal, c in snap.circles if normal is plane.normal]
+    points: list[Point] = []
+    slanted = []
+    for line in plane.lines:
+        points += [line.start, line.end]
+        if _parallel_axis(line, tolerance) is None:
+            slanted.append(line)
+    for circle in plane.circles:
+        points += [circle.circle.at(circle.low), circle.circle.at(circle.low + circle.sweep)]
+    axes = tuple(Axis(index) for index in IN_PLANE[plane.normal])
+    known = [curve for curve in curves if isinstance(curve, CircleCurve)]
+    curves += [_slanted_line(g, axes, snap, known) for g in _collinear(slanted, tolerance)]
+    return Vertices(plane.normal, tuple(curves), tuple(points))
 
 
 def _parallel_axis(line: _Line, tolerance: float) -> int | None:

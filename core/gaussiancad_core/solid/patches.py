@@ -87,7 +87,9 @@ def find_patches(space: LabelledSpace) -> list[Patch]:
                 flat[key].append((*spans[first], *spans[second]))
         for index, rectangles in swept.items():
             curve = plane.supports[index].curve
-            patches += [SweptPatch(normal, curve, r) for r in united(rectangles)]
+            patches += [
+                SweptPatch(normal, curve, r) for r in united(rectangles, 2.0 * _SHORT / curve.speed)
+            ]
     for key, rectangles in flat.items():
         patches += [PlanePatch(key[0], exact[key], r) for r in united(rectangles)]
     return patches
@@ -109,9 +111,15 @@ def _differences(
             found += _unlike(*sides)
         for near, far in found:
             # Along the piece the range moves, but never over a value of a corner.
-            lowest = max((d for d in depths if d <= near + _SHORT), default=near)
-            highest = min((d for d in depths if d >= far - _SHORT), default=far)
-            yield low, high, lowest, highest
+            lowest = max((d for d in depths if d <= near), default=near)
+            highest = min((d for d in depths if d >= far), default=far)
+            yield low, high, _nearest(depths, near, lowest), _nearest(depths, far, highest)
+
+
+def _nearest(values: list[float], at: float, otherwise: float) -> float:
+    """The value that a number is but for the offset of the columns beside a line."""
+    nearest = min(values, key=lambda value: abs(value - at), default=otherwise)
+    return nearest if abs(nearest - at) <= _SHORT else otherwise
 
 
 def _pieces(
@@ -148,14 +156,19 @@ def _covers(stretches: list[tuple[float, float]], at: float) -> bool:
     return any(low < at < high for low, high in stretches)
 
 
-def united(rectangles: Iterable[Rectangle]) -> list[Rectangle]:
-    """Rectangles that touch as their bounding rectangles, until none touch."""
+def united(rectangles: Iterable[Rectangle], gap: float = 2.0 * _SHORT) -> list[Rectangle]:
+    """Rectangles that touch as their bounding rectangles, until none touch.
+
+    Args:
+        rectangles: of one surface.
+        gap: of the first parameter that is closed: pieces too short to be looked at leave it.
+    """
     current = list(dict.fromkeys(rectangles))
     while True:
         grown: list[Rectangle] = []
         for rectangle in current:
             for place, other in enumerate(grown):
-                if _touch(rectangle, other):
+                if _touch(rectangle, other, gap):
                     grown[place] = (
                         min(rectangle[0], other[0]),
                         max(rectangle[1], other[1]),
@@ -170,10 +183,10 @@ def united(rectangles: Iterable[Rectangle]) -> list[Rectangle]:
         current = grown
 
 
-def _touch(one: Rectangle, other: Rectangle) -> bool:
+def _touch(one: Rectangle, other: Rectangle, gap: float) -> bool:
     return (
-        one[0] <= other[1] + _TOUCHING
-        and other[0] <= one[1] + _TOUCHING
+        one[0] <= other[1] + gap
+        and other[0] <= one[1] + gap
         and one[2] <= other[3] + _TOUCHING
         and other[2] <= one[3] + _TOUCHING
     )
