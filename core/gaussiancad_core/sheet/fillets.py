@@ -15,7 +15,15 @@ from itertools import combinations
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.sheet.geometry import Circle, Line
+from gaussiancad_core.sheet.corners import (
+    Corner,
+    End,
+    from_cut,
+    from_fillet,
+    from_joins,
+    from_ray,
+)
+from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.junctions import Placed
 from gaussiancad_core.sheet.pen import Pen, fit_pen
 from gaussiancad_core.sheet.runs import Piece
@@ -47,60 +55,11 @@ _BETTER = 0.4
 _LEAST_GAIN = 1.0
 """Squared ink, in full pixels, that a fillet must explain more."""
 
+_BESIDE_ARC = 1.2
+"""px beside a fillet within which a short piece is a chord of it."""
+
 _FINE = 0.1
 """px between the radii that are tried at last."""
-
-
-@dataclass(frozen=True)
-class _End:
-    """An end of a straight piece.
-
-    Attributes:
-        index: of the piece.
-        at_start: whether it is the start of the piece.
-        place: (2,) px.
-        inward: (2,) unit vector into the piece.
-        length: px of the piece.
-    """
-
-    index: int
-    at_start: bool
-    place: Floats
-    inward: Floats
-    length: float
-
-
-@dataclass(frozen=True)
-class _Corner:
-    """Where two lines meet, and the pixels around.
-
-    Attributes:
-        first, second: the ends that meet.
-        place: (2,) px of the lines' crossing.
-        longest: px from there to where an arc may begin.
-    """
-
-    first: _End
-    second: _End
-    place: Floats
-    longest: float
-
-    @property
-    def half(self) -> float:
-        """Half of the angle between the strokes."""
-        cosine = float(np.clip(self.first.inward @ self.second.inward, -1.0, 1.0))
-        return 0.5 * float(np.arccos(cosine))
-
-    @property
-    def bisector(self) -> Floats:
-        """(2,) unit vector to between the strokes."""
-        total = self.first.inward + self.second.inward
-        return total / np.hypot(*total)
-
-    def circle(self, radius: float) -> Circle:
-        """The circle that touches both lines."""
-        centre = self.place + radius / np.sin(self.half) * self.bisector
-        return Circle((float(centre[0]), float(centre[1])), radius)
 
 
 @dataclass(frozen=True)
@@ -155,19 +114,32 @@ def find_fillets(
     return found
 
 
-def _ends(placed: Sequence[Placed]) -> list[_End]:
+def is_chord(own: Placed, arc: Placed) -> bool:
+    """Whether a piece is no longer than an arc and runs along it."""
+    geometry, piece = own
+    length = arc[1].end - arc[1].start
+    if piece.end - piece.start > length + 4.0:
+        return False
+    points = geometry.points_at(_samples(piece))
+    ends = arc[0].points_at(np.array([arc[1].start, arc[1].end]))
+    near = np.minimum(*(np.hypot(*(points - end).T) for end in ends)) < length
+    # Where it ends at the lines beside the arc it may have left the arc.
+    return bool((arc[0].distances(points) < _BESIDE_ARC).mean() > 0.6 and near.all())
+
+
+def _ends(placed: Sequence[Placed]) -> list[End]:
     ends = []
     for index, (geometry, piece) in enumerate(placed):
         if not isinstance(geometry, Line) or piece.linetype is not Linetype.VISIBLE:
             continue
         way = np.array(geometry.direction)
         length = piece.end - piece.start
-        ends.append(_End(index, True, np.array(geometry.at(piece.start)), way, length))
-        ends.append(_End(index, False, np.array(geometry.at(piece.end)), -way, length))
+        ends.append(End(index, True, np.array(geometry.at(piece.start)), way, length))
+        ends.append(End(index, False, np.array(geometry.at(piece.end)), -way, length))
     return ends
 
 
-def _corners(ends: list[_End], placed: Sequence[Placed]) -> list[_Corner]:
+def _corners(ends: list[End], placed: Sequence[Placed]) -> list[Corner]:
     """Pairs of ends that may be joined by an arc, the nearest first."""
     others = _other_ends(placed)
     corners = []
@@ -182,7 +154,7 @@ def _corners(ends: list[_End], placed: Sequence[Placed]) -> list[_Corner]:
     return sorted(corners, key=lambda c: float(np.hypot(*(c.first.place - c.second.place))))
 
 
-def _corner(first: _End, second: _End) -> _Corner | None:
+def _corner(first: End, second: End) -> Corner | None:
     u, v = first.inward, second.inward
     cross = float(u[0] * v[1] - u[1] * v[0])
     angle = float(np.arctan2(abs(cross), u @ v))
@@ -196,7 +168,7 @@ def _corner(first: _End, second: _End) -> _Corner | None:
         return None
     place = first.place - short * u
     room = min(first.length + short, second.length + other)
-    return _Corner(first, second, place, min(_LONGEST_TANGENT, 0.75 * room))
+    return Corner(first, second, place, min(_LONGEST_TANGENT, 0.75 * room))
 
 
 def _other_ends(placed: Sequence[Placed]) -> list[tuple[int, Floats]]:
@@ -209,7 +181,7 @@ def _other_ends(placed: Sequence[Placed]) -> list[tuple[int, Floats]]:
     return found
 
 
-def _is_taken(corner: _Corner, others: list[tuple[int, Floats]]) -> bool:
+def _is_taken(corner: Corner, others: list[tuple[int, Floats]]) -> bool:
     """Whether an arc that was grown goes on where one of the strokes ends."""
     return any(
         np.hypot(*(points - end.place).T).min() < _JOINED
@@ -219,7 +191,7 @@ def _is_taken(corner: _Corner, others: list[tuple[int, Floats]]) -> bool:
 
 
 def _radius(
-    weight: npt.NDArray[np.float32], corner: _Corner, others: Sequence[Placed], pen: Pen
+    weight: npt.NDArray[np.float32], corner: Corner, others: Sequence[Placed], pen: Pen
 ) -> float | None:
     """The radius that explains the corner's ink, None if it is sharp or cut."""
     most = corner.longest * np.tan(corner.half)
@@ -233,9 +205,9 @@ def _radius(
         return float(((pen.ink(distance) - ink) ** 2).sum())
 
     def rounded(radius: float) -> float:
-        return error(_from_fillet(corner, offsets, radius))
+        return error(from_fillet(corner, offsets, radius))
 
-    sharp = min(error(distance) for distance in _from_joins(corner, offsets))
+    sharp = min(error(distance) for distance in from_joins(corner, offsets))
     coarse = np.arange(_SMALLEST_RADIUS, most + 0.5, 1.0)
     if sharp < _LEAST_GAIN:
         return None
@@ -245,7 +217,7 @@ def _radius(
     if best > _BETTER * sharp or sharp - best < _LEAST_GAIN or radius < _SMALLEST_RADIUS:
         return None
     cuts = np.arange(1.0, corner.longest, 0.5)
-    cut = min(error(_from_cut(corner, offsets, float(length))) for length in cuts)
+    cut = min(error(from_cut(corner, offsets, float(length))) for length in cuts)
     return radius if best < 0.8 * cut else None
 
 
@@ -254,7 +226,7 @@ def _best(function: Callable[[float], float], values: Floats) -> float:
 
 
 def _pixels(
-    weight: npt.NDArray[np.float32], corner: _Corner, others: Sequence[Placed], pen: Pen
+    weight: npt.NDArray[np.float32], corner: Corner, others: Sequence[Placed], pen: Pen
 ) -> tuple[Floats, Floats]:
     """(n, 2) px from the corner, and (n,) ink, of the pixels that tell of it: near its strokes and
     between them, away from other strokes."""
@@ -265,14 +237,11 @@ def _pixels(
     pixels = np.stack([xs.ravel(), ys.ravel()], axis=1).astype(np.float64)
     offsets = pixels - corner.place
     beside = pen.width / 2 + _AROUND
-    near = np.minimum.reduce([_from_ray(corner.first, offsets), _from_ray(corner.second, offsets)])
+    near = np.minimum.reduce([from_ray(corner.first, offsets), from_ray(corner.second, offsets)])
     along = [offsets @ end.inward for end in (corner.first, corner.second)]
     inner = near <= beside
     # The triangle in which arcs run.
-    u, v = corner.first.inward, corner.second.inward
-    cross = u[0] * v[1] - u[1] * v[0]
-    a = (offsets[:, 0] * v[1] - offsets[:, 1] * v[0]) / cross
-    b = (u[0] * offsets[:, 1] - u[1] * offsets[:, 0]) / cross
+    a, b = corner.shares(offsets)
     inner |= (a >= 0.0) & (b >= 0.0) & (a + b <= corner.longest)
     inner &= np.maximum(*along) <= corner.longest + 1.0
     for geometry, piece in others:
@@ -295,9 +264,7 @@ def _boxes(placed: Sequence[Placed]) -> Floats:
     return np.array([[own.min(0), own.max(0)] for own in points])
 
 
-def _others(
-    corner: _Corner, placed: Sequence[Placed], boxes: Floats, margin: float
-) -> list[Placed]:
+def _others(corner: Corner, placed: Sequence[Placed], boxes: Floats, margin: float) -> list[Placed]:
     """Other pieces that come near a corner, without the chords of an arc that may be there."""
     reach = corner.longest + margin
     near = (boxes[:, 0] <= corner.place + reach) & (boxes[:, 1] >= corner.place - reach)
@@ -313,62 +280,8 @@ def _samples(piece: Piece) -> Floats:
     return np.linspace(piece.start, piece.end, max(2, int(piece.end - piece.start)))
 
 
-def _is_within(points: Floats, corner: _Corner) -> bool:
-    """Whether a piece lies between the strokes: a chord of the arc that is looked for."""
-    offsets = points - corner.place
-    u, v = corner.first.inward, corner.second.inward
-    cross = u[0] * v[1] - u[1] * v[0]
-    a = (offsets[:, 0] * v[1] - offsets[:, 1] * v[0]) / cross
-    b = (u[0] * offsets[:, 1] - u[1] * offsets[:, 0]) / cross
-    return bool((np.minimum(a, b) > -1.5).all() and (a + b < corner.longest + 3.0).all())
-
-
-def _from_ray(end: _End, offsets: Floats, begin: float = 0.0) -> Floats:
-    """(n,) px from a stroke that begins some px from the corner."""
-    along = offsets @ end.inward - begin
-    across = offsets[:, 0] * end.inward[1] - offsets[:, 1] * end.inward[0]
-    return np.where(along >= 0.0, np.abs(across), np.hypot(along, across))
-
-
-def _from_joins(corner: _Corner, offsets: Floats) -> list[Floats]:
-    """Distances from a sharp corner: round, pointed, and with square ends that leave a notch."""
-    rays = [_from_ray(end, offsets) for end in (corner.first, corner.second)]
-    round_join = np.minimum(*rays)
-    along = [offsets @ end.inward for end in (corner.first, corner.second)]
-    across = [
-        np.abs(offsets[:, 0] * end.inward[1] - offsets[:, 1] * end.inward[0])
-        for end in (corner.first, corner.second)
-    ]
-    outside = (along[0] < 0.0) & (along[1] < 0.0)
-    pointed = np.where(outside, np.maximum(*across), round_join)
-    square = np.minimum(
-        *(np.where(a >= 0.0, c, np.inf) for a, c in zip(along, across, strict=True))
-    )
-    return [round_join, pointed, np.where(np.isfinite(square), square, 1e3)]
-
-
-def _from_fillet(corner: _Corner, offsets: Floats, radius: float) -> Floats:
-    """Distances from two strokes and the arc that touches both."""
-    begin = radius / np.tan(corner.half)
-    rays = [_from_ray(end, offsets, begin) for end in (corner.first, corner.second)]
-    around = offsets - radius / np.sin(corner.half) * corner.bisector
-    distance = np.hypot(*around.T)
-    facing = -(around @ corner.bisector) >= distance * np.sin(corner.half)
-    arc = np.where(facing, np.abs(distance - radius), np.inf)
-    return np.minimum(np.minimum(*rays), arc)
-
-
-def _from_cut(corner: _Corner, offsets: Floats, begin: float) -> Floats:
-    """Distances from two strokes and the straight piece that cuts their corner."""
-    rays = [_from_ray(end, offsets, begin) for end in (corner.first, corner.second)]
-    start = begin * corner.first.inward
-    way = begin * corner.second.inward - start
-    share = np.clip((offsets - start) @ way / (way @ way), 0.0, 1.0)
-    return np.minimum(np.minimum(*rays), np.hypot(*(offsets - start - share[:, None] * way).T))
-
-
 def _fillet(
-    corner: _Corner, radius: float, placed: Sequence[Placed], pieces: dict[int, Piece]
+    corner: Corner, radius: float, placed: Sequence[Placed], pieces: dict[int, Piece]
 ) -> Fillet:
     begin = radius / np.tan(corner.half)
     cut: list[tuple[int, Piece]] = []
@@ -386,3 +299,9 @@ def _fillet(
     sure = min(piece.confidence for _, piece in cut)
     arc = Piece(low, low + (high - low) % circle.around, Linetype.VISIBLE, sure)
     return Fillet((cut[0], cut[1]), (circle, arc))
+
+
+def _is_within(points: Floats, corner: Corner) -> bool:
+    """Whether a piece lies between the strokes: a chord of the arc that is looked for."""
+    a, b = corner.shares(points - corner.place)
+    return bool((np.minimum(a, b) > -1.5).all() and (a + b < corner.longest + 3.0).all())

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.geometry import Curve, Line
+from gaussiancad_core.sheet.geometry import Curve, Geometry, Line
 from gaussiancad_core.sheet.shapes import sample
 from gaussiancad_core.views import Linetype
 
@@ -28,6 +28,10 @@ _MAX_TURN = np.cos(np.radians(16.0))
 
 _LEAST_OWN = 4.0
 """px of ink in a shape's own direction that are a dash, though they lead into other ink."""
+
+
+_LONGEST_BRIDGE, _BRIDGE_INK = 3.5, 0.35
+"""Dashes with their gaps that others may cover in a row, and the share of ink that is there."""
 
 
 @dataclass(frozen=True)
@@ -124,12 +128,9 @@ def _join_around(runs: list[Run], circumference: float) -> list[Run]:
 def _runs(field: InkField, points: Floats, directions: Floats, along: Floats) -> list[Run]:
     """Cut a path into runs; ``directions`` are (n, 2) unit tangents of the path."""
     normals = np.stack([-directions[:, 1], directions[:, 0]], 1)
-    offsets = np.array([-0.6, 0.0, 0.6])
-    xs = points[:, :1] + normals[:, :1] * offsets
-    ys = points[:, 1:] + normals[:, 1:] * offsets
-    inked = sample(field.weight, xs, ys).max(1) > 0.45
-    cosine = sample(field.cosine, xs[:, 1:2], ys[:, 1:2])[:, 0]
-    sine = sample(field.sine, xs[:, 1:2], ys[:, 1:2])[:, 0]
+    inked = _inked(field, points, normals)
+    cosine = sample(field.cosine, points[:, :1], points[:, 1:])[:, 0]
+    sine = sample(field.sine, points[:, :1], points[:, 1:])[:, 0]
     double = np.arctan2(directions[:, 1], directions[:, 0]) * 2
     agreement = cosine * np.cos(double) + sine * np.sin(double)
     strength = np.hypot(cosine, sine)
@@ -143,6 +144,14 @@ def _runs(field: InkField, points: Floats, directions: Floats, along: Floats) ->
         if span is not None:
             runs.append(Run(float(along[span[0]]), float(along[span[1]])))
     return _close_gaps(runs, 1.6)
+
+
+def _inked(field: InkField, points: Floats, normals: Floats) -> npt.NDArray[np.bool_]:
+    """(n,) whether there is ink at points of a path, or just beside it."""
+    offsets = np.array([-0.6, 0.0, 0.6])
+    xs = points[:, :1] + normals[:, :1] * offsets
+    ys = points[:, 1:] + normals[:, 1:] * offsets
+    return sample(field.weight, xs, ys).max(1) > 0.45
 
 
 def _own_span(
@@ -216,7 +225,7 @@ def classify(
         around: px, of a shape that closes on itself.
     """
     longest_dash = 1.75 * rhythm.dash
-    widest_gap = min(2.2 * rhythm.gap + 2.0, 4.0 * rhythm.gap)
+    widest_gap = _widest_gap(rhythm)
     pieces: list[Piece] = []
     group: list[int] = []
 
@@ -236,6 +245,58 @@ def classify(
         group.append(index)
     close_group()
     return _extend_hidden(pieces, 1.8 * rhythm.gap + 1.0, around)
+
+
+def _widest_gap(rhythm: Rhythm) -> float:
+    """px between dashes of one stroke, at most."""
+    return min(2.2 * rhythm.gap + 2.0, 4.0 * rhythm.gap)
+
+
+def bridged(
+    field: InkField, geometry: Geometry, pieces: list[Piece], rhythm: Rhythm
+) -> list[Piece]:
+    """Hidden pieces of a shape that are parted by dashes of theirs that other strokes cover.
+
+    Ink in between that is not the shape's alone, yet lies as closely as dashes do, joins them.
+    """
+    joined: list[Piece] = []
+    for piece in pieces:
+        before = joined[-1] if joined else None
+        if before and _is_bridged(field, geometry, before, piece, rhythm):
+            sure = max(before.confidence, piece.confidence)
+            joined[-1] = Piece(before.start, piece.end, Linetype.HIDDEN, sure)
+        else:
+            joined.append(piece)
+    if len(joined) > 1 and np.isfinite(geometry.around):
+        first, last = joined[0], joined[-1]
+        over = Piece(
+            first.start + geometry.around,
+            first.end + geometry.around,
+            first.linetype,
+            first.confidence,
+        )
+        if _is_bridged(field, geometry, last, over, rhythm):
+            sure = max(first.confidence, last.confidence)
+            joined[-1] = Piece(last.start, over.end, Linetype.HIDDEN, sure)
+            del joined[0]
+    return joined
+
+
+def _is_bridged(
+    field: InkField, geometry: Geometry, before: Piece, after: Piece, rhythm: Rhythm
+) -> bool:
+    both = before.linetype is after.linetype is Linetype.HIDDEN
+    gap = after.start - before.end
+    if not both or gap > _LONGEST_BRIDGE * (rhythm.dash + rhythm.gap):
+        return False
+    if gap <= STEP:
+        return True
+    along = np.arange(before.end, after.start + STEP, STEP)
+    tangents = geometry.tangents_at(along)
+    normals = np.stack([-tangents[:, 1], tangents[:, 0]], 1)
+    inked = _inked(field, geometry.points_at(along), normals)
+    blank = max(((last - first) * STEP for first, last in _spans(~inked)), default=0.0)
+    return blank <= _widest_gap(rhythm) and bool(inked.mean() > _BRIDGE_INK)
 
 
 def _short_piece(

@@ -14,7 +14,7 @@ import numpy.typing as npt
 from gaussiancad_core.ellipses import WholeEllipse
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.ellipse_fits import ellipse_profile, refit_ellipse
-from gaussiancad_core.sheet.fillets import find_fillets
+from gaussiancad_core.sheet.fillets import find_fillets, is_chord
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
 from gaussiancad_core.sheet.growth import GrowthRules, grow_all
 from gaussiancad_core.sheet.junctions import (
@@ -30,6 +30,7 @@ from gaussiancad_core.sheet.runs import (
     Piece,
     Rhythm,
     Run,
+    bridged,
     circle_runs,
     classify,
     ink_field,
@@ -65,9 +66,6 @@ _MIN_BENT = 0.04
 
 _PULLED = 0.5
 """px by which a fit to the ink may move a circle that the ridges gave."""
-
-_BESIDE_ARC = 1.2
-"""px beside a fillet within which a short piece is a chord of it."""
 
 _HALF_TURN = 90
 """Marks of direction in half a turn."""
@@ -178,6 +176,7 @@ def classify_strokes(view: ViewShapes, rhythm: Rhythm) -> tuple[Stroke, ...]:
         found = classify(fresh, rhythm, touches, shape.geometry.around)
         if not isinstance(shape.geometry, Line):
             found = [piece for piece in found if _is_curved(shape.geometry, piece, view.sheet)]
+            found = bridged(view.field, shape.geometry, found, rhythm)
             found = _closed(shape.geometry, found, rhythm)
         for piece in found:
             pieces.append((shape.geometry, piece))
@@ -357,20 +356,7 @@ def _with_fillets(
             rounded[index] = (rounded[index][0], piece)
         arcs.append(fillet.arc)
         _explain(explained, *fillet.arc, sheet.stroke_width)
-    return [own for own in rounded if not any(_is_chord(own, arc) for arc in arcs)] + arcs
-
-
-def _is_chord(own: Placed, arc: Placed) -> bool:
-    """Whether a piece is no longer than an arc and runs along it."""
-    geometry, piece = own
-    length = arc[1].end - arc[1].start
-    if piece.end - piece.start > length + 4.0:
-        return False
-    points = _points(geometry, piece.start, piece.end)
-    ends = arc[0].points_at(np.array([arc[1].start, arc[1].end]))
-    near = np.minimum(*(np.hypot(*(points - end).T) for end in ends)) < length
-    # Where it ends at the lines beside the arc it may have left the arc.
-    return bool((arc[0].distances(points) < _BESIDE_ARC).mean() > 0.6 and near.all())
+    return [own for own in rounded if not any(is_chord(own, arc) for arc in arcs)] + arcs
 
 
 def _scaled(piece: Piece, factor: float) -> Piece:

@@ -102,3 +102,51 @@ def test_a_circle_stays_one_beside_an_ellipse() -> None:
     ellipse = Ellipse((300.0, 160.0), 60.0, 45.0, 1.0, 0.0, FULL, VISIBLE)
     found = _read(circle, ellipse)
     assert sorted(type(s).__name__ for s in found) == ["Arc", "Ellipse"]
+
+
+@pytest.mark.parametrize("width", [2.0, 3.0])
+@pytest.mark.parametrize("radius", [6.0, 9.0, 15.0, 40.0])
+@pytest.mark.parametrize("kind", [VISIBLE, HIDDEN])
+def test_circles_down_to_six_px(radius: float, kind: Linetype, width: float) -> None:
+    """A dashed circle of 6 px has two dashes."""
+    (found,) = _read(Arc((210.3, 160.2), radius, 0.0, FULL, kind), width=width)
+    assert isinstance(found, Arc) and found.linetype is kind
+    assert found.sweep == pytest.approx(FULL)
+    assert found.radius == pytest.approx(radius, abs=0.3)
+    assert found.centre == pytest.approx((210.3, 160.2), abs=0.3)
+
+
+@pytest.mark.parametrize("sweep", [90.0, 180.0, 270.0])
+@pytest.mark.parametrize("radius", [15.0, 30.0, 70.0])
+def test_a_dashed_arc_is_one_hidden_stroke(radius: float, sweep: float) -> None:
+    drawn = Arc((210.3, 160.2), radius, 0.4, np.radians(sweep), HIDDEN)
+    (found,) = _read(drawn, width=2.0)
+    assert isinstance(found, Arc) and found.linetype is HIDDEN
+    assert found.radius == pytest.approx(radius, abs=0.5)
+    ends, true = found.sample(1e9)[[0, -1]], drawn.sample(1e9)[[0, -1]]
+    assert np.hypot(*(ends - true).T).max() < 1.5
+
+
+@pytest.mark.parametrize("kinds", [(VISIBLE, VISIBLE), (HIDDEN, HIDDEN), (VISIBLE, HIDDEN)])
+@pytest.mark.parametrize("angle", [0.0, 37.0])
+@pytest.mark.parametrize("gap", [4.0, 5.0])
+def test_lines_four_px_apart_are_two(
+    gap: float, angle: float, kinds: tuple[Linetype, Linetype]
+) -> None:
+    way = np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
+    normal, middle = np.array([-way[1], way[0]]), np.array([210.3, 160.2])
+    drawn = [
+        Segment(tuple(m - 70.0 * way), tuple(m + 70.0 * way), kind)
+        for m, kind in zip(
+            (middle - gap / 2 * normal, middle + gap / 2 * normal), kinds, strict=True
+        )
+    ]
+    found = _read(*drawn, width=2.0)
+    assert len(found) == 2
+    for true in drawn:
+        near = [
+            np.abs((np.array([own.start, own.end]) - true.start) @ normal).max()
+            for own in found
+            if own.linetype is true.linetype
+        ]
+        assert min(near) < 0.2
