@@ -22,7 +22,7 @@ from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.reading import ReadView, find_views, read_views
-from gaussiancad_core.views import Arc, Linetype, Stroke
+from gaussiancad_core.views import Linetype, Segment, Stroke
 
 Image = npt.NDArray[np.uint8]
 Colour = tuple[int, int, int]
@@ -93,7 +93,7 @@ def strokes_picture(sheet: CleanSheet, view: ReadView) -> Image:
 def _colour(stroke: Stroke) -> Colour:
     if stroke.linetype is Linetype.HIDDEN:
         return HIDDEN
-    return ARC if isinstance(stroke, Arc) else LINE
+    return LINE if isinstance(stroke, Segment) else ARC
 
 
 def main(folder: Path) -> None:
