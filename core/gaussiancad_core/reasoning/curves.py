@@ -115,9 +115,9 @@ def line_through(start: Point, end: Point, straight: float = 1e-6) -> LineCurve:
     dx, dy = end[0] - start[0], end[1] - start[1]
     length = hypot(dx, dy)
     dx, dy = dx / length, dy / length
-    if abs(dx) < straight:
+    if abs(dx) <= straight:
         return LineCurve(start, (0.0, 1.0))
-    if abs(dy) < straight:
+    if abs(dy) <= straight:
         return LineCurve(start, (1.0, 0.0))
     return LineCurve(start, (dx, dy) if dx > 0.0 else (-dx, -dy))
 
