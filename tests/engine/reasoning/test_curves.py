@@ -180,3 +180,9 @@ def test_a_nearly_upright_line_becomes_upright() -> None:
     assert line_through((0.0, 3.0), (50.0, 3.0 - 1e-8)).axis == 1
     assert line_through((3.0, 0.0), (3.01, 50.0)).axis is None
     assert CircleCurve((1.0, 2.0), 3.0).axis is None
+
+
+def test_an_upright_line_runs_up_even_if_nothing_is_straightened() -> None:
+    assert line_through((3.0, 5.0), (3.0, 1.0), 0.0).direction == (0.0, 1.0)
+    assert line_through((3.0, 5.0), (-3.0, 5.0), 0.0).direction == (1.0, 0.0)
+    assert line_through((3.0, 5.0), (3.0 + 1e-8, 1.0), 0.0).axis is None

@@ -36,16 +36,15 @@ def _ends(one: CircleCurve, other: CircleCurve, sides: tuple[float, float]) -> t
     )
 
 
-@given(_RADIUS, _RADIUS, _ANGLE, st.booleans(), st.booleans(), _ERROR, _ERROR)
+@given(st.tuples(_RADIUS, _RADIUS), _ANGLE, st.booleans(), st.booleans(), st.tuples(_ERROR, _ERROR))
 def test_a_rough_common_tangent_becomes_the_exact_one(
-    first: float,
-    second: float,
+    radii: tuple[float, float],
     angle: float,
     outer: bool,
     flip: bool,
-    low: float,
-    high: float,
+    errors: tuple[float, float],
 ) -> None:
+    (first, second), (low, high) = radii, errors
     away = first + second + 25.0
     one = CircleCurve((5.0, -3.0), first)
     other = CircleCurve((5.0 + away * cos(angle), -3.0 + away * sin(angle)), second)

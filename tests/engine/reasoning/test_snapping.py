@@ -1,0 +1,143 @@
+"""Readings of one coordinate or circle become equal, and tangencies hold."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.curves import CircleCurve
+from gaussiancad_core.reasoning.snapping import CircleReading, Reading, snapped
+
+_TOLERANCE = 0.1
+_ERROR = st.floats(-0.04, 0.04)
+"""Readings of one value differ by less than the tolerance."""
+
+_LEVELS = st.lists(st.integers(0, 100), min_size=1, max_size=6, unique=True)
+
+
+def _circle(x: float, y: float, radius: float, normal: Axis = Axis.Y) -> CircleReading:
+    return CircleReading(normal, CircleCurve((x, y), radius), radius)
+
+
+@given(_LEVELS, st.lists(st.tuples(_ERROR, st.floats(0.1, 100.0)), min_size=1, max_size=4))
+def test_readings_of_a_value_become_their_weighted_mean(
+    levels: list[int], errors: list[tuple[float, float]]
+) -> None:
+    readings = [Reading(Axis.X, level + off, weight) for level in levels for off, weight in errors]
+    snap = snapped(readings, [], _TOLERANCE)
+    offs, weights = zip(*errors, strict=True)
+    mean = float(np.average(offs, weights=weights))
+    assert snap.values[Axis.X] == pytest.approx([level + mean for level in sorted(levels)])
+    assert snap.values[Axis.Y] == snap.values[Axis.Z] == ()
+    for reading in readings:
+        value = snap.value(Axis.X, reading.value)
+        assert value in snap.values[Axis.X]
+        assert abs(value - reading.value) <= _TOLERANCE
+
+
+@given(_LEVELS, _LEVELS)
+def test_exact_readings_stay_what_they_are(xs: list[int], ys: list[int]) -> None:
+    readings = [Reading(Axis.X, float(x), 5.0) for x in xs]
+    readings += [Reading(Axis.Z, float(y), 5.0) for y in ys]
+    circles = [_circle(10.0, 20.0, 5.0), _circle(10.0, 20.0, 8.0), _circle(40.0, 20.0, 5.0)]
+    snap = snapped(readings, circles, _TOLERANCE)
+    assert snap.values[Axis.X] == tuple(map(float, sorted(xs)))
+    assert snap.values[Axis.Z] == tuple(map(float, sorted(ys)))
+    assert {c for _, c in snap.circles} == {c.circle for c in circles}
+
+
+@given(_ERROR, _ERROR, _ERROR, _ERROR, _ERROR)
+def test_a_cylinders_extremes_touch_the_values_that_other_views_show(
+    x: float, z: float, radius: float, low: float, high: float
+) -> None:
+    readings = [
+        Reading(Axis.X, 20.0 + low, 30.0),
+        Reading(Axis.X, 40.0 + high, 30.0),
+        Reading(Axis.Z, 50.0, 100.0),
+    ]
+    snap = snapped(readings, [_circle(30.0 + x, 40.0 + z, 10.0 + radius)], _TOLERANCE)
+    ((normal, circle),) = snap.circles
+    assert normal is Axis.Y
+    left, right = snap.values[Axis.X]
+    # Within the tolerance of each other they are one; farther off they are let be.
+    if abs((30.0 + x) - (10.0 + radius) - (20.0 + low)) < 0.099:
+        assert circle.centre[0] - circle.radius == pytest.approx(left, abs=1e-9)
+    if abs((30.0 + x) + (10.0 + radius) - (40.0 + high)) < 0.099:
+        assert circle.centre[0] + circle.radius == pytest.approx(right, abs=1e-9)
+    (top,) = snap.values[Axis.Z]
+    if abs(z + radius) < 0.099:
+        assert circle.centre[1] + circle.radius == pytest.approx(top, abs=1e-9)
+    moved = [
+        circle.centre[0] - 30.0 - x,
+        circle.centre[1] - 40.0 - z,
+        circle.radius - 10.0 - radius,
+    ]
+    assert max(map(abs, moved)) <= 2.5 * _TOLERANCE
+
+
+@given(_ERROR, _ERROR, _ERROR)
+def test_arcs_of_one_circle_are_one(x: float, y: float, radius: float) -> None:
+    circles = [_circle(30.0, 40.0, 10.0), _circle(30.0 + x, 40.0 + y, 10.0 + radius)]
+    snap = snapped([], circles, _TOLERANCE)
+    ((_, circle),) = snap.circles
+    assert all(snap.circle(Axis.Y, reading.circle) is circle for reading in circles)
+    assert snap.circle(Axis.Z, circles[0].circle) is None
+    assert snap.circle(Axis.Y, CircleCurve((30.0, 40.0), 11.0)) is None
+
+
+def test_circles_of_one_axis_in_two_planes_share_its_coordinate() -> None:
+    # The front shows (x, z), the top (x, y): both tell the x of the bores' axes.
+    circles = [_circle(30.02, 40.0, 10.0), _circle(29.98, 15.0, 5.0, Axis.Z)]
+    snap = snapped([], circles, _TOLERANCE)
+    (one, other) = (circle for _, circle in snap.circles)
+    assert one.centre[0] == pytest.approx(other.centre[0], abs=1e-12)
+    assert 29.98 < one.centre[0] < 30.02
+
+
+def test_a_heavy_reading_moves_less() -> None:
+    readings = [Reading(Axis.X, 0.0, 1000.0), Reading(Axis.X, 0.08, 1.0)]
+    snap = snapped(readings, [], _TOLERANCE)
+    assert snap.values[Axis.X] == (pytest.approx(0.08 / 1001.0),)
+
+
+def test_what_is_farther_than_the_tolerance_stays_apart() -> None:
+    readings = [Reading(Axis.X, value, 1.0) for value in (0.0, 0.11)]
+    snap = snapped(readings, [], _TOLERANCE)
+    assert snap.values[Axis.X] == (0.0, 0.11)
+    assert snap.value(Axis.X, 0.04) == 0.0
+    assert snap.value(Axis.X, 0.5) is None
+    assert snap.value(Axis.Y, 0.0) is None
+
+
+def test_tiny_circles_are_not_told_by_their_extremes() -> None:
+    # A radius of three tolerances: its extremes may be taken for the centre's own value.
+    readings = [Reading(Axis.X, 10.32, 50.0)]
+    snap = snapped(readings, [_circle(10.0, 5.0, 0.3)], _TOLERANCE)
+    ((_, circle),) = snap.circles
+    assert (circle.centre, circle.radius) == ((10.0, 5.0), 0.3)
+
+
+@given(st.lists(st.tuples(st.floats(0, 100), st.floats(0, 100), st.floats(1, 20)), max_size=8))
+def test_nothing_moves_far(rows: list[tuple[float, float, float]]) -> None:
+    readings = [Reading(Axis.X, x, w) for x, _, w in rows]
+    readings += [Reading(Axis.Z, z, w) for _, z, w in rows]
+    circles = [_circle(x, z, w) for x, z, w in rows]
+    snap = snapped(readings, circles, _TOLERANCE)
+    far = 2.5 * _TOLERANCE + 1e-9
+    for circle in circles:
+        (x, y), radius = circle.circle.centre, circle.circle.radius
+        assert any(
+            max(abs(c.centre[0] - x), abs(c.centre[1] - y), abs(c.radius - radius))
+            <= far + 2.0 * _TOLERANCE
+            for _, c in snap.circles
+        )
+    # Neighbours within the tolerance make long clusters, whose members lie as far as these reach.
+    ends = sorted(x for x, _, _ in rows)
+    for axis_value in snap.values[Axis.X]:
+        assert ends[0] - far <= axis_value <= ends[-1] + far
+
+
+def test_no_readings_no_values() -> None:
+    snap = snapped([], [], _TOLERANCE)
+    assert snap.circles == () and set(snap.values.values()) == {()}
