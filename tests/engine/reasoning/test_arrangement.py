@@ -184,8 +184,8 @@ def test_a_mixed_sheet_has_as_many_regions_as_euler_says(sheet: Arrangement) -> 
     edges = 0
     for place, (index, low, high) in enumerate(sheet.stretches):
         curve = sheet.supports[index].curve
-        own = [] if high - low > TURN - 1e-9 else [curve.at(low), curve.at(high)]
-        opened = len(own) > 0
+        opened = not isinstance(curve, CircleCurve) or high - low < TURN - 1e-9
+        own = [curve.at(low), curve.at(high)] if opened else []
         for other in range(len(sheet.stretches)):
             if other != place:
                 own += _shared(sheet, place, other)
