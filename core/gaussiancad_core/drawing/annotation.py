@@ -26,7 +26,7 @@ class AnnotationKind(Enum):
     SYMBOL = "symbol"
     PICTURE = "picture"
     HATCHING = "hatching"
-    THREAD = "thread"
+    BREAK = "break"
     DETAIL = "detail"
     AUXILIARY = "auxiliary-view"
     OTHER_PART = "other-part"

@@ -9,6 +9,7 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind
 from gaussiancad_core.drawing.annotations import annotate, reserved_corner, sheet_dpi
+from gaussiancad_core.drawing.breaks import break_view
 from gaussiancad_core.drawing.brep import bounding_box, moved_to_origin
 from gaussiancad_core.drawing.degrade import Image, finished
 from gaussiancad_core.drawing.drawn_view import DrawnView, drawn_view
@@ -164,6 +165,12 @@ def compose_sheet(
     annotations = annotate(views, projection, scale, style, title)
     if style.picture:
         annotations += tuple(draw_picture(lines.picture, views, annotations, style))
+    if style.broken is not None:
+        kept = {view.role: view for view in views}
+        if style.broken in kept:
+            kept[style.broken], note = break_view(kept[style.broken], style)
+            views = tuple(kept.values())
+            annotations += (note,)
     if style.inset is not None:
         annotations += tuple(draw_inset(views, annotations, style))
     if cut is not None:

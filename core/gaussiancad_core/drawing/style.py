@@ -73,6 +73,7 @@ class SheetStyle:
         symbol: the projection symbol in the title block, where there is a frame.
         section: the view that is cut open and hatched, or None.
         section_kind: how much of it.
+        broken: the view that a piece of is left out of, or None; its length stays as drawn.
         hatch_pitch: from line to line of the hatching.
         annotation_width: line width of all of these but the border and the picture.
         text_height: height of capitals and digits; arrows and distances follow from it.
@@ -112,6 +113,7 @@ class SheetStyle:
     symbol: bool = True
     section: Role | None = None
     section_kind: SectionKind = SectionKind.FULL
+    broken: Role | None = None
     hatch_pitch: float = 14.0
     annotation_width: float = 1.5
     text_height: float = 18.0
@@ -249,6 +251,7 @@ def _parser(name: str) -> Callable[[str], Any]:
         "symbol": _switch,
         "inset": lambda value: None if value == "none" else Inset(value),
         "section": lambda value: None if value == "none" else Role(value),
+        "broken": lambda value: None if value == "none" else Role(value),
         "section_kind": SectionKind,
     }
     return special.get(name, float)

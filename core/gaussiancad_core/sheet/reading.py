@@ -147,7 +147,7 @@ def _separated_views(
         tried = way()
         try:
             stub = _STUB * tried.part.stroke_width
-            layout = find_named_layout(tried, LayoutRequest(given, projection, stub))
+            tried, layout = find_named_layout(sheet, tried, LayoutRequest(given, projection, stub))
         except NoModelError as error:
             first = first or error
             continue

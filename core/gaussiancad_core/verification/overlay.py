@@ -48,7 +48,6 @@ _MARKS = {
         (AnnotationKind.CENTRE_LINE, AnnotationKind.CENTRE_MARK),
     ),
     "hatching": ((230, 159, 0), (AnnotationKind.HATCHING,)),
-    "threads": ((120, 94, 60), (AnnotationKind.THREAD,)),
 }
 """What is not the part, in groups that share a colour."""
 

@@ -2,11 +2,16 @@
 
 from dataclasses import dataclass, replace
 
+import cv2
+import numpy as np
+
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
+from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.layout import Layout, arrange_clusters, view_clusters
 from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.special_views.broken import Break, find_breaks
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 from gaussiancad_core.sheet.special_views.naming import details, inside, merged, special_kind
 from gaussiancad_core.sheet.special_views.sections import hatched_box, section_kind
@@ -30,17 +35,32 @@ class LayoutRequest:
     stub_width: float = 0.0
 
 
-def find_named_layout(separated: SeparatedSheet, request: LayoutRequest) -> Layout:
+def find_named_layout(
+    sheet: CleanSheet, separated: SeparatedSheet, request: LayoutRequest
+) -> tuple[SeparatedSheet, Layout]:
     """Find the principal views, and name what is none of them.
 
     A full section is left out where two other views belong together, and stands for a view where
-    they do not.  What else is hatched stays: its outline is whole.
+    they do not.  What else is hatched stays: its outline is whole.  The halves of a broken view are
+    one view.
+
+    Args:
+        sheet: upright, with all that is on it.
+        separated: the same without annotations.
+        request: what the user said.
+
+    Returns:
+        The sheet without annotations, but with the break lines of broken views, and the layout.
 
     Raises:
         NoModelError: there are fewer than two views that belong together.
         UsageError: a given box holds no ink.
     """
     clusters = view_clusters(separated.part.ink, request.stub_width)
+    breaks = find_breaks(sheet.ink, clusters, sheet.stroke_width)
+    for broken in breaks:
+        separated = _restored(sheet, separated, broken)
+        clusters = [box for box in clusters if box not in broken.halves] + [broken.box]
     cut = _sections(separated, clusters)
     layout = _arranged(clusters, cut, request)
     special = [
@@ -62,7 +82,22 @@ def find_named_layout(separated: SeparatedSheet, request: LayoutRequest) -> Layo
     for other in _other_parts(rest, layout):
         special.append(SpecialView(SpecialKind.OTHER_PART, merged(other)))
         rest = [box for box in rest if box not in other]
-    return replace(layout, left_out=tuple(rest), special=tuple(special))
+    whole = [broken.box for broken in breaks]
+    special += [SpecialView(SpecialKind.BROKEN, box, box in layout.boxes.values()) for box in whole]
+    rest = [box for box in rest if box not in whole]
+    return separated, replace(layout, left_out=tuple(rest), special=tuple(special))
+
+
+def _restored(sheet: CleanSheet, separated: SeparatedSheet, broken: Break) -> SeparatedSheet:
+    """With the break lines of a view, which are as narrow as dimensions."""
+    part = separated.part
+    near = cv2.dilate(broken.lines.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    whole = replace(
+        part,
+        ink=part.ink | broken.lines,
+        weight=np.where(near, sheet.weight, part.weight),
+    )
+    return replace(separated, part=whole)
 
 
 def _sections(separated: SeparatedSheet, clusters: list[Box]) -> dict[Box, SpecialKind]:

@@ -17,7 +17,6 @@ class SpecialKind(Enum):
     AUXILIARY = "auxiliary-view"
     OTHER_PART = "other-part"
     BROKEN = "broken-view"
-    HALF_VIEW = "half-view"
 
 
 @dataclass(frozen=True)

@@ -74,7 +74,6 @@ _NAMES = {
     SpecialKind.AUXILIARY: "an auxiliary view",
     SpecialKind.OTHER_PART: "views of another part",
     SpecialKind.BROKEN: "a broken view",
-    SpecialKind.HALF_VIEW: "a half view",
 }
 
 _LEFT_OUT = {
@@ -86,16 +85,12 @@ _LEFT_OUT = {
     SpecialKind.AUXILIARY: "auxiliary-view-left-out",
     SpecialKind.OTHER_PART: "other-part-left-out",
     SpecialKind.BROKEN: "broken-view-left-out",
-    SpecialKind.HALF_VIEW: "half-view-left-out",
 }
 
 _USED = {
     SpecialKind.BROKEN: "broken-view",
-    SpecialKind.HALF_VIEW: "half-view",
 }
 
 _DOUBTS = {
     SpecialKind.BROKEN: "its length is not as drawn, as a piece of the part is left out",
-    SpecialKind.HALF_VIEW: "the part is symmetrical and drawn up to its centre line alone, so the "
-    "model is half of it",
 }

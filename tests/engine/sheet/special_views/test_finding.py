@@ -5,6 +5,7 @@ import pytest
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.reading import read_views
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind
 
 Kind = SpecialKind
@@ -138,3 +139,39 @@ def test_four_five_and_six_views_are_all_used(
     assert _all_views(found, {Role(role) for role in roles.split(",")})
     assert found.layout.special == ()
     assert found.layout.left_out == ()
+
+
+@pytest.mark.parametrize(
+    ("part", "style"),
+    [
+        ("rib-bracket", "clean"),
+        ("rib-bracket", "photocopy"),
+        ("slotted-link", "scan"),
+        ("slotted-link", "even,annotation-width=2"),
+    ],
+)
+def test_the_halves_of_a_broken_view_are_one_view(
+    find,  # noqa: ANN001
+    part: str,
+    style: str,
+) -> None:
+    found = find(part, f"{style},broken=front,margin=60,view-gap=60")
+    assert _all_views(found)
+    (special,) = found.layout.special
+    assert (special.kind, special.used) == (Kind.BROKEN, True)
+    assert special.box == found.layout.boxes[Role.FRONT]
+
+
+def test_the_outline_of_a_broken_view_is_closed(find) -> None:  # noqa: ANN001
+    """Its break lines are as narrow as dimensions, and stay all the same."""
+    found = find("rib-bracket", "clean,broken=front,margin=60,view-gap=60")
+    front = next(
+        view for view in read_views(found.separated.part, found.layout) if view.role is Role.FRONT
+    )
+    (x0, _, x1, _), area = front.box, front.outline.mask.sum()
+    whole = find("rib-bracket", "clean,margin=60,view-gap=60")
+    plain = next(
+        view for view in read_views(whole.separated.part, whole.layout) if view.role is Role.FRONT
+    )
+    assert (x0, x1) == pytest.approx((plain.box[0], plain.box[2]), abs=0.5)
+    assert 0.8 < area / plain.outline.mask.sum() < 0.97
