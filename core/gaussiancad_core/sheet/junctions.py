@@ -157,6 +157,9 @@ def _crossings(
     elif isinstance(other, Line) and not isinstance(geometry, Line):
         points = _line_curve(other, geometry)
         reach = _shared_with_tangent(points, geometry, half)
+    elif isinstance(geometry, Circle) and isinstance(other, Circle):
+        points = _circle_circle(geometry, other)
+        reach = _shared_by_circles(points, geometry, other, half)
     else:
         return []
     slack = max(stroke_width, reach) + 2.0
@@ -228,6 +231,42 @@ def _line_ellipse(line: Line, ellipse: WholeEllipse) -> list[npt.NDArray[np.floa
     halves = (0.0,) if abs(distance - 1.0) * reach < _TANGENT else (-half, half)
     first = -float(start @ way) / length**2
     return [np.array(line.at(first + h / length)) for h in halves]
+
+
+def _shared_by_circles(
+    points: list[npt.NDArray[np.float64]], one: Circle, other: Circle, half: float
+) -> float:
+    """How far from a junction two circles share their ink."""
+    apart = float(np.hypot(*np.subtract(one.centre, other.centre)))
+    if len(points) == 1:
+        # They part as a line does from a circle that bends by the difference of both.
+        side = 1.0 if apart < max(one.radius, other.radius) else -1.0
+        bend = max(abs(1.0 / one.radius - side / other.radius), 1e-6)
+        return min(float(np.sqrt(2.0 * (half + 1.0) / bend)), one.radius)
+    cosine = (one.radius**2 + other.radius**2 - apart**2) / (2.0 * one.radius * other.radius)
+    sine = float(np.sqrt(max(1.0 - cosine**2, 0.0025)))
+    return min((half + 1.0) / sine - 1.0, 8.0 * half)
+
+
+def _circle_circle(one: Circle, other: Circle) -> list[npt.NDArray[np.float64]]:
+    """Two points, one where the circles touch within a tangent's tolerance, or none."""
+    way = np.subtract(other.centre, one.centre)
+    apart = float(np.hypot(*way))
+    if apart < _TANGENT:
+        return []
+    beyond = apart - one.radius - other.radius
+    within = abs(one.radius - other.radius) - apart
+    if max(beyond, within) > _TANGENT:
+        return []
+    along = (apart**2 + one.radius**2 - other.radius**2) / (2.0 * apart)
+    touching = max(beyond, within) > -_TANGENT
+    aside = 0.0 if touching else np.sqrt(max(one.radius**2 - along**2, 0.0))
+    way = way / apart
+    foot = np.array(one.centre) + (np.sign(along) * one.radius if touching else along) * way
+    if touching:
+        return [foot]
+    side = aside * np.array([-way[1], way[0]])
+    return [foot - side, foot + side]
 
 
 def _line_circle(line: Line, circle: Circle) -> list[npt.NDArray[np.float64]]:

@@ -104,3 +104,35 @@ def test_a_full_circle_has_no_ends() -> None:
     assert not is_full_circle(circle, _visible(0.0, 60.0))
     found = _of(circle, [(circle, whole), (_upright(10.0), _visible(-50, 50))])
     assert found == [(whole.start, whole.end, Linetype.VISIBLE)]
+
+
+def _ends(circle: Circle, piece: tuple[float, float, Linetype]) -> np.ndarray:
+    return circle.points_at(np.array(piece[:2]))
+
+
+@pytest.mark.parametrize("off", [-1.5, 0.0, 1.2])
+def test_arcs_end_where_their_circles_cross(off: float) -> None:
+    """Two holes that overlap."""
+    one, other = Circle((0.0, 0.0), 30.0), Circle((40.0, 0.0), 30.0)
+    angle = float(np.arccos(20.0 / 30.0))
+    right = _visible(30.0 * angle + off, 30.0 * (2 * np.pi - angle) - off)
+    left = _visible(30.0 * (angle - np.pi) + off, 30.0 * (np.pi - angle) - off)
+    pieces = [(one, right), (other, left)]
+    meet = np.array([[20.0, np.sqrt(500.0)], [20.0, -np.sqrt(500.0)]])
+    (found,) = _of(one, pieces)
+    assert _ends(one, found) == pytest.approx(meet)
+    (found,) = _of(other, pieces)
+    assert _ends(other, found) == pytest.approx(meet[::-1])
+
+
+@pytest.mark.parametrize("off", [-4.0, 0.0, 1.5])
+def test_arcs_that_touch_end_where_they_touch(off: float) -> None:
+    """An S of two arcs: their ink is one for some px around the point."""
+    one, other = Circle((0.0, 0.0), 40.0), Circle((100.0, 0.0), 60.0)
+    upper = _visible(off, 60.0)
+    lower = _visible(60.0 * np.pi + off, 60.0 * np.pi + 90.0)
+    (found,) = _of(one, [(one, upper), (other, lower)])
+    assert _ends(one, found)[0] == pytest.approx((40.0, 0.0), abs=1e-6)
+    assert found[1] == pytest.approx(60.0)
+    (found,) = _of(other, [(one, upper), (other, lower)])
+    assert _ends(other, found)[0] == pytest.approx((40.0, 0.0), abs=1e-6)
