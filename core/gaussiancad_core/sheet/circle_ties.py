@@ -16,6 +16,10 @@ _MOST = 1500
 """Unknowns up to which ties are held: drawings with more are no parts of a few views."""
 
 
+_ROUNDS = 20
+"""Times that ties are dropped before all are."""
+
+
 @dataclass(frozen=True)
 class Tie:
     """``values[edge] = values[centre] + side * values[radius]``, all by their numbers."""
@@ -46,8 +50,8 @@ class Estimates:
 def tied(known: Estimates, pull: Floats, ties: Sequence[Tie]) -> Floats:
     """(n,) the most likely values that hold the ties.
 
-    Ties that would move a value further than it can be wrong, or turn the order of two
-    coordinates, are dropped, the one that fits worst first.
+    Of the ties at a value that they would move further than it can be wrong, or past another, the
+    one that fits worst is dropped, until the rest hold together.
 
     Args:
         known: what the views say.
@@ -56,13 +60,21 @@ def tied(known: Estimates, pull: Floats, ties: Sequence[Tie]) -> Floats:
     """
     held = list(ties) if len(known.start) <= _MOST else []
     misfit = {tie: abs(_misfit(known.start, tie)) for tie in held}
-    while held:
+    for _ in range(_ROUNDS):
+        if not held:
+            break
         values = _solved(known, pull, held)
-        wrong = _violated(known, values)
-        if not wrong.any():
+        wrong = np.flatnonzero(_violated(known, values))
+        if not len(wrong):
             return values
-        touched = [tie for tie in held if wrong[[tie.edge, tie.centre, tie.radius]].any()]
-        held.remove(max(touched or held, key=lambda tie: misfit[tie]))
+        worst = set()
+        for number in wrong:
+            touching = [tie for tie in held if number in (tie.edge, tie.centre, tie.radius)]
+            if touching:
+                worst.add(max(touching, key=misfit.__getitem__))
+        # What is wrong without a tie of its own is so through others.
+        for tie in worst or {max(held, key=misfit.__getitem__)}:
+            held.remove(tie)
     return known.start
 
 

@@ -300,6 +300,9 @@ def _relaid(
     return Slant(line, slant.weight)
 
 
+_LEFT = 0.3
+"""Share of a stroke's length that is left of it at least."""
+
 Hold = tuple[Point, float]
 """A centre, and how far to its left a line passes it: 0 is a point of the line."""
 
@@ -334,17 +337,26 @@ def _tangent(first: Hold, last: Hold, like: Line) -> Line | None:
     return Line((float(point[0]), float(point[1])), (float(direction[0]), float(direction[1])))
 
 
+def _settled_segment(
+    segment: Segment, support: Support | None, ends: tuple[Point, Point]
+) -> Segment:
+    way = np.subtract(segment.end, segment.start)
+    share = float(way @ np.subtract(ends[1], ends[0])) / max(float(way @ way), 1e-12)
+    # A short stroke between two vertices that became one would vanish or turn around.
+    points = [list(end) for end in (ends if share > _LEFT else (segment.start, segment.end))]
+    if isinstance(support, AxisLine):
+        for point in points:
+            point[support.fixed] = support.at
+    start, end = ((point[0], point[1]) for point in points)
+    return replace(segment, start=start, end=end)
+
+
 def _settled(own: SupportedStrokes, index: int, ends: dict[tuple[int, int], Point]) -> Stroke:
     """A stroke on its support, with the ends of its vertices."""
     stroke, number = own.strokes[index], own.of[index]
     support = own.supports[number] if number is not None else None
     if isinstance(stroke, Segment):
-        points = [list(ends[index, end]) for end in (0, 1)]
-        if isinstance(support, AxisLine):
-            for point in points:
-                point[support.fixed] = support.at
-        start, end = ((point[0], point[1]) for point in points)
-        return replace(stroke, start=start, end=end)
+        return _settled_segment(stroke, support, (ends[index, 0], ends[index, 1]))
     if not isinstance(stroke, Arc) or not isinstance(support, Round):
         return stroke
     moved = replace(stroke, centre=support.centre, radius=support.radius)

@@ -101,3 +101,11 @@ def test_free_ends_stay_and_ellipses_too() -> None:
     alone, kept = settled(line(20, 20, 45, 60), ellipse)
     assert (*alone.start, *alone.end) == pytest.approx((20.0, 20.0, 45.0, 60.0), abs=1e-9)
     assert kept == ellipse
+
+
+def test_a_short_stroke_does_not_vanish_between_its_vertices() -> None:
+    # Both its ends are near the same coordinate.
+    base, bump = settled(line(0, 0, 200, 0), line(59.4, 40.0, 60.9, 40.0))
+    assert base.length == 200.0
+    assert bump.start[1] == bump.end[1]
+    assert bump.end[0] - bump.start[0] == pytest.approx(1.5)
