@@ -160,7 +160,9 @@ class Worker:
         while True:
             try:
                 if not self._connection.poll(max(0.0, deadline - time.monotonic())):
-                    return self._ended(row, f"{row['stage']}-over-time")
+                    # Time that was spent counts, or the slowest parts would make others look fast.
+                    spent = {"seconds": task.limit} if row["stage"] == "solve" else {}
+                    return self._ended({**row, **spent}, f"{row['stage']}-over-time")
                 bit = self._connection.recv()
             except (EOFError, ConnectionError):
                 return self._ended(row, f"{row['stage']}-crashed")
