@@ -23,6 +23,9 @@ _SEEN_BEYOND = 1.8
 _TANGENT = 1.2
 """px by which a line may miss or cut a curve and be its tangent."""
 
+_UNSEEN = 1.3
+"""Share of the ink that a hidden piece has in common with another in which its dashes get lost."""
+
 _ABUTTING = 0.75
 """px between the ends of pieces that continue each other."""
 
@@ -89,7 +92,7 @@ def _nearest(
         at
         for at, reach in crossings
         # Dashes in ink that the other stroke has too are not seen.
-        if -reach - _SEEN_BEYOND <= at - position <= outward + hidden * reach
+        if -reach - _SEEN_BEYOND <= at - position <= outward + hidden * _UNSEEN * reach
     ]
     return min(near, key=lambda at: abs(at - position), default=position)
 
