@@ -1,0 +1,112 @@
+"""Cells along lines of sight."""
+
+from collections.abc import Callable
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.columns import BODY, Space, parallel
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.part import model_part
+from gaussiancad_core.reasoning.planes import IN_PLANE, lifted
+
+_NAMES = ("stepped-block", "counterbored-block", "wedge-block", "countersunk-plate", "ball-knob")
+_SHARE = st.floats(-0.02, 1.02)
+
+
+@pytest.fixture(scope="module", params=_NAMES)
+def space(request: pytest.FixtureRequest, sample_views: Callable[[str], DrawnViews]) -> Space:
+    return model_part(sample_views(request.param)).space
+
+
+@given(st.tuples(_SHARE, _SHARE, _SHARE))
+def test_columns_of_all_axes_tell_the_cell_of_a_point(
+    space: Space, shares: tuple[float, float, float]
+) -> None:
+    ends = [space.values[axis] for axis in Axis]
+    point = tuple(own[0] + s * (own[-1] - own[0]) for own, s in zip(ends, shares, strict=True))
+    expected = space.cell_at(point)
+    for normal in Axis:
+        first, second = IN_PLANE[normal]
+        column = space.column(normal, point[first], point[second])
+        depth = point[normal.value]
+        if any(abs(depth - crossing.depth) < 1e-4 for crossing in column):
+            continue
+        if any(abs(p - v) < 1e-4 for p, own in zip(point, ends, strict=True) for v in own):
+            continue
+        before = [crossing for crossing in column if crossing.depth < depth]
+        assert (before[-1].after if before else None) == expected
+
+
+@pytest.mark.parametrize("normal", Axis)
+@given(_SHARE, _SHARE)
+def test_a_column_goes_from_void_to_void_step_by_step(
+    space: Space, normal: Axis, one: float, other: float
+) -> None:
+    ends = [space.values[Axis(index)] for index in IN_PLANE[normal]]
+    a, b = (
+        own[0] + share * (own[-1] - own[0]) for own, share in zip(ends, (one, other), strict=True)
+    )
+    # What lies on a line may be told as either of its sides.
+    if any(abs(p - v) < 1e-4 for p, own in zip((a, b), ends, strict=True) for v in own):
+        return
+    column = space.column(normal, a, b)
+    if not column:
+        return
+    assert column[0].before is None and column[-1].after is None
+    for crossing, following in pairwise(column):
+        assert crossing.after == following.before
+        assert crossing.depth <= following.depth
+    for crossing in column:
+        assert crossing.before != crossing.after
+        assert np.linalg.norm(crossing.normal) == pytest.approx(1.0)
+        # A surface seen edge-on in a plane has no normal along that plane's own axis.
+        plane, _ = crossing.surface
+        if plane != BODY:
+            assert crossing.normal[plane] == 0.0 and plane != normal.value
+    for crossing, following in pairwise(column):
+        if following.depth - crossing.depth > 1e-3:
+            middle = lifted(normal, a, b, (crossing.depth + following.depth) / 2.0)
+            assert space.cell_at(middle) == crossing.after
+    assert column is space.column(normal, a, b)
+
+
+def test_values_are_ascending_and_start_at_the_origin(space: Space) -> None:
+    for axis in Axis:
+        values = space.values[axis]
+        assert values == sorted(values) and values[0] == pytest.approx(0.0, abs=1e-6)
+        assert all(low + 1e-6 < high for low, high in pairwise(values))
+
+
+def test_nothing_is_outside_of_the_box(space: Space) -> None:
+    for axis in Axis:
+        for value in (space.values[axis][0] - 0.5, space.values[axis][-1] + 0.5):
+            point = [10.0, 10.0, 10.0]
+            point[axis.value] = value
+            assert space.cell_at(tuple(point)) is None
+
+
+def test_thickness_is_the_longest_stretch_looked_at(
+    sample_views: Callable[[str], DrawnViews],
+) -> None:
+    planes = model_part(sample_views("stepped-block")).space.planes
+    fresh = Space(planes)
+    assert fresh.thickness() == {}
+    rng = np.random.default_rng(2)
+    longest: dict[tuple[int, ...], float] = {}
+    for a, b in rng.uniform(0.0, 60.0, (60, 2)):
+        for normal in Axis:
+            for crossing, following in pairwise(fresh.column(normal, a, b)):
+                if crossing.after is not None:
+                    length = following.depth - crossing.depth
+                    longest[crossing.after] = max(longest.get(crossing.after, 0.0), length)
+    assert longest and fresh.thickness() == longest
+
+
+def test_normals_are_parallel_either_way() -> None:
+    assert parallel((0.0, 0.6, 0.8), (0.0, -0.6, -0.8))
+    assert not parallel((0.0, 0.6, 0.8), (0.0, 0.8, 0.6))
