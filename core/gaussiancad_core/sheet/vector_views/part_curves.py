@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import cv2
 import numpy as np
 import numpy.typing as npt
+from scipy.spatial import cKDTree
 
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
@@ -29,6 +30,12 @@ _LINES_OF_PARTS = (StrokeRole.VISIBLE, StrokeRole.HIDDEN, StrokeRole.UNKNOWN)
 
 _LEFT = 0.6
 """Share of a stroke's ink that is left without the annotations, if it is the part's."""
+
+_THIN = 0.75
+"""Width of a thin line over that of most of the part's lines, by length (ISO 128-2: a half)."""
+
+_NEAR = 2.0
+"""px between the end of a stroke and another that it ends at."""
 
 _STEP = 1.0
 """px between the places at which a stroke is looked for."""
@@ -95,7 +102,34 @@ def part_curves(
             found.append(replace(stroke, curve=curve))
         else:
             others.append(curve)
-    return tuple(found), tuple(others)
+    loose = _thin_and_loose(found)
+    others += [stroke.curve for stroke, is_loose in zip(found, loose, strict=True) if is_loose]
+    kept = (stroke for stroke, is_loose in zip(found, loose, strict=True) if not is_loose)
+    return tuple(kept), tuple(others)
+
+
+def _thin_and_loose(strokes: Sequence[VectorStroke]) -> npt.NDArray[np.bool_]:
+    """(n,) which solid lines are thinner than edges are and end on paper: dashes of centre lines
+    that were drawn one by one."""
+    widths = np.array([stroke.width or 0.0 for stroke in strokes])
+    solid = np.array([not stroke.dashes for stroke in strokes], dtype=bool) & (widths > 0.0)
+    found = np.zeros(len(strokes), bool)
+    if not solid.any():
+        return found
+    lengths = np.array([stroke.curve.length for stroke in strokes])
+    order = np.argsort(widths[solid])
+    along = np.cumsum(lengths[solid][order])
+    usual = widths[solid][order][np.searchsorted(along, along[-1] / 2.0)]
+    thin = np.flatnonzero(solid & (widths < _THIN * usual))
+    if not len(thin):
+        return found
+    points = [stroke.curve.sample(_STEP) for stroke in strokes]
+    owner = np.repeat(np.arange(len(points)), [len(own) for own in points])
+    tree = cKDTree(np.concatenate(points))
+    for index in thin:
+        near = tree.query_ball_point(points[index][[0, -1]], _NEAR)
+        found[index] = any((owner[own] == index).all() for own in near)
+    return found
 
 
 def _upright(curve: Curve, turn: Turn) -> Curve:
