@@ -45,7 +45,7 @@ class Body(Protocol):
         """Curves, and stretches of them, along which a view may show the body."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Crossing:
     """Where a column passes from one cell into another.
 

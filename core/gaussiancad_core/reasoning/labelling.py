@@ -14,6 +14,13 @@ from gaussiancad_core.reasoning.columns import Cell
 from gaussiancad_core.reasoning.rules import Group, Rule, Transition
 from gaussiancad_core.views import Linetype
 
+_SLIGHT = 1.0
+"""Units of line below which a rule is given up before anything else is.
+
+The shortest pieces lie where curves nearly touch; there the point that stands for a piece may not
+tell what is drawn on it.
+"""
+
 Labels = dict[Cell, bool]
 """True is material."""
 
@@ -23,25 +30,25 @@ class Model:
 
     Args:
         rules: to be fulfilled.
-        relaxable: whether each rule gets a literal that gives it up.
+        lightest: rules of a weight below this get a literal that gives them up.
 
     Attributes:
         cells: the Boolean of each cell.
-        given_up: literal of each rule, in order; empty if not relaxable.
+        given_up: those literals, by the number of the rule.
     """
 
-    def __init__(self, rules: Sequence[Rule], *, relaxable: bool) -> None:
+    def __init__(self, rules: Sequence[Rule], *, lightest: float = 0.0) -> None:
         self.model = cp_model.CpModel()
         self.cells: dict[Cell, cp_model.IntVar] = {}
-        self.given_up: list[cp_model.IntVar] = []
+        self.given_up: dict[int, cp_model.IntVar] = {}
         self._false = self.model.new_constant(0)
         self._different: dict[tuple[int, int], cp_model.IntVar] = {}
         self.surfaces: list[cp_model.IntVar] = []
-        for rule in rules:
+        for number, rule in enumerate(rules):
             escape: list[cp_model.IntVar] = []
-            if relaxable:
+            if rule.weight < lightest:
                 escape = [self.model.new_bool_var("")]
-                self.given_up.append(escape[0])
+                self.given_up[number] = escape[0]
             self._add(rule, escape)
 
     def cell(self, cell: Cell | None) -> cp_model.IntVar:
@@ -137,9 +144,9 @@ class Effort:
         workers: threads; more than one still ends at the same labels.
     """
 
-    hard: float = 20.0
-    cores: float = 20.0
-    soft: float = 10.0
+    hard: float = 12.0
+    cores: float = 10.0
+    soft: float = 5.0
     workers: int = 1
 
 
@@ -172,30 +179,6 @@ def solver_for(time: float, workers: int = 1) -> cp_model.CpSolver:
 FOUND = (cp_model.OPTIMAL, cp_model.FEASIBLE)
 
 
-def label_cells(rules: Sequence[Rule], effort: Effort, *, relaxed: bool = True) -> Labelling:
-    """Labels under which all rules hold, or all but the least; the simplest of them.
-
-    Without ``relaxed`` there are no labels where the rules contradict each other.
-
-    Simple means few surfaces: of parts that look alike in all views, the drawn one is nearly always
-    the one with the fewest.
-    """
-    hard = Model(rules, relaxable=False)
-    solver = solver_for(effort.hard, effort.workers)
-    status = solver.solve(hard.model)
-    if status not in FOUND:
-        if relaxed:
-            return relaxed_labels(rules, effort)
-        return Labelling(None, (), status == cp_model.INFEASIBLE)
-    first = hard.labels(solver)
-    for cell, literal in hard.cells.items():
-        hard.model.add_hint(literal, first[cell])
-    hard.model.minimize(sum(hard.surfaces))
-    solver = solver_for(effort.soft, effort.workers)
-    status = solver.solve(hard.model)
-    return Labelling(hard.labels(solver) if status in FOUND else first, (), True)
-
-
 @dataclass(frozen=True)
 class Others:
     """Further labels under which the same rules hold.
@@ -209,54 +192,120 @@ class Others:
     complete: bool
 
 
-def other_labels(
-    rules: Sequence[Rule], found: Labelling, cells: Sequence[Cell], most: int, effort: Effort
-) -> Others:
-    """Other labels that fulfil what the found ones fulfil.
+class Search:
+    """Looks for labels under the rules of one part; the clauses are made once.
 
     Args:
         rules: of the part.
-        found: labels; the rules that they give up are not asked for.
-        cells: those that count: labels that differ in others only are the same.
-        most: how many to look for.
-        effort: the deterministic time of ``hard`` is for all of them.
+        effort: how long to look.
     """
-    if found.labels is None:
-        return Others((), False)
-    given_up = {id(rule) for rule in found.given_up}
-    model = Model([rule for rule in rules if id(rule) not in given_up], relaxable=False)
-    counting = [cell for cell in cells if cell in model.cells and cell in found.labels]
-    if not counting:
-        return Others((), True)
-    others: list[Labels] = []
-    latest = found.labels
-    spent = 0.0
-    while len(others) < most:
-        model.forbid(latest, counting)
-        solver = solver_for(effort.hard - spent, effort.workers)
-        status = solver.solve(model.model)
-        spent += solver.response_proto.deterministic_time
-        if status == cp_model.INFEASIBLE:
-            return Others(tuple(others), True)
-        if status not in FOUND or spent >= effort.hard:
-            break
-        latest = model.labels(solver)
-        others.append(latest)
-    return Others(tuple(others), False)
+
+    def __init__(self, rules: Sequence[Rule], effort: Effort) -> None:
+        self._rules = tuple(rules)
+        self._effort = effort
+        self._model = Model(rules, lightest=_SLIGHT)
+
+    def best(self, *, relaxed: bool = True) -> Labelling:
+        """Labels under which all rules hold, or all but the least; the simplest of them.
+
+        Simple means few surfaces: of parts that look alike in all views, the drawn one is nearly
+        always the one with the fewest.  Without ``relaxed`` there are no labels where the rules
+        contradict each other.
+        """
+        model = self._model.model
+        complete = True
+        for strict in (True, False) if relaxed else (True,):
+            model.clear_assumptions()
+            if strict:
+                model.add_assumptions([~escape for escape in self._model.given_up.values()])
+            solver = solver_for(self._effort.hard, self._effort.workers)
+            status = solver.solve(model)
+            model.clear_assumptions()
+            if status in FOUND:
+                return self._simplest(solver, strict=strict)
+            complete &= status == cp_model.INFEASIBLE
+        return (
+            relaxed_labels(self._rules, self._effort) if relaxed else Labelling(None, (), complete)
+        )
+
+    def _simplest(self, found: cp_model.CpSolver, *, strict: bool) -> Labelling:
+        """Of all labels those that give up least, with the fewest surfaces."""
+        model = self._model.model
+        first = self._model.labels(found)
+        for cell, literal in self._model.cells.items():
+            model.add_hint(literal, first[cell])
+        escapes = self._model.given_up
+        cost = sum(10 * _points(self._rules[number]) * escape for number, escape in escapes.items())
+        if strict:
+            model.add_assumptions([~escape for escape in escapes.values()])
+        model.minimize(cost + sum(self._model.surfaces))
+        solver = solver_for(self._effort.soft, self._effort.workers)
+        status = solver.solve(model)
+        model.clear_objective()
+        model.clear_hints()
+        model.clear_assumptions()
+        labels = self._model.labels(solver) if status in FOUND else first
+        broken = () if strict else _broken(self._rules, labels)
+        return Labelling(labels, broken, not broken or status == cp_model.OPTIMAL)
+
+    def others(self, found: Labelling, cells: Sequence[Cell], most: int) -> Others:
+        """Other labels that fulfil what the found ones fulfil.
+
+        Args:
+            found: labels; the rules that they give up are not asked for.
+            cells: those that count: labels that differ in others only are the same.
+            most: how many to look for, all within the deterministic time of ``hard``.
+        """
+        if found.labels is None:
+            return Others((), False)
+        held = self._holding(found)
+        counting = [cell for cell in cells if cell in held.cells and cell in found.labels]
+        if not counting:
+            return Others((), True)
+        others: list[Labels] = []
+        latest = found.labels
+        spent = 0.0
+        while len(others) < most:
+            held.forbid(latest, counting)
+            solver = solver_for(self._effort.hard - spent, self._effort.workers)
+            status = solver.solve(held.model)
+            spent += solver.response_proto.deterministic_time
+            if status == cp_model.INFEASIBLE:
+                return Others(tuple(others), True)
+            if status not in FOUND or spent >= self._effort.hard:
+                break
+            latest = held.labels(solver)
+            others.append(latest)
+        return Others(tuple(others), False)
+
+    def _holding(self, found: Labelling) -> Model:
+        """The clauses of those rules that found labels fulfil; they can be used once."""
+        broken = {id(rule) for rule in found.given_up}
+        slight = {id(self._rules[number]) for number in self._model.given_up}
+        if not broken <= slight:
+            return Model([rule for rule in self._rules if id(rule) not in broken])
+        for number, escape in self._model.given_up.items():
+            if id(self._rules[number]) not in broken:
+                self._model.model.add(escape == 0)
+        return self._model
+
+
+def _points(rule: Rule) -> int:
+    return max(1, round(10.0 * rule.weight))
 
 
 def relaxed_labels(rules: Sequence[Rule], effort: Effort) -> Labelling:
     """Labels that give up rules of the least weight, by unsatisfiable cores."""
-    model = Model(rules, relaxable=True)
-    number = {literal.index: i for i, literal in enumerate(model.given_up)}
-    weights = [max(1, round(10.0 * rule.weight)) for rule in rules]
+    model = Model(rules, lightest=float("inf"))
+    number = {literal.index: i for i, literal in model.given_up.items()}
+    weights = [_points(rule) for rule in rules]
     relaxed: set[int] = set()
     spent = 0.0
     solver = solver_for(effort.cores)
     while True:
         model.model.clear_assumptions()
         model.model.add_assumptions(
-            [~literal for i, literal in enumerate(model.given_up) if i not in relaxed]
+            [~literal for i, literal in model.given_up.items() if i not in relaxed]
         )
         solver = solver_for(effort.cores - spent)
         status = solver.solve(model.model)
@@ -273,7 +322,7 @@ def relaxed_labels(rules: Sequence[Rule], effort: Effort) -> Labelling:
         relaxed.update(members if len(members) <= 6 else members[: (len(members) + 1) // 2])
     first = model.labels(solver)
     model.model.clear_assumptions()
-    for i, literal in enumerate(model.given_up):
+    for i, literal in model.given_up.items():
         if i not in relaxed:
             model.model.add(literal == 0)
     for cell, literal in model.cells.items():

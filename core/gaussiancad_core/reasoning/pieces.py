@@ -35,6 +35,9 @@ _SHORT = 1e-3
 _NEAR = 1e-5
 """Units within which a value is that of a support."""
 
+_SIDE = 2e-5
+"""Units beside a line at which its sides are looked up."""
+
 _RIM = 0.01
 """Units within which the rim of a body is a support's curve."""
 
@@ -107,6 +110,8 @@ def _lines(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, Support |
         across = (1.0, 0.0) if coordinate == 0 else (0.0, 1.0)
         for value in values[coordinate]:
             support = next((s for s in on_axis if _is_at(s.curve, coordinate, value)), None)
+            if support is None and not _changes_at(space, normal, coordinate, value):
+                continue
             for low, high in pairwise(values[1 - coordinate]):
                 at = low + SHARE * (high - low)
                 point = (value, at) if coordinate == 0 else (at, value)
@@ -115,6 +120,20 @@ def _lines(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, Support |
         support = plane.supports[index]
         if support.curve.axis is None:
             yield from _cut(support, (low, high), values)
+
+
+def _changes_at(space: Space, normal: Axis, coordinate: int, value: float) -> bool:
+    """Whether columns differ on both sides of a value at which the plane itself has no line.
+
+    Of the planes beside, only the one that shows this coordinate can tell the sides apart.
+    """
+    if space.bodies:
+        return True
+    axis = Axis(IN_PLANE[normal][coordinate])
+    beside = next(plane for plane in Axis if plane not in (normal, axis))
+    place = IN_PLANE[beside].index(axis.value)
+    one, other = (space.planes[beside].trace(place, value + way) for way in (-_SIDE, _SIDE))
+    return one.supports != other.supports or one.regions != other.regions
 
 
 def _is_at(curve: PlaneCurve, coordinate: int, value: float) -> bool:

@@ -13,8 +13,7 @@ from gaussiancad_core.reasoning.labelling import (
     Effort,
     Labelling,
     Labels,
-    label_cells,
-    other_labels,
+    Search,
 )
 from gaussiancad_core.reasoning.part import PartModel, model_part
 from gaussiancad_core.solid.build import build_solid
@@ -92,12 +91,13 @@ def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
     clock = _Clock()
     part = model_part(views)
     clock.lap("model")
-    labelling = label_cells(part.rules, limits.effort, relaxed=limits.relaxed)
+    search = Search(part.rules, limits.effort)
+    labelling = search.best(relaxed=limits.relaxed)
     clock.lap("label")
     if labelling.labels is None:
         reason = _NONE if labelling.complete else _UNFINISHED
         return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
-    candidates, complete = _candidates(part, views, labelling, limits, clock)
+    candidates, complete = _candidates(_Work(part, views, search, clock), labelling, limits)
     if not candidates:
         reason = (
             "no-valid-solid",
@@ -134,37 +134,42 @@ class _Clock:
         return time.perf_counter() - self._start
 
 
-def _candidates(
-    part: PartModel, views: DrawnViews, labelling: Labelling, limits: Limits, clock: _Clock
-) -> tuple[list[Candidate], bool]:
+@dataclass(frozen=True)
+class _Work:
+    """What candidates are made from."""
+
+    part: PartModel
+    views: DrawnViews
+    search: Search
+    clock: _Clock
+
+
+def _candidates(work: _Work, labelling: Labelling, limits: Limits) -> tuple[list[Candidate], bool]:
     """Solids of the labels and of others, simplest first; whether all there are were looked at."""
-    counting: list[Cell] = [
-        cell for cell, thickness in part.space.thickness().items() if thickness > _COUNTING
-    ]
-    others = other_labels(part.rules, labelling, counting, limits.alternatives, limits.effort)
-    clock.lap("others")
-    complete = others.complete and labelling.complete
-    candidates = []
-    for labels in (labelling.labels, *others.labels):
-        if clock.total > limits.seconds and candidates:
+    thickness = work.part.space.thickness()
+    counting: list[Cell] = [cell for cell, units in thickness.items() if units > _COUNTING]
+    first = _candidate(work, labelling.labels)
+    candidates = [first] if first is not None else []
+    others = work.search.others(labelling, counting, limits.alternatives)
+    work.clock.lap("others")
+    for labels in others.labels:
+        if work.clock.total > limits.seconds:
             return candidates, False
-        candidate = _candidate(part, views, labels, clock)
+        candidate = _candidate(work, labels)
         if candidate is not None:
             candidates.append(candidate)
-    return candidates, complete
+    return candidates, others.complete and labelling.complete
 
 
-def _candidate(
-    part: PartModel, views: DrawnViews, labels: Labels | None, clock: _Clock
-) -> Candidate | None:
+def _candidate(work: _Work, labels: Labels | None) -> Candidate | None:
     if labels is None:
         return None
-    built = build_solid(LabelledSpace(part.space, labels), part.supports.scale)
-    clock.lap("build")
+    built = build_solid(LabelledSpace(work.part.space, labels), work.part.supports.scale)
+    work.clock.lap("build")
     if built.shape is None:
         return None
-    verification = verify(built.shape, views)
-    clock.lap("verify")
+    verification = verify(built.shape, work.views)
+    work.clock.lap("verify")
     return Candidate(built.shape, verification)
 
 

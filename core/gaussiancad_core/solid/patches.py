@@ -132,9 +132,17 @@ def _pieces(
             if line != curve:
                 cuts.update(curve.parameter(point) for point in meetings(curve, line))
     inside = sorted(t for t in cuts if stretch[0] - 1e-9 <= t <= stretch[1] + 1e-9)
-    for low, high in pairwise(inside):
-        if (high - low) * curve.speed >= _SHORT:
-            yield low, high
+    short = _SHORT / curve.speed
+    for place, (low, high) in enumerate(pairwise(inside)):
+        if high - low < short:
+            continue
+        # Pieces too short to be looked at go with both of their neighbours.
+        first, last = place, place + 1
+        while first > 0 and inside[first] - inside[first - 1] < short:
+            first -= 1
+        while last + 1 < len(inside) and inside[last + 1] - inside[last] < short:
+            last += 1
+        yield inside[first], inside[last]
 
 
 def _unlike(
