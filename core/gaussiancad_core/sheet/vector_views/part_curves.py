@@ -34,8 +34,8 @@ _LEFT = 0.6
 _THIN = 0.75
 """Width of a thin line over that of most of the part's lines, by length (ISO 128-2: a half)."""
 
-_NEAR = 2.0
-"""px between the end of a stroke and another that it ends at."""
+_WIDEST_GAP = 20.0
+"""px between the dashes of a centre line."""
 
 _STEP = 1.0
 """px between the places at which a stroke is looked for."""
@@ -102,34 +102,58 @@ def part_curves(
             found.append(replace(stroke, curve=curve))
         else:
             others.append(curve)
-    loose = _thin_and_loose(found)
+    loose = _left_of_centre_lines(found, others)
     others += [stroke.curve for stroke, is_loose in zip(found, loose, strict=True) if is_loose]
     kept = (stroke for stroke, is_loose in zip(found, loose, strict=True) if not is_loose)
     return tuple(kept), tuple(others)
 
 
-def _thin_and_loose(strokes: Sequence[VectorStroke]) -> npt.NDArray[np.bool_]:
-    """(n,) which solid lines are thinner than edges are and end on paper: dashes of centre lines
-    that were drawn one by one."""
+def _left_of_centre_lines(
+    strokes: Sequence[VectorStroke], others: Sequence[Curve]
+) -> npt.NDArray[np.bool_]:
+    """(n,) which thin solid lines go on, after a gap, in a line that is an annotation: dashes of
+    centre lines that were drawn one by one."""
+    found = np.zeros(len(strokes), bool)
+    thin = _thin_lines(strokes)
+    if not len(thin) or not others:
+        return found
+    annotations = cKDTree(np.concatenate([_places(curve) for curve in others]))
+    # Dashes of a hidden line go on in each other.
+    owner = np.repeat(thin, [len(_places(strokes[index].curve)) for index in thin])
+    dashes = cKDTree(np.concatenate([_places(strokes[index].curve) for index in thin]))
+    ahead = np.arange(_STEP, _WIDEST_GAP, _STEP)[:, None]
+    for index in thin:
+        start, end = np.array([strokes[index].curve.start, strokes[index].curve.end])
+        way = (end - start) / max(float(np.hypot(*(end - start))), 1e-12)
+        for tip, outward in ((end, way), (start, -way)):
+            points = tip + ahead * outward
+            away, nearest = dashes.query(points)
+            own = _first((away < _STEP) & (owner[nearest] != index))
+            found[index] |= _first(annotations.query(points)[0] < _STEP) < own
+    return found
+
+
+def _places(curve: Curve) -> npt.NDArray[np.float64]:
+    return curve.sample(max(_STEP, curve.length / _MOST_PLACES))
+
+
+def _first(flags: npt.NDArray[np.bool_]) -> int:
+    """Index of the first that is set; their number if none is."""
+    return int(np.argmax(flags)) if flags.any() else len(flags)
+
+
+def _thin_lines(strokes: Sequence[VectorStroke]) -> npt.NDArray[np.int64]:
+    """Numbers of the solid straight strokes that are thinner than edges are."""
     widths = np.array([stroke.width or 0.0 for stroke in strokes])
     solid = np.array([not stroke.dashes for stroke in strokes], dtype=bool) & (widths > 0.0)
-    found = np.zeros(len(strokes), bool)
     if not solid.any():
-        return found
+        return np.empty(0, int)
     lengths = np.array([stroke.curve.length for stroke in strokes])
     order = np.argsort(widths[solid])
     along = np.cumsum(lengths[solid][order])
     usual = widths[solid][order][np.searchsorted(along, along[-1] / 2.0)]
-    thin = np.flatnonzero(solid & (widths < _THIN * usual))
-    if not len(thin):
-        return found
-    points = [stroke.curve.sample(_STEP) for stroke in strokes]
-    owner = np.repeat(np.arange(len(points)), [len(own) for own in points])
-    tree = cKDTree(np.concatenate(points))
-    for index in thin:
-        near = tree.query_ball_point(points[index][[0, -1]], _NEAR)
-        found[index] = any((owner[own] == index).all() for own in near)
-    return found
+    straight = np.array([isinstance(stroke.curve, Line) for stroke in strokes], dtype=bool)
+    return np.flatnonzero(solid & straight & (widths < _THIN * usual))
 
 
 def _upright(curve: Curve, turn: Turn) -> Curve:

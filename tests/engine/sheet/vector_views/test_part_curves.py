@@ -63,11 +63,14 @@ def test_strokes_off_the_ink_are_not_believed() -> None:
     assert kept(stroke(200, 10, 260, 10)) == []
 
 
-def test_thin_dashes_that_end_on_paper_are_left_of_centre_lines() -> None:
+def test_thin_dashes_that_go_on_in_an_annotation_are_left_of_centre_lines() -> None:
     edges = [stroke(10, 10, 90, 10), stroke(10, 10, 10, 90), stroke(90, 10, 90, 90)]
     dash = stroke(40, 50, 46, 50, width=1.5)
+    hidden = [stroke(20 + at, 30, 26 + at, 30, width=1.5) for at in (0, 9, 18, 27)]
     tangent = stroke(10, 70, 90, 70, width=1.5)
-    assert kept(*edges, dash, tangent) == [*edges, tangent]
+    long = stroke(50, 50, 80, 50, width=1.5, role=StrokeRole.CENTRE)
+    assert kept(*edges, dash, *hidden, tangent, long) == [*edges, *hidden, tangent]
+    assert kept(*edges, dash, *hidden, tangent) == [*edges, dash, *hidden, tangent]
 
 
 @pytest.mark.parametrize(
