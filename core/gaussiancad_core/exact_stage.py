@@ -102,7 +102,7 @@ def _solved(reading: Reading, limits: Limits) -> ExactResult:
 
 
 def _holds(result: ExactResult) -> bool:
-    return result.shape is not None and bool(result.verification and result.verification.holds)
+    return result.shape is not None and bool(result.verification and result.verification.explains)
 
 
 def _is_open(result: ExactResult) -> bool:

@@ -104,7 +104,7 @@ def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
             "the cells that fit the lines best bound no closed solid: lines are missing or wrong",
         )
         return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
-    agreeing = [c for c in candidates if c.verification.holds]
+    agreeing = [c for c in candidates if c.verification.explains]
     best = agreeing[0] if agreeing else candidates[0]
     reasons = _reasons(best, agreeing, complete, views)
     return ExactResult(
@@ -192,6 +192,14 @@ def _reasons(
                 f"the solid {what} a line of {worst.length:.1f} mm that the {worst.role.value} "
                 f"view has{'' if worst.missing else ' not'}, at ({worst.place[0]:.1f}, "
                 f"{worst.place[1]:.1f}) mm, and {len(best.verification.flaws) - 1} more",
+            )
+        )
+    if not best.verification.close:
+        reasons.append(
+            (
+                "lines-inexact",
+                f"the views' lines lie up to {best.verification.spread:.2g} mm beside the solid's: "
+                "its faces are right, its measures may not be",
             )
         )
     if len(agreeing) > 1:

@@ -1,6 +1,6 @@
 """A solid drawn again and compared with the views it was made from."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,6 +23,9 @@ _LEAST = 1e-3
 
 _FLAW = 2.5
 """Matching tolerances of line in one place from which a disagreement counts."""
+
+_CLOSE = 0.2
+"""Share of the matching tolerance within which nearly all lines agree if the measures are right."""
 
 _SMALLEST_FLAW = 0.002
 """The same as a share of the longest extent, at least."""
@@ -53,16 +56,26 @@ class Verification:
         sound: one valid closed solid.
         matched: of each view.
         flaws: all places of disagreement, worst first.
+        spread: mm from the solid's lines within which 95 % of the views' lines run, where they are
+            found at all.
+        close: whether that is close enough to rely on the measures.
     """
 
     sound: bool
     matched: Mapping[Role, MatchedLines]
     flaws: tuple[Flaw, ...]
+    spread: float
+    close: bool
+
+    @property
+    def explains(self) -> bool:
+        """Whether the solid is sound and its lines are those of the views."""
+        return self.sound and not self.flaws
 
     @property
     def holds(self) -> bool:
-        """Whether the solid is sound and its lines are those of the views."""
-        return self.sound and not self.flaws
+        """Whether its measures are those of the views, too."""
+        return self.explains and self.close
 
 
 def matching_tolerance(views: DrawnViews) -> float:
@@ -90,7 +103,23 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
                 if length >= least:
                     flaws.append(Flaw(role, place, length, missing))
     flaws.sort(key=lambda flaw: -flaw.length)
-    return Verification(facts.valid and facts.closed and facts.solids == 1, matched, tuple(flaws))
+    sound = facts.valid and facts.closed and facts.solids == 1
+    spread = _spread(matched.values(), tolerance)
+    return Verification(sound, matched, tuple(flaws), spread, spread <= _CLOSE * tolerance)
+
+
+def _spread(matched: Iterable[MatchedLines], tolerance: float) -> float:
+    """Distance from the result's lines within which 95 % of the sheet's found points lie."""
+    away = [np.zeros(1)]
+    for match in matched:
+        for own, found, other in (
+            (match.sheet.visible, match.visible_found, match.result.visible),
+            (match.sheet.hidden, match.hidden_found, match.result.hidden),
+        ):
+            if found.any() and len(other.points):
+                distances, _ = cKDTree(other.points).query(own.points[found])
+                away.append(np.minimum(distances, tolerance))
+    return float(np.quantile(np.concatenate(away), 0.95))
 
 
 def _places(
