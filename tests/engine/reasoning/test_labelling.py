@@ -1,0 +1,210 @@
+"""Labels that fulfil rules, and what is given up where they contradict each other."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import pairwise, product
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.reasoning.columns import Cell
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.labelling import (
+    Effort,
+    Labelling,
+    Labels,
+    Others,
+    Search,
+    relaxed_labels,
+)
+from gaussiancad_core.reasoning.part import model_part
+from gaussiancad_core.reasoning.rules import Group, Rule, Transition, drawn_under
+from gaussiancad_core.views import Linetype
+
+_CELLS: tuple[Cell, ...] = tuple((k, 1, 1, 0) for k in range(1, 5))
+_EFFORT = Effort()
+
+_PLACE: st.SearchStrategy[Cell | None] = st.sampled_from([None, *_CELLS])
+_TRANSITION = st.tuples(_PLACE, _PLACE)
+
+
+@st.composite
+def _groups(draw: st.DrawFn) -> Group:
+    pairs = tuple(draw(st.lists(st.tuples(_TRANSITION, _TRANSITION), max_size=2)))
+    lone = tuple(draw(st.lists(_TRANSITION, max_size=2)))
+    everything = (*(t for pair in pairs for t in pair), *lone)
+    return Group(pairs, lone, tuple(dict.fromkeys(everything)))
+
+
+_RULE = st.builds(
+    Rule,
+    st.lists(_groups(), min_size=1, max_size=3).map(tuple),
+    st.sampled_from([None, Linetype.VISIBLE, Linetype.HIDDEN]),
+    st.integers(1, 30).map(lambda tenths: tenths / 10.0),
+    st.just(Role.FRONT),
+    st.just((0.0, 0.0)),
+)
+
+
+def _best(
+    rules: Sequence[Rule], effort: Effort = _EFFORT, *, relaxed: bool = True
+) -> Labelling:
+    return Search(rules, effort).best(relaxed=relaxed)
+
+
+def _others(
+    rules: Sequence[Rule], found: Labelling, cells: Sequence[Cell], most: int = 40
+) -> Others:
+    return Search(rules, _EFFORT).others(found, cells, most)
+
+
+def _broken(rules: Sequence[Rule], labels: Labels) -> list[Rule]:
+    return [rule for rule in rules if drawn_under(rule, labels) is not rule.linetype]
+
+
+def _all_labels() -> list[Labels]:
+    return [
+        dict(zip(_CELLS, bits, strict=True)) for bits in product((False, True), repeat=len(_CELLS))
+    ]
+
+
+@settings(max_examples=30)
+@given(st.lists(_RULE, min_size=1, max_size=5))
+def test_labels_are_found_where_there_are_any_and_they_hold(rules: list[Rule]) -> None:
+    fitting = [labels for labels in _all_labels() if not _broken(rules, labels)]
+    found = _best(rules, relaxed=False)
+    assert found.complete
+    assert (found.labels is not None) == bool(fitting)
+    if found.labels is not None:
+        assert found.given_up == () and _broken(rules, found.labels) == []
+
+
+@settings(max_examples=15)
+@given(st.lists(_RULE, min_size=2, max_size=5))
+def test_what_is_given_up_is_told(rules: list[Rule]) -> None:
+    found = _best(rules)
+    assert found.labels is not None
+    assert list(found.given_up) == _broken(rules, found.labels)
+    heaviest = sum(rule.weight for rule in rules)
+    assert sum(rule.weight for rule in found.given_up) <= heaviest
+
+
+@settings(max_examples=12)
+@given(st.lists(_RULE, min_size=1, max_size=3))
+def test_all_others_are_enumerated(rules: list[Rule]) -> None:
+    found = _best(rules, relaxed=False)
+    if found.labels is None:
+        return
+    known = sorted(found.labels)
+    fitting = {
+        tuple(labels[cell] for cell in known)
+        for labels in _all_labels()
+        if not _broken(rules, labels)
+    }
+    others = _others(rules, found, known)
+    assert others.complete
+    told = [tuple(labels[cell] for cell in known) for labels in (found.labels, *others.labels)]
+    assert len(told) == len(set(told)) and set(told) == fitting
+    some = _others(rules, found, known, 1)
+    assert len(some.labels) == min(1, len(fitting) - 1)
+    assert some.complete == (len(fitting) == 1)
+
+
+def _edge(one: Transition, linetype: Linetype | None, weight: float) -> Rule:
+    return Rule((Group((), (one,), (one,)),), linetype, weight, Role.FRONT, (0.0, 0.0))
+
+
+def test_the_lighter_of_two_rules_is_given_up() -> None:
+    cell = _CELLS[0]
+    kinds = ((None, Linetype.VISIBLE), (Linetype.VISIBLE, None))
+    for (light, heavy), weight in product(kinds, (0.3, 1.5)):
+        rules = [_edge((None, cell), light, weight), _edge((None, cell), heavy, 2.0)]
+        found = _best(rules)
+        assert found.given_up == (rules[0],) and found.complete
+        assert found.labels == {cell: heavy is not None}
+        assert _best(rules, relaxed=False) == Labelling(None, (), True)
+
+
+def test_of_labels_that_all_hold_those_with_fewest_surfaces_are_taken() -> None:
+    # A view that shows the ends of a bar of four cells, and nothing of what is between.
+    ends = [_edge((None, cell), Linetype.VISIBLE, 1.0) for cell in (_CELLS[0], _CELLS[3])]
+    steps = tuple(pairwise(_CELLS))
+    front = Group((), ((None, _CELLS[0]),), ((None, _CELLS[0]),))
+    inside = Rule((front, Group((), steps, steps)), Linetype.VISIBLE, 1.0, Role.FRONT, (0.0, 0.0))
+    found = _best([*ends, inside])
+    assert found.labels == dict.fromkeys(_CELLS, True)
+
+
+def test_cells_that_do_not_count_make_no_others() -> None:
+    rules = [_edge((None, _CELLS[0]), Linetype.VISIBLE, 1.0)]
+    free = _edge((_CELLS[1], _CELLS[0]), Linetype.VISIBLE, 1.0)
+    either = Rule(
+        (Group((), ((_CELLS[2], _CELLS[0]), (None, _CELLS[2])), ()),),
+        Linetype.VISIBLE,
+        1.0,
+        Role.FRONT,
+        (0.0, 0.0),
+    )
+    rules += [free, either]
+    found = _best(rules)
+    all_cells = _others(rules, found, _CELLS)
+    assert len(all_cells.labels) == 1 and all_cells.complete
+    without = _others(rules, found, _CELLS[:2])
+    assert without.labels == () and without.complete
+    nothing = _others(rules, Labelling(None, (), True), _CELLS)
+    assert nothing.labels == () and not nothing.complete
+
+
+_NAMES = ("l-bracket", "counterbored-block")
+
+
+@pytest.fixture(scope="module", params=_NAMES)
+def rules(
+    request: pytest.FixtureRequest, sample_views: Callable[[str], DrawnViews]
+) -> tuple[Rule, ...]:
+    return model_part(sample_views(request.param)).rules
+
+
+def test_a_sound_drawing_needs_nothing_given_up(rules: tuple[Rule, ...]) -> None:
+    found = _best(rules, relaxed=False)
+    assert found.complete and found.labels is not None
+    assert _broken(rules, found.labels) == []
+    assert _best(rules) == found
+
+
+def test_same_rules_same_labels(rules: tuple[Rule, ...]) -> None:
+    assert _best(rules) == _best(rules)
+    assert relaxed_labels(rules, _EFFORT) == relaxed_labels(rules, _EFFORT)
+
+
+@pytest.mark.parametrize("place", [0.1, 0.5, 0.9])
+def test_one_wrong_line_is_given_up_and_only_that(rules: tuple[Rule, ...], place: float) -> None:
+    truth = _best(rules).labels
+    drawn = [i for i, rule in enumerate(rules) if rule.linetype is Linetype.VISIBLE]
+    wrong = drawn[int(place * len(drawn))]
+    # A speck of a line says nothing where there is one that all others speak of.
+    flipped = replace(rules[wrong], linetype=None, weight=0.01)
+    told = [*rules[:wrong], flipped, *rules[wrong + 1 :]]
+    if not _forced(rules, wrong):
+        pytest.skip("the others do not tell this line")
+    assert _best(told, relaxed=False) == Labelling(None, (), True)
+    found = _best(told)
+    assert found.given_up == (flipped,) and found.complete
+    assert found.labels is not None and drawn_under(rules[wrong], found.labels) is not None
+    assert _broken([r for i, r in enumerate(rules) if i != wrong], found.labels) == []
+    assert truth is not None
+
+
+def _forced(rules: tuple[Rule, ...], wrong: int) -> bool:
+    flipped = replace(rules[wrong], linetype=None)
+    told = [*rules[:wrong], flipped, *rules[wrong + 1 :]]
+    return _best(told, relaxed=False).labels is None
+
+
+def test_no_time_no_labels(rules: tuple[Rule, ...]) -> None:
+    none = Effort(hard=1e-9, cores=1e-9, soft=1e-9)
+    found = _best(rules, none, relaxed=False)
+    assert found == Labelling(None, (), False)
+    assert _best(rules, none) == Labelling(None, (), False)
