@@ -6,7 +6,7 @@ of dashes is one hidden stroke, and a lone short run is visible if it ends at ot
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -267,18 +267,14 @@ def bridged(
             joined[-1] = Piece(before.start, piece.end, Linetype.HIDDEN, sure)
         else:
             joined.append(piece)
-    if len(joined) > 1 and np.isfinite(geometry.around):
+    if joined and np.isfinite(geometry.around):
         first, last = joined[0], joined[-1]
-        over = Piece(
-            first.start + geometry.around,
-            first.end + geometry.around,
-            first.linetype,
-            first.confidence,
-        )
+        over = replace(first, start=first.start + geometry.around, end=first.end + geometry.around)
         if _is_bridged(field, geometry, last, over, rhythm):
+            # One piece that reaches its own beginning goes once around.
+            end = over.end if len(joined) > 1 else over.start
             sure = max(first.confidence, last.confidence)
-            joined[-1] = Piece(last.start, over.end, Linetype.HIDDEN, sure)
-            del joined[0]
+            joined = [*joined[1:-1], Piece(last.start, end, Linetype.HIDDEN, sure)]
     return joined
 
 
