@@ -7,7 +7,7 @@ import numpy as np
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.brep import bounding_box, soundness, tessellate
-from gaussiancad_core.exact_stage import TOLERANCE_PX
+from gaussiancad_core.exact_stage import drawn_views
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.models import Models
 from gaussiancad_core.report import SolidReport
@@ -16,7 +16,7 @@ from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.sheet.special_views.kinds import SpecialView
 from gaussiancad_core.solid.exact import ExactResult
-from gaussiancad_core.solid.verify import LOOSE
+from gaussiancad_core.solid.verify import matching_tolerance
 from gaussiancad_core.verification.agreement import MatchedLines, match_lines
 from gaussiancad_core.verification.overlay import ViewOverlay, draw_overlay
 from gaussiancad_core.verification.preview import png_bytes, render_preview
@@ -61,8 +61,9 @@ class CheckedModel:
     solid: SolidReport | None = None
 
 
-def check_solid(result: ExactResult) -> CheckedModel:
+def check_solid(registered: RegisteredSheet, result: ExactResult) -> CheckedModel:
     """An exact solid, whose lines were matched when it was found."""
+    tolerance = matching_tolerance(drawn_views(registered)) / registered.mm_per_pixel
     facts = soundness(result.shape)
     box = bounding_box(result.shape)
     size = box[1] - box[0]
@@ -76,7 +77,7 @@ def check_solid(result: ExactResult) -> CheckedModel:
         len(result.alternatives),
     )
     mesh = TriangleMesh(vertices.astype(np.float64), triangles)
-    return CheckedModel(mesh, result.verification.matched, LOOSE * TOLERANCE_PX, solid=report)
+    return CheckedModel(mesh, result.verification.matched, round(tolerance, 3), solid=report)
 
 
 def check_surface(

@@ -9,16 +9,18 @@ from dataclasses import dataclass, replace
 
 from gaussiancad_core.axes import Projection
 from gaussiancad_core.modes import Status
-from gaussiancad_core.reasoning.drawn_views import views_as_read
+from gaussiancad_core.reasoning.drawn_views import DrawnViews, views_as_read
+from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
 from gaussiancad_core.solid.same import same_solid
+from gaussiancad_core.solid.verify import Verification
 
-TOLERANCE_PX = 1.0
-"""px by which lines of a sheet may miss where they belong."""
+TOLERANCE_PX = {StrokesSource.RASTER: 1.0, StrokesSource.PLOT: 0.3, StrokesSource.VECTOR: 0.05}
+"""px by which lines of a sheet may miss where they belong, by where they come from."""
 
 _KEPT = 0.9
-"""Share of the lines, in each view and each way, that a solid must explain to be kept at all."""
+"""Share of all lines, both ways, on which a solid must agree to be kept at all."""
 
 _AMBIGUOUS = (
     "ambiguous",
@@ -84,21 +86,40 @@ def find_exact(own: Reading, other: Reading | None, limits: Limits | None = None
     return ExactModel(own, _doubted(result, _AMBIGUOUS), False)
 
 
+def drawn_views(registered: RegisteredSheet) -> DrawnViews:
+    """The lines of a sheet's views, with the tolerance of the view that is known least exactly."""
+    tolerance = max(TOLERANCE_PX[view.source] for view in registered.drawn)
+    return views_as_read(registered.views, tolerance * registered.mm_per_pixel)
+
+
 def _solved(reading: Reading, limits: Limits) -> ExactResult:
-    registered = reading.registered
-    tolerance = TOLERANCE_PX * registered.mm_per_pixel
-    result = exact_solid(views_as_read(registered.views, tolerance), limits)
+    result = exact_solid(drawn_views(reading.registered), limits)
     if result.verification is None:
         return result
-    worst = min(match.agreement.worst for match in result.verification.matched.values())
-    if worst >= _KEPT and result.verification.sound:
+    share = _agreeing_share(result.verification)
+    if share >= _KEPT and result.verification.sound:
         return result
     reason = (
         "no-exact-solid",
-        f"the exact solid that fits best explains {100 * worst:.0f} % of the lines only and was "
-        "not kept: see overlay.png",
+        f"the exact solid that fits best agrees with {100 * share:.0f} % of the lines only and was "
+        "not kept: lines were misread, or the part has surfaces that are not supported yet",
     )
     return replace(result, status=Status.FAILED, shape=None, alternatives=(), reasons=(reason,))
+
+
+def _agreeing_share(verification: Verification) -> float:
+    """Share of all lines, the sheet's and the solid's, that the other drawing has."""
+    agreeing = total = 0.0
+    for match in verification.matched.values():
+        for points, agree in (
+            (match.sheet.visible, match.visible_found),
+            (match.sheet.hidden, match.hidden_found),
+            (match.result.visible, match.visible_explained),
+            (match.result.hidden, match.hidden_explained),
+        ):
+            agreeing += float(points.lengths[agree].sum())
+            total += float(points.lengths.sum())
+    return agreeing / total if total else 0.0
 
 
 def _holds(result: ExactResult) -> bool:

@@ -421,7 +421,11 @@ class _Run:
                 "the lines fit first and third angle alike: third angle was taken; "
                 "tell --projection first if the sheet is drawn in first angle",
             )
-        checked = check_solid(solid) if solid else check_surface(registered, models, self.progress)
+        checked = (
+            check_solid(registered, solid)
+            if solid
+            else check_surface(registered, models, self.progress)
+        )
         reports = {
             view.role: ViewReport(view.stored_box(clean.turn), checked.matched[view.role].agreement)
             for view in registered.drawn
