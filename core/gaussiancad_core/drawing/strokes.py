@@ -91,7 +91,8 @@ def _ellipse_along(chain: Polyline) -> Ellipse | None:
     steps = np.diff(np.unwrap(parameters))
     way = np.sign(steps.sum())
     sweep = abs(float(steps.sum()))
-    even = (way * steps > 0.0).all() and np.abs(steps).max() < _LONGEST_CHORD
+    # Chains may hold a point twice.
+    even = (way * steps > -1e-9).all() and np.abs(steps).max() < _LONGEST_CHORD
     if np.abs(away).max() > _ON_ELLIPSE * size or not even or sweep < _LEAST_SWEEP:
         return None
     first = float(np.mod(parameters[0] if way > 0.0 else parameters[-1], 2.0 * np.pi))

@@ -186,6 +186,9 @@ def classify_strokes(view: ViewShapes, rhythm: Rhythm) -> tuple[Stroke, ...]:
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     ended = _with_fillets(ended, view.sheet, explained)
     strokes = [_stroke(geometry, piece) for geometry, piece in ended]
+    # Strokes that were drawn out to a junction explain the ink up to there.
+    for geometry, piece in ended:
+        _explain(explained, geometry, piece, view.sheet.stroke_width)
     remainder = view.sheet.ink & (explained == 0)
     strokes += trace_remainder(remainder, view.sheet.stroke_width, rhythm.dash)
     shift = np.array(view.offset) + 0.5
