@@ -10,7 +10,7 @@ separate the outside from the part, and nothing else.
 
 from bisect import bisect_left, bisect_right
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from math import hypot, pi, sin, sqrt
@@ -301,6 +301,15 @@ class Arrangement:
                 break
             place += 1
         return self._region[self._offsets[slab] + place]
+
+    def inner_points(self) -> Iterator[tuple[int, Point]]:
+        """Regions but the outside, each with a point of one of the trapezoids that make it up."""
+        for slab, own in enumerate(self._slabs):
+            middle = (self._borders[slab] + self._borders[slab + 1]) / 2.0
+            for place, (below, above) in enumerate(pairwise(own), 1):
+                region = self._region[self._offsets[slab] + place]
+                if region != OUTSIDE:
+                    yield region, (middle, (below.value(middle) + above.value(middle)) / 2.0)
 
     def trace(self, coordinate: int, value: float) -> Trace:
         """What the line meets on which a coordinate (0 or 1) has a value."""

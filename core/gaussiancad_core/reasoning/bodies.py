@@ -249,6 +249,9 @@ class RevolvedBody:
                 found.append((circle, (low, high)))
         return found
 
+    def outlines(self, normal: Axis) -> None:
+        """The body counts everywhere: it has ends of its own."""
+
     def _stretches(self) -> list[tuple[float, float]]:
         if self.sector is None:
             return [(0.0, TURN)]

@@ -12,11 +12,14 @@ from typing import Protocol
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.arrangement import CHAIN, OUTSIDE, Arrangement, distinct
-from gaussiancad_core.reasoning.curves import PlaneCurve
+from gaussiancad_core.reasoning.curves import PlaneCurve, Point
 from gaussiancad_core.reasoning.planes import IN_PLANE
 
 Cell = tuple[int, int, int, int]
-"""Region of the X, Y and Z plane, and a bit for each extra body that it lies in; never outside."""
+"""Region of the X, Y and Z plane, and a bit for each extra body that it lies in; never outside.
+
+The bit of a body is 0 in regions where the body does not count (see :meth:`Body.outlines`).
+"""
 
 Vector = tuple[float, float, float]
 
@@ -43,6 +46,9 @@ class Body(Protocol):
 
     def rims(self, normal: Axis) -> list[tuple[PlaneCurve, tuple[float, float]]]:
         """Curves, and stretches of them, along which a view may show the body."""
+
+    def outlines(self, normal: Axis) -> tuple[tuple[Point, ...], ...] | None:
+        """Convex polygons of a view outside of which the body does not count; None: it does."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,6 +85,7 @@ class Space:
         self.planes = dict(planes)
         self.bodies = tuple(bodies)
         self.values = {axis: self._values(axis) for axis in Axis}
+        self._counting = tuple(self._counting_in(axis) for axis in Axis)
         self._columns: dict[tuple[Axis, float, float], tuple[Crossing, ...]] = {}
 
     def _values(self, axis: Axis) -> list[float]:
@@ -89,16 +96,36 @@ class Space:
                 found += [corner[place] for corner in plane.corners]
         return distinct(found)
 
+    def _counting_in(self, normal: Axis) -> list[int]:
+        """The bits of the bodies that count in each region of a plane."""
+        plane = self.planes[normal]
+        always, found = 0, [0] * plane.regions
+        points = list(plane.inner_points())
+        for number, body in enumerate(self.bodies):
+            outlines = body.outlines(normal)
+            if outlines is None:
+                always |= 1 << number
+                continue
+            for region, point in points:
+                if any(_surrounds(outline, point) for outline in outlines):
+                    found[region] |= 1 << number
+        return [always | bits for bits in found]
+
+    def _cell(self, regions: list[int], bits: int) -> Cell | None:
+        if OUTSIDE in regions:
+            return None
+        for counting, region in zip(self._counting, regions, strict=True):
+            bits &= counting[region]
+        return regions[0], regions[1], regions[2], bits
+
     def cell_at(self, point: Vector) -> Cell | None:
         """The cell of a point, or None outside."""
         regions = []
         for normal in Axis:
             first, second = IN_PLANE[normal]
             regions.append(self.planes[normal].locate(point[first], point[second]))
-        if OUTSIDE in regions:
-            return None
         bits = sum(1 << i for i, body in enumerate(self.bodies) if body.holds(point))
-        return regions[0], regions[1], regions[2], bits
+        return self._cell(regions, bits)
 
     def thickness(self) -> dict[Cell, float]:
         """The longest stretch of each cell on any column looked at so far, in units."""
@@ -136,13 +163,13 @@ class Space:
                 steps.append((depth, direction, (BODY, number), 0))
         steps.sort(key=lambda step: step[0])
         crossings: list[Crossing] = []
-        before = _cell(regions, bits)
+        before = self._cell(regions, bits)
         for depth, direction, surface, region in steps:
             if surface[0] == BODY:
                 bits ^= 1 << surface[1]
             else:
                 regions[surface[0]] = region
-            after = _cell(regions, bits)
+            after = self._cell(regions, bits)
             if surface[1] == CHAIN:
                 before = after
                 continue
@@ -178,7 +205,11 @@ def parallel(one: Vector, other: Vector) -> bool:
     return abs(one[0] * other[0] + one[1] * other[1] + one[2] * other[2]) > _PARALLEL
 
 
-def _cell(regions: list[int], bits: int) -> Cell | None:
-    if OUTSIDE in regions:
-        return None
-    return regions[0], regions[1], regions[2], bits
+def _surrounds(polygon: Sequence[Point], point: Point) -> bool:
+    """Whether a point lies in a convex polygon, whichever way that runs around."""
+    a, b = point
+    sides = {
+        (x1 - x0) * (b - y0) - (y1 - y0) * (a - x0) > 0.0
+        for (x0, y0), (x1, y1) in zip(polygon, (*polygon[1:], polygon[0]), strict=True)
+    }
+    return len(sides) == 1

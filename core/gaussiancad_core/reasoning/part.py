@@ -12,6 +12,7 @@ from gaussiancad_core.reasoning.chains import Chain, through_points
 from gaussiancad_core.reasoning.columns import Space
 from gaussiancad_core.reasoning.curves import axis_line
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.oblique import find_half_spaces
 from gaussiancad_core.reasoning.pieces import find_pieces
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.revolved import find_bodies
@@ -61,7 +62,7 @@ def model_part(views: DrawnViews) -> PartModel:
     for axis in Axis:
         if axis not in planes:
             planes[axis] = _box(axis, supports.size)
-    space = Space(planes, find_bodies(supports))
+    space = Space(planes, (*find_bodies(supports), *find_half_spaces(supports)))
     near = max(_NEAR, 2.0 * supports.tolerance)
     rules = rules_of(space, find_pieces(space, supports.planes, near))
     return PartModel(supports, space, tuple(rules))

@@ -1,9 +1,13 @@
-"""Faces of the bodies of revolution."""
+"""Faces of the extra bodies: of revolution, and half spaces."""
 
 from math import cos, pi, sin
 
 import numpy as np
-from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge
+from OCP.BRepBuilderAPI import (
+    BRepBuilderAPI_MakeEdge,
+    BRepBuilderAPI_MakeFace,
+    BRepBuilderAPI_MakePolygon,
+)
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeRevol
 from OCP.GC import GC_MakeArcOfCircle
 from OCP.gp import gp_Ax1, gp_Dir, gp_Pnt
@@ -11,7 +15,24 @@ from OCP.TopoDS import TopoDS_Face
 
 from gaussiancad_core.drawing.brep import faces_of
 from gaussiancad_core.reasoning.bodies import LineProfile, RevolvedBody
+from gaussiancad_core.reasoning.columns import Body, Vector
+from gaussiancad_core.reasoning.half_spaces import HalfSpace
 from gaussiancad_core.reasoning.planes import IN_PLANE, lifted
+
+
+def body_faces(body: Body) -> list[TopoDS_Face]:
+    """Faces in units that hold all of the part's surface that a body gives it."""
+    if isinstance(body, HalfSpace):
+        return [_plane_face(hull) for hull in body.hulls]
+    return [revolved_face(body)] if isinstance(body, RevolvedBody) else []
+
+
+def _plane_face(hull: tuple[Vector, ...]) -> TopoDS_Face:
+    outline = BRepBuilderAPI_MakePolygon()
+    for corner in hull:
+        outline.Add(gp_Pnt(*corner))
+    outline.Close()
+    return BRepBuilderAPI_MakeFace(outline.Wire(), True).Face()
 
 
 def revolved_face(body: RevolvedBody) -> TopoDS_Face:

@@ -31,7 +31,7 @@ from gaussiancad_core.drawing.brep import faces_of, subshapes, volume
 from gaussiancad_core.drawing.surfaces import normal_at
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve
 from gaussiancad_core.reasoning.planes import IN_PLANE, lifted
-from gaussiancad_core.solid.bodies import revolved_face
+from gaussiancad_core.solid.bodies import body_faces
 from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.solid.patches import Patch, PlanePatch, SweptPatch, find_patches
 
@@ -64,7 +64,7 @@ def build_solid(space: LabelledSpace, scale: float) -> BuiltSolid:
         scale: units per mm.
     """
     faces = [_face(patch) for patch in find_patches(space)]
-    faces += [revolved_face(body) for body in space.space.bodies]
+    faces += [face for body in space.space.bodies for face in body_faces(body)]
     if not faces:
         return BuiltSolid(None, 0)
     sides = _Sides(space)
