@@ -128,14 +128,14 @@ class Space:
         return self._cell(regions, bits)
 
     def thickness(self) -> dict[Cell, float]:
-        """The longest stretch of each cell on any column looked at so far, in units."""
-        longest: dict[Cell, float] = {}
-        for column in self._columns.values():
+        """Units of each cell in its thinnest direction, as far as columns have met it."""
+        longest: dict[Cell, dict[Axis, float]] = {}
+        for (normal, _, _), column in self._columns.items():
             for one, other in pairwise(column):
                 if one.after is not None:
-                    length = other.depth - one.depth
-                    longest[one.after] = max(longest.get(one.after, 0.0), length)
-        return longest
+                    own = longest.setdefault(one.after, {})
+                    own[normal] = max(own.get(normal, 0.0), other.depth - one.depth)
+        return {cell: min(own.values()) for cell, own in longest.items()}
 
     def column(self, normal: Axis, a: float, b: float) -> tuple[Crossing, ...]:
         """The crossings of the line through (a, b) of a plane, in ascending depth."""

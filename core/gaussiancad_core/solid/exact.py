@@ -18,9 +18,10 @@ from gaussiancad_core.reasoning.labelling import (
 from gaussiancad_core.reasoning.part import PartModel, model_part
 from gaussiancad_core.solid.build import build_solid
 from gaussiancad_core.solid.labelled import LabelledSpace
+from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.verify import Verification, verify
 
-_COUNTING = 0.3
+_COUNTING = 0.15
 """Units of thickness from which a cell makes a different solid."""
 
 
@@ -156,7 +157,7 @@ def _candidates(work: _Work, labelling: Labelling, limits: Limits) -> tuple[list
         if work.clock.total > limits.seconds:
             return candidates, False
         candidate = _candidate(work, labels)
-        if candidate is not None:
+        if candidate and not any(same_solid(candidate.shape, c.shape) for c in candidates):
             candidates.append(candidate)
     return candidates, others.complete and labelling.complete
 
