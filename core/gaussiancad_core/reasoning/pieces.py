@@ -7,12 +7,13 @@ pieces along which nothing changes, and one point stands for each piece.
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import chain, pairwise
 from math import hypot
 
 import numpy as np
 
 from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.reasoning.arrangement import Arrangement
 from gaussiancad_core.reasoning.chains import chain_distances
 from gaussiancad_core.reasoning.columns import Space
 from gaussiancad_core.reasoning.curves import (
@@ -83,7 +84,8 @@ def find_pieces(space: Space, planes: dict[Axis, PlaneSupports], near: float) ->
         for point, across, length in _rims(space, normal):
             for role in plane.roles:
                 yield Piece(role, point, across, finder.linetype(role, point), length)
-        for point, across, length in _meeting_curves(space, normal):
+        meeting = chain(_meeting_curves(space, normal), _meeting_lines(space, normal))
+        for point, across, length in meeting:
             for role in plane.roles:
                 yield Piece(role, point, across, finder.linetype(role, point), length)
 
@@ -225,6 +227,42 @@ def _meeting_curves(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, 
                 length = (high - low) * steep
                 if steep > 1e-3 and length > _SHORT:
                     yield (a, b), (-slope_b / steep, slope_a / steep), length
+
+
+def _meeting_lines(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, float]]:
+    """Points of lines parallel to an axis in which slanted and round surfaces meet planes.
+
+    The plane is at right angles to the line of sight.  Where that is so at a corner of a view, the
+    line is one of the grid of values, and left out here.
+    """
+    axes = IN_PLANE[normal]
+    for coordinate, axis in enumerate(axes):
+        facing, beside = Axis(axis), Axis(axes[1 - coordinate])
+        branches = _branches(space, beside)
+        place = IN_PLANE[beside].index(normal.value)
+        across = (1.0, 0.0) if coordinate == 0 else (0.0, 1.0)
+        for depth, drawn in _planes_across(space.planes[facing], facing, normal):
+            found = {at for branch in branches for at, _ in branch.over(depth, place)}
+            for value in found:
+                if any(abs(value - known) < _NEAR for known in space.values[facing]):
+                    continue
+                for low, high in pairwise(space.values[beside]):
+                    at = low + SHARE * (high - low)
+                    if any(start < at < end for start, end in drawn):
+                        point = (value, at) if coordinate == 0 else (at, value)
+                        yield point, across, high - low
+
+
+def _planes_across(
+    plane: Arrangement, facing: Axis, normal: Axis
+) -> Iterator[tuple[float, list[tuple[float, float]]]]:
+    """Planes at right angles to an axis that another plane draws: depths, and where it does."""
+    place = IN_PLANE[facing].index(normal.value)
+    for support in plane.supports:
+        if support.curve.axis == place:
+            depth = support.curve.point[place]
+            origin = support.curve.point[1 - place]
+            yield depth, [(origin + low, origin + high) for low, high in support.drawn()]
 
 
 class _DrawnNear:

@@ -15,10 +15,17 @@ import numpy.typing as npt
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.curves import CircleCurve
+from gaussiancad_core.reasoning.nominal import nominal_step, on_step
 from gaussiancad_core.reasoning.planes import IN_PLANE
 
 _TOO_SMALL = 4.0
 """Tolerances that a radius has at least for its extremes to be told from its centre."""
+
+_EXACT = 0.02
+"""Units of tolerance up to which readings are exact, and are not rounded."""
+
+_CERTAIN = 1e6
+"""Weight of a number that is known to be a multiple of the part's step."""
 
 _FAR = 2.5
 """Tolerances by which anything moves at most; an equation that asks for more is dropped."""
@@ -116,6 +123,8 @@ def snapped(
         own.append((reading.normal, *columns))
     relations = _relations(variables.observed, clusters, own, tolerance)
     solved = _solved(variables, relations, _FAR * tolerance)
+    if tolerance > _EXACT:
+        solved = _rounded(variables, solved, relations, tolerance)
     values = {
         axis: tuple(sorted({float(solved[column]) for column in clusters[axis]})) for axis in Axis
     }
@@ -226,6 +235,28 @@ def _relations(
             else:
                 centres[axis].append(centre)
     return relations
+
+
+def _rounded(
+    variables: _Variables,
+    solved: npt.NDArray[np.float64],
+    relations: list[Relation],
+    tolerance: float,
+) -> npt.NDArray[np.float64]:
+    """The numbers as multiples of the step that the part was designed in, if they tell one."""
+    # What is shown twice is no further evidence.
+    distinct = {round(float(number) / tolerance): float(number) for number in solved}
+    step = nominal_step(list(distinct.values()), tolerance)
+    if step is None:
+        return solved
+    nominal = _Variables()
+    for number, weight in zip(solved, variables.weights, strict=True):
+        multiple = on_step(float(number), step, tolerance)
+        if multiple is None:
+            nominal.add(float(number), weight)
+        else:
+            nominal.add(multiple, weight * _CERTAIN)
+    return _solved(nominal, relations, _FAR * tolerance)
 
 
 def _solved(
