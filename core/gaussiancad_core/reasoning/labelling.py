@@ -173,6 +173,7 @@ def solver_for(time: float, workers: int = 1) -> cp_model.CpSolver:
     solver.parameters.num_workers = workers
     solver.parameters.interleave_search = workers > 1
     solver.parameters.random_seed = 0
+    solver.parameters.max_memory_in_mb = 2000
     return solver
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.errors import LimitError
 from gaussiancad_core.reasoning.arrangement import OUTSIDE, Arrangement
 from gaussiancad_core.reasoning.bridges import bridges
 from gaussiancad_core.reasoning.chains import Chain, through_points
@@ -25,6 +26,12 @@ from gaussiancad_core.reasoning.supports import (
     find_supports,
 )
 from gaussiancad_core.views import Linetype
+
+_MOST_STROKES = 900
+"""Lines of a view, at most."""
+
+_MOST_PIECES = 150_000
+"""Pieces of all views, at most: a part of 120 faces has up to 40,000."""
 
 _NEAR = 0.01
 """Units within which a computed curve is one that is drawn, at least."""
@@ -56,16 +63,46 @@ class PartModel:
 
 
 def model_part(views: DrawnViews) -> PartModel:
-    """Supports, cells and rules of views."""
+    """Supports, cells and rules of views.
+
+    Raises:
+        LimitError: ``part-too-complex``.
+    """
+    strokes = max(len(own) for own in views.strokes.values())
+    if strokes > _MOST_STROKES:
+        raise _too_complex(f"a view has {strokes} lines")
     supports = find_supports(views)
     planes = {axis: _arranged(plane, supports.tolerance) for axis, plane in supports.planes.items()}
     for axis in Axis:
         if axis not in planes:
             planes[axis] = _box(axis, supports.size)
     space = Space(planes, (*find_bodies(supports), *find_half_spaces(supports)))
+    pieces = _count_pieces(space)
+    if pieces > _MOST_PIECES:
+        raise _too_complex(f"its lines divide the views into {pieces} pieces")
     near = max(_NEAR, 2.0 * supports.tolerance)
     rules = rules_of(space, find_pieces(space, supports.planes, near))
     return PartModel(supports, space, tuple(rules))
+
+
+def _too_complex(what: str) -> LimitError:
+    return LimitError(
+        "part-too-complex",
+        f"the drawing is too complex for an exact solid: {what}; draw less in one sheet",
+    )
+
+
+def _count_pieces(space: Space) -> int:
+    """About how many pieces the views are divided into."""
+    total = 0
+    for normal, plane in space.planes.items():
+        first, second = (len(space.values[Axis(index)]) for index in IN_PLANE[normal])
+        beside = [space.planes[axis] for axis in Axis if axis is not normal]
+        curved = [sum(p.supports[i].curve.axis is None for i, _, _ in p.stretches) for p in beside]
+        own = sum(plane.supports[i].curve.axis is None for i, _, _ in plane.stretches)
+        total += 2 * first * second + own * (first + second)
+        total += curved[0] * curved[1] * len(space.values[normal])
+    return total
 
 
 def _arranged(plane: PlaneSupports, tolerance: float) -> Arrangement:

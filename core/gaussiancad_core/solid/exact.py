@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import mutually_orthogonal
+from gaussiancad_core.errors import LimitError
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.columns import Cell
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
@@ -90,7 +91,11 @@ def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
     """
     limits = limits or Limits()
     clock = _Clock()
-    part = model_part(views)
+    try:
+        part = model_part(views)
+    except LimitError as error:
+        reason = error.code, error.message
+        return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
     clock.lap("model")
     search = Search(part.rules, limits.effort)
     labelling = search.best(relaxed=limits.relaxed)
