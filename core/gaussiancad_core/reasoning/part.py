@@ -30,7 +30,7 @@ from gaussiancad_core.views import Linetype
 _MOST_STROKES = 900
 """Lines of a view, at most."""
 
-_MOST_PIECES = 150_000
+_MOST_PIECES = 80_000
 """Pieces of all views, at most: a part of 120 faces has up to 40,000."""
 
 _NEAR = 0.01

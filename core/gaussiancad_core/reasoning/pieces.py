@@ -279,8 +279,8 @@ class _DrawnNear:
         for support in self._plane.supports:
             if support.curve.distance(point) < self._near:
                 found.add(support.linetype_at(role, support.curve.parameter(point)))
-        for other, chain, linetype in self._chains:
-            if other is role and self._is_near(chain, point):
+        for other, drawn, linetype in self._chains:
+            if other is role and self._is_near(drawn, point):
                 found.add(linetype)
         if Linetype.VISIBLE in found:
             return Linetype.VISIBLE
