@@ -158,7 +158,10 @@ class Space:
             other = next(Axis(i) for i in range(3) if i not in (axis, normal.value))
             steps += self._plane_steps(other, axis, coordinate, regions)
         bits = 0
+        counting = self._counting[normal.value][own]
         for number, body in enumerate(self.bodies):
+            if not counting >> number & 1:
+                continue
             for depth, direction in body.crossings(normal, a, b):
                 steps.append((depth, direction, (BODY, number), 0))
         steps.sort(key=lambda step: step[0])

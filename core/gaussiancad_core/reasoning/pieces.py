@@ -5,15 +5,16 @@ along the curves in which the surfaces of the two other planes meet.  Each such 
 pieces along which nothing changes, and one point stands for each piece.
 """
 
-from collections.abc import Iterator
+from collections import defaultdict
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from itertools import chain, pairwise
+from itertools import chain, groupby, pairwise, product
 from math import hypot
 
 import numpy as np
 
 from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.reasoning.arrangement import Arrangement
+from gaussiancad_core.reasoning.arrangement import CHAIN, Arrangement
 from gaussiancad_core.reasoning.chains import chain_distances
 from gaussiancad_core.reasoning.columns import Space
 from gaussiancad_core.reasoning.curves import (
@@ -41,6 +42,12 @@ _SIDE = 2e-5
 
 _RIM = 0.01
 """Units within which the rim of a body is a support's curve."""
+
+_SAMPLES = 5
+"""Points of a curve that is not drawn at which its region is looked up."""
+
+_STEADY = 1e-3
+"""Slope over depth below which a curve of two surfaces is a point in the view."""
 
 _EDGE_ON = 1e-6
 """Slope below which a curve's tangent has no graph over depth."""
@@ -114,7 +121,14 @@ def _lines(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, Support |
             support = next((s for s in on_axis if _is_at(s.curve, coordinate, value)), None)
             if support is None and not _changes_at(space, normal, coordinate, value):
                 continue
-            for low, high in pairwise(values[1 - coordinate]):
+            slanted = [
+                position
+                for position, number in _met(plane, coordinate, value)
+                if number != CHAIN and plane.supports[number].curve.axis is None
+            ]
+            for low, high in pairwise(sorted([*values[1 - coordinate], *slanted])):
+                if high - low < _SHORT:
+                    continue
                 at = low + SHARE * (high - low)
                 point = (value, at) if coordinate == 0 else (at, value)
                 yield point, across, support, high - low
@@ -124,12 +138,18 @@ def _lines(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, Support |
             yield from _cut(support, (low, high), values)
 
 
+def _met(plane: Arrangement, coordinate: int, value: float) -> Iterator[tuple[float, int]]:
+    """Where a line of the grid meets supports, and which."""
+    trace = plane.trace(coordinate, value)
+    return zip(trace.positions, trace.supports, strict=True)
+
+
 def _changes_at(space: Space, normal: Axis, coordinate: int, value: float) -> bool:
     """Whether columns differ on both sides of a value at which the plane itself has no line.
 
     Of the planes beside, only the one that shows this coordinate can tell the sides apart.
     """
-    if space.bodies:
+    if any(body.outlines(normal) is None for body in space.bodies):
         return True
     axis = Axis(IN_PLANE[normal][coordinate])
     beside = next(plane for plane in Axis if plane not in (normal, axis))
@@ -146,6 +166,15 @@ def _cut(
     support: Support, stretch: tuple[float, float], values: list[list[float]]
 ) -> Iterator[tuple[Point, Point, Support, float]]:
     curve = support.curve
+    for low, high in _cuts(curve, stretch, values):
+        at = low + SHARE * (high - low)
+        yield curve.at(at), curve.normal(at), support, (high - low) * curve.speed
+
+
+def _cuts(
+    curve: PlaneCurve, stretch: tuple[float, float], values: list[list[float]]
+) -> Iterator[tuple[float, float]]:
+    """Parts of a stretch between the values of both axes."""
     cuts = {*stretch}
     for coordinate in (0, 1):
         for value in values[coordinate]:
@@ -153,10 +182,19 @@ def _cut(
                 cuts.add(curve.parameter(point))
     inside = sorted(t for t in cuts if stretch[0] - 1e-9 <= t <= stretch[1] + 1e-9)
     for low, high in pairwise(inside):
-        length = (high - low) * curve.speed
-        if length >= _SHORT:
-            at = low + SHARE * (high - low)
-            yield curve.at(at), curve.normal(at), support, length
+        if (high - low) * curve.speed >= _SHORT:
+            yield low, high
+
+
+def _runs(
+    plane: Arrangement, at: Callable[[float], Point], ends: tuple[float, float]
+) -> Iterator[tuple[float, float]]:
+    """A parameter in each region that a curve runs through, and its share of the curve."""
+    low, high = ends
+    parameters = [low + (k + SHARE) / _SAMPLES * (high - low) for k in range(_SAMPLES)]
+    for _, run in groupby(parameters, key=lambda t: plane.locate(*at(t))):
+        own = list(run)
+        yield own[len(own) // 2], len(own) / _SAMPLES
 
 
 def _rims(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, float]]:
@@ -166,8 +204,9 @@ def _rims(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, float]]:
         for curve, stretch in body.rims(normal):
             if any(_near_same(curve, support.curve) for support in space.planes[normal].supports):
                 continue
-            for point, across, _, length in _cut(Support(curve, {}), stretch, values):
-                yield point, across, length
+            for low, high in _cuts(curve, stretch, values):
+                for at, share in _runs(space.planes[normal], curve.at, (low, high)):
+                    yield curve.at(at), curve.normal(at), share * (high - low) * curve.speed
 
 
 def _near_same(one: PlaneCurve, other: PlaneCurve) -> bool:
@@ -217,16 +256,35 @@ def _meeting_curves(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, 
     if not one or not other:
         return
     places = [IN_PLANE[plane].index(normal.value) for plane in (first, second)]
+    arrangement = space.planes[normal]
     for low, high in pairwise(space.values[normal]):
-        depth = low + SHARE * (high - low)
-        firsts = [hit for branch in one for hit in branch.over(depth, places[0])]
-        seconds = [hit for branch in other for hit in branch.over(depth, places[1])]
-        for a, slope_a in firsts:
-            for b, slope_b in seconds:
-                steep = hypot(slope_a, slope_b)
-                length = (high - low) * steep
-                if steep > 1e-3 and length > _SHORT:
-                    yield (a, b), (-slope_b / steep, slope_a / steep), length
+        # By surfaces and region, since what is told of one says nothing about the other.
+        found: dict[tuple[int, int, int], list[tuple[Point, float, float]]] = defaultdict(list)
+        for k in range(_SAMPLES):
+            depth = low + (k + SHARE) / _SAMPLES * (high - low)
+            firsts = _hits(one, depth, places[0])
+            seconds = _hits(other, depth, places[1])
+            for (i, (a, slope_a)), (j, (b, slope_b)) in product(firsts, seconds):
+                if hypot(slope_a, slope_b) > _STEADY:
+                    key = i, j, arrangement.locate(a, b)
+                    found[key].append(((a, b), slope_a, slope_b))
+        for run in found.values():
+            point, slope_a, slope_b = run[len(run) // 2]
+            steep = hypot(slope_a, slope_b)
+            length = (high - low) * len(run) / _SAMPLES * steep
+            if length > _SHORT:
+                yield point, (-slope_b / steep, slope_a / steep), length
+
+
+def _hits(
+    branches: list[_Branch], depth: float, coordinate: int
+) -> list[tuple[int, tuple[float, float]]]:
+    """Numbered meetings of branches with a depth; the two of one circle have different numbers."""
+    return [
+        (2 * number + place, hit)
+        for number, branch in enumerate(branches)
+        for place, hit in enumerate(branch.over(depth, coordinate))
+    ]
 
 
 def _meeting_lines(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, float]]:
