@@ -1,0 +1,52 @@
+"""Sample parts, drawn and solved once."""
+
+from collections.abc import Callable
+from functools import cache
+
+import pytest
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
+from OCP.TopoDS import TopoDS_Shape
+
+from gaussiancad_core.drawing.brep import volume
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.labelling import Effort, Search
+from gaussiancad_core.reasoning.part import PartModel, model_part
+from gaussiancad_core.solid.exact import ExactResult, exact_solid
+from gaussiancad_core.solid.labelled import LabelledSpace
+
+Labelled = tuple[PartModel, LabelledSpace]
+
+
+@pytest.fixture(scope="session")
+def labelled(sample_views: Callable[[str], DrawnViews]) -> Callable[[str], Labelled]:
+    """The cells of the sample part of a name, and their labels."""
+
+    def find(name: str) -> Labelled:
+        part = model_part(sample_views(name))
+        labels = Search(part.rules, Effort()).best(relaxed=False).labels
+        assert labels is not None
+        return part, LabelledSpace(part.space, labels)
+
+    return cache(find)
+
+
+@pytest.fixture(scope="session")
+def solved(sample_views: Callable[[str], DrawnViews]) -> Callable[[str], ExactResult]:
+    """What is found for the sample part of a name."""
+    return cache(lambda name: exact_solid(sample_views(name)))
+
+
+@pytest.fixture(scope="session")
+def iou() -> Callable[[TopoDS_Shape, TopoDS_Shape], float]:
+    """Intersection over union of two solids by OpenCASCADE's Booleans."""
+
+    def measure(one: TopoDS_Shape, other: TopoDS_Shape) -> float:
+        first, second = volume(one), volume(other)
+        assert first > 0.0
+        assert second > 0.0
+        common = BRepAlgoAPI_Common(one, other)
+        common.Build()
+        shared = volume(common.Shape())
+        return shared / (first + second - shared)
+
+    return measure

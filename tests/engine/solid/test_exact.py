@@ -1,0 +1,243 @@
+"""The exact solid of exact views, and what becomes of views that are not as they should be."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
+from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
+from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
+from OCP.gp import gp_Pnt, gp_Trsf
+from OCP.TopoDS import TopoDS_Shape
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.drawing.brep import bounding_box, soundness, volume
+from gaussiancad_core.modes import Status
+from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
+from gaussiancad_core.reasoning.labelling import Effort
+from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
+from gaussiancad_core.solid.same import same_solid
+from gaussiancad_core.solid.verify import verify
+from gaussiancad_core.views import Linetype, Segment
+
+Solid = Callable[[str], TopoDS_Shape]
+Views = Callable[[str], DrawnViews]
+Solved = Callable[[str], ExactResult]
+Iou = Callable[[TopoDS_Shape, TopoDS_Shape], float]
+
+_NAMES = (
+    "l-bracket",
+    "bored-plate",
+    "pocket-block",
+    "counterbored-block",
+    "slotted-link",
+    "wedge-block",
+    "filleted-block",
+    "stepped-shaft",
+    "countersunk-plate",
+    "chamfered-block",
+)
+
+_SMALL = Limits(Effort(hard=4.0, cores=2.0, soft=2.0), alternatives=3, seconds=10.0)
+"""Enough for what follows, and an end to it in any case."""
+
+
+def _codes(result: ExactResult) -> set[str]:
+    return {code for code, _ in result.reasons}
+
+
+@pytest.mark.parametrize("name", _NAMES)
+def test_a_sample_part_comes_back(name: str, sample_solid: Solid, solved: Solved, iou: Iou) -> None:
+    truth, result = sample_solid(name), solved(name)
+    assert result.status is Status.VERIFIED
+    assert result.reasons == () and result.alternatives == ()
+    state, expected = soundness(result.shape), soundness(truth)
+    assert (state.valid, state.closed, state.solids) == (True, True, 1)
+    assert state.faces == expected.faces
+    assert bounding_box(result.shape) == pytest.approx(bounding_box(truth), abs=1e-4)
+    assert iou(truth, result.shape) == pytest.approx(1.0, abs=1e-6)
+    assert result.verification is not None and result.verification.holds
+
+
+@pytest.mark.parametrize("extent", [3.0, 3000.0])
+def test_size_does_not_matter(
+    extent: float, sample_solid: Solid, drawn: Callable[..., DrawnViews], iou: Iou
+) -> None:
+    solid = sample_solid("counterbored-block")
+    low, high = bounding_box(solid)
+    scaling = gp_Trsf()
+    scaling.SetScale(gp_Pnt(*low), extent / float((high - low).max()))
+    scaled = BRepBuilderAPI_Transform(solid, scaling, True).Shape()
+    result = exact_solid(drawn(scaled))
+    assert result.status is Status.VERIFIED
+    assert iou(scaled, result.shape) == pytest.approx(1.0, abs=1e-6)
+    assert soundness(result.shape).faces == soundness(solid).faces
+
+
+@pytest.mark.parametrize(
+    "roles",
+    [
+        (Role.REAR, Role.BOTTOM, Role.LEFT),
+        (Role.FRONT, Role.REAR, Role.TOP, Role.BOTTOM, Role.RIGHT, Role.LEFT),
+    ],
+)
+def test_opposite_views_tell_the_same_solid(
+    roles: tuple[Role, ...], sample_solid: Solid, drawn: Callable[..., DrawnViews], iou: Iou
+) -> None:
+    solid = sample_solid("wedge-block")
+    result = exact_solid(drawn(solid, roles))
+    assert result.status is Status.VERIFIED
+    assert iou(solid, result.shape) == pytest.approx(1.0, abs=1e-6)
+
+
+def _box(x: float, y: float, z: float, *size: float) -> TopoDS_Shape:
+    return BRepPrimAPI_MakeBox(gp_Pnt(x, y, z), *size).Solid()
+
+
+def test_two_views_are_solved_and_told(
+    sample_solid: Solid, drawn: Callable[..., DrawnViews]
+) -> None:
+    solid = sample_solid("l-bracket")
+    views = drawn(solid, (Role.FRONT, Role.TOP))
+    result = exact_solid(views, _SMALL)
+    assert result.status is Status.APPROXIMATE and "two-views" in _codes(result)
+    assert result.verification is not None and result.verification.holds
+    assert soundness(result.shape).valid
+    assert bounding_box(result.shape) == pytest.approx(bounding_box(solid), abs=1e-4)
+
+
+def _mirrored(views: DrawnViews, role: Role) -> DrawnViews:
+    """A view drawn the wrong way round: mirrored within its own box."""
+    strokes = views.strokes[role]
+    assert all(isinstance(stroke, Segment) for stroke in strokes)
+    ends = np.array([(stroke.start, stroke.end) for stroke in strokes])
+    low, high = ends[..., 0].min(), ends[..., 0].max()
+    flipped = tuple(
+        replace(
+            s, start=(low + high - s.start[0], s.start[1]), end=(low + high - s.end[0], s.end[1])
+        )
+        for s in strokes
+    )
+    return replace(views, strokes={**views.strokes, role: flipped})
+
+
+def _without_verdict(result: ExactResult) -> None:
+    """Not verified, told why, and consistent in itself."""
+    assert result.status in (Status.APPROXIMATE, Status.FAILED)
+    assert result.reasons
+    assert (result.shape is None) == (result.status is Status.FAILED)
+
+
+def test_a_mirrored_view_is_never_verified(sample_views: Views) -> None:
+    result = exact_solid(_mirrored(sample_views("l-bracket"), Role.FRONT), _SMALL)
+    _without_verdict(result)
+    assert _codes(result) & {"lines-unexplained", "no-solid-fits", "no-valid-solid"}
+
+
+def test_without_relaxing_views_that_contradict_have_no_solid(sample_views: Views) -> None:
+    wrong = _mirrored(sample_views("l-bracket"), Role.FRONT)
+    result = exact_solid(wrong, replace(_SMALL, relaxed=False))
+    assert result.status is Status.FAILED
+    assert (result.shape, result.verification, result.alternatives) == (None, None, ())
+    assert _codes(result) == {"no-solid-fits"}
+
+
+def test_swapped_views_are_never_verified(sample_views: Views) -> None:
+    views = sample_views("stepped-block")
+    strokes = dict(views.strokes)
+    strokes[Role.FRONT], strokes[Role.TOP] = strokes[Role.TOP], strokes[Role.FRONT]
+    _without_verdict(exact_solid(replace(views, strokes=strokes), _SMALL))
+
+
+def test_a_missing_line_is_told_with_its_place(sample_views: Views, sample_solid: Solid) -> None:
+    views = sample_views("l-bracket")
+    inner = [
+        s
+        for s in views.strokes[Role.TOP]
+        if isinstance(s, Segment) and s.linetype is Linetype.VISIBLE and 1.0 < s.start[0] < 79.0
+    ]
+    gone = max(inner, key=lambda stroke: stroke.length)
+    kept = tuple(s for s in views.strokes[Role.TOP] if s is not gone)
+    result = exact_solid(replace(views, strokes={**views.strokes, Role.TOP: kept}), _SMALL)
+    _without_verdict(result)
+    if result.shape is not None:
+        assert "lines-unexplained" in _codes(result)
+        assert result.verification.flaws[0].length > 1.0
+
+
+def test_a_spurious_line_through_everything_is_told(sample_views: Views) -> None:
+    views = sample_views("l-bracket")
+    x, _, z = views.size
+    line = Segment((0.0, 0.37 * z), (x, 0.61 * z), Linetype.VISIBLE)
+    front = (*views.strokes[Role.FRONT], line)
+    result = exact_solid(replace(views, strokes={**views.strokes, Role.FRONT: front}), _SMALL)
+    _without_verdict(result)
+    if result.shape is not None:
+        assert "lines-unexplained" in _codes(result)
+        assert {flaw.role for flaw in result.verification.flaws} >= {Role.FRONT}
+
+
+def test_a_thousand_strokes_come_to_an_end() -> None:
+    rng = np.random.default_rng(5)
+    box = ((0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0))
+    strokes = {}
+    for role in (Role.FRONT, Role.TOP, Role.RIGHT):
+        rows = rng.uniform(0.0, 100.0, (334, 2)).round(1)
+        lengths = rng.uniform(2.0, 30.0, 334).round(1)
+        lines = []
+        for k, ((a, b), length) in enumerate(zip(rows, lengths, strict=True)):
+            end = (min(100.0, a + length), b) if k % 2 else (a, min(100.0, b + length))
+            lines.append(Segment((a, b), end, Linetype.HIDDEN if k % 3 else Linetype.VISIBLE))
+        outline = [Segment(box[k - 1], box[k], Linetype.VISIBLE) for k in range(4)]
+        strokes[role] = (*outline, *lines)
+    limits = Limits(Effort(hard=0.5, cores=0.2, soft=0.2), alternatives=1, seconds=5.0)
+    result = exact_solid(exact_views(strokes, (100.0, 100.0, 100.0)), limits)
+    assert result.status is Status.FAILED and result.shape is None
+    assert _codes(result) == {"part-too-complex"}
+
+
+def _cube_without(*cells: tuple[int, int, int]) -> TopoDS_Shape:
+    """A cube of 30 mm that lacks some of its 27 cells."""
+    solid: TopoDS_Shape = _box(0, 0, 0, 30, 30, 30)
+    for x, y, z in cells:
+        solid = BRepAlgoAPI_Cut(solid, _box(10 * x, 10 * y, 10 * z, 10, 10, 10)).Shape()
+    return solid
+
+
+@pytest.mark.parametrize("lacks_one_more", [False, True])
+def test_two_solids_with_the_same_lines_are_both_told(
+    lacks_one_more: bool, drawn: Callable[..., DrawnViews]
+) -> None:
+    # The lines of the cell in doubt all lie under those of others, in every view.
+    notches = [(0, 0, 1), (0, 2, 2), (2, 2, 1)]
+    truths = [_cube_without(*notches), _cube_without(*notches, (0, 2, 1))]
+    views = drawn(truths[lacks_one_more])
+    result = exact_solid(views)
+    assert result.status is Status.APPROXIMATE and _codes(result) == {"ambiguous"}
+    solids = [result.shape, *result.alternatives]
+    assert sorted(map(volume, solids)) == pytest.approx([23000.0, 24000.0])
+    for truth in truths:
+        assert sum(same_solid(truth, solid) for solid in solids) == 1
+    for solid in solids:
+        assert soundness(solid).valid and verify(solid, views).holds
+
+
+def test_without_alternatives_nothing_is_verified_that_is_ambiguous(
+    drawn: Callable[..., DrawnViews],
+) -> None:
+    views = drawn(_cube_without((0, 0, 1), (0, 2, 2), (2, 2, 1)))
+    result = exact_solid(views, replace(_SMALL, alternatives=0))
+    assert result.status is Status.APPROXIMATE and _codes(result) == {"search-unfinished"}
+
+
+def test_without_time_there_is_no_solid_and_the_reason_says_so(sample_views: Views) -> None:
+    limits = Limits(Effort(hard=1e-9, cores=1e-9, soft=1e-9))
+    result = exact_solid(sample_views("l-bracket"), limits)
+    assert result.status is Status.FAILED and _codes(result) == {"search-unfinished"}
+
+
+def test_same_views_same_solid(sample_views: Views, solved: Solved) -> None:
+    again = exact_solid(sample_views("l-bracket"))
+    assert again.status is solved("l-bracket").status
+    assert volume(again.shape) == volume(solved("l-bracket").shape)
