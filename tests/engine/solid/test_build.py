@@ -1,0 +1,89 @@
+"""Labelled cells as a B-Rep."""
+
+from collections.abc import Callable
+
+import pytest
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
+from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
+from OCP.gp import gp_Pnt
+from OCP.TopoDS import TopoDS_Shape
+
+from gaussiancad_core.drawing.brep import bounding_box, soundness, volume
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.labelling import Effort, Search
+from gaussiancad_core.reasoning.part import PartModel, model_part
+from gaussiancad_core.solid.build import BuiltSolid, build_solid
+from gaussiancad_core.solid.labelled import LabelledSpace
+
+Labelled = Callable[[str], tuple[PartModel, LabelledSpace]]
+Draw = Callable[..., DrawnViews]
+
+_CURVED = ("counterbored-block", "filleted-block", "slotted-link", "stepped-shaft", "ball-knob")
+
+
+@pytest.mark.parametrize("name", ["pocket-block", "dovetail-block", *_CURVED])
+def test_the_part_is_built_with_its_faces_and_volume(
+    name: str, labelled: Labelled, sample_solid: Callable[[str], TopoDS_Shape]
+) -> None:
+    part, space = labelled(name)
+    built = build_solid(space, part.supports.scale)
+    truth = soundness(sample_solid(name))
+    assert built.bodies == 1 and built.shape is not None
+    state = soundness(built.shape)
+    assert (state.valid, state.closed, state.solids) == (True, True, 1)
+    assert state.faces == truth.faces
+    assert state.volume_mm3 == pytest.approx(truth.volume_mm3, rel=1e-7)
+
+
+def _box(x: float, y: float, z: float, *size: float) -> TopoDS_Shape:
+    return BRepPrimAPI_MakeBox(gp_Pnt(x, y, z), *size).Solid()
+
+
+def _built(solid: TopoDS_Shape, drawn: Draw) -> BuiltSolid:
+    part = model_part(drawn(solid))
+    labels = Search(part.rules, Effort()).best(relaxed=False).labels
+    assert labels is not None
+    return build_solid(LabelledSpace(part.space, labels), part.supports.scale)
+
+
+def test_a_cavity_is_a_second_shell(drawn: Draw) -> None:
+    hollow = BRepAlgoAPI_Cut(_box(0, 0, 0, 40, 30, 20), _box(10, 5, 4, 12, 11, 9)).Shape()
+    built = _built(hollow, drawn)
+    assert built.bodies == 1 and built.shape is not None
+    state = soundness(built.shape)
+    assert (state.valid, state.closed, state.solids, state.faces) == (True, True, 1, 12)
+    assert state.volume_mm3 == pytest.approx(40 * 30 * 20 - 12 * 11 * 9)
+
+
+def test_separate_bodies_are_counted_and_make_no_solid(drawn: Draw) -> None:
+    apart = BRepAlgoAPI_Fuse(_box(0, 0, 0, 10, 30, 20), _box(25, 0, 0, 15, 30, 20)).Shape()
+    assert _built(apart, drawn) == BuiltSolid(None, 2)
+
+
+def test_no_material_no_solid(labelled: Labelled) -> None:
+    part, space = labelled("stepped-block")
+    void = LabelledSpace(part.space, dict.fromkeys(space.labels, False))
+    assert build_solid(void, part.supports.scale).shape is None
+
+
+def test_all_material_is_the_space_that_the_outlines_leave(labelled: Labelled) -> None:
+    part, space = labelled("pocket-block")
+    full = LabelledSpace(part.space, dict.fromkeys(space.labels, True))
+    built = build_solid(full, part.supports.scale)
+    assert built.shape is not None
+    low, high = bounding_box(built.shape)
+    assert soundness(built.shape).faces == 6
+    assert volume(built.shape) == pytest.approx(float((high - low).prod()))
+
+
+def test_stretches_are_the_material_along_a_line(labelled: Labelled) -> None:
+    part, space = labelled("pocket-block")
+    values = part.space.values
+    for normal in values:
+        first, second = (values[axis][-1] for axis in values if axis is not normal)
+        for low, high in space.stretches(normal, 0.31 * first, 0.47 * second):
+            assert low < high
+            for share in (0.01, 0.5, 0.99):
+                point = [0.31 * first, 0.47 * second]
+                point.insert(normal.value, low + share * (high - low))
+                assert space.is_material(tuple(point))

@@ -1,0 +1,82 @@
+"""A solid's lines against the views."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+from OCP.BRep import BRep_Builder
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
+from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
+from OCP.gp import gp_Pnt
+from OCP.TopoDS import TopoDS_Compound, TopoDS_Shape
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.solid.verify import matching_tolerance, verify
+
+Draw = Callable[..., DrawnViews]
+
+
+def _box(x: float, y: float, z: float, *size: float) -> TopoDS_Shape:
+    return BRepPrimAPI_MakeBox(gp_Pnt(x, y, z), *size).Solid()
+
+
+def _slotted(width: float) -> TopoDS_Shape:
+    return BRepAlgoAPI_Cut(_box(0, 0, 0, 40, 30, 20), _box(15, 0, 12, width, 30, 8)).Shape()
+
+
+def test_a_solid_shows_its_own_lines(drawn: Draw) -> None:
+    solid = _slotted(10)
+    found = verify(solid, drawn(solid))
+    assert found.holds and found.sound and found.flaws == ()
+    assert set(found.matched) == {Role.FRONT, Role.TOP, Role.RIGHT}
+    assert all(match.agreement.worst == 1.0 for match in found.matched.values())
+
+
+def test_missing_and_surplus_lines_are_told_by_place_and_length(drawn: Draw) -> None:
+    views = drawn(_slotted(10))
+    found = verify(_box(0, 0, 0, 40, 30, 20), views)
+    assert found.sound and not found.holds
+    front = [flaw for flaw in found.flaws if flaw.role is Role.FRONT]
+    surplus = [flaw for flaw in front if not flaw.missing]
+    assert sum(flaw.length for flaw in surplus) == pytest.approx(10.0, rel=0.05)
+    missing = [flaw for flaw in front if flaw.missing]
+    assert sum(flaw.length for flaw in missing) == pytest.approx(26.0, rel=0.05)
+    for flaw in missing:
+        assert 14.9 < flaw.place[0] < 25.1 and 11.9 < flaw.place[1] < 20.1
+    top = [flaw for flaw in found.flaws if flaw.role is Role.TOP]
+    assert all(flaw.missing for flaw in top)
+    assert sum(flaw.length for flaw in top) == pytest.approx(60.0, rel=0.05)
+    lengths = [flaw.length for flaw in found.flaws]
+    assert lengths == sorted(lengths, reverse=True)
+
+
+def test_flaws_swap_their_sense_with_solid_and_views(drawn: Draw) -> None:
+    block, slotted = _box(0, 0, 0, 40, 30, 20), _slotted(10)
+    one, other = verify(block, drawn(slotted)), verify(slotted, drawn(block))
+    told = [sorted((f.role.value, round(f.length, 1)) for f in o.flaws) for o in (one, other)]
+    assert told[0] == told[1]
+    assert all(a.missing != b.missing for a in one.flaws for b in other.flaws if a.place == b.place)
+
+
+def test_a_difference_beyond_the_tolerance_is_a_flaw(drawn: Draw) -> None:
+    views = drawn(_slotted(10))
+    off = 2.0 * matching_tolerance(views)
+    assert not verify(_slotted(10 + off), views).holds
+    loose = replace(views, tolerance=off)
+    assert matching_tolerance(loose) > off
+    found = verify(_slotted(10 + off), loose)
+    assert found.explains and found.spread == pytest.approx(off, rel=0.01)
+    exact = verify(_slotted(10), loose)
+    assert exact.holds and exact.spread == pytest.approx(0.0, abs=1e-6)
+
+
+def test_two_solids_are_not_one_sound_body(drawn: Draw) -> None:
+    solids = TopoDS_Compound()
+    builder = BRep_Builder()
+    builder.MakeCompound(solids)
+    for x in (0, 25):
+        builder.Add(solids, _box(x, 0, 0, 15, 30, 20))
+    found = verify(solids, drawn(solids))
+    assert not found.sound and not found.holds
+    assert found.flaws == ()
