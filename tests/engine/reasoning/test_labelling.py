@@ -48,9 +48,7 @@ _RULE = st.builds(
 )
 
 
-def _best(
-    rules: Sequence[Rule], effort: Effort = _EFFORT, *, relaxed: bool = True
-) -> Labelling:
+def _best(rules: Sequence[Rule], effort: Effort = _EFFORT, *, relaxed: bool = True) -> Labelling:
     return Search(rules, effort).best(relaxed=relaxed)
 
 

@@ -1,0 +1,90 @@
+"""Which bodies of revolution views speak of."""
+
+import itertools
+from collections.abc import Callable
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.reasoning.bodies import ArcProfile, LineProfile
+from gaussiancad_core.reasoning.curves import TURN
+from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
+from gaussiancad_core.reasoning.revolved import find_bodies
+from gaussiancad_core.reasoning.supports import find_supports
+from gaussiancad_core.views import Arc, Linetype, Segment
+
+
+def _chain(*points: tuple[float, float]) -> list[Segment]:
+    return [Segment(a, b, Linetype.VISIBLE) for a, b in itertools.pairwise(points)]
+
+
+def _frustum(low: float, high: float, height: float) -> DrawnViews:
+    """An upright frustum of a cone with the radii ``low`` and ``high``."""
+    wide = max(low, high)
+    side = _chain(
+        (wide - low, 0.0),
+        (wide + low, 0.0),
+        (wide + high, height),
+        (wide - high, height),
+        (wide - low, 0.0),
+    )
+    rounds = [Arc((wide, wide), r, 0.0, TURN, Linetype.VISIBLE) for r in (low, high)]
+    strokes = {Role.FRONT: side, Role.RIGHT: side, Role.TOP: rounds}
+    return exact_views(strokes, (2 * wide, 2 * wide, height))
+
+
+@settings(max_examples=40)
+@given(st.integers(4, 40), st.integers(4, 40), st.integers(5, 60))
+def test_a_frustum_is_one_cone(low: int, high: int, height: int) -> None:
+    if abs(low - high) < 2:
+        return
+    views = _frustum(float(low), float(high), float(height))
+    supports = find_supports(views)
+    (body,) = find_bodies(supports)
+    scale = supports.scale
+    assert (body.axis, body.sector) == (Axis.Z, None)
+    assert body.centre == pytest.approx((max(low, high) * scale,) * 2, abs=1e-4)
+    assert isinstance(body.profile, LineProfile)
+    told = (body.profile.low, body.profile.high, body.profile.at_low, body.profile.at_high)
+    assert told == pytest.approx((0.0, height * scale, low * scale, high * scale), abs=1e-3)
+
+
+def test_a_slant_that_one_view_lacks_is_no_cone() -> None:
+    views = _frustum(20.0, 10.0, 30.0)
+    box = _chain((0, 0), (40, 0), (40, 30), (0, 30), (0, 0))
+    strokes = {**views.strokes, Role.RIGHT: tuple(box)}
+    assert find_bodies(find_supports(exact_views(strokes, views.size))) == ()
+
+
+def test_without_a_circle_there_is_no_axis() -> None:
+    views = _frustum(20.0, 10.0, 30.0)
+    box = tuple(_chain((0, 0), (40, 0), (40, 40), (0, 40), (0, 0)))
+    strokes = {**views.strokes, Role.TOP: box}
+    assert find_bodies(find_supports(exact_views(strokes, views.size))) == ()
+
+
+def _count(views: DrawnViews) -> tuple[int, int, int]:
+    """Cones, whole spheres and tori, and sectors."""
+    bodies = find_bodies(find_supports(views))
+    cones = sum(isinstance(body.profile, LineProfile) for body in bodies)
+    arcs = [body for body in bodies if isinstance(body.profile, ArcProfile)]
+    return cones, sum(b.sector is None for b in arcs), sum(b.sector is not None for b in arcs)
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        ("stepped-block", (0, 0, 0)),
+        ("counterbored-block", (0, 0, 0)),
+        ("countersunk-plate", (2, 0, 0)),
+        # A ball looks like a ball along all three axes.
+        ("ball-knob", (0, 3, 0)),
+        ("rounded-cover", (0, 0, 4)),
+    ],
+)
+def test_sample_parts_have_the_bodies_that_they_have(
+    name: str, expected: tuple[int, int, int], sample_views: Callable[[str], DrawnViews]
+) -> None:
+    assert _count(sample_views(name)) == expected

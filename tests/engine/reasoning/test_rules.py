@@ -1,0 +1,111 @@
+"""What pieces of lines say, against parts whose material is known."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from itertools import pairwise
+
+import pytest
+from OCP.BRepClass3d import BRepClass3d_SolidClassifier
+from OCP.gp import gp_Pnt
+from OCP.TopAbs import TopAbs_State
+from OCP.TopoDS import TopoDS_Shape
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.reasoning.columns import Cell
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.part import PartModel, model_part
+from gaussiancad_core.reasoning.pieces import find_pieces
+from gaussiancad_core.reasoning.planes import lifted, role_plane
+from gaussiancad_core.reasoning.rules import BESIDE, Group, Rule, drawn_under, rules_of
+from gaussiancad_core.views import Linetype
+
+_NEAR = 0.01
+
+_NAMES = (
+    "l-bracket",
+    "bored-plate",
+    "stepped-block",
+    "three-axis-block",
+    "counterbored-block",
+    "wedge-block",
+    "filleted-block",
+    "countersunk-plate",
+    "ball-knob",
+)
+
+
+def _truth(part: PartModel, solid: TopoDS_Shape) -> dict[Cell, bool]:
+    """Labels of all cells beside pieces: whether the part holds a point of each."""
+    classifier = BRepClass3d_SolidClassifier(solid)
+    labels: dict[Cell, bool] = {}
+    for piece in find_pieces(part.space, part.supports.planes, _NEAR):
+        normal = role_plane(piece.role).normal
+        for way in (-BESIDE, BESIDE):
+            a, b = (p + way * q for p, q in zip(piece.point, piece.across, strict=True))
+            for crossing, following in pairwise(part.space.column(normal, a, b)):
+                cell = crossing.after
+                if cell is None or cell in labels or following.depth - crossing.depth < 1e-3:
+                    continue
+                middle = lifted(normal, a, b, (crossing.depth + following.depth) / 2.0)
+                classifier.Perform(gp_Pnt(*(x / part.supports.scale for x in middle)), 1e-7)
+                labels[cell] = classifier.State() == TopAbs_State.TopAbs_IN
+    return labels
+
+
+@pytest.mark.parametrize("name", _NAMES)
+def test_the_truth_fulfils_every_rule(
+    name: str,
+    sample_solid: Callable[[str], TopoDS_Shape],
+    sample_views: Callable[[str], DrawnViews],
+) -> None:
+    part = model_part(sample_views(name))
+    labels = _truth(part, sample_solid(name))
+    assert any(labels.values())
+    told = {rule.linetype for rule in part.rules}
+    assert told >= {Linetype.VISIBLE, None}
+    wrong = [rule for rule in part.rules if drawn_under(rule, labels) is not rule.linetype]
+    assert wrong == []
+
+
+def test_pieces_that_say_the_same_are_one_rule(
+    sample_views: Callable[[str], DrawnViews],
+) -> None:
+    part = model_part(sample_views("stepped-block"))
+    pieces = list(find_pieces(part.space, part.supports.planes, _NEAR))
+    once = rules_of(part.space, pieces)
+    assert len({(rule.groups, rule.linetype) for rule in once}) == len(once)
+    twice = rules_of(part.space, [*pieces, *pieces])
+    assert [(r.groups, r.linetype) for r in twice] == [(r.groups, r.linetype) for r in once]
+    assert [r.weight for r in twice] == pytest.approx([2.0 * r.weight for r in once])
+    doubted = rules_of(part.space, [replace(piece, confidence=0.25) for piece in pieces])
+    assert [r.weight for r in doubted] == pytest.approx([0.25 * r.weight for r in once])
+
+
+_ONE: Cell = (1, 1, 1, 0)
+_TWO: Cell = (1, 2, 1, 0)
+
+
+def _rule(*groups: Group) -> Rule:
+    return Rule(groups, None, 1.0, Role.FRONT, (0.0, 0.0))
+
+
+def test_the_first_difference_from_the_viewer_decides() -> None:
+    step = Group((), ((None, _ONE),), ((None, _ONE),))
+    shared = Group((((None, _TWO), (None, _TWO)),), (), ((None, _TWO),))
+    solid = {_ONE: True, _TWO: True}
+    assert drawn_under(_rule(step), solid) is Linetype.VISIBLE
+    assert drawn_under(_rule(step, shared), solid) is Linetype.VISIBLE
+    assert drawn_under(_rule(shared, step), solid) is Linetype.HIDDEN
+    assert drawn_under(_rule(shared, step), {_ONE: True, _TWO: False}) is Linetype.VISIBLE
+    assert drawn_under(_rule(shared, step), {_ONE: False, _TWO: True}) is None
+    assert drawn_under(_rule(shared), solid) is None
+    assert drawn_under(_rule(), solid) is None
+    # What nothing is said about is void.
+    assert drawn_under(_rule(step), {}) is None
+
+
+def test_a_surface_in_one_column_only_is_a_difference() -> None:
+    pair = Group((((None, _ONE), (None, _TWO)),), (), ((None, _ONE), (None, _TWO)))
+    assert drawn_under(_rule(pair), {_ONE: True, _TWO: False}) is Linetype.VISIBLE
+    assert drawn_under(_rule(pair), {_ONE: False, _TWO: True}) is Linetype.VISIBLE
+    assert drawn_under(_rule(pair), {_ONE: True, _TWO: True}) is None
