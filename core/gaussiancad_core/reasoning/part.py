@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 
@@ -77,11 +78,11 @@ def model_part(views: DrawnViews) -> PartModel:
         if axis not in planes:
             planes[axis] = _box(axis, supports.size)
     space = Space(planes, (*find_bodies(supports), *find_half_spaces(supports)))
-    pieces = _count_pieces(space)
-    if pieces > _MOST_PIECES:
-        raise _too_complex(f"its lines divide the views into {pieces} pieces")
     near = max(_NEAR, 2.0 * supports.tolerance)
-    rules = rules_of(space, find_pieces(space, supports.planes, near))
+    pieces = list(islice(find_pieces(space, supports.planes, near), _MOST_PIECES + 1))
+    if len(pieces) > _MOST_PIECES:
+        raise _too_complex(f"its lines divide the views into more than {_MOST_PIECES:,} pieces")
+    rules = rules_of(space, pieces)
     return PartModel(supports, space, tuple(rules))
 
 
@@ -90,19 +91,6 @@ def _too_complex(what: str) -> LimitError:
         "part-too-complex",
         f"the drawing is too complex for an exact solid: {what}; draw less in one sheet",
     )
-
-
-def _count_pieces(space: Space) -> int:
-    """About how many pieces the views are divided into."""
-    total = 0
-    for normal, plane in space.planes.items():
-        first, second = (len(space.values[Axis(index)]) for index in IN_PLANE[normal])
-        beside = [space.planes[axis] for axis in Axis if axis is not normal]
-        curved = [sum(p.supports[i].curve.axis is None for i, _, _ in p.stretches) for p in beside]
-        own = sum(plane.supports[i].curve.axis is None for i, _, _ in plane.stretches)
-        total += 2 * first * second + own * (first + second)
-        total += curved[0] * curved[1] * len(space.values[normal])
-    return total
 
 
 def _arranged(plane: PlaneSupports, tolerance: float) -> Arrangement:
