@@ -46,6 +46,9 @@ _RIM = 0.01
 _SAMPLES = 5
 """Points of a curve that is not drawn at which its region is looked up."""
 
+_ALONG = 0.999
+"""Cosine of the angle within which curves run along each other and do not cross."""
+
 _STEADY = 1e-3
 """Slope over depth below which a curve of two surfaces is a point in the view."""
 
@@ -90,11 +93,11 @@ def find_pieces(space: Space, planes: dict[Axis, PlaneSupports], near: float) ->
         finder = _DrawnNear(plane, near)
         for point, across, length in _rims(space, normal):
             for role in plane.roles:
-                yield Piece(role, point, across, finder.linetype(role, point), length)
+                yield Piece(role, point, across, finder.linetype(role, point, across), length)
         meeting = chain(_meeting_curves(space, normal), _meeting_lines(space, normal))
         for point, across, length in meeting:
             for role in plane.roles:
-                yield Piece(role, point, across, finder.linetype(role, point), length)
+                yield Piece(role, point, across, finder.linetype(role, point, across), length)
 
 
 def _drawn(support: Support | None, role: Role, point: Point) -> tuple[Linetype | None, float]:
@@ -331,12 +334,15 @@ class _DrawnNear:
         self._near = near
         self._chains = [(role, np.array(chain), linetype) for role, chain, linetype in plane.chains]
 
-    def linetype(self, role: Role, point: Point) -> Linetype | None:
-        """Visible before hidden; None if nothing is drawn there."""
+    def linetype(self, role: Role, point: Point, across: Point) -> Linetype | None:
+        """What is drawn along a curve with a unit normal at a point; visible before hidden."""
         found: set[Linetype | None] = set()
         for support in self._plane.supports:
             if support.curve.distance(point) < self._near:
-                found.add(support.linetype_at(role, support.curve.parameter(point)))
+                at = support.curve.parameter(point)
+                a, b = support.curve.normal(at)
+                if abs(a * across[0] + b * across[1]) > _ALONG:
+                    found.add(support.linetype_at(role, at))
         for other, drawn, linetype in self._chains:
             if other is role and self._is_near(drawn, point):
                 found.add(linetype)
