@@ -22,12 +22,14 @@ from gaussiancad_core.drawing.command import write_image
 from gaussiancad_core.drawing.sheet import draw_sheet
 from gaussiancad_core.drawing.style import parse_style
 from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.outputs import STAGING_PREFIX
-from gaussiancad_core.pipeline import STAGES
+from gaussiancad_core.pipeline import STAGES, stages_of
 from gaussiancad_core.samples import SAMPLES
 
 FILES = {
     "report.json",
+    "solid.step",
     "surface.stl",
     "surface.ply",
     "surface.step",
@@ -84,18 +86,21 @@ def test_every_file_is_there_and_nothing_else(run: tuple) -> None:
 
 def test_the_report_has_what_others_rely_on(run: tuple) -> None:
     report = json.loads((run[0] / "report.json").read_text("utf-8"))
-    assert report["schema"] == 1 and report["status"] == "approximate"
-    assert "no-exact-solid" in {reason["code"] for reason in report["reasons"]}
-    assert report["warnings"] == []
+    assert report["schema"] == 1 and report["status"] == "verified"
+    assert report["reasons"] == report["warnings"] == []
     assert (report["projection"], report["projection_source"]) == ("first", "given")
-    assert report["projection_alternatives"] == [] and report["solid"] is None
+    assert report["projection_alternatives"] == []
+    solid = report["solid"]
+    assert (solid["valid"], solid["closed"], solid["alternatives"]) == (True, True, 0)
+    assert solid["faces"] == 10
+    assert solid["bounding_box_mm"] == pytest.approx([80, 50, 60], abs=0.2)
     assert set(report["views"]) == {"front", "top", "left"}
     for view in report["views"].values():
         x0, y0, x1, y1 = view["box"]
         assert 0 < x0 < x1 < 1920 and 0 < y0 < y1 < 1080
         shares = [view[f"{k}_{m}"] for k in ("visible", "hidden") for m in ("recall", "precision")]
         assert all(0.0 <= share <= 1.0 for share in shares)
-        assert min(shares[:2]) > 0.95
+        assert min(shares) > 0.95
     assert report["scale_source"] == "given" and report["scale_mm_per_pixel"] > 0
     assert report["strokes_source"] == "raster"
     assert set(report["residuals_px"]) == {"x", "y", "z"}
@@ -134,6 +139,39 @@ def test_the_surface_is_the_part_in_its_own_axes(run: tuple) -> None:
     ]
     assert volume_iou(sides[0][0], sides[1][0], streams[2]).value > 0.97
     assert point_to_surface(*sides) < 0.01 * 80 / 5
+
+
+def test_the_exact_solid_is_the_part(run: tuple) -> None:
+    part = next(sample for sample in SAMPLES if sample.name == "l-bracket")
+    truth = moved_to_origin(part.build())
+    solid = read_solid(run[0] / "solid.step")
+    state, expected = soundness(solid), soundness(truth)
+    assert state.valid and state.closed and state.solids == 1
+    assert state.faces == expected.faces
+    assert state.volume_mm3 == pytest.approx(expected.volume_mm3, rel=5e-3)
+    report = json.loads((run[0] / "report.json").read_text("utf-8"))
+    assert report["solid"]["volume_mm3"] == pytest.approx(state.volume_mm3, rel=1e-6)
+
+
+def test_a_run_for_the_solid_alone_makes_no_surface(sheet: Path, tmp_path: Path) -> None:
+    options = ("--projection", "first", "--length", "x=80", "--result", "solid")
+    subprocess.run(_command(sheet, tmp_path, *options), check=True, capture_output=True)
+    found = {path.name for path in tmp_path.iterdir()}
+    assert found == {"report.json", "solid.step", "overlay.png", "preview.png"}
+    report = json.loads((tmp_path / "report.json").read_text("utf-8"))
+    assert report["status"] == "verified"
+    assert report["surface"] is None and report["gaussians"] is None
+    assert tuple(report["seconds"]) == stages_of(ResultKind.SOLID)
+
+
+def test_a_run_for_the_surface_alone_makes_no_solid(sheet: Path, tmp_path: Path) -> None:
+    options = ("--projection", "first", "--length", "x=80", "--result", "surface")
+    subprocess.run(_command(sheet, tmp_path, *options), check=True, capture_output=True)
+    assert {path.name for path in tmp_path.iterdir()} == FILES - {"solid.step"}
+    report = json.loads((tmp_path / "report.json").read_text("utf-8"))
+    assert report["status"] == "approximate" and report["solid"] is None
+    assert "no-exact-solid" in {reason["code"] for reason in report["reasons"]}
+    assert tuple(report["seconds"]) == stages_of(ResultKind.SURFACE)
 
 
 def test_the_step_file_is_a_sound_solid_of_few_faces(run: tuple) -> None:
@@ -213,7 +251,7 @@ def test_a_cancelled_run_leaves_nothing(sheet: Path, tmp_path: Path, way: str) -
     events = _events(process.stdout.read())
     assert process.wait() == 130
     assert events[-1]["event"] == "error" and events[-1]["code"] == "cancelled"
-    assert "lines (3 of 9)" in events[-1]["message"]
+    assert "lines (3 of 10)" in events[-1]["message"]
     assert not output.exists()
 
 

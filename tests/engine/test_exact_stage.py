@@ -1,0 +1,137 @@
+"""The exact solid of a sheet, and what it says about first and third angle."""
+
+import itertools
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.drawing.brep import soundness
+from gaussiancad_core.exact_stage import Reading, find_exact
+from gaussiancad_core.modes import Status
+from gaussiancad_core.sheet.reading import RegisteredSheet, StrokesSource
+from gaussiancad_core.solid.same import same_solid
+from gaussiancad_core.views import Linetype, Segment, View, ViewSet
+
+Strokes = dict[Role, list[Segment]]
+
+_SIZE = (40.0, 30.0, 20.0)
+_OPPOSITE = {Role.FRONT: Role.FRONT, Role.TOP: Role.BOTTOM, Role.RIGHT: Role.LEFT}
+
+
+def _chain(*points: tuple[float, float], linetype: Linetype = Linetype.VISIBLE) -> list[Segment]:
+    return [Segment(a, b, linetype) for a, b in itertools.pairwise(points)]
+
+
+def _rectangle(width: float, height: float) -> list[Segment]:
+    return _chain((0, 0), (width, 0), (width, height), (0, height), (0, 0))
+
+
+def _reading(strokes: Strokes, projection: Projection) -> Reading:
+    views = tuple(
+        View(
+            role,
+            (0.0, 0.0, 100.0, 100.0),
+            tuple(own),
+            np.zeros((2, 2), bool),
+            np.zeros((2, 2, 3), np.uint8),
+            (0.0, 0.0),
+            1.0,
+        )
+        for role, own in strokes.items()
+    )
+    drawn = tuple(SimpleNamespace(source=StrokesSource.RASTER) for _ in views)
+    registered = RegisteredSheet(ViewSet(views, _SIZE), {}, drawn, 0.02, None, 0)
+    return Reading(registered, projection)
+
+
+def _both(strokes: Strokes) -> tuple[Reading, Reading]:
+    """The same sheet in third and in first angle: the views beside the front are the opposite ones.
+
+    The depth axis runs backwards in those, from minus the depth to 0.
+    """
+    moved: Strokes = {}
+    for role, own in strokes.items():
+        right = -_SIZE[1] if role is Role.RIGHT else 0.0
+        up = -_SIZE[1] if role is Role.TOP else 0.0
+        moved[_OPPOSITE[role]] = [
+            Segment(
+                (s.start[0] + right, s.start[1] + up), (s.end[0] + right, s.end[1] + up), s.linetype
+            )
+            for s in own
+        ]
+    return _reading(strokes, Projection.THIRD), _reading(moved, Projection.FIRST)
+
+
+def _step() -> Strokes:
+    """A step that rises to the back: only third angle fits."""
+    return {
+        Role.FRONT: _rectangle(40, 20) + _chain((0, 8), (40, 8)),
+        Role.TOP: _rectangle(40, 30) + _chain((0, 12), (40, 12)),
+        Role.RIGHT: _chain((0, 0), (30, 0), (30, 20), (12, 20), (12, 8), (0, 8), (0, 0)),
+    }
+
+
+def _wedge() -> Strokes:
+    """A prism over a triangle: its slope faces the front in third angle, and the back in first."""
+    return {
+        Role.FRONT: _rectangle(40, 20),
+        Role.TOP: _rectangle(40, 30),
+        Role.RIGHT: _chain((0, 0), (30, 0), (30, 20), (0, 0)),
+    }
+
+
+def _block() -> Strokes:
+    return {
+        Role.FRONT: _rectangle(40, 20),
+        Role.TOP: _rectangle(40, 30),
+        Role.RIGHT: _rectangle(30, 20),
+    }
+
+
+def test_a_told_projection_is_not_doubted() -> None:
+    third, _ = _both(_wedge())
+    found = find_exact(third, None)
+    assert found.reading is third and not found.decided
+    assert found.result.status is Status.VERIFIED and found.result.alternatives == ()
+    assert soundness(found.result.shape).faces == 5
+    assert soundness(found.result.shape).volume_mm3 == pytest.approx(40 * 30 * 20 / 2)
+
+
+@pytest.mark.parametrize("swap", [False, True])
+def test_the_reading_that_has_a_solid_is_right_whichever_was_assumed(swap: bool) -> None:
+    third, first = _both(_step())
+    found = find_exact(first, third) if swap else find_exact(third, first)
+    assert found.reading is third and found.decided
+    assert found.result.status is Status.VERIFIED and found.result.reasons == ()
+    assert soundness(found.result.shape).volume_mm3 == pytest.approx(40 * (30 * 8 + 18 * 12))
+
+
+def test_two_readings_with_different_solids_are_ambiguous() -> None:
+    third, first = _both(_wedge())
+    found = find_exact(third, first)
+    assert found.reading is third and not found.decided
+    assert found.result.status is Status.APPROXIMATE
+    assert [code for code, _ in found.result.reasons] == ["ambiguous"]
+    (other,) = found.result.alternatives
+    assert not same_solid(found.result.shape, other)
+    assert soundness(other).valid
+    assert same_solid(other, find_exact(first, None).result.shape)
+
+
+def test_two_readings_of_one_solid_are_not() -> None:
+    third, first = _both(_block())
+    found = find_exact(third, first)
+    assert found.reading is third and not found.decided
+    assert found.result.status is Status.VERIFIED and found.result.alternatives == ()
+
+
+def test_what_explains_too_little_is_not_kept() -> None:
+    strokes = _block()
+    slants = [_chain((3.0 * k, 0.0), (3.0 * k + 10.0, 20.0)) for k in range(10)]
+    strokes[Role.FRONT] += [stroke for slant in slants for stroke in slant]
+    found = find_exact(_reading(strokes, Projection.THIRD), None)
+    assert found.result.status is Status.FAILED and not found.decided
+    assert (found.result.shape, found.result.alternatives) == (None, ())
+    assert len(found.result.reasons) == 1
