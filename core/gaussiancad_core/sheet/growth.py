@@ -33,6 +33,10 @@ _BESIDE = 0.5
 _FRESH = 0.35
 """Share of a shape's points that no better shape may have taken."""
 
+_ENOUGH = 14
+"""Free points that are enough for a line: two circles that it joins take most of a short
+one's."""
+
 _LONG = 24
 """Points of a line that certainly is one; what it explains starts no arc."""
 
@@ -166,17 +170,22 @@ def _chosen(shapes: list[Grown], ridges: RidgePoints, shortest: int) -> list[Gro
     queue = [(-float(own.sum()), k) for k, own in enumerate(worth)]
     heapq.heapify(queue)
     free = np.ones(len(ridges.points), dtype=bool)
+    in_circle = np.zeros(len(ridges.points), dtype=bool)
     chosen = []
     while queue:
         score, k = heapq.heappop(queue)
         members = shapes[k].members
         left = free[members]
-        if left.sum() < max(shortest, _FRESH * len(members)):
+        enough = _FRESH * len(members)
+        if isinstance(shapes[k].geometry, Line) and in_circle[members[~left]].all():
+            enough = min(enough, _ENOUGH)
+        if left.sum() < max(shortest, enough):
             continue
         current = -float(worth[k][left].sum())
         if current > score:
             heapq.heappush(queue, (current, k))
             continue
+        in_circle[members[left]] = isinstance(shapes[k].geometry, Circle)
         free[members] = False
         chosen.append(shapes[k])
     return chosen

@@ -58,6 +58,9 @@ _MIN_NEW = 0.4
 _MIN_CLEAR = 0.25
 """Share that no earlier stroke explains: half of a dash can lie under one that crosses it."""
 
+_MIN_STRAIGHT = 5
+"""px of a line, one after the other, that nothing explains: enough by themselves."""
+
 _BENT = 0.12
 """Sagitta in px of what is new of an arc, from which it is a fillet between its tangents."""
 
@@ -170,8 +173,15 @@ def classify_strokes(view: ViewShapes, rhythm: Rhythm) -> tuple[Stroke, ...]:
     explained = np.zeros(view.sheet.ink.shape, np.uint8)
     pieces: list[Placed] = []
     order = sorted(view.shapes, key=lambda shape: -shape.support)
+    # Along the flat sides of ellipses run lines that are none.
+    joins = not any(isinstance(shape.geometry, WholeEllipse) for shape in order)
     for shape in order:
-        fresh = [run for run in shape.runs if _is_new(shape.geometry, run, explained)]
+        fresh = [
+            run
+            for run in shape.runs
+            if _is_new(shape.geometry, run, explained)
+            or (joins and _joins_arcs(shape.geometry, run, explained))
+        ]
         touches = [_touches(view.field, shape.geometry, run) for run in fresh]
         found = classify(fresh, rhythm, touches, shape.geometry.around)
         if not isinstance(shape.geometry, Line):
@@ -290,6 +300,23 @@ def _is_new(geometry: Geometry, run: Run, explained: npt.NDArray[np.uint8]) -> b
         if fresh**2 / (8 * geometry.radius) > _BENT and (~old).mean() > _MIN_BENT:
             return True
     return bool((~old).mean() > _MIN_CLEAR and (~(old & alike)).mean() > _MIN_NEW)
+
+
+def _joins_arcs(geometry: Geometry, run: Run, explained: npt.NDArray[np.uint8]) -> bool:
+    """Whether a run is a short line between two arcs that follow it from both of its ends."""
+    if not isinstance(geometry, Line):
+        return False
+    points = np.rint(_points(geometry, run.start, run.end)).astype(int)
+    height, width = explained.shape
+    xs, ys = np.clip(points[:, 0], 0, width - 1), np.clip(points[:, 1], 0, height - 1)
+    return _longest_true(explained[ys, xs] == 0) >= _MIN_STRAIGHT
+
+
+def _longest_true(flags: npt.NDArray[np.bool_]) -> int:
+    """Length of the longest run of True."""
+    padded = np.concatenate([[False], flags, [False]]).astype(np.int8)
+    starts, ends = np.flatnonzero(np.diff(padded) == 1), np.flatnonzero(np.diff(padded) == -1)
+    return int((ends - starts).max(initial=0))
 
 
 def _explain(
