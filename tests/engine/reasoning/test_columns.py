@@ -90,21 +90,23 @@ def test_nothing_is_outside_of_the_box(space: Space) -> None:
             assert space.cell_at(tuple(point)) is None
 
 
-def test_thickness_is_the_longest_stretch_looked_at(
+def test_thickness_is_the_longest_stretch_in_the_thinnest_direction(
     sample_views: Callable[[str], DrawnViews],
 ) -> None:
     planes = model_part(sample_views("stepped-block")).space.planes
     fresh = Space(planes)
     assert fresh.thickness() == {}
     rng = np.random.default_rng(2)
-    longest: dict[tuple[int, ...], float] = {}
+    longest: dict[tuple[int, ...], dict[Axis, float]] = {}
     for a, b in rng.uniform(0.0, 60.0, (60, 2)):
         for normal in Axis:
             for crossing, following in pairwise(fresh.column(normal, a, b)):
                 if crossing.after is not None:
                     length = following.depth - crossing.depth
-                    longest[crossing.after] = max(longest.get(crossing.after, 0.0), length)
-    assert longest and fresh.thickness() == longest
+                    own = longest.setdefault(crossing.after, {})
+                    own[normal] = max(own.get(normal, 0.0), length)
+    assert longest
+    assert fresh.thickness() == {cell: min(own.values()) for cell, own in longest.items()}
 
 
 def test_normals_are_parallel_either_way() -> None:
