@@ -44,10 +44,10 @@ def find_half_spaces(supports: PartSupports) -> tuple[HalfSpace, ...]:
     shown = spatial_edges(supports, near)
     candidates = _candidates(shown, near)
     candidates.sort(key=lambda candidate: -candidate.area)
-    found = [candidate.half_space for candidate in candidates[:_MOST]]
+    found = _settled([candidate.half_space for candidate in candidates[:_MOST]], supports)
     flat = _known_planes(supports)
     return tuple(
-        replace(body, creases=tuple(_creases(body, [*flat, *_others(found, body)])))
+        replace(body, creases=tuple(_creases(body, [*flat, *_others(found, body)], near)))
         for body in found
     )
 
@@ -151,6 +151,27 @@ def _loops(edges: list[tuple[int, int]]) -> list[list[int]]:
     return found
 
 
+def _settled(bodies: list[HalfSpace], supports: PartSupports) -> list[HalfSpace]:
+    """Half spaces whose corners lie exactly on all planes that meet in them."""
+    rows: dict[Vector, list[tuple[Vector, float]]] = defaultdict(list)
+    for body in bodies:
+        for hull in body.hulls:
+            for corner in hull:
+                rows[corner].append((body.normal, body.offset))
+    settled: dict[Vector, Vector] = {}
+    for corner, planes in rows.items():
+        for axis in Axis:
+            if corner[axis.value] in supports.values[axis]:
+                planes.append((_vector(np.eye(3)[axis.value]), corner[axis.value]))
+        normals = np.array([normal for normal, _ in planes])
+        missing = np.array([offset for _, offset in planes]) - normals @ np.array(corner)
+        settled[corner] = _vector(np.array(corner) + np.linalg.pinv(normals, 1e-3) @ missing)
+    return [
+        replace(body, hulls=tuple(tuple(settled[c] for c in hull) for hull in body.hulls))
+        for body in bodies
+    ]
+
+
 def _known_planes(supports: PartSupports) -> list[Plane]:
     """Planes at right angles to an axis, and those that some view sees edge-on."""
     found = []
@@ -173,7 +194,7 @@ def _others(bodies: list[HalfSpace], body: HalfSpace) -> list[Plane]:
     return [(np.array(other.normal), other.offset) for other in bodies if other is not body]
 
 
-def _creases(body: HalfSpace, planes: list[Plane]) -> list[tuple[Vector, Vector]]:
+def _creases(body: HalfSpace, planes: list[Plane], near: float) -> list[tuple[Vector, Vector]]:
     """Where planes cut the hulls of a half space, but for the hulls' own edges."""
     found = []
     for hull in body.hulls:
@@ -181,7 +202,7 @@ def _creases(body: HalfSpace, planes: list[Plane]) -> list[tuple[Vector, Vector]
         following = np.roll(corners, -1, axis=0)
         for normal, offset in planes:
             here = corners @ normal - offset
-            here[np.abs(here) < _SAME] = 0.0
+            here[np.abs(here) < near] = 0.0
             after = np.roll(here, -1)
             if not (here.min() < 0.0 < here.max()):
                 continue

@@ -17,6 +17,7 @@ from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.oblique import find_half_spaces
 from gaussiancad_core.reasoning.pieces import find_pieces
 from gaussiancad_core.reasoning.planes import IN_PLANE
+from gaussiancad_core.reasoning.retraced import retraced
 from gaussiancad_core.reasoning.revolved import find_bodies
 from gaussiancad_core.reasoning.rules import Rule, rules_of
 from gaussiancad_core.reasoning.supports import (
@@ -73,11 +74,13 @@ def model_part(views: DrawnViews) -> PartModel:
     if strokes > _MOST_STROKES:
         raise _too_complex(f"a view has {strokes} lines")
     supports = find_supports(views)
+    half_spaces = find_half_spaces(supports)
+    supports = retraced(supports, half_spaces)
     planes = {axis: _arranged(plane, supports.tolerance) for axis, plane in supports.planes.items()}
     for axis in Axis:
         if axis not in planes:
             planes[axis] = _box(axis, supports.size)
-    space = Space(planes, (*find_bodies(supports), *find_half_spaces(supports)))
+    space = Space(planes, (*find_bodies(supports), *half_spaces))
     near = max(_NEAR, 2.0 * supports.tolerance)
     pieces = list(islice(find_pieces(space, supports.planes, near), _MOST_PIECES + 1))
     if len(pieces) > _MOST_PIECES:

@@ -373,7 +373,7 @@ def _with_spans(
     tolerance: float,
 ) -> tuple[Support, ...]:
     reach = max(3.0 * tolerance, _DROPPED)
-    stations = [_stations(curve, [*curves, *grid]) for curve in curves]
+    stations = [stations_on(curve, [*curves, *grid]) for curve in curves]
     spans: list[dict[Role, list[Span]]] = [{} for _ in curves]
     for index, stroke in strokes:
         curve = curves[index]
@@ -382,7 +382,10 @@ def _with_spans(
         if isinstance(stroke, _Line):
             low, high = sorted((curve.parameter(stroke.start), curve.parameter(stroke.end)))
             pairs = [
-                (_nearest(stations[index], low, slack), _nearest(stations[index], high, slack))
+                (
+                    nearest_station(stations[index], low, slack),
+                    nearest_station(stations[index], high, slack),
+                )
             ]
         else:
             pairs = _arc_pairs(stroke, stations[index], slack)
@@ -400,8 +403,8 @@ def _arc_pairs(stroke: _Circle, stations: list[float], slack: float) -> list[tup
     if stroke.sweep >= TURN - slack:
         return [(0.0, TURN)]
     around = [s + turn for turn in (-TURN, 0.0, TURN) for s in stations]
-    low = _nearest(around, stroke.low, slack)
-    high = _nearest(around, stroke.low + stroke.sweep, slack)
+    low = nearest_station(around, stroke.low, slack)
+    high = nearest_station(around, stroke.low + stroke.sweep, slack)
     turns = np.floor(low / TURN + 1e-12) * TURN
     low, high = max(0.0, low - turns), high - turns
     if high <= TURN + 1e-12:
@@ -409,7 +412,7 @@ def _arc_pairs(stroke: _Circle, stations: list[float], slack: float) -> list[tup
     return [(low, TURN), (0.0, high - TURN)]
 
 
-def _stations(curve: PlaneCurve, others: list[PlaneCurve]) -> list[float]:
+def stations_on(curve: PlaneCurve, others: list[PlaneCurve]) -> list[float]:
     """Parameters where a curve meets others, ascending."""
     found = {
         curve.parameter(point)
@@ -420,7 +423,7 @@ def _stations(curve: PlaneCurve, others: list[PlaneCurve]) -> list[float]:
     return sorted(found)
 
 
-def _nearest(stations: list[float], parameter: float, slack: float) -> float:
+def nearest_station(stations: list[float], parameter: float, slack: float) -> float:
     """The station nearest to a parameter, or the parameter where none is within ``slack``."""
     at = bisect_left(stations, parameter)
     near = stations[max(0, at - 1) : at + 1]

@@ -1,0 +1,114 @@
+"""Slanted lines drawn again where oblique planes have their edges.
+
+A corner of an oblique plane is read in three views, each time a little differently.  Once the plane
+is known, the lines of all views follow from it; as they were read they would leave slivers between
+the plane and its edges.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.curves import LineCurve, PlaneCurve, Point, axis_line, line_through
+from gaussiancad_core.reasoning.half_spaces import HalfSpace
+from gaussiancad_core.reasoning.planes import IN_PLANE
+from gaussiancad_core.reasoning.supports import (
+    PartSupports,
+    PlaneSupports,
+    Span,
+    Support,
+    nearest_station,
+    stations_on,
+)
+
+_EXACT = 1e-5
+"""Units within which a line is as it should be."""
+
+_REACH = 3.0
+"""Tolerances within which an edge is a line that was read, and a line ends at another."""
+
+
+def retraced(supports: PartSupports, half_spaces: Sequence[HalfSpace]) -> PartSupports:
+    """The supports with those lines moved that are edges of half spaces."""
+    if not half_spaces:
+        return supports
+    reach = _REACH * supports.tolerance
+    planes = {}
+    for axis, plane in supports.planes.items():
+        grid = [
+            axis_line(index, value)
+            for index, other in enumerate(IN_PLANE[axis])
+            for value in supports.values[Axis(other)]
+        ]
+        planes[axis] = _moved(plane, _edges(plane, half_spaces, reach), grid, reach)
+    return replace(supports, planes=planes)
+
+
+def _edges(
+    plane: PlaneSupports, half_spaces: Sequence[HalfSpace], reach: float
+) -> dict[int, LineCurve]:
+    """The longest edge of a half space along each slanted line that misses it a little."""
+    longest: dict[int, float] = {}
+    found: dict[int, LineCurve] = {}
+    for body in half_spaces:
+        for outline in body.outlines(plane.normal):
+            for start, end in zip(outline, (*outline[1:], outline[0]), strict=True):
+                line = line_through(start, end)
+                if line.axis is not None:
+                    continue
+                for index, support in enumerate(plane.supports):
+                    length = _length_along(support, start, end, reach)
+                    if length > longest.get(index, 0.0):
+                        longest[index], found[index] = length, line
+    return {
+        index: line
+        for index, line in found.items()
+        if max(line.distance(end) for end in _ends(plane.supports[index])) > _EXACT
+    }
+
+
+def _length_along(support: Support, start: Point, end: Point, reach: float) -> float:
+    """Length of a segment that a slanted line is drawn along; 0 if it is not."""
+    curve = support.curve
+    if not isinstance(curve, LineCurve) or curve.axis is not None:
+        return 0.0
+    if max(curve.distance(start), curve.distance(end)) > reach:
+        return 0.0
+    low, high = sorted((curve.parameter(start), curve.parameter(end)))
+    along = any(first - reach <= low and high <= last + reach for first, last in support.drawn())
+    return high - low if along else 0.0
+
+
+def _ends(support: Support) -> list[Point]:
+    return [support.curve.at(end) for stretch in support.drawn() for end in stretch]
+
+
+def _moved(
+    plane: PlaneSupports, lines: dict[int, LineCurve], grid: Sequence[PlaneCurve], reach: float
+) -> PlaneSupports:
+    """The plane with other lines; whatever ends at a line that moved ends there still."""
+    if not lines:
+        return plane
+    curves = [lines.get(index, support.curve) for index, support in enumerate(plane.supports)]
+    moved = []
+    for support, curve in zip(plane.supports, curves, strict=True):
+        stations = stations_on(curve, [*curves, *grid])
+        spans = {
+            role: tuple(_span(span, support.curve, curve, stations, reach) for span in own)
+            for role, own in support.spans.items()
+        }
+        moved.append(Support(curve, spans))
+    return replace(plane, supports=tuple(moved))
+
+
+def _span(
+    span: Span, old: PlaneCurve, new: PlaneCurve, stations: list[float], reach: float
+) -> Span:
+    if not isinstance(old, LineCurve):
+        # Circles stay; so do the places where their angles begin again.
+        return span
+    low, high = sorted(
+        nearest_station(stations, new.parameter(old.at(end)), reach)
+        for end in (span.low, span.high)
+    )
+    return replace(span, low=low, high=high)
