@@ -248,16 +248,17 @@ class Arrangement:
         standing: dict[int, list[tuple[float, float, float, int]]] = defaultdict(list)
         for upright in self._uprights:
             standing[_index(borders, upright[0])].append(upright)
-        for border in range(1, len(borders) - 1):
-            at = borders[border]
+        for border, at in enumerate(borders):
             # Steep pieces change much over the width of a border: their own ends are exact.
+            before = slabs[border - 1] if border > 0 else []
+            behind = slabs[border] if border < len(slabs) else []
             left = [
                 piece.value(piece.end if _index(borders, piece.end) == border else at)
-                for piece in slabs[border - 1]
+                for piece in before
             ]
             right = [
                 piece.value(piece.start if _index(borders, piece.start) == border else at)
-                for piece in slabs[border]
+                for piece in behind
             ]
             walls = standing[border]
             marks = sorted([*left, *right, *(b for wall in walls for b in wall[1:3])])
@@ -267,9 +268,9 @@ class Arrangement:
                 middle = (low + high) / 2.0
                 if any(wall[1] - 1e-7 < middle < wall[2] + 1e-7 for wall in walls):
                     continue
-                below = offsets[border - 1] + sum(b < middle for b in left)
-                above = offsets[border] + sum(b < middle for b in right)
-                sets.join(below, above)
+                one = offsets[border - 1] + sum(b < middle for b in left) if before else outside
+                other = offsets[border] + sum(b < middle for b in right) if behind else outside
+                sets.join(one, other)
         for one, other in self._over_chains(offsets, sets, outside):
             sets.join(one, other)
         numbers = {sets.root(outside): OUTSIDE}

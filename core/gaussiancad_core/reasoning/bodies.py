@@ -147,14 +147,15 @@ class RevolvedBody:
 
     def _along(self, a: float, b: float) -> list[tuple[float, Vector]]:
         profile = self.profile
-        r = hypot(a - self.centre[0], b - self.centre[1])
+        # On the axis itself a cone would be entered at its apex, which is no crossing.
+        r = max(hypot(a - self.centre[0], b - self.centre[1]), _AXIS)
         flat = self._vector((0.0, 0.0), 1.0)
         whole = self.sector is None
         ends = (profile.low, profile.high)
         found = [(z, flat) for z in ends if (r < profile.radius(z)) == whole]
         for z in profile.heights(r):
             along_r, along_z = profile.normal(z)
-            out = (0.0, 0.0) if r < _AXIS else ((a - self.centre[0]) / r, (b - self.centre[1]) / r)
+            out = (0.0, 0.0) if r <= _AXIS else ((a - self.centre[0]) / r, (b - self.centre[1]) / r)
             found.append((z, self._vector((along_r * out[0], along_r * out[1]), along_z)))
         return found
 

@@ -5,6 +5,7 @@ a curve ends a hair before another one, the outside would leak into the part.
 """
 
 from collections.abc import Sequence
+from math import hypot
 
 import numpy as np
 import numpy.typing as npt
@@ -31,21 +32,27 @@ def bridges(arrangement: Arrangement, chains: Sequence[Chain], reach: float) -> 
         if isinstance(curve, CircleCurve) and high - low > TURN - 1e-9:
             continue
         for end in (curve.at(low), curve.at(high)):
-            found += _bridge(end, _feet(arrangement, chains, end, own, None), reach)
+            found += _bridge(end, _feet(arrangement, chains, end, own, None), reach, found)
     for own, chain in enumerate(chains):
         for end in (chain[0], chain[-1]):
-            found += _bridge(end, _feet(arrangement, chains, end, None, own), reach)
+            found += _bridge(end, _feet(arrangement, chains, end, None, own), reach, found)
     return found
 
 
-def _bridge(end: Point, feet: npt.NDArray[np.float64], reach: float) -> list[Chain]:
+def _bridge(
+    end: Point, feet: npt.NDArray[np.float64], reach: float, known: Sequence[Chain]
+) -> list[Chain]:
+    """A link over the gap at an end, unless the gap has one from its other side."""
     if not len(feet):
         return []
     away = np.hypot(*(feet - np.array(end)).T)
     nearest = int(away.argmin())
     if not _TOUCHING < away[nearest] <= reach:
         return []
-    return [(end, (float(feet[nearest, 0]), float(feet[nearest, 1])))]
+    foot = (float(feet[nearest, 0]), float(feet[nearest, 1]))
+    if any(hypot(foot[0] - a, foot[1] - b) <= reach for (a, b), _ in known):
+        return []
+    return [(end, foot)]
 
 
 def _feet(

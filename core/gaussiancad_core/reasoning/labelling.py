@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from ortools.sat.python import cp_model
 
 from gaussiancad_core.reasoning.columns import Cell
-from gaussiancad_core.reasoning.rules import Group, Rule, Transition
+from gaussiancad_core.reasoning.rules import Group, Rule, Transition, drawn_under
 from gaussiancad_core.views import Linetype
 
 _SLIGHT = 1.0
@@ -44,6 +44,7 @@ class Model:
         self._false = self.model.new_constant(0)
         self._different: dict[tuple[int, int], cp_model.IntVar] = {}
         self.surfaces: list[cp_model.IntVar] = []
+        self._counted: set[tuple[int, int]] = set()
         for number, rule in enumerate(rules):
             escape: list[cp_model.IntVar] = []
             if rule.weight < lightest:
@@ -60,9 +61,11 @@ class Model:
         return self.cells[cell]
 
     def _surface(self, transition: Transition) -> cp_model.IntVar:
-        known = len(self._different)
-        literal = self._differ(self.cell(transition[0]), self.cell(transition[1]))
-        if len(self._different) > known:
+        one, other = self.cell(transition[0]), self.cell(transition[1])
+        literal = self._differ(one, other)
+        key = min(one.index, other.index), max(one.index, other.index)
+        if literal is not self._false and key not in self._counted:
+            self._counted.add(key)
             self.surfaces.append(literal)
         return literal
 
@@ -296,7 +299,11 @@ def _points(rule: Rule) -> int:
 
 
 def relaxed_labels(rules: Sequence[Rule], effort: Effort) -> Labelling:
-    """Labels that give up rules of the least weight, by unsatisfiable cores."""
+    """Labels that give up rules of little weight, by unsatisfiable cores.
+
+    What weighs least among the rules of the cores is found, not what weighs least of all; so the
+    search is never called complete.
+    """
     model = Model(rules, lightest=float("inf"))
     number = {literal.index: i for i, literal in model.given_up.items()}
     weights = [_points(rule) for rule in rules]
@@ -336,10 +343,8 @@ def relaxed_labels(rules: Sequence[Rule], effort: Effort) -> Labelling:
     if status not in FOUND:
         return Labelling(first, _broken(rules, first), False)
     labels = model.labels(final)
-    return Labelling(labels, _broken(rules, labels), status == cp_model.OPTIMAL)
+    return Labelling(labels, _broken(rules, labels), False)
 
 
 def _broken(rules: Sequence[Rule], labels: Labels) -> tuple[Rule, ...]:
-    from gaussiancad_core.reasoning.rules import drawn_under
-
     return tuple(rule for rule in rules if drawn_under(rule, labels) is not rule.linetype)

@@ -120,7 +120,9 @@ def test_the_lighter_of_two_rules_is_given_up() -> None:
     for (light, heavy), weight in product(kinds, (0.3, 1.5)):
         rules = [_edge((None, cell), light, weight), _edge((None, cell), heavy, 2.0)]
         found = _best(rules)
-        assert found.given_up == (rules[0],) and found.complete
+        assert found.given_up == (rules[0],)
+        # Only of what is too slight to matter the least is found for certain.
+        assert found.complete is (weight < 1.0)
         assert found.labels == {cell: heavy is not None}
         assert _best(rules, relaxed=False) == Labelling(None, (), True)
 
