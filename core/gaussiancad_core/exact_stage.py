@@ -19,6 +19,9 @@ from gaussiancad_core.solid.verify import Verification
 TOLERANCE_PX = {StrokesSource.RASTER: 1.0, StrokesSource.PLOT: 0.3, StrokesSource.VECTOR: 0.05}
 """px by which lines of a sheet may miss where they belong, by where they come from."""
 
+OPEN_ENDED = ("search-unfinished", "part-too-complex")
+"""Codes of searches that a limit ended: there may be a solid."""
+
 _KEPT = 0.9
 """Share of all lines, both ways, on which a solid must agree to be kept at all."""
 
@@ -127,7 +130,7 @@ def _holds(result: ExactResult) -> bool:
 
 
 def _is_open(result: ExactResult) -> bool:
-    return any(code == "search-unfinished" for code, _ in result.reasons)
+    return any(code in OPEN_ENDED for code, _ in result.reasons)
 
 
 def _doubted(result: ExactResult, reason: tuple[str, str]) -> ExactResult:

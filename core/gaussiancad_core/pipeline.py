@@ -275,13 +275,14 @@ class _Run:
 
     def _find_solid(self, own: "Reading", other: "Reading | None") -> "ExactModel":
         """The exact solid, and what it says about the projection."""
-        from gaussiancad_core.exact_stage import find_exact
+        from gaussiancad_core.exact_stage import OPEN_ENDED, find_exact
 
         exact = find_exact(own, other)
         if exact.decided:
             self._tell_projection(exact.reading.projection, inferred=True)
         if self.job.result is ResultKind.SOLID and exact.result.shape is None:
-            raise NoModelError(*exact.result.reasons[0])
+            code, message = exact.result.reasons[0]
+            raise (LimitError if code in OPEN_ENDED else NoModelError)(code, message)
         for code, message in exact.result.reasons:
             self.report = self.report.doubted(code, message)
         return exact

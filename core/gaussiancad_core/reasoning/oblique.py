@@ -27,6 +27,10 @@ _MOST = 64
 _SAME = 0.005
 """Units within which coordinates of two views are the same, at least."""
 
+SHORT = 10.0
+"""Tolerances by which slanted lines may end too early: at sharp angles lines run into each other
+before they meet."""
+
 _EDGE_ON = 4.0
 """Tolerances by which a face is deep in every view, at least."""
 
@@ -41,7 +45,7 @@ Plane = tuple[npt.NDArray[np.float64], float]
 def find_half_spaces(supports: PartSupports) -> tuple[HalfSpace, ...]:
     """Half spaces below the planes in which slanted edges close loops; the largest faces first."""
     near = max(_SAME, 2.0 * supports.tolerance)
-    shown = spatial_edges(supports, near)
+    shown = spatial_edges(supports, near, SHORT * supports.tolerance)
     candidates = _candidates(shown, near)
     candidates.sort(key=lambda candidate: -candidate.area)
     found = _settled([candidate.half_space for candidate in candidates[:_MOST]], supports)

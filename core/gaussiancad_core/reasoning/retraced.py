@@ -6,11 +6,12 @@ the plane and its edges.
 """
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.curves import LineCurve, PlaneCurve, Point, axis_line, line_through
 from gaussiancad_core.reasoning.half_spaces import HalfSpace
+from gaussiancad_core.reasoning.oblique import SHORT
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.supports import (
     PartSupports,
@@ -40,12 +41,15 @@ def retraced(supports: PartSupports, half_spaces: Sequence[HalfSpace]) -> PartSu
             for index, other in enumerate(IN_PLANE[axis])
             for value in supports.values[Axis(other)]
         ]
-        planes[axis] = _moved(plane, _edges(plane, half_spaces, reach), grid, reach)
+        short = max(reach, SHORT * supports.tolerance)
+        lines = _edges(plane, half_spaces, reach, short)
+        corners = [c for body in half_spaces for hull in body.outlines(axis) for c in hull]
+        planes[axis] = _moved(plane, lines, _Ends(grid, corners, reach, short))
     return replace(supports, planes=planes)
 
 
 def _edges(
-    plane: PlaneSupports, half_spaces: Sequence[HalfSpace], reach: float
+    plane: PlaneSupports, half_spaces: Sequence[HalfSpace], reach: float, short: float
 ) -> dict[int, LineCurve]:
     """The longest edge of a half space along each slanted line that misses it a little."""
     longest: dict[int, float] = {}
@@ -57,7 +61,7 @@ def _edges(
                 if line.axis is not None:
                     continue
                 for index, support in enumerate(plane.supports):
-                    length = _length_along(support, start, end, reach)
+                    length = _length_along(support, start, end, reach, short)
                     if length > longest.get(index, 0.0):
                         longest[index], found[index] = length, line
     return {
@@ -67,7 +71,7 @@ def _edges(
     }
 
 
-def _length_along(support: Support, start: Point, end: Point, reach: float) -> float:
+def _length_along(support: Support, start: Point, end: Point, reach: float, short: float) -> float:
     """Length of a segment that a slanted line is drawn along; 0 if it is not."""
     curve = support.curve
     if not isinstance(curve, LineCurve) or curve.axis is not None:
@@ -75,7 +79,7 @@ def _length_along(support: Support, start: Point, end: Point, reach: float) -> f
     if max(curve.distance(start), curve.distance(end)) > reach:
         return 0.0
     low, high = sorted((curve.parameter(start), curve.parameter(end)))
-    along = any(first - reach <= low and high <= last + reach for first, last in support.drawn())
+    along = any(first - short <= low and high <= last + short for first, last in support.drawn())
     return high - low if along else 0.0
 
 
@@ -83,18 +87,38 @@ def _ends(support: Support) -> list[Point]:
     return [support.curve.at(end) for stretch in support.drawn() for end in stretch]
 
 
-def _moved(
-    plane: PlaneSupports, lines: dict[int, LineCurve], grid: Sequence[PlaneCurve], reach: float
-) -> PlaneSupports:
+@dataclass(frozen=True)
+class _Ends:
+    """Where lines of a plane may end.
+
+    Attributes:
+        grid: lines of the axes' values.
+        corners: of half spaces.
+        reach: units within which a line ends at another one.
+        short: units by which a line that moved may end too early or too late at a corner.
+    """
+
+    grid: Sequence[PlaneCurve]
+    corners: Sequence[Point]
+    reach: float
+    short: float
+
+
+def _moved(plane: PlaneSupports, lines: dict[int, LineCurve], ends: _Ends) -> PlaneSupports:
     """The plane with other lines; whatever ends at a line that moved ends there still."""
     if not lines:
         return plane
     curves = [lines.get(index, support.curve) for index, support in enumerate(plane.supports)]
     moved = []
-    for support, curve in zip(plane.supports, curves, strict=True):
-        stations = stations_on(curve, [*curves, *grid])
+    for index, (support, curve) in enumerate(zip(plane.supports, curves, strict=True)):
+        stations = stations_on(curve, [*curves, *ends.grid])
+        corners = []
+        if index in lines:
+            corners = sorted(curve.parameter(c) for c in ends.corners if curve.distance(c) < _EXACT)
         spans = {
-            role: tuple(_span(span, support.curve, curve, stations, reach) for span in own)
+            role: tuple(
+                _span(span, support.curve, curve, (corners, stations), ends) for span in own
+            )
             for role, own in support.spans.items()
         }
         moved.append(Support(curve, spans))
@@ -102,13 +126,21 @@ def _moved(
 
 
 def _span(
-    span: Span, old: PlaneCurve, new: PlaneCurve, stations: list[float], reach: float
+    span: Span,
+    old: PlaneCurve,
+    new: PlaneCurve,
+    known: tuple[list[float], list[float]],
+    ends: _Ends,
 ) -> Span:
+    """A span between corners of half spaces, or where the line meets others, or as it was."""
     if not isinstance(old, LineCurve):
         # Circles stay; so do the places where their angles begin again.
         return span
-    low, high = sorted(
-        nearest_station(stations, new.parameter(old.at(end)), reach)
-        for end in (span.low, span.high)
-    )
+    corners, stations = known
+    found = []
+    for end in (span.low, span.high):
+        at = new.parameter(old.at(end))
+        corner = nearest_station(corners, at, ends.short)
+        found.append(corner if corner in corners else nearest_station(stations, at, ends.reach))
+    low, high = sorted(found)
     return replace(span, low=low, high=high)

@@ -42,8 +42,9 @@ class _Places:
         lines: of each place the straight supports that are drawn there.
     """
 
-    def __init__(self, plane: PlaneSupports, near: float) -> None:
+    def __init__(self, plane: PlaneSupports, near: float, short: float) -> None:
         self._near = near
+        self._short = max(near, short)
         self._curves = [support.curve for support in plane.supports]
         self._drawn = [support.drawn(near) for support in plane.supports]
         self.points = np.array(_merged(self._meetings(), near)).reshape(-1, 2)
@@ -68,8 +69,14 @@ class _Places:
         curve = self._curves[index]
         if curve.distance(point) > self._near:
             return False
-        at, slack = curve.parameter(point), self._near / curve.speed
+        at, slack = curve.parameter(point), self._slack(index)
         return any(low - slack <= at <= high + slack for low, high in self._drawn[index])
+
+    def _slack(self, index: int) -> float:
+        """By how much a curve may end too early, in its parameter."""
+        curve = self._curves[index]
+        slanted = isinstance(curve, LineCurve) and curve.axis is None
+        return (self._short if slanted else self._near) / curve.speed
 
     def slanted(self, place: int) -> list[int]:
         """The slanted lines of a place."""
@@ -80,23 +87,25 @@ class _Places:
         for index in self.lines[one] & self.lines[other]:
             curve = self._curves[index]
             low, high = sorted(curve.parameter(tuple(self.points[i])) for i in (one, other))
+            slack = self._slack(index)
             for start, end in self._drawn[index]:
-                if start - self._near <= low and high <= end + self._near:
+                if start - slack <= low and high <= end + slack:
                     return True
         return False
 
 
-def spatial_edges(supports: PartSupports, near: float) -> SpatialEdges:
+def spatial_edges(supports: PartSupports, near: float, short: float = 0.0) -> SpatialEdges:
     """Slanted edges that three views show.
 
     Args:
         supports: of all three planes, or there are none.
         near: units within which coordinates are the same.
+        short: units by which slanted lines may end too early, where they run into others.
     """
     nothing = SpatialEdges(np.empty((0, 3)), ())
     if len(supports.planes) < len(Axis):
         return nothing
-    planes = [_Places(supports.planes[axis], near) for axis in Axis]
+    planes = [_Places(supports.planes[axis], near, short) for axis in Axis]
     if any(not len(plane.points) for plane in planes):
         return nothing
     points, places = _corners(planes, near, supports)
