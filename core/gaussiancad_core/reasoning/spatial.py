@@ -48,14 +48,21 @@ class _Places:
         self._curves = [support.curve for support in plane.supports]
         self._drawn = [support.drawn(near) for support in plane.supports]
         self.points = np.array(_merged(self._meetings(), near)).reshape(-1, 2)
-        self.lines = [
-            frozenset(
-                index
-                for index, curve in enumerate(self._curves)
-                if isinstance(curve, LineCurve) and self._is_drawn(index, (float(a), float(b)))
-            )
-            for a, b in self.points
-        ]
+        self.lines: list[set[int]] = [set() for _ in self.points]
+        for index, curve in enumerate(self._curves):
+            if isinstance(curve, LineCurve):
+                for place in np.flatnonzero(self._on_line(index, curve)):
+                    self.lines[place].add(index)
+
+    def _on_line(self, index: int, curve: LineCurve) -> npt.NDArray[np.bool_]:
+        """Which of the places a line is drawn at."""
+        off = self.points - np.array(curve.point)
+        (dx, dy), slack = curve.direction, self._slack(index)
+        along = off @ np.array(curve.direction)
+        drawn = np.zeros(len(off), dtype=np.bool_)
+        for low, high in self._drawn[index]:
+            drawn |= (low - slack <= along) & (along <= high + slack)
+        return drawn & (np.abs(off[:, 1] * dx - off[:, 0] * dy) <= self._near)
 
     def _meetings(self) -> list[Point]:
         found = []
@@ -103,7 +110,7 @@ def spatial_edges(supports: PartSupports, near: float, short: float = 0.0) -> Sp
         short: units by which slanted lines may end too early, where they run into others.
     """
     nothing = SpatialEdges(np.empty((0, 3)), ())
-    if len(supports.planes) < len(Axis):
+    if len(supports.planes) < len(Axis) or not _has_slants(supports):
         return nothing
     planes = [_Places(supports.planes[axis], near, short) for axis in Axis]
     if any(not len(plane.points) for plane in planes):
@@ -120,6 +127,14 @@ def spatial_edges(supports: PartSupports, near: float, short: float = 0.0) -> Sp
         for corners in along.values():
             pairs.update(pair for pair in combinations(corners, 2) if _shown(planes, places, pair))
     return SpatialEdges(points, tuple(_without_corners_between(points, sorted(pairs), near)))
+
+
+def _has_slants(supports: PartSupports) -> bool:
+    return any(
+        isinstance(support.curve, LineCurve) and support.curve.axis is None
+        for plane in supports.planes.values()
+        for support in plane.supports
+    )
 
 
 def _corners(
