@@ -178,7 +178,9 @@ def _parts(
     nearest = np.where(index - behind < ahead - index, behind, ahead)
     same = left == right
     sides = np.where(same & (left == paper), _Side.PAPER, np.where(same, _Side.INSIDE, 0))
-    steady = median_filter(sides[nearest].astype(np.uint8), 2 * _STEADY + 1)
+    # What lies beside is not known between near lines; what is known far off says nothing there.
+    told = np.where(np.abs(nearest - index) <= 2 * _STEADY, sides[nearest], _Side.PARTING)
+    steady = median_filter(told.astype(np.uint8), 2 * _STEADY + 1)
     borders = [0, *(np.flatnonzero(np.diff(steady)) + 1), len(steady)]
     step = run.run.length / len(steady)
     return [
