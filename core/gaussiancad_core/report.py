@@ -134,8 +134,11 @@ class Report:
         return replace(self, warnings=(*self.warnings, Remark(code, message)))
 
     def doubted(self, code: str, message: str) -> "Report":
-        """The report with one more reason why the result is not verified."""
-        return replace(self, reasons=(*self.reasons, Remark(code, message)))
+        """The report with one more reason why the result is not verified; each counts once."""
+        remark = Remark(code, message)
+        if remark in self.reasons:
+            return self
+        return replace(self, reasons=(*self.reasons, remark))
 
     def as_json(self) -> dict[str, Any]:
         """The report as JSON values, as the schema has them."""

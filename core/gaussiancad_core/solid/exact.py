@@ -192,12 +192,14 @@ def _reasons(
     if best.verification.flaws:
         worst = best.verification.flaws[0]
         what = "does not show" if worst.missing else "shows"
+        others = len(best.verification.flaws) - 1
+        more = f", and {others} more" if others else ""
         reasons.append(
             (
                 "lines-unexplained",
                 f"the solid {what} a line of {worst.length:.1f} mm that the {worst.role.value} "
                 f"view has{'' if worst.missing else ' not'}, at ({worst.place[0]:.1f}, "
-                f"{worst.place[1]:.1f}) mm, and {len(best.verification.flaws) - 1} more",
+                f"{worst.place[1]:.1f}) mm{more}",
             )
         )
     if not best.verification.close:
