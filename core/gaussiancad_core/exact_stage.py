@@ -19,6 +19,12 @@ from gaussiancad_core.solid.verify import Verification
 TOLERANCE_PX = {StrokesSource.RASTER: 1.0, StrokesSource.PLOT: 0.3, StrokesSource.VECTOR: 0.05}
 """px by which lines of a sheet may miss where they belong, by where they come from."""
 
+_UNSETTLED = (
+    "search-unfinished",
+    "whether the views fit a solid in the other projection as well is not certain: "
+    "tell --projection",
+)
+
 OPEN_ENDED = ("search-unfinished", "part-too-complex")
 """Codes of searches that a limit ended: there may be a solid."""
 
@@ -71,12 +77,16 @@ def find_exact(own: Reading, other: Reading | None, limits: Limits | None = None
     result = _solved(own, limits)
     if other is None:
         return ExactModel(own, result, False)
-    contrary = _solved(other, replace(limits, relaxed=False))
+    strict = replace(limits, relaxed=False)
+    contrary = _solved(other, strict)
     if _holds(contrary) and not _holds(result):
+        # The reading that was likelier must have no solid either, for this one to be certain.
+        if not _is_settled(_solved(own, strict)):
+            contrary = _doubted(contrary, _UNSETTLED)
         return ExactModel(other, contrary, True)
     if not _holds(contrary):
-        if contrary.status is Status.FAILED and _is_open(contrary):
-            result = _doubted(result, contrary.reasons[0])
+        if not _is_settled(contrary):
+            result = _doubted(result, _UNSETTLED)
         return ExactModel(own, result, _holds(result))
     shapes = [
         shape
@@ -129,8 +139,11 @@ def _holds(result: ExactResult) -> bool:
     return result.shape is not None and bool(result.verification and result.verification.explains)
 
 
-def _is_open(result: ExactResult) -> bool:
-    return any(code in OPEN_ENDED for code, _ in result.reasons)
+def _is_settled(result: ExactResult) -> bool:
+    """Whether it is certain that no solid has a reading's lines, given one without a solid."""
+    if result.verification is not None:
+        return result.verification.sound
+    return result.reasons[0][0] == "no-solid-fits"
 
 
 def _doubted(result: ExactResult, reason: tuple[str, str]) -> ExactResult:

@@ -50,10 +50,12 @@ class BuiltSolid:
     Attributes:
         shape: the solid in mm; None if the faces did not close.
         bodies: number of separate pieces of material.
+        closed: whether the faces closed; if they did not, it is not known what they would bound.
     """
 
     shape: TopoDS_Shape | None
     bodies: int
+    closed: bool = True
 
 
 def build_solid(space: LabelledSpace, scale: float) -> BuiltSolid:
@@ -73,9 +75,9 @@ def build_solid(space: LabelledSpace, scale: float) -> BuiltSolid:
         material = sides.material(face)
         if material is not None and material[0] != material[1]:
             kept.append(face)
-    solid, count = _sewn(sides, kept)
+    solid, count, closed = _sewn(sides, kept)
     if solid is None:
-        return BuiltSolid(None, count)
+        return BuiltSolid(None, count, closed)
     return BuiltSolid(_scaled(_simplified(solid), 1.0 / scale), count)
 
 
@@ -148,24 +150,24 @@ class _Sides:
         return behind, before
 
 
-def _sewn(sides: _Sides, faces: list[TopoDS_Face]) -> tuple[TopoDS_Shape | None, int]:
-    """One solid of all shells, and the number of its outer shells."""
+def _sewn(sides: _Sides, faces: list[TopoDS_Face]) -> tuple[TopoDS_Shape | None, int, bool]:
+    """One solid of all shells, the number of its outer shells, and whether they are closed."""
     sewing = BRepBuilderAPI_Sewing(_SEWING)
     for face in faces:
         sewing.Add(face)
     sewing.Perform()
     shells = subshapes(sewing.SewedShape(), TopAbs_ShapeEnum.TopAbs_SHELL)
     if not shells or sewing.NbFreeEdges() > 0:
-        return None, len(shells)
+        return None, len(shells), False
     signed = [_outward(sides, shell) for shell in shells]
     outer = [shell for size, shell in signed if size > 0.0]
     if len(outer) != 1:
-        return None, len(outer)
+        return None, len(outer), True
     maker = BRepBuilderAPI_MakeSolid(TopoDS.Shell(outer[0]))
     for size, shell in signed:
         if size < 0.0:
             maker.Add(TopoDS.Shell(shell))
-    return maker.Solid(), 1
+    return maker.Solid(), 1, True
 
 
 def _outward(sides: _Sides, shell: TopoDS_Shape) -> tuple[float, TopoDS_Shape]:

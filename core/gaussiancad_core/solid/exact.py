@@ -27,6 +27,10 @@ _COUNTING = 0.15
 
 
 _NONE = "no-solid-fits", "no solid has these lines: they contradict each other"
+_UNBUILT = (
+    "no-valid-solid",
+    "the cells that fit the lines best bound no closed solid: lines are missing or wrong",
+)
 _UNFINISHED = "search-unfinished", "the search for solids with these lines was not completed"
 
 
@@ -105,10 +109,7 @@ def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
         return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
     candidates, complete = _candidates(_Work(part, views, search, clock), labelling, limits)
     if not candidates:
-        reason = (
-            "no-valid-solid",
-            "the cells that fit the lines best bound no closed solid: lines are missing or wrong",
-        )
+        reason = _NONE if complete else _UNBUILT
         return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
     agreeing = [c for c in candidates if c.verification.explains]
     best = agreeing[0] if agreeing else candidates[0]
@@ -151,32 +152,36 @@ class _Work:
 
 
 def _candidates(work: _Work, labelling: Labelling, limits: Limits) -> tuple[list[Candidate], bool]:
-    """Solids of the labels and of others, simplest first; whether all there are were looked at."""
+    """Solids of the labels and of others, simplest first; whether all there are were looked at.
+
+    Labels whose faces do not close, or bound something unsound, are not looked at: there may be a
+    solid that could not be built.
+    """
     thickness = work.part.space.thickness()
     counting: list[Cell] = [cell for cell, units in thickness.items() if units > _COUNTING]
-    first = _candidate(work, labelling.labels)
+    first, settled = _candidate(work, labelling.labels)
     candidates = [first] if first is not None else []
     others = work.search.others(labelling, counting, limits.alternatives)
     work.clock.lap("others")
     for labels in others.labels:
         if work.clock.total > limits.seconds:
             return candidates, False
-        candidate = _candidate(work, labels)
+        candidate, looked_at = _candidate(work, labels)
+        settled &= looked_at
         if candidate and not any(same_solid(candidate.shape, c.shape) for c in candidates):
             candidates.append(candidate)
-    return candidates, others.complete and labelling.complete
+    return candidates, settled and others.complete and labelling.complete
 
 
-def _candidate(work: _Work, labels: Labels | None) -> Candidate | None:
-    if labels is None:
-        return None
+def _candidate(work: _Work, labels: Labels) -> tuple[Candidate | None, bool]:
+    """The solid of labels, and whether it is certain what they bound."""
     built = build_solid(LabelledSpace(work.part.space, labels), work.part.supports.scale)
     work.clock.lap("build")
     if built.shape is None:
-        return None
+        return None, built.closed
     verification = verify(built.shape, work.views)
     work.clock.lap("verify")
-    return Candidate(built.shape, verification)
+    return Candidate(built.shape, verification), verification.sound
 
 
 def _reasons(
