@@ -16,7 +16,10 @@ from gaussiancad_core.drawing.brep import bounding_box, soundness, volume
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.reasoning.labelling import Effort
+from gaussiancad_core.solid import exact
+from gaussiancad_core.solid.build import BuiltSolid, build_solid
 from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
+from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.verify import verify
 from gaussiancad_core.views import Linetype, Segment
@@ -221,6 +224,21 @@ def test_two_solids_with_the_same_lines_are_both_told(
         assert sum(same_solid(truth, solid) for solid in solids) == 1
     for solid in solids:
         assert soundness(solid).valid and verify(solid, views).holds
+
+
+def test_what_could_not_be_built_may_be_another_solid(
+    drawn: Callable[..., DrawnViews], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    built: list[BuiltSolid] = []
+
+    def first_only(space: LabelledSpace, scale: float) -> BuiltSolid:
+        built.append(BuiltSolid(None, 1, closed=False) if built else build_solid(space, scale))
+        return built[-1]
+
+    monkeypatch.setattr(exact, "build_solid", first_only)
+    result = exact_solid(drawn(_cube_without((0, 0, 1), (0, 2, 2), (2, 2, 1))))
+    assert len(built) == 2 and result.alternatives == ()
+    assert result.status is Status.APPROXIMATE and _codes(result) == {"search-unfinished"}
 
 
 def test_without_alternatives_nothing_is_verified_that_is_ambiguous(
