@@ -6,12 +6,14 @@ extension and leader lines; lines of long and short dashes in turn are centre li
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
+import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
-from gaussiancad_core.sheet.runs import Rhythm, learn_rhythm
+from gaussiancad_core.sheet.runs import Rhythm, Run, learn_rhythm
 
 _SOLID_PX = 20.0
 """px of a run that says how wide continuous lines are."""
@@ -30,6 +32,9 @@ _BREAK = 0.5
 
 _SHORT = 0.45
 """Length of the short dashes of a centre line, as a share of the long ones, at most."""
+
+_FADED = 0.25
+"""Share by which the gap that a short dash left may differ from what it and its gaps take."""
 
 _ALTERNATING = 0.75
 """Share of a centre line's neighbouring dashes of which one is long and one short."""
@@ -108,7 +113,7 @@ def kinds_of_runs(
     rest: list[list[InkedRun]] = []
     for shape, own in zip(shapes, kinds, strict=True):
         for first, last in _groups(shape.runs, stroke_width, weights.limit):
-            if is_long_short([run.run.length for run in shape.runs[first:last]]):
+            if is_long_short([run.run for run in shape.runs[first:last]]):
                 own[first:last] = [AnnotationKind.CENTRE_LINE] * (last - first)
         rest.append([run for run, kind in zip(shape.runs, own, strict=True) if kind is None])
     if not weights.limit:
@@ -131,17 +136,36 @@ def _spread(own: list[AnnotationKind | None], runs: Sequence[InkedRun], limit: f
             own[k] = own[k - 1]
 
 
-def is_long_short(lengths: Sequence[float]) -> bool:
-    """Whether dashes are long and short in turn, as those of a centre line."""
-    if len(lengths) < 3:
+def is_long_short(runs: Sequence[Run]) -> bool:
+    """Whether dashes are long and short in turn, as those of a centre line.
+
+    Where one short dash at least was seen, others may have faded: they count where the gap between
+    two long ones has room for them.
+    """
+    if len(runs) < 3:
         return False
-    longest = np.median(sorted(lengths)[len(lengths) // 2 :])
-    short = np.array(lengths) < _SHORT * longest
+    lengths = np.array([run.length for run in runs])
+    longest = np.median(np.sort(lengths)[len(lengths) // 2 :])
+    short = _with_faded(runs, lengths < _SHORT * longest)
     # The pattern starts and ends with a long dash, but a crossing may cut one.
     inner = short[1:-1]
     turns = short[1:] != short[:-1]
     mixed = inner.any() and (not inner.all() or len(inner) == 1)
     return bool(mixed) and bool(turns.mean() >= _ALTERNATING)
+
+
+def _with_faded(runs: Sequence[Run], short: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
+    """Which dashes are short, those added that are missing between two long ones."""
+    gaps = np.array([after.start - before.end for before, after in pairwise(runs)])
+    beside = short[1:] != short[:-1]
+    if not beside.any():
+        return short
+    gap = float(np.median(gaps[beside]))
+    room = 2.0 * gap + float(
+        np.median([run.length for run, is_short in zip(runs, short, strict=True) if is_short])
+    )
+    empty = ~short[1:] & ~short[:-1] & (np.abs(gaps - room) < _FADED * room)
+    return np.insert(short, np.flatnonzero(empty) + 1, True)
 
 
 def _groups(runs: Sequence[InkedRun], stroke_width: float, limit: float) -> list[tuple[int, int]]:
@@ -170,8 +194,12 @@ def _is_dash(runs: Sequence[InkedRun], k: int, rhythm: Rhythm, limit: float) -> 
     broken = _BREAK * rhythm.gap
     first = last = k
     while first > 0 and runs[first].run.start - runs[first - 1].run.end < broken:
+        if _is_wide(runs[first - 1], limit):
+            break
         first -= 1
     while last + 1 < len(runs) and runs[last + 1].run.start - runs[last].run.end < broken:
+        if _is_wide(runs[last + 1], limit):
+            break
         last += 1
     start, end = runs[first].run.start, runs[last].run.end
     longest = 1.75 * rhythm.dash

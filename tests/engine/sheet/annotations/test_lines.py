@@ -29,6 +29,17 @@ def _solid(length: float, width: float | None) -> InkedShape:
     return _shape((0.0, length, width))
 
 
+def _runs(lengths: list[float], gap: float) -> list[Run]:
+    """Dashes of some lengths; a negative one is a gap."""
+    runs, at = [], 0.0
+    for length in lengths:
+        if length > 0:
+            runs.append(Run(at, at + length))
+            at += gap
+        at += abs(length)
+    return runs
+
+
 def _row(lengths: list[float], gap: float, width: float) -> InkedShape:
     pieces, at = [], 0.0
     for length in lengths:
@@ -66,13 +77,42 @@ def _row(lengths: list[float], gap: float, width: float) -> InkedShape:
     ],
 )
 def test_long_and_short_in_turn(lengths: list[float], expected: bool) -> None:
-    assert is_long_short(lengths) is expected
-    assert is_long_short(lengths[::-1]) is expected
+    assert is_long_short(_runs(lengths, 5.0)) is expected
+    assert is_long_short(_runs(lengths[::-1], 5.0)) is expected
+
+
+@pytest.mark.parametrize(
+    ("lengths", "expected"),
+    [
+        # The second short dash faded: its own length and one more gap are blank.
+        ([18, 4, 18, -9, 18], True),
+        ([18, -9, 18, 4, 18, -9, 18, -9, 18], True),
+        # All of them did: dashes at wide gaps may as well be hidden lines.
+        ([18, -9, 18, -9, 18], False),
+        # One short dash by chance, and gaps that none would fill.
+        ([18, 4, 18, 18, 18], False),
+        ([18, 4, 18, -30, 18, -30, 18], False),
+    ],
+)
+def test_short_dashes_that_faded(lengths: list[float], expected: bool) -> None:
+    assert is_long_short(_runs(lengths, 5.0)) is expected
+    assert is_long_short(_runs(lengths[::-1], 5.0)) is expected
+
+
+def test_the_first_dash_may_go_on_from_an_edge() -> None:
+    """The line is hidden from a corner on: its first dash belongs to it, not to the edge."""
+    pieces = [(0, 100, 3.0), (100, 112, 2.0), (118, 130, 2.0), (136, 148, 2.0), (154, 166, 2.0)]
+    shapes = [_shape(*pieces), _row([12, 12, 12, 12, 12], 6, 2.0), _solid(90, 1.9)]
+    kinds = kinds_of_runs(shapes, Weights(3.0, 2.4), 2.6)
+    assert kinds[0] == [None] * 5
+    # An extension line that goes on from an edge has nothing behind it.
+    stub = [_shape((0, 100, 3.0), (100, 112, 1.6)), _row([12, 12, 12, 12, 12], 6, 2.0)]
+    assert kinds_of_runs(stub, Weights(3.0, 2.4), 2.6)[0] == [None, EXTENSION]
 
 
 @given(st.floats(60.0, 2000.0), st.floats(0.8, 4.0))
 def test_what_the_engine_draws_is_long_short(length: float, width: float) -> None:
-    pieces = [high - low for low, high in long_short_intervals(length, width)]
+    pieces = [Run(low, high) for low, high in long_short_intervals(length, width)]
     assert is_long_short(pieces)
 
 
@@ -80,7 +120,7 @@ def test_what_the_engine_draws_is_long_short(length: float, width: float) -> Non
 def test_even_dashes_never_are(count: int, dash: float, data: st.DataObject) -> None:
     """A fifth longer or shorter."""
     shares = data.draw(st.lists(st.floats(0.8, 1.2), min_size=count, max_size=count))
-    assert not is_long_short([dash * share for share in shares])
+    assert not is_long_short(_runs([dash * share for share in shares], dash / 2))
 
 
 def test_two_families_of_widths() -> None:
