@@ -11,6 +11,7 @@ class ErrorCode(Enum):
     ENGINE_KILLED = "engine-killed"
     RESULT_UNREADABLE = "result-unreadable"
     NOTHING_TO_COMPARE = "nothing-to-compare"
+    SOLUTIONS_GONE = "solutions-gone"
     SHEET_MISSING = "sheet-missing"
     WRONG_ARGUMENTS = "wrong-arguments"
 

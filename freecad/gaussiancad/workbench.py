@@ -5,7 +5,12 @@ import FreeCADGui
 from freecad.gaussiancad import paths
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
 
-TOOLBAR = ("GaussianCAD_Reconstruct", "GaussianCAD_Compare", "GaussianCAD_CheckEngine")
+TOOLBAR = (
+    "GaussianCAD_Reconstruct",
+    "GaussianCAD_Solutions",
+    "GaussianCAD_Compare",
+    "GaussianCAD_CheckEngine",
+)
 
 MENU = (*TOOLBAR, "GaussianCAD_InstallEngine")
 

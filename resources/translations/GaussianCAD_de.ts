@@ -123,6 +123,18 @@
             <source>Versions, device, seed and hash of the drawing</source>
             <translation>Versionen, Gerät, Startwert und Prüfsumme der Zeichnung</translation>
         </message>
+        <message>
+            <source>Which of the solutions was kept by hand</source>
+            <translation>Welche der Lösungen von Hand behalten wurde</translation>
+        </message>
+        <message>
+            <source>Share of the lines that agree with the drawing's, 0 to 1</source>
+            <translation>Anteil der Linien, die mit denen der Zeichnung übereinstimmen, 0 bis 1</translation>
+        </message>
+        <message>
+            <source>The projection under which the drawing was read</source>
+            <translation>Die Projektion, unter der die Zeichnung gelesen wurde</translation>
+        </message>
     </context>
     <context>
         <name>GaussianCAD</name>
@@ -754,6 +766,94 @@
             <source>The result cannot be added to the document: {reason}</source>
             <translation>Das Ergebnis kann dem Dokument nicht hinzugefügt werden: {reason}</translation>
         </message>
+        <message>
+            <source>The solutions are not in the document any more.</source>
+            <translation>Die Lösungen sind nicht mehr im Dokument.</translation>
+        </message>
+        <message>
+            <source>Keep Solution</source>
+            <translation>Lösung behalten</translation>
+        </message>
+        <message>
+            <source>Previous</source>
+            <translation>Vorige</translation>
+        </message>
+        <message>
+            <source>Next</source>
+            <translation>Nächste</translation>
+        </message>
+        <message>
+            <source>{number} of {count}</source>
+            <translation>{number} von {count}</translation>
+        </message>
+        <message>
+            <source>Keep This One</source>
+            <translation>Diese behalten</translation>
+        </message>
+        <message>
+            <source>Choose among Solutions</source>
+            <translation>Unter Lösungen wählen</translation>
+        </message>
+        <message>
+            <source>Choose among {count} Solutions…</source>
+            <translation>Unter {count} Lösungen wählen…</translation>
+        </message>
+        <message>
+            <source>Size: {x} × {y} × {z} mm</source>
+            <translation>Größe: {x} × {y} × {z} mm</translation>
+        </message>
+        <message>
+            <source>Read in first angle</source>
+            <translation>In Projektionsmethode 1 gelesen</translation>
+        </message>
+        <message>
+            <source>Read in third angle</source>
+            <translation>In Projektionsmethode 3 gelesen</translation>
+        </message>
+        <message>
+            <source>The simplest of them, and the result so far</source>
+            <translation>Die einfachste, und das bisherige Ergebnis</translation>
+        </message>
+        <message>
+            <source>{count} different solids have the lines of this drawing. Keep the one that is meant; the others are removed.</source>
+            <translation>{count} verschiedene Körper haben die Linien dieser Zeichnung. Behalten Sie den gemeinten; die anderen werden entfernt.</translation>
+        </message>
+        <message>
+            <source>Shown</source>
+            <translation>Gezeigt</translation>
+        </message>
+        <message>
+            <source>Why there is doubt</source>
+            <translation>Warum es Zweifel gibt</translation>
+        </message>
+        <message>
+            <source>Against solution 1: {volume} mm³ more, {place}</source>
+            <translation>Gegenüber Lösung 1: {volume} mm³ mehr, {place}</translation>
+        </message>
+        <message>
+            <source>Against solution 1: {volume} mm³ less, {place}</source>
+            <translation>Gegenüber Lösung 1: {volume} mm³ weniger, {place}</translation>
+        </message>
+        <message>
+            <source>within X {x}, Y {y}, Z {z}</source>
+            <translation>innerhalb X {x}, Y {y}, Z {z}</translation>
+        </message>
+        <message>
+            <source>Faces</source>
+            <translation>Flächen</translation>
+        </message>
+        <message>
+            <source>Volume, mm³</source>
+            <translation>Volumen, mm³</translation>
+        </message>
+        <message>
+            <source>Agreement</source>
+            <translation>Übereinstimmung</translation>
+        </message>
+        <message>
+            <source>Share of the lines, the drawing's and the solid's, that agree</source>
+            <translation>Anteil der Linien, der Zeichnung und des Körpers, die übereinstimmen</translation>
+        </message>
     </context>
     <context>
         <name>GaussianCADPreferences</name>
@@ -864,6 +964,17 @@
         <message>
             <source>Creates a 3D part from a drawing with two or more views</source>
             <translation>Erzeugt ein 3D-Bauteil aus einer Zeichnung mit zwei oder mehr Ansichten</translation>
+        </message>
+    </context>
+    <context>
+        <name>GaussianCAD_Solutions</name>
+        <message>
+            <source>Choose among Solutions…</source>
+            <translation>Unter Lösungen wählen…</translation>
+        </message>
+        <message>
+            <source>Flips through the solids that all have the drawing's lines and keeps one</source>
+            <translation>Blättert durch die Körper, die alle die Linien der Zeichnung haben, und behält einen</translation>
         </message>
     </context>
     <context>

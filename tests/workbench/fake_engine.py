@@ -22,6 +22,7 @@ BEHAVIOURS = (
     "ok",  # verified solid, surface, Gaussians
     "surface",  # no exact solid
     "ambiguous",  # approximate, with another solid that fits
+    "several",  # approximate, with two other solids that fit, one of them in first angle
     "noisy",  # ok, among noise: split characters, half JSON, binary
     "slow",  # runs until it is cancelled
     "deaf",  # runs until it is killed
@@ -112,6 +113,10 @@ def write_models(output: Path, behaviour: str) -> None:
     if behaviour == "ambiguous":
         (output / "alternatives").mkdir(exist_ok=True)
         shutil.copy(fake_part.STEP_FILE, output / "alternatives" / "1.step")
+    if behaviour == "several":
+        (output / "alternatives").mkdir(exist_ok=True)
+        for number, path in enumerate(fake_part.ALTERNATIVES, start=1):
+            shutil.copy(path, output / "alternatives" / f"{number}.step")
     stl = fake_part.stl_text()
     (output / "surface.stl").write_text("not a mesh" if behaviour == "half" else stl)
     (output / "gaussians.ply").write_bytes(fake_part.gaussians_bytes())
@@ -165,12 +170,24 @@ def reconstruct(arguments: list[str]) -> int:
         write_models(output, behaviour)
         reasons = {
             "ambiguous": [{"code": "ambiguous", "message": "another solid fits the sheet"}],
+            "several": [
+                {"code": "ambiguous", "message": "3 different solids have these lines"},
+                {
+                    "code": "search-unfinished",
+                    "message": "the search for solids with these lines was not completed",
+                },
+            ],
             "surface": [{"code": "no-solid", "message": "no exact solid was found"}],
         }.get(behaviour, [])
         status = "approximate" if reasons else "verified"
-        (output / "report.json").write_text(
-            json.dumps(report(str(sheet), status, reasons)), encoding="utf-8"
-        )
+        values = report(str(sheet), status, reasons)
+        if behaviour == "several":
+            values["solid"] |= {"agreement": 0.9984, "alternatives": 2}
+            values["alternatives"] = [
+                {"file": "alternatives/1.step", "agreement": 0.9971, "projection": "third"},
+                {"file": "alternatives/2.step", "agreement": 0.9902, "projection": "first"},
+            ]
+        (output / "report.json").write_text(json.dumps(values), encoding="utf-8")
     send("warning", code="scale-unknown", message="the longest edge was made 100 mm")
     send("result", path=str(output / "report.json"))
     return 0

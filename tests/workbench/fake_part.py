@@ -16,6 +16,11 @@ SHEET_SIZE = (720, 580)
 
 STEP_FILE = Path(__file__).parent / "data" / "bracket.step"
 
+ALTERNATIVES = tuple(STEP_FILE.with_name(f"alternative-{number}.step") for number in (1, 2))
+"""The bracket without a block of 5 x 20 x 10 mm, and with one of 10 x 10 x 5 mm on its foot."""
+
+ALTERNATIVE_VOLUMES = (VOLUME - 1000.0, VOLUME + 500.0)
+
 _PROFILE = ((0, 0), (60, 0), (60, 10), (15, 10), (15, 30), (0, 30))
 
 

@@ -9,8 +9,15 @@ def register() -> None:
     from freecad.gaussiancad.commands.compare import CompareCommand
     from freecad.gaussiancad.commands.install_engine import InstallEngineCommand
     from freecad.gaussiancad.commands.reconstruct import ReconstructCommand
+    from freecad.gaussiancad.commands.solutions import SolutionsCommand
 
     known = FreeCADGui.listCommands()
-    for command in (ReconstructCommand, CompareCommand, CheckEngineCommand, InstallEngineCommand):
+    for command in (
+        ReconstructCommand,
+        SolutionsCommand,
+        CompareCommand,
+        CheckEngineCommand,
+        InstallEngineCommand,
+    ):
         if command.name not in known:
             FreeCADGui.addCommand(command.name, command())

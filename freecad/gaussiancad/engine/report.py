@@ -58,6 +58,19 @@ class ViewReport:
 
 
 @dataclass(frozen=True)
+class AlternativeReport:
+    """Another solid that has the sheet's lines.
+
+    Attributes:
+        agreement: share of all lines, both ways, that agree, 0 to 1.
+        projection: first or third; empty if it was not told.
+    """
+
+    agreement: float
+    projection: str
+
+
+@dataclass(frozen=True)
 class Report:
     """A run's report.
 
@@ -69,6 +82,7 @@ class Report:
         views: in the order of the file.
         mm_per_pixel: scale, or None.
         seconds: duration of each stage.
+        alternatives: of the solid, best first; those of which nothing is told are left out.
     """
 
     text: str
@@ -79,6 +93,12 @@ class Report:
     views: tuple[ViewReport, ...]
     mm_per_pixel: float | None
     seconds: dict[str, float]
+    alternatives: tuple[AlternativeReport, ...] = ()
+
+    @property
+    def agreement(self) -> float | None:
+        """Share of all lines, both ways, on which the exact solid and the sheet agree."""
+        return _number(self.group("solid").get("agreement"))
 
     def word(self, key: str) -> str:
         """A top-level field as text, empty if it is missing."""
@@ -124,6 +144,7 @@ def parse_report(text: str, values: dict[str, Any]) -> Report:
         _views(values.get("views")),
         _number(values.get("scale_mm_per_pixel")),
         _numbers(values.get("seconds")),
+        _alternatives(values.get("alternatives")),
     )
 
 
@@ -186,6 +207,16 @@ def _remarks(values: object) -> tuple[Remark, ...]:
         return ()
     return tuple(
         Remark(str(value.get("code", "")), str(value.get("message", "")))
+        for value in values
+        if isinstance(value, dict)
+    )
+
+
+def _alternatives(values: object) -> tuple[AlternativeReport, ...]:
+    if not isinstance(values, list):
+        return ()
+    return tuple(
+        AlternativeReport(_number(value.get("agreement")) or 0.0, str(value.get("projection", "")))
         for value in values
         if isinstance(value, dict)
     )

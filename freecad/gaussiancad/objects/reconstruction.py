@@ -7,8 +7,9 @@ features: a document opens without the engine, and without this addon.
 from pathlib import Path
 
 import FreeCAD
+import Part
 
-from freecad.gaussiancad.engine.report import Report, Status
+from freecad.gaussiancad.engine.report import AlternativeReport, Report, Status
 from freecad.gaussiancad.engine.summary import role_name
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
 from freecad.gaussiancad.objects.gaussians import add_points
@@ -19,6 +20,9 @@ from freecad.gaussiancad.objects.sheet_views import add_image_plane
 from freecad.gaussiancad.objects.transaction import transaction
 
 SCHEMA_VERSION = 1
+
+ALTERNATIVE = "Alternative"
+"""How the names of the alternatives begin."""
 
 
 class ReconstructionView(GroupViewProxy):
@@ -89,12 +93,7 @@ def _features(document: FreeCAD.Document, run: LoadedRun) -> list[FreeCAD.Docume
     if run.part is not None:
         features.append(_add_part(document, run))
     for number, shape in enumerate(run.alternatives, start=1):
-        alternative = document.addObject("Part::Feature", "Alternative")
-        alternative.Shape = shape
-        label = translate("GaussianCAD", "Alternative {number}")
-        alternative.Label = label.format(number=number)
-        alternative.Visibility = False
-        features.append(alternative)
+        features.append(_add_alternative(document, number, shape, run.report))
     if run.mesh is not None:
         surface = document.addObject("Mesh::Feature", "Surface")
         surface.Mesh = run.mesh
@@ -138,7 +137,43 @@ def _add_part(document: FreeCAD.Document, run: LoadedRun) -> FreeCAD.DocumentObj
             ),
         ],
     )
+    if run.part.source is PartSource.SOLID and run.report.agreement is not None:
+        add_properties(feature, [_agreement_property(run.report.agreement)])
     return feature
+
+
+def _add_alternative(
+    document: FreeCAD.Document, number: int, shape: Part.Shape, report: Report
+) -> FreeCAD.DocumentObject:
+    alternative = document.addObject("Part::Feature", ALTERNATIVE)
+    alternative.Shape = shape
+    label = translate("GaussianCAD", "Alternative {number}")
+    alternative.Label = label.format(number=number)
+    alternative.Visibility = False
+    told = report.alternatives[number - 1] if number <= len(report.alternatives) else None
+    if told is not None:
+        add_properties(alternative, _alternative_properties(told))
+    return alternative
+
+
+def _agreement_property(share: float) -> PropertySpec:
+    tip = QT_TRANSLATE_NOOP(
+        "App::Property", "Share of the lines that agree with the drawing's, 0 to 1"
+    )
+    return PropertySpec("Float", "Agreement", "GaussianCAD", tip, share)
+
+
+def _alternative_properties(told: AlternativeReport) -> list[PropertySpec]:
+    return [
+        _agreement_property(told.agreement),
+        PropertySpec(
+            "String",
+            "Projection",
+            "GaussianCAD",
+            QT_TRANSLATE_NOOP("App::Property", "The projection under which the drawing was read"),
+            told.projection,
+        ),
+    ]
 
 
 def _part_label(part: LoadedPart, status: Status) -> str:

@@ -14,10 +14,12 @@ from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.document_sheets import export_sheet, first_sheet_object
 from freecad.gaussiancad.objects.loading import load_run
 from freecad.gaussiancad.objects.reconstruction import add_reconstruction
+from freecad.gaussiancad.objects.solutions import SolutionSet, has_choice
 from freecad.gaussiancad.panels.document_source import DocumentSource
 from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts, Success
 from freecad.gaussiancad.panels.settings_form import SettingsForm
 from freecad.gaussiancad.panels.sheet_preview import SheetPreview
+from freecad.gaussiancad.panels.solutions import open_solutions
 from freecad.gaussiancad.panels.widgets import PathField
 from freecad.gaussiancad.preferences import read_preferences
 from freecad.gaussiancad.qt import QtWidgets
@@ -84,10 +86,12 @@ class ReconstructPanel(EnginePanel):
         views.mkdir()
         run = load_run(self._job, views)
         document = self._document()
-        add_reconstruction(document, run)
+        group = add_reconstruction(document, run)
         if run.overlay is not None:
             self.preview.show_file(str(run.overlay))
         _show_all(document)
+        if has_choice(group):
+            self._offer_choice(group)
         return Success(status_text(run.report.status), tuple(report_lines(run.report)))
 
     def set_editable(self, editable: bool) -> None:
@@ -107,6 +111,20 @@ class ReconstructPanel(EnginePanel):
         super()._leave()
         if self._exports is not None:
             self._exports.cleanup()
+
+    def _offer_choice(self, group: FreeCAD.DocumentObject) -> None:
+        text = translate("GaussianCAD", "Choose among {count} Solutions…")
+        count = len(SolutionSet(group))
+        document, name = group.Document.Name, group.Name
+
+        def choose() -> None:
+            # The user may have undone the run in the meantime, or closed the document.
+            known = document in FreeCAD.listDocuments()
+            found = FreeCAD.getDocument(document).getObject(name) if known else None
+            if found is not None and has_choice(found):
+                open_solutions(found)
+
+        self.run_view.offer(text.format(count=count), choose)
 
     def _document(self) -> FreeCAD.Document:
         """The document in which the run began, or a new one if there is none any more."""

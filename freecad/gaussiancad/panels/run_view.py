@@ -36,6 +36,11 @@ class RunView(QtWidgets.QWidget):
         self.cancel_button = QtWidgets.QPushButton(translate("GaussianCAD", "Cancel"))
         self.cancel_button.setObjectName("cancel")
         self.cancel_button.clicked.connect(cancel)
+        self.follow_up = QtWidgets.QPushButton()
+        self.follow_up.setObjectName("followUp")
+        self.follow_up.clicked.connect(self._go_on)
+        self.follow_up.hide()
+        self._next_step: Callable[[], None] | None = None
         self.stage = _wrapped_label("stage")
         self.stage.setText(translate("GaussianCAD", "Ready"))
         self.overall = _bar("overall")
@@ -57,6 +62,7 @@ class RunView(QtWidgets.QWidget):
         """Show that a run has begun; how far it is is not known yet."""
         self._stage_count, self._stage_index = 0, 0
         self._began, self._remaining = time.monotonic(), None
+        self.follow_up.hide()
         self.log.clear()
         self.stage.setText(headline)
         self.overall.setRange(0, 0)
@@ -90,6 +96,17 @@ class RunView(QtWidgets.QWidget):
         self.log.setTextCursor(cursor)
         self.log.verticalScrollBar().setValue(self.log.verticalScrollBar().maximum())
         self.log.ensureCursorVisible()
+
+    def offer(self, text: str, next_step: Callable[[], None]) -> None:
+        """Show a button for what may be done with the outcome, until the next run.
+
+        Args:
+            text: on the button.
+            next_step: what it does; it may close the panel.
+        """
+        self._next_step = next_step
+        self.follow_up.setText(text)
+        self.follow_up.show()
 
     def say(self, headline: str) -> None:
         """Show a line at once, before the window is busy."""
@@ -158,6 +175,10 @@ class RunView(QtWidgets.QWidget):
         self.start_button.setEnabled(not running)
         self.cancel_button.setEnabled(running)
 
+    def _go_on(self) -> None:
+        # The panel may be closed by it, and this button with it.
+        QtCore.QTimer.singleShot(0, self._next_step)
+
     def _lay_out(self) -> None:
         buttons = QtWidgets.QHBoxLayout()
         buttons.addWidget(self.start_button)
@@ -168,6 +189,7 @@ class RunView(QtWidgets.QWidget):
         layout = QtWidgets.QVBoxLayout(self)
         layout.addLayout(buttons)
         layout.addWidget(self.stage)
+        layout.addWidget(self.follow_up)
         layout.addLayout(bars)
         layout.addWidget(self.elapsed)
         layout.addWidget(QtWidgets.QLabel(translate("GaussianCAD", "Messages")))
