@@ -10,7 +10,8 @@ two planes of nodes close to each side of the box and to each straight, axis-par
 outline: edges between such faces are cut by a fiftieth of a cell only.
 
 Masks alone cannot show pockets, nor that a boss is round.  Where the depth of a view's regions is
-known (a :class:`Relief`), what lies in front of it is carved away.
+known (a :class:`Relief`), what lies in front of it is carved away, or what lies behind the last
+surface there.
 """
 
 from dataclasses import dataclass
@@ -62,18 +63,23 @@ Coordinates = tuple[npt.NDArray[np.float64], ...]
 
 @dataclass(frozen=True, eq=False)
 class Relief:
-    """How deep the part's first surface lies in the regions of a view.
+    """How deep the part's first surface, or its last one, lies in the regions of a view.
 
     Attributes:
         role: the view.
         regions: (h, w) int, on the pixels of the view's mask: which region a pixel belongs to; 0
             where nothing is known.  Neighbouring regions touch: what is unknown between them stays.
         depths: (h, w) float, mm from the side of the box that is nearest to the viewer.
+        behind: whether it is the surface that is farthest from the viewer, and the depths count
+            from the side of the box that is farthest, towards the viewer.
+        chosen: numbers of the regions that are carved, where the hull has too much; all if None.
     """
 
     role: Role
     regions: npt.NDArray[np.int32]
     depths: npt.NDArray[np.float32]
+    behind: bool = False
+    chosen: frozenset[int] | None = None
 
 
 def visual_hull(
@@ -130,15 +136,19 @@ class _Carving:
 
     Attributes:
         view: whose region it is.
+        upward: whether depth grows with the coordinate along the view.
         inside: distance from the border of what may be carved, mm, positive inside.
         depths: mm from the near side, continued beyond the region.
+        own: 1 in the region, 0 elsewhere; like the others only on a window around the region.
         mask: (h, w) the region on the padded mask's pixels.
         flat: the depth where it is the same all over, else nothing.
     """
 
     view: View
+    upward: bool
     inside: PlaneField
     depths: PlaneField
+    own: PlaneField
     mask: Mask
     flat: float | None
 
@@ -150,7 +160,10 @@ def _carvings(relief: Relief, view: View, step: float) -> list[_Carving]:
     blank = ~np.pad(view.mask, PAD_PX)
     margin = int(np.ceil(_REACH * step / view.mm_per_pixel)) + 2
     found = []
+    upward = (view.role.frame.look_axis[1] > 0) != relief.behind
     for number in np.unique(regions[regions > 0]):
+        if relief.chosen is not None and int(number) not in relief.chosen:
+            continue
         mask = regions == number
         if mask.sum() < _CRUMB_PX:
             continue
@@ -175,8 +188,10 @@ def _carvings(relief: Relief, view: View, step: float) -> list[_Carving]:
         found.append(
             _Carving(
                 view,
+                upward,
                 plane_field(inside, view, corner),
                 plane_field(continued, view, corner),
+                plane_field(own.astype(np.float32), view, corner),
                 mask,
                 float(np.median(depths[mask])) if level else None,
             )
@@ -197,9 +212,8 @@ def _grid(
             faces.update(straight_parts(masks[view.role], view, axis))
         for carving in carvings:
             faces.update(straight_parts(carving.mask, carving.view, axis))
-            own, sign = carving.view.role.frame.look_axis
-            if own is axis and carving.flat is not None:
-                faces.add(carving.flat if sign > 0 else extent - carving.flat)
+            if carving.view.role.frame.look_axis[0] is axis and carving.flat is not None:
+                faces.add(carving.flat if carving.upward else extent - carving.flat)
         grids.append(_nodes(sorted(faces), extent, step))
     return tuple(grids)
 
@@ -255,22 +269,45 @@ def _carve(
     size: tuple[float, float, float],
 ) -> None:
     """Take what lies in front of a region out of the field, unless the hull ends there anyway."""
-    look, sign = carving.view.role.frame.look_axis
-    inside = np.squeeze(_sweep(carving.inside, camera, coordinates), look.value)
-    depths = np.squeeze(_sweep(carving.depths, camera, coordinates), look.value)
-    along = coordinates[look.value]
-    ways = along if sign > 0 else size[look.value] - along
+    window, nodes = _window(carving, coordinates)
+    look = carving.view.role.frame.look_axis[0].value
+    if min(len(own) for own in nodes) == 0:
+        return
+    inside, depths, own = (
+        np.squeeze(_sweep(plane, camera, nodes), look)
+        for plane in (carving.inside, carving.depths, carving.own)
+    )
+    along = nodes[look]
+    ways = along if carving.upward else size[look] - along
     in_front = depths[..., None] - ways.astype(np.float32)
     # A view along the axis: its last array axis is the depth.
-    block = np.moveaxis(field, look.value, -1)
+    block = np.moveaxis(field[window], look, -1)
     tolerance = _SAME_DEPTH_PX * carving.view.mm_per_pixel
-    of_region = _sweep(
-        plane_field(carving.mask.astype(np.float32), carving.view), camera, coordinates
-    )
-    within = np.squeeze(of_region, look.value) > 0.99
-    solid = (block < 0.0) & (in_front > tolerance) & within[..., None]
+    solid = (block < 0.0) & (in_front > tolerance) & (own > 0.99)[..., None]
     if solid.any():
         np.maximum(block, np.minimum(inside[..., None], in_front), out=block)
+
+
+def _window(
+    carving: _Carving, coordinates: Coordinates
+) -> tuple[tuple[slice, slice, slice], Coordinates]:
+    """The part of the grid in front of and behind a carving's window, and its nodes."""
+    frame = carving.view.role.frame
+    plane = carving.inside
+    height, width = (length * plane.mm_per_pixel for length in plane.values.shape)
+    left, top = plane.origin
+    slices = [slice(None), slice(None), slice(None)]
+    for (axis, sign), ends in (
+        (frame.right_axis, (left, left + width)),
+        (frame.up_axis, (top - height, top)),
+    ):
+        low, high = sorted(sign * end for end in ends)
+        nodes = coordinates[axis.value]
+        slices[axis.value] = slice(
+            int(np.searchsorted(nodes, low)), int(np.searchsorted(nodes, high, side="right"))
+        )
+    window = (slices[0], slices[1], slices[2])
+    return window, tuple(own[part] for own, part in zip(coordinates, window, strict=True))
 
 
 def _zero_level(
