@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.ndimage import median_filter
 
+from gaussiancad_core.sheet.annotations.dots import with_dots
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.growth import Grown
@@ -66,6 +67,7 @@ def inked_shape(
         runs = line_runs(field, geometry, along.min() - _BEYOND, along.max() + _BEYOND)
     else:
         runs = circle_runs(field, geometry)
+    runs = with_dots(sheet.weight, sheet.stroke_width, geometry, runs)
     return InkedShape(
         geometry, tuple(InkedRun(run, _run_width(sheet, geometry, run)) for run in runs)
     )
