@@ -14,7 +14,7 @@ from gaussiancad_core.reasoning.columns import Cell
 from gaussiancad_core.reasoning.rules import Group, Rule, Transition, drawn_under
 from gaussiancad_core.views import Linetype
 
-_SLIGHT = 1.0
+SLIGHT = 1.0
 """Units of line below which a rule is given up before anything else is.
 
 The shortest pieces lie where curves nearly touch; there the point that stands for a piece may not
@@ -207,7 +207,7 @@ class Search:
     def __init__(self, rules: Sequence[Rule], effort: Effort) -> None:
         self._rules = tuple(rules)
         self._effort = effort
-        self._model = Model(rules, lightest=_SLIGHT)
+        self._model = Model(rules, lightest=SLIGHT)
 
     def best(self, *, relaxed: bool = True) -> Labelling:
         """Labels under which all rules hold, or all but the least; the simplest of them.

@@ -8,7 +8,7 @@ anything that both columns share, and hidden if each such place lies behind a su
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.reasoning.columns import Cell, Crossing, Space, parallel
@@ -54,6 +54,7 @@ class Rule:
         linetype: how the pieces are drawn; None if they are blank.
         weight: length of the pieces, in units, by confidence.
         role, point: of one of the pieces.
+        pieces: all of them.
     """
 
     groups: tuple[Group, ...]
@@ -61,22 +62,26 @@ class Rule:
     weight: float
     role: Role
     point: Point
+    pieces: tuple[Piece, ...] = field(default=(), compare=False, repr=False)
 
 
 def rules_of(space: Space, pieces: Iterable[Piece]) -> list[Rule]:
     """Rules of pieces; those that say the same become one."""
-    weights: dict[tuple[tuple[Group, ...], Linetype | None], float] = {}
-    first: dict[tuple[tuple[Group, ...], Linetype | None], Piece] = {}
+    found: dict[tuple[tuple[Group, ...], Linetype | None], list[Piece]] = {}
     for piece in pieces:
         groups = _groups(space, piece)
-        if groups is None:
-            continue
-        key = groups, piece.linetype
-        weights[key] = weights.get(key, 0.0) + piece.length * piece.confidence
-        first.setdefault(key, piece)
+        if groups is not None:
+            found.setdefault((groups, piece.linetype), []).append(piece)
     return [
-        Rule(groups, linetype, weight, first[groups, linetype].role, first[groups, linetype].point)
-        for (groups, linetype), weight in weights.items()
+        Rule(
+            groups,
+            linetype,
+            sum(piece.length * piece.confidence for piece in own),
+            own[0].role,
+            own[0].point,
+            tuple(own),
+        )
+        for (groups, linetype), own in found.items()
     ]
 
 
