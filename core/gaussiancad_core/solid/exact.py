@@ -1,14 +1,16 @@
 """The exact solid of a drawing: reason, build, draw again, look for others."""
 
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import mutually_orthogonal
+from gaussiancad_core.drawing.brep import soundness
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.columns import Cell
+from gaussiancad_core.reasoning.conflicts import Conflict, find_conflict
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.labelling import (
     Effort,
@@ -43,12 +45,15 @@ class Limits:
         alternatives: solids looked at beside the first.
         relaxed: whether lines may be given up where all together fit no solid.
         seconds: after which no further alternative is begun.
+        conflict: deterministic time for telling which lines contradict each other, where no solid
+            has all of them and lines may be given up.
     """
 
     effort: Effort = field(default_factory=Effort)
     alternatives: int = 8
     relaxed: bool = True
     seconds: float = 60.0
+    conflict: float = 4.0
 
 
 @dataclass(frozen=True)
@@ -76,6 +81,8 @@ class ExactResult:
         alternatives: other solids that agree with the views as well.
         reasons: (code, sentence).
         seconds: of the steps.
+        agreements: of the alternatives: share of all lines, both ways, that agree, 0 to 1.
+        conflict: lines that contradict each other, where no solid has all lines.
     """
 
     status: Status
@@ -84,6 +91,8 @@ class ExactResult:
     alternatives: tuple[TopoDS_Shape, ...]
     reasons: tuple[tuple[str, str], ...]
     seconds: dict[str, float]
+    agreements: tuple[float, ...] = ()
+    conflict: Conflict | None = None
 
 
 def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
@@ -101,6 +110,17 @@ def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
         reason = error.code, error.message
         return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
     clock.lap("model")
+    result = _searched(part, views, limits, clock)
+    explained = result.verification is not None and result.verification.explains
+    if explained or not limits.relaxed or clock.total > limits.seconds:
+        return result
+    conflict = find_conflict(part, views, limits.conflict)
+    clock.lap("conflict")
+    return replace(result, conflict=conflict)
+
+
+def _searched(part: PartModel, views: DrawnViews, limits: Limits, clock: "_Clock") -> ExactResult:
+    """The solid of cells and rules."""
     search = Search(part.rules, limits.effort)
     labelling = search.best(relaxed=limits.relaxed)
     clock.lap("label")
@@ -114,14 +134,21 @@ def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
     agreeing = [c for c in candidates if c.verification.explains]
     best = agreeing[0] if agreeing else candidates[0]
     reasons = _reasons(best, agreeing, complete, views)
+    others = sorted((c for c in agreeing if c is not best), key=_rank)
     return ExactResult(
         Status.APPROXIMATE if reasons else Status.VERIFIED,
         best.shape,
         best.verification,
-        tuple(other.shape for other in agreeing if other is not best),
+        tuple(other.shape for other in others),
         tuple(reasons),
         clock.seconds,
+        tuple(other.verification.share for other in others),
     )
+
+
+def _rank(candidate: Candidate) -> tuple[float, int]:
+    """Solids with more lines that agree come first, then those with fewer faces."""
+    return -round(candidate.verification.share, 3), soundness(candidate.shape).faces
 
 
 class _Clock:

@@ -68,6 +68,21 @@ class Verification:
     close: bool
 
     @property
+    def share(self) -> float:
+        """Share of all lines, the sheet's and the solid's, that the other drawing has."""
+        agreeing = total = 0.0
+        for match in self.matched.values():
+            for points, agree in (
+                (match.sheet.visible, match.visible_found),
+                (match.sheet.hidden, match.hidden_found),
+                (match.result.visible, match.visible_explained),
+                (match.result.hidden, match.hidden_explained),
+            ):
+                agreeing += float(points.lengths[agree].sum())
+                total += float(points.lengths.sum())
+        return agreeing / total if total else 0.0
+
+    @property
     def explains(self) -> bool:
         """Whether the solid is sound and its lines are those of the views."""
         return self.sound and not self.flaws

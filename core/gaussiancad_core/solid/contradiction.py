@@ -1,0 +1,58 @@
+"""A contradiction of the drawing in words, with its places."""
+
+import numpy as np
+
+from gaussiancad_core.reasoning.conflicts import Conflict, ConflictLine
+from gaussiancad_core.views import Linetype
+
+CODE = "lines-contradict"
+
+_MOST = 4
+"""Lines that are named; the others are counted."""
+
+
+def conflict_reason(conflict: Conflict) -> tuple[str, str]:
+    """Code and sentence: which lines contradict each other, and which may be wrong."""
+    shown = conflict.suspects or conflict.lines
+    named = "; ".join(_described(line) for line in shown[:_MOST])
+    if len(shown) > _MOST:
+        named += f"; and {len(shown) - _MOST} more"
+    if conflict.suspects:
+        one = len(conflict.suspects) == 1
+        start = "the lines contradict each other, and would agree but for one: "
+        return CODE, start + named if one else f"{start}any of {named}"
+    if len(conflict.lines) == 1:
+        return CODE, f"no solid has this line together with what is blank beside it: {named}"
+    few = "the fewest lines of which this is known" if conflict.minimal else "not all are needed"
+    return CODE, f"{len(conflict.lines)} lines contradict each other ({few}): {named}"
+
+
+def _described(line: ConflictLine) -> str:
+    view = line.role.value
+    where = _where(line)
+    if not line.suspect:
+        kind = f"{line.drawn.value} line" if line.drawn else "blank"
+        return f"{kind} in the {view} view {where}"
+    if line.drawn is None:
+        kind = line.fitting.value if line.fitting else "visible"
+        return f"a {kind} line is missing in the {view} view {where}"
+    instead = {
+        None: "should not be there",
+        Linetype.VISIBLE: "should be visible",
+        Linetype.HIDDEN: "should be hidden",
+    }[line.fitting]
+    return f"the {line.drawn.value} line in the {view} view {where} {instead}"
+
+
+def _where(line: ConflictLine) -> str:
+    first, last = line.points[0], line.points[-1]
+    low, high = line.points.min(axis=0), line.points.max(axis=0)
+    if np.hypot(*(last - first)) > 0.1 * np.hypot(*(high - low)):
+        return f"from {_place(first)} to {_place(last)} mm"
+    return f"around {_place((low + high) / 2.0)} mm"
+
+
+def _place(point: np.ndarray) -> str:
+    # Adding nothing makes zero of what is printed as minus zero.
+    x, y = np.round(point, 1) + 0.0
+    return f"({x:.1f}, {y:.1f})"
