@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from gaussiancad_core.reasoning.conflicts import Conflict, ConflictLine
+from gaussiancad_core.reasoning.conflict_lines import Conflict, ConflictLine
 from gaussiancad_core.views import Linetype
 
 CODE = "lines-contradict"

@@ -10,7 +10,8 @@ from gaussiancad_core.drawing.brep import soundness
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.columns import Cell
-from gaussiancad_core.reasoning.conflicts import Conflict, find_conflict
+from gaussiancad_core.reasoning.conflict_lines import Conflict
+from gaussiancad_core.reasoning.conflicts import find_conflict
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.labelling import (
     Effort,

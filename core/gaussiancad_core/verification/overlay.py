@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.reasoning.conflict_lines import ConflictLine
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.special_views.kinds import SpecialView
 from gaussiancad_core.verification.agreement import MatchedLines
@@ -25,6 +26,11 @@ _HIDDEN = (86, 180, 233)
 _MISSING = (213, 94, 0)
 _EXTRA = (204, 51, 153)
 _FRAME = (150, 150, 150)
+_CONFLICT = (240, 228, 66)
+_BORDER = (0, 0, 0)
+
+_CONFLICT_LABEL = "contradict each other"
+_SUSPECT_LABEL = "probably wrong or missing"
 
 _LEGEND = (
     (_VISIBLE, "agrees, visible"),
@@ -68,11 +74,13 @@ class ViewOverlay:
         view: with its box on the sheet.
         size: (3,) extent of the part in mm.
         matched: the lines of the sheet and of the result in the view's plane.
+        conflict: those that contradict other lines of the sheet.
     """
 
     view: View
     size: tuple[float, float, float]
     matched: MatchedLines
+    conflict: tuple[ConflictLine, ...] = ()
 
     def to_sheet(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
         """(n, 2) mm of the view's plane -> (n, 2) px of the sheet as stored."""
@@ -124,6 +132,7 @@ def draw_overlay(
         legend += [(colour, label)] if own else []
     _draw_special(picture, special, scale, letters)
     legend += [(_SPECIAL, "other drawings")] if special else []
+    legend += _draw_conflict(picture, views, scale, width)
     layers = [_layers(view) for view in views]
     for number, colour in ((1, _HIDDEN), (0, _VISIBLE), (3, _EXTRA), (2, _MISSING)):
         strong = width + (1 if colour in (_MISSING, _EXTRA) else 0)
@@ -132,6 +141,24 @@ def draw_overlay(
     for view in views:
         _frame(picture, view.view, scale, letters)
     return _with_legend(picture, legend, letters)
+
+
+def _draw_conflict(
+    picture: Image, views: Sequence[ViewOverlay], scale: float, width: int
+) -> list[tuple[Colour, str]]:
+    """Lines that contradict each other as with a marker pen, suspects with a border."""
+    import cv2
+
+    legend: dict[str, Colour] = {}
+    pen = 9 * width
+    for view in views:
+        for line in sorted(view.conflict, key=lambda line: line.suspect):
+            points = np.rint(view.to_sheet(line.points) * scale).astype(np.int32)
+            if line.suspect:
+                cv2.polylines(picture, [points], False, _BORDER, pen + 2 * max(2, width))
+            cv2.polylines(picture, [points], False, _CONFLICT, pen)
+            legend[_SUSPECT_LABEL if line.suspect else _CONFLICT_LABEL] = _CONFLICT
+    return [(colour, label) for label, colour in legend.items()]
 
 
 def _range(axis: tuple[Axis, int], size: tuple[float, float, float]) -> tuple[float, float]:
@@ -217,15 +244,19 @@ def _draw_special(
 
 def _with_legend(picture: Image, legend: Sequence[tuple[Colour, str]], letters: int) -> Image:
     """The picture with a strip below it that names the colours."""
-    entries = [(colour, text_image(label, letters)) for colour, label in legend]
+    entries = [(colour, label, text_image(label, letters)) for colour, label in legend]
     gap, sample = letters, 2 * letters
-    needed = sum(sample + gap // 2 + text.shape[1] + 2 * gap for _, text in entries)
+    needed = sum(sample + gap // 2 + text.shape[1] + 2 * gap for _, _, text in entries)
     width = max(picture.shape[1], needed)
     strip = np.full((3 * letters, width, 3), 255, dtype=np.uint8)
     strip[0] = _FRAME
     x, middle = gap, strip.shape[0] // 2
-    for colour, text in entries:
+    for colour, label, text in entries:
         half = max(1, letters // 8)
+        if colour == _CONFLICT:
+            half *= 3
+        if label == _SUSPECT_LABEL:
+            strip[middle - half - 2 : middle + half + 3, x - 2 : x + sample + 2] = _BORDER
         strip[middle - half : middle + half + 1, x : x + sample] = colour
         x += sample + gap // 2
         put_text(strip, text, x, middle - text.shape[0] // 2)

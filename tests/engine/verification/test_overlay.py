@@ -1,7 +1,10 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.reasoning.conflict_lines import ConflictLine
 from gaussiancad_core.verification.agreement import match_lines
 from gaussiancad_core.verification.lines import lines_of_strokes
 from gaussiancad_core.verification.overlay import ViewOverlay, draw_overlay
@@ -11,6 +14,7 @@ _SIZE = (40.0, 30.0, 20.0)
 _BOX = (100.0, 60.0, 500.0, 260.0)
 _BLUE, _LIGHT_BLUE = (0, 114, 178), (86, 180, 233)
 _ORANGE, _MAGENTA = (213, 94, 0), (204, 51, 153)
+_YELLOW = (240, 228, 66)
 
 
 def _overlay(sheet: list[Stroke], result: list[Stroke], role: Role = Role.FRONT) -> ViewOverlay:
@@ -85,3 +89,31 @@ def test_what_lies_outside_the_sheet_is_cut_off() -> None:
         [_overlay([_level(12, Linetype.VISIBLE)], [_level(12, Linetype.VISIBLE)])],
     )
     assert (image[140, 105:295] == _BLUE).all()
+
+
+@pytest.mark.parametrize("suspect", [False, True])
+def test_lines_that_contradict_each_other_are_marked_under_all_others(suspect: bool) -> None:
+    line = _level(8, Linetype.VISIBLE)
+    marked = ConflictLine(Role.FRONT, np.array([line.start, line.end]), line.linetype, suspect)
+    blank = np.full((400, 600, 3), 255, np.uint8)
+    plain = draw_overlay(blank, [_overlay([line], [line])])
+    image = draw_overlay(blank, [replace(_overlay([line], [line]), conflict=(marked,))])
+    column = image[:, 300]
+    assert (column[180] == _BLUE).all()
+    yellow = (column[:300] == _YELLOW).all(axis=1)
+    black = (column[:300] == 0).all(axis=1)
+    assert yellow.sum() >= 5 and set(np.flatnonzero(yellow)) <= set(range(172, 190))
+    assert (black.sum() >= 4) == suspect
+    assert (image[410:] == _YELLOW).all(axis=2).any() and not (plain == _YELLOW).all(axis=2).any()
+    assert image.shape[1] > plain.shape[1]
+
+
+def test_a_single_marked_curve_follows_its_points() -> None:
+    angles = np.linspace(0.0, np.pi, 40)
+    points = np.array([20.0, 8.0]) + 6.0 * np.stack([np.cos(angles), np.sin(angles)], 1)
+    marked = ConflictLine(Role.FRONT, points, None)
+    overlay = replace(_overlay([], []), conflict=(marked,))
+    image = draw_overlay(np.full((400, 600), 255, np.uint8), [overlay])
+    rows, columns = np.nonzero((image[:300] == _YELLOW).all(axis=2))
+    radii = np.hypot(columns - 300.0, rows - 180.0)
+    assert np.abs(radii - 60.0).max() < 8.0 and rows.max() < 190
