@@ -3,15 +3,17 @@
 Parts (the samples and parts by chance) are drawn in every style, with roles and projection changing
 from part to part, written to files, and read with nothing told.
 
-    .venv/bin/python benchmarks/sheet_reading.py [--parts N] [--styles NAME ...] [--keep DIR]
+    .venv/bin/python benchmarks/sheet_reading.py [--parts N] [--skip N] [--styles NAME ...]
     .venv/bin/python benchmarks/sheet_reading.py --finder hough --median 5
     .venv/bin/python benchmarks/sheet_reading.py --data DIR [--keep DIR]
 
 Precision and recall are shares of length: a point of a stroke counts where a stroke of the same
 linetype passes within 1 px in the same direction.  Hidden lines under the ink of visible ones do
-not count.  The position error is the distance of matched points across the true stroke.  Vertices
-are ends of true strokes with an end of a read stroke within 1 px.  ``box px`` is the largest error
-of a corner in nine of ten sheets.  ``views`` is the share of views with their right names, ``proj``
+not count.  The position error is the distance of matched points across the true stroke.  ``ends``
+is the share of true strokes' ends with a vertex of the views on their shared axes within 1 px,
+``vertices`` the same of those ends whose place the drawing shows: strokes meet there at 12 degrees
+at least, and no other vertex or parallel stroke is within 4 px.  ``box px`` is the largest error of
+a corner in nine of ten sheets.  ``views`` is the share of views with their right names, ``proj``
 of sheets with the right projection, ``or`` of those where it was at least kept as an alternative.
 
 With ``--data`` other sheets are read.  PDF, SVG and DXF files are read directly and as pictures,
@@ -34,24 +36,18 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-import numpy.typing as npt
-from stroke_matching import Box, Marks, Matched, ends_of, match, nearness, of_kind, overlap
+from reading_folder import read_folder
+from reading_found import Found, drawn_over, read
+from stroke_matching import Marks, Matched, corners_of, ends_of, match, nearness, overlap
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.command import write_image
 from gaussiancad_core.drawing.sheet import PartLines, Sheet, compose_sheet, part_lines
-from gaussiancad_core.drawing.strokes import DrawnStroke, turned
 from gaussiancad_core.drawing.style import SheetStyle, parse_style
 from gaussiancad_core.errors import GaussianCadError
-from gaussiancad_core.projection_choice import choose_projection
 from gaussiancad_core.samples import SAMPLES, sample
 from gaussiancad_core.samples.random_parts import random_part
-from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.options import MEDIAN_KERNEL, Finder, ReadingOptions
-from gaussiancad_core.sheet.precision import StrokesSource
-from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.sheet.reading import find_views, read_views
-from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.views import Linetype
 
 STYLES = (
@@ -70,48 +66,6 @@ ARRANGEMENTS = (
     ((Role.FRONT, Role.TOP, Role.RIGHT, Role.LEFT), Projection.THIRD),
 )
 
-FILES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".webp", ".pdf", ".svg", ".dxf")
-
-
-@dataclass(frozen=True)
-class Found:
-    """What was read: views in px of the sheet as stored, the projection, and how many views have
-    the strokes of the file."""
-
-    boxes: dict[Role, Box]
-    strokes: dict[Role, tuple[DrawnStroke, ...]]
-    projection: Projection
-    alternatives: tuple[Projection, ...]
-    direct_views: int = 0
-
-
-def read(path: Path, reading: ReadingOptions, direct: bool = True) -> Found:
-    """Read a sheet as ``gaussiancad reconstruct`` does, with nothing told of it.
-
-    Args:
-        path: of the sheet.
-        reading: finder and filter.
-        direct: use the exact lines of vector files; else their picture alone.
-    """
-    image = read_sheet(path)
-    clean = upright_sheet(clean_sheet(image.grey, reading.median_kernel))
-    separated, layout = find_views(clean, {}, None)
-    vectors = VectorSheet(image.vectors, clean) if direct and image.vectors else None
-    drawn = read_views(separated.part, layout, finder=reading.finder, vectors=vectors)
-    projection, alternatives = layout.projection, layout.alternatives
-    if alternatives:
-        choice = choose_projection(drawn, projection, reading)
-        drawn, projection = choice.registered.drawn, choice.projection
-        alternatives = () if choice.inferred else (projection.other,)
-    turn = clean.turn
-    strokes = {
-        view.role: tuple(turned(stroke, turn.angle, turn.centre) for stroke in view.strokes)
-        for view in drawn
-    }
-    boxes = {view.role: view.stored_box(turn) for view in drawn}
-    direct_views = sum(view.source is not StrokesSource.RASTER for view in drawn)
-    return Found(boxes, strokes, projection, alternatives, direct_views)
-
 
 @dataclass(frozen=True)
 class Result:
@@ -125,6 +79,8 @@ class Result:
     errors: tuple[float, ...] = field(repr=False, default=())
     ends: int = 0
     ends_found: int = 0
+    vertices: int = 0
+    vertices_found: int = 0
     box_error: float = float("nan")
     views: int = 0
     views_named: int = 0
@@ -147,8 +103,8 @@ def compare(
     seen = list(chain.from_iterable(found.strokes.values()))
     covered = 0.5 * style.visible_width
     matched, errors, marks = match(drawn, seen, covered)
-    corners = ends_of(drawn, covered)
-    near = nearness(corners, ends_of(seen))
+    ends, corners = ends_of(drawn, covered), corners_of(drawn, covered)
+    near = nearness(corners, found.vertices)
     marks.missed.append(corners[~near])
     right = [role for role in sheet_roles(sheet) if role in found.boxes]
     named = [role for role in right if overlap(sheet[role].box, found.boxes[role]) > 0.5]
@@ -157,6 +113,8 @@ def compare(
         matched[Linetype.VISIBLE],
         matched[Linetype.HIDDEN],
         tuple(errors.tolist()),
+        len(ends),
+        int(nearness(ends, found.vertices).sum()),
         len(corners),
         int(near.sum()),
         _box_error(sheet, found),
@@ -241,6 +199,7 @@ def _read_and_compare(
             lost[Linetype.VISIBLE],
             lost[Linetype.HIDDEN],
             ends=len(ends_of(drawn, 0.5 * style.visible_width)),
+            vertices=len(corners_of(drawn, 0.5 * style.visible_width)),
             box_error=float("inf"),
             views=len(sheet.views),
             failure=error.code,
@@ -250,31 +209,13 @@ def _read_and_compare(
     return result, marks, found
 
 
-def drawn_over(image: npt.NDArray[np.uint8], found: Found | None, marks: Marks) -> npt.NDArray:
-    """The sheet, twice as large and pale; visible strokes green, hidden ones blue; missed points
-    red, wrong ones magenta."""
-    pale = (255 - (255 - image.astype(np.int32)) // 3).astype(np.uint8)
-    picture = cv2.resize(pale, None, fx=2, fy=2, interpolation=cv2.INTER_NEAREST)
-    colours = {Linetype.VISIBLE: (0, 140, 0), Linetype.HIDDEN: (0, 60, 255)}
-    for role, strokes in found.strokes.items() if found else ():
-        for stroke in strokes:
-            chain_px = np.rint(stroke.sample(1.0) * 2.0 * 16.0).astype(np.int32)
-            cv2.polylines(picture, [chain_px], False, colours[stroke.linetype], 1, cv2.LINE_AA, 4)
-        x0, y0, x1, y1 = (round(2 * value) for value in found.boxes[role])
-        cv2.rectangle(picture, (x0 - 12, y0 - 12), (x1 + 12, y1 + 12), (200, 160, 0), 1)
-        place = (x0 - 12, y0 - 18)
-        cv2.putText(picture, role.value, place, cv2.FONT_HERSHEY_SIMPLEX, 0.8, (160, 120, 0), 1)
-    for points, colour in ((marks.missed, (230, 0, 0)), (marks.wrong, (220, 0, 220))):
-        for x, y in np.rint(2.0 * np.concatenate([np.empty((0, 2)), *points])).astype(int):
-            cv2.circle(picture, (int(x), int(y)), 3, colour, -1)
-    return picture
-
-
 def jobs_of(options: argparse.Namespace) -> Iterator[Job]:
     """The samples, then parts by chance, as many as asked for."""
     chance = ((f"random-{number}", number) for number in range(options.seed, sys.maxsize))
     names = chain(((part.name, options.seed + i) for i, part in enumerate(SAMPLES)), chance)
-    for index, (name, seed) in enumerate(islice(names, options.parts)):
+    for index, (name, seed) in enumerate(islice(names, options.skip + options.parts)):
+        if index < options.skip:
+            continue
         if not options.only or name in options.only:
             styles, reading = tuple(options.styles), _reading(options)
             yield Job(name, seed, index, styles, options.keep, options.keep_below, reading)
@@ -293,7 +234,7 @@ def print_table(results: Sequence[Result]) -> None:
     width = max(map(len, styles)) + 2
     print(
         f"{'style':{width}}{'sheets':>7}{'failed':>7}{'vis P':>8}{'vis R':>8}{'hid P':>8}"
-        f"{'hid R':>8}{'med px':>8}{'95% px':>8}{'vertices':>9}{'box px':>8}{'views':>7}"
+        f"{'hid R':>8}{'med px':>8}{'95% px':>8}{'vertices':>9}{'ends':>8}{'box px':>8}{'views':>7}"
         f"{'proj':>7}{'or':>7}{'s':>7}"
     )
     for style, rows in (*styles.items(), ("all", results)):
@@ -309,7 +250,10 @@ def _cells(rows: Sequence[Result]) -> Iterator[str]:
     errors = np.concatenate([np.array(row.errors) for row in rows])
     middle, most = np.percentile(errors, (50, 95)) if len(errors) else (np.nan, np.nan)
     yield f"{middle:8.3f}{most:8.3f}"
-    yield f"{sum(row.ends_found for row in rows) / max(sum(row.ends for row in rows), 1):9.4f}"
+    for name, width in (("vertices", 9), ("ends", 8)):
+        asked = sum(getattr(row, name) for row in rows)
+        found = sum(getattr(row, f"{name}_found") for row in rows)
+        yield f"{found / max(asked, 1):{width}.4f}"
     # The box that nine of ten sheets have: single failures are in the list of the worst.
     yield f"{np.percentile([row.box_error for row in rows], 90, method='lower'):8.2f}"
     yield f"{sum(row.views_named for row in rows) / sum(row.views for row in rows):7.3f}"
@@ -325,94 +269,11 @@ def print_worst(results: Sequence[Result], count: int) -> None:
         print(
             f"{row.part + ' ' + row.style:36} visible {row.visible.precision:.3f}/"
             f"{row.visible.recall:.3f} hidden {row.hidden.precision:.3f}/{row.hidden.recall:.3f} "
+            f"vertices {row.vertices_found}/{row.vertices} "
             f"ends {row.ends_found}/{row.ends} box {row.box_error:.1f} "
             f"views {row.views_named}/{row.views} "
             f"projection {'right' if row.projection else 'wrong'} {row.failure}"
         )
-
-
-def read_folder(options: argparse.Namespace) -> None:
-    """Read other material and say what was found.
-
-    There is no truth to compare with, but vector files are read twice: the lines that their picture
-    gives are matched with those that the file has.
-    """
-    compared = []
-    for path in sorted(options.data.rglob("*")):
-        if path.suffix.lower() not in FILES:
-            continue
-        started = time.perf_counter()
-        try:
-            found = read(path, _reading(options))
-        except GaussianCadError as error:
-            print(f"{path.name:32}{time.perf_counter() - started:7.2f} s  {error.code}: {error}")
-            continue
-        seconds = time.perf_counter() - started
-        views = ", ".join(
-            f"{role.value} {len(of_kind(strokes, Linetype.VISIBLE))}"
-            f"+{len(of_kind(strokes, Linetype.HIDDEN))}"
-            for role, strokes in found.strokes.items()
-        )
-        print(f"{path.name:32}{seconds:7.2f} s  {found.projection.value}: {views}", flush=True)
-        if found.direct_views:
-            compared.append(as_a_picture(path, found, _reading(options)))
-        if options.keep is not None:
-            options.keep.mkdir(parents=True, exist_ok=True)
-            image = np.repeat(read_sheet(path).grey[..., None], 3, axis=2)
-            write_image(drawn_over(image, found, Marks()), options.keep / f"{path.stem}-read.png")
-    if compared:
-        print_compared(compared)
-
-
-@dataclass(frozen=True)
-class Compared:
-    """A vector sheet read from its picture, against what the file has."""
-
-    views: int
-    direct_views: int
-    visible: Matched = field(default_factory=Matched)
-    hidden: Matched = field(default_factory=Matched)
-    errors: tuple[float, ...] = ()
-    failed: bool = False
-
-
-def as_a_picture(path: Path, direct: Found, reading: ReadingOptions) -> Compared:
-    """Read a vector sheet again, as a picture, and match its lines with those of the file."""
-    count = len(direct.strokes)
-    try:
-        found = read(path, reading, direct=False)
-    except GaussianCadError as error:
-        print(f"{'':32}as a picture: {error.code}")
-        return Compared(count, direct.direct_views, failed=True)
-    drawn = list(chain.from_iterable(direct.strokes.values()))
-    seen = list(chain.from_iterable(found.strokes.values()))
-    matched, errors, _ = match(drawn, seen, covered=1.0)
-    visible, hidden = matched[Linetype.VISIBLE], matched[Linetype.HIDDEN]
-    print(
-        f"{'':32}{direct.direct_views} of {count} views direct; as a picture visible "
-        f"{visible.precision:.3f}/{visible.recall:.3f} hidden {hidden.precision:.3f}/"
-        f"{hidden.recall:.3f} median {np.median(errors) if len(errors) else np.nan:.3f} px",
-        flush=True,
-    )
-    return Compared(count, direct.direct_views, visible, hidden, tuple(errors.tolist()))
-
-
-def print_compared(rows: Sequence[Compared]) -> None:
-    """One line for all vector sheets."""
-    good = [row for row in rows if not row.failed]
-    shares = []
-    for kind in ("visible", "hidden"):
-        parts = [getattr(row, kind) for row in good]
-        total = Matched(*(sum(getattr(p, name) for p in parts) for name in asdict(Matched())))
-        shares.append(f"{kind} {total.precision:.4f}/{total.recall:.4f}")
-    errors = np.concatenate([np.array(row.errors) for row in good] or [np.empty(0)])
-    middle, most = np.percentile(errors, (50, 95)) if len(errors) else (np.nan, np.nan)
-    print(
-        f"\n{len(rows)} vector sheets: {sum(row.direct_views for row in rows)} of "
-        f"{sum(row.views for row in rows)} views direct; as pictures {', '.join(shares)} "
-        f"(precision/recall), median {middle:.3f} px, 95 % {most:.3f} px, "
-        f"{len(rows) - len(good)} not read"
-    )
 
 
 def main() -> None:
@@ -421,6 +282,7 @@ def main() -> None:
     parser.add_argument(
         "--parts", type=int, default=len(SAMPLES), help="samples first, then chance"
     )
+    parser.add_argument("--skip", type=int, default=0, help="how many of them to leave out first")
     parser.add_argument("--only", nargs="*", default=[], metavar="PART")
     parser.add_argument("--styles", nargs="*", default=STYLES, metavar="STYLE")
     parser.add_argument("--seed", type=int, default=0)
@@ -435,7 +297,7 @@ def main() -> None:
     options = parser.parse_args()
     cv2.setNumThreads(1)
     if options.data is not None:
-        read_folder(options)
+        read_folder(options.data, _reading(options), options.keep)
         return
     results: list[Result] = []
     for done in _mapped(list(jobs_of(options)), options.jobs):

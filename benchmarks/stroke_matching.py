@@ -23,6 +23,16 @@ PARALLEL = float(np.cos(np.radians(20.0)))
 """Cosine of the largest angle between strokes that are the same."""
 
 
+CORNER = float(np.cos(np.radians(12.0)))
+"""Cosine of the least angle at which strokes meet in a place that the drawing shows."""
+
+CROWDED = 4.0
+"""px up to which two ends or two parallel strokes melt into each other."""
+
+SAME = 0.1
+"""px up to which two ends are one vertex."""
+
+
 @dataclass(frozen=True)
 class Matched:
     """Lengths in px of one linetype: all that was drawn and read, and what of it agrees."""
@@ -166,6 +176,48 @@ def ends_of(strokes: Sequence[DrawnStroke], covered: float = 0.0) -> Floats:
             ends = ends[np.isinf(Points(ends, ways, length).across(visible, covered))]
         found.append(ends)
     return np.unique(np.round(np.concatenate(found), 3), axis=0)
+
+
+def corners_of(strokes: Sequence[DrawnStroke], covered: float = 0.0) -> Floats:
+    """(n, 2) ends whose place the drawing shows.
+
+    Strokes meet there at :data:`CORNER` at least: along a tangent, and where dashes begin or cease
+    along a line, ink tells no place.  Nothing else ends or runs parallel within :data:`CROWDED`.
+
+    Args:
+        strokes: visible and hidden.
+        covered: see :func:`ends_of`.
+    """
+    ends = ends_of(strokes, covered)
+    if not len(ends):
+        return ends
+    hidden = Points.along(of_kind(strokes, Linetype.HIDDEN))
+    seen = np.isinf(hidden.across(Points.along(of_kind(strokes, Linetype.VISIBLE)), covered))
+    visible = Points.along(of_kind(strokes, Linetype.VISIBLE))
+    at = np.concatenate([visible.at, hidden.at[seen]])
+    way = np.concatenate([visible.way, hidden.way[seen]])
+    near = cKDTree(at).query_ball_point(ends, CROWDED)
+    others = cKDTree(ends).query_ball_point(ends, CROWDED)
+    shown = [
+        _is_shown(end, at[index], way[index]) and not _is_crowded(end, ends[beside])
+        for end, index, beside in zip(ends, near, others, strict=True)
+    ]
+    return ends[np.array(shown, dtype=bool)]
+
+
+def _is_shown(end: Floats, at: Floats, way: Floats) -> bool:
+    """Whether strokes meet at an end at an angle, and no other is parallel to one of them."""
+    offset = at - end
+    own = way[np.hypot(*offset.T) <= 1.5 * STEP]
+    if not len(own) or np.abs(own @ own.T).min() > CORNER:
+        return False
+    across = np.abs(way[:, 0] * offset[:, 1] - way[:, 1] * offset[:, 0])
+    parallel = np.abs(way @ own.T).max(axis=1) >= CORNER
+    return not bool((parallel & (across > 1.5 * STEP)).any())
+
+
+def _is_crowded(end: Floats, others: Floats) -> bool:
+    return bool((np.hypot(*(others - end).T) > SAME).any())
 
 
 def overlap(one: Box, other: Box) -> float:

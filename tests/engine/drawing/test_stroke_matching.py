@@ -12,7 +12,9 @@ from gaussiancad_core.views import Arc, Linetype, Segment
 
 CHECKOUT = Path(__file__).resolve().parents[3]
 MEASURE = runpy.run_path(str(CHECKOUT / "benchmarks" / "stroke_matching.py"))
-match, ends_of, nearness = (MEASURE[name] for name in ("match", "ends_of", "nearness"))
+match, ends_of, nearness, corners_of = (
+    MEASURE[name] for name in ("match", "ends_of", "nearness", "corners_of")
+)
 
 VISIBLE, HIDDEN = Linetype
 DRAWN = [
@@ -93,3 +95,20 @@ def test_nearness_is_within_a_pixel() -> None:
     others = np.array([[0.5, 0.5], [10.0, 1.1]])
     assert nearness(corners, others).tolist() == [True, False, False]
     assert nearness(corners, np.empty((0, 2))).tolist() == [False] * 3
+
+
+def test_corners_are_ends_whose_place_is_shown() -> None:
+    # The arc goes on from the second line as its tangent; the third line ends in the air.
+    square = Segment((0.0, 0.0), (50.0, 0.0), VISIBLE), Segment((0.0, 0.0), (0.0, 50.0), VISIBLE)
+    tangent = Arc((20.0, 50.0), 20.0, np.pi / 2, np.pi / 2, VISIBLE)
+    assert corners_of([*square, tangent]) == pytest.approx(np.array([[0.0, 0.0]]))
+    # Where a line meets another one it ends at a place that is shown, however it is drawn.
+    foot = Segment((25.0, 0.0), (25.0, 30.0), HIDDEN)
+    assert len(corners_of([*square, foot])) == 2
+
+
+@pytest.mark.parametrize(("apart", "found"), [(3.0, 0), (6.0, 4)])
+def test_what_is_crowded_is_not_asked_for(apart: float, found: int) -> None:
+    sides = [Segment((x, 0.0), (x, 50.0), VISIBLE) for x in (10.0, 10.0 + apart)]
+    ends = [Segment((0.0, y), (60.0, y), VISIBLE) for y in (0.0, 50.0)]
+    assert len(corners_of([*sides, *ends])) == found
