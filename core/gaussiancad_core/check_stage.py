@@ -7,7 +7,7 @@ import numpy as np
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.brep import bounding_box, soundness, tessellate
-from gaussiancad_core.exact_stage import drawn_views
+from gaussiancad_core.exact_stage import ExactModel, drawn_views
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.models import Models
 from gaussiancad_core.report import SolidReport
@@ -15,7 +15,6 @@ from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.sheet.special_views.kinds import SpecialView
-from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.verify import matching_tolerance
 from gaussiancad_core.verification.agreement import MatchedLines, match_lines
 from gaussiancad_core.verification.overlay import ViewOverlay, draw_overlay
@@ -37,8 +36,8 @@ _PREVIEW_DEFLECTION = 5e-4
 
 _NO_SOLID = (
     "no-exact-solid",
-    "the model is a surface around the space that the outlines leave, "
-    "not an exact solid: measure nothing from it that the sheet dimensions",
+    "the model is a surface around the space that the outlines, and depths where they are known, "
+    "leave, not an exact solid: measure nothing from it that the sheet dimensions",
 )
 
 
@@ -61,8 +60,9 @@ class CheckedModel:
     solid: SolidReport | None = None
 
 
-def check_solid(registered: RegisteredSheet, result: ExactResult) -> CheckedModel:
-    """An exact solid, whose lines were matched when it was found."""
+def check_solid(registered: RegisteredSheet, model: ExactModel) -> CheckedModel:
+    """A solid, whose lines were matched when it was found."""
+    result = model.result
     tolerance = matching_tolerance(drawn_views(registered)) / registered.mm_per_pixel
     facts = soundness(result.shape)
     box = bounding_box(result.shape)
@@ -75,6 +75,7 @@ def check_solid(registered: RegisteredSheet, result: ExactResult) -> CheckedMode
         facts.volume_mm3,
         (float(size[0]), float(size[1]), float(size[2])),
         len(result.alternatives),
+        "sweeps" if model.swept else "lines",
     )
     mesh = TriangleMesh(vertices.astype(np.float64), triangles)
     return CheckedModel(mesh, result.verification.matched, round(tolerance, 3), solid=report)

@@ -3,6 +3,8 @@
 First and third angle are two readings of the same views.  Where the user says neither, the solid
 decides: the reading is right whose lines a solid has.  If both have one, and the two differ, nobody
 can tell from the sheet which is meant.
+
+Where there is none, what the outlines' sweeps have in common is a solid that is told to be no more.
 """
 
 from dataclasses import dataclass, replace
@@ -10,11 +12,13 @@ from dataclasses import dataclass, replace
 from gaussiancad_core.axes import Projection
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, views_as_read
+from gaussiancad_core.reasoning.labelling import Effort
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
 from gaussiancad_core.solid.same import same_solid
-from gaussiancad_core.solid.verify import Verification
+from gaussiancad_core.solid.sweep import swept_solid
+from gaussiancad_core.solid.verify import Verification, verify
 
 TOLERANCE_PX = {StrokesSource.RASTER: 1.0, StrokesSource.PLOT: 0.3, StrokesSource.VECTOR: 0.05}
 """px by which lines of a sheet may miss where they belong, by where they come from."""
@@ -35,6 +39,19 @@ _AMBIGUOUS = (
     "ambiguous",
     "the views fit different solids in first and in third angle: tell --projection",
 )
+
+
+_SWEPT = (
+    "outlines-swept",
+    "no exact solid was found: this one fills all that the outlines and the through holes leave, "
+    "so that pockets, blind holes and whatever else no outline shows are missing",
+)
+
+_BRIEF = Limits(Effort(hard=3.0, cores=2.0, soft=1.0), alternatives=2, seconds=10.0)
+"""Of a search for what carves the hull alone: a few seconds on usual parts."""
+
+_MOST_BRIEF = 300
+"""Lines of all views up to which such a search is cheap enough."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,11 +75,13 @@ class ExactModel:
         reading: under which it was found.
         result: the solid; its shape is None if there is none worth keeping.
         decided: whether the solids tell which reading is right.
+        swept: whether the solid is only what the outlines' sweeps have in common.
     """
 
     reading: Reading
     result: ExactResult
     decided: bool
+    swept: bool = False
 
 
 def find_exact(own: Reading, other: Reading | None, limits: Limits | None = None) -> ExactModel:
@@ -97,6 +116,38 @@ def find_exact(own: Reading, other: Reading | None, limits: Limits | None = None
         return ExactModel(own, result, False)
     result = replace(result, alternatives=(*result.alternatives, *shapes))
     return ExactModel(own, _doubted(result, _AMBIGUOUS), False)
+
+
+def find_for_hull(own: Reading, other: Reading | None) -> ExactModel | None:
+    """The exact solid as far as it is found quickly, for the depths of its surfaces alone.
+
+    Returns:
+        What :func:`find_exact` finds with a quarter of the effort; None for sheets of many lines.
+    """
+    strokes = sum(len(view.strokes) for view in own.registered.views.views)
+    return find_exact(own, other, _BRIEF) if strokes <= _MOST_BRIEF else None
+
+
+def with_fallback(model: ExactModel) -> ExactModel:
+    """The same where it has a solid; else with what the sweeps of its outlines have in common.
+
+    Such a solid is never verified.  Where the sweeps have no such solid, nothing changes.
+    """
+    if model.result.shape is not None:
+        return model
+    drawn = drawn_views(model.reading.registered)
+    shape = swept_solid(model.reading.registered.views, drawn.tolerance)
+    if shape is None:
+        return model
+    result = replace(
+        model.result,
+        status=Status.APPROXIMATE,
+        shape=shape,
+        verification=verify(shape, drawn),
+        alternatives=(),
+        reasons=(*model.result.reasons, _SWEPT),
+    )
+    return replace(model, result=result, swept=True)
 
 
 def drawn_views(registered: RegisteredSheet) -> DrawnViews:

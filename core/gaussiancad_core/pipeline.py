@@ -20,7 +20,13 @@ from gaussiancad_core.job import Job
 from gaussiancad_core.models import Models, write_models, write_solids
 from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
 from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
-from gaussiancad_core.report import GaussiansReport, Report, SurfaceReport, ViewReport
+from gaussiancad_core.report import (
+    GaussiansReport,
+    HullReport,
+    Report,
+    SurfaceReport,
+    ViewReport,
+)
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.deskew import Turn
@@ -41,7 +47,6 @@ from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 
 if TYPE_CHECKING:
     from gaussiancad_core.exact_stage import ExactModel, Reading
-    from gaussiancad_core.solid.exact import ExactResult
 
 STAGES = (
     "read",
@@ -61,11 +66,15 @@ _SURFACE_STAGES = ("hull", "gaussians", "surface")
 REPORT_FILE = "report.json"
 
 
-def stages_of(result: ResultKind) -> tuple[str, ...]:
-    """The stages of a run that is asked for some of the models."""
+def stages_of(result: ResultKind, recipe: Recipe = Recipe.ORTHOGRAPHIC) -> tuple[str, ...]:
+    """The stages of a run that is asked for some of the models.
+
+    A surface is carved by the depths of the exact solid, but for the paper's.
+    """
+    paper = ("solid",) if recipe is Recipe.PAPER else ()
     left_out = {
         ResultKind.SOLID: _SURFACE_STAGES,
-        ResultKind.SURFACE: ("solid",),
+        ResultKind.SURFACE: paper,
         ResultKind.BOTH: (),
     }[result]
     return tuple(name for name in STAGES if name not in left_out)
@@ -82,7 +91,7 @@ def reconstruct(job: Job, listener: Listener) -> Report:
             report is written all the same.
     """
     folder = OutputFolder(job.output, RUN_FILES, REPORT_FILE)
-    run = _Run(job, folder, Progress(listener, len(stages_of(job.result))))
+    run = _Run(job, folder, Progress(listener, len(stages_of(job.result, job.recipe))))
     try:
         return run.all_stages()
     except CancelledError as error:
@@ -133,24 +142,25 @@ class _Run:
             clean = upright_sheet(clean_sheet(image.grey, self.job.reading.median_kernel))
         own, other = self._read_sheet(image, clean)
         exact = None
-        if self.job.result is not ResultKind.SURFACE:
+        if "solid" in stages_of(self.job.result, self.job.recipe):
             with self._stage("solid"):
                 exact = self._find_solid(own, other)
-                own = exact.reading
+                own = exact.reading if exact else own
         self._tell_symbol(own.projection)
-        solid = exact.result if exact and exact.result.shape is not None else None
+        asked = exact is not None and self.job.result is not ResultKind.SURFACE
+        solid = exact if asked and exact.result.shape is not None else None
         with_surface = self.job.result is not ResultKind.SOLID
-        models = self._make_models(own.registered) if with_surface else None
+        models = self._make_models(own.registered, exact) if with_surface else None
         with self._stage("check"):
             self._check(clean, own.registered, models, solid)
         with self._stage("write"):
             if solid:
-                write_solids(solid, self.folder.staging)
+                write_solids(solid.result, self.folder.staging)
             if models:
                 write_models(models, self.job.recipe, self.folder.staging, self.progress)
         # Lines of a section are no edges, and a broken view is no measure: nothing verifies them.
         plain = not any(view.used for view in self.special)
-        self._finish(solid.status if solid and plain else Status.APPROXIMATE)
+        self._finish(solid.result.status if solid and plain else Status.APPROXIMATE)
         return self.report
 
     def write_failure(self, error: GaussianCadError) -> None:
@@ -166,7 +176,7 @@ class _Run:
         name = self.progress.current
         if not name:
             return "before its first stage: nothing was written"
-        stages = stages_of(self.job.result)
+        stages = stages_of(self.job.result, self.job.recipe)
         where = f"{name} ({stages.index(name) + 1} of {len(stages)})"
         return f"in the stage {where}: nothing was written"
 
@@ -273,13 +283,22 @@ class _Run:
             projection_alternatives=() if inferred else (projection.other,),
         )
 
-    def _find_solid(self, own: "Reading", other: "Reading | None") -> "ExactModel":
-        """The exact solid, and what it says about the projection."""
-        from gaussiancad_core.exact_stage import OPEN_ENDED, find_exact
+    def _find_solid(self, own: "Reading", other: "Reading | None") -> "ExactModel | None":
+        """The exact solid, or what stands for it, and what it says about the projection."""
+        from gaussiancad_core.exact_stage import (
+            OPEN_ENDED,
+            find_exact,
+            find_for_hull,
+            with_fallback,
+        )
 
-        exact = find_exact(own, other)
-        if exact.decided:
+        surface_alone = self.job.result is ResultKind.SURFACE
+        exact = find_for_hull(own, other) if surface_alone else find_exact(own, other)
+        if exact and exact.decided:
             self._tell_projection(exact.reading.projection, inferred=True)
+        if exact is None or surface_alone:
+            return exact
+        exact = with_fallback(exact)
         if self.job.result is ResultKind.SOLID and exact.result.shape is None:
             code, message = exact.result.reasons[0]
             raise (LimitError if code in OPEN_ENDED else NoModelError)(code, message)
@@ -354,9 +373,9 @@ class _Run:
                 "two-views", "only two directions of view: what a third would show is not known"
             )
 
-    def _make_models(self, registered: RegisteredSheet) -> Models:
+    def _make_models(self, registered: RegisteredSheet, exact: "ExactModel | None") -> Models:
         """Hull, Gaussians and surface."""
-        from gaussiancad_core.hull import visual_hull
+        from gaussiancad_core.carving import carved_hull
         from gaussiancad_core.splatting.gaussians import Start, gaussians_on
         from gaussiancad_core.splatting.settings import training_cameras, training_settings
         from gaussiancad_core.splatting.targets import mean_colour, targets_of
@@ -367,7 +386,18 @@ class _Run:
         settings = training_settings(self.job.recipe, self.job.preset)
         cameras = training_cameras(self.job.recipe, settings, views.roles, views.size)
         with self._stage("hull"):
-            hull = visual_hull(views, cameras)
+            known = exact.result if exact is not None and not exact.swept else None
+            carved = carved_hull(views, cameras, known)
+            hull = carved.mesh
+            self.report = replace(
+                self.report,
+                hull=HullReport(
+                    carved.source.value if carved.source else None,
+                    carved.regions,
+                    carved.doubted,
+                    carved.refused,
+                ),
+            )
         with self._stage("gaussians"):
             start = gaussians_on(
                 hull,
@@ -406,7 +436,7 @@ class _Run:
         clean: CleanSheet,
         registered: RegisteredSheet,
         models: Models | None,
-        solid: "ExactResult | None",
+        solid: "ExactModel | None",
     ) -> None:
         """How the lines of the best model agree with the sheet's; overlay and preview."""
         from gaussiancad_core.check_stage import (

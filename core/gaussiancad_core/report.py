@@ -56,7 +56,13 @@ class ViewReport:
 
 @dataclass(frozen=True)
 class SolidReport:
-    """The exact solid; ``alternatives`` is the number of others that fit the sheet as well."""
+    """The solid.
+
+    Attributes:
+        alternatives: number of others that fit the sheet as well.
+        source: ``lines`` if it was found from all lines, ``sweeps`` if it is only what the sweeps
+            of the outlines have in common.
+    """
 
     valid: bool
     closed: bool
@@ -64,6 +70,25 @@ class SolidReport:
     volume_mm3: float
     bounding_box_mm: tuple[float, float, float]
     alternatives: int
+    source: str = "lines"
+
+
+@dataclass(frozen=True)
+class HullReport:
+    """The hull on which the Gaussians start.
+
+    Attributes:
+        carved_from: status of the exact solid whose depths carved it; None if it is the masks' own.
+        regions: of all views, that were carved.
+        doubted: regions that were not, as the sheet lacks the lines that bound them.
+        refused: why a carved hull was not taken: ``outline-lost``, ``lines-worse`` or
+            ``not-watertight``; empty otherwise.
+    """
+
+    carved_from: str | None = None
+    regions: int = 0
+    doubted: int = 0
+    refused: str = ""
 
 
 @dataclass(frozen=True)
@@ -125,6 +150,7 @@ class Report:
     dimensions: tuple[ReadDimension, ...] = ()
     bounding_box_mm: tuple[float, float, float] | None = None
     solid: SolidReport | None = None
+    hull: HullReport | None = None
     surface: SurfaceReport | None = None
     gaussians: GaussiansReport | None = None
     seconds: dict[str, float] = field(default_factory=dict)
@@ -178,6 +204,7 @@ class Report:
             ],
             "bounding_box_mm": self.bounding_box_mm,
             "solid": asdict(self.solid) if self.solid else None,
+            "hull": asdict(self.hull) if self.hull else None,
             "surface": asdict(self.surface) if self.surface else None,
             "gaussians": asdict(self.gaussians) if self.gaussians else None,
             "seconds": self.seconds,

@@ -41,6 +41,12 @@ from gaussiancad_core.views import Linetype, View, ViewSet
 _SAMPLES = 120
 """Points along the longest side of a plane at which outlines and masks are compared."""
 
+_LOOKS = 40
+"""The same for looking whether the outlines are filled."""
+
+_FILLED = 0.99
+"""Share of an outline that must be filled: views of which less is left contradict each other."""
+
 _CLEAR_PX = 2.0
 """px from a mask's outline from which a point is inside or outside for certain."""
 
@@ -73,8 +79,8 @@ def swept_solid(views: ViewSet, tolerance: float) -> TopoDS_Shape | None:
         tolerance: mm by which strokes may miss where they belong.
 
     Returns:
-        One valid closed solid in mm, or None if the sweeps have none in common: they have several,
-        or their faces do not close.
+        One valid closed solid in mm that fills all outlines, or None if the sweeps have no such
+        solid in common.
     """
     supports = find_supports(views_as_read(views, tolerance))
     outlines = {axis: _outline(axis, supports, views) for axis in Axis}
@@ -83,6 +89,8 @@ def swept_solid(views: ViewSet, tolerance: float) -> TopoDS_Shape | None:
         (x, y, z, 0) for x, y, z in product(*(outlines[axis].material for axis in Axis))
     )
     labelled = LabelledSpace(space, dict.fromkeys(cells, True))
+    if not all(_fills(labelled, axis, outlines[axis], supports) for axis in Axis):
+        return None
     try:
         shape = build_solid(labelled, supports.scale).shape
     except Standard_Failure:
@@ -91,6 +99,19 @@ def swept_solid(views: ViewSet, tolerance: float) -> TopoDS_Shape | None:
         return None
     facts = soundness(shape)
     return shape if facts.valid and facts.closed and facts.solids == 1 else None
+
+
+def _fills(
+    labelled: LabelledSpace, axis: Axis, outline: "_Outline", supports: PartSupports
+) -> bool:
+    """Whether there is material behind nearly all of an outline."""
+    first, second = (supports.size[index] for index in IN_PLANE[axis])
+    covered = [
+        bool(labelled.stretches(axis, float(a), float(b)))
+        for a, b in _grid(first, second, UNITS / _LOOKS)
+        if outline.arrangement.locate(float(a), float(b)) in outline.material
+    ]
+    return bool(covered) and float(np.mean(covered)) >= _FILLED
 
 
 @dataclass(frozen=True)
