@@ -10,24 +10,25 @@ outline that is open contradicts everything; there the gap is told.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
 from ortools.sat.python import cp_model
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.errors import LimitError
 from gaussiancad_core.reasoning.conflict_lines import Conflict, ConflictLine
 from gaussiancad_core.reasoning.curves import Point
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.labelling import FOUND, SLIGHT, Labels, Model, solver_for
 from gaussiancad_core.reasoning.open_outlines import find_gaps
-from gaussiancad_core.reasoning.part import PartModel
+from gaussiancad_core.reasoning.part import PartModel, model_part
 from gaussiancad_core.reasoning.pieces import SHARE, Piece
 from gaussiancad_core.reasoning.planes import role_plane
 from gaussiancad_core.reasoning.rules import Rule, drawn_under
 from gaussiancad_core.reasoning.stroke_finder import StrokeFinder
-from gaussiancad_core.views import Linetype
+from gaussiancad_core.views import Linetype, Segment
 
 _ORDERS = 3
 """Orders in which members are tried; the smallest core of all is kept."""
@@ -37,6 +38,9 @@ _PLACES = 3
 
 _LONGEST_CORE = 60
 """Members up to which a core is made minimal: longer ones tell nobody anything."""
+
+_LEAST_EFFORT = 0.1
+"""Deterministic time for seeing whether all lines agree, at least."""
 
 Key = tuple[Role, bool, tuple[float, ...]]
 """A stroke of a view by its number (drawn), or a line of it by direction and place (blank)."""
@@ -59,19 +63,46 @@ def find_conflict(part: PartModel, views: DrawnViews, effort: float) -> Conflict
     core = search.core(list(grouped))
     if core is None:
         return None
-    if gaps := find_gaps(views):
-        missing = (
-            ConflictLine(gap.role, gap.points, None, suspect=True, fitting=Linetype.VISIBLE)
-            for gap in gaps
-        )
-        return Conflict(tuple(missing), minimal=False)
     members, minimal = search.smallest(core)
     lines = []
     for key in members:
         labels = search.labels_without(key)
         lines.append(_line(key, grouped[key], views, part.supports.scale, labels))
     lines.sort(key=lambda line: not line.suspect)
-    return Conflict(tuple(lines), minimal)
+    found = Conflict(tuple(lines), minimal)
+    return found if found.suspects else _open_outlines(views, search.left) or found
+
+
+def _open_outlines(views: DrawnViews, effort: float) -> Conflict | None:
+    """The lines that would close the outlines of open views."""
+    gaps = find_gaps(views)
+    lines = [
+        ConflictLine(gap.role, gap.closing[0], None, suspect=True, fitting=Linetype.VISIBLE)
+        for gap in gaps
+    ]
+    if len(gaps) == 1 and len(gaps[0].closing) > 1:
+        # The other views tell which of them is meant.
+        fitting = (
+            ends for ends in gaps[0].closing if _agree_with(views, gaps[0].role, ends, effort)
+        )
+        lines = [replace(lines[0], points=next(fitting, gaps[0].closing[0]))]
+    return Conflict(tuple(lines), minimal=False) if lines else None
+
+
+def _agree_with(
+    views: DrawnViews, role: Role, ends: npt.NDArray[np.float64], effort: float
+) -> bool:
+    """Whether all lines agree once there is a further visible one."""
+    start, end = ends.tolist()
+    strokes = (*views.strokes[role], Segment(tuple(start), tuple(end), Linetype.VISIBLE))
+    closed = replace(views, strokes={**views.strokes, role: strokes})
+    try:
+        part = model_part(closed)
+    except LimitError:
+        return False
+    rules = [rule for rule in part.rules if rule.weight >= SLIGHT]
+    model = Model(rules)
+    return solver_for(max(effort, _LEAST_EFFORT)).solve(model.model) in FOUND
 
 
 @dataclass(frozen=True)
@@ -117,6 +148,9 @@ class _Cores:
         rules: of the part.
         grouped: members of each line.
         effort: deterministic time.
+
+    Attributes:
+        left: of that time.
     """
 
     def __init__(
@@ -124,7 +158,7 @@ class _Cores:
     ) -> None:
         self._rules = rules
         self._grouped = grouped
-        self._left = effort
+        self.left = effort
         self._whole = _Switched(rules, grouped)
 
     def core(self, keys: Sequence[Key]) -> list[Key] | None:
@@ -187,11 +221,11 @@ class _Cores:
         self, model: "_Switched", on: Sequence[Key], least: Key | None = None
     ) -> tuple[cp_model.CpSolverStatus, list[Key], Labels | None]:
         """Status, a core of what is on, and labels."""
-        if self._left <= 0.0:
+        if self.left <= 0.0:
             return cp_model.UNKNOWN, list(on), None
-        solver = solver_for(self._left)
+        solver = solver_for(self.left)
         status, core = model.solve(solver, on, least)
-        self._left -= solver.response_proto.deterministic_time
+        self.left -= solver.response_proto.deterministic_time
         return status, core, model.labels(solver) if status in FOUND else None
 
 

@@ -6,7 +6,7 @@ it runs into the outside, and the lines around it bound nothing any more.
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, islice
 
 import numpy as np
 import numpy.typing as npt
@@ -29,6 +29,9 @@ _LINKS = 32
 _MOST_TRIED = 400
 """Gaps that are tried, at most."""
 
+_MOST_CLOSING = 4
+"""Lines that would close a gap, at most."""
+
 _CLOSED = 1.5
 """Reaches of line that may bound nothing in a closed view: where ends miss each other."""
 
@@ -39,33 +42,36 @@ class Gap:
 
     Attributes:
         role: the view.
-        points: (2, 2) mm of the view's plane: a straight line that would close it.
+        closing: straight lines each of which would close it, (2, 2) mm of the view's plane; the
+            likeliest first.
     """
 
     role: Role
-    points: npt.NDArray[np.float64]
+    closing: tuple[npt.NDArray[np.float64], ...]
 
 
 def find_gaps(views: DrawnViews) -> tuple[Gap, ...]:
     """The gap of each view whose outline one straight line closes."""
     reach = max(_REACH * views.tolerance, _LEAST_REACH * max(views.size))
-    found = ((role, _gap(strokes, reach)) for role, strokes in views.strokes.items())
-    return tuple(Gap(role, points) for role, points in found if points is not None)
+    found = ((role, _closing(strokes, reach)) for role, strokes in views.strokes.items())
+    return tuple(Gap(role, closing) for role, closing in found if closing)
 
 
-def _gap(strokes: Sequence[Curve], reach: float) -> npt.NDArray[np.float64] | None:
+def _closing(strokes: Sequence[Curve], reach: float) -> tuple[npt.NDArray[np.float64], ...]:
     lines = [
         _path(stroke)
         for stroke in strokes
         if stroke.length > reach and stroke.linetype is Linetype.VISIBLE
     ]
     if not lines or _loose(lines, reach) <= _CLOSED * reach:
-        return None
+        return ()
     candidates = sorted(_candidates(lines, reach), key=lambda ends: _rank(ends, reach))
-    for ends in candidates[:_MOST_TRIED]:
-        if _loose([*lines, shapely.LineString(ends)], reach) <= _CLOSED * reach:
-            return ends
-    return None
+    closing = (
+        ends
+        for ends in candidates[:_MOST_TRIED]
+        if _loose([*lines, shapely.LineString(ends)], reach) <= _CLOSED * reach
+    )
+    return tuple(islice(closing, _MOST_CLOSING))
 
 
 def _path(stroke: Curve) -> shapely.LineString:
