@@ -10,6 +10,7 @@ from gaussiancad_core.drawing.brep import bounding_box, soundness, tessellate
 from gaussiancad_core.exact_stage import ExactModel, drawn_views
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.models import Models
+from gaussiancad_core.reasoning.conflict_lines import Conflict
 from gaussiancad_core.report import SolidReport
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.clean import CleanSheet
@@ -76,6 +77,7 @@ def check_solid(registered: RegisteredSheet, model: ExactModel) -> CheckedModel:
         (float(size[0]), float(size[1]), float(size[2])),
         len(result.alternatives),
         "sweeps" if model.swept else "lines",
+        round(result.verification.share, 4),
     )
     mesh = TriangleMesh(vertices.astype(np.float64), triangles)
     return CheckedModel(mesh, result.verification.matched, round(tolerance, 3), solid=report)
@@ -112,10 +114,17 @@ def overlay_picture(
     registered: RegisteredSheet,
     clean: CleanSheet,
     beside: tuple[tuple[Mark, ...], tuple[SpecialView, ...]],
+    conflict: Conflict | None = None,
 ) -> bytes:
     """PNG of the sheet with the model's lines over it, and what else was found on it."""
+    contradicting = conflict.lines if conflict else ()
     overlays = [
-        ViewOverlay(view, registered.views.size, checked.matched[view.role])
+        ViewOverlay(
+            view,
+            registered.views.size,
+            checked.matched[view.role],
+            tuple(line for line in contradicting if line.role is view.role),
+        )
         for view in registered.views.views
     ]
     return png_bytes(draw_overlay(clean.picture, overlays, *beside))

@@ -18,7 +18,7 @@ from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.sweep import swept_solid
-from gaussiancad_core.solid.verify import Verification, verify
+from gaussiancad_core.solid.verify import verify
 
 TOLERANCE_PX = {StrokesSource.RASTER: 1.0, StrokesSource.PLOT: 0.3, StrokesSource.VECTOR: 0.05}
 """px by which lines of a sheet may miss where they belong, by where they come from."""
@@ -107,14 +107,23 @@ def find_exact(own: Reading, other: Reading | None, limits: Limits | None = None
         if not _is_settled(contrary):
             result = _doubted(result, _UNSETTLED)
         return ExactModel(own, result, _holds(result))
-    shapes = [
-        shape
-        for shape in (contrary.shape, *contrary.alternatives)
-        if shape is not None and not same_solid(shape, result.shape)
+    further = [
+        (shape, share)
+        for shape, share in zip(
+            (contrary.shape, *contrary.alternatives),
+            (contrary.verification.share, *contrary.agreements),
+            strict=True,
+        )
+        if not same_solid(shape, result.shape)
     ]
-    if not shapes:
+    if not further:
         return ExactModel(own, result, False)
-    result = replace(result, alternatives=(*result.alternatives, *shapes))
+    result = replace(
+        result,
+        alternatives=(*result.alternatives, *(shape for shape, _ in further)),
+        agreements=(*result.agreements, *(share for _, share in further)),
+        contrary=len(further),
+    )
     return ExactModel(own, _doubted(result, _AMBIGUOUS), False)
 
 
@@ -145,6 +154,7 @@ def with_fallback(model: ExactModel) -> ExactModel:
         shape=shape,
         verification=verify(shape, drawn),
         alternatives=(),
+        agreements=(),
         reasons=(*model.result.reasons, _SWEPT),
     )
     return replace(model, result=result, swept=True)
@@ -160,7 +170,7 @@ def _solved(reading: Reading, limits: Limits) -> ExactResult:
     result = exact_solid(drawn_views(reading.registered), limits)
     if result.verification is None:
         return result
-    share = _agreeing_share(result.verification)
+    share = result.verification.share
     if share >= _KEPT and result.verification.sound:
         return result
     reason = (
@@ -168,22 +178,14 @@ def _solved(reading: Reading, limits: Limits) -> ExactResult:
         f"the exact solid that fits best agrees with {100 * share:.0f} % of the lines only and was "
         "not kept: lines were misread, or the part has surfaces that are not supported yet",
     )
-    return replace(result, status=Status.FAILED, shape=None, alternatives=(), reasons=(reason,))
-
-
-def _agreeing_share(verification: Verification) -> float:
-    """Share of all lines, the sheet's and the solid's, that the other drawing has."""
-    agreeing = total = 0.0
-    for match in verification.matched.values():
-        for points, agree in (
-            (match.sheet.visible, match.visible_found),
-            (match.sheet.hidden, match.hidden_found),
-            (match.result.visible, match.visible_explained),
-            (match.result.hidden, match.hidden_explained),
-        ):
-            agreeing += float(points.lengths[agree].sum())
-            total += float(points.lengths.sum())
-    return agreeing / total if total else 0.0
+    return replace(
+        result,
+        status=Status.FAILED,
+        shape=None,
+        alternatives=(),
+        agreements=(),
+        reasons=(reason,),
+    )
 
 
 def _holds(result: ExactResult) -> bool:

@@ -36,6 +36,11 @@ class Models:
     surface: TriangleMesh
 
 
+def alternative_file(number: int) -> str:
+    """The file of an alternative in the output folder, counted from 1."""
+    return f"alternatives/{number}.step"
+
+
 def write_solids(result: "ExactResult", folder: Path) -> None:
     """Write the exact solid as ``solid.step``, and others that fit under ``alternatives``.
 
@@ -49,7 +54,7 @@ def write_solids(result: "ExactResult", folder: Path) -> None:
     if result.alternatives:
         (folder / "alternatives").mkdir(exist_ok=True)
     for number, shape in enumerate(result.alternatives, start=1):
-        write_step(shape, folder / "alternatives" / f"{number}.step")
+        write_step(shape, folder / alternative_file(number))
 
 
 def write_models(

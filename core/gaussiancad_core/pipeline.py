@@ -47,6 +47,7 @@ from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 
 if TYPE_CHECKING:
     from gaussiancad_core.exact_stage import ExactModel, Reading
+    from gaussiancad_core.reasoning.conflict_lines import Conflict
 
 STAGES = (
     "read",
@@ -128,6 +129,7 @@ class _Run:
         self.symbol: Projection | None = None
         self.contradicted = False
         self.special: tuple[SpecialView, ...] = ()
+        self.conflict: Conflict | None = None
 
     def all_stages(self) -> Report:
         """Read, reconstruct, check and write."""
@@ -144,7 +146,7 @@ class _Run:
         exact = None
         if "solid" in stages_of(self.job.result, self.job.recipe):
             with self._stage("solid"):
-                exact = self._find_solid(own, other)
+                exact = self._find_solid(own, other, clean.turn)
                 own = exact.reading if exact else own
         self._tell_symbol(own.projection)
         asked = exact is not None and self.job.result is not ResultKind.SURFACE
@@ -283,7 +285,9 @@ class _Run:
             projection_alternatives=() if inferred else (projection.other,),
         )
 
-    def _find_solid(self, own: "Reading", other: "Reading | None") -> "ExactModel | None":
+    def _find_solid(
+        self, own: "Reading", other: "Reading | None", turn: Turn
+    ) -> "ExactModel | None":
         """The exact solid, or what stands for it, and what it says about the projection."""
         from gaussiancad_core.exact_stage import (
             OPEN_ENDED,
@@ -291,6 +295,7 @@ class _Run:
             find_for_hull,
             with_fallback,
         )
+        from gaussiancad_core.solid_reports import with_solid_facts
 
         surface_alone = self.job.result is ResultKind.SURFACE
         exact = find_for_hull(own, other) if surface_alone else find_exact(own, other)
@@ -299,11 +304,13 @@ class _Run:
         if exact is None or surface_alone:
             return exact
         exact = with_fallback(exact)
+        for code, message in exact.result.reasons:
+            self.report = self.report.doubted(code, message)
+        self.conflict = exact.result.conflict
+        self.report = with_solid_facts(self.report, exact, turn)
         if self.job.result is ResultKind.SOLID and exact.result.shape is None:
             code, message = exact.result.reasons[0]
             raise (LimitError if code in OPEN_ENDED else NoModelError)(code, message)
-        for code, message in exact.result.reasons:
-            self.report = self.report.doubted(code, message)
         return exact
 
     def _tell_views(self, registered: RegisteredSheet, turn: Turn) -> None:
@@ -469,7 +476,8 @@ class _Run:
         )
         for code, message in checked.reasons:
             self.report = self.report.doubted(code, message)
-        overlay = overlay_picture(checked, registered, clean, (self.marks, self.special))
+        beside = self.marks, self.special
+        overlay = overlay_picture(checked, registered, clean, beside, self.conflict)
         (self.folder.staging / "overlay.png").write_bytes(overlay)
         preview = self.folder.staging / "preview.png"
         preview.write_bytes(preview_picture(checked, self.job.reading.colour))

@@ -62,6 +62,7 @@ class SolidReport:
         alternatives: number of others that fit the sheet as well.
         source: ``lines`` if it was found from all lines, ``sweeps`` if it is only what the sweeps
             of the outlines have in common.
+        agreement: share of all lines, the sheet's and the solid's, that agree.
     """
 
     valid: bool
@@ -71,6 +72,44 @@ class SolidReport:
     bounding_box_mm: tuple[float, float, float]
     alternatives: int
     source: str = "lines"
+    agreement: float = 1.0
+
+
+@dataclass(frozen=True)
+class AlternativeReport:
+    """Another solid that fits the sheet.
+
+    Attributes:
+        file: in the output folder.
+        projection: under which the sheet was read.
+        faces, volume_mm3: of the solid.
+        agreement: share of all lines, the sheet's and the solid's, that agree.
+    """
+
+    file: str
+    projection: str
+    faces: int
+    volume_mm3: float
+    agreement: float
+
+
+@dataclass(frozen=True)
+class ConflictReport:
+    """A line that contradicts others.
+
+    Attributes:
+        view: its role.
+        drawn: ``visible``, ``hidden``, or None where nothing is drawn.
+        suspect: whether all others agree without it.
+        fitting: how a suspect would have to be drawn, None for not at all.
+        box: around it, px of the sheet.
+    """
+
+    view: str
+    drawn: str | None
+    suspect: bool
+    fitting: str | None
+    box: tuple[float, float, float, float]
 
 
 @dataclass(frozen=True)
@@ -128,6 +167,8 @@ class Report:
             that they share, for axes that two views show.
         special_views: drawings that are no plain principal views; boxes in sheet px.
         tolerance_px: within which lines were matched.
+        alternatives: other solids, best first.
+        conflict: lines that contradict each other, the suspects first.
     """
 
     sheet_sha256: str
@@ -150,6 +191,8 @@ class Report:
     dimensions: tuple[ReadDimension, ...] = ()
     bounding_box_mm: tuple[float, float, float] | None = None
     solid: SolidReport | None = None
+    alternatives: tuple[AlternativeReport, ...] = ()
+    conflict: tuple[ConflictReport, ...] = ()
     hull: HullReport | None = None
     surface: SurfaceReport | None = None
     gaussians: GaussiansReport | None = None
@@ -204,6 +247,11 @@ class Report:
             ],
             "bounding_box_mm": self.bounding_box_mm,
             "solid": asdict(self.solid) if self.solid else None,
+            "alternatives": [asdict(other) for other in self.alternatives],
+            "conflict": [
+                {**asdict(line), "box": [round(value, 1) for value in line.box]}
+                for line in self.conflict
+            ],
             "hull": asdict(self.hull) if self.hull else None,
             "surface": asdict(self.surface) if self.surface else None,
             "gaussians": asdict(self.gaussians) if self.gaussians else None,

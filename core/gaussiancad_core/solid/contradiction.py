@@ -19,12 +19,15 @@ def conflict_reason(conflict: Conflict) -> tuple[str, str]:
         named += f"; and {len(shown) - _MOST} more"
     if conflict.suspects:
         one = len(conflict.suspects) == 1
-        start = "the lines contradict each other, and would agree but for one: "
-        return CODE, start + named if one else f"{start}any of {named}"
+        start = "the lines, as they were read, contradict each other, and would agree but for one: "
+        return CODE, start + named if one else f"{start}any of these: {named}"
     if len(conflict.lines) == 1:
-        return CODE, f"no solid has this line together with what is blank beside it: {named}"
+        return CODE, f"no solid has this line beside what is blank around it: {named}"
     few = "the fewest lines of which this is known" if conflict.minimal else "not all are needed"
-    return CODE, f"{len(conflict.lines)} lines contradict each other ({few}): {named}"
+    return (
+        CODE,
+        f"{len(conflict.lines)} lines, as they were read, contradict each other ({few}): {named}",
+    )
 
 
 def _described(line: ConflictLine) -> str:

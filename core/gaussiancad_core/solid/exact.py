@@ -84,6 +84,7 @@ class ExactResult:
         seconds: of the steps.
         agreements: of the alternatives: share of all lines, both ways, that agree, 0 to 1.
         conflict: lines that contradict each other, where no solid has all lines.
+        contrary: how many of the alternatives, the last ones, are under the other projection.
     """
 
     status: Status
@@ -94,6 +95,7 @@ class ExactResult:
     seconds: dict[str, float]
     agreements: tuple[float, ...] = ()
     conflict: Conflict | None = None
+    contrary: int = 0
 
 
 def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:

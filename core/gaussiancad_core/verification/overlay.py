@@ -84,17 +84,30 @@ class ViewOverlay:
 
     def to_sheet(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
         """(n, 2) mm of the view's plane -> (n, 2) px of the sheet as stored."""
-        frame = self.view.role.frame
-        x0, y0, x1, y1 = self.view.box
-        left, right = _range(frame.right_axis, self.size)
-        bottom, top = _range(frame.up_axis, self.size)
-        return np.stack(
-            [
-                x0 + (points[:, 0] - left) / (right - left) * (x1 - x0),
-                y1 + (points[:, 1] - bottom) / (top - bottom) * (y0 - y1),
-            ],
-            axis=1,
-        )
+        return view_to_sheet(self.view, self.size, points)
+
+
+def view_to_sheet(
+    view: View, size: tuple[float, float, float], points: npt.NDArray[np.float64]
+) -> npt.NDArray[np.float64]:
+    """(n, 2) mm of a view's plane -> (n, 2) px of the sheet that its box is on.
+
+    Args:
+        view: with its box.
+        size: (3,) extent of the part in mm.
+        points: (right, up).
+    """
+    frame = view.role.frame
+    x0, y0, x1, y1 = view.box
+    left, right = _range(frame.right_axis, size)
+    bottom, top = _range(frame.up_axis, size)
+    return np.stack(
+        [
+            x0 + (points[:, 0] - left) / (right - left) * (x1 - x0),
+            y1 + (points[:, 1] - bottom) / (top - bottom) * (y0 - y1),
+        ],
+        axis=1,
+    )
 
 
 def draw_overlay(
