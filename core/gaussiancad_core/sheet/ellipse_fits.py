@@ -47,8 +47,10 @@ def refit_ellipse(
     Args:
         sheet: the ink.
         ellipse: a fit to ridge points.
-        spans: of its strokes, px along it.
+        spans: of its strokes, px along it; without any it stays as it is.
     """
+    if not spans:
+        return ellipse
     fitted = ellipse
     inside = np.concatenate([np.arange(start, end) for start, end in spans])
     inside = np.unique(np.floor(np.mod(inside, ellipse.around)).astype(int))
