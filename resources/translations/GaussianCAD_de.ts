@@ -827,32 +827,32 @@
             <translation>Warum es Zweifel gibt</translation>
         </message>
         <message>
-            <source>Against solution 1: {volume} mm³ more, {place}</source>
-            <translation>Gegenüber Lösung 1: {volume} mm³ mehr, {place}</translation>
-        </message>
-        <message>
-            <source>Against solution 1: {volume} mm³ less, {place}</source>
-            <translation>Gegenüber Lösung 1: {volume} mm³ weniger, {place}</translation>
-        </message>
-        <message>
-            <source>within X {x}, Y {y}, Z {z}</source>
-            <translation>innerhalb X {x}, Y {y}, Z {z}</translation>
-        </message>
-        <message>
             <source>Faces</source>
             <translation>Flächen</translation>
         </message>
         <message>
-            <source>Volume, mm³</source>
-            <translation>Volumen, mm³</translation>
-        </message>
-        <message>
-            <source>Agreement</source>
-            <translation>Übereinstimmung</translation>
-        </message>
-        <message>
             <source>Share of the lines, the drawing's and the solid's, that agree</source>
             <translation>Anteil der Linien, der Zeichnung und des Körpers, die übereinstimmen</translation>
+        </message>
+        <message>
+            <source>Orange: {volume} mm³ more than solution 1, {place}</source>
+            <translation>Orange: {volume} mm³ mehr als Lösung 1, {place}</translation>
+        </message>
+        <message>
+            <source>Magenta: {volume} mm³ less than solution 1, {place}</source>
+            <translation>Magenta: {volume} mm³ weniger als Lösung 1, {place}</translation>
+        </message>
+        <message>
+            <source>within X {x}, Y {y}, Z {z} mm</source>
+            <translation>innerhalb X {x}, Y {y}, Z {z} mm</translation>
+        </message>
+        <message>
+            <source>Volume</source>
+            <translation>Volumen</translation>
+        </message>
+        <message>
+            <source>Lines</source>
+            <translation>Linien</translation>
         </message>
     </context>
     <context>

@@ -3,6 +3,7 @@
 import fake_part
 import FreeCAD
 import FreeCADGui
+from pivy import coin
 from window import WindowCase, spin, widget
 
 from freecad.gaussiancad.qt import QtCore, QtWidgets
@@ -37,6 +38,14 @@ class Choosing(WindowCase):
         found = (self.document.getObject(name) for name in NAMES)
         return [one.Name for one in found if one is not None and one.ViewObject.isVisible()]
 
+    def marks(self) -> int:
+        """Bodies that mark what the shown solution has more or less."""
+        search = coin.SoSearchAction()
+        search.setType(coin.SoIndexedFaceSet.getClassTypeId(), False)
+        search.setInterest(coin.SoSearchAction.ALL)
+        search.apply(FreeCADGui.getDocument(self.document.Name).ActiveView.getSceneGraph())
+        return search.getPaths().getLength()
+
     def press(self, name: str) -> None:
         widget(QtWidgets.QPushButton, name).click()
         spin(50)
@@ -63,17 +72,19 @@ class Choosing(WindowCase):
         table = widget(QtWidgets.QTableWidget, "solutions")
         self.picture("solutions-first")
         cells = [[table.item(row, column).text() for column in range(3)] for row in range(3)]
-        self.assertEqual(cells[0], ["8", "36000", "99.8%"])
-        self.assertEqual(cells[1][1:], ["35000", "99.7%"])
-        self.assertEqual(cells[2][1:], ["36500", "99.0%"])
+        self.assertEqual(cells[0], ["8", "36000 mm³", "99.8%"])
+        self.assertEqual(cells[1][1:], ["35000 mm³", "99.7%"])
+        self.assertEqual(cells[2][1:], ["36500 mm³", "99.0%"])
         self.press("next")
         self.assertEqual((self.position(), self.shown()), ("2 of 3", [NAMES[1]]))
-        self.assertIn("1000 mm³ less, within X 0…5, Y 10…30, Z 20…30", self.details())
+        self.assertIn("Magenta: 1000 mm³ less than solution 1", self.details())
+        self.assertIn("within X 0…5, Y 10…30, Z 20…30 mm", self.details())
+        self.assertEqual(self.marks(), 1)
         self.picture("solutions-second")
         self.press("next")
         self.assertEqual((self.position(), self.shown()), ("3 of 3", [NAMES[2]]))
         self.assertIn("Read in first angle", self.details())
-        self.assertIn("500 mm³ more", self.details())
+        self.assertIn("Orange: 500 mm³ more than solution 1", self.details())
         self.assertEqual(table.place, 2)
         self.picture("solutions-third")
         self.press("next")
@@ -112,7 +123,7 @@ class Choosing(WindowCase):
         self.open_from_the_run()
         self.press("next")
         self.press_cancel()
-        self.assertEqual(self.shown(), ["Part"])
+        self.assertEqual((self.shown(), self.marks()), (["Part"], 0))
         self.assertEqual(self.document.UndoNames, self.undo_names)
         for name, volume in zip(NAMES, VOLUMES, strict=True):
             self.assertAlmostEqual(self.document.getObject(name).Shape.Volume, volume, places=6)

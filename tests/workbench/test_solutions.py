@@ -73,13 +73,13 @@ class Solutions(FolderCase):
 
     def test_differences_are_told_by_volume_and_place(self) -> None:
         without, block = self.solutions.difference(1), self.solutions.difference(2)
-        self.assertEqual((without.more.volume, without.more.box), (0.0, None))
+        self.assertEqual((without.more.volume, without.more.shape), (0.0, None))
         self.assertAlmostEqual(without.less.volume, 1000.0, places=6)
-        box = without.less.box
+        box = without.less.shape.BoundBox
         self.assertLess((box.Center - FreeCAD.Vector(2.5, 20.0, 25.0)).Length, 1e-6)
         self.assertLess(abs(box.XLength - 5) + abs(box.YLength - 20) + abs(box.ZLength - 10), 1e-6)
         self.assertAlmostEqual(block.more.volume, 500.0, places=6)
-        self.assertEqual((block.less.volume, block.less.box), (0.0, None))
+        self.assertEqual((block.less.volume, block.less.shape), (0.0, None))
         same = self.solutions.difference(0)
         self.assertEqual((same.more.volume, same.less.volume), (0.0, 0.0))
 

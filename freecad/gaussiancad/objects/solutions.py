@@ -26,11 +26,11 @@ class Region:
 
     Attributes:
         volume: mm³; 0 where there is none.
-        box: where it is; None where there is none.
+        shape: the material; None where there is none.
     """
 
     volume: float
-    box: FreeCAD.BoundBox | None
+    shape: Part.Shape | None
 
 
 @dataclass(frozen=True)
@@ -153,4 +153,4 @@ def _beyond(one: Part.Shape, other: Part.Shape) -> Region:
     """What of one solid lies outside of another."""
     rest = one.cut(other)
     volume = rest.Volume if rest.Solids else 0.0
-    return Region(volume, rest.BoundBox) if volume > _SAME * one.Volume else Region(0.0, None)
+    return Region(volume, rest) if volume > _SAME * one.Volume else Region(0.0, None)

@@ -26,8 +26,8 @@ class SolutionTable(QtWidgets.QTableWidget):
         self.setHorizontalHeaderLabels(
             [
                 translate("GaussianCAD", "Faces"),
-                translate("GaussianCAD", "Volume, mm³"),
-                translate("GaussianCAD", "Agreement"),
+                translate("GaussianCAD", "Volume"),
+                translate("GaussianCAD", "Lines"),
             ]
         )
         self.horizontalHeaderItem(2).setToolTip(
@@ -39,7 +39,10 @@ class SolutionTable(QtWidgets.QTableWidget):
         self.setEditTriggers(view.EditTrigger.NoEditTriggers)
         self.setSelectionBehavior(view.SelectionBehavior.SelectRows)
         self.setSelectionMode(view.SelectionMode.SingleSelection)
-        self.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.Stretch)
+        # Task panels are narrow: the volume needs most of the room.
+        mode = QtWidgets.QHeaderView.ResizeMode
+        for column, own in enumerate((mode.ResizeToContents, mode.Stretch, mode.ResizeToContents)):
+            self.horizontalHeader().setSectionResizeMode(column, own)
         self.horizontalHeader().setHighlightSections(False)
         self.verticalHeader().setDefaultSectionSize(_ROW)
         self.setFixedHeight(_ROW * min(len(features), _MOST_ROWS) + 34)
@@ -68,6 +71,6 @@ def _cells(feature: FreeCAD.DocumentObject) -> tuple[str, str, str]:
     shape = feature.Shape
     return (
         str(len(shape.Faces)),
-        f"{shape.Volume:.6g}",
+        f"{shape.Volume:.6g} mm³",
         "–" if agreement is None else f"{agreement:.1%}",
     )

@@ -9,6 +9,7 @@ from freecad.gaussiancad.engine.report import parse_report
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.solutions import Difference, Region, SolutionSet
+from freecad.gaussiancad.panels.difference_view import DifferenceMark
 from freecad.gaussiancad.panels.messages import show_error
 from freecad.gaussiancad.panels.solution_table import SolutionTable
 from freecad.gaussiancad.panels.widgets import standard_buttons
@@ -24,6 +25,7 @@ class SolutionsPanel:
 
     def __init__(self, group: FreeCAD.DocumentObject) -> None:
         self._solutions = SolutionSet(group)
+        self._mark = DifferenceMark(group.Document)
         self._place = 0
         self._done = False
         self.previous = _button("previous", translate("GaussianCAD", "Previous"))
@@ -62,6 +64,7 @@ class SolutionsPanel:
         self.table.choose(place)
         QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.CursorShape.WaitCursor)
         try:
+            self._mark.show(self._solutions.difference(place))
             self.details.setPlainText("\n".join(self._detail_lines()))
         finally:
             QtWidgets.QApplication.restoreOverrideCursor()
@@ -74,6 +77,7 @@ class SolutionsPanel:
             self._complain(error.message)
             return
         self._done = True
+        self._mark.clear()
         QtCore.QTimer.singleShot(0, FreeCADGui.Control.closeDialog)
 
     def getStandardButtons(self) -> object:
@@ -100,6 +104,7 @@ class SolutionsPanel:
     def _leave(self) -> None:
         if not self._done:
             self._done = True
+            self._mark.clear()
             self._solutions.restore()
 
     def _take_row(self) -> None:
@@ -166,19 +171,19 @@ def open_solutions(group: FreeCAD.DocumentObject) -> None:
 
 
 def _difference_lines(difference: Difference) -> list[str]:
-    more = translate("GaussianCAD", "Against solution 1: {volume} mm³ more, {place}")
-    less = translate("GaussianCAD", "Against solution 1: {volume} mm³ less, {place}")
+    more = translate("GaussianCAD", "Orange: {volume} mm³ more than solution 1, {place}")
+    less = translate("GaussianCAD", "Magenta: {volume} mm³ less than solution 1, {place}")
     told = [(text, region) for text, region in ((more, difference.more), (less, difference.less))]
     return [
         text.format(volume=f"{region.volume:.6g}", place=_place_text(region))
         for text, region in told
-        if region.box is not None
+        if region.shape is not None
     ]
 
 
 def _place_text(region: Region) -> str:
-    box = region.box
-    text = translate("GaussianCAD", "within X {x}, Y {y}, Z {z}")
+    box = region.shape.BoundBox
+    text = translate("GaussianCAD", "within X {x}, Y {y}, Z {z} mm")
     return text.format(
         x=f"{box.XMin:.4g}…{box.XMax:.4g}",
         y=f"{box.YMin:.4g}…{box.YMax:.4g}",

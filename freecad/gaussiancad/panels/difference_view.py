@@ -1,0 +1,89 @@
+"""What a solution has more or less than the first one, marked in the 3D view.
+
+Nothing of it is in the document: it is drawn beside the document's objects, and taken off again.
+"""
+
+import FreeCAD
+import FreeCADGui
+from pivy import coin
+
+from freecad.gaussiancad.objects.solutions import Difference, Region
+
+MORE = (0.90, 0.62, 0.0)
+"""Orange (Okabe and Ito): the colour of material that only the shown solution has."""
+
+LESS = (0.80, 0.20, 0.60)
+"""Magenta: the colour of material that only the first solution has."""
+
+_CLEAR = 0.5
+"""Transparency of what the shown solution lacks."""
+
+_FINE = 0.005
+"""Deviation of the marks, as a share of their largest extent."""
+
+
+class DifferenceMark:
+    """Marks in a document's 3D view.
+
+    Args:
+        document: whose view is marked.
+    """
+
+    def __init__(self, document: FreeCAD.Document) -> None:
+        self._document = document.Name
+        self._node: coin.SoSeparator | None = None
+        self._view: object = None
+
+    def show(self, difference: Difference) -> None:
+        """Mark a difference in place of the last one."""
+        self.clear()
+        view = FreeCADGui.getDocument(self._document).ActiveView
+        if not hasattr(view, "getSceneGraph"):
+            return
+        node = coin.SoSeparator()
+        unpickable = coin.SoPickStyle()
+        unpickable.style = coin.SoPickStyle.UNPICKABLE
+        node.addChild(unpickable)
+        # In front of the solid's own faces, which they lie on.
+        offset = coin.SoPolygonOffset()
+        offset.factor, offset.units = -2.0, -2.0
+        node.addChild(offset)
+        for region, colour, transparency in (
+            (difference.more, MORE, 0.0),
+            (difference.less, LESS, _CLEAR),
+        ):
+            if region.shape is not None:
+                node.addChild(_body(region, colour, transparency))
+        view.getSceneGraph().addChild(node)
+        self._node, self._view = node, view
+
+    def clear(self) -> None:
+        """Take the marks off; a view that was closed has none."""
+        node, self._node = self._node, None
+        if node is None or self._document not in FreeCAD.listDocuments():
+            return
+        graph = self._view.getSceneGraph()
+        if graph.findChild(node) >= 0:
+            graph.removeChild(node)
+
+
+def _body(region: Region, colour: tuple[float, float, float], transparency: float) -> object:
+    box = region.shape.BoundBox
+    points, triangles = region.shape.tessellate(_FINE * max(box.XLength, box.YLength, box.ZLength))
+    body = coin.SoSeparator()
+    material = coin.SoMaterial()
+    material.diffuseColor = colour
+    material.transparency = transparency
+    body.addChild(material)
+    hints = coin.SoShapeHints()
+    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+    hints.shapeType = coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
+    body.addChild(hints)
+    coordinates = coin.SoCoordinate3()
+    coordinates.point.setValues(0, len(points), [(p.x, p.y, p.z) for p in points])
+    body.addChild(coordinates)
+    faces = coin.SoIndexedFaceSet()
+    indices = [index for triangle in triangles for index in (*triangle, -1)]
+    faces.coordIndex.setValues(0, len(indices), indices)
+    body.addChild(faces)
+    return body
