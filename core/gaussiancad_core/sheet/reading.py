@@ -32,7 +32,7 @@ from gaussiancad_core.sheet.shared_axes import share_axes
 from gaussiancad_core.sheet.special_views.cut_views import cut_region, with_hidden_inside
 from gaussiancad_core.sheet.special_views.finding import LayoutRequest, find_named_layout
 from gaussiancad_core.sheet.special_views.symbol import find_symbol
-from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_rhythm
+from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_pens, view_rhythm
 from gaussiancad_core.sheet.through_holes import Extent, ViewEvidence, is_through
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet, vector_views
 from gaussiancad_core.views import Linetype, Stroke, ViewSet
@@ -193,6 +193,7 @@ def read_views(
             shapes[role] = find_shapes(sheet, box, finder)
         progress(index / (len(layout.boxes) + 1))
     rhythm = view_rhythm(list(shapes.values()), sheet.stroke_width)
+    pens = view_pens(list(shapes.values()), rhythm)
     largest = max(max(x1 - x0, y1 - y0) for x0, y0, x1, y1 in layout.boxes.values())
     supersampling = supersampling_for(largest)
     drawn = []
@@ -200,7 +201,7 @@ def read_views(
         strokes, source = (
             exact[role]
             if role in exact
-            else (classify_strokes(shapes[role], rhythm), StrokesSource.RASTER)
+            else (classify_strokes(shapes[role], rhythm, pens), StrokesSource.RASTER)
         )
         outline = find_outline(sheet, box, supersampling)
         if outline is None:

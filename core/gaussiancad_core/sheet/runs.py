@@ -34,6 +34,10 @@ _LONGEST_BRIDGE, _BRIDGE_INK = 3.5, 0.35
 """Dashes with their gaps that others may cover in a row, and the share of ink that is there."""
 
 
+_BY_WIDTH = 0.8
+"""Confidence of a linetype that the width of a short run tells."""
+
+
 @dataclass(frozen=True)
 class Run:
     """An unbroken piece of ink along a shape, from ``start`` to ``end`` in px of arc length."""
@@ -215,6 +219,7 @@ def classify(
     rhythm: Rhythm,
     touches: Sequence[tuple[bool, bool]],
     around: float = float("inf"),
+    told: Sequence[Linetype | None] = (),
 ) -> list[Piece]:
     """Visible and hidden pieces of a shape.
 
@@ -223,6 +228,7 @@ def classify(
         rhythm: of the sheet.
         touches: for each run whether its start and its end lie on another stroke.
         around: px, of a shape that closes on itself.
+        told: for each run what its width tells; runs longer than dashes are visible all the same.
     """
     longest_dash = 1.75 * rhythm.dash
     widest_gap = _widest_gap(rhythm)
@@ -231,7 +237,8 @@ def classify(
 
     def close_group() -> None:
         if group:
-            pieces.append(_short_piece(runs, group, rhythm, touches))
+            seen = told[group[0]] if told and len(group) == 1 else None
+            pieces.append(_short_piece(runs, group, rhythm, all(touches[group[0]]), seen))
             group.clear()
 
     for index, run in enumerate(runs):
@@ -240,11 +247,24 @@ def classify(
             sure = min(1.0, 0.5 + (run.length / longest_dash - 1.0))
             pieces.append(Piece(run.start, run.end, Linetype.VISIBLE, sure))
             continue
+        if told and told[index] is Linetype.VISIBLE and _is_cut(runs, index):
+            close_group()
+            pieces.append(Piece(run.start, run.end, Linetype.VISIBLE, _BY_WIDTH))
+            continue
         if group and run.start - runs[group[-1]].end > widest_gap:
             close_group()
         group.append(index)
     close_group()
     return _extend_hidden(pieces, 1.8 * rhythm.gap + 1.0, around)
+
+
+def _is_cut(runs: list[Run], index: int) -> bool:
+    """Whether a run's ink goes on in a run beside it, where the pen changes.
+
+    Wide dashes with gaps between them are two hidden lines beside each other.
+    """
+    before = index > 0 and runs[index].start - runs[index - 1].end < STEP
+    return before or (index + 1 < len(runs) and runs[index + 1].start - runs[index].end < STEP)
 
 
 def _widest_gap(rhythm: Rhythm) -> float:
@@ -296,13 +316,14 @@ def _is_bridged(
 
 
 def _short_piece(
-    runs: list[Run], group: list[int], rhythm: Rhythm, touches: Sequence[tuple[bool, bool]]
+    runs: list[Run], group: list[int], rhythm: Rhythm, bounded: bool, told: Linetype | None
 ) -> Piece:
     start, end = runs[group[0]].start, runs[group[-1]].end
     if len(group) >= 2:
         sure = min(1.0, 0.6 + 0.15 * (len(group) - 1))
         return Piece(start, end, Linetype.HIDDEN, sure)
-    bounded = all(touches[group[0]])
+    if told is not None:
+        return Piece(start, end, told, _BY_WIDTH)
     if not bounded:
         return Piece(start, end, Linetype.HIDDEN, 0.5)
     # A hidden line no longer than a dash is drawn as one dash: told apart only by the odds.

@@ -23,6 +23,7 @@ from gaussiancad_core.sheet.junctions import (
     ended_at_junctions,
     is_full_circle,
 )
+from gaussiancad_core.sheet.line_widths import Pens, learn_pens, run_width, told_by_width
 from gaussiancad_core.sheet.options import Finder
 from gaussiancad_core.sheet.ridges import ridge_points
 from gaussiancad_core.sheet.runs import (
@@ -168,22 +169,45 @@ def view_rhythm(views: list[ViewShapes], stroke_width: float) -> Rhythm:
     return learn_rhythm(series, stroke_width)
 
 
-def classify_strokes(view: ViewShapes, rhythm: Rhythm) -> tuple[Stroke, ...]:
-    """Visible and hidden strokes of a view in px of the sheet (y down, pixel centres at .5)."""
+def view_pens(views: list[ViewShapes], rhythm: Rhythm) -> Pens:
+    """What the widths of a sheet's lines tell of their linetypes, learnt from all its views."""
+    runs = [
+        (run, run_width(view.sheet, shape.geometry, run))
+        for view in views
+        for shape in view.shapes
+        for run in shape.runs
+    ]
+    return learn_pens(runs, rhythm)
+
+
+def classify_strokes(
+    view: ViewShapes, rhythm: Rhythm, pens: Pens | None = None
+) -> tuple[Stroke, ...]:
+    """Visible and hidden strokes of a view in px of the sheet (y down, pixel centres at .5).
+
+    Args:
+        view: its shapes.
+        rhythm: of the sheet's dashes.
+        pens: what widths tell; nothing if left out.
+    """
     explained = np.zeros(view.sheet.ink.shape, np.uint8)
     pieces: list[Placed] = []
     order = sorted(view.shapes, key=lambda shape: -shape.support)
     # Along the flat sides of ellipses run lines that are none.
     joins = not any(isinstance(shape.geometry, WholeEllipse) for shape in order)
     for shape in order:
+        runs = [(run, None) for run in shape.runs]
+        if pens is not None and pens.told:
+            runs = told_by_width(view.sheet, shape.geometry, shape.runs, pens)
         fresh = [
-            run
-            for run in shape.runs
+            (run, kind)
+            for run, kind in runs
             if _is_new(shape.geometry, run, explained)
             or (joins and _joins_arcs(shape.geometry, run, explained))
         ]
-        touches = [_touches(view.field, shape.geometry, run) for run in fresh]
-        found = classify(fresh, rhythm, touches, shape.geometry.around)
+        touches = [_touches(view.field, shape.geometry, run) for run, _ in fresh]
+        told = [kind for _, kind in fresh]
+        found = classify([run for run, _ in fresh], rhythm, touches, shape.geometry.around, told)
         if not isinstance(shape.geometry, Line):
             found = [piece for piece in found if _is_curved(shape.geometry, piece, view.sheet)]
             found = bridged(view.field, shape.geometry, found, rhythm)

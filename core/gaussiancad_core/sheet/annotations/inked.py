@@ -11,9 +11,9 @@ from gaussiancad_core.sheet.annotations.dots import with_dots
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.growth import Grown
+from gaussiancad_core.sheet.line_widths import run_width, widths_along
 from gaussiancad_core.sheet.ridges import RidgePoints
 from gaussiancad_core.sheet.runs import InkField, Run, circle_runs, line_runs
-from gaussiancad_core.sheet.shapes import sample
 
 _BEYOND = 3.0
 """px by which a shape is looked at beyond its last ridge point."""
@@ -23,12 +23,6 @@ _STEADY = 6
 
 _EDGE = 10.0
 """Length from which a wide stretch is an edge and no arrowhead, in widths of a line."""
-
-_CLEAR = 0.2
-"""Ink across a stroke under which the stroke has ended."""
-
-_DIP = 0.8
-"""Ink on the centre line, as a share of the most across it, under which there are two lines."""
 
 
 @dataclass(frozen=True)
@@ -68,8 +62,13 @@ def inked_shape(
     else:
         runs = circle_runs(field, geometry)
     runs = with_dots(sheet.weight, sheet.stroke_width, geometry, runs)
+    widths = [run_width(sheet, geometry, run) for run in runs]
     return InkedShape(
-        geometry, tuple(InkedRun(run, _run_width(sheet, geometry, run)) for run in runs)
+        geometry,
+        tuple(
+            InkedRun(run, width if np.isfinite(width) else None)
+            for run, width in zip(runs, widths, strict=True)
+        ),
     )
 
 
@@ -97,7 +96,7 @@ def split_by_width(sheet: CleanSheet, shape: InkedShape, limit: float) -> InkedS
     extension line goes on as an edge."""
     runs: list[InkedRun] = []
     for run in shape.runs:
-        widths = _widths(sheet, shape.geometry, run.run)
+        widths = widths_along(sheet, shape.geometry, run.run)
         known = np.flatnonzero(np.isfinite(widths))
         if len(known) < 2:
             runs.append(run)
@@ -129,35 +128,3 @@ def _without_short(narrow: npt.NDArray[np.bool_], shortest: float) -> npt.NDArra
         if not narrow[start] and end - start < shortest:
             result[start:end] = True
     return result
-
-
-def _run_width(sheet: CleanSheet, geometry: Line | Circle, run: Run) -> float | None:
-    """The median width of a run's ink where no other stroke is beside it."""
-    widths = _widths(sheet, geometry, run)
-    known = np.isfinite(widths)
-    return float(np.median(widths[known])) if known.any() else None
-
-
-def _widths(sheet: CleanSheet, geometry: Line | Circle, run: Run) -> npt.NDArray[np.float64]:
-    """(n,) px of ink across a run, about every px; NaN where it merges with other strokes."""
-    reach = 1.25 * sheet.stroke_width + 2.5
-    half = int(np.ceil(reach * 2))
-    offsets = np.arange(-half, half + 1) * 0.5
-    points = points_along(geometry, run, 1.0)
-    normals = normals_along(geometry, run, 1.0)
-    profile = sample(
-        sheet.weight,
-        points[:, :1] + normals[:, :1] * offsets,
-        points[:, 1:] + normals[:, 1:] * offsets,
-    )
-    inked = profile > _CLEAR
-    # The ink that hangs together with the centre: outwards until the first blank.
-    after = np.cumprod(inked[:, half:], axis=1).astype(bool)
-    before = np.cumprod(inked[:, half::-1], axis=1).astype(bool)[:, ::-1]
-    own = np.concatenate([before[:, :-1], after], axis=1)
-    merged = own[:, 0] | own[:, -1]
-    # Between two lines that touch, the centre is paler than both.
-    highest = np.where(own, profile, 0.0).max(1)
-    double = profile[:, half] < _DIP * highest
-    width = np.where(own, profile, 0.0).sum(1) * 0.5
-    return np.where(merged | double | ~inked[:, half], np.nan, width)

@@ -15,6 +15,10 @@ _TALLEST = 0.04
 _EXPLAINED = 0.5
 """Share of a piece's ridge points from which shapes explain it: a dash, a small circle."""
 
+_PARTLY = 0.3
+"""Share of its ink from which a lone piece may be the corner of two dashed lines, of which one is
+too short to be known as dashed."""
+
 _SPACING = 0.9
 """Gap between the letters of a word at most, in heights of a letter."""
 
@@ -63,7 +67,8 @@ def find_letters(ink: Mask, explained: Mask, stroke_width: float) -> Letters:
     if not len(glyphs):
         return Letters(np.zeros_like(ink), ())
     words = _words(stats, glyphs, np.flatnonzero(small & ~seeds))
-    words = _not_of_the_part(words, labels, stats)
+    corners = set(glyphs[told[glyphs] > _PARTLY].tolist())
+    words = _not_of_the_part(words, labels, stats, (set(glyphs.tolist()), corners))
     chosen = np.zeros(count, dtype=bool)
     marks = []
     for word in words:
@@ -80,11 +85,20 @@ def _breadth(labels: npt.NDArray[np.int32], stats: npt.NDArray[np.int32], label:
 
 
 def _not_of_the_part(
-    words: list[list[int]], labels: npt.NDArray[np.int32], stats: npt.NDArray[np.int32]
+    words: list[list[int]],
+    labels: npt.NDArray[np.int32],
+    stats: npt.NDArray[np.int32],
+    pieces: tuple[set[int], set[int]],
 ) -> list[list[int]]:
-    """The words without what may be a small slot or pocket: a lone piece inside a view.
+    """The words without what may be a small slot or pocket: a lone piece inside a view, or the
+    corner of dashed lines with the dashes beside it.
 
     Where nothing is written beside the views, nothing is written in them.
+
+    Args:
+        words: numbers of pieces.
+        labels, stats: of all pieces.
+        pieces: those that are letters by themselves, and which of them may be corners.
     """
     _, areas, facts, _ = cv2.connectedComponentsWithStats(
         (labels == 0).astype(np.uint8), connectivity=4
@@ -93,7 +107,17 @@ def _not_of_the_part(
     beside = [_is_in(areas, labels, stats, word, outside) for word in words]
     if not any(beside):
         return []
-    return [word for word, out in zip(words, beside, strict=True) if out or len(word) > 1]
+    return [
+        word
+        for word, out in zip(words, beside, strict=True)
+        if out or (len(word) > 1 and not _is_corner(word, *pieces))
+    ]
+
+
+def _is_corner(word: list[int], glyphs: set[int], corners: set[int]) -> bool:
+    """Whether the only letter of a word may be the corner of dashed lines."""
+    letters = [piece for piece in word if piece in glyphs]
+    return len(letters) == 1 and letters[0] in corners
 
 
 def _is_in(

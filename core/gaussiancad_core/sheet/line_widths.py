@@ -1,0 +1,163 @@
+"""How wide the ink of a run is, and what that says of its linetype.
+
+Where a sheet's hidden lines are narrower than its visible ones (ISO 128-2), the pen tells pieces
+apart that are too short for dashes to show, and the place where a visible line goes on hidden.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+import numpy.typing as npt
+from scipy.ndimage import median_filter
+
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.geometry import Geometry
+from gaussiancad_core.sheet.runs import Rhythm, Run
+from gaussiancad_core.sheet.shapes import sample
+from gaussiancad_core.views import Linetype
+
+Floats = npt.NDArray[np.float64]
+
+_CLEAR = 0.2
+"""Ink across a stroke under which the stroke has ended."""
+
+_DIP = 0.8
+"""Ink on the centre line, as a share of the most across it, under which there are two lines."""
+
+_SOLID = 3.0
+"""Length from which a run is a visible line's, in dashes."""
+
+_LIKE_A_DASH = 0.3
+"""Share by which a dash may be longer or shorter than the sheet's."""
+
+_LEAST_RUNS, _LEAST_DASHES = 3, 6
+"""Visible runs and dashes from which their widths are known."""
+
+_NARROWER = 0.78
+"""Width of dashes at most, in those of visible lines, for the pen to tell them."""
+
+_OUTLIERS = 10.0
+"""Per cent of either kind that may be as wide as the other."""
+
+_HIDDEN_UP_TO, _VISIBLE_FROM = 0.3, 0.7
+"""Shares of the difference of both widths; what lies between tells nothing."""
+
+_STEADY = 3
+"""px on either side over which a width is made steady."""
+
+_SHORTEST = 6.0
+"""px of a stretch that is told by its width at least."""
+
+
+@dataclass(frozen=True)
+class Pens:
+    """What widths tell.
+
+    Attributes:
+        hidden: px up to which a run is hidden; 0 where nothing is told.
+        visible: px from which it is visible.
+    """
+
+    hidden: float = 0.0
+    visible: float = float("inf")
+
+    @property
+    def told(self) -> bool:
+        """Whether the sheet's pens differ."""
+        return self.hidden > 0.0
+
+    def kind(self, width: float) -> Linetype | None:
+        """The linetype of ink of a width in px; nothing where it may be either's."""
+        if width <= self.hidden:
+            return Linetype.HIDDEN
+        return Linetype.VISIBLE if width >= self.visible else None
+
+
+def learn_pens(runs: Sequence[tuple[Run, float]], rhythm: Rhythm) -> Pens:
+    """The pens of a sheet from its long runs and its dashes.
+
+    Args:
+        runs: of all views, each with the width of its ink in px; NaN where it is not known.
+        rhythm: of the sheet.
+    """
+    known = [(run.length, width) for run, width in runs if np.isfinite(width)]
+    solid = np.array([width for length, width in known if length > _SOLID * rhythm.dash])
+    dashes = np.array([w for length, w in known if abs(length / rhythm.dash - 1.0) < _LIKE_A_DASH])
+    if len(solid) < _LEAST_RUNS or len(dashes) < _LEAST_DASHES:
+        return Pens()
+    wide, narrow = float(np.median(solid)), float(np.median(dashes))
+    pens = Pens(narrow + _HIDDEN_UP_TO * (wide - narrow), narrow + _VISIBLE_FROM * (wide - narrow))
+    middle = 0.5 * (wide + narrow)
+    apart = np.percentile(solid, _OUTLIERS) > middle > np.percentile(dashes, 100.0 - _OUTLIERS)
+    return pens if apart and narrow < _NARROWER * wide else Pens()
+
+
+def run_width(sheet: CleanSheet, geometry: Geometry, run: Run) -> float:
+    """px, the median width of a run's ink where no other stroke is beside it; else NaN."""
+    widths = widths_along(sheet, geometry, run)
+    known = np.isfinite(widths)
+    return float(np.median(widths[known])) if known.any() else float("nan")
+
+
+def told_by_width(
+    sheet: CleanSheet, geometry: Geometry, runs: Sequence[Run], pens: Pens
+) -> list[tuple[Run, Linetype | None]]:
+    """The runs of a shape, cut where the pen changes, with what their widths tell."""
+    found: list[tuple[Run, Linetype | None]] = []
+    for run in runs:
+        widths = widths_along(sheet, geometry, run)
+        for first, last in _stretches(widths, 0.5 * (pens.hidden + pens.visible)):
+            step = run.length / (len(widths) - 1)
+            own = widths[first : last + 1]
+            own = own[np.isfinite(own)]
+            width = float(np.median(own)) if len(own) * step >= 0.5 * _SHORTEST else float("nan")
+            start = run.start if first == 0 else run.start + (first - 0.5) * step
+            end = run.end if last == len(widths) - 1 else run.start + (last + 0.5) * step
+            found.append((Run(start, end), pens.kind(width)))
+    return found
+
+
+def _stretches(widths: Floats, limit: float) -> list[tuple[int, int]]:
+    """First and last place of each stretch that is wider or narrower than a limit all along."""
+    known = np.flatnonzero(np.isfinite(widths))
+    last = len(widths) - 1
+    if len(known) < _SHORTEST or last < 2 * _SHORTEST:
+        return [(0, last)]
+    filled = np.interp(np.arange(len(widths)), known, widths[known])
+    narrow = median_filter(filled, 2 * _STEADY + 1, mode="nearest") < limit
+    borders = [0, *(np.flatnonzero(np.diff(narrow)) + 1).tolist(), last + 1]
+    # Stretches too short to be told are a part of what is beside them.
+    kept = [0]
+    for start, end in pairwise(borders):
+        if end - start >= _SHORTEST and narrow[start] != narrow[kept[-1]] and start > 0:
+            kept.append(start)
+        elif start == 0 and end - start < _SHORTEST and len(borders) > 2:
+            narrow[: borders[1]] = narrow[borders[1]]
+    return [(start, end - 1) for start, end in pairwise([*kept, last + 1])]
+
+
+def widths_along(sheet: CleanSheet, geometry: Geometry, run: Run) -> Floats:
+    """(n,) px of ink across a run, about every px; NaN where it merges with other strokes."""
+    reach = 1.25 * sheet.stroke_width + 2.5
+    half = int(np.ceil(reach * 2))
+    offsets = np.arange(-half, half + 1) * 0.5
+    along = np.linspace(run.start, run.end, max(2, int(np.ceil(run.length)) + 1))
+    points, tangents = geometry.points_at(along), geometry.tangents_at(along)
+    profile = sample(
+        sheet.weight,
+        points[:, :1] - tangents[:, 1:] * offsets,
+        points[:, 1:] + tangents[:, :1] * offsets,
+    )
+    inked = profile > _CLEAR
+    # The ink that hangs together with the centre: outwards until the first blank.
+    after = np.cumprod(inked[:, half:], axis=1).astype(bool)
+    before = np.cumprod(inked[:, half::-1], axis=1).astype(bool)[:, ::-1]
+    own = np.concatenate([before[:, :-1], after], axis=1)
+    merged = own[:, 0] | own[:, -1]
+    # Between two lines that touch, the centre is paler than both.
+    highest = np.where(own, profile, 0.0).max(1)
+    double = profile[:, half] < _DIP * highest
+    width = np.where(own, profile, 0.0).sum(1) * 0.5
+    return np.where(merged | double | ~inked[:, half], np.nan, width)
