@@ -4,71 +4,47 @@ Each view's outline, with the through holes that hidden lines show (they are ope
 swept over the whole depth; what all sweeps have in common is the solid (Shum et al. 2001, the first
 of their two stages).  It is a valid solid with planes and cylinders, but pockets, blind holes and
 whatever no outline shows are filled.
-
-An outline runs along the drawn lines where they close around what the mask covers; where they do
-not, it is the mask's contour as a polygon.
 """
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from itertools import pairwise, product
-
 import numpy as np
-import numpy.typing as npt
+from OCP.BOPAlgo import BOPAlgo_Builder
+from OCP.BOPTools import BOPTools_AlgoTools3D
+from OCP.BRep import BRep_Builder
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
+from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge, BRepBuilderAPI_MakeFace
+from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism
+from OCP.collections import List_TopoDS_Shape
+from OCP.gp import gp_Ax2, gp_Ax3, gp_Circ, gp_Dir, gp_Pln, gp_Pnt, gp_Pnt2d, gp_Vec
+from OCP.IntTools import IntTools_Context
+from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.Standard import Standard_Failure
-from OCP.TopoDS import TopoDS_Shape
+from OCP.TopAbs import TopAbs_ShapeEnum
+from OCP.TopoDS import TopoDS_Compound, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
 from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.drawing.brep import soundness
-from gaussiancad_core.outlines import PlaneField, padded_mask, plane_field, signed_distance
-from gaussiancad_core.reasoning.arrangement import OUTSIDE, Arrangement
-from gaussiancad_core.reasoning.columns import Cell, Space
-from gaussiancad_core.reasoning.curves import TURN, CircleCurve, PlaneCurve, Point, line_through
+from gaussiancad_core.drawing.brep import faces_of, soundness, subshapes, volume
+from gaussiancad_core.drawing.rays import SightLines
+from gaussiancad_core.reasoning.curves import CircleCurve, PlaneCurve
 from gaussiancad_core.reasoning.drawn_views import views_as_read
-from gaussiancad_core.reasoning.planes import IN_PLANE, UNITS, role_plane
-from gaussiancad_core.reasoning.rules import BESIDE
-from gaussiancad_core.reasoning.supports import (
-    PartSupports,
-    Span,
-    Support,
-    find_supports,
-    merged_stretches,
-)
-from gaussiancad_core.solid.build import build_solid
-from gaussiancad_core.solid.labelled import LabelledSpace
-from gaussiancad_core.views import Linetype, View, ViewSet
+from gaussiancad_core.reasoning.planes import IN_PLANE, UNITS, lifted, role_plane
+from gaussiancad_core.reasoning.supports import PartSupports, find_supports
+from gaussiancad_core.solid.outline import Outline, outline_of, pieces_of, plane_grid
+from gaussiancad_core.views import ViewSet
 
-_SAMPLES = 120
-"""Points along the longest side of a plane at which outlines and masks are compared."""
+_FUZZY = 2e-5
+"""Gap between an outline's ends that is closed, as a share of the longest extent."""
+
+_FUZZY_COMMON = (0.0, 1e-6, 1e-5, 1e-4)
+"""The same for faces of different sweeps; tried in turn until a sound solid comes out."""
+
+_BEYOND = 0.1
+"""By how much a plane reaches beyond the box, as a share of the longest extent."""
 
 _LOOKS = 40
-"""The same for looking whether the outlines are filled."""
+"""Lines of sight along the longest side of a plane that look whether the outline is filled."""
 
 _FILLED = 0.99
 """Share of an outline that must be filled: views of which less is left contradict each other."""
-
-_CLEAR_PX = 2.0
-"""px from a mask's outline from which a point is inside or outside for certain."""
-
-_AGREEING = 0.998
-"""Share of those points on which lines must agree with a mask for them to be its outline."""
-
-_CONTOUR_PX = 0.75
-"""px by which a polygon may miss a mask's contour."""
-
-_MOST_SIDES = 80
-"""Sides of all polygons of a plane; more are made coarser."""
-
-_SNAP_PX = 1.5
-"""px within which a polygon's corner has the coordinate of a line."""
-
-_SHORT = 1e-3
-"""Units; corners that are closer are one."""
-
-_ON_CURVE = 1e-4
-"""Units within which a corner is on a curve."""
-
-Points = npt.NDArray[np.float64]
 
 
 def swept_solid(views: ViewSet, tolerance: float) -> TopoDS_Shape | None:
@@ -83,211 +59,131 @@ def swept_solid(views: ViewSet, tolerance: float) -> TopoDS_Shape | None:
         solid in common.
     """
     supports = find_supports(views_as_read(views, tolerance))
-    outlines = {axis: _outline(axis, supports, views) for axis in Axis}
-    space = Space({axis: outline.arrangement for axis, outline in outlines.items()})
-    cells: Iterator[Cell] = (
-        (x, y, z, 0) for x, y, z in product(*(outlines[axis].material for axis in Axis))
-    )
-    labelled = LabelledSpace(space, dict.fromkeys(cells, True))
-    if not all(_fills(labelled, axis, outlines[axis], supports) for axis in Axis):
-        return None
+    outlines = {axis: outline_of(axis, supports, views) for axis in Axis}
     try:
-        shape = build_solid(labelled, supports.scale).shape
-    except Standard_Failure:
+        sweeps = [_sweep(axis, outlines[axis], supports) for axis in Axis]
+    except (Standard_Failure, RuntimeError):
         return None
-    if shape is None:
-        return None
-    facts = soundness(shape)
-    return shape if facts.valid and facts.closed and facts.solids == 1 else None
+    for fuzzy in _FUZZY_COMMON:
+        solid = _largest_common(sweeps, fuzzy * max(views.size))
+        if solid is None or not _is_sound(solid):
+            continue
+        if all(_fills(solid, axis, outlines[axis], supports) for axis in Axis):
+            return solid
+    return None
 
 
-def _fills(
-    labelled: LabelledSpace, axis: Axis, outline: "_Outline", supports: PartSupports
-) -> bool:
+def _largest_common(sweeps: list[TopoDS_Shape], fuzzy: float) -> TopoDS_Shape | None:
+    """The largest solid that all sweeps have in common; faces closer than ``fuzzy`` mm are one."""
+    common = sweeps[0]
+    try:
+        for sweep in sweeps[1:]:
+            operation = BRepAlgoAPI_Common()
+            operation.SetArguments(_listed(common))
+            operation.SetTools(_listed(sweep))
+            operation.SetFuzzyValue(fuzzy)
+            operation.Build()
+            common = operation.Shape()
+        solids = subshapes(common, TopAbs_ShapeEnum.TopAbs_SOLID)
+        return _simplified(max(solids, key=volume)) if solids else None
+    except (Standard_Failure, RuntimeError):
+        return None
+
+
+def _listed(shape: TopoDS_Shape) -> List_TopoDS_Shape:
+    shapes = List_TopoDS_Shape()
+    shapes.Append(shape)
+    return shapes
+
+
+def _is_sound(solid: TopoDS_Shape) -> bool:
+    facts = soundness(solid)
+    return facts.valid and facts.closed and facts.solids == 1
+
+
+def _sweep(axis: Axis, outline: Outline, supports: PartSupports) -> TopoDS_Shape:
+    """Solids in mm over what an outline encloses, over the whole depth of the box."""
+    builder, compound = BRep_Builder(), TopoDS_Compound()
+    builder.MakeCompound(compound)
+    along = gp_Vec(*lifted(axis, 0.0, 0.0, supports.size[axis.value] / supports.scale))
+    for face in _faces(axis, outline, supports):
+        builder.Add(compound, BRepPrimAPI_MakePrism(face, along).Shape())
+    return compound
+
+
+def _faces(axis: Axis, outline: Outline, supports: PartSupports) -> list[TopoDS_Face]:
+    """The covered parts of a plane at depth 0, which the outline's lines divide."""
+    scale = supports.scale
+    longest = UNITS / scale
+    first, second = (supports.size[index] / scale for index in IN_PLANE[axis])
+    beyond = _BEYOND * longest
+    normal, right = _directions(axis)
+    plane = gp_Pln(gp_Ax3(gp_Pnt(0.0, 0.0, 0.0), normal, right))
+    # The plane's second axis runs against the model's where that makes it right-handed.
+    ends = (-beyond, second + beyond) if axis is not Axis.Y else (-second - beyond, beyond)
+    whole = BRepBuilderAPI_MakeFace(plane, -beyond, first + beyond, *ends).Face()
+    fuse = BOPAlgo_Builder()
+    fuse.AddArgument(whole)
+    for index, low, high in pieces_of(outline.arrangement):
+        curve = outline.arrangement.supports[index].curve
+        fuse.AddArgument(_edge(axis, curve, (low, high), scale))
+    fuse.SetRunParallel(False)
+    fuse.SetFuzzyValue(_FUZZY * longest)
+    fuse.Perform()
+    context = IntTools_Context()
+    found = []
+    for face in faces_of(fuse.Shape()):
+        point, parameters = gp_Pnt(), gp_Pnt2d()
+        if BOPTools_AlgoTools3D.PointInFace_s(face, point, parameters, context) != 0:
+            continue
+        place = (point.X(), point.Y(), point.Z())
+        a, b = (place[index] * scale for index in IN_PLANE[axis])
+        if outline.arrangement.locate(a, b) in outline.material:
+            found.append(face)
+    return found
+
+
+def _directions(axis: Axis) -> tuple[gp_Dir, gp_Dir]:
+    """A plane's normal, first axis times second, and its first axis."""
+    first, second = (np.eye(3)[index] for index in IN_PLANE[axis])
+    normal = np.cross(first, second) if axis is not Axis.Y else np.eye(3)[1]
+    return gp_Dir(*map(float, normal)), gp_Dir(*map(float, first))
+
+
+def _edge(axis: Axis, curve: PlaneCurve, ends: tuple[float, float], scale: float) -> TopoDS_Edge:
+    """A piece of a curve at depth 0, mm."""
+    if isinstance(curve, CircleCurve):
+        first, second = (np.eye(3)[index] for index in IN_PLANE[axis])
+        centre = gp_Pnt(*lifted(axis, curve.centre[0] / scale, curve.centre[1] / scale, 0.0))
+        # About first times second, so that angles run from the first axis to the second.
+        normal = gp_Dir(*map(float, np.cross(first, second)))
+        frame = gp_Ax2(centre, normal, gp_Dir(*map(float, first)))
+        circle = gp_Circ(frame, curve.radius / scale)
+        return BRepBuilderAPI_MakeEdge(circle, *ends).Edge()
+    points = ((a / scale, b / scale) for a, b in (curve.at(end) for end in ends))
+    return BRepBuilderAPI_MakeEdge(*(gp_Pnt(*lifted(axis, a, b, 0.0)) for a, b in points)).Edge()
+
+
+def _simplified(solid: TopoDS_Shape) -> TopoDS_Shape:
+    """The solid with as few faces as it can have, if that leaves it valid."""
+    unify = ShapeUpgrade_UnifySameDomain(solid, True, True, False)
+    unify.Build()
+    solids = subshapes(unify.Shape(), TopAbs_ShapeEnum.TopAbs_SOLID)
+    return solids[0] if len(solids) == 1 and soundness(solids[0]).valid else solid
+
+
+def _fills(solid: TopoDS_Shape, axis: Axis, outline: Outline, supports: PartSupports) -> bool:
     """Whether there is material behind nearly all of an outline."""
     first, second = (supports.size[index] for index in IN_PLANE[axis])
     covered = [
-        bool(labelled.stretches(axis, float(a), float(b)))
-        for a, b in _grid(first, second, UNITS / _LOOKS)
+        (a, b)
+        for a, b in plane_grid(first, second, UNITS / _LOOKS)
         if outline.arrangement.locate(float(a), float(b)) in outline.material
     ]
-    return bool(covered) and float(np.mean(covered)) >= _FILLED
-
-
-@dataclass(frozen=True)
-class _Outline:
-    """The outline of a plane.
-
-    Attributes:
-        arrangement: of its lines alone.
-        material: the regions that the part covers, ascending.
-    """
-
-    arrangement: Arrangement
-    material: tuple[int, ...]
-
-
-class _Shadow:
-    """Where the part covers a projection plane, by the masks of all of its views.
-
-    Args:
-        own: the views that look along the plane's normal.
-        size: (3,) of the box in mm.
-        scale: units per mm.
-    """
-
-    def __init__(self, own: Sequence[View], size: tuple[float, float, float], scale: float) -> None:
-        self._fields: list[tuple[PlaneField, Points]] = []
-        for view in own:
-            mask = padded_mask(view, size, True)
-            field = plane_field(signed_distance(mask, view.mm_per_pixel), view)
-            signs = np.array(role_plane(view.role).signs, dtype=np.float64)
-            self._fields.append((field, signs / scale))
-        self.pixel = max(view.mm_per_pixel for view in own) * scale
-        self._scale = scale
-
-    def depths(self, points: Points) -> Points:
-        """(n, 2) units -> (n,) units inside of all outlines; negative outside."""
-        found = [field.at(points * factors) for field, factors in self._fields]
-        return -np.max(found, axis=0).astype(np.float64) * self._scale
-
-
-def _outline(axis: Axis, supports: PartSupports, views: ViewSet) -> _Outline:
-    first, second = (supports.size[index] for index in IN_PLANE[axis])
-    own = [view for view in views.views if role_plane(view.role).normal is axis]
-    if not own:
-        box = [(0.0, 0.0), (first, 0.0), (first, second), (0.0, second)]
-        arrangement = Arrangement(_sides([box]))
-        return _Outline(arrangement, tuple(range(1, arrangement.regions)))
-    shadow = _Shadow(own, views.size, supports.scale)
-    samples = _grid(first, second, UNITS / _SAMPLES)
-    drawn = _bounded(Arrangement(supports.planes[axis].supports), shadow, samples)
-    if _agreement(drawn, shadow, samples) >= _AGREEING:
-        return drawn
-    arrangement = Arrangement(_sides(_contours(axis, supports, shadow)))
-    traced = _Outline(arrangement, _material(arrangement, shadow, samples))
-    better = _agreement(traced, shadow, samples) > _agreement(drawn, shadow, samples)
-    return traced if better else drawn
-
-
-def _grid(first: float, second: float, step: float) -> Points:
-    """(n, 2) points all over a plane, a little askew to what is drawn there."""
-    a, b = (np.arange(0.4137 * step, extent, step) for extent in (first, second))
-    return np.stack(np.meshgrid(a, b, indexing="ij"), axis=-1).reshape(-1, 2)
-
-
-def _bounded(arrangement: Arrangement, shadow: _Shadow, samples: Points) -> _Outline:
-    """The lines alone that lie between what is covered and what is not."""
-    material = set(_material(arrangement, shadow, samples))
-    spans: dict[int, list[tuple[float, float]]] = {}
-    for index, low, high in _pieces(arrangement):
-        curve = arrangement.supports[index].curve
-        at = low + 0.438 * (high - low)
-        (a, b), (da, db) = curve.at(at), curve.normal(at)
-        sides = [arrangement.locate(a + w * da, b + w * db) in material for w in (-BESIDE, BESIDE)]
-        if sides[0] != sides[1]:
-            spans.setdefault(index, []).append((low, high))
-    border = []
-    for index, own in spans.items():
-        support = arrangement.supports[index]
-        role = next(iter(support.spans))
-        merged = merged_stretches(own, 1e-9)
-        drawn = tuple(Span(low, high, Linetype.VISIBLE, 1.0) for low, high in merged)
-        border.append(Support(support.curve, {role: drawn}))
-    bounded = Arrangement(border)
-    return _Outline(bounded, _material(bounded, shadow, samples))
-
-
-def _pieces(arrangement: Arrangement) -> Iterator[tuple[int, float, float]]:
-    """(support, low, high) of what is drawn, cut where anything meets it."""
-    corners = np.array(arrangement.corners).reshape(-1, 2)
-    for index, low, high in arrangement.stretches:
-        curve = arrangement.supports[index].curve
-        cuts = {low, high}
-        for corner in corners[_on(curve, corners)]:
-            at = curve.parameter((float(corner[0]), float(corner[1])))
-            turns = (0.0, TURN, -TURN) if isinstance(curve, CircleCurve) else (0.0,)
-            cuts.update(at + turn for turn in turns if low < at + turn < high)
-        for start, end in pairwise(sorted(cuts)):
-            if (end - start) * curve.speed > _ON_CURVE:
-                yield index, start, end
-
-
-def _on(curve: PlaneCurve, points: Points) -> npt.NDArray[np.bool_]:
-    """(n,) which of (n, 2) points lie on a curve."""
-    if isinstance(curve, CircleCurve):
-        away = np.hypot(*(points - np.array(curve.centre)).T) - curve.radius
-    else:
-        away = (points - np.array(curve.point)) @ np.array(curve.normal(0.0))
-    return np.abs(away) < _ON_CURVE
-
-
-def _material(arrangement: Arrangement, shadow: _Shadow, samples: Points) -> tuple[int, ...]:
-    """The regions that the masks cover, by a vote of points; those deep inside count most."""
-    inner = list(arrangement.inner_points())
-    points = np.concatenate([samples, np.array([point for _, point in inner]).reshape(-1, 2)])
-    regions = [arrangement.locate(float(a), float(b)) for a, b in samples]
-    regions += [region for region, _ in inner]
-    most = 8.0 * shadow.pixel
-    votes = np.clip(shadow.depths(points), -most, most)
-    totals = np.bincount(np.array(regions), weights=votes, minlength=arrangement.regions)
-    return tuple(int(r) for r in np.flatnonzero(totals > 0.0) if r != OUTSIDE)
-
-
-def _agreement(outline: _Outline, shadow: _Shadow, samples: Points) -> float:
-    """Share of the points that are inside or outside of both an outline and the masks."""
-    depths = shadow.depths(samples)
-    clear = np.abs(depths) > _CLEAR_PX * shadow.pixel
-    material = set(outline.material)
-    inside = [outline.arrangement.locate(float(a), float(b)) in material for a, b in samples[clear]]
-    return float(np.mean(np.array(inside) == (depths[clear] > 0.0))) if clear.any() else 0.0
-
-
-def _contours(axis: Axis, supports: PartSupports, shadow: _Shadow) -> list[list[Point]]:
-    """The masks' contours as polygons whose corners have the coordinates of lines near them."""
-    from skimage.measure import approximate_polygon, find_contours
-
-    first, second = IN_PLANE[axis]
-    margin = 4.0 * shadow.pixel
-    a, b = (
-        np.arange(-margin, supports.size[index] + margin, shadow.pixel) for index in (first, second)
-    )
-    points = np.stack(np.meshgrid(a, b, indexing="ij"), axis=-1)
-    field = shadow.depths(points.reshape(-1, 2)).reshape(points.shape[:2])
-    field[[0, -1], :] = field[:, [0, -1]] = -margin
-    found = find_contours(field, 0.0)
-    slack = _CONTOUR_PX
-    while True:
-        polygons = [approximate_polygon(contour, slack) for contour in found]
-        if sum(len(polygon) - 1 for polygon in polygons) <= _MOST_SIDES or slack > 16.0:
-            break
-        slack *= 1.4
-    reach = _SNAP_PX * shadow.pixel
-    values = [(0.0, *supports.values[Axis(i)], supports.size[i]) for i in (first, second)]
-    return [
-        [
-            (_nearest(values[0], p, reach), _nearest(values[1], q, reach))
-            for p, q in polygon[:-1] * shadow.pixel - margin
-        ]
-        for polygon in polygons
-        if len(polygon) > 3
-    ]
-
-
-def _nearest(values: Sequence[float], at: float, reach: float) -> float:
-    """The value that a number is, but for a small distance."""
-    nearest = min(values, key=lambda value: abs(value - at), default=at)
-    return nearest if abs(nearest - at) <= reach else float(at)
-
-
-def _sides(polygons: Sequence[Sequence[Point]]) -> list[Support]:
-    """Polygons as supports, one a side."""
-    found = []
-    for polygon in polygons:
-        for start, end in pairwise([*polygon, polygon[0]]):
-            if np.hypot(end[0] - start[0], end[1] - start[1]) < _SHORT:
-                continue
-            curve = line_through(start, end)
-            low, high = sorted((curve.parameter(start), curve.parameter(end)))
-            found.append(Support(curve, {Role.FRONT: (Span(low, high, Linetype.VISIBLE, 1.0),)}))
-    return found
+    if not covered:
+        return False
+    role = next(role for role in Role if role_plane(role).normal is axis)
+    points = np.array(covered) / supports.scale * np.array(role_plane(role).signs)
+    sight = SightLines(solid, role.frame, 1e-6 * UNITS / supports.scale)
+    filled = [len(column.depth) > 0 for column in sight.columns(points)]
+    return float(np.mean(filled)) >= _FILLED
