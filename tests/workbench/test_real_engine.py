@@ -1,11 +1,13 @@
 """The real engine, from FreeCAD's console; left out where it is not installed."""
 
+import math
 import os
 import tempfile
 import unittest
 from pathlib import Path
 
 import FreeCAD
+import Part
 from support import HARD_NAME, FolderCase
 
 from freecad.gaussiancad.engine.events import Event, EventKind
@@ -96,6 +98,40 @@ class Sample(unittest.TestCase):
         surface = next(o for o in self.group.Group if o.TypeId == "Mesh::Feature")
         self.assertTrue(surface.Mesh.isSolid())
         self.assertAlmostEqual(surface.Mesh.Volume / part.Shape.Volume, 1.0, delta=0.05)
+
+    def test_the_exact_part_is_filleted_cut_and_exported(self) -> None:
+        part = find_part(self.group)
+        self.assertTrue(part.Exact)
+        whole, box = part.Shape, part.Shape.BoundBox
+        number, edge = next(
+            (number, edge)
+            for number, edge in enumerate(whole.Edges, start=1)
+            if all(abs(v.X) + abs(v.Z) < 1e-6 for v in edge.Vertexes)
+        )
+        fillet = self.document.addObject("Part::Fillet", "Fillet")
+        fillet.Base, fillet.Edges = part, [(number, 3.0, 3.0)]
+        tool = self.document.addObject("Part::Box", "Tool")
+        tool.Length, tool.Width, tool.Height = box.XLength / 2, box.YLength, box.ZLength
+        cut = self.document.addObject("Part::Cut", "Cut")
+        cut.Base, cut.Tool = fillet, tool
+        self.document.recompute()
+        rounded, rest = fillet.Shape, cut.Shape
+        self.assertTrue(rounded.isValid() and rest.isValid())
+        removed = (1.0 - math.pi / 4.0) * 3.0**2 * edge.Length
+        self.assertAlmostEqual(whole.Volume - rounded.Volume, removed, delta=1e-6 * whole.Volume)
+        within = rounded.common(tool.Shape).Volume
+        self.assertAlmostEqual(rest.Volume, rounded.Volume - within, delta=1e-6 * whole.Volume)
+        self.assertGreater(min(rest.Volume, within), 0.1 * whole.Volume)
+        for feature in (part, cut):
+            path = self.folder / f"{feature.Name} 图.step"
+            Part.export([feature], str(path))
+            again = Part.Shape()
+            again.read(str(path))
+            self.assertTrue(again.isValid())
+            self.assertEqual(len(again.Faces), len(feature.Shape.Faces))
+            self.assertAlmostEqual(again.Volume / feature.Shape.Volume, 1.0, places=6)
+        for name in ("Cut", "Tool", "Fillet"):
+            self.document.removeObject(name)
 
     def test_the_views_enclose_the_part(self) -> None:
         planes = [o for o in self.group.Group if o.TypeId == "Image::ImagePlane"]

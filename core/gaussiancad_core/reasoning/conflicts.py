@@ -33,6 +33,9 @@ from gaussiancad_core.views import Linetype, Segment
 _ORDERS = 3
 """Orders in which members are tried; the smallest core of all is kept."""
 
+_SMALL = 3
+"""Members of a core that needs no other order."""
+
 _PLACES = 3
 """Decimals of units that tell lines without strokes apart."""
 
@@ -189,6 +192,8 @@ class _Cores:
             found, proved = self._reduced(small, tried)
             if (not proved, len(found)) < (not minimal, len(best)):
                 best, minimal = found, proved
+            if minimal and len(best) <= _SMALL:
+                break
         return best, minimal
 
     def labels_without(self, key: Key) -> Labels | None:

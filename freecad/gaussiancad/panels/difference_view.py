@@ -15,8 +15,8 @@ MORE = (0.90, 0.62, 0.0)
 LESS = (0.80, 0.20, 0.60)
 """Magenta: the colour of material that only the first solution has."""
 
-_CLEAR = 0.5
-"""Transparency of what the shown solution lacks."""
+_CLEAR = 0.4
+"""Transparency of the marks: edges are seen through them."""
 
 _FINE = 0.005
 """Deviation of the marks, as a share of their largest extent."""
@@ -48,12 +48,9 @@ class DifferenceMark:
         offset = coin.SoPolygonOffset()
         offset.factor, offset.units = -2.0, -2.0
         node.addChild(offset)
-        for region, colour, transparency in (
-            (difference.more, MORE, 0.0),
-            (difference.less, LESS, _CLEAR),
-        ):
+        for region, colour in ((difference.more, MORE), (difference.less, LESS)):
             if region.shape is not None:
-                node.addChild(_body(region, colour, transparency))
+                node.addChild(_body(region, colour))
         view.getSceneGraph().addChild(node)
         self._node, self._view = node, view
 
@@ -67,13 +64,13 @@ class DifferenceMark:
             graph.removeChild(node)
 
 
-def _body(region: Region, colour: tuple[float, float, float], transparency: float) -> object:
+def _body(region: Region, colour: tuple[float, float, float]) -> coin.SoSeparator:
     box = region.shape.BoundBox
     points, triangles = region.shape.tessellate(_FINE * max(box.XLength, box.YLength, box.ZLength))
     body = coin.SoSeparator()
     material = coin.SoMaterial()
     material.diffuseColor = colour
-    material.transparency = transparency
+    material.transparency = _CLEAR
     body.addChild(material)
     hints = coin.SoShapeHints()
     hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
