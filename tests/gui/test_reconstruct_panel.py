@@ -53,6 +53,18 @@ class Panel(WindowCase):
         self.document.redo()
         self.assertEqual(len(self.document.Objects), 7)
 
+    def test_a_drawing_that_contradicts_itself_is_told_with_the_place(self) -> None:
+        self.behave("contradicts")
+        self.choose_sheet(self.sheet)
+        self.finish()
+        self.assertEqual(self.boxes(), [])
+        self.assertIn("Approximate", widget(QtWidgets.QLabel, "stage").text())
+        log = widget(QtWidgets.QPlainTextEdit, "log")
+        self.assertIn("a hidden line is missing in the top view", log.toPlainText())
+        self.picture("panel-contradicts")
+        group = self.document.getObject("Reconstruction")
+        self.assertTrue(group.Reasons[0].startswith("lines-contradict: "))
+
     def test_a_drawing_can_be_dropped_on_the_preview(self) -> None:
         preview = widget(QtWidgets.QLabel, "preview")
         self.assertFalse(preview.has_picture)

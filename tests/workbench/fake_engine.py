@@ -20,6 +20,7 @@ import fake_part
 
 BEHAVIOURS = (
     "ok",  # verified solid, surface, Gaussians
+    "contradicts",  # approximate, with a line missing on the sheet
     "surface",  # no exact solid
     "ambiguous",  # approximate, with another solid that fits
     "several",  # approximate, with two other solids that fit, one of them in first angle
@@ -176,6 +177,14 @@ def reconstruct(arguments: list[str]) -> int:
                     "code": "search-unfinished",
                     "message": "the search for solids with these lines was not completed",
                 },
+            ],
+            "contradicts": [
+                {
+                    "code": "lines-contradict",
+                    "message": "the lines, as they were read, contradict each other, and would "
+                    "agree but for one: a hidden line is missing in the top view from (0.0, 18.0) "
+                    "to (14.0, 18.0) mm",
+                }
             ],
             "surface": [{"code": "no-solid", "message": "no exact solid was found"}],
         }.get(behaviour, [])
