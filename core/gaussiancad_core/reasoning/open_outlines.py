@@ -29,8 +29,11 @@ _LINKS = 32
 _MOST_TRIED = 400
 """Gaps that are tried, at most."""
 
-_MOST_CLOSING = 4
+_MOST_CLOSING = 6
 """Lines that would close a gap, at most."""
+
+_SLANTED = 1.5
+"""Times its length that a slanted line counts for."""
 
 _CLOSED = 1.5
 """Reaches of line that may bound nothing in a closed view: where ends miss each other."""
@@ -65,7 +68,7 @@ def _closing(strokes: Sequence[Curve], reach: float) -> tuple[npt.NDArray[np.flo
     ]
     if not lines or _loose(lines, reach) <= _CLOSED * reach:
         return ()
-    candidates = sorted(_candidates(lines, reach), key=lambda ends: _rank(ends, reach))
+    candidates = sorted(_candidates(lines, reach), key=lambda ends: _unlikely(ends, reach))
     closing = (
         ends
         for ends in candidates[:_MOST_TRIED]
@@ -125,10 +128,10 @@ def _across(
             yield met[int(((met - end) @ way).argmin())]
 
 
-def _rank(ends: npt.NDArray[np.float64], reach: float) -> tuple[bool, float]:
-    """Lines along an axis come first, then short ones."""
+def _unlikely(ends: npt.NDArray[np.float64], reach: float) -> float:
+    """Short lines are likely, and lines along an axis more so than slanted ones."""
     span = np.abs(ends[1] - ends[0])
-    return bool(span.min() > reach), float(np.hypot(*span))
+    return float(np.hypot(*span)) * (_SLANTED if span.min() > reach else 1.0)
 
 
 def _apart(points: npt.NDArray[np.float64], reach: float) -> list[npt.NDArray[np.float64]]:

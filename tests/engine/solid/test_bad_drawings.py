@@ -22,7 +22,7 @@ from gaussiancad_core.views import Linetype, Segment
 
 Views = Callable[[str], DrawnViews]
 
-_LIMITS = Limits(Effort(hard=2.0, cores=1.0, soft=1.0), alternatives=2, seconds=10.0)
+_LIMITS = Limits(Effort(hard=2.0), alternatives=2, seconds=10.0)
 
 _NAMES = ("l-bracket", "stepped-block", "wedge-block")
 
