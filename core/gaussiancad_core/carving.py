@@ -19,7 +19,14 @@ from gaussiancad_core.cameras import Camera, CameraModel
 from gaussiancad_core.hull import Relief, visual_hull
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.modes import Status
-from gaussiancad_core.reliefs import CastSolid, confidence, first_surface, relief_of, trusted
+from gaussiancad_core.reliefs import (
+    CastSolid,
+    Depths,
+    confidence,
+    first_surface,
+    relief_of,
+    trusted,
+)
 from gaussiancad_core.verification.agreement import match_lines
 from gaussiancad_core.verification.rays import RayCaster
 from gaussiancad_core.verification.redraw import RedrawSettings, redraw_mesh
@@ -34,8 +41,16 @@ _LEAST_CONFIDENCE = 0.8
 _SLACK_PX = 3.0
 """px by which the solid must lie deeper than the hull for a region to be carved."""
 
+_COARSE_PX = 480
+_MOST_STEP = 3
+"""px of the longest side of a view for a first look, and how many become one at most."""
+
 _SPOT = np.ones((5, 5), np.uint8)
+_COARSE_SPOT = np.ones((2, 2), np.uint8)
 """Pixels that count where hulls and solids differ: narrower strips are the outlines' own noise."""
+
+_LOST_SPOT = np.ones((3, 3), np.uint8)
+"""Coarse pixels that count where an outline is lost; at corners a few always are."""
 
 _PIXELS = 420
 """Longest side in px of the drawings that are compared."""
@@ -45,9 +60,6 @@ _TOLERANCE = 2.5
 
 _WORSE = 0.005
 """Share of the lines by which a carved hull may agree less: the noise of its drawing."""
-
-_Ends = dict[tuple[Role, bool], npt.NDArray[np.float32]]
-"""(h, w) depth in mm of the plain hull's first surface, from the front and from behind of views."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,13 +98,13 @@ def carved_hull(
     parallel = all(camera.model is CameraModel.ORTHOGRAPHIC for camera in cameras)
     if result is None or result.shape is None or not parallel:
         return CarvedHull(plain)
-    ends = _ends_of(plain, views)
-    reliefs, doubted = _reliefs(views, ends, result)
+    coarse = _Coarse(plain, views)
+    reliefs, doubted = _reliefs(coarse, result)
     regions = sum(len(relief.chosen or ()) for relief in reliefs)
     if not regions:
         return CarvedHull(plain, doubted=doubted)
     carved = visual_hull(views, cameras, reliefs)
-    refused = _loses(views, ends, carved)
+    refused = _loses(coarse, carved)
     if not refused and result.status is not Status.VERIFIED:
         refused = _contradicts(views, plain, carved)
     if refused:
@@ -100,23 +112,64 @@ def carved_hull(
     return CarvedHull(carved, result.status, regions, doubted)
 
 
-def _ends_of(plain: TriangleMesh, views: ViewSet) -> _Ends:
-    caster = RayCaster(plain)
-    return {
-        (view.role, behind): first_surface(caster, view, behind, views.size)[0]
-        for view in views.views
-        for behind in (False, True)
-    }
+class _Coarse:
+    """The plain hull, seen through every few pixels of the views.
+
+    Args:
+        plain: watertight, mm.
+        views: of the sheet.
+
+    Attributes:
+        views: as given.
+        step: pixels of a view between two that are seen through.
+    """
+
+    def __init__(self, plain: TriangleMesh, views: ViewSet) -> None:
+        self.views = views
+        largest = max(max(view.mask.shape) for view in views.views)
+        self.step = int(np.clip(largest // _COARSE_PX, 1, _MOST_STEP))
+        self._own = {view.role: self._thinned(view) for view in views.views}
+        caster = RayCaster(plain)
+        self._depths = {
+            (view.role, behind): first_surface(caster, self._own[view.role], behind, views.size)[0]
+            for view in views.views
+            for behind in (False, True)
+        }
+
+    def _thinned(self, view: View) -> View:
+        """The view with few pixels, each as large as ``step`` of its own."""
+        mask = view.mask[:: self.step, :: self.step]
+        return replace(view, mask=mask, mm_per_pixel=view.mm_per_pixel * self.step)
+
+    def view(self, role: Role) -> View:
+        """The coarse view of a role."""
+        return self._own[role]
+
+    def depths(self, role: Role, behind: bool) -> Depths:
+        """(h, w) mm to the plain hull's first surface on the coarse view's pixels."""
+        return self._depths[role, behind]
+
+    def fine_depths(self, role: Role, behind: bool) -> Depths:
+        """The same on the pixels of the view itself, in steps."""
+        height, width = self.views[role].mask.shape
+        found = self.depths(role, behind).repeat(self.step, axis=0).repeat(self.step, axis=1)
+        return found[:height, :width]
 
 
-def _reliefs(views: ViewSet, ends: _Ends, result: "ExactResult") -> tuple[tuple[Relief, ...], int]:
-    """Depths from all sides, with the regions that are worth carving; how many were doubted."""
+def _reliefs(coarse: _Coarse, result: "ExactResult") -> tuple[tuple[Relief, ...], int]:
+    """Depths from all sides that have regions worth carving; how many were doubted."""
+    views = coarse.views
     solids = [CastSolid(shape, views.size) for shape in (result.shape, *result.alternatives)]
     found, doubted = [], 0
     for view in views.views:
         for behind in (False, True):
+            few = coarse.view(view.role)
+            slack = _SLACK_PX * view.mm_per_pixel
+            rough = relief_of(solids, few, behind)
+            if not _filled_regions(rough, coarse.depths(view.role, behind), slack, _COARSE_SPOT):
+                continue
             relief = relief_of(solids, view, behind)
-            worth = _filled_regions(relief, ends[view.role, behind], view)
+            worth = _filled_regions(relief, coarse.fine_depths(view.role, behind), slack, _SPOT)
             if result.status is not Status.VERIFIED and worth:
                 sure = confidence(relief, view, result.verification.matched[view.role])
                 relief = trusted(relief, sure, _LEAST_CONFIDENCE)
@@ -127,26 +180,37 @@ def _reliefs(views: ViewSet, ends: _Ends, result: "ExactResult") -> tuple[tuple[
     return tuple(found), doubted
 
 
-def _filled_regions(relief: Relief, hull: np.ndarray, view: View) -> frozenset[int]:
-    """The regions of a relief that the hull fills; ``hull`` is its (h, w) first surface, mm."""
-    deeper = (relief.depths - hull > _SLACK_PX * view.mm_per_pixel) & (relief.regions > 0)
-    return frozenset(int(number) for number in np.unique(relief.regions[_spots(deeper)]))
+def _filled_regions(
+    relief: Relief, hull: Depths, slack: float, spot: npt.NDArray[np.uint8]
+) -> frozenset[int]:
+    """The regions of a relief that the hull fills by more than ``slack`` mm.
+
+    Args:
+        relief: of the solid.
+        hull: (h, w) mm, the hull's first surface.
+        slack: mm.
+        spot: the smallest group of pixels that counts.
+    """
+    deeper = (relief.depths - hull > slack) & (relief.regions > 0)
+    filled = relief.regions[_spots(deeper, spot)]
+    return frozenset(int(number) for number in np.unique(filled))
 
 
-def _spots(mask: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
+def _spots(mask: npt.NDArray[np.bool_], spot: npt.NDArray[np.uint8]) -> npt.NDArray[np.bool_]:
     """A mask without its narrow strips."""
-    return cv2.morphologyEx(mask.astype(np.uint8), cv2.MORPH_OPEN, _SPOT) > 0
+    return cv2.morphologyEx(mask.astype(np.uint8), cv2.MORPH_OPEN, spot) > 0
 
 
-def _loses(views: ViewSet, ends: _Ends, carved: TriangleMesh) -> str:
+def _loses(coarse: _Coarse, carved: TriangleMesh) -> str:
     """Why a carved hull is no body with the outlines of the plain one; empty if it is."""
     if not carved.watertight:
         return "not-watertight"
     caster = RayCaster(carved)
-    for view in views.views:
-        before = np.isfinite(ends[view.role, False])
-        after = np.isfinite(first_surface(caster, view, False, views.size)[0])
-        if _spots(before & ~after).any():
+    for view in coarse.views.views:
+        few = coarse.view(view.role)
+        before = np.isfinite(coarse.depths(view.role, False))
+        after = np.isfinite(first_surface(caster, few, False, coarse.views.size)[0])
+        if _spots(before & ~after, _LOST_SPOT).any():
             return "outline-lost"
     return ""
 

@@ -7,7 +7,7 @@ can tell from the sheet which is meant.
 Where there is none, what the outlines' sweeps have in common is a solid that is told to be no more.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 from gaussiancad_core.axes import Projection
 from gaussiancad_core.modes import Status
@@ -47,8 +47,12 @@ _SWEPT = (
     "so that pockets, blind holes and whatever else no outline shows are missing",
 )
 
-_BRIEF = Limits(Effort(hard=3.0, cores=2.0, soft=1.0), alternatives=2, seconds=10.0)
-"""Of a search for what carves the hull alone: a few seconds on usual parts."""
+_BRIEF = 0.25
+"""Share of the usual effort for what carves the hull alone: a few seconds on usual parts."""
+
+_BRIEF_ALTERNATIVES = 2
+_BRIEF_SECONDS = 10.0
+"""Solids that are looked at beside the first then, and s after which none is begun."""
 
 _MOST_BRIEF = 300
 """Lines of all views up to which such a search is cheap enough."""
@@ -134,7 +138,13 @@ def find_for_hull(own: Reading, other: Reading | None) -> ExactModel | None:
         What :func:`find_exact` finds with a quarter of the effort; None for sheets of many lines.
     """
     strokes = sum(len(view.strokes) for view in own.registered.views.views)
-    return find_exact(own, other, _BRIEF) if strokes <= _MOST_BRIEF else None
+    if strokes > _MOST_BRIEF:
+        return None
+    usual = Effort()
+    times = [field.name for field in fields(usual) if field.name != "workers"]
+    effort = replace(usual, **{name: _BRIEF * getattr(usual, name) for name in times})
+    limits = Limits(effort, alternatives=_BRIEF_ALTERNATIVES, seconds=_BRIEF_SECONDS)
+    return find_exact(own, other, limits)
 
 
 def with_fallback(model: ExactModel) -> ExactModel:

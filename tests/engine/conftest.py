@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
     from gaussiancad_core.axes import Role
     from gaussiancad_core.reasoning.drawn_views import DrawnViews
+    from gaussiancad_core.views import ViewSet
 
 # No clock decides: a busy machine is no failure.
 settings.register_profile(
@@ -53,3 +54,41 @@ def sample_views(
 ) -> "Callable[[str], DrawnViews]":
     """The exact front, top and right view of the sample part of a name, drawn once."""
     return cache(lambda name: drawn(sample_solid(name)))
+
+
+@pytest.fixture(scope="session")
+def viewed() -> "Callable[..., ViewSet]":
+    """Views of a solid with its exact lines and its own shadows as masks, 0.1 mm a pixel."""
+    import numpy as np
+
+    from gaussiancad_core.axes import Role
+    from gaussiancad_core.drawing.brep import bounding_box, tessellate
+    from gaussiancad_core.drawing.hlr import LineDrawing
+    from gaussiancad_core.meshes import make_mesh
+    from gaussiancad_core.verification.rays import RayCaster, RayGrid
+    from gaussiancad_core.views import View, ViewSet
+
+    pixel = 0.1
+
+    def draw(
+        solid: "TopoDS_Shape",
+        roles: "tuple[Role, ...]" = (Role.FRONT, Role.TOP, Role.RIGHT),
+        *,
+        lines: bool = True,
+    ) -> "ViewSet":
+        mesh = make_mesh(*tessellate(solid, 0.005, 0.05))
+        caster, drawing = RayCaster(mesh), LineDrawing(solid)
+        views = []
+        for role in roles:
+            flat = mesh.vertices @ np.array([role.frame.right, role.frame.up], dtype=float).T
+            low, high = flat.min(axis=0) - 3.3 * pixel, flat.max(axis=0) + 3.0 * pixel
+            grid = RayGrid.of_view(role, (low[0], low[1], high[0], high[1]), pixel)
+            mask = caster.first_hits(grid).triangle >= 0
+            strokes = tuple(drawing.view(role)) if lines else ()
+            colour = np.zeros((*mask.shape, 3), np.uint8)
+            place = (grid.left, grid.top)
+            views.append(View(role, (0, 0, 1, 1), strokes, mask, colour, place, pixel))
+        size = tuple(float(extent) for extent in bounding_box(solid)[1])
+        return ViewSet(tuple(views), size)
+
+    return draw

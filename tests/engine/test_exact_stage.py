@@ -1,6 +1,7 @@
 """The exact solid of a sheet, and what it says about first and third angle."""
 
 import itertools
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -8,7 +9,13 @@ import pytest
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.brep import soundness
-from gaussiancad_core.exact_stage import Reading, find_exact
+from gaussiancad_core.exact_stage import (
+    ExactModel,
+    Reading,
+    find_exact,
+    find_for_hull,
+    with_fallback,
+)
 from gaussiancad_core.modes import Status
 from gaussiancad_core.sheet.reading import RegisteredSheet, StrokesSource
 from gaussiancad_core.solid.same import same_solid
@@ -135,3 +142,55 @@ def test_what_explains_too_little_is_not_kept() -> None:
     assert found.result.status is Status.FAILED and not found.decided
     assert (found.result.shape, found.result.alternatives) == (None, ())
     assert len(found.result.reasons) == 1
+
+
+def _with_masks(reading: Reading) -> Reading:
+    """The same with masks of full rectangles, a tenth of a mm a pixel."""
+    views = tuple(_masked(view) for view in reading.registered.views.views)
+    return replace(reading, registered=replace(reading.registered, views=ViewSet(views, _SIZE)))
+
+
+def _masked(view: View) -> View:
+    pixel = 0.1
+    width, height = (
+        _SIZE[axis.value] for axis, _ in (view.role.frame.right_axis, view.role.frame.up_axis)
+    )
+    mask = np.zeros((round(height / pixel) + 6, round(width / pixel) + 6), bool)
+    mask[3:-3, 3:-3] = True
+    return replace(view, mask=mask, origin=(-0.3, height + 0.3), mm_per_pixel=pixel)
+
+
+def _scribbled() -> Reading:
+    """A block with slants all over its front that no solid has."""
+    strokes = _block()
+    for k in range(10):
+        strokes[Role.FRONT] += _chain((3.0 * k, 0.0), (3.0 * k + 10.0, 20.0))
+    return _with_masks(_reading(strokes, Projection.THIRD))
+
+
+def test_where_no_exact_solid_is_found_the_sweeps_of_the_outlines_are_one() -> None:
+    model = find_exact(_scribbled(), None)
+    found = with_fallback(model)
+    assert found.swept and found.result.status is Status.APPROXIMATE
+    codes = [code for code, _ in found.result.reasons]
+    assert codes == [*(code for code, _ in model.result.reasons), "outlines-swept"]
+    facts = soundness(found.result.shape)
+    assert (facts.valid, facts.closed, facts.solids, facts.faces) == (True, True, 1, 6)
+    assert facts.volume_mm3 == pytest.approx(40 * 30 * 20)
+    agreement = found.result.verification.matched[Role.FRONT].agreement
+    assert agreement.visible_precision == pytest.approx(1.0)
+    assert agreement.visible_recall < 0.5
+
+
+def test_an_exact_solid_needs_no_fallback() -> None:
+    model = find_exact(_with_masks(_both(_block())[0]), None)
+    assert with_fallback(model) is model
+    assert not model.swept
+
+
+def test_sheets_of_many_lines_are_not_searched_for_the_hull() -> None:
+    reading = _scribbled()
+    assert isinstance(find_for_hull(reading, None), ExactModel)
+    many = _block()
+    many[Role.FRONT] += [s for k in range(80) for s in _rectangle(1.0 + 0.3 * k, 1.0 + 0.1 * k)]
+    assert find_for_hull(_reading(many, Projection.THIRD), None) is None

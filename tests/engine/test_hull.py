@@ -1,6 +1,7 @@
 """The hull of drawn solids: volumes, closure, the box, carving."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -206,6 +207,34 @@ def test_a_known_depth_carves_a_blind_pocket() -> None:
     assert hull.volume == pytest.approx(6000.0 - 16.0 * 10.0 * 6.0, rel=0.004)
     floor = hull.vertices[np.hypot(hull.vertices[:, 0] - 15.0, hull.vertices[:, 1] - 10.0) < 3.0]
     assert set(np.round(floor[:, 2], 3)) == {0.0, 4.0}
+
+
+def test_a_depth_from_behind_carves_the_far_side() -> None:
+    size = (30.0, 20.0, 10.0)
+
+    def pocket(right: np.ndarray, up: np.ndarray) -> np.ndarray:
+        return (abs(right - 15.0) < 8.0) & (abs(up - 10.0) < 5.0)
+
+    depths = relief(Role.TOP, size, lambda right, up: np.where(pocket(right, up), 6.0, 0.0), pocket)
+    hull = hull_of(size, {}, reliefs=(replace(depths, behind=True),))
+    assert hull.watertight
+    assert hull.volume == pytest.approx(6000.0 - 16.0 * 10.0 * 6.0, rel=0.004)
+    roof = hull.vertices[np.hypot(hull.vertices[:, 0] - 15.0, hull.vertices[:, 1] - 10.0) < 3.0]
+    assert set(np.round(roof[:, 2], 3)) == {6.0, 10.0}
+
+
+def test_only_chosen_regions_are_carved() -> None:
+    size = (30.0, 20.0, 10.0)
+
+    def left(right: np.ndarray, up: np.ndarray) -> np.ndarray:
+        return right < 15.0
+
+    top = relief(Role.TOP, size, lambda right, up: np.where(left(right, up), 4.0, 0.0), left)
+    for chosen, carved in ((None, True), ({2}, True), ({1}, False), (set(), False)):
+        numbers = None if chosen is None else frozenset(chosen)
+        hull = hull_of(size, {}, reliefs=(replace(top, chosen=numbers),))
+        assert hull.watertight
+        assert hull.volume == pytest.approx(6000.0 - 1200.0 * carved, rel=0.004)
 
 
 def test_a_known_depth_makes_a_boss_round() -> None:

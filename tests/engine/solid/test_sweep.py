@@ -1,43 +1,20 @@
 """The solid of the outlines' sweeps: exact where outlines say all, sound where they do not."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
-import numpy as np
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.drawing.brep import bounding_box, faces_of, soundness, tessellate, volume
-from gaussiancad_core.drawing.hlr import LineDrawing
-from gaussiancad_core.meshes import make_mesh
+from gaussiancad_core.drawing.brep import faces_of, soundness, volume
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.sweep import swept_solid
-from gaussiancad_core.verification.rays import RayCaster, RayGrid
-from gaussiancad_core.views import Linetype, Segment, Stroke, View, ViewSet
+from gaussiancad_core.views import Linetype, Segment, ViewSet
 
-PIXEL = 0.1
+Viewed = Callable[..., ViewSet]
 THREE = (Role.FRONT, Role.TOP, Role.RIGHT)
-
-
-def _view(shape: TopoDS_Shape, role: Role, strokes: tuple[Stroke, ...]) -> View:
-    """A view whose mask is the solid's own shadow, cast through its triangles."""
-    mesh = make_mesh(*tessellate(shape, 0.005, 0.05))
-    frame = role.frame
-    flat = mesh.vertices @ np.array([frame.right, frame.up], dtype=float).T
-    low, high = flat.min(axis=0) - 3.3 * PIXEL, flat.max(axis=0) + 3.0 * PIXEL
-    grid = RayGrid.of_view(role, (low[0], low[1], high[0], high[1]), PIXEL)
-    mask = RayCaster(mesh).first_hits(grid).triangle >= 0
-    blank = np.zeros((*mask.shape, 3), np.uint8)
-    return View(role, (0, 0, 1, 1), strokes, mask, blank, (grid.left, grid.top), PIXEL)
-
-
-def _views(shape: TopoDS_Shape, roles: tuple[Role, ...] = THREE, *, lines: bool = True) -> ViewSet:
-    drawing = LineDrawing(shape)
-    low, high = bounding_box(shape)
-    assert np.abs(low).max() < 1e-6
-    views = tuple(_view(shape, r, tuple(drawing.view(r)) if lines else ()) for r in roles)
-    return ViewSet(views, tuple(float(extent) for extent in high))
 
 
 def _bracket() -> TopoDS_Shape:
@@ -46,9 +23,9 @@ def _bracket() -> TopoDS_Shape:
     return cut(angle, cylinder(Axis.Z, (25, 15), 6, -1, 9), cylinder(Axis.X, (15, 17), 4, -1, 11))
 
 
-def test_a_part_that_its_outlines_tell_is_exact() -> None:
+def test_a_part_that_its_outlines_tell_is_exact(viewed: Viewed) -> None:
     bracket = _bracket()
-    found = swept_solid(_views(bracket), 0.02)
+    found = swept_solid(viewed(bracket), 0.02)
     assert found is not None
     facts = soundness(found)
     assert facts.valid and facts.closed and facts.solids == 1
@@ -56,33 +33,33 @@ def test_a_part_that_its_outlines_tell_is_exact() -> None:
     assert same_solid(found, bracket)
 
 
-def test_the_same_from_views_of_the_other_sides() -> None:
+def test_the_same_from_views_of_the_other_sides(viewed: Viewed) -> None:
     bracket = _bracket()
-    found = swept_solid(_views(bracket, (Role.REAR, Role.BOTTOM, Role.LEFT)), 0.02)
+    found = swept_solid(viewed(bracket, (Role.REAR, Role.BOTTOM, Role.LEFT)), 0.02)
     assert found is not None and same_solid(found, bracket)
 
 
-def test_blind_pockets_are_filled() -> None:
+def test_blind_pockets_are_filled(viewed: Viewed) -> None:
     block = box((0, 0, 0), (40, 30, 20))
-    found = swept_solid(_views(cut(block, box((10, 8, 12), (30, 22, 21)))), 0.02)
+    found = swept_solid(viewed(cut(block, box((10, 8, 12), (30, 22, 21)))), 0.02)
     assert found is not None and same_solid(found, block)
 
 
-def test_two_views_end_at_the_box() -> None:
+def test_two_views_end_at_the_box(viewed: Viewed) -> None:
     plate = cut(box((0, 0, 0), (40, 30, 6)), cylinder(Axis.Z, (15, 15), 7, -1, 7))
-    found = swept_solid(_views(plate, (Role.FRONT, Role.TOP)), 0.02)
+    found = swept_solid(viewed(plate, (Role.FRONT, Role.TOP)), 0.02)
     assert found is not None and same_solid(found, plate)
 
 
-def test_opposite_views_share_a_plane() -> None:
+def test_opposite_views_share_a_plane(viewed: Viewed) -> None:
     bracket = _bracket()
-    found = swept_solid(_views(bracket, (*THREE, Role.LEFT, Role.REAR)), 0.02)
+    found = swept_solid(viewed(bracket, (*THREE, Role.LEFT, Role.REAR)), 0.02)
     assert found is not None and same_solid(found, bracket)
 
 
-def test_masks_without_lines_give_polygons() -> None:
+def test_masks_without_lines_give_polygons(viewed: Viewed) -> None:
     boss = fuse(box((0, 0, 0), (40, 30, 6)), cylinder(Axis.Z, (20, 15), 8, 5, 18))
-    found = swept_solid(_views(boss, lines=False), 0.02)
+    found = swept_solid(viewed(boss, lines=False), 0.02)
     assert found is not None
     facts = soundness(found)
     assert facts.valid and facts.closed and facts.solids == 1
@@ -90,8 +67,8 @@ def test_masks_without_lines_give_polygons() -> None:
     assert facts.volume_mm3 == pytest.approx(40 * 30 * 6 + 16 * 16 * 12, rel=0.01)
 
 
-def test_a_line_that_is_missing_does_not_open_the_outline() -> None:
-    views = _views(_bracket())
+def test_a_line_that_is_missing_does_not_open_the_outline(viewed: Viewed) -> None:
+    views = viewed(_bracket())
     front = views[Role.FRONT]
     longest = max((s for s in front.strokes if isinstance(s, Segment)), key=lambda s: s.length)
     rest = tuple(stroke for stroke in front.strokes if stroke is not longest)
@@ -101,8 +78,8 @@ def test_a_line_that_is_missing_does_not_open_the_outline() -> None:
     assert volume(found) == pytest.approx(volume(_bracket()), rel=0.005)
 
 
-def test_a_line_through_everything_changes_nothing() -> None:
-    views = _views(_bracket())
+def test_a_line_through_everything_changes_nothing(viewed: Viewed) -> None:
+    views = viewed(_bracket())
     front = views[Role.FRONT]
     spurious = Segment((0.0, 3.0), (40.0, 22.0), Linetype.VISIBLE)
     crossed = replace(front, strokes=(*front.strokes, spurious))
@@ -110,7 +87,7 @@ def test_a_line_through_everything_changes_nothing() -> None:
     assert found is not None and same_solid(found, _bracket())
 
 
-def test_views_whose_outlines_no_solid_fills_have_none() -> None:
+def test_views_whose_outlines_no_solid_fills_have_none(viewed: Viewed) -> None:
     whole = box((0, 0, 0), (40, 30, 25))
     # The angle's upright leg must lie where the top shows nothing but a rim, and the right side
     # shows nothing upright on that rim.
@@ -118,6 +95,6 @@ def test_views_whose_outlines_no_solid_fills_have_none() -> None:
     rim = cut(whole, box((-1, 3, -1), (10, 31, 26)))
     step = cut(whole, box((-1, -1, 8), (41, 3, 26)))
     views = tuple(
-        _views(shape)[role] for shape, role in zip((angle, rim, step), THREE, strict=True)
+        viewed(shape)[role] for shape, role in zip((angle, rim, step), THREE, strict=True)
     )
     assert swept_solid(ViewSet(views, (40.0, 30.0, 25.0)), 0.02) is None
