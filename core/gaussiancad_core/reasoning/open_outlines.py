@@ -26,6 +26,9 @@ _LEAST_REACH = 0.002
 _LINKS = 32
 """Chords of a curve."""
 
+_MOST_LINES = 200
+"""Visible lines of a view up to which it is looked at."""
+
 _MOST_TRIED = 400
 """Gaps that are tried, at most."""
 
@@ -66,7 +69,7 @@ def _closing(strokes: Sequence[Curve], reach: float) -> tuple[npt.NDArray[np.flo
         for stroke in strokes
         if stroke.length > reach and stroke.linetype is Linetype.VISIBLE
     ]
-    if not lines or _loose(lines, reach) <= _CLOSED * reach:
+    if not 0 < len(lines) <= _MOST_LINES or _loose(lines, reach) <= _CLOSED * reach:
         return ()
     candidates = sorted(_candidates(lines, reach), key=lambda ends: _unlikely(ends, reach))
     closing = (

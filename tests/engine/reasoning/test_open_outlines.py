@@ -68,3 +68,11 @@ def test_each_view_is_looked_at(drawn: Callable[..., DrawnViews], sample_solid: 
     assert find_gaps(views) == ()
     kept = {role: strokes[1:] for role, strokes in views.strokes.items()}
     assert {gap.role for gap in find_gaps(replace(views, strokes=kept))} == set(views.roles)
+
+
+def test_views_of_very_many_lines_are_not_looked_at() -> None:
+    strokes = _outline(_L)
+    del strokes[1]
+    inner = [Segment((1.0, 0.1 * k), (14.0, 0.1 * k), Linetype.VISIBLE) for k in range(1, 250)]
+    assert len(find_gaps(_views(strokes))) == 1
+    assert find_gaps(_views([*strokes, *inner])) == ()
