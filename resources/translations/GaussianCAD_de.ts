@@ -854,6 +854,10 @@
             <source>Lines</source>
             <translation>Linien</translation>
         </message>
+        <message>
+            <source>Part (outlines only, approximate)</source>
+            <translation>Bauteil (nur Umrisse, angenähert)</translation>
+        </message>
     </context>
     <context>
         <name>GaussianCADPreferences</name>

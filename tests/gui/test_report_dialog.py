@@ -2,7 +2,7 @@
 
 import FreeCAD
 from support import draw_sheet, run_fake
-from window import WindowCase, spin
+from window import WindowCase, spin, widget
 
 from freecad.gaussiancad.engine.job import ReconstructJob
 from freecad.gaussiancad.objects.loading import load_run
@@ -12,8 +12,8 @@ from freecad.gaussiancad.qt import QtWidgets
 
 
 class Report(WindowCase):
-    def test_a_double_click_shows_status_picture_and_figures(self) -> None:
-        self.behave("ambiguous")
+    def open_report(self, behaviour: str) -> QtWidgets.QDialog:
+        self.behave(behaviour)
         job = ReconstructJob(str(self.sheet), str(self.folder / "out"))
         run_fake(job.arguments())
         draw_sheet(self.folder / "out" / "overlay.png")
@@ -22,10 +22,27 @@ class Report(WindowCase):
         spin(300)
         tops = QtWidgets.QApplication.topLevelWidgets()
         (dialog,) = (t for t in tops if t.objectName() == DIALOG_NAME and t.isVisible())
+        return dialog
+
+    def test_a_double_click_shows_status_picture_and_figures(self) -> None:
+        dialog = self.open_report("ambiguous")
         headline = dialog.findChild(QtWidgets.QLabel, "headline").text()
         self.assertIn("Approximate", headline)
         text = dialog.findChild(QtWidgets.QPlainTextEdit, "text").toPlainText()
         self.assertIn("another solid fits the sheet", text)
         self.assertTrue(dialog.findChild(QtWidgets.QLabel, "preview").has_picture)
         self.picture("report")
+        dialog.reject()
+
+    def test_a_choice_among_solutions_is_offered(self) -> None:
+        dialog = self.open_report("several")
+        button = dialog.findChild(QtWidgets.QPushButton, "choose")
+        self.assertEqual(button.text(), "Choose among 3 Solutions…")
+        button.click()
+        self.wait_for(lambda: self.window.findChild(QtWidgets.QPushButton, "keep"))
+        self.assertEqual(widget(QtWidgets.QLabel, "position").text(), "1 of 3")
+
+    def test_nothing_is_offered_where_there_is_no_choice(self) -> None:
+        dialog = self.open_report("ok")
+        self.assertIsNone(dialog.findChild(QtWidgets.QPushButton, "choose"))
         dialog.reject()

@@ -21,6 +21,7 @@ import fake_part
 BEHAVIOURS = (
     "ok",  # verified solid, surface, Gaussians
     "contradicts",  # approximate, with a line missing on the sheet
+    "swept",  # a solid of the outlines alone
     "surface",  # no exact solid
     "ambiguous",  # approximate, with another solid that fits
     "several",  # approximate, with two other solids that fit, one of them in first angle
@@ -178,6 +179,7 @@ def reconstruct(arguments: list[str]) -> int:
                     "message": "the search for solids with these lines was not completed",
                 },
             ],
+            "swept": [{"code": "outlines-swept", "message": "no exact solid was found"}],
             "contradicts": [
                 {
                     "code": "lines-contradict",
@@ -190,6 +192,8 @@ def reconstruct(arguments: list[str]) -> int:
         }.get(behaviour, [])
         status = "approximate" if reasons else "verified"
         values = report(str(sheet), status, reasons)
+        if behaviour == "swept":
+            values["solid"]["source"] = "sweeps"
         if behaviour == "several":
             values["solid"] |= {"agreement": 0.9984, "alternatives": 2}
             values["alternatives"] = [

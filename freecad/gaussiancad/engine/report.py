@@ -100,6 +100,11 @@ class Report:
         """Share of all lines, both ways, on which the exact solid and the sheet agree."""
         return _number(self.group("solid").get("agreement"))
 
+    @property
+    def swept(self) -> bool:
+        """Whether the solid is only what the sweeps of the outlines have in common."""
+        return self.group("solid").get("source") == "sweeps"
+
     def word(self, key: str) -> str:
         """A top-level field as text, empty if it is missing."""
         value = self.values.get(key)

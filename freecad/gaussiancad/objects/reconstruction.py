@@ -117,7 +117,7 @@ def _add_part(document: FreeCAD.Document, run: LoadedRun) -> FreeCAD.DocumentObj
     if run.part.source is PartSource.SURFACE and run.mesh is not None:
         feature.Visibility = False
     feature.Shape = run.part.shape
-    feature.Label = _part_label(run.part, run.report.status)
+    feature.Label = _part_label(run.part, run.report)
     add_properties(
         feature,
         [
@@ -176,10 +176,12 @@ def _alternative_properties(told: AlternativeReport) -> list[PropertySpec]:
     ]
 
 
-def _part_label(part: LoadedPart, status: Status) -> str:
+def _part_label(part: LoadedPart, report: Report) -> str:
     if part.source is PartSource.SURFACE:
         return translate("GaussianCAD", "Part (faceted, approximate)")
-    if status is Status.VERIFIED:
+    if report.swept:
+        return translate("GaussianCAD", "Part (outlines only, approximate)")
+    if report.status is Status.VERIFIED:
         return translate("GaussianCAD", "Part")
     return translate("GaussianCAD", "Part (approximate)")
 

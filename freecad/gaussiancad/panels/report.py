@@ -8,7 +8,9 @@ import FreeCADGui
 from freecad.gaussiancad.engine.report import parse_report
 from freecad.gaussiancad.engine.summary import report_lines, status_text
 from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.objects.solutions import SolutionSet, has_choice
 from freecad.gaussiancad.panels.sheet_preview import SheetPreview
+from freecad.gaussiancad.panels.solutions import open_solutions
 from freecad.gaussiancad.qt import QtCore, QtWidgets
 
 DIALOG_NAME = "GaussianCADReport"
@@ -47,7 +49,23 @@ class ReportDialog(QtWidgets.QDialog):
         layout.addWidget(picture)
         layout.addWidget(QtWidgets.QLabel(translate("GaussianCAD", "Details")))
         layout.addWidget(text)
+        if has_choice(group):
+            layout.addWidget(self._choice_button(group))
         layout.addWidget(close)
+
+    def _choice_button(self, group: FreeCAD.DocumentObject) -> QtWidgets.QPushButton:
+        text = translate("GaussianCAD", "Choose among {count} Solutions…")
+        button = QtWidgets.QPushButton(text.format(count=len(SolutionSet(group))))
+        button.setObjectName("choose")
+        # Another task panel is not closed for it: a run may go on in it.
+        button.setEnabled(not FreeCADGui.Control.activeDialog())
+
+        def choose() -> None:
+            self.accept()
+            QtCore.QTimer.singleShot(0, lambda: open_solutions(group))
+
+        button.clicked.connect(choose)
+        return button
 
     @classmethod
     def open_for(cls, group: FreeCAD.DocumentObject) -> "ReportDialog":
