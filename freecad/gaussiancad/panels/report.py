@@ -50,13 +50,15 @@ class ReportDialog(QtWidgets.QDialog):
         layout.addWidget(QtWidgets.QLabel(translate("GaussianCAD", "Details")))
         layout.addWidget(text)
         if has_choice(group):
-            layout.addWidget(self._choice_button(group))
+            action = QtWidgets.QDialogButtonBox.ButtonRole.ActionRole
+            close.addButton(self._choice_button(group), action)
         layout.addWidget(close)
 
     def _choice_button(self, group: FreeCAD.DocumentObject) -> QtWidgets.QPushButton:
         text = translate("GaussianCAD", "Choose among {count} Solutions…")
         button = QtWidgets.QPushButton(text.format(count=len(SolutionSet(group))))
         button.setObjectName("choose")
+        button.setAutoDefault(False)
         # Another task panel is not closed for it: a run may go on in it.
         button.setEnabled(not FreeCADGui.Control.activeDialog())
 
