@@ -22,7 +22,10 @@ def conflict_reason(conflict: Conflict) -> tuple[str, str]:
         start = "the lines, as they were read, contradict each other, and would agree but for one: "
         return CODE, start + named if one else f"{start}any of these: {named}"
     if len(conflict.lines) == 1:
-        return CODE, f"no solid has this line beside what is blank around it: {named}"
+        return CODE, (
+            "no solid with the surfaces that are supported has this line beside what is blank "
+            f"around it: {named}"
+        )
     few = "the fewest lines of which this is known" if conflict.minimal else "not all are needed"
     return (
         CODE,

@@ -30,7 +30,10 @@ def _line(
         ),
         (_line(Linetype.VISIBLE, True, Linetype.HIDDEN), "(40.0, 12.3) mm should be hidden"),
         (_line(Linetype.HIDDEN, True, Linetype.VISIBLE), "(40.0, 12.3) mm should be visible"),
-        (_line(Linetype.HIDDEN), "no solid has this line beside what is blank around it: hidden"),
+        (
+            _line(Linetype.HIDDEN),
+            "has this line beside what is blank around it: hidden line in the",
+        ),
     ],
 )
 def test_one_line_is_told_with_its_place(line: ConflictLine, words: str) -> None:
