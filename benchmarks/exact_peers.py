@@ -2,26 +2,29 @@
 
 from enum import Enum
 
+from exact_measures import fine_mesh
+
 from gaussiancad_core.cameras import orthographic_camera
 from gaussiancad_core.hull import visual_hull
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.modes import Preset, Recipe
+from gaussiancad_core.solid.sweep import swept_solid
 from gaussiancad_core.views import ViewSet
 
 _CAMERA_PX = 600
 
 
 class Peer(Enum):
-    """A model of the same views: the outlines' hull, the same with the through features cut out,
-    and the GaussianCAD paper's mesh."""
+    """A model of the same views: the outlines' hull, the product's solid of swept outlines with the
+    through features cut out, and the GaussianCAD paper's mesh."""
 
     HULL = "hull"
     SWEEP_AND_CUT = "sweep-and-cut"
     PAPER = "paper"
 
 
-def peer_mesh(peer: Peer, outlines: ViewSet, masks: ViewSet) -> TriangleMesh:
-    """A model in mm.
+def peer_mesh(peer: Peer, outlines: ViewSet, masks: ViewSet) -> TriangleMesh | None:
+    """A model in mm, or None if the views have no such model.
 
     Args:
         peer: which.
@@ -30,7 +33,12 @@ def peer_mesh(peer: Peer, outlines: ViewSet, masks: ViewSet) -> TriangleMesh:
     """
     if peer is Peer.PAPER:
         return _paper(outlines)
-    return _hull(masks if peer is Peer.SWEEP_AND_CUT else outlines)
+    return _swept(masks) if peer is Peer.SWEEP_AND_CUT else _hull(outlines)
+
+
+def _swept(views: ViewSet) -> TriangleMesh | None:
+    solid = swept_solid(views, max(view.mm_per_pixel for view in views.views))
+    return fine_mesh(solid) if solid is not None else None
 
 
 def _hull(views: ViewSet) -> TriangleMesh:

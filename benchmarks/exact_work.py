@@ -80,6 +80,9 @@ def worked(task: Task) -> Iterator[Row]:
         yield {"stage": "peers"}
         for peer in task.peers:
             mesh = peer_mesh(peer, drawing.outlines, drawing.masks)
+            if mesh is None:
+                yield {peer.value: None}
+                continue
             fitted, _ = _fitted(task, mesh, truth, drawing.views.size)
             yield {peer.value: mesh_iou(mesh, fine_mesh(fitted))}
     yield {"stage": "solve"}

@@ -1,22 +1,27 @@
-"""Surface against truth for the sample parts: the hull, its Poisson surface before and after
-splatting, side by side.
+"""Surface against truth: the hull, the hull carved by the exact solid's depths, and the Poisson
+surface on the latter before and after splatting, side by side.
 
-Each sample is drawn, read and reconstructed as ``gaussiancad reconstruct`` does it, and measured
+Each part is drawn, read and reconstructed as ``gaussiancad reconstruct`` does it, and measured
 against its own solid in place, without registration.  Lengths are in units of a box whose longest
 edge is 5.  ``p2s`` is the mean distance between points of either surface and the other surface, the
-mean of both ways.
+mean of both ways.  ``carved`` is the status of the solid whose depths carved the hull.
 
     .venv/bin/python benchmarks/surface.py [--preset standard] [--samples NAME ...]
+    .venv/bin/python benchmarks/surface.py --classed N [--hulls]
 """
 
 import argparse
 import tempfile
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
+from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.carving import carved_hull
 from gaussiancad_core.comparison.distances import point_to_surface, volume_iou
 from gaussiancad_core.comparison.queries import SurfaceQueries
 from gaussiancad_core.comparison.sampling import random_streams, sample_surface
@@ -24,24 +29,26 @@ from gaussiancad_core.drawing.brep import moved_to_origin, tessellate
 from gaussiancad_core.drawing.command import write_image
 from gaussiancad_core.drawing.sheet import draw_sheet
 from gaussiancad_core.drawing.style import parse_style
+from gaussiancad_core.exact_stage import Reading, find_exact
 from gaussiancad_core.hull import visual_hull
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.modes import Preset, Recipe
-from gaussiancad_core.samples import SAMPLES, SamplePart
+from gaussiancad_core.samples import SAMPLES
+from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.layout import find_layout
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.sheet.reading import read_views, register_views
+from gaussiancad_core.sheet.reading import RegisteredSheet, read_views, register_views
 from gaussiancad_core.splatting.gaussians import Start, gaussians_on
 from gaussiancad_core.splatting.settings import training_cameras, training_settings
 from gaussiancad_core.splatting.targets import mean_colour, targets_of
 from gaussiancad_core.splatting.training import train
 from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
-from gaussiancad_core.views import ViewSet
 
 POINTS = 10_000
 BOX = 5.0
+LEVELS = 4
 
 
 @dataclass(frozen=True)
@@ -52,74 +59,117 @@ class Measure:
     p2s: float
 
 
+@dataclass(frozen=True)
+class Part:
+    """What is measured.
+
+    Attributes:
+        name: of the row.
+        build: makes the solid, mm.
+    """
+
+    name: str
+    build: Callable[[], TopoDS_Shape]
+
+
+COLUMNS = ("hull", "carved hull", "Poisson before", "after splatting")
+
+
 def main() -> None:
     """Print the table."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--preset", type=Preset, default=Preset.STANDARD)
     parser.add_argument("--samples", nargs="*", default=[])
+    parser.add_argument("--classed", type=int, help="parts of each class instead of the samples")
+    parser.add_argument("--hulls", action="store_true", help="leave the Gaussians out")
     options = parser.parse_args()
-    chosen = [s for s in SAMPLES if not options.samples or s.name in options.samples]
+    parts = list(_classed(options.classed) if options.classed else _samples(options.samples))
+    preset = None if options.hulls else options.preset
+    names = COLUMNS[:2] if options.hulls else COLUMNS
     print(f"preset {options.preset.value}, {POINTS} points, longest edge = {BOX:g}")
-    print(f"{'':20} {'hull':>15} {'Poisson before':>17} {'after splatting':>17}  after - hull")
-    print(f"{'sample':20}" + f"{'IoU':>8} {'p2s':>8}" * 3 + f"{'p2s':>9}")
+    print(f"{'':20}" + "".join(f"{name:>17}" for name in names))
+    print(f"{'part':20}" + f"{'IoU':>9}{'p2s':>8}" * len(names) + "  carved")
     rows = []
-    for sample in chosen:
-        hull, before, after = measures(sample, options.preset)
-        rows.append([hull.iou, hull.p2s, before.iou, before.p2s, after.iou, after.p2s])
-        _print_row(sample.name, rows[-1])
+    for part in parts:
+        measured, source = measures(part, preset)
+        rows.append([value for measure in measured for value in (measure.iou, measure.p2s)])
+        _print_row(part.name, rows[-1], source)
     _print_row("median", list(np.median(rows, axis=0)))
-    worst = max(row[5] - row[1] for row in rows)
-    print(
-        f"largest loss against the hull {worst:+.4f}, against Poisson before splatting "
-        f"{max(row[5] - row[3] for row in rows):+.4f}"
-    )
+    table = np.array(rows)
+    worst = np.stack([table[:, ::2].min(axis=0), table[:, 1::2].max(axis=0)], axis=1)
+    _print_row("worst", worst.ravel().tolist())
+    for column, name in enumerate(names[1:], start=1):
+        losses = table[:, 2 * column + 1] - table[:, 1]
+        print(f"{name}: p2s at most {losses.max():+.4f} against the hull's")
 
 
-def _print_row(name: str, row: list[float]) -> None:
-    cells = "".join(f"{iou:8.4f} {p2s:8.4f}" for iou, p2s in zip(row[::2], row[1::2], strict=True))
-    print(f"{name:20}{cells}{row[5] - row[1]:+9.4f}", flush=True)
+def _print_row(name: str, row: list[float], source: str = "") -> None:
+    cells = "".join(f"{iou:9.4f}{p2s:8.4f}" for iou, p2s in zip(row[::2], row[1::2], strict=True))
+    print(f"{name:20}{cells}  {source}", flush=True)
 
 
-def measures(sample: SamplePart, preset: Preset) -> tuple[Measure, Measure, Measure]:
-    """The hull, and the Poisson surface of the Gaussians before and after training."""
-    views = views_of(sample)
-    settings = training_settings(Recipe.ORTHOGRAPHIC, preset)
+def _samples(names: list[str]) -> Iterator[Part]:
+    for part in SAMPLES:
+        if not names or part.name in names:
+            yield Part(part.name, part.build)
+
+
+def _classed(count: int) -> Iterator[Part]:
+    """Parts of 8 to 48 faces."""
+    for kind in PartClass:
+        for seed in range(count):
+            yield Part(f"{kind.value}-{seed}", partial(classed_part, kind, seed, seed % LEVELS))
+
+
+def measures(part: Part, preset: Preset | None) -> tuple[list[Measure], str]:
+    """The hull, the carved one, and the surface of the Gaussians before and after training.
+
+    Without a preset the hulls alone; beside them what carved the hull.
+    """
+    registered = registered_of(part)
+    views = registered.views
+    settings = training_settings(Recipe.ORTHOGRAPHIC, preset or Preset.STANDARD)
     cameras = training_cameras(Recipe.ORTHOGRAPHIC, settings, views.roles, views.size)
-    hull = visual_hull(views, cameras)
-    start = gaussians_on(
-        hull,
-        Start(
-            count=settings.count,
-            thickness=settings.thickness,
-            opacity=settings.opacity,
-            colour=mean_colour(views),
-        ),
-    )
-    trained = train(start, cameras, targets_of(views, cameras), settings, lambda *_: None)
-    truth = truth_of(sample, views.size)
-    surfaces = (
-        hull,
-        gaussian_surface(start, PoissonSettings(), hull),
-        gaussian_surface(trained.gaussians, PoissonSettings(), hull),
-    )
-    return tuple(_measure(surface, truth, views.size) for surface in surfaces)
+    exact = find_exact(Reading(registered, Projection.THIRD), None)
+    carved = carved_hull(views, cameras, exact.result)
+    surfaces = [visual_hull(views, cameras), carved.mesh]
+    if preset is not None:
+        start = gaussians_on(
+            carved.mesh,
+            Start(
+                count=settings.count,
+                thickness=settings.thickness,
+                opacity=settings.opacity,
+                colour=mean_colour(views),
+            ),
+        )
+        trained = train(start, cameras, targets_of(views, cameras), settings, lambda *_: None)
+        surfaces += [
+            gaussian_surface(own, PoissonSettings(), carved.mesh)
+            for own in (start, trained.gaussians)
+        ]
+    truth = truth_of(part, views.size)
+    source = carved.source.value if carved.source else carved.refused or "-"
+    return [_measure(surface, truth, views.size) for surface in surfaces], source
 
 
-def views_of(sample: SamplePart) -> ViewSet:
-    """The sample's clean sheet, drawn and read."""
+def registered_of(part: Part) -> RegisteredSheet:
+    """The part's clean sheet, drawn and read."""
     roles = (Role.FRONT, Role.TOP, Role.RIGHT)
-    sheet = draw_sheet(sample.build(), roles, Projection.THIRD, parse_style("clean"))
+    sheet = draw_sheet(part.build(), roles, Projection.THIRD, parse_style("clean"))
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "sheet.png"
         write_image(sheet.image, path)
         clean = clean_sheet(read_sheet(path).grey)
     layout = find_layout(clean.ink, {}, Projection.THIRD)
-    return register_views(read_views(clean, layout), ReadingOptions()).views
+    return register_views(read_views(clean, layout), ReadingOptions())
 
 
-def truth_of(sample: SamplePart, size: tuple[float, float, float]) -> TriangleMesh:
-    """The sample's solid, scaled to the size of the views."""
-    vertices, triangles = tessellate(moved_to_origin(sample.build()), 0.01)
+def truth_of(part: Part, size: tuple[float, float, float]) -> TriangleMesh:
+    """The part's solid, scaled to the size of the views."""
+    vertices, triangles = tessellate(moved_to_origin(part.build()), 0.01)
     scale = max(size) / float(np.ptp(vertices, axis=0).max())
     return TriangleMesh(vertices * scale, triangles)
 
