@@ -20,13 +20,7 @@ from gaussiancad_core.job import Job
 from gaussiancad_core.models import Models, write_models, write_solids
 from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
 from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
-from gaussiancad_core.report import (
-    GaussiansReport,
-    HullReport,
-    Report,
-    SurfaceReport,
-    ViewReport,
-)
+from gaussiancad_core.report import Report, ViewReport
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.deskew import Turn
@@ -382,60 +376,18 @@ class _Run:
 
     def _make_models(self, registered: RegisteredSheet, exact: "ExactModel | None") -> Models:
         """Hull, Gaussians and surface."""
-        from gaussiancad_core.carving import carved_hull
-        from gaussiancad_core.splatting.gaussians import Start, gaussians_on
-        from gaussiancad_core.splatting.settings import training_cameras, training_settings
-        from gaussiancad_core.splatting.targets import mean_colour, targets_of
-        from gaussiancad_core.splatting.training import train
-        from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
+        from gaussiancad_core import surface_stage
 
         views = registered.views
-        settings = training_settings(self.job.recipe, self.job.preset)
-        cameras = training_cameras(self.job.recipe, settings, views.roles, views.size)
         with self._stage("hull"):
-            known = exact.result if exact is not None and not exact.swept else None
-            carved = carved_hull(views, cameras, known)
-            hull = carved.mesh
-            self.report = replace(
-                self.report,
-                hull=HullReport(
-                    carved.source.value if carved.source else None,
-                    carved.regions,
-                    carved.doubted,
-                    carved.refused,
-                ),
-            )
+            hull = surface_stage.make_hull(self.job, views, exact)
+            self.report = replace(self.report, hull=surface_stage.hull_report(hull))
         with self._stage("gaussians"):
-            start = gaussians_on(
-                hull,
-                Start(
-                    count=settings.count,
-                    thickness=settings.thickness,
-                    opacity=settings.opacity,
-                    colour=mean_colour(views),
-                    seed=self.job.seed,
-                ),
-            )
-            training = train(start, cameras, targets_of(views, cameras), settings, self.progress)
-            self.report = replace(
-                self.report,
-                gaussians=GaussiansReport(
-                    len(training.gaussians), training.iterations, float(training.losses[-1])
-                ),
-            )
+            training = surface_stage.train_on(hull.mesh, self.job, views, self.progress)
+            self.report = replace(self.report, gaussians=surface_stage.gaussians_report(training))
         with self._stage("surface"):
-            # Only parallel projections leave no material outside of the hull.
-            within = hull if self.job.recipe is Recipe.ORTHOGRAPHIC else None
-            surface = gaussian_surface(training.gaussians, PoissonSettings(), within)
-            self.report = replace(
-                self.report,
-                surface=SurfaceReport(
-                    len(surface.vertices),
-                    len(surface.triangles),
-                    surface.watertight,
-                    float(surface.volume),
-                ),
-            )
+            surface = surface_stage.make_surface(training, hull.mesh, self.job.recipe)
+            self.report = replace(self.report, surface=surface_stage.surface_report(surface))
         return Models(registered, training, surface)
 
     def _check(

@@ -93,6 +93,7 @@ def test_the_report_has_what_others_rely_on(run: tuple) -> None:
     solid = report["solid"]
     assert (solid["valid"], solid["closed"], solid["alternatives"]) == (True, True, 0)
     assert solid["faces"] == 10
+    assert solid["source"] == "lines"
     assert solid["bounding_box_mm"] == pytest.approx([80, 50, 60], abs=0.2)
     assert set(report["views"]) == {"front", "top", "left"}
     for view in report["views"].values():
@@ -106,6 +107,7 @@ def test_the_report_has_what_others_rely_on(run: tuple) -> None:
     assert set(report["residuals_px"]) == {"x", "y", "z"}
     for residual in report["residuals_px"].values():
         assert 0.0 <= residual["median"] <= residual["max"] < 0.5
+    assert report["hull"] == {"carved_from": None, "regions": 0, "doubted": 0, "refused": ""}
     assert report["surface"]["watertight"] is True
     assert report["gaussians"]["count"] > 0 and report["gaussians"]["loss"] < 0.2
     assert set(report["seconds"]) == set(STAGES) and report["peak_memory_mb"] > 0

@@ -1,0 +1,80 @@
+"""The hull, the Gaussians that start on it, and their surface, as a job asks for them."""
+
+from collections.abc import Callable
+
+from gaussiancad_core.cameras import Camera
+from gaussiancad_core.carving import CarvedHull, carved_hull
+from gaussiancad_core.exact_stage import ExactModel
+from gaussiancad_core.job import Job
+from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.modes import Recipe
+from gaussiancad_core.report import GaussiansReport, HullReport, SurfaceReport
+from gaussiancad_core.splatting.gaussians import Start, gaussians_on
+from gaussiancad_core.splatting.settings import training_cameras, training_settings
+from gaussiancad_core.splatting.targets import mean_colour, targets_of
+from gaussiancad_core.splatting.training import TrainingResult, train
+from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
+from gaussiancad_core.views import ViewSet
+
+
+def make_hull(job: Job, views: ViewSet, exact: ExactModel | None) -> CarvedHull:
+    """The hull of the views, carved by the depths of an exact solid if there is one.
+
+    A solid of swept outlines knows no more than the outlines do, so that it carves nothing.
+
+    Raises:
+        NoModelError: ``empty-hull``.
+    """
+    known = exact.result if exact is not None and not exact.swept else None
+    return carved_hull(views, _cameras(job, views), known)
+
+
+def train_on(
+    hull: TriangleMesh, job: Job, views: ViewSet, progress: Callable[..., None]
+) -> TrainingResult:
+    """Gaussians that start on a hull, trained against the views."""
+    settings = training_settings(job.recipe, job.preset)
+    start = Start(
+        count=settings.count,
+        thickness=settings.thickness,
+        opacity=settings.opacity,
+        colour=mean_colour(views),
+        seed=job.seed,
+    )
+    cameras = _cameras(job, views)
+    targets = targets_of(views, cameras)
+    return train(gaussians_on(hull, start), cameras, targets, settings, progress)
+
+
+def make_surface(training: TrainingResult, hull: TriangleMesh, recipe: Recipe) -> TriangleMesh:
+    """The Poisson mesh of trained Gaussians.
+
+    Raises:
+        NoModelError: ``no-surface``.
+    """
+    # Only parallel projections leave no material outside of the hull.
+    within = hull if recipe is Recipe.ORTHOGRAPHIC else None
+    return gaussian_surface(training.gaussians, PoissonSettings(), within)
+
+
+def hull_report(hull: CarvedHull) -> HullReport:
+    """What the report says of a hull."""
+    source = hull.source.value if hull.source else None
+    return HullReport(source, hull.regions, hull.doubted, hull.refused)
+
+
+def gaussians_report(training: TrainingResult) -> GaussiansReport:
+    """What the report says of trained Gaussians."""
+    return GaussiansReport(len(training.gaussians), training.iterations, float(training.losses[-1]))
+
+
+def surface_report(surface: TriangleMesh) -> SurfaceReport:
+    """What the report says of a surface."""
+    return SurfaceReport(
+        len(surface.vertices), len(surface.triangles), surface.watertight, float(surface.volume)
+    )
+
+
+def _cameras(job: Job, views: ViewSet) -> tuple[Camera, ...]:
+    settings = training_settings(job.recipe, job.preset)
+    return training_cameras(job.recipe, settings, views.roles, views.size)

@@ -1,0 +1,62 @@
+"""Which solids carve the hull that a job starts from, and what the report says of it."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from OCP.TopoDS import TopoDS_Shape
+
+from gaussiancad_core.drawing.brep import volume
+from gaussiancad_core.exact_stage import ExactModel
+from gaussiancad_core.job import Job
+from gaussiancad_core.modes import Recipe, ResultKind, Status
+from gaussiancad_core.pipeline import STAGES, stages_of
+from gaussiancad_core.reasoning.drawn_views import views_as_read
+from gaussiancad_core.report import HullReport
+from gaussiancad_core.samples.modelling import box, cut
+from gaussiancad_core.solid.exact import ExactResult
+from gaussiancad_core.solid.verify import verify
+from gaussiancad_core.surface_stage import hull_report, make_hull
+from gaussiancad_core.views import ViewSet
+
+BLOCK = box((0, 0, 0), (40, 30, 20))
+POCKETED = cut(BLOCK, box((10, 8, 12), (30, 22, 21)))
+
+
+def _model(views: ViewSet, shape: TopoDS_Shape, *, swept: bool) -> ExactModel:
+    status = Status.APPROXIMATE if swept else Status.VERIFIED
+    verification = verify(shape, views_as_read(views, 0.02))
+    return ExactModel(None, ExactResult(status, shape, verification, (), (), {}), False, swept)
+
+
+def _job(recipe: Recipe) -> Job:
+    return Job(Path("sheet.png"), Path("model"), recipe=recipe)
+
+
+def test_an_exact_solid_carves_the_hull_of_parallel_views(viewed: Callable[..., ViewSet]) -> None:
+    views = viewed(POCKETED)
+    hull = make_hull(_job(Recipe.ORTHOGRAPHIC), views, _model(views, POCKETED, swept=False))
+    assert hull.mesh.volume == pytest.approx(volume(POCKETED), rel=0.005)
+    assert hull_report(hull) == HullReport("verified", 1, 0, "")
+
+
+def test_a_solid_of_swept_outlines_and_the_papers_recipe_leave_the_hull_plain(
+    viewed: Callable[..., ViewSet],
+) -> None:
+    views = viewed(POCKETED)
+    swept = _model(views, POCKETED, swept=True)
+    exact = _model(views, POCKETED, swept=False)
+    for recipe, model in (
+        (Recipe.ORTHOGRAPHIC, swept),
+        (Recipe.ORTHOGRAPHIC, None),
+        (Recipe.PAPER, exact),
+    ):
+        hull = make_hull(_job(recipe), views, model)
+        assert hull_report(hull) == HullReport(None, 0, 0, "")
+
+
+def test_a_surface_is_searched_a_solid_for_but_the_papers_is_not() -> None:
+    assert "solid" in stages_of(ResultKind.SURFACE)
+    assert "solid" not in stages_of(ResultKind.SURFACE, Recipe.PAPER)
+    assert stages_of(ResultKind.BOTH) == stages_of(ResultKind.BOTH, Recipe.PAPER) == STAGES
+    assert "hull" not in stages_of(ResultKind.SOLID)
