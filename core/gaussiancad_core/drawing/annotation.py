@@ -30,6 +30,8 @@ class AnnotationKind(Enum):
     DETAIL = "detail"
     AUXILIARY = "auxiliary-view"
     OTHER_PART = "other-part"
+    SYMMETRY = "symmetry"
+    THREAD = "thread"
 
 
 class Rhythm(Enum):

@@ -146,7 +146,7 @@ def _axes(
             for circle in rounds(other):
                 distance = to_model(other, seen, circle.centre[seen.value])
                 at = from_model(view, direction.other, distance)
-                span = _flanks(view, direction, at, circle.radius)
+                span = flanks(view, direction, at, circle.radius)
                 if span is None or not circle.whole:
                     continue
                 key = direction, round(at, 1)
@@ -156,14 +156,14 @@ def _axes(
         yield direction, at, span
 
 
-def _flanks(view: DrawnView, direction: Direction, at: float, radius: float) -> Interval | None:
+def flanks(view: DrawnView, direction: Direction, at: float, radius: float) -> Interval | None:
     """Where lines along a direction run at a radius on both sides of an axis."""
     spans = []
     for side in (at - radius, at + radius):
         ends = [
             end
             for stroke in view.strokes
-            if isinstance(stroke, Segment) and _runs_at(stroke, direction, side, _SAME)
+            if isinstance(stroke, Segment) and runs_at(stroke, direction, side, _SAME)
             for end in (stroke.start[direction.value], stroke.end[direction.value])
         ]
         if not ends:
@@ -172,7 +172,7 @@ def _flanks(view: DrawnView, direction: Direction, at: float, radius: float) -> 
     return min(low for low, _ in spans), max(high for _, high in spans)
 
 
-def _runs_at(stroke: Segment, direction: Direction, at: float, tolerance: float) -> bool:
+def runs_at(stroke: Segment, direction: Direction, at: float, tolerance: float) -> bool:
     """Whether a stroke runs along a direction at a coordinate across it."""
     across = direction.other.value
     return abs(stroke.start[across] - at) < tolerance and abs(stroke.end[across] - at) < tolerance
@@ -183,7 +183,7 @@ def _uncovered(view: DrawnView, direction: Direction, at: float, span: Interval)
     covers = sorted(
         tuple(sorted((stroke.start[direction.value], stroke.end[direction.value])))
         for stroke in view.strokes
-        if isinstance(stroke, Segment) and _runs_at(stroke, direction, at, _ON)
+        if isinstance(stroke, Segment) and runs_at(stroke, direction, at, _ON)
     )
     pieces = []
     start = span[0]

@@ -13,6 +13,7 @@ from gaussiancad_core.drawing.breaks import break_view
 from gaussiancad_core.drawing.brep import bounding_box, moved_to_origin
 from gaussiancad_core.drawing.degrade import Image, finished
 from gaussiancad_core.drawing.drawn_view import DrawnView, drawn_view
+from gaussiancad_core.drawing.halves import halve_view
 from gaussiancad_core.drawing.hlr import LineDrawing, LineOptions
 from gaussiancad_core.drawing.inking import ink_annotations
 from gaussiancad_core.drawing.insets import draw_inset
@@ -22,6 +23,7 @@ from gaussiancad_core.drawing.raster import rasterise
 from gaussiancad_core.drawing.sections import SectionView, section_view
 from gaussiancad_core.drawing.strokes import DrawnStroke, mapped
 from gaussiancad_core.drawing.style import SectionKind, SheetStyle
+from gaussiancad_core.drawing.threads import draw_threads
 from gaussiancad_core.errors import UsageError
 
 
@@ -162,7 +164,14 @@ def compose_sheet(
         plain[style.section] = cut.strokes
     views = tuple(drawn_view(place, plain[place.role]) for place in placements)
     scale = 1.0 / placements[0].scale
-    annotations = annotate(views, projection, scale, style, title)
+    symmetry: list[Annotation] = []
+    if style.half is not None:
+        halved = {view.role: view for view in views}
+        if style.half in halved:
+            halved[style.half], symmetry = halve_view(halved[style.half], style)
+            views = tuple(halved.values())
+    whole = tuple(view for view in views if view.role is not style.half)
+    annotations = annotate(whole, projection, scale, style, title) + tuple(symmetry)
     if style.picture:
         annotations += tuple(draw_picture(lines.picture, views, annotations, style))
     if style.broken is not None:
@@ -171,6 +180,8 @@ def compose_sheet(
             kept[style.broken], note = break_view(kept[style.broken], style)
             views = tuple(kept.values())
             annotations += (note,)
+    if style.threads:
+        annotations += tuple(draw_threads(views, style))
     if style.inset is not None:
         annotations += tuple(draw_inset(views, annotations, style))
     if cut is not None:

@@ -74,6 +74,8 @@ class SheetStyle:
         section: the view that is cut open and hatched, or None.
         section_kind: how much of it.
         broken: the view that a piece of is left out of, or None; its length stays as drawn.
+        half: the view that is drawn up to its centre line alone, or None.
+        threads: thread symbols on bores and shafts (ISO 6410-1).
         hatch_pitch: from line to line of the hatching.
         annotation_width: line width of all of these but the border and the picture.
         text_height: height of capitals and digits; arrows and distances follow from it.
@@ -114,6 +116,8 @@ class SheetStyle:
     section: Role | None = None
     section_kind: SectionKind = SectionKind.FULL
     broken: Role | None = None
+    half: Role | None = None
+    threads: bool = False
     hatch_pitch: float = 14.0
     annotation_width: float = 1.5
     text_height: float = 18.0
@@ -252,6 +256,8 @@ def _parser(name: str) -> Callable[[str], Any]:
         "inset": lambda value: None if value == "none" else Inset(value),
         "section": lambda value: None if value == "none" else Role(value),
         "broken": lambda value: None if value == "none" else Role(value),
+        "half": lambda value: None if value == "none" else Role(value),
+        "threads": _switch,
         "section_kind": SectionKind,
     }
     return special.get(name, float)

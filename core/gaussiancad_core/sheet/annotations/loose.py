@@ -73,11 +73,14 @@ class LooseRule:
         shortest: px; shorter runs are dashes, which part nothing either.
         everywhere: all of them; otherwise those that run on over blank paper.
         bridge: px; gaps of fewer do not open an outline.
+        faded: px; what parts two areas once gaps of fewer are closed stays as well.  Between lines
+            closer than that nothing is known, and ``bridge`` counts.
     """
 
     shortest: float
     everywhere: bool
     bridge: int = _BRIDGE_PX
+    faded: int = 0
 
 
 def arrowheads(ink: Mask, stroke_width: float) -> npt.NDArray[np.float64]:
@@ -92,7 +95,10 @@ def arrowheads(ink: Mask, stroke_width: float) -> npt.NDArray[np.float64]:
 def mark_arrows(
     shapes: Sequence[InkedShape], kinds: Kinds, heads: npt.NDArray[np.float64], stroke_width: float
 ) -> None:
-    """Mark straight runs with an arrowhead on them as dimension lines, in place."""
+    """Mark straight runs with arrowheads on them as dimension lines, in place.
+
+    One alone counts at an end: where a stroke meets an edge, ink that ran makes a blot like it.
+    """
     if not len(heads):
         return
     for shape, own in zip(shapes, kinds, strict=True):
@@ -103,7 +109,10 @@ def mark_arrows(
         slack = 2.0 * stroke_width
         for k, run in enumerate(shape.runs):
             low, high = run.run.start - slack, run.run.end + slack
-            if own[k] is None and ((near >= low) & (near <= high)).any():
+            on_run = near[(near >= low) & (near <= high)]
+            from_end = np.minimum(on_run - low, high - on_run)
+            at_end = (from_end < _LARGEST * stroke_width).any()
+            if own[k] is None and (len(on_run) > 1 or at_end):
                 own[k] = AnnotationKind.DIMENSION
 
 
@@ -118,10 +127,8 @@ def split_loose(
         rule: which of the runs that part nothing are marked.
     """
     # An outline that faded somewhere still parts the view from the paper.
-    kernel = np.ones((rule.bridge, rule.bridge), np.uint8)
-    closed = cv2.morphologyEx(ink.astype(np.uint8), cv2.MORPH_CLOSE, kernel)
-    _, areas, facts, _ = cv2.connectedComponentsWithStats(1 - closed, connectivity=4)
-    paper = 1 + int(np.argmax(facts[1:, cv2.CC_STAT_AREA])) if len(facts) > 1 else -1
+    areas = _areas(ink, rule.bridge)
+    faded = _areas(ink, rule.faded).labels if rule.faded else None
     cut: list[InkedShape] = []
     cut_kinds: Kinds = []
     for shape, own in zip(shapes, kinds, strict=True):
@@ -130,7 +137,7 @@ def split_loose(
         for run, kind in zip(shape.runs, own, strict=True):
             parts = [(run.run, _Side.PARTING)]
             if kind is None and run.run.length > rule.shortest:
-                parts = _parts(shape, run, areas, paper)
+                parts = _parts(shape, run, areas, faded)
             # A line that runs on over blank paper is no edge, nor is its rest within a view.
             over_paper = any(
                 side is _Side.PAPER and part.length > _LEAST_OUT_PX for part, side in parts
@@ -143,6 +150,28 @@ def split_loose(
         cut.append(InkedShape(shape.geometry, tuple(runs)))
         cut_kinds.append(marks)
     return cut, cut_kinds
+
+
+@dataclass(frozen=True, eq=False)
+class _Areas:
+    """The blank areas of a sheet.
+
+    Attributes:
+        labels: (h, w), 0 on ink.
+        paper: label of the paper around the views.
+    """
+
+    labels: npt.NDArray[np.int32]
+    paper: int
+
+
+def _areas(ink: Mask, bridge: int) -> _Areas:
+    """The areas that ink parts, gaps of fewer px than ``bridge`` closed."""
+    kernel = np.ones((bridge, bridge), np.uint8)
+    closed = cv2.morphologyEx(ink.astype(np.uint8), cv2.MORPH_CLOSE, kernel)
+    _, labels, facts, _ = cv2.connectedComponentsWithStats(1 - closed, connectivity=4)
+    paper = 1 + int(np.argmax(facts[1:, cv2.CC_STAT_AREA])) if len(facts) > 1 else -1
+    return _Areas(labels, paper)
 
 
 def _sticks_out(shape: InkedShape, run: Run, ink: Mask) -> bool:
@@ -162,13 +191,17 @@ def _sticks_out(shape: InkedShape, run: Run, ink: Mask) -> bool:
 
 
 def _parts(
-    shape: InkedShape, run: InkedRun, areas: npt.NDArray[np.int32], paper: int
+    shape: InkedShape,
+    run: InkedRun,
+    areas: _Areas,
+    faded: npt.NDArray[np.int32] | None,
 ) -> list[tuple[Run, _Side]]:
     """Stretches of a run, and what lies on both sides of each."""
     points = points_along(shape.geometry, run.run, 1.0)
     normals = normals_along(shape.geometry, run.run, 1.0)
     beside = (run.width or 2.0) / 2 + 2.5
-    left, right = (_at(areas, points + side * beside * normals) for side in (1.0, -1.0))
+    flanks = [points + side * beside * normals for side in (1.0, -1.0)]
+    left, right = (_at(areas.labels, flank) for flank in flanks)
     known = np.flatnonzero((left > 0) & (right > 0))
     if len(known) < _SHORTEST_PX:
         return [(run.run, _Side.PARTING)]
@@ -177,7 +210,10 @@ def _parts(
     index = np.arange(len(points))
     nearest = np.where(index - behind < ahead - index, behind, ahead)
     same = left == right
-    sides = np.where(same & (left == paper), _Side.PAPER, np.where(same, _Side.INSIDE, 0))
+    if faded is not None:
+        one, other = (_at(faded, flank) for flank in flanks)
+        same &= (one == other) | (one == 0) | (other == 0)
+    sides = np.where(same & (left == areas.paper), _Side.PAPER, np.where(same, _Side.INSIDE, 0))
     # What lies beside is not known between near lines; what is known far off says nothing there.
     told = np.where(np.abs(nearest - index) <= 2 * _STEADY, sides[nearest], _Side.PARTING)
     steady = median_filter(told.astype(np.uint8), 2 * _STEADY + 1)

@@ -29,6 +29,7 @@ from gaussiancad_core.sheet.geometry import Circle
 from gaussiancad_core.sheet.growth import Grown, GrowthRules, grow_shapes
 from gaussiancad_core.sheet.ridges import RidgePoints, ridge_points
 from gaussiancad_core.sheet.runs import ink_field
+from gaussiancad_core.sheet.special_views.halves import with_open_sides
 
 _LETTER_SHARE = 0.04
 """Shapes longer than this share of the sheet's longest side are no parts of letters."""
@@ -142,7 +143,8 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
         # Beside wide gaps in a faded outline nothing else is looked for that they could close.
         bridge = 2 * int(_WIDEST_FADED * sheet.stroke_width) + 1
         rule = LooseRule(_SHORTEST_MARK * sheet.stroke_width, everywhere=False, bridge=bridge)
-        left = erased(sheet, Told(shapes, kinds, unexplained)).ink
+        known = Told(shapes, kinds, unexplained)
+        left = with_open_sides(erased(sheet, known).ink, known, sheet.stroke_width)
         told = Told(*split_loose(shapes, kinds, left, rule), unexplained)
     if any(kind for own in told.kinds for kind in own):
         marks += _line_marks(told)
@@ -155,9 +157,10 @@ def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> t
     """Dimensions by their arrowheads, then what bounds nothing, then boxes around letters."""
     heads = arrowheads(sheet.ink, sheet.stroke_width)
     mark_arrows(told.shapes, told.kinds, heads, sheet.stroke_width)
-    ink = erased(sheet, told).ink
+    ink = with_open_sides(erased(sheet, told).ink, told, sheet.stroke_width)
     boxes = lettered_boxes(ink, letters)
-    rule = LooseRule(_LONGEST_DASH * sheet.stroke_width, everywhere=True)
+    faded = 2 * int(_WIDEST_FADED * sheet.stroke_width) + 1
+    rule = LooseRule(_LONGEST_DASH * sheet.stroke_width, everywhere=True, faded=faded)
     shapes, kinds = split_loose(told.shapes, told.kinds, ink & ~boxes, rule)
     rest = Told(shapes, kinds, told.unexplained)
     return rest, boxes | lettered_boxes(erased(sheet, rest).ink, letters)

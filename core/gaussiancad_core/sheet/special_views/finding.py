@@ -9,9 +9,15 @@ from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.layout import Layout, arrange_clusters, view_clusters
+from gaussiancad_core.sheet.layout import (
+    Layout,
+    arrange_clusters,
+    find_clusters,
+    view_clusters,
+)
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.special_views.broken import Break, find_breaks
+from gaussiancad_core.sheet.special_views.halves import Half, completed, find_halves
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 from gaussiancad_core.sheet.special_views.naming import details, inside, merged, special_kind
 from gaussiancad_core.sheet.special_views.sections import hatched_box, section_kind
@@ -42,7 +48,7 @@ def find_named_layout(
 
     A full section is left out where two other views belong together, and stands for a view where
     they do not.  What else is hatched stays: its outline is whole.  The halves of a broken view are
-    one view.
+    one view.  A half view is completed by its mirror image where there is room for it.
 
     Args:
         sheet: upright, with all that is on it.
@@ -61,6 +67,7 @@ def find_named_layout(
     for broken in breaks:
         separated = _restored(sheet, separated, broken)
         clusters = [box for box in clusters if box not in broken.halves] + [broken.box]
+    separated, clusters, halves = _completed(separated, clusters)
     cut = _sections(separated, clusters)
     layout = _arranged(clusters, cut, request)
     special = [
@@ -84,8 +91,35 @@ def find_named_layout(
         rest = [box for box in rest if box not in other]
     whole = [broken.box for broken in breaks]
     special += [SpecialView(SpecialKind.BROKEN, box, box in layout.boxes.values()) for box in whole]
+    special += [
+        SpecialView(SpecialKind.HALF, half.box, whole in layout.boxes.values())
+        for half, whole in halves
+    ]
+    whole += [box for _, box in halves]
     rest = [box for box in rest if box not in whole]
     return separated, replace(layout, left_out=tuple(rest), special=tuple(special))
+
+
+def _completed(
+    separated: SeparatedSheet, clusters: list[Box]
+) -> tuple[SeparatedSheet, list[Box], list[tuple[Half, Box]]]:
+    """The sheet with the mirror images of half views, the clusters with whole views instead of
+    halves, and each half with the box of what stands for it now."""
+    if separated.told is None:
+        return separated, clusters, []
+    part = separated.part
+    found: list[tuple[Half, Box]] = []
+    # Open sides look like single lines that stick out: here they count.
+    for half in find_halves(part.ink, separated.told, find_clusters(part.ink), part.stroke_width):
+        own = [box for box in clusters if inside(box, half.box)]
+        others = [box for box in clusters if box not in own and not half.marks(box)]
+        if not own:
+            continue
+        both = completed(part, half, others)
+        part = part if both is None else both
+        found.append((half, half.box if both is None else half.whole))
+        clusters = others if both is None else [*others, half.whole]
+    return replace(separated, part=part), clusters, found
 
 
 def _restored(sheet: CleanSheet, separated: SeparatedSheet, broken: Break) -> SeparatedSheet:

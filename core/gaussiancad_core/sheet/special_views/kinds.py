@@ -17,6 +17,8 @@ class SpecialKind(Enum):
     AUXILIARY = "auxiliary-view"
     OTHER_PART = "other-part"
     BROKEN = "broken-view"
+    HALF = "half-view"
+    THREAD = "thread"
 
 
 @dataclass(frozen=True)

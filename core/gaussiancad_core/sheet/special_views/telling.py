@@ -45,10 +45,9 @@ def tellings(special: Sequence[SpecialView]) -> list[Telling]:
 def _told(kind: SpecialKind, used: bool, boxes: list[Box]) -> Telling:
     places = _places(boxes)
     if not used:
+        why = _WHY.get(kind, "it is none of the part's views")
         return Telling(
-            _LEFT_OUT[kind],
-            f"{_NAMES[kind]} at {places} px: left out, it is none of the part's views",
-            doubt=False,
+            _LEFT_OUT[kind], f"{_NAMES[kind]} at {places} px: left out, {why}", doubt=False
         )
     if kind in _SECTIONS:
         return Telling(
@@ -74,6 +73,12 @@ _NAMES = {
     SpecialKind.AUXILIARY: "an auxiliary view",
     SpecialKind.OTHER_PART: "views of another part",
     SpecialKind.BROKEN: "a broken view",
+    SpecialKind.HALF: "a half view",
+    SpecialKind.THREAD: "a thread symbol",
+}
+
+_WHY = {
+    SpecialKind.THREAD: "the model has the plain cylinder that the wide lines show",
 }
 
 _LEFT_OUT = {
@@ -85,12 +90,16 @@ _LEFT_OUT = {
     SpecialKind.AUXILIARY: "auxiliary-view-left-out",
     SpecialKind.OTHER_PART: "other-part-left-out",
     SpecialKind.BROKEN: "broken-view-left-out",
+    SpecialKind.HALF: "half-view-left-out",
+    SpecialKind.THREAD: "thread-left-out",
 }
 
 _USED = {
     SpecialKind.BROKEN: "broken-view",
+    SpecialKind.HALF: "half-view",
 }
 
 _DOUBTS = {
     SpecialKind.BROKEN: "its length is not as drawn, as a piece of the part is left out",
+    SpecialKind.HALF: "what lies beyond its centre line was taken as its mirror image",
 }

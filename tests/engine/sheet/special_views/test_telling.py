@@ -26,6 +26,7 @@ def test_what_is_left_out_is_a_warning(kind: SpecialKind) -> None:
         (SpecialKind.HALF_SECTION, "section-used"),
         (SpecialKind.PARTIAL_SECTION, "section-used"),
         (SpecialKind.BROKEN, "broken-view"),
+        (SpecialKind.HALF, "half-view"),
     ],
 )
 def test_what_stands_for_a_view_is_a_reason_for_doubt(kind: SpecialKind, code: str) -> None:

@@ -1,0 +1,57 @@
+"""What bounds nothing on sheets whose lines are all of one width, and what looks as if it did."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
+from gaussiancad_core.sheet.annotations.loose import LooseRule, mark_arrows, split_loose
+from gaussiancad_core.sheet.clean import clean_sheet
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.runs import Run
+
+Sketch = Any
+"""The class that the fixture gives."""
+
+LEVEL = Line((0.0, 50.0), (1.0, 0.0))
+LONG = InkedShape(LEVEL, (InkedRun(Run(20.0, 180.0), 2.0),))
+
+
+@pytest.mark.parametrize(
+    ("heads", "marked"),
+    [
+        ([(28.0, 50.0)], True),
+        ([(60.0, 50.0), (140.0, 50.0)], True),
+        # A blot where a stroke meets the middle of an edge.
+        ([(100.0, 50.0)], False),
+        ([(100.0, 58.0), (28.0, 58.0)], False),
+    ],
+)
+def test_arrowheads_tell_dimension_lines(heads: list[tuple[float, float]], marked: bool) -> None:
+    kinds: list[list[AnnotationKind | None]] = [[None]]
+    mark_arrows([LONG], kinds, np.array(heads), 2.0)
+    assert kinds == [[AnnotationKind.DIMENSION if marked else None]]
+
+
+@pytest.mark.parametrize(("gap", "kept"), [(0.0, True), (12.0, True), (30.0, False)])
+def test_an_outline_that_faded_still_bounds_the_view(
+    sketch: Sketch, gap: float, kept: bool
+) -> None:
+    drawn = sketch().line((20, 50), (180, 50), 2.0).line((20, 130), (180, 130), 2.0)
+    drawn.line((20, 50), (20, 130), 2.0)
+    drawn.line((180, 50), (180, 90 - gap / 2), 2.0).line((180, 90 + gap / 2), (180, 130), 2.0)
+    ink = clean_sheet(drawn.grey).ink
+    rule = LooseRule(16.0, everywhere=True, faded=19)
+    _, kinds = split_loose([LONG], [[None]], ink, rule)
+    assert (kinds == [[None]]) is kept
+
+
+def test_a_line_within_one_area_bounds_nothing(sketch: Sketch) -> None:
+    drawn = sketch().line((10, 20), (190, 20), 2.0).line((10, 80), (190, 80), 2.0)
+    drawn.line((10, 20), (10, 80), 2.0).line((190, 20), (190, 80), 2.0)
+    ink = clean_sheet(drawn.line((20, 50), (180, 50), 2.0).grey).ink
+    rule = LooseRule(16.0, everywhere=True, faded=5)
+    _, kinds = split_loose([LONG], [[None]], ink, rule)
+    assert set(kinds[0]) == {AnnotationKind.EXTENSION}

@@ -1,0 +1,68 @@
+"""Half views are completed by their mirror image, and said to be."""
+
+import pytest
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.sheet.reading import read_views, register_views
+from gaussiancad_core.sheet.special_views.halves import Half, find_halves
+from gaussiancad_core.sheet.special_views.kinds import SpecialKind
+
+
+def _halves(found) -> list:  # noqa: ANN001
+    return [view for view in found.layout.special if view.kind is SpecialKind.HALF]
+
+
+@pytest.mark.parametrize(
+    ("part", "style", "role"),
+    [
+        ("bored-plate", "clean", "front"),
+        ("bored-plate", "photocopy", "top"),
+        ("u-bracket", "even", "top"),
+        ("slotted-link", "scan", "front"),
+        ("u-bracket", "photocopy", "top"),
+    ],
+)
+def test_the_other_half_is_its_mirror_image(find, part: str, style: str, role: str) -> None:  # noqa: ANN001
+    found = find(part, f"{style},half={role}")
+    (half,) = _halves(found)
+    assert half.used
+    assert set(found.layout.boxes) == {Role.FRONT, Role.TOP, Role.RIGHT}
+    # The views agree about the whole part: the mirror image lies exactly where it should.
+    drawn = read_views(found.separated.part, found.layout)
+    extents = register_views(drawn, ReadingOptions()).extents
+    assert max(extents.spread.values()) < 0.15
+    assert max(residual.largest for residual in extents.residuals.values()) < 0.1
+    box = found.layout.boxes[Role(role)]
+    x0, _, x1, _ = half.box
+    assert (box[2] - box[0]) / (x1 - x0) == pytest.approx(2.0, abs=0.05)
+
+
+@pytest.mark.parametrize("style", ["clean,centre-lines=on", "dimensioned"])
+@pytest.mark.parametrize("part", ["bored-plate", "stepped-shaft", "slotted-link", "pulley"])
+def test_whole_views_with_centre_lines_are_none(find, part: str, style: str) -> None:  # noqa: ANN001
+    found = find(part, style)
+    assert _halves(found) == []
+    assert set(found.layout.boxes) == {Role.FRONT, Role.TOP, Role.RIGHT}
+
+
+def test_a_side_along_which_an_edge_runs_is_not_open(find) -> None:  # noqa: ANN001
+    """The same view, its side closed by a line where the centre line is."""
+    found = find("bored-plate", "clean,half=front")
+    part, told = found.separated.part, found.separated.told
+    box = next(view.box for view in found.layout.special if view.kind is SpecialKind.HALF)
+    ink = part.ink.copy()
+    at = round(box[2] - 2.0)
+    # What the reader added goes first.
+    ink[int(box[1]) : int(box[3]) + 1, at + 2 :] = False
+    assert [type(half) for half in find_halves(ink, told, [box], part.stroke_width)] == [Half]
+    ink[int(box[1]) : int(box[3]) + 1, at - 1 : at + 2] = True
+    assert find_halves(ink, told, [box], part.stroke_width) == []
+
+
+def test_the_whole_is_twice_the_half() -> None:
+    half = Half((10.0, 20.0, 60.0, 90.0), True, 59.0, True, (10.0, 100.0))
+    assert half.whole == (10.0, 20.0, 108.0, 90.0)
+    level = Half((10.0, 20.0, 60.0, 90.0), False, 21.0, False, (0.0, 70.0))
+    assert level.whole == (10.0, -48.0, 60.0, 90.0)
+    assert half.marks((50.0, 95.0, 68.0, 105.0)) and not half.marks((70.0, 95.0, 88.0, 105.0))
