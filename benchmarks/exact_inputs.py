@@ -19,10 +19,10 @@ from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.drawing.command import write_image
 from gaussiancad_core.drawing.sheet import PartLines, compose_sheet, part_lines
 from gaussiancad_core.drawing.style import parse_style
-from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views, views_as_read
+from gaussiancad_core.exact_stage import drawn_views
+from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.options import ReadingOptions
-from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import find_views, read_views, register_views
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
@@ -44,9 +44,6 @@ class InputKind(Enum):
     DXF_RASTER = "dxf-raster"
     DXF_VECTORS = "dxf-vectors"
 
-
-_TOLERANCE_PX = {StrokesSource.RASTER: 1.0, StrokesSource.VECTOR: 0.05}
-"""px by which strokes of a sheet may miss where they belong."""
 
 DRAWN_KINDS = tuple(kind for kind in InputKind if not kind.value.startswith("dxf"))
 FILE_KINDS = (InputKind.DXF_RASTER, InputKind.DXF_VECTORS)
@@ -154,8 +151,6 @@ def _read(path: Path, length: tuple[Axis, float] | None, vectors: bool = False) 
     drawn = read_views(separated.part, layout, vectors=lines)
     registered = register_views(drawn, options)
     plain = register_views(drawn, replace(options, open_holes=False))
-    tolerance = _TOLERANCE_PX[registered.source] * registered.mm_per_pixel
-    views = registered.views
     return Input(
-        views_as_read(views, tolerance), plain.views, views, source=registered.source.value
+        drawn_views(registered), plain.views, registered.views, source=registered.source.value
     )

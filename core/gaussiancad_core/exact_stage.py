@@ -20,6 +20,13 @@ from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.sweep import swept_solid
 from gaussiancad_core.solid.verify import verify
 
+_ROUGH_PX = 1.0
+"""Tolerance of strokes that were read from a picture."""
+
+_APART_PX = 0.3
+"""px from which the coordinates of such strokes are different ones: lines are read to a twentieth
+of a pixel, and what is one over the views has been made equal."""
+
 TOLERANCE_PX = {StrokesSource.RASTER: 1.0, StrokesSource.PLOT: 0.3, StrokesSource.VECTOR: 0.05}
 """px by which lines of a sheet may miss where they belong, by where they come from."""
 
@@ -173,7 +180,8 @@ def with_fallback(model: ExactModel) -> ExactModel:
 def drawn_views(registered: RegisteredSheet) -> DrawnViews:
     """The lines of a sheet's views, with the tolerance of the view that is known least exactly."""
     tolerance = max(TOLERANCE_PX[view.source] for view in registered.drawn)
-    return views_as_read(registered.views, tolerance * registered.mm_per_pixel)
+    apart = _APART_PX * registered.mm_per_pixel if tolerance >= _ROUGH_PX else None
+    return views_as_read(registered.views, tolerance * registered.mm_per_pixel, apart)
 
 
 def _solved(reading: Reading, limits: Limits) -> ExactResult:

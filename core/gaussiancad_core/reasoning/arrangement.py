@@ -17,7 +17,7 @@ from math import hypot, pi, sin, sqrt
 
 from gaussiancad_core.reasoning.chains import Chain, crossings_with_chain, crossings_with_curves
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve, LineCurve, Point, meetings
-from gaussiancad_core.reasoning.supports import Support
+from gaussiancad_core.reasoning.spans import Support
 
 _SAME = 3e-6
 """Coordinates closer than this are one."""

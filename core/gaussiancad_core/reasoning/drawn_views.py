@@ -18,11 +18,14 @@ class DrawnViews:
         size: (3,) extent of the part's bounding box in mm; it starts at the origin.
         tolerance: mm by which strokes may miss where they belong: about a px of a raster sheet,
             or the rounding of exact lines.
+        apart: mm from which coordinates of two lines are different ones; None if the tolerance
+            tells.  The reader has made equal what is one.
     """
 
     strokes: Mapping[Role, tuple[Curve, ...]]
     size: tuple[float, float, float]
     tolerance: float
+    apart: float | None = None
 
     @property
     def roles(self) -> tuple[Role, ...]:
@@ -43,6 +46,7 @@ def exact_views(
     )
 
 
-def views_as_read(views: ViewSet, tolerance: float) -> DrawnViews:
-    """Views as they were read from a sheet; ``tolerance`` in mm."""
-    return DrawnViews({view.role: view.strokes for view in views.views}, views.size, tolerance)
+def views_as_read(views: ViewSet, tolerance: float, apart: float | None = None) -> DrawnViews:
+    """Views as they were read from a sheet; ``tolerance`` and ``apart`` in mm."""
+    strokes = {view.role: view.strokes for view in views.views}
+    return DrawnViews(strokes, views.size, tolerance, apart)

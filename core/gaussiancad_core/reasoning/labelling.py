@@ -1,8 +1,8 @@
 """Which cells are material: a constraint problem, solved with CP-SAT.
 
-Every cell is a Boolean.  Rules are hard first.  Where they contradict each other, a smallest set of
-them is given up: rules become assumptions, unsatisfiable cores are relaxed, and what is given up in
-the end weighs least.  Time is deterministic, so that the same input ends at the same labels.
+Every cell is a Boolean.  Rules are hard first.  Where they contradict each other, those of the
+least weight are given up: a weighted MaxSAT problem, solved by unsatisfiable cores.  Time is
+deterministic, so that the same input ends at the same labels.
 """
 
 from collections.abc import Sequence
@@ -20,6 +20,15 @@ SLIGHT = 1.0
 The shortest pieces lie where curves nearly touch; there the point that stands for a piece may not
 tell what is drawn on it.
 """
+
+_SURFACES = 10
+"""Surfaces that weigh as much as a tenth of a unit of line that is given up."""
+
+_MORE = 0.1
+"""Share by which other labels may give up more than the best do."""
+
+_MORE_UNITS = 1.0
+"""Units of line that they may give up more at least."""
 
 Labels = dict[Cell, bool]
 """True is material."""
@@ -141,15 +150,15 @@ class Effort:
     """How long to look.
 
     Attributes:
-        hard: deterministic time for the hard problem.
-        cores: for finding what contradicts.
-        soft: for the least that has to be given up.
+        hard: deterministic time for the hard problem, and for other labels.
+        relaxed: for the least that has to be given up.
+        simplest: for the labels with the fewest surfaces.
         workers: threads; more than one still ends at the same labels.
     """
 
     hard: float = 12.0
-    cores: float = 10.0
-    soft: float = 5.0
+    relaxed: float = 12.0
+    simplest: float = 5.0
     workers: int = 1
 
 
@@ -170,13 +179,24 @@ class Labelling:
 
 
 def solver_for(time: float, workers: int = 1) -> cp_model.CpSolver:
-    """A solver that stops after a deterministic time and gives the same answer each time."""
+    """A solver that stops after a deterministic time and gives the same answer each time.
+
+    It makes no linear relaxation: rules are clauses, of which that tells nothing.
+    """
     solver = cp_model.CpSolver()
+    solver.parameters.linearization_level = 0
     solver.parameters.max_deterministic_time = time
     solver.parameters.num_workers = workers
     solver.parameters.interleave_search = workers > 1
     solver.parameters.random_seed = 0
     solver.parameters.max_memory_in_mb = 2000
+    return solver
+
+
+def relaxing_solver(time: float) -> cp_model.CpSolver:
+    """A solver for what costs least, by unsatisfiable cores: most rules can hold together."""
+    solver = solver_for(time)
+    solver.parameters.optimize_with_core = True
     return solver
 
 
@@ -217,133 +237,107 @@ class Search:
         contradict each other.
         """
         model = self._model.model
-        complete = True
-        for strict in (True, False) if relaxed else (True,):
-            model.clear_assumptions()
-            if strict:
-                model.add_assumptions([~escape for escape in self._model.given_up.values()])
-            solver = solver_for(self._effort.hard, self._effort.workers)
-            status = solver.solve(model)
-            model.clear_assumptions()
-            if status in FOUND:
-                return self._simplest(solver, strict=strict)
-            complete &= status == cp_model.INFEASIBLE
-        return (
-            relaxed_labels(self._rules, self._effort) if relaxed else Labelling(None, (), complete)
-        )
+        model.add_assumptions([~escape for escape in self._model.given_up.values()])
+        solver = solver_for(self._effort.hard, self._effort.workers)
+        status = solver.solve(model)
+        model.clear_assumptions()
+        if status in FOUND:
+            return self._simplest(solver)
+        if not relaxed:
+            return Labelling(None, (), status == cp_model.INFEASIBLE)
+        return self._least()
 
-    def _simplest(self, found: cp_model.CpSolver, *, strict: bool) -> Labelling:
-        """Of all labels those that give up least, with the fewest surfaces."""
+    def _simplest(self, found: cp_model.CpSolver) -> Labelling:
+        """Of all labels under which the rules hold those with the fewest surfaces."""
         model = self._model.model
         first = self._model.labels(found)
         for cell, literal in self._model.cells.items():
             model.add_hint(literal, first[cell])
-        escapes = self._model.given_up
-        cost = sum(10 * _points(self._rules[number]) * escape for number, escape in escapes.items())
-        if strict:
-            model.add_assumptions([~escape for escape in escapes.values()])
-        model.minimize(cost + sum(self._model.surfaces))
-        solver = solver_for(self._effort.soft, self._effort.workers)
+        model.add_assumptions([~escape for escape in self._model.given_up.values()])
+        model.minimize(sum(self._model.surfaces))
+        solver = solver_for(self._effort.simplest, self._effort.workers)
         status = solver.solve(model)
         model.clear_objective()
         model.clear_hints()
         model.clear_assumptions()
-        labels = self._model.labels(solver) if status in FOUND else first
-        broken = () if strict else _broken(self._rules, labels)
-        return Labelling(labels, broken, not broken or status == cp_model.OPTIMAL)
+        return Labelling(self._model.labels(solver) if status in FOUND else first, (), True)
 
-    def others(self, found: Labelling, cells: Sequence[Cell], most: int) -> Others:
-        """Other labels that fulfil what the found ones fulfil.
+    def _least(self) -> Labelling:
+        """Labels that give up rules of the least weight."""
+        soft = Model(self._rules, lightest=float("inf"))
+        soft.model.minimize(self._cost(soft) + sum(soft.surfaces))
+        solver = relaxing_solver(self._effort.relaxed)
+        status = solver.solve(soft.model)
+        if status not in FOUND:
+            return Labelling(None, (), False)
+        labels = soft.labels(solver)
+        return Labelling(labels, _broken(self._rules, labels), status == cp_model.OPTIMAL)
+
+    def _cost(self, model: Model) -> cp_model.LinearExprT:
+        return sum(
+            _SURFACES * _points(self._rules[number]) * escape
+            for number, escape in model.given_up.items()
+        )
+
+    def others(
+        self, found: Labelling, cells: Sequence[Cell], most: int, share: float = 1.0
+    ) -> Others:
+        """Other labels that fulfil the rules as well as the found ones do, or nearly so.
 
         Args:
-            found: labels; the rules that they give up are not asked for.
+            found: labels; others may give up as much as they do, and a little more.
             cells: those that count: labels that differ in others only are the same.
-            most: how many to look for, all within the deterministic time of ``hard``.
+            most: how many to look for.
+            share: of the deterministic time of ``hard`` that it may take.
         """
         if found.labels is None:
             return Others((), False)
-        held = self._holding(found)
+        if found.given_up:
+            held, solver_of = self._within(found), relaxing_solver
+        else:
+            held, solver_of = self._strict(), solver_for
+        left = share * self._effort.hard
         counting = [cell for cell in cells if cell in held.cells and cell in found.labels]
         if not counting:
             return Others((), True)
         others: list[Labels] = []
         latest = found.labels
-        spent = 0.0
         while len(others) < most:
             held.forbid(latest, counting)
-            solver = solver_for(self._effort.hard - spent, self._effort.workers)
+            solver = solver_of(left)
             status = solver.solve(held.model)
-            spent += solver.response_proto.deterministic_time
+            left -= solver.response_proto.deterministic_time
             if status == cp_model.INFEASIBLE:
                 return Others(tuple(others), True)
-            if status not in FOUND or spent >= self._effort.hard:
+            if status not in FOUND or left <= 0.0:
                 break
             latest = held.labels(solver)
             others.append(latest)
         return Others(tuple(others), False)
 
-    def _holding(self, found: Labelling) -> Model:
-        """The clauses of those rules that found labels fulfil; they can be used once."""
-        broken = {id(rule) for rule in found.given_up}
-        slight = {id(self._rules[number]) for number in self._model.given_up}
-        if not broken <= slight:
-            return Model([rule for rule in self._rules if id(rule) not in broken])
-        for number, escape in self._model.given_up.items():
-            if id(self._rules[number]) not in broken:
-                self._model.model.add(escape == 0)
+    def _strict(self) -> Model:
+        """The clauses of all rules; they can be used once."""
+        for escape in self._model.given_up.values():
+            self._model.model.add(escape == 0)
         return self._model
+
+    def _within(self, found: Labelling) -> Model:
+        """Clauses that give up little more than the found labels do."""
+        soft = Model(self._rules, lightest=float("inf"))
+        cost = self._cost(soft)
+        given_up = sum(_points(rule) for rule in found.given_up)
+        more = max(_MORE * given_up, _points_of(_MORE_UNITS))
+        soft.model.add(cost <= _SURFACES * round(given_up + more))
+        soft.model.minimize(cost)
+        return soft
 
 
 def _points(rule: Rule) -> int:
-    return max(1, round(10.0 * rule.weight))
+    return _points_of(rule.weight)
 
 
-def relaxed_labels(rules: Sequence[Rule], effort: Effort) -> Labelling:
-    """Labels that give up rules of little weight, by unsatisfiable cores.
-
-    What weighs least among the rules of the cores is found, not what weighs least of all; so the
-    search is never called complete.
-    """
-    model = Model(rules, lightest=float("inf"))
-    number = {literal.index: i for i, literal in model.given_up.items()}
-    weights = [_points(rule) for rule in rules]
-    relaxed: set[int] = set()
-    spent = 0.0
-    solver = solver_for(effort.cores)
-    while True:
-        model.model.clear_assumptions()
-        model.model.add_assumptions(
-            [~literal for i, literal in model.given_up.items() if i not in relaxed]
-        )
-        solver = solver_for(effort.cores - spent)
-        status = solver.solve(model.model)
-        spent += solver.response_proto.deterministic_time
-        if status in FOUND:
-            break
-        if status != cp_model.INFEASIBLE or spent >= effort.cores:
-            return Labelling(None, (), False)
-        core = solver.sufficient_assumptions_for_infeasibility()
-        members = [number[-index - 1 if index < 0 else index] for index in core]
-        if not members:
-            return Labelling(None, (), False)
-        members.sort(key=lambda i: weights[i])
-        relaxed.update(members if len(members) <= 6 else members[: (len(members) + 1) // 2])
-    first = model.labels(solver)
-    model.model.clear_assumptions()
-    for i, literal in model.given_up.items():
-        if i not in relaxed:
-            model.model.add(literal == 0)
-    for cell, literal in model.cells.items():
-        model.model.add_hint(literal, first[cell])
-    model.model.minimize(
-        sum(10 * weights[i] * model.given_up[i] for i in relaxed) + sum(model.surfaces)
-    )
-    final = solver_for(effort.soft, effort.workers)
-    status = final.solve(model.model)
-    if status not in FOUND:
-        return Labelling(first, _broken(rules, first), False)
-    labels = model.labels(final)
-    return Labelling(labels, _broken(rules, labels), False)
+def _points_of(weight: float) -> int:
+    return max(1, round(10.0 * weight))
 
 
 def _broken(rules: Sequence[Rule], labels: Labels) -> tuple[Rule, ...]:

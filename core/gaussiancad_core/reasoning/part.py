@@ -20,13 +20,8 @@ from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.retraced import retraced
 from gaussiancad_core.reasoning.revolved import find_bodies
 from gaussiancad_core.reasoning.rules import Rule, rules_of
-from gaussiancad_core.reasoning.supports import (
-    PartSupports,
-    PlaneSupports,
-    Span,
-    Support,
-    find_supports,
-)
+from gaussiancad_core.reasoning.spans import Span, Support
+from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports, find_supports
 from gaussiancad_core.views import Linetype
 
 _MOST_STROKES = 900
@@ -82,7 +77,8 @@ def model_part(views: DrawnViews) -> PartModel:
             planes[axis] = _box(axis, supports.size)
     space = Space(planes, (*find_bodies(supports), *half_spaces))
     near = max(_NEAR, 2.0 * supports.tolerance)
-    pieces = list(islice(find_pieces(space, supports.planes, near), _MOST_PIECES + 1))
+    found = find_pieces(space, supports.planes, near, supports.tolerance)
+    pieces = list(islice(found, _MOST_PIECES + 1))
     if len(pieces) > _MOST_PIECES:
         raise _too_complex(f"its lines divide the views into more than {_MOST_PIECES:,} pieces")
     rules = rules_of(space, pieces)

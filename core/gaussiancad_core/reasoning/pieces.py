@@ -25,7 +25,8 @@ from gaussiancad_core.reasoning.curves import (
     meetings,
 )
 from gaussiancad_core.reasoning.planes import IN_PLANE
-from gaussiancad_core.reasoning.supports import PlaneSupports, Support
+from gaussiancad_core.reasoning.spans import Support
+from gaussiancad_core.reasoning.supports import PlaneSupports
 from gaussiancad_core.views import Linetype
 
 SHARE = 0.43819
@@ -36,6 +37,9 @@ _SHORT = 1e-3
 
 _NEAR = 1e-5
 """Units within which a value is that of a support."""
+
+_LOOSE_ENDS = {Linetype.VISIBLE: 1.5, Linetype.HIDDEN: 4.0}
+"""Tolerances by which a stroke may end early or late: a hidden one by a gap of its dashes."""
 
 _SIDE = 2e-5
 """Units beside a line at which its sides are looked up."""
@@ -77,17 +81,23 @@ class Piece:
     confidence: float = 1.0
 
 
-def find_pieces(space: Space, planes: dict[Axis, PlaneSupports], near: float) -> Iterator[Piece]:
+def find_pieces(
+    space: Space, planes: dict[Axis, PlaneSupports], near: float, tolerance: float = 0.0
+) -> Iterator[Piece]:
     """All pieces of all views.
 
     Args:
         space: of the part.
         planes: what is drawn in each plane.
         near: units within which a curve of two surfaces is one that is drawn.
+        tolerance: units by which ends of strokes may be off; where they end, shorter pieces say
+            nothing.
     """
     for normal, plane in planes.items():
         for point, across, support, length in _lines(space, normal):
             for role in plane.roles:
+                if support is not None and _is_at_end(support, role, point, length, tolerance):
+                    continue
                 linetype, confidence = _drawn(support, role, point)
                 yield Piece(role, point, across, linetype, length, confidence)
         finder = _DrawnNear(plane, near)
@@ -111,6 +121,17 @@ def _drawn(support: Support | None, role: Role, point: Point) -> tuple[Linetype 
         if span.low - slack <= at <= span.high + slack
     ]
     return support.linetype_at(role, at), max(confidence, default=1.0)
+
+
+def _is_at_end(support: Support, role: Role, point: Point, length: float, tolerance: float) -> bool:
+    """Whether a piece is so short, and so near to a stroke's end, that it may be drawn or not."""
+    at = support.curve.parameter(point)
+    for span in support.spans.get(role, ()):
+        reach = _LOOSE_ENDS[span.linetype] * tolerance
+        away = min(abs(at - span.low), abs(at - span.high)) * support.curve.speed
+        if length <= reach and away <= reach:
+            return True
+    return False
 
 
 def _lines(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, Support | None, float]]:

@@ -13,14 +13,8 @@ from gaussiancad_core.reasoning.curves import LineCurve, PlaneCurve, Point, axis
 from gaussiancad_core.reasoning.half_spaces import HalfSpace
 from gaussiancad_core.reasoning.oblique import SHORT
 from gaussiancad_core.reasoning.planes import IN_PLANE
-from gaussiancad_core.reasoning.supports import (
-    PartSupports,
-    PlaneSupports,
-    Span,
-    Support,
-    nearest_station,
-    stations_on,
-)
+from gaussiancad_core.reasoning.spans import Span, Support, nearest_station, stations_on
+from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports
 
 _EXACT = 1e-5
 """Units within which a line is as it should be."""

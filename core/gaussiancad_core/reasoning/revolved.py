@@ -13,7 +13,8 @@ from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.bodies import ArcProfile, LineProfile, Profile, RevolvedBody
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve
 from gaussiancad_core.reasoning.planes import IN_PLANE
-from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports, Support
+from gaussiancad_core.reasoning.spans import Support
+from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports
 
 _MOST = 24
 """Bodies that are looked at: each one divides cells."""

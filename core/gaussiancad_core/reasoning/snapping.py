@@ -8,15 +8,15 @@ move as little as possible, and tangencies hold exactly afterwards.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
-import numpy.typing as npt
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.curves import CircleCurve
 from gaussiancad_core.reasoning.nominal import nominal_step, on_step
 from gaussiancad_core.reasoning.planes import IN_PLANE
+from gaussiancad_core.reasoning.relations import Linear, Numbers, solved
 
 _TOO_SMALL = 4.0
 """Tolerances that a radius has at least for its extremes to be told from its centre."""
@@ -69,12 +69,14 @@ class Snapped:
         values: of each axis, ascending.
         weights: of the values.
         circles: distinct ones, with the normal of their plane.
+        circle_weights: of each.
         reach: how far a reading may lie from its value.
     """
 
     values: dict[Axis, tuple[float, ...]]
     weights: dict[tuple[Axis, float], float]
     circles: tuple[tuple[Axis, CircleCurve], ...]
+    circle_weights: tuple[float, ...]
     reach: float
 
     def value(self, axis: Axis, reading: float, reach: float | None = None) -> float | None:
@@ -97,7 +99,10 @@ class Snapped:
 
 
 def snapped(
-    readings: Sequence[Reading], circles: Sequence[CircleReading], tolerance: float
+    readings: Sequence[Reading],
+    circles: Sequence[CircleReading],
+    tolerance: float,
+    apart: float | None = None,
 ) -> Snapped:
     """Make readings that belong together equal.
 
@@ -105,12 +110,14 @@ def snapped(
         readings: of lines parallel to an axis.
         circles: of all planes.
         tolerance: units by which a reading may be off.
+        apart: units from which values are different ones; the tolerance if it is None.
     """
+    apart = tolerance if apart is None else apart
     variables = _Variables()
     clusters = {
         axis: [
             variables.add(*_mean(cluster))
-            for cluster in _clusters([r for r in readings if r.axis is axis], tolerance)
+            for cluster in _clusters([r for r in readings if r.axis is axis], apart)
         ]
         for axis in Axis
     }
@@ -121,23 +128,35 @@ def snapped(
         weight = reading.weight
         columns = (variables.add(number, weight) for number in (x, y, radius))
         own.append((reading.normal, *columns))
-    relations = _relations(variables.observed, clusters, own, tolerance)
-    solved = _solved(variables, relations, _FAR * tolerance)
+    relations = circle_relations(variables.observed, clusters, own, tolerance)
+    numbers = solved(variables.observed, variables.weights, relations, _FAR * tolerance)
     if tolerance > _EXACT:
-        solved = _rounded(variables, solved, relations, tolerance)
+        variables, numbers = _rounded(variables, numbers, relations, tolerance)
     values = {
-        axis: tuple(sorted({float(solved[column]) for column in clusters[axis]})) for axis in Axis
+        axis: tuple(sorted({float(numbers[column]) for column in clusters[axis]})) for axis in Axis
     }
     weights: dict[tuple[Axis, float], float] = {}
     for axis in Axis:
         for column in clusters[axis]:
-            key = axis, float(solved[column])
+            key = axis, float(numbers[column])
             weights[key] = weights.get(key, 0.0) + variables.weights[column]
     circles_out = tuple(
-        (normal, CircleCurve((float(solved[x]), float(solved[y])), float(solved[radius])))
+        (normal, CircleCurve((float(numbers[x]), float(numbers[y])), float(numbers[radius])))
         for normal, x, y, radius in own
     )
-    return Snapped(values, weights, circles_out, 2.0 * tolerance)
+    circle_weights = tuple(variables.weights[radius] for *_, radius in own)
+    return Snapped(values, weights, circles_out, circle_weights, 2.0 * tolerance)
+
+
+def with_lone_values(snap: Snapped, readings: Sequence[Reading]) -> Snapped:
+    """The values, and those that further readings tell where there are none yet."""
+    values, weights = dict(snap.values), dict(snap.weights)
+    for axis in Axis:
+        lone = [r for r in readings if r.axis is axis and snap.value(axis, r.value) is None]
+        means = [_mean(cluster) for cluster in _clusters(lone, snap.reach)]
+        values[axis] = tuple(sorted({*values[axis], *(value for value, _ in means)}))
+        weights.update({(axis, value): weight for value, weight in means})
+    return replace(snap, values=values, weights=weights)
 
 
 class _Variables:
@@ -200,18 +219,21 @@ def _merged_circles(circles: Sequence[CircleReading], near: float) -> list[Circl
     return merged
 
 
-Relation = tuple[tuple[int, float], ...]
-"""A linear equation: variables with factors, whose sum is to be zero."""
-
-
-def _relations(
-    observed: list[float],
-    clusters: dict[Axis, list[int]],
-    circles: list[tuple[Axis, int, int, int]],
+def circle_relations(
+    observed: Sequence[float],
+    values: dict[Axis, list[int]],
+    circles: Sequence[tuple[Axis, int, int, int]],
     tolerance: float,
-) -> list[Relation]:
-    """Equations between what lies together."""
-    relations: list[Relation] = []
+) -> list[Linear]:
+    """Equations between values and circles that lie together.
+
+    Args:
+        observed: numbers, units.
+        values: places of each axis' values among the numbers.
+        circles: normal, and places of both coordinates of the centre and of the radius.
+        tolerance: units within which numbers are taken to be equal.
+    """
+    relations: list[Linear] = []
     centres: dict[Axis, list[int]] = {axis: [] for axis in Axis}
     for normal, x, y, radius in circles:
         for index, centre in zip(IN_PLANE[normal], (x, y), strict=True):
@@ -225,12 +247,12 @@ def _relations(
                 candidates = (own,)
             for terms in candidates:
                 at = sum(factor * observed[column] for column, factor in terms)
-                for value in clusters[axis]:
+                for value in values[axis]:
                     if abs(observed[value] - at) <= tolerance:
-                        relations.append((*terms, (value, -1.0)))
+                        relations.append(Linear((*terms, (value, -1.0))))
             for other in centres[axis]:
                 if abs(observed[other] - observed[centre]) <= tolerance:
-                    relations.append(((centre, 1.0), (other, -1.0)))
+                    relations.append(Linear(((centre, 1.0), (other, -1.0))))
                     break
             else:
                 centres[axis].append(centre)
@@ -238,49 +260,20 @@ def _relations(
 
 
 def _rounded(
-    variables: _Variables,
-    solved: npt.NDArray[np.float64],
-    relations: list[Relation],
-    tolerance: float,
-) -> npt.NDArray[np.float64]:
+    variables: _Variables, numbers: Numbers, relations: Sequence[Linear], tolerance: float
+) -> tuple[_Variables, Numbers]:
     """The numbers as multiples of the step that the part was designed in, if they tell one."""
     # What is shown twice is no further evidence.
-    distinct = {round(float(number) / tolerance): float(number) for number in solved}
+    distinct = {round(float(number) / tolerance): float(number) for number in numbers}
     step = nominal_step(list(distinct.values()), tolerance)
     if step is None:
-        return solved
+        return variables, numbers
     nominal = _Variables()
-    for number, weight in zip(solved, variables.weights, strict=True):
+    for number, weight in zip(numbers, variables.weights, strict=True):
         multiple = on_step(float(number), step, tolerance)
         if multiple is None:
             nominal.add(float(number), weight)
         else:
             nominal.add(multiple, weight * _CERTAIN)
-    return _solved(nominal, relations, _FAR * tolerance)
-
-
-def _solved(
-    variables: _Variables, relations: list[Relation], far: float
-) -> npt.NDArray[np.float64]:
-    """The numbers nearest to the readings that fulfil the relations.
-
-    Relations that would move something by more than ``far`` are dropped, worst first.
-    """
-    observed = np.array(variables.observed, dtype=np.float64)
-    spread = 1.0 / np.array(variables.weights, dtype=np.float64)
-    kept = list(relations)
-    while kept:
-        rows = np.zeros((len(kept), len(observed)))
-        for row, relation in enumerate(kept):
-            for column, factor in relation:
-                rows[row, column] += factor
-        residual = rows @ observed
-        gram = (rows * spread) @ rows.T
-        multipliers = np.linalg.lstsq(gram, residual, rcond=1e-12)[0]
-        moved = spread * (rows.T @ multipliers)
-        worst = int(np.argmax(np.abs(moved)))
-        if abs(moved[worst]) <= far:
-            return observed - moved
-        involved = [row for row in range(len(kept)) if rows[row, worst] != 0.0]
-        del kept[max(involved, key=lambda row: abs(residual[row]))]
-    return observed
+    rounded = solved(nominal.observed, nominal.weights, relations, _FAR * tolerance)
+    return nominal, rounded

@@ -5,8 +5,7 @@ that is seen edge-on: a plane for a line, a cylinder for a circle.  Where stroke
 again from the supports that they end at; the ends as read are not used but to choose among those.
 """
 
-from bisect import bisect_left
-from collections.abc import Iterable
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import hypot, pi
 
@@ -22,13 +21,19 @@ from gaussiancad_core.reasoning.curves import (
     Point,
     axis_line,
     line_through,
-    meetings,
 )
-from gaussiancad_core.reasoning.derived import Vertices, with_derived_values
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.incidences import Adjusted, PlaneReading, Slant, adjusted
 from gaussiancad_core.reasoning.planes import IN_PLANE, UNITS, plane_points, role_plane
-from gaussiancad_core.reasoning.snapping import CircleReading, Reading, Snapped, snapped
-from gaussiancad_core.reasoning.tangents import tangent_line
+from gaussiancad_core.reasoning.snapping import (
+    CircleReading,
+    Reading,
+    Snapped,
+    snapped,
+    with_lone_values,
+)
+from gaussiancad_core.reasoning.spans import DrawnStretch, Support, supports_with_spans
+from gaussiancad_core.reasoning.tangents import touched_circles
 from gaussiancad_core.views import Arc, Linetype, Segment
 
 _FOLDED = 0.01
@@ -43,64 +48,14 @@ _SHORT_SLANT = 0.5
 _CHAIN_LINKS = 128
 """Links of a chain."""
 
-_DERIVED = 0.5
-"""Tolerances by which a value may miss what it follows from."""
-
-_DROPPED = 0.03
-"""Units of line that a drawing may leave out at the ends of strokes."""
-
 _FLAT = 4.0
 """Tolerances of rise that an arc has at least to tell a circle; flatter ones are boundaries."""
 
+_END_WEIGHT = 1e-3
+"""Weight of a coordinate that only ends of slanted lines tell: all else counts more."""
+
 _WEIGHTY_SWEEP = pi
 """Sweep from which an arc tells its circle well; flatter ones count less, by its fourth power."""
-
-
-@dataclass(frozen=True)
-class Span:
-    """A stretch of a support that a view draws.
-
-    Attributes:
-        low, high: parameters of the support's curve; 0 to 2 pi on circles.
-        linetype: how it is drawn.
-        confidence: 0 to 1.
-    """
-
-    low: float
-    high: float
-    linetype: Linetype
-    confidence: float
-
-
-@dataclass(frozen=True)
-class Support:
-    """A curve with what the views draw on it.
-
-    Attributes:
-        curve: line or circle, in plane units.
-        spans: of each view of the plane.
-    """
-
-    curve: PlaneCurve
-    spans: dict[Role, tuple[Span, ...]]
-
-    def drawn(self, reach: float = 1e-4) -> list[tuple[float, float]]:
-        """The stretches that any view draws, merged, ascending."""
-        return merged_stretches(
-            ((span.low, span.high) for spans in self.spans.values() for span in spans),
-            reach / self.curve.speed,
-        )
-
-    def linetype_at(self, role: Role, parameter: float, reach: float = 1e-4) -> Linetype | None:
-        """What a view draws at a parameter; visible lines hide hidden ones under them."""
-        slack = reach / self.curve.speed
-        found = None
-        for span in self.spans.get(role, ()):
-            if span.low - slack <= parameter <= span.high + slack:
-                if span.linetype is Linetype.VISIBLE:
-                    return Linetype.VISIBLE
-                found = Linetype.HIDDEN
-        return found
 
 
 @dataclass(frozen=True)
@@ -138,19 +93,6 @@ class PartSupports:
     size: tuple[float, float, float]
     scale: float
     tolerance: float
-
-
-def merged_stretches(
-    stretches: Iterable[tuple[float, float]], slack: float
-) -> list[tuple[float, float]]:
-    """Intervals that overlap or lie within ``slack`` of each other as one, ascending."""
-    merged: list[list[float]] = []
-    for low, high in sorted(stretches):
-        if merged and low <= merged[-1][1] + slack:
-            merged[-1][1] = max(merged[-1][1], high)
-        else:
-            merged.append([low, high])
-    return [(low, high) for low, high in merged]
 
 
 @dataclass(frozen=True)
@@ -198,14 +140,15 @@ def find_supports(views: DrawnViews) -> PartSupports:
     tolerance = views.tolerance * scale
     planes = _sorted_strokes(views, scale, tolerance)
     size = tuple(extent * scale for extent in views.size)
-    snap = _snap(planes, size, tolerance)
+    apart = None if views.apart is None else views.apart * scale
+    known = _adjusted(planes, size, tolerance, apart)
     found = {
         axis: PlaneSupports(
-            axis, tuple(plane.roles), _supports(plane, snap, tolerance), tuple(plane.chains)
+            axis, tuple(plane.roles), _supports(plane, known, tolerance), tuple(plane.chains)
         )
         for axis, plane in planes.items()
     }
-    return PartSupports(found, snap.values, size, scale, tolerance)
+    return PartSupports(found, known.snap.values, size, scale, tolerance)
 
 
 def _sorted_strokes(views: DrawnViews, scale: float, tolerance: float) -> dict[Axis, _Plane]:
@@ -256,9 +199,13 @@ def _circle(arc: Arc, role: Role, scale: float) -> _Circle:
     return _Circle(role, curve, float(low), min(arc.sweep, TURN), arc.linetype, arc.confidence)
 
 
-def _snap(
-    planes: dict[Axis, _Plane], size: tuple[float, float, float], tolerance: float
-) -> Snapped:
+def _adjusted(
+    planes: dict[Axis, _Plane],
+    size: tuple[float, float, float],
+    tolerance: float,
+    apart: float | None,
+) -> Adjusted:
+    """Values, circles and slanted lines, with what lies together made equal."""
     readings = []
     for axis in Axis:
         # The bounding box is where the views were registered; it counts as much as it is long.
@@ -272,26 +219,45 @@ def _snap(
                 value = (line.start[along] + line.end[along]) / 2.0
                 readings.append(Reading(axes[along], value, line.length * line.confidence))
         circles += [CircleReading(plane.normal, c.circle, c.weight) for c in plane.circles]
-    snap = snapped(readings, circles, tolerance)
-    return with_derived_values(
-        snap, [_vertices(p, snap, tolerance) for p in planes.values()], tolerance
-    )
+    snap = snapped(readings, circles, tolerance, apart)
+    shown = [_plane_reading(plane, tolerance) for plane in planes.values()]
+    lone = [reading for plane in shown for reading in _slant_ends(plane, snap)]
+    return adjusted(with_lone_values(snap, lone), shown, tolerance)
 
 
-def _vertices(plane: _Plane, snap: Snapped, tolerance: float) -> Vertices:
-    curves: list[PlaneCurve] = [c for normal, c in snap.circles if normal is plane.normal]
-    points: list[Point] = []
-    slanted = []
-    for line in plane.lines:
-        points += [line.start, line.end]
-        if _parallel_axis(line, tolerance) is None:
-            slanted.append(line)
+def _plane_reading(plane: _Plane, tolerance: float) -> PlaneReading:
+    ends = [end for line in plane.lines for end in (line.start, line.end)]
     for circle in plane.circles:
-        points += [circle.circle.at(circle.low), circle.circle.at(circle.low + circle.sweep)]
-    axes = tuple(Axis(index) for index in IN_PLANE[plane.normal])
-    known = [curve for curve in curves if isinstance(curve, CircleCurve)]
-    curves += [_slanted_line(g, axes, snap, known) for g in _collinear(slanted, tolerance)]
-    return Vertices(plane.normal, tuple(curves), tuple(points))
+        ends += [circle.circle.at(circle.low), circle.circle.at(circle.low + circle.sweep)]
+    slants = tuple(_slant(group) for group in _collinear(_slanted(plane, tolerance), tolerance))
+    return PlaneReading(plane.normal, slants, tuple(ends))
+
+
+def _slanted(plane: _Plane, tolerance: float) -> list[_Line]:
+    return [line for line in plane.lines if _parallel_axis(line, tolerance) is None]
+
+
+def _slant(group: list[_Line]) -> Slant:
+    """The line of collinear strokes, the longest first."""
+    rough = line_through(group[0].start, group[0].end)
+    ends = sorted((end for line in group for end in (line.start, line.end)), key=rough.parameter)
+    return Slant(ends[0], ends[-1], sum(line.length * line.confidence for line in group))
+
+
+def _slant_ends(plane: PlaneReading, snap: Snapped) -> Iterator[Reading]:
+    """Coordinates of ends of slanted lines, which nothing else may tell.
+
+    Where a line touches a circle there is no corner.
+    """
+    axes = [Axis(index) for index in IN_PLANE[plane.normal]]
+    circles = [circle for normal, circle in snap.circles if normal is plane.normal]
+    for slant in plane.slants:
+        ends = slant.start, slant.end
+        touched = touched_circles(line_through(*ends), ends, circles, snap.reach)
+        for end, circle in zip(ends, touched, strict=True):
+            if circle is None:
+                for axis, coordinate in zip(axes, end, strict=True):
+                    yield Reading(axis, coordinate, _END_WEIGHT)
 
 
 def _parallel_axis(line: _Line, tolerance: float) -> int | None:
@@ -303,14 +269,15 @@ def _parallel_axis(line: _Line, tolerance: float) -> int | None:
     return None
 
 
-def _supports(plane: _Plane, snap: Snapped, tolerance: float) -> tuple[Support, ...]:
+def _supports(plane: _Plane, known: Adjusted, tolerance: float) -> tuple[Support, ...]:
+    snap, lines = known.snap, known.lines[plane.normal]
     circles = [(snap.circle(plane.normal, c.circle) or c.circle, c) for c in plane.circles]
     curves: list[PlaneCurve] = []
-    strokes: list[tuple[int, _Line | _Circle]] = []
+    strokes: list[tuple[int, DrawnStretch]] = []
     for circle, stroke in circles:
         if circle not in curves:
             curves.append(circle)
-        strokes.append((curves.index(circle), stroke))
+        strokes.append((curves.index(circle), _arc_stretch(stroke)))
     axes = tuple(Axis(index) for index in IN_PLANE[plane.normal])
     slanted = []
     for line in plane.lines:
@@ -323,13 +290,21 @@ def _supports(plane: _Plane, snap: Snapped, tolerance: float) -> tuple[Support, 
         curve = axis_line(along, reading if value is None else value)
         if curve not in curves:
             curves.append(curve)
-        strokes.append((curves.index(curve), line))
-    known = [circle for circle, _ in circles]
-    for group in _collinear(slanted, tolerance):
-        curves.append(_slanted_line(group, axes, snap, known))
-        strokes += [(len(curves) - 1, line) for line in group]
+        strokes.append((curves.index(curve), _line_stretch(curve, line)))
+    for group, curve in zip(_collinear(slanted, tolerance), lines, strict=True):
+        curves.append(curve)
+        strokes += [(len(curves) - 1, _line_stretch(curve, line)) for line in group]
     grid = [axis_line(index, value) for index in (0, 1) for value in snap.values[axes[index]]]
-    return _with_spans(curves, strokes, grid, tolerance)
+    return supports_with_spans(curves, strokes, grid, tolerance)
+
+
+def _line_stretch(curve: LineCurve, line: _Line) -> DrawnStretch:
+    low, high = sorted((curve.parameter(line.start), curve.parameter(line.end)))
+    return DrawnStretch(line.role, (low, high), line.linetype, line.confidence)
+
+
+def _arc_stretch(arc: _Circle) -> DrawnStretch:
+    return DrawnStretch(arc.role, (arc.low, arc.low + arc.sweep), arc.linetype, arc.confidence)
 
 
 def _collinear(lines: list[_Line], tolerance: float) -> list[list[_Line]]:
@@ -346,86 +321,3 @@ def _collinear(lines: list[_Line], tolerance: float) -> list[list[_Line]]:
         else:
             groups.append((line_through(line.start, line.end), [line]))
     return [group for _, group in groups]
-
-
-def _slanted_line(
-    group: list[_Line], axes: tuple[Axis, ...], snap: Snapped, circles: list[CircleCurve]
-) -> LineCurve:
-    """The line of collinear strokes: between values that its ends lie at, or along circles."""
-    leader = group[0]
-    rough = line_through(leader.start, leader.end)
-    ends = sorted((end for line in group for end in (line.start, line.end)), key=rough.parameter)
-    first, last = (
-        tuple(
-            found if (found := snap.value(axis, end[index])) is not None else end[index]
-            for index, axis in enumerate(axes)
-        )
-        for end in (ends[0], ends[-1])
-    )
-    touching = tangent_line(rough, (first, last), circles, snap.reach)
-    return touching or line_through(first, last)
-
-
-def _with_spans(
-    curves: list[PlaneCurve],
-    strokes: list[tuple[int, _Line | _Circle]],
-    grid: list[PlaneCurve],
-    tolerance: float,
-) -> tuple[Support, ...]:
-    reach = max(3.0 * tolerance, _DROPPED)
-    stations = [stations_on(curve, [*curves, *grid]) for curve in curves]
-    spans: list[dict[Role, list[Span]]] = [{} for _ in curves]
-    for index, stroke in strokes:
-        curve = curves[index]
-        own = spans[index].setdefault(stroke.role, [])
-        slack = reach / curve.speed
-        if isinstance(stroke, _Line):
-            low, high = sorted((curve.parameter(stroke.start), curve.parameter(stroke.end)))
-            pairs = [
-                (
-                    nearest_station(stations[index], low, slack),
-                    nearest_station(stations[index], high, slack),
-                )
-            ]
-        else:
-            pairs = _arc_pairs(stroke, stations[index], slack)
-        for low, high in pairs:
-            if high - low > 1e-9:
-                own.append(Span(low, high, stroke.linetype, stroke.confidence))
-    return tuple(
-        Support(curve, {role: tuple(own) for role, own in by_role.items()})
-        for curve, by_role in zip(curves, spans, strict=True)
-    )
-
-
-def _arc_pairs(stroke: _Circle, stations: list[float], slack: float) -> list[tuple[float, float]]:
-    """Ends of an arc on its circle, cut where angles begin again."""
-    if stroke.sweep >= TURN - slack:
-        return [(0.0, TURN)]
-    around = [s + turn for turn in (-TURN, 0.0, TURN) for s in stations]
-    low = nearest_station(around, stroke.low, slack)
-    high = nearest_station(around, stroke.low + stroke.sweep, slack)
-    turns = np.floor(low / TURN + 1e-12) * TURN
-    low, high = max(0.0, low - turns), high - turns
-    if high <= TURN + 1e-12:
-        return [(low, min(high, TURN))]
-    return [(low, TURN), (0.0, high - TURN)]
-
-
-def stations_on(curve: PlaneCurve, others: list[PlaneCurve]) -> list[float]:
-    """Parameters where a curve meets others, ascending."""
-    found = {
-        curve.parameter(point)
-        for other in others
-        if other != curve
-        for point in meetings(curve, other)
-    }
-    return sorted(found)
-
-
-def nearest_station(stations: list[float], parameter: float, slack: float) -> float:
-    """The station nearest to a parameter, or the parameter where none is within ``slack``."""
-    at = bisect_left(stations, parameter)
-    near = stations[max(0, at - 1) : at + 1]
-    best = min(near, key=lambda station: abs(station - parameter), default=parameter)
-    return best if abs(best - parameter) <= slack else parameter

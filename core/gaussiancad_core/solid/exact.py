@@ -29,6 +29,9 @@ _COUNTING = 0.15
 """Units of thickness from which a cell makes a different solid."""
 
 
+_UNLIKELY = 0.1
+"""Share of the search for others that is left where neither lines nor labels agree: they may."""
+
 _NONE = "no-solid-fits", "no solid has these lines: they contradict each other"
 _UNBUILT = (
     "no-valid-solid",
@@ -191,7 +194,9 @@ def _candidates(work: _Work, labelling: Labelling, limits: Limits) -> tuple[list
     counting: list[Cell] = [cell for cell, units in thickness.items() if units > _COUNTING]
     first, settled = _candidate(work, labelling.labels)
     candidates = [first] if first is not None else []
-    others = work.search.others(labelling, counting, limits.alternatives)
+    explained = first is not None and first.verification.explains
+    share = 1.0 if explained or not labelling.given_up else _UNLIKELY
+    others = work.search.others(labelling, counting, limits.alternatives, share)
     work.clock.lap("others")
     for labels in others.labels:
         if work.clock.total > limits.seconds:

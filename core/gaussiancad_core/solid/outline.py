@@ -17,7 +17,8 @@ from gaussiancad_core.reasoning.arrangement import OUTSIDE, Arrangement
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve, PlaneCurve, Point, line_through
 from gaussiancad_core.reasoning.planes import IN_PLANE, UNITS, role_plane
 from gaussiancad_core.reasoning.rules import BESIDE
-from gaussiancad_core.reasoning.supports import PartSupports, Span, Support, merged_stretches
+from gaussiancad_core.reasoning.spans import Span, Support, merged_stretches
+from gaussiancad_core.reasoning.supports import PartSupports
 from gaussiancad_core.views import Linetype, View, ViewSet
 
 _SAMPLES = 120
@@ -34,6 +35,8 @@ _CONTOUR_PX = 0.75
 
 _MOST_SIDES = 80
 """Sides of all polygons of a plane; more are made coarser."""
+
+_FEWEST_SIDES = 3
 
 _COARSER = 1.4
 _COARSEST_PX = 16.0
@@ -65,7 +68,7 @@ class Outline:
 
 
 class _Shadow:
-    """Where the part covers a projection plane, by the masks of all of its views.
+    """Where the part covers a projection plane, by the masks of all of its views and the box.
 
     Args:
         own: the views that look along the plane's normal.
@@ -75,6 +78,8 @@ class _Shadow:
 
     def __init__(self, own: Sequence[View], size: tuple[float, float, float], scale: float) -> None:
         self._fields: list[tuple[PlaneField, Points]] = []
+        axes = IN_PLANE[role_plane(own[0].role).normal]
+        self._extents = np.array([size[index] * scale for index in axes])
         for view in own:
             mask = padded_mask(view, size, True)
             field = plane_field(signed_distance(mask, view.mm_per_pixel), view)
@@ -86,7 +91,8 @@ class _Shadow:
     def depths(self, points: Points) -> Points:
         """(n, 2) units -> (n,) units inside of all outlines; negative outside."""
         found = [field.at(points * factors) for field, factors in self._fields]
-        return -np.max(found, axis=0).astype(np.float64) * self._scale
+        within = np.minimum(points, self._extents - points).min(axis=1)
+        return np.minimum(-np.max(found, axis=0).astype(np.float64) * self._scale, within)
 
 
 def outline_of(axis: Axis, supports: PartSupports, views: ViewSet) -> Outline:
@@ -99,7 +105,8 @@ def outline_of(axis: Axis, supports: PartSupports, views: ViewSet) -> Outline:
         return Outline(arrangement, tuple(range(1, arrangement.regions)))
     shadow = _Shadow(own, views.size, supports.scale)
     samples = plane_grid(first, second, UNITS / _SAMPLES)
-    drawn = _bounded(Arrangement(supports.planes[axis].supports), shadow, samples)
+    lines = supports.planes[axis].supports if axis in supports.planes else ()
+    drawn = _bounded(Arrangement(lines), shadow, samples)
     if _agreement(drawn, shadow, samples) >= _AGREEING:
         return drawn
     arrangement = Arrangement(_sides(_contours(axis, supports, shadow)))
@@ -201,7 +208,7 @@ def _contours(axis: Axis, supports: PartSupports, shadow: _Shadow) -> list[list[
             break
         slack *= _COARSER
     reach = _SNAP_PX * shadow.pixel
-    values = [(0.0, *supports.values[Axis(i)], supports.size[i]) for i in (first, second)]
+    values = [_coordinates(supports, Axis(index), reach) for index in (first, second)]
     return [
         [
             (_nearest(values[0], p, reach), _nearest(values[1], q, reach))
@@ -210,6 +217,15 @@ def _contours(axis: Axis, supports: PartSupports, shadow: _Shadow) -> list[list[
         for polygon in polygons
         if len(polygon) > 3
     ]
+
+
+def _coordinates(supports: PartSupports, axis: Axis, reach: float) -> list[float]:
+    """The coordinates of lines, and of the box's sides where no line lies in them."""
+    found = list(supports.values[axis])
+    for side in (0.0, supports.size[axis.value]):
+        if all(abs(side - value) > reach for value in found):
+            found.append(side)
+    return found
 
 
 def _nearest(values: Sequence[float], at: float, reach: float) -> float:
@@ -222,10 +238,20 @@ def _sides(polygons: Sequence[Sequence[Point]]) -> list[Support]:
     """Polygons as supports, one a side."""
     found = []
     for polygon in polygons:
-        for start, end in pairwise([*polygon, polygon[0]]):
-            if np.hypot(end[0] - start[0], end[1] - start[1]) < _SHORT:
-                continue
+        corners: list[Point] = []
+        for corner in polygon:
+            if not corners or _apart(corner, corners[-1]):
+                corners.append(corner)
+        while len(corners) > 1 and not _apart(corners[0], corners[-1]):
+            corners.pop()
+        if len(corners) < _FEWEST_SIDES:
+            continue
+        for start, end in pairwise([*corners, corners[0]]):
             curve = line_through(start, end)
             low, high = sorted((curve.parameter(start), curve.parameter(end)))
             found.append(Support(curve, {Role.FRONT: (Span(low, high, Linetype.VISIBLE, 1.0),)}))
     return found
+
+
+def _apart(one: Point, other: Point) -> bool:
+    return float(np.hypot(one[0] - other[0], one[1] - other[1])) >= _SHORT

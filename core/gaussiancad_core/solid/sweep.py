@@ -6,6 +6,8 @@ of their two stages).  It is a valid solid with planes and cylinders, but pocket
 whatever no outline shows are filled.
 """
 
+from dataclasses import replace
+
 import numpy as np
 from OCP.BOPAlgo import BOPAlgo_Builder
 from OCP.BOPTools import BOPTools_AlgoTools3D
@@ -30,6 +32,9 @@ from gaussiancad_core.reasoning.planes import IN_PLANE, UNITS, lifted, role_plan
 from gaussiancad_core.reasoning.supports import PartSupports, find_supports
 from gaussiancad_core.solid.outline import Outline, outline_of, pieces_of, plane_grid
 from gaussiancad_core.views import ViewSet
+
+_MOST_STROKES = 500
+"""Lines of a view up to which they are looked through for its outline."""
 
 _FUZZY = 2e-5
 """Gap between an outline's ends that is closed, as a share of the longest extent."""
@@ -58,7 +63,7 @@ def swept_solid(views: ViewSet, tolerance: float) -> TopoDS_Shape | None:
         One valid closed solid in mm that fills all outlines, or None if the sweeps have no such
         solid in common.
     """
-    supports = find_supports(views_as_read(views, tolerance))
+    supports = _supports(views, tolerance)
     outlines = {axis: outline_of(axis, supports, views) for axis in Axis}
     try:
         sweeps = [_sweep(axis, outlines[axis], supports) for axis in Axis]
@@ -71,6 +76,23 @@ def swept_solid(views: ViewSet, tolerance: float) -> TopoDS_Shape | None:
         if all(_fills(solid, axis, outlines[axis], supports) for axis in Axis):
             return solid
     return None
+
+
+def _supports(views: ViewSet, tolerance: float) -> PartSupports:
+    """The lines of the views, but for those of views that have too many.
+
+    There are none at all where they contradict each other so much that they cannot be lined up.
+    The outlines are those of the masks then.
+    """
+    drawn = views_as_read(views, tolerance)
+    few = {role: own if len(own) <= _MOST_STROKES else () for role, own in drawn.strokes.items()}
+    try:
+        return find_supports(replace(drawn, strokes=few))
+    except np.linalg.LinAlgError:
+        pass
+    scale = UNITS / max(views.size)
+    x, y, z = (extent * scale for extent in views.size)
+    return PartSupports({}, {axis: () for axis in Axis}, (x, y, z), scale, tolerance * scale)
 
 
 def _largest_common(sweeps: list[TopoDS_Shape], fuzzy: float) -> TopoDS_Shape | None:

@@ -18,7 +18,7 @@ from gaussiancad_core.reasoning.curves import (
     line_through,
     meetings,
 )
-from gaussiancad_core.reasoning.supports import Span, Support
+from gaussiancad_core.reasoning.spans import Span, Support
 from gaussiancad_core.views import Linetype
 
 Point = tuple[float, float]

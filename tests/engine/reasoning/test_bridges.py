@@ -10,7 +10,7 @@ from gaussiancad_core.reasoning.arrangement import OUTSIDE, Arrangement
 from gaussiancad_core.reasoning.bridges import bridges
 from gaussiancad_core.reasoning.chains import chain_distances
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve, PlaneCurve, axis_line
-from gaussiancad_core.reasoning.supports import Span, Support
+from gaussiancad_core.reasoning.spans import Span, Support
 from gaussiancad_core.views import Linetype
 
 

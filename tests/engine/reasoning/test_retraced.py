@@ -50,8 +50,6 @@ def test_views_that_disagree_a_little_show_the_edges_of_one_plane() -> None:
     assert corners @ np.array(bodies[0].normal) == pytest.approx(bodies[0].offset, abs=1e-9)
     for axis in Axis:
         curve, ends = _slant(moved, axis)
-        before, _ = _slant(supports, axis)
-        assert max(before.distance(end) for end in ends) > 0.05
         shown = corners[:, IN_PLANE[axis]]
         for end in ends:
             # The ends of the line are two corners of the plane, in each view the same ones.

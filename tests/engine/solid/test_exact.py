@@ -42,7 +42,7 @@ _NAMES = (
     "chamfered-block",
 )
 
-_SMALL = Limits(Effort(hard=4.0, cores=2.0, soft=2.0), alternatives=3, seconds=10.0)
+_SMALL = Limits(Effort(hard=4.0, relaxed=4.0, simplest=2.0), alternatives=3, seconds=10.0)
 """Enough for what follows, and an end to it in any case."""
 
 
@@ -194,7 +194,7 @@ def test_a_thousand_strokes_come_to_an_end() -> None:
             lines.append(Segment((a, b), end, Linetype.HIDDEN if k % 3 else Linetype.VISIBLE))
         outline = [Segment(box[k - 1], box[k], Linetype.VISIBLE) for k in range(4)]
         strokes[role] = (*outline, *lines)
-    limits = Limits(Effort(hard=0.5, cores=0.2, soft=0.2), alternatives=1, seconds=5.0)
+    limits = Limits(Effort(hard=0.5, relaxed=0.4, simplest=0.2), alternatives=1, seconds=5.0)
     result = exact_solid(exact_views(strokes, (100.0, 100.0, 100.0)), limits)
     assert result.status is Status.FAILED and result.shape is None
     assert _codes(result) == {"part-too-complex"}
@@ -250,7 +250,7 @@ def test_without_alternatives_nothing_is_verified_that_is_ambiguous(
 
 
 def test_without_time_there_is_no_solid_and_the_reason_says_so(sample_views: Views) -> None:
-    limits = Limits(Effort(hard=1e-9, cores=1e-9, soft=1e-9))
+    limits = Limits(Effort(hard=1e-9, relaxed=1e-9, simplest=1e-9))
     result = exact_solid(sample_views("l-bracket"), limits)
     assert result.status is Status.FAILED and _codes(result) == {"search-unfinished"}
 

@@ -87,6 +87,20 @@ def test_a_line_through_everything_changes_nothing(viewed: Viewed) -> None:
     assert found is not None and same_solid(found, _bracket())
 
 
+def test_scribbles_without_end_leave_the_masks_contours(viewed: Viewed) -> None:
+    views = viewed(_bracket())
+    front = views[Role.FRONT]
+    scribbles = tuple(
+        Segment((0.07 * k, 25.0), (40.0 - 0.05 * k, 0.0), Linetype.VISIBLE) for k in range(520)
+    )
+    scribbled = replace(front, strokes=(*front.strokes, *scribbles))
+    found = swept_solid(ViewSet((scribbled, *views.views[1:]), views.size), 0.02)
+    assert found is not None
+    facts = soundness(found)
+    assert facts.valid and facts.closed and facts.solids == 1
+    assert facts.volume_mm3 == pytest.approx(volume(_bracket()), rel=0.01)
+
+
 def test_views_whose_outlines_no_solid_fills_have_none(viewed: Viewed) -> None:
     whole = box((0, 0, 0), (40, 30, 25))
     # The angle's upright leg must lie where the top shows nothing but a rim, and the right side

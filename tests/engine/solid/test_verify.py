@@ -66,7 +66,7 @@ def test_a_difference_beyond_the_tolerance_is_a_flaw(drawn: Draw) -> None:
     loose = replace(views, tolerance=off)
     assert matching_tolerance(loose) > off
     found = verify(_slotted(10 + off), loose)
-    assert found.explains and found.spread == pytest.approx(off, rel=0.01)
+    assert found.explains and found.spread == pytest.approx(off, rel=0.03)
     exact = verify(_slotted(10), loose)
     assert exact.holds and exact.spread == pytest.approx(0.0, abs=1e-6)
 

@@ -1,0 +1,331 @@
+"""Corners that lie on lines and circles: what was read nearly so becomes exactly so.
+
+Where a plane cuts a slanted face or a cylinder, the edge between them shows in the other views at
+coordinates that follow from the rest.  Each view is read with errors of its own; unless lines,
+circles and the corners on them are adjusted together, slivers of space stay between what is one
+surface.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from math import hypot, sqrt
+
+from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.curves import CircleCurve, LineCurve, Point, line_through
+from gaussiancad_core.reasoning.planes import IN_PLANE
+from gaussiancad_core.reasoning.relations import Linear, Numbers, Relation, Terms, solved
+from gaussiancad_core.reasoning.snapping import Snapped, circle_relations
+from gaussiancad_core.reasoning.tangents import touched_circles
+
+_ON = 0.5
+"""Tolerances within which a corner between well-read values is on a curve."""
+
+_ON_LOOSELY = 2.0
+"""The same where a value is told by ends of strokes only, or the corner is the line's own end."""
+
+_READ_NEAR = 3.0
+"""Tolerances within which the end of a stroke is on a curve."""
+
+_LOOSE = 0.1
+"""Weight below which a value is told by ends of strokes only."""
+
+_FAR = 1.0
+"""Tolerances by which well-read numbers move at most."""
+
+_FAR_LOOSELY = 2.5
+"""The same for values that only ends tell, and for lines at their ends."""
+
+_KNOWN = 1e-6
+"""Units within which an equation between values and circles holds already."""
+
+_EXTREME = 0.02
+"""Component of a circle's normal below which a corner is the circle's extreme."""
+
+
+@dataclass(frozen=True)
+class Slant:
+    """A line that is parallel to no axis, as a view shows it.
+
+    Attributes:
+        start, end: (2,) in its plane.
+        weight: its length by its confidence.
+    """
+
+    start: Point
+    end: Point
+    weight: float
+
+
+@dataclass(frozen=True)
+class PlaneReading:
+    """What the views of a plane show.
+
+    Attributes:
+        normal: of the plane.
+        slants: its slanted lines.
+        ends: of all its strokes.
+    """
+
+    normal: Axis
+    slants: tuple[Slant, ...]
+    ends: tuple[Point, ...]
+
+
+@dataclass(frozen=True)
+class Adjusted:
+    """Values, circles and lines with all their incidences.
+
+    Attributes:
+        snap: values and circles.
+        lines: of the slants of each plane, in their order.
+    """
+
+    snap: Snapped
+    lines: dict[Axis, tuple[LineCurve, ...]]
+
+
+def adjusted(snap: Snapped, planes: Sequence[PlaneReading], tolerance: float) -> Adjusted:
+    """Make corners lie on the lines and circles that they were read on.
+
+    Args:
+        snap: values and circles.
+        planes: what the views show.
+        tolerance: units by which a reading may be off.
+    """
+    network = _Network(snap, planes, tolerance)
+    relations = [relation for plane in planes for relation in network.relations(plane)]
+    numbers = solved(network.observed, network.weights, [*network.known(), *relations], network.far)
+    return network.result(numbers)
+
+
+@dataclass(frozen=True)
+class _OnSlant:
+    """A corner on a line, in the line's own frame: along it and across, from its start.
+
+    Attributes:
+        a, b: places of the corner's coordinates.
+        first: place of the line's offset at its start; that at its end follows.
+        slant: as read.
+    """
+
+    a: int
+    b: int
+    first: int
+    slant: Slant
+
+    def at(self, numbers: Numbers) -> tuple[float, Terms]:
+        (dx, dy), length = _direction(self.slant)
+        x, y = numbers[self.a] - self.slant.start[0], numbers[self.b] - self.slant.start[1]
+        share = (x * dx + y * dy) / length
+        low, high = numbers[self.first], numbers[self.first + 1]
+        tilt = (high - low) / length
+        value = -x * dy + y * dx - low - (high - low) * share
+        return value, [
+            (self.a, -dy - tilt * dx),
+            (self.b, dx - tilt * dy),
+            (self.first, share - 1.0),
+            (self.first + 1, -share),
+        ]
+
+
+@dataclass(frozen=True)
+class _OnCircle:
+    """A corner on a circle; the circle's numbers are centre and radius from a place on."""
+
+    a: int
+    b: int
+    circle: int
+
+    def at(self, numbers: Numbers) -> tuple[float, Terms]:
+        x, y = numbers[self.a] - numbers[self.circle], numbers[self.b] - numbers[self.circle + 1]
+        away = hypot(x, y) or 1.0
+        return away - numbers[self.circle + 2], [
+            (self.a, x / away),
+            (self.b, y / away),
+            (self.circle, -x / away),
+            (self.circle + 1, -y / away),
+            (self.circle + 2, -1.0),
+        ]
+
+
+@dataclass(frozen=True)
+class _Touches:
+    """A line that touches a circle; ``side`` is that of the centre, +1 left of the line."""
+
+    circle: int
+    first: int
+    slant: Slant
+    side: float
+
+    def at(self, numbers: Numbers) -> tuple[float, Terms]:
+        value, terms = _OnSlant(self.circle, self.circle + 1, self.first, self.slant).at(numbers)
+        _, length = _direction(self.slant)
+        tilt = (numbers[self.first + 1] - numbers[self.first]) / length
+        stretch = sqrt(1.0 + tilt * tilt)
+        radius = numbers[self.circle + 2]
+        turn = self.side * radius * tilt / (stretch * length)
+        return value - self.side * radius * stretch, [
+            *terms,
+            (self.circle + 2, -self.side * stretch),
+            (self.first, turn),
+            (self.first + 1, -turn),
+        ]
+
+
+def _direction(slant: Slant) -> tuple[Point, float]:
+    dx, dy = slant.end[0] - slant.start[0], slant.end[1] - slant.start[1]
+    length = hypot(dx, dy)
+    return (dx / length, dy / length), length
+
+
+def _side(slant: Slant, point: Point) -> float:
+    """+1 where a point lies to the left of a line's way, else -1."""
+    (dx, dy), _ = _direction(slant)
+    x, y = point[0] - slant.start[0], point[1] - slant.start[1]
+    return 1.0 if y * dx - x * dy > 0.0 else -1.0
+
+
+class _Network:
+    """The numbers of a part, and the equations between them."""
+
+    def __init__(self, snap: Snapped, planes: Sequence[PlaneReading], tolerance: float) -> None:
+        self._snap, self._planes, self._tolerance = snap, planes, tolerance
+        self.observed: list[float] = []
+        self.weights: list[float] = []
+        self.far: list[float] = []
+        self._values = {axis: self._add_values(axis) for axis in Axis}
+        self._circles = [
+            self._add([*circle.centre, circle.radius], [weight] * 3, _FAR)
+            for (_, circle), weight in zip(snap.circles, snap.circle_weights, strict=True)
+        ]
+        self._slants = {
+            plane.normal: [
+                self._add([0.0, 0.0], [slant.weight / 4.0] * 2, _FAR_LOOSELY)
+                for slant in plane.slants
+            ]
+            for plane in planes
+        }
+
+    def _add(self, numbers: list[float], weights: list[float], far: float) -> int:
+        self.observed += numbers
+        self.weights += [max(weight, 1e-6) for weight in weights]
+        self.far += [far * self._tolerance] * len(numbers)
+        return len(self.observed) - len(numbers)
+
+    def _add_values(self, axis: Axis) -> dict[float, int]:
+        return {
+            value: self._add([value], [weight], _FAR_LOOSELY if weight < _LOOSE else _FAR)
+            for value in self._snap.values[axis]
+            for weight in (self._snap.weights[axis, value],)
+        }
+
+    def known(self) -> list[Linear]:
+        """The equations between values and circles that hold already."""
+        circles = [
+            (normal, at, at + 1, at + 2)
+            for (normal, _), at in zip(self._snap.circles, self._circles, strict=True)
+        ]
+        places = {axis: list(own.values()) for axis, own in self._values.items()}
+        return circle_relations(self.observed, places, circles, _KNOWN)
+
+    def relations(self, plane: PlaneReading) -> Iterator[Relation]:
+        """Corners on the plane's curves, and lines that touch its circles."""
+        corners = self._corners(plane.normal, plane.ends)
+        circles = {
+            circle: at
+            for (normal, circle), at in zip(self._snap.circles, self._circles, strict=True)
+            if normal is plane.normal
+        }
+        for slant, first in zip(plane.slants, self._slants[plane.normal], strict=True):
+            line = line_through(slant.start, slant.end)
+            ends = slant.start, slant.end
+            for circle in touched_circles(line, ends, list(circles), self._snap.reach):
+                if circle is not None:
+                    yield _Touches(circles[circle], first, slant, _side(slant, circle.centre))
+            low, high = sorted((line.parameter(slant.start), line.parameter(slant.end)))
+            room = _READ_NEAR * self._tolerance
+            own = self._corners(plane.normal, ends)
+            for corner in {**corners, **own}.values():
+                along = line.parameter(corner.point)
+                within = low - room <= along <= high + room
+                loose = corner.loose or (corner.a, corner.b) in own
+                if within and self._is_on(corner, line, loose=loose):
+                    yield _OnSlant(corner.a, corner.b, first, slant)
+        for circle, at in circles.items():
+            for corner in corners.values():
+                is_on = self._is_on(corner, circle, loose=corner.loose)
+                if is_on and not _is_extreme(circle, corner.point):
+                    yield _OnCircle(corner.a, corner.b, at)
+
+    def _is_on(self, corner: "_Corner", curve: LineCurve | CircleCurve, *, loose: bool) -> bool:
+        off = curve.distance(corner.point)
+        return off <= (_ON_LOOSELY if loose else _ON) * self._tolerance
+
+    def _corners(self, normal: Axis, ends: Sequence[Point]) -> dict[tuple[int, int], "_Corner"]:
+        """Distinct pairs of values at which strokes of a plane end."""
+        axes = [Axis(index) for index in IN_PLANE[normal]]
+        found: dict[tuple[int, int], _Corner] = {}
+        for end in ends:
+            values = [self._snap.value(axis, x) for axis, x in zip(axes, end, strict=True)]
+            if None in values:
+                continue
+            weight = min(self._snap.weights[key] for key in zip(axes, values, strict=True))
+            a, b = (self._values[axis][x] for axis, x in zip(axes, values, strict=True))
+            found[a, b] = _Corner(a, b, (values[0], values[1]), weight < _LOOSE)
+        return found
+
+    def result(self, numbers: Numbers) -> Adjusted:
+        """What the numbers stand for."""
+        values = {
+            axis: tuple(sorted({float(numbers[at]) for at in own.values()}))
+            for axis, own in self._values.items()
+        }
+        weights: dict[tuple[Axis, float], float] = {}
+        for axis, own in self._values.items():
+            for value, at in own.items():
+                key = axis, float(numbers[at])
+                weights[key] = weights.get(key, 0.0) + self._snap.weights[axis, value]
+        circles = tuple(
+            (
+                normal,
+                CircleCurve((float(numbers[at]), float(numbers[at + 1])), float(numbers[at + 2])),
+            )
+            for (normal, _), at in zip(self._snap.circles, self._circles, strict=True)
+        )
+        lines = {
+            plane.normal: tuple(
+                _moved(slant, float(numbers[at]), float(numbers[at + 1]))
+                for slant, at in zip(plane.slants, self._slants[plane.normal], strict=True)
+            )
+            for plane in self._planes
+        }
+        snap = replace(self._snap, values=values, weights=weights, circles=circles)
+        return Adjusted(snap, lines)
+
+
+@dataclass(frozen=True)
+class _Corner:
+    """A pair of values; ``loose`` if only ends of strokes tell one of them."""
+
+    a: int
+    b: int
+    point: Point
+    loose: bool
+
+
+def _circle(numbers: Numbers, at: int) -> CircleCurve:
+    x, y, radius = (float(number) for number in numbers[at : at + 3])
+    return CircleCurve((x, y), radius)
+
+
+def _is_extreme(circle: CircleCurve, point: Point) -> bool:
+    """Whether a circle runs along an axis at a point: then one coordinate tells nothing of it."""
+    return min(abs(component) for component in circle.normal(circle.parameter(point))) < _EXTREME
+
+
+def _moved(slant: Slant, low: float, high: float) -> LineCurve:
+    """The line with offsets at its ends, to the left of its way."""
+    (dx, dy), _ = _direction(slant)
+    start = slant.start[0] - dy * low, slant.start[1] + dx * low
+    end = slant.end[0] - dy * high, slant.end[1] + dx * high
+    return line_through(start, end)

@@ -1,0 +1,210 @@
+"""Spans: the stretches of lines and circles that the views draw.
+
+Where strokes end is computed again from the curves that they end at; the ends as read are not used
+but to choose among those.  Where one line runs closely along another for a while, as hidden ones
+that cross at a small angle do, a picture shows one of them only; the gap in the other is closed.
+"""
+
+from bisect import bisect_left
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.reasoning.curves import TURN, LineCurve, PlaneCurve, Point, meetings
+from gaussiancad_core.views import Linetype
+
+_DROPPED = 0.03
+"""Units of line that a drawing may leave out at the ends of strokes."""
+
+_BESIDE = 6.0
+"""Tolerances beside a line within which a picture may not show another one."""
+
+_STEP = 2.0
+"""Tolerances between the places of a gap that are looked at."""
+
+
+@dataclass(frozen=True)
+class Span:
+    """A stretch of a support that a view draws.
+
+    Attributes:
+        low, high: parameters of the support's curve; 0 to 2 pi on circles.
+        linetype: how it is drawn.
+        confidence: 0 to 1.
+    """
+
+    low: float
+    high: float
+    linetype: Linetype
+    confidence: float
+
+
+@dataclass(frozen=True)
+class Support:
+    """A curve with what the views draw on it.
+
+    Attributes:
+        curve: line or circle, in plane units.
+        spans: of each view of the plane.
+    """
+
+    curve: PlaneCurve
+    spans: dict[Role, tuple[Span, ...]]
+
+    def drawn(self, reach: float = 1e-4) -> list[tuple[float, float]]:
+        """The stretches that any view draws, merged, ascending."""
+        return merged_stretches(
+            ((span.low, span.high) for spans in self.spans.values() for span in spans),
+            reach / self.curve.speed,
+        )
+
+    def linetype_at(self, role: Role, parameter: float, reach: float = 1e-4) -> Linetype | None:
+        """What a view draws at a parameter; visible lines hide hidden ones under them."""
+        slack = reach / self.curve.speed
+        found = None
+        for span in self.spans.get(role, ()):
+            if span.low - slack <= parameter <= span.high + slack:
+                if span.linetype is Linetype.VISIBLE:
+                    return Linetype.VISIBLE
+                found = Linetype.HIDDEN
+        return found
+
+
+def merged_stretches(
+    stretches: Iterable[tuple[float, float]], slack: float
+) -> list[tuple[float, float]]:
+    """Intervals that overlap or lie within ``slack`` of each other as one, ascending."""
+    merged: list[list[float]] = []
+    for low, high in sorted(stretches):
+        if merged and low <= merged[-1][1] + slack:
+            merged[-1][1] = max(merged[-1][1], high)
+        else:
+            merged.append([low, high])
+    return [(low, high) for low, high in merged]
+
+
+@dataclass(frozen=True)
+class DrawnStretch:
+    """A stroke on its curve.
+
+    Attributes:
+        role: the view.
+        ends: lowest and highest parameter as read; the highest of an arc may exceed 2 pi.
+        linetype: how it is drawn.
+        confidence: 0 to 1.
+    """
+
+    role: Role
+    ends: tuple[float, float]
+    linetype: Linetype
+    confidence: float
+
+
+def supports_with_spans(
+    curves: Sequence[PlaneCurve],
+    strokes: Sequence[tuple[int, DrawnStretch]],
+    grid: Sequence[PlaneCurve],
+    tolerance: float,
+) -> tuple[Support, ...]:
+    """Curves with what is drawn on them.
+
+    Args:
+        curves: of one plane.
+        strokes: with the number of their curve.
+        grid: other lines that strokes may end at.
+        tolerance: units by which the end of a stroke may be off.
+    """
+    reach = max(3.0 * tolerance, _DROPPED)
+    stations = [stations_on(curve, [*curves, *grid]) for curve in curves]
+    spans: list[dict[Role, list[Span]]] = [{} for _ in curves]
+    for index, stroke in strokes:
+        curve = curves[index]
+        own = spans[index].setdefault(stroke.role, [])
+        slack = reach / curve.speed
+        for low, high in _settled(curve, stroke.ends, stations[index], slack):
+            if high - low > 1e-9:
+                own.append(Span(low, high, stroke.linetype, stroke.confidence))
+    found = [
+        Support(curve, {role: tuple(own) for role, own in by_role.items()})
+        for curve, by_role in zip(curves, spans, strict=True)
+    ]
+    return tuple(_filled(support, found, tolerance) for support in found)
+
+
+def _settled(
+    curve: PlaneCurve, ends: tuple[float, float], stations: list[float], slack: float
+) -> list[tuple[float, float]]:
+    """A stroke's ends at stations; arcs are cut where angles begin again."""
+    low, high = ends
+    if isinstance(curve, LineCurve):
+        return [(nearest_station(stations, low, slack), nearest_station(stations, high, slack))]
+    if high - low >= TURN - slack:
+        return [(0.0, TURN)]
+    around = [s + turn for turn in (-TURN, 0.0, TURN) for s in stations]
+    low, high = nearest_station(around, low, slack), nearest_station(around, high, slack)
+    turns = np.floor(low / TURN + 1e-12) * TURN
+    low, high = max(0.0, low - turns), high - turns
+    if high <= TURN + 1e-12:
+        return [(low, min(high, TURN))]
+    return [(low, TURN), (0.0, high - TURN)]
+
+
+def _filled(support: Support, others: Sequence[Support], tolerance: float) -> Support:
+    """The support with those gaps closed along which another line runs closely."""
+    spans = {}
+    for role, own in support.spans.items():
+        gaps = [
+            Span(one.high, two.low, one.linetype, min(one.confidence, two.confidence))
+            for one, two in _neighbours(own)
+            if all(
+                any(
+                    _runs_by(other, role, support.curve.at(at), _BESIDE * tolerance)
+                    for other in others
+                    if other is not support
+                )
+                for at in _places(support.curve, one.high, two.low, _STEP * tolerance)
+            )
+        ]
+        spans[role] = (*own, *gaps)
+    return Support(support.curve, spans)
+
+
+def _neighbours(spans: Sequence[Span]) -> Iterator[tuple[Span, Span]]:
+    """Spans of one linetype with a gap between them."""
+    for linetype in Linetype:
+        own = sorted((s for s in spans if s.linetype is linetype), key=lambda span: span.low)
+        yield from ((one, two) for one, two in pairwise(own) if two.low - one.high > 1e-9)
+
+
+def _places(curve: PlaneCurve, low: float, high: float, step: float) -> list[float]:
+    count = int((high - low) * curve.speed / step) + 2
+    return [low + (high - low) * (k + 0.5) / count for k in range(count)]
+
+
+def _runs_by(other: Support, role: Role, point: Point, near: float) -> bool:
+    """Whether a view draws a line near a point."""
+    if other.curve.distance(point) > near:
+        return False
+    return other.linetype_at(role, other.curve.parameter(point), near) is not None
+
+
+def stations_on(curve: PlaneCurve, others: list[PlaneCurve]) -> list[float]:
+    """Parameters where a curve meets others, ascending."""
+    found = {
+        curve.parameter(point)
+        for other in others
+        if other != curve
+        for point in meetings(curve, other)
+    }
+    return sorted(found)
+
+
+def nearest_station(stations: list[float], parameter: float, slack: float) -> float:
+    """The station nearest to a parameter, or the parameter where none is within ``slack``."""
+    at = bisect_left(stations, parameter)
+    near = stations[max(0, at - 1) : at + 1]
+    best = min(near, key=lambda station: abs(station - parameter), default=parameter)
+    return best if abs(best - parameter) <= slack else parameter

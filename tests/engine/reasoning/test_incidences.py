@@ -1,0 +1,127 @@
+"""Corners read near lines and circles lie on them afterwards."""
+
+from math import cos, hypot, pi, sin
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.curves import CircleCurve, LineCurve, Point, meetings
+from gaussiancad_core.reasoning.incidences import PlaneReading, Slant, adjusted
+from gaussiancad_core.reasoning.snapping import (
+    CircleReading,
+    Reading,
+    Snapped,
+    snapped,
+    with_lone_values,
+)
+
+_TOLERANCE = 0.2
+_ERROR = st.floats(-0.04, 0.04)
+_ANGLE = st.floats(0.0, 2.0 * pi)
+_RADIUS = st.floats(5.0, 20.0)
+
+
+def _snap(readings: list[tuple[Axis, float]], circles: list[CircleReading]) -> Snapped:
+    return snapped([Reading(axis, at, 50.0) for axis, at in readings], circles, _TOLERANCE)
+
+
+@given(st.lists(_ERROR, min_size=8, max_size=8))
+def test_the_edge_of_two_chamfers_runs_through_both(errors: list[float]) -> None:
+    # A block of 100, chamfered along two of its edges: x + z = 163 in front, y + z = 176 beside.
+    # The top view shows their common edge from (63, 76) to (87, 100).
+    e = errors
+    readings = [(axis, at) for axis in Axis for at in (0.0, 100.0)]
+    readings += [(Axis.X, 63.0 + e[0]), (Axis.Y, 76.0 + e[1])]
+    readings += [(Axis.Z, 63.0 + e[2]), (Axis.Z, 76.0 + e[3])]
+    front = Slant((63.0, 100.0 + e[4]), (100.0, 63.0), 52.0)
+    beside = Slant((76.0 + e[5], 100.0), (100.0, 76.0), 34.0)
+    edge = Slant((63.0, 76.0 + e[6]), (87.0 + e[7], 100.0), 34.0)
+    planes = [
+        PlaneReading(Axis.Y, (front,), (front.start, front.end, (87.0 + e[6], 76.0))),
+        PlaneReading(Axis.X, (beside,), (beside.start, beside.end)),
+        PlaneReading(Axis.Z, (edge,), (edge.start, edge.end)),
+    ]
+    snap = with_lone_values(_snap(readings, []), [Reading(Axis.X, edge.end[0], 1e-3)])
+    found = adjusted(snap, planes, _TOLERANCE)
+    lines = {axis: own[0] for axis, own in found.lines.items()}
+    for t in (0.0, 0.4, 1.0):
+        z = 76.0 + 24.0 * t
+        ((x, _),) = meetings(lines[Axis.Y], LineCurve((0.0, z), (1.0, 0.0)))
+        ((y, _),) = meetings(lines[Axis.X], LineCurve((0.0, z), (1.0, 0.0)))
+        assert lines[Axis.Z].distance((x, y)) < 1e-7
+    for axis, own in snap.values.items():
+        assert found.snap.values[axis] == pytest.approx(own, abs=_TOLERANCE)
+
+
+@given(_RADIUS, _ERROR, _ERROR, st.floats(0.5, 1.15))
+def test_the_edge_of_a_flat_on_a_cylinder_is_where_they_meet(
+    radius: float, wide: float, high: float, share: float
+) -> None:
+    x = radius * cos(share)
+    z = radius * sin(share)
+    readings = [(Axis.X, x + wide), (Axis.Z, z + high)]
+    circle = CircleReading(Axis.Y, CircleCurve((0.0, 0.0), radius), 1e4)
+    snap = _snap(readings, [circle])
+    plane = PlaneReading(Axis.Y, (), ((x, z),))
+    found = adjusted(snap, [plane], _TOLERANCE).snap
+    ((_, own),) = found.circles
+    corner = found.values[Axis.X][0], found.values[Axis.Z][0]
+    assert own.distance(corner) < 1e-7
+    assert hypot(corner[0] - x, corner[1] - z) < 0.1
+
+
+@given(st.tuples(_RADIUS, _RADIUS), _ANGLE, st.booleans(), st.booleans(), st.tuples(_ERROR, _ERROR))
+def test_a_rough_common_tangent_becomes_an_exact_one(
+    radii: tuple[float, float],
+    angle: float,
+    outer: bool,
+    flip: bool,
+    errors: tuple[float, float],
+) -> None:
+    first, second = radii
+    away = first + second + 25.0
+    one = CircleCurve((5.0, -3.0), first)
+    other = CircleCurve((5.0 + away * cos(angle), -3.0 + away * sin(angle)), second)
+    side = -1.0 if flip else 1.0
+    start, end = _touching(one, other, (side, side if outer else -side))
+    along = np.subtract(end, start) / hypot(*np.subtract(end, start))
+    assume(min(abs(along)) > 1e-3)
+    ends = [
+        (point[0] - error * along[1], point[1] + error * along[0])
+        for point, error in zip((start, end), errors, strict=True)
+    ]
+    slant = Slant(ends[0], ends[1], 1.0)
+    circles = [CircleReading(Axis.Y, circle, 1e4) for circle in (one, other)]
+    plane = PlaneReading(Axis.Y, (slant,), tuple(ends))
+    found = adjusted(_snap([], circles), [plane], _TOLERANCE)
+    (line,) = found.lines[Axis.Y]
+    for _, circle in found.snap.circles:
+        assert line.distance(circle.centre) == pytest.approx(circle.radius, abs=1e-7)
+
+
+def _touching(
+    one: CircleCurve, other: CircleCurve, sides: tuple[float, float]
+) -> tuple[Point, Point]:
+    """Touching points of a common tangent with normal n: n . c = d + side r for both circles."""
+    dx, dy = other.centre[0] - one.centre[0], other.centre[1] - one.centre[1]
+    away = hypot(dx, dy)
+    first, second = sides[0] * one.radius, sides[1] * other.radius
+    cosine = (second - first) / away
+    sine = (1.0 - cosine**2) ** 0.5
+    normal = (cosine * dx - sine * dy) / away, (cosine * dy + sine * dx) / away
+    return (
+        (one.centre[0] - first * normal[0], one.centre[1] - first * normal[1]),
+        (other.centre[0] - second * normal[0], other.centre[1] - second * normal[1]),
+    )
+
+
+def test_a_corner_that_only_passes_by_is_left() -> None:
+    snap = _snap([(Axis.X, 50.0), (Axis.Z, 50.5)], [])
+    slant = Slant((0.0, 0.0), (100.0, 100.0), 141.0)
+    plane = PlaneReading(Axis.Y, (slant,), ((50.0, 50.5),))
+    found = adjusted(snap, [plane], _TOLERANCE)
+    assert found.snap.values == snap.values
+    assert found.lines[Axis.Y][0].distance((30.0, 30.0)) < 1e-12

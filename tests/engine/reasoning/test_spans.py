@@ -1,0 +1,46 @@
+"""What is drawn on a line, and gaps that other lines cover."""
+
+import pytest
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.reasoning.curves import PlaneCurve, axis_line, line_through
+from gaussiancad_core.reasoning.spans import DrawnStretch, Support, supports_with_spans
+from gaussiancad_core.views import Linetype
+
+_FRONT, _HIDDEN = Role.FRONT, Linetype.HIDDEN
+_TOLERANCE = 0.2
+
+
+def _supports(
+    curves: list[PlaneCurve], drawn: list[tuple[int, float, float, Role]]
+) -> tuple[Support, ...]:
+    strokes = [
+        (index, DrawnStretch(role, (low, high), _HIDDEN, 1.0)) for index, low, high, role in drawn
+    ]
+    return supports_with_spans(curves, strokes, [], _TOLERANCE)
+
+
+_STEEP = line_through((45.0, 0.0), (55.0, 100.0))
+"""Crosses x = 50 at half its height, within 1.2 units of it for 24."""
+
+
+@pytest.mark.parametrize(("role", "closed"), [(_FRONT, True), (Role.TOP, False)])
+def test_a_gap_along_another_line_of_the_view_is_closed(role: Role, closed: bool) -> None:
+    low, middle, high = (_STEEP.parameter((45.0 + 0.1 * z, z)) for z in (5.0, 50.0, 95.0))
+    drawn = [(0, low, middle - 9.0, _FRONT), (0, middle + 9.0, high, _FRONT)]
+    steep, _ = _supports([_STEEP, axis_line(0, 50.0)], [*drawn, (1, 0.0, 100.0, role)])
+    assert len(steep.drawn()) == (1 if closed else 2)
+    assert steep.linetype_at(_FRONT, middle) is (_HIDDEN if closed else None)
+
+
+def test_a_gap_that_leads_away_from_the_other_line_stays() -> None:
+    low, middle, high = (_STEEP.parameter((45.0 + 0.1 * z, z)) for z in (5.0, 50.0, 95.0))
+    drawn = [(0, low, middle - 25.0, _FRONT), (0, middle + 25.0, high, _FRONT)]
+    steep, _ = _supports([_STEEP, axis_line(0, 50.0)], [*drawn, (1, 0.0, 100.0, _FRONT)])
+    assert len(steep.drawn()) == 2
+
+
+def test_strokes_end_where_lines_meet() -> None:
+    curves: list[PlaneCurve] = [axis_line(0, 50.0), axis_line(1, 20.0), axis_line(1, 70.0)]
+    line, *_ = _supports(curves, [(0, 20.3, 69.5, _FRONT)])
+    assert line.drawn() == [(pytest.approx(20.0), pytest.approx(70.0))]
