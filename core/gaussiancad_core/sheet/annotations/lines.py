@@ -155,16 +155,19 @@ def is_long_short(runs: Sequence[Run]) -> bool:
 
 
 def _with_faded(runs: Sequence[Run], short: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
-    """Which dashes are short, those added that are missing between two long ones."""
+    """Which dashes are short, those added that are missing between two long ones: no more than were
+    seen."""
     gaps = np.array([after.start - before.end for before, after in pairwise(runs)])
     beside = short[1:] != short[:-1]
-    if not beside.any():
+    # A dash of a hidden line that faded falls to pieces, which lie side by side.
+    if not beside.any() or (short[1:] & short[:-1]).any():
         return short
     gap = float(np.median(gaps[beside]))
-    room = 2.0 * gap + float(
-        np.median([run.length for run, is_short in zip(runs, short, strict=True) if is_short])
-    )
+    dots = [run.length for run, is_short in zip(runs, short, strict=True) if is_short]
+    room = 2.0 * gap + float(np.median(dots))
     empty = ~short[1:] & ~short[:-1] & (np.abs(gaps - room) < _FADED * room)
+    if empty.sum() > len(dots):
+        return short
     return np.insert(short, np.flatnonzero(empty) + 1, True)
 
 

@@ -86,7 +86,11 @@ def test_long_and_short_in_turn(lengths: list[float], expected: bool) -> None:
     [
         # The second short dash faded: its own length and one more gap are blank.
         ([18, 4, 18, -9, 18], True),
-        ([18, -9, 18, 4, 18, -9, 18, -9, 18], True),
+        ([18, 4, 18, -9, 18, 4, 18, -9, 18], True),
+        # One was seen, three were not.
+        ([18, -9, 18, 4, 18, -9, 18, -9, 18], False),
+        # A hidden line, one of whose dashes fell to pieces.
+        ([12, 12, 12, 2, 2, 12, 12, 12, 12, 12, 12], False),
         # All of them did: dashes at wide gaps may as well be hidden lines.
         ([18, -9, 18, -9, 18], False),
         # One short dash by chance, and gaps that none would fill.
