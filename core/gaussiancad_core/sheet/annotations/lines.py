@@ -33,6 +33,9 @@ _BREAK = 0.5
 _SHORT = 0.45
 """Length of the short dashes of a centre line, as a share of the long ones, at most."""
 
+_NOISE = 1.1
+"""Share of the limit by which the width of something as short as a dash may be off."""
+
 _FADED = 0.25
 """Share by which the gap that a short dash left may differ from what it and its gaps take."""
 
@@ -214,5 +217,6 @@ def _is_dash(runs: Sequence[InkedRun], k: int, rhythm: Rhythm, limit: float) -> 
         beside.append(runs[first - 1])
     if last + 1 < len(runs) and runs[last + 1].run.start - end <= gap:
         beside.append(runs[last + 1])
-    dashes = [run for run in beside if run.run.length <= longest and not _is_wide(run, limit)]
+    wide = _NOISE * limit
+    dashes = [run for run in beside if run.run.length <= longest and not _is_wide(run, wide)]
     return bool(dashes) or len(beside) == 2

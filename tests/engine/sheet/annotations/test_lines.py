@@ -103,6 +103,13 @@ def test_short_dashes_that_faded(lengths: list[float], expected: bool) -> None:
     assert is_long_short(_runs(lengths[::-1], 5.0)) is expected
 
 
+def test_a_dash_may_look_a_little_wide() -> None:
+    """Three dashes on a copy, the middle one as wide as the narrowest edges."""
+    pieces = [(0, 12, 2.2), (18, 30, 2.5), (36, 48, 2.1)]
+    shapes = [_shape(*pieces), _row([12, 12, 12, 12, 12], 6, 2.0), _solid(90, 3.0)]
+    assert kinds_of_runs(shapes, Weights(3.0, 2.4), 2.6)[0] == [None] * 3
+
+
 def test_the_first_dash_may_go_on_from_an_edge() -> None:
     """The line is hidden from a corner on: its first dash belongs to it, not to the edge."""
     pieces = [(0, 100, 3.0), (100, 112, 2.0), (118, 130, 2.0), (136, 148, 2.0), (154, 166, 2.0)]
