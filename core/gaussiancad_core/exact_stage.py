@@ -150,7 +150,12 @@ def find_for_hull(own: Reading, other: Reading | None) -> ExactModel | None:
     usual = Effort()
     times = [field.name for field in fields(usual) if field.name != "workers"]
     effort = replace(usual, **{name: _BRIEF * getattr(usual, name) for name in times})
-    limits = Limits(effort, alternatives=_BRIEF_ALTERNATIVES, seconds=_BRIEF_SECONDS)
+    limits = Limits(
+        effort,
+        alternatives=_BRIEF_ALTERNATIVES,
+        seconds=_BRIEF_SECONDS,
+        conflict=_BRIEF * Limits().conflict,
+    )
     return find_exact(own, other, limits)
 
 
