@@ -10,7 +10,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import hypot, sqrt
 
+import numpy as np
+import numpy.typing as npt
+
 from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.columns import Vector
 from gaussiancad_core.reasoning.curves import CircleCurve, LineCurve, Point, line_through
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.relations import Linear, Numbers, Relation, Terms, solved
@@ -34,6 +38,15 @@ _FAR = 1.0
 
 _FAR_LOOSELY = 2.5
 """The same for values that only ends tell, and for lines at their ends."""
+
+_FIRM = 1e6
+"""Factor of the weight of the extents."""
+
+_SPANNING = 3
+"""Corners that any plane goes through."""
+
+_FREE = 1e-3
+"""Weight of numbers that nothing tells."""
 
 _KNOWN = 1e-6
 """Units within which an equation between values and circles holds already."""
@@ -72,6 +85,19 @@ class PlaneReading:
 
 
 @dataclass(frozen=True)
+class Facet:
+    """A face that is edge-on in no view, as its corners were read.
+
+    Attributes:
+        normal: (3,) unit normal.
+        corners: (3,) points near its plane.
+    """
+
+    normal: Vector
+    corners: tuple[Vector, ...]
+
+
+@dataclass(frozen=True)
 class Adjusted:
     """Values, circles and lines with all their incidences.
 
@@ -84,16 +110,23 @@ class Adjusted:
     lines: dict[Axis, tuple[LineCurve, ...]]
 
 
-def adjusted(snap: Snapped, planes: Sequence[PlaneReading], tolerance: float) -> Adjusted:
-    """Make corners lie on the lines and circles that they were read on.
+def adjusted(
+    snap: Snapped,
+    planes: Sequence[PlaneReading],
+    tolerance: float,
+    facets: Sequence[Facet] = (),
+) -> Adjusted:
+    """Make corners lie on the lines, circles and faces that they were read on.
 
     Args:
         snap: values and circles.
         planes: what the views show.
         tolerance: units by which a reading may be off.
+        facets: faces that are edge-on in no view.
     """
     network = _Network(snap, planes, tolerance)
     relations = [relation for plane in planes for relation in network.relations(plane)]
+    relations += [relation for facet in facets for relation in network.on_facet(facet)]
     numbers = solved(network.observed, network.weights, [*network.known(), *relations], network.far)
     return network.result(numbers)
 
@@ -172,6 +205,34 @@ class _Touches:
         ]
 
 
+@dataclass(frozen=True)
+class _OnFacet:
+    """A corner on a plane, which three numbers turn and shift from where it was read.
+
+    Attributes:
+        at_axes: places of the corner's coordinates.
+        first: place of the plane's two tilts; its shift follows.
+        frame: (3, 3) rows: two directions in the plane, and its normal.
+        origin: (3,) a point of it.
+    """
+
+    at_axes: tuple[int, int, int]
+    first: int
+    frame: npt.NDArray[np.float64]
+    origin: npt.NDArray[np.float64]
+
+    def at(self, numbers: Numbers) -> tuple[float, Terms]:
+        along, across, out = self.frame @ (numbers[list(self.at_axes)] - self.origin)
+        one, other, shift = numbers[self.first : self.first + 3]
+        normal = self.frame[2] + one * self.frame[0] + other * self.frame[1]
+        return float(out + one * along + other * across - shift), [
+            *zip(self.at_axes, normal.tolist(), strict=True),
+            (self.first, float(along)),
+            (self.first + 1, float(across)),
+            (self.first + 2, -1.0),
+        ]
+
+
 def _direction(slant: Slant) -> tuple[Point, float]:
     dx, dy = slant.end[0] - slant.start[0], slant.end[1] - slant.start[1]
     length = hypot(dx, dy)
@@ -213,11 +274,15 @@ class _Network:
         return len(self.observed) - len(numbers)
 
     def _add_values(self, axis: Axis) -> dict[float, int]:
-        return {
-            value: self._add([value], [weight], _FAR_LOOSELY if weight < _LOOSE else _FAR)
-            for value in self._snap.values[axis]
-            for weight in (self._snap.weights[axis, value],)
-        }
+        values = self._snap.values[axis]
+        found = {}
+        for value in values:
+            weight = self._snap.weights[axis, value]
+            # The views were lined up by their extents.
+            factor = _FIRM if value in (values[0], values[-1]) else 1.0
+            far = _FAR_LOOSELY if weight < _LOOSE else _FAR
+            found[value] = self._add([value], [factor * weight], far)
+        return found
 
     def known(self) -> list[Linear]:
         """The equations between values and circles that hold already."""
@@ -256,6 +321,25 @@ class _Network:
                 is_on = self._is_on(corner, circle, loose=corner.loose)
                 if is_on and not _is_extreme(circle, corner.point):
                     yield _OnCircle(corner.a, corner.b, at)
+
+    def on_facet(self, facet: Facet) -> Iterator[Relation]:
+        """Its corners on one plane, as far as their coordinates are values."""
+        known = {}
+        for corner in facet.corners:
+            values = [self._snap.value(axis, x) for axis, x in zip(Axis, corner, strict=True)]
+            if None not in values:
+                x, y, z = (self._values[axis][x] for axis, x in zip(Axis, values, strict=True))
+                known[x, y, z] = np.array(values)
+        if len(known) <= _SPANNING:
+            return
+        normal = np.array(facet.normal)
+        along = np.cross(normal, np.eye(3)[int(np.abs(normal).argmin())])
+        along /= np.linalg.norm(along)
+        frame = np.array([along, np.cross(normal, along), normal])
+        first = self._add([0.0, 0.0, 0.0], [_FREE] * 3, _FAR_LOOSELY)
+        origin = np.mean(list(known.values()), axis=0)
+        for places in known:
+            yield _OnFacet(places, first, frame, origin)
 
     def _is_on(self, corner: "_Corner", curve: LineCurve | CircleCurve, *, loose: bool) -> bool:
         off = curve.distance(corner.point)

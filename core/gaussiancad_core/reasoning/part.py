@@ -14,6 +14,7 @@ from gaussiancad_core.reasoning.chains import Chain, through_points
 from gaussiancad_core.reasoning.columns import Space
 from gaussiancad_core.reasoning.curves import axis_line
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.incidences import Facet
 from gaussiancad_core.reasoning.oblique import find_half_spaces
 from gaussiancad_core.reasoning.pieces import find_pieces
 from gaussiancad_core.reasoning.planes import IN_PLANE
@@ -70,6 +71,11 @@ def model_part(views: DrawnViews) -> PartModel:
         raise _too_complex(f"a view has {strokes} lines")
     supports = find_supports(views)
     half_spaces = find_half_spaces(supports)
+    facets = [Facet(body.normal, hull) for body in half_spaces for hull in body.hulls]
+    if facets:
+        # Read by themselves their corners lie on no common plane.
+        supports = find_supports(views, facets)
+        half_spaces = find_half_spaces(supports)
     supports = retraced(supports, half_spaces)
     planes = {axis: _arranged(plane, supports.tolerance) for axis, plane in supports.planes.items()}
     for axis in Axis:

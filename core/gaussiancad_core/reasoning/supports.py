@@ -5,7 +5,7 @@ that is seen edge-on: a plane for a line, a cylinder for a circle.  Where stroke
 again from the supports that they end at; the ends as read are not used but to choose among those.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import hypot, pi
 
@@ -23,7 +23,13 @@ from gaussiancad_core.reasoning.curves import (
     line_through,
 )
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.incidences import Adjusted, PlaneReading, Slant, adjusted
+from gaussiancad_core.reasoning.incidences import (
+    Adjusted,
+    Facet,
+    PlaneReading,
+    Slant,
+    adjusted,
+)
 from gaussiancad_core.reasoning.planes import IN_PLANE, UNITS, plane_points, role_plane
 from gaussiancad_core.reasoning.snapping import (
     CircleReading,
@@ -134,14 +140,22 @@ class _Plane:
     chains: list[tuple[Role, Chain, Linetype]]
 
 
-def find_supports(views: DrawnViews) -> PartSupports:
-    """Supports of the strokes of all views, in shared coordinates."""
+def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSupports:
+    """Supports of the strokes of all views, in shared coordinates.
+
+    Args:
+        views: whose strokes are taken.
+        facets: faces that are edge-on in no view, as far as they are known.
+    """
     scale = UNITS / max(views.size)
     tolerance = views.tolerance * scale
     planes = _sorted_strokes(views, scale, tolerance)
     size = tuple(extent * scale for extent in views.size)
     apart = None if views.apart is None else views.apart * scale
-    known = _adjusted(planes, size, tolerance, apart)
+    snap = _snap(planes, size, tolerance, apart)
+    shown = [_plane_reading(plane, tolerance) for plane in planes.values()]
+    lone = [reading for plane in shown for reading in _slant_ends(plane, snap)]
+    known = adjusted(with_lone_values(snap, lone), shown, tolerance, facets)
     found = {
         axis: PlaneSupports(
             axis, tuple(plane.roles), _supports(plane, known, tolerance), tuple(plane.chains)
@@ -199,13 +213,13 @@ def _circle(arc: Arc, role: Role, scale: float) -> _Circle:
     return _Circle(role, curve, float(low), min(arc.sweep, TURN), arc.linetype, arc.confidence)
 
 
-def _adjusted(
+def _snap(
     planes: dict[Axis, _Plane],
     size: tuple[float, float, float],
     tolerance: float,
     apart: float | None,
-) -> Adjusted:
-    """Values, circles and slanted lines, with what lies together made equal."""
+) -> Snapped:
+    """Values and circles, with what lies together made equal."""
     readings = []
     for axis in Axis:
         # The bounding box is where the views were registered; it counts as much as it is long.
@@ -219,10 +233,7 @@ def _adjusted(
                 value = (line.start[along] + line.end[along]) / 2.0
                 readings.append(Reading(axes[along], value, line.length * line.confidence))
         circles += [CircleReading(plane.normal, c.circle, c.weight) for c in plane.circles]
-    snap = snapped(readings, circles, tolerance, apart)
-    shown = [_plane_reading(plane, tolerance) for plane in planes.values()]
-    lone = [reading for plane in shown for reading in _slant_ends(plane, snap)]
-    return adjusted(with_lone_values(snap, lone), shown, tolerance)
+    return snapped(readings, circles, tolerance, apart)
 
 
 def _plane_reading(plane: _Plane, tolerance: float) -> PlaneReading:

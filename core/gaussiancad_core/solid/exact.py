@@ -29,6 +29,9 @@ _COUNTING = 0.15
 """Units of thickness from which a cell makes a different solid."""
 
 
+_PATIENT = 0.25
+"""Share of the time after which it is not asked any more which lines contradict each other."""
+
 _UNLIKELY = 0.1
 """Share of the search for others that is left where neither lines nor labels agree: they may."""
 
@@ -50,14 +53,14 @@ class Limits:
         relaxed: whether lines may be given up where all together fit no solid.
         seconds: after which no further alternative is begun.
         conflict: deterministic time for telling which lines contradict each other, where no solid
-            has all of them and lines may be given up.
+            has all of them, lines may be given up, and a quarter of ``seconds`` is not over.
     """
 
     effort: Effort = field(default_factory=Effort)
     alternatives: int = 8
     relaxed: bool = True
     seconds: float = 60.0
-    conflict: float = 4.0
+    conflict: float = 2.0
 
 
 @dataclass(frozen=True)
@@ -118,7 +121,7 @@ def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
     clock.lap("model")
     result = _searched(part, views, limits, clock)
     explained = result.verification is not None and result.verification.explains
-    if explained or not limits.relaxed or clock.total > limits.seconds:
+    if explained or not limits.relaxed or clock.total > _PATIENT * limits.seconds:
         return result
     conflict = find_conflict(part, views, limits.conflict)
     clock.lap("conflict")

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.curves import CircleCurve, LineCurve, Point, meetings
-from gaussiancad_core.reasoning.incidences import PlaneReading, Slant, adjusted
+from gaussiancad_core.reasoning.incidences import Facet, PlaneReading, Slant, adjusted
 from gaussiancad_core.reasoning.snapping import (
     CircleReading,
     Reading,
@@ -125,3 +125,34 @@ def test_a_corner_that_only_passes_by_is_left() -> None:
     found = adjusted(snap, [plane], _TOLERANCE)
     assert found.snap.values == snap.values
     assert found.lines[Axis.Y][0].distance((30.0, 30.0)) < 1e-12
+
+
+@given(st.lists(_ERROR, min_size=12, max_size=12))
+def test_corners_of_a_facet_lie_on_one_plane(errors: list[float]) -> None:
+    # A quadrilateral on x + y + z = 150.
+    corners = np.array(
+        [[10.0, 60.0, 80.0], [60.0, 10.0, 80.0], [70.0, 40.0, 40.0], [30.0, 90.0, 30.0]]
+    )
+    read = corners + np.array(errors).reshape(4, 3)
+    snap = _snap([(axis, float(x)) for row in read for axis, x in zip(Axis, row, strict=True)], [])
+    off = np.array([1.01, 0.99, 1.0])
+    facet = Facet(tuple((off / np.linalg.norm(off)).tolist()), tuple(map(tuple, read.tolist())))
+    found = adjusted(snap, [], _TOLERANCE, [facet]).snap
+    moved = np.array(
+        [[found.value(axis, x) for axis, x in zip(Axis, row, strict=True)] for row in read]
+    )
+    assert np.linalg.svd(moved - moved.mean(axis=0))[1][2] < 1e-7
+    assert np.abs(moved - read).max() <= _TOLERANCE
+
+
+def test_the_extents_stay() -> None:
+    snap = _snap(
+        [(Axis.X, 0.0), (Axis.X, 50.05), (Axis.X, 100.0), (Axis.Z, 0.0), (Axis.Z, 100.0)], []
+    )
+    snap = with_lone_values(snap, [Reading(Axis.Z, 50.0, 1e-3)])
+    slant = Slant((0.0, 0.0), (100.0, 100.0), 141.0)
+    ends = (slant.start, slant.end, (50.05, 50.0))
+    found = adjusted(snap, [PlaneReading(Axis.Y, (slant,), ends)], _TOLERANCE).snap
+    assert found.values[Axis.X][0] == pytest.approx(0.0, abs=1e-6)
+    assert found.values[Axis.Z][-1] == pytest.approx(100.0, abs=1e-6)
+    assert found.values[Axis.Z][1] == pytest.approx(50.05, abs=0.01)
