@@ -6,6 +6,7 @@ or else the drawing with a margin.
 """
 
 import logging
+import struct
 import mmap
 import re
 from dataclasses import dataclass
@@ -141,14 +142,28 @@ def _check_size(path: Path) -> None:
                 raise too_many_elements(path)
 
 
+_BROKEN = (
+    ezdxf.DXFError,
+    struct.error,
+    ArithmeticError,
+    AssertionError,
+    AttributeError,
+    EOFError,
+    LookupError,
+    OSError,
+    RuntimeError,
+    TypeError,
+    ValueError,
+)
+"""What ezdxf's parsers raise over broken files: its own errors, and whatever broken values lead to;
+neither lack of memory nor an interrupt."""
+
+
 def _load(path: Path) -> Drawing:
     logging.getLogger("ezdxf").setLevel(logging.CRITICAL)
-    # ezdxf's parsers let through whatever broken values raise.
     try:
         return ezdxf.readfile(path)
-    except MemoryError:
-        raise
-    except Exception:
+    except _BROKEN:
         return _recovered(path)
 
 
@@ -156,9 +171,7 @@ def _recovered(path: Path) -> Drawing:
     """What the lenient parser makes of a file that the strict one stumbled over."""
     try:
         return recover.readfile(path)[0]
-    except MemoryError:
-        raise
-    except Exception as error:
+    except _BROKEN as error:
         raise UnreadableError(
             "damaged-dxf", f"{path} is no DXF file, or is damaged ({error}): save it again"
         ) from error

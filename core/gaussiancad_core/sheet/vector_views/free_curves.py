@@ -4,7 +4,6 @@ from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
-from skimage.measure import approximate_polygon
 
 from gaussiancad_core.sheet.files.fitting import circle_through
 from gaussiancad_core.sheet.files.vectors import Chain
@@ -27,6 +26,9 @@ _SAME_PLACE = 0.01
 
 def free_curve(chain: Chain, linetype: Linetype) -> list[Arc | Segment]:
     """The strokes along a chain."""
+    # It takes a second to import, and few sheets need it.
+    from skimage.measure import approximate_polygon
+
     points = np.array(chain.points)
     arc = _arc(points, linetype)
     if arc is not None:
