@@ -6,9 +6,9 @@ or else the drawing with a margin.
 """
 
 import logging
-import struct
 import mmap
 import re
+import struct
 from dataclasses import dataclass
 from pathlib import Path
 
