@@ -42,6 +42,9 @@ _FAR_LOOSELY = 2.5
 _FIRM = 1e6
 """Factor of the weight of the extents."""
 
+_MOST = 1000
+"""Incidences that are looked at: parts of 150 faces have some hundred."""
+
 _SPANNING = 3
 """Corners that any plane goes through."""
 

@@ -56,13 +56,19 @@ def solved(
         relations: between them.
         far: units by which each number may move; relations that ask for more are dropped, worst
             first.
+
+    Returns:
+        The observed ones where no relation is left, or the equations cannot be solved.
     """
     start = np.array(observed, dtype=np.float64)
     spread = 1.0 / np.array(weights, dtype=np.float64)
     limit = np.broadcast_to(np.asarray(far, dtype=np.float64), start.shape)
     kept = list(relations)
     while kept:
-        numbers, rows, left = _adjusted(start, spread, kept)
+        try:
+            numbers, rows, left = _adjusted(start, spread, kept)
+        except np.linalg.LinAlgError:
+            break
         moved = np.abs(numbers - start) / limit
         worst = int(np.argmax(moved))
         if moved[worst] > 1.0:
