@@ -42,8 +42,17 @@ _PLACES = 3
 _LONGEST_CORE = 60
 """Members up to which a core is made minimal: longer ones tell nobody anything."""
 
+_CLOSINGS = 4
+"""Lines that would close an outline that are tried: each is a whole new part."""
+
+_FEW_RULES = 1000
+"""Rules of a part up to which they are."""
+
 _LEAST_EFFORT = 0.1
 """Deterministic time for seeing whether all lines agree, at least."""
+
+_LEAST_COST = 0.02
+"""Deterministic time that each question counts at least: the solver does not count all it does."""
 
 Key = tuple[Role, bool, tuple[float, ...]]
 """A stroke of a view by its number (drawn), or a line of it by direction and place (blank)."""
@@ -73,20 +82,24 @@ def find_conflict(part: PartModel, views: DrawnViews, effort: float) -> Conflict
         lines.append(_line(key, grouped[key], views, part.supports.scale, labels))
     lines.sort(key=lambda line: not line.suspect)
     found = Conflict(tuple(lines), minimal)
-    return found if found.suspects else _open_outlines(views, search.left) or found
+    if found.suspects:
+        return found
+    return _open_outlines(views, search.left, tried=len(rules) <= _FEW_RULES) or found
 
 
-def _open_outlines(views: DrawnViews, effort: float) -> Conflict | None:
-    """The lines that would close the outlines of open views."""
+def _open_outlines(views: DrawnViews, effort: float, *, tried: bool) -> Conflict | None:
+    """The lines that would close the outlines of open views, if ``tried`` as others agree."""
     gaps = find_gaps(views)
     lines = [
         ConflictLine(gap.role, gap.closing[0], None, suspect=True, fitting=Linetype.VISIBLE)
         for gap in gaps
     ]
-    if len(gaps) == 1 and len(gaps[0].closing) > 1:
+    if tried and len(gaps) == 1 and len(gaps[0].closing) > 1:
         # The other views tell which of them is meant.
         fitting = (
-            ends for ends in gaps[0].closing if _agree_with(views, gaps[0].role, ends, effort)
+            ends
+            for ends in gaps[0].closing[:_CLOSINGS]
+            if _agree_with(views, gaps[0].role, ends, effort)
         )
         lines = [replace(lines[0], points=next(fitting, gaps[0].closing[0]))]
     return Conflict(tuple(lines), minimal=False) if lines else None
@@ -230,7 +243,7 @@ class _Cores:
             return cp_model.UNKNOWN, list(on), None
         solver = solver_for(self.left)
         status, core = model.solve(solver, on, least)
-        self.left -= solver.response_proto.deterministic_time
+        self.left -= max(solver.response_proto.deterministic_time, _LEAST_COST)
         return status, core, model.labels(solver) if status in FOUND else None
 
 

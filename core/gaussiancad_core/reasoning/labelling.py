@@ -157,7 +157,7 @@ class Effort:
     """
 
     hard: float = 12.0
-    relaxed: float = 12.0
+    relaxed: float = 6.0
     simplest: float = 5.0
     workers: int = 1
 

@@ -47,6 +47,9 @@ _SIDE = 2e-5
 _RIM = 0.01
 """Units within which the rim of a body is a support's curve."""
 
+_ON = 2e-3
+"""Units within which a curve is a support for certain."""
+
 _SAMPLES = 5
 """Points of a curve that is not drawn at which its region is looked up."""
 
@@ -101,13 +104,12 @@ def find_pieces(
                 linetype, confidence = _drawn(support, role, point)
                 yield Piece(role, point, across, linetype, length, confidence)
         finder = _DrawnNear(plane, near)
-        for point, across, length in _rims(space, normal):
-            for role in plane.roles:
-                yield Piece(role, point, across, finder.linetype(role, point, across), length)
         meeting = chain(_meeting_curves(space, normal), _meeting_lines(space, normal))
-        for point, across, length in meeting:
+        for point, across, length in chain(_rims(space, normal), meeting):
             for role in plane.roles:
-                yield Piece(role, point, across, finder.linetype(role, point, across), length)
+                certain, linetype = finder.linetype(role, point, across)
+                if certain:
+                    yield Piece(role, point, across, linetype, length)
 
 
 def _drawn(support: Support | None, role: Role, point: Point) -> tuple[Linetype | None, float]:
@@ -355,21 +357,28 @@ class _DrawnNear:
         self._near = near
         self._chains = [(role, np.array(chain), linetype) for role, chain, linetype in plane.chains]
 
-    def linetype(self, role: Role, point: Point, across: Point) -> Linetype | None:
-        """What is drawn along a curve with a unit normal at a point; visible before hidden."""
+    def linetype(self, role: Role, point: Point, across: Point) -> tuple[bool, Linetype | None]:
+        """Whether it is certain what is drawn along a curve with a normal at a point, and what.
+
+        Visible comes before hidden.  A line that is drawn close by may be the curve's, or that of
+        another surface.
+        """
         found: set[Linetype | None] = set()
+        beside: set[Linetype | None] = set()
         for support in self._plane.supports:
-            if support.curve.distance(point) < self._near:
+            away = support.curve.distance(point)
+            if away < self._near:
                 at = support.curve.parameter(point)
                 a, b = support.curve.normal(at)
                 if abs(a * across[0] + b * across[1]) > _ALONG:
-                    found.add(support.linetype_at(role, at))
+                    (found if away < _ON else beside).add(support.linetype_at(role, at))
         for other, drawn, linetype in self._chains:
             if other is role and self._is_near(drawn, point):
                 found.add(linetype)
-        if Linetype.VISIBLE in found:
-            return Linetype.VISIBLE
-        return Linetype.HIDDEN if Linetype.HIDDEN in found else None
+        for linetype in (Linetype.VISIBLE, Linetype.HIDDEN):
+            if linetype in found:
+                return True, linetype
+        return not beside & set(Linetype), None
 
     def _is_near(self, chain: np.ndarray, point: Point) -> bool:
         low, high = chain.min(0) - self._near, chain.max(0) + self._near

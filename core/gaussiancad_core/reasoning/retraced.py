@@ -7,6 +7,7 @@ the plane and its edges.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from math import hypot
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.curves import LineCurve, PlaneCurve, Point, axis_line, line_through
@@ -51,6 +52,9 @@ def _edges(
     for body in half_spaces:
         for outline in body.outlines(plane.normal):
             for start, end in zip(outline, (*outline[1:], outline[0]), strict=True):
+                if hypot(end[0] - start[0], end[1] - start[1]) < _EXACT:
+                    # Seen from its end.
+                    continue
                 line = line_through(start, end)
                 if line.axis is not None:
                     continue
