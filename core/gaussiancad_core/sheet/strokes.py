@@ -17,6 +17,7 @@ from gaussiancad_core.sheet.ellipse_fits import ellipse_profile, refit_ellipse
 from gaussiancad_core.sheet.fillets import find_fillets, is_chord
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
 from gaussiancad_core.sheet.growth import GrowthRules, grow_all
+from gaussiancad_core.sheet.jogs import find_jogs
 from gaussiancad_core.sheet.junctions import (
     FULL_TURN,
     Placed,
@@ -216,6 +217,7 @@ def classify_strokes(
             pieces.append((shape.geometry, piece))
             _explain(explained, shape.geometry, piece, view.sheet.stroke_width)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
+    pieces += find_jogs(ended, view.sheet)
     pieces = _refitted(pieces, ended, view.sheet)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     ended = _with_fillets(ended, view.sheet, explained)

@@ -1,0 +1,161 @@
+"""Jogs: short pieces of an outline between two lines that end with nothing beyond.
+
+A step of a few line widths leaves too little ink between its corners for a line to be grown from.
+What tells it are the two lines that end there, and the ink that leads from one end to the other:
+straight between lines that are parallel, around one corner between lines at right angles.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations, pairwise
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.junctions import Placed
+from gaussiancad_core.sheet.runs import Piece
+from gaussiancad_core.sheet.shapes import sample
+from gaussiancad_core.views import Linetype
+
+_LONGEST = 8.0
+"""Line widths that a leg of a jog is long at most: longer ones are found as lines."""
+
+_LEAST_LONGEST = 20.0
+"""The same in px, at least."""
+
+_SHORTEST = 1.5
+"""Line widths that it is long at least: shorter ones may be a ragged end."""
+
+_FREE = 0.75
+"""Line widths around an end within which there is no other stroke."""
+
+_SQUARE = 0.02
+"""Cosine of the angle between a leg and the lines that it joins, at most."""
+
+_INKED = 0.9
+"""Share of a leg that is ink."""
+
+_DARK = 0.5
+"""Weight from which a pixel is ink."""
+
+_CONFIDENCE = 0.8
+
+Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class _End:
+    """An end of a line with nothing beyond.
+
+    Attributes:
+        index: of the piece.
+        corner: (2,) px where the line's axis turns: half a stroke inside of where its ink ends.
+        outward: (2,) unit vector.
+    """
+
+    index: int
+    corner: Floats
+    outward: Floats
+
+
+def find_jogs(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Placed]:
+    """The legs of jogs.
+
+    Args:
+        pieces: of a view, with their ends at junctions.
+        sheet: its ink.
+
+    Returns:
+        Visible lines, whose ends are the corners.
+    """
+    ends = list(_free_ends(pieces, sheet.stroke_width))
+    longest = max(_LEAST_LONGEST, _LONGEST * sheet.stroke_width)
+    found: list[Placed] = []
+    taken: set[int] = set()
+    pairs = [
+        (float(np.hypot(*(one.corner - other.corner))), i, k)
+        for (i, one), (k, other) in combinations(enumerate(ends), 2)
+        if one.index != other.index
+    ]
+    for away, i, k in sorted(pairs):
+        if away > 1.5 * longest or taken & {i, k}:
+            continue
+        path = _path(ends[i], ends[k], sheet, longest)
+        if path is not None:
+            taken |= {i, k}
+            found += [_leg(a, b) for a, b in pairwise(path)]
+    return found
+
+
+def _free_ends(pieces: Sequence[Placed], width: float) -> Iterator[_End]:
+    """Ends of visible lines with no other stroke around."""
+    for index, (geometry, piece) in enumerate(pieces):
+        if not isinstance(geometry, Line) or piece.linetype is not Linetype.VISIBLE:
+            continue
+        for at, way in ((piece.start, -1.0), (piece.end, 1.0)):
+            tip = np.array(geometry.at(at))
+            outward = way * np.array(geometry.direction)
+            corner = tip - outward * width / 2.0
+            others = (own for k, own in enumerate(pieces) if k != index)
+            if all(_distance(own, tip) > _FREE * width for own in others):
+                yield _End(index, corner, outward)
+
+
+def _distance(placed: Placed, point: Floats) -> float:
+    """px from a point to a piece."""
+    geometry, piece = placed
+    at = float(geometry.positions(point[None])[0])
+    if np.isfinite(geometry.around):
+        at = piece.start + (at - piece.start) % geometry.around
+        past = at > piece.end
+        nearest = [piece.start, piece.end] if past else [at]
+    else:
+        nearest = [float(np.clip(at, piece.start, piece.end))]
+    points = geometry.points_at(np.array(nearest))
+    return float(np.hypot(*(points - point).T).min())
+
+
+def _path(one: _End, other: _End, sheet: CleanSheet, longest: float) -> list[Floats] | None:
+    """The corners of a jog from one end to the other; None if no ink leads there."""
+    cosine = float(one.outward @ other.outward)
+    if abs(cosine) > 1.0 - _SQUARE:
+        path = _straight(one, other)
+    elif abs(cosine) < _SQUARE:
+        path = _around(one, other)
+    else:
+        return None
+    legs = list(pairwise(path))
+    lengths = [float(np.hypot(*(b - a))) for a, b in legs]
+    if not all(_SHORTEST * sheet.stroke_width <= length <= longest for length in lengths):
+        return None
+    return path if all(_is_inked(a, b, sheet) for a, b in legs) else None
+
+
+def _straight(one: _End, other: _End) -> list[Floats]:
+    """One leg, at right angles to both lines, half way between where they seem to end."""
+    along = one.outward
+    middle = (one.corner + other.corner) @ along / 2.0
+    return [end.corner + (middle - end.corner @ along) * along for end in (one, other)]
+
+
+def _around(one: _End, other: _End) -> list[Floats]:
+    """Two legs, each at right angles to the line that it starts from."""
+    turn = one.corner + ((other.corner - one.corner) @ other.outward) * other.outward
+    return [one.corner, turn, other.corner]
+
+
+def _is_inked(start: Floats, end: Floats, sheet: CleanSheet) -> bool:
+    points = start + np.linspace(0.0, 1.0, 4 * int(np.hypot(*(end - start)) + 2))[:, None] * (
+        end - start
+    )
+    weights = sample(sheet.weight, points[:, :1], points[:, 1:])
+    return float((weights > _DARK).mean()) >= _INKED
+
+
+def _leg(start: Floats, end: Floats) -> Placed:
+    length = float(np.hypot(*(end - start)))
+    dx, dy = (end - start) / length
+    line = Line((float(start[0]), float(start[1])), (float(dx), float(dy)))
+    return line, Piece(0.0, length, Linetype.VISIBLE, _CONFIDENCE)
