@@ -8,16 +8,22 @@ surface.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from math import hypot, sqrt
 
 import numpy as np
-import numpy.typing as npt
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.columns import Vector
+from gaussiancad_core.reasoning.corner_equations import (
+    OnCircle,
+    OnFacet,
+    OnSlant,
+    Slant,
+    Touches,
+    direction_of,
+)
 from gaussiancad_core.reasoning.curves import CircleCurve, LineCurve, Point, line_through
 from gaussiancad_core.reasoning.planes import IN_PLANE
-from gaussiancad_core.reasoning.relations import Linear, Numbers, Relation, Terms, solved
+from gaussiancad_core.reasoning.relations import Linear, Numbers, Relation, solved
 from gaussiancad_core.reasoning.snapping import Snapped, circle_relations
 from gaussiancad_core.reasoning.tangents import touched_circles
 
@@ -56,20 +62,6 @@ _KNOWN = 1e-6
 
 _EXTREME = 0.02
 """Component of a circle's normal below which a corner is the circle's extreme."""
-
-
-@dataclass(frozen=True)
-class Slant:
-    """A line that is parallel to no axis, as a view shows it.
-
-    Attributes:
-        start, end: (2,) in its plane.
-        weight: its length by its confidence.
-    """
-
-    start: Point
-    end: Point
-    weight: float
 
 
 @dataclass(frozen=True)
@@ -134,117 +126,9 @@ def adjusted(
     return network.result(numbers)
 
 
-@dataclass(frozen=True)
-class _OnSlant:
-    """A corner on a line, in the line's own frame: along it and across, from its start.
-
-    Attributes:
-        a, b: places of the corner's coordinates.
-        first: place of the line's offset at its start; that at its end follows.
-        slant: as read.
-    """
-
-    a: int
-    b: int
-    first: int
-    slant: Slant
-
-    def at(self, numbers: Numbers) -> tuple[float, Terms]:
-        (dx, dy), length = _direction(self.slant)
-        x, y = numbers[self.a] - self.slant.start[0], numbers[self.b] - self.slant.start[1]
-        share = (x * dx + y * dy) / length
-        low, high = numbers[self.first], numbers[self.first + 1]
-        tilt = (high - low) / length
-        value = -x * dy + y * dx - low - (high - low) * share
-        return value, [
-            (self.a, -dy - tilt * dx),
-            (self.b, dx - tilt * dy),
-            (self.first, share - 1.0),
-            (self.first + 1, -share),
-        ]
-
-
-@dataclass(frozen=True)
-class _OnCircle:
-    """A corner on a circle; the circle's numbers are centre and radius from a place on."""
-
-    a: int
-    b: int
-    circle: int
-
-    def at(self, numbers: Numbers) -> tuple[float, Terms]:
-        x, y = numbers[self.a] - numbers[self.circle], numbers[self.b] - numbers[self.circle + 1]
-        away = hypot(x, y) or 1.0
-        return away - numbers[self.circle + 2], [
-            (self.a, x / away),
-            (self.b, y / away),
-            (self.circle, -x / away),
-            (self.circle + 1, -y / away),
-            (self.circle + 2, -1.0),
-        ]
-
-
-@dataclass(frozen=True)
-class _Touches:
-    """A line that touches a circle; ``side`` is that of the centre, +1 left of the line."""
-
-    circle: int
-    first: int
-    slant: Slant
-    side: float
-
-    def at(self, numbers: Numbers) -> tuple[float, Terms]:
-        value, terms = _OnSlant(self.circle, self.circle + 1, self.first, self.slant).at(numbers)
-        _, length = _direction(self.slant)
-        tilt = (numbers[self.first + 1] - numbers[self.first]) / length
-        stretch = sqrt(1.0 + tilt * tilt)
-        radius = numbers[self.circle + 2]
-        turn = self.side * radius * tilt / (stretch * length)
-        return value - self.side * radius * stretch, [
-            *terms,
-            (self.circle + 2, -self.side * stretch),
-            (self.first, turn),
-            (self.first + 1, -turn),
-        ]
-
-
-@dataclass(frozen=True)
-class _OnFacet:
-    """A corner on a plane, which three numbers turn and shift from where it was read.
-
-    Attributes:
-        at_axes: places of the corner's coordinates.
-        first: place of the plane's two tilts; its shift follows.
-        frame: (3, 3) rows: two directions in the plane, and its normal.
-        origin: (3,) a point of it.
-    """
-
-    at_axes: tuple[int, int, int]
-    first: int
-    frame: npt.NDArray[np.float64]
-    origin: npt.NDArray[np.float64]
-
-    def at(self, numbers: Numbers) -> tuple[float, Terms]:
-        along, across, out = self.frame @ (numbers[list(self.at_axes)] - self.origin)
-        one, other, shift = numbers[self.first : self.first + 3]
-        normal = self.frame[2] + one * self.frame[0] + other * self.frame[1]
-        return float(out + one * along + other * across - shift), [
-            *zip(self.at_axes, normal.tolist(), strict=True),
-            (self.first, float(along)),
-            (self.first + 1, float(across)),
-            (self.first + 2, -1.0),
-        ]
-
-
-def _direction(slant: Slant) -> tuple[Point, float]:
-    dx, dy = slant.end[0] - slant.start[0], slant.end[1] - slant.start[1]
-    length = hypot(dx, dy)
-    return (dx / length, dy / length), length
-
-
 def _side(slant: Slant, point: Point) -> float:
     """+1 where a point lies to the left of a line's way, else -1."""
-    (dx, dy), _ = _direction(slant)
+    (dx, dy), _ = direction_of(slant)
     x, y = point[0] - slant.start[0], point[1] - slant.start[1]
     return 1.0 if y * dx - x * dy > 0.0 else -1.0
 
@@ -309,7 +193,7 @@ class _Network:
             ends = slant.start, slant.end
             for circle in touched_circles(line, ends, list(circles), self._snap.reach):
                 if circle is not None:
-                    yield _Touches(circles[circle], first, slant, _side(slant, circle.centre))
+                    yield Touches(circles[circle], first, slant, _side(slant, circle.centre))
             low, high = sorted((line.parameter(slant.start), line.parameter(slant.end)))
             room = _READ_NEAR * self._tolerance
             own = self._corners(plane.normal, ends)
@@ -318,12 +202,12 @@ class _Network:
                 within = low - room <= along <= high + room
                 loose = corner.loose or (corner.a, corner.b) in own
                 if within and self._is_on(corner, line, loose=loose):
-                    yield _OnSlant(corner.a, corner.b, first, slant)
+                    yield OnSlant(corner.a, corner.b, first, slant)
         for circle, at in circles.items():
             for corner in corners.values():
                 is_on = self._is_on(corner, circle, loose=corner.loose)
                 if is_on and not _is_extreme(circle, corner.point):
-                    yield _OnCircle(corner.a, corner.b, at)
+                    yield OnCircle(corner.a, corner.b, at)
 
     def on_facet(self, facet: Facet) -> Iterator[Relation]:
         """Its corners on one plane, as far as their coordinates are values."""
@@ -342,7 +226,7 @@ class _Network:
         first = self._add([0.0, 0.0, 0.0], [_FREE] * 3, _FAR_LOOSELY)
         origin = np.mean(list(known.values()), axis=0)
         for places in known:
-            yield _OnFacet(places, first, frame, origin)
+            yield OnFacet(places, first, frame, origin)
 
     def _is_on(self, corner: "_Corner", curve: LineCurve | CircleCurve, *, loose: bool) -> bool:
         off = curve.distance(corner.point)
@@ -412,7 +296,7 @@ def _is_extreme(circle: CircleCurve, point: Point) -> bool:
 
 def _moved(slant: Slant, low: float, high: float) -> LineCurve:
     """The line with offsets at its ends, to the left of its way."""
-    (dx, dy), _ = _direction(slant)
+    (dx, dy), _ = direction_of(slant)
     start = slant.start[0] - dy * low, slant.start[1] + dx * low
     end = slant.end[0] - dy * high, slant.end[1] + dx * high
     return line_through(start, end)

@@ -13,6 +13,7 @@ import numpy as np
 
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.reasoning.chains import Chain, single_runs
+from gaussiancad_core.reasoning.corner_equations import Slant
 from gaussiancad_core.reasoning.curves import (
     TURN,
     CircleCurve,
@@ -27,7 +28,6 @@ from gaussiancad_core.reasoning.incidences import (
     Adjusted,
     Facet,
     PlaneReading,
-    Slant,
     adjusted,
 )
 from gaussiancad_core.reasoning.planes import IN_PLANE, UNITS, plane_points, role_plane
