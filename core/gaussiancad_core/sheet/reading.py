@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from gaussiancad_core.axes import Axis, Projection, Role
+from gaussiancad_core.axes import Axis, Projection, Role, mutually_orthogonal
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.annotations.separate import SeparatedSheet, separate_annotations
 from gaussiancad_core.sheet.clean import CleanSheet
@@ -134,7 +134,10 @@ def find_views(
 def _separated_views(
     sheet: CleanSheet, given: dict[Role, Box], projection: Projection | None
 ) -> tuple[SeparatedSheet, Layout]:
-    """Without relying on line widths, or on annotations at all, where that leads to more."""
+    """Without relying on line widths, or on annotations at all, where that leads to more.
+
+    Where the widths leave two views only, outlines may have been taken for annotations.
+    """
     separated = separate_annotations(sheet)
     ways: list[Callable[[], SeparatedSheet]] = [lambda: separated]
     if separated.by_weight:
@@ -151,13 +154,34 @@ def _separated_views(
         except NoModelError as error:
             first = first or error
             continue
-        if best is None or _size(layout) > _MUCH_LARGER * _size(best[1]):
+        if best is None or _is_better(layout, best[1]):
             best = tried, layout
-        if _size(best[1]) > _TINY * sheet.ink.size:
+        doubtful = tried.by_weight and not _is_whole(layout)
+        if not doubtful and _size(best[1]) > _TINY * sheet.ink.size:
             return best
     if best is None:
         raise first
     return best
+
+
+def _is_better(layout: Layout, other: Layout) -> bool:
+    """Whether views are much larger than others, and belong together unless those do not either."""
+    larger = _size(layout) > _MUCH_LARGER * _size(other)
+    return larger and (_belong_together(layout) or not _belong_together(other))
+
+
+def _is_whole(layout: Layout) -> bool:
+    """Whether there are views along all three axes, which belong together."""
+    return mutually_orthogonal(tuple(layout.boxes)) and _belong_together(layout)
+
+
+def _belong_together(layout: Layout) -> bool:
+    """Whether the views show one extent of each axis, as far as they show one twice."""
+    try:
+        axis_extents(dict(layout.boxes))
+    except NoModelError:
+        return False
+    return True
 
 
 def _size(layout: Layout) -> float:

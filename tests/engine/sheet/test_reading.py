@@ -5,10 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.sheet.annotations.separate import separate_annotations
+from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.options import ReadingOptions
-from gaussiancad_core.sheet.reading import register_views
+from gaussiancad_core.sheet.reading import find_views, register_views
 
 THROUGH_HOLES = {
     "l-bracket": 2,
@@ -95,3 +97,23 @@ def test_small_disagreement_is_averaged(read) -> None:  # noqa: ANN001
     assert registered.extents.disagreeing == (Axis.Z,)
     assert registered.extents.spread[Axis.Z] == pytest.approx(6.0, abs=0.1)
     assert registered.extents.extents[Axis.Z] == pytest.approx(y1 - y0 + 3.0, abs=0.1)
+
+
+def test_outlines_narrower_than_what_is_inside_are_outlines_still(sketch) -> None:  # noqa: ANN001
+    drawn = sketch(640, 460)
+    views = {
+        Role.TOP: (50.0, 40.0, 250.0, 190.0),
+        Role.FRONT: (50.0, 250.0, 250.0, 400.0),
+        Role.RIGHT: (350.0, 250.0, 500.0, 400.0),
+    }
+    for x0, y0, x1, y1 in views.values():
+        drawn.lines((x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0), width=2.0)
+    # Lines that lie beside each other look like one wide line.
+    for x0, x1 in ((80.0, 200.0), (380.0, 450.0)):
+        drawn.lines((x0, 280.0), (x1, 280.0), (x1, 370.0), (x0, 370.0), (x0, 280.0), width=3.4)
+    sheet = clean_sheet(drawn.grey)
+    assert separate_annotations(sheet).by_weight
+    _, layout = find_views(sheet, {}, Projection.THIRD)
+    assert set(layout.boxes) == set(views)
+    for role, box in views.items():
+        assert layout.boxes[role] == pytest.approx(box, abs=3.0)
