@@ -27,7 +27,7 @@ from gaussiancad_core.reliefs import (
     relief_of,
     trusted,
 )
-from gaussiancad_core.verification.agreement import match_lines
+from gaussiancad_core.verification.agreement import agreeing_share, match_lines
 from gaussiancad_core.verification.rays import RayCaster
 from gaussiancad_core.verification.redraw import RedrawSettings, redraw_mesh
 from gaussiancad_core.views import View, ViewSet
@@ -224,16 +224,8 @@ def _contradicts(views: ViewSet, plain: TriangleMesh, carved: TriangleMesh) -> s
 def mesh_agreement(mesh: TriangleMesh, views: ViewSet) -> float:
     """Share of all lines, the sheet's and the mesh's, that the other drawing has."""
     pitch = max(views.size) / _PIXELS
-    agreeing = total = 0.0
+    matches = []
     for view in views.views:
         lines = redraw_mesh(mesh, view.role, pitch, RedrawSettings(most_pixels=_PIXELS))
-        matched = match_lines(view.strokes, lines, _TOLERANCE * pitch)
-        for points, agree in (
-            (matched.sheet.visible, matched.visible_found),
-            (matched.sheet.hidden, matched.hidden_found),
-            (matched.result.visible, matched.visible_explained),
-            (matched.result.hidden, matched.hidden_explained),
-        ):
-            agreeing += float(points.lengths[agree].sum())
-            total += float(points.lengths.sum())
-    return agreeing / total if total else 0.0
+        matches.append(match_lines(view.strokes, lines, _TOLERANCE * pitch))
+    return agreeing_share(matches)

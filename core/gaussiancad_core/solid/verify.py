@@ -12,7 +12,7 @@ from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.brep import soundness
 from gaussiancad_core.drawing.hlr import LineDrawing
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.verification.agreement import MatchedLines, match_lines
+from gaussiancad_core.verification.agreement import MatchedLines, agreeing_share, match_lines
 from gaussiancad_core.verification.lines import Curve, LinePoints, Lines, lines_of_strokes
 from gaussiancad_core.views import Linetype
 
@@ -75,17 +75,7 @@ class Verification:
     @property
     def share(self) -> float:
         """Share of all lines, the sheet's and the solid's, that the other drawing has."""
-        agreeing = total = 0.0
-        for match in self.matched.values():
-            for points, agree in (
-                (match.sheet.visible, match.visible_found),
-                (match.sheet.hidden, match.hidden_found),
-                (match.result.visible, match.visible_explained),
-                (match.result.hidden, match.hidden_explained),
-            ):
-                agreeing += float(points.lengths[agree].sum())
-                total += float(points.lengths.sum())
-        return agreeing / total if total else 0.0
+        return agreeing_share(self.matched.values())
 
     @property
     def explains(self) -> bool:

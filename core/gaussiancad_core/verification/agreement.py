@@ -67,6 +67,21 @@ class MatchedLines:
         )
 
 
+def agreeing_share(matches: Iterable[MatchedLines]) -> float:
+    """Share of all lines of views, the sheet's and the result's, that the other drawing has."""
+    agreeing = total = 0.0
+    for match in matches:
+        for points, agree in (
+            (match.sheet.visible, match.visible_found),
+            (match.sheet.hidden, match.hidden_found),
+            (match.result.visible, match.visible_explained),
+            (match.result.hidden, match.hidden_explained),
+        ):
+            agreeing += float(points.lengths[agree].sum())
+            total += float(points.lengths.sum())
+    return agreeing / total if total else 0.0
+
+
 def match_lines(strokes: Iterable[Curve], result: Lines, tolerance: float) -> MatchedLines:
     """Match a result's lines with the sheet's strokes.
 
