@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 from gaussiancad_core.axes import Projection, mutually_orthogonal
 from gaussiancad_core.errors import (
     CancelledError,
-    EngineError,
     GaussianCadError,
     LimitError,
     NoModelError,
@@ -384,7 +383,11 @@ class _Run:
             self.report = replace(self.report, hull=surface_stage.hull_report(hull))
         with self._stage("gaussians"):
             training = surface_stage.train_on(hull.mesh, self.job, views, self.progress)
-            self.report = replace(self.report, gaussians=surface_stage.gaussians_report(training))
+            self.report = replace(
+                self.report,
+                gaussians=surface_stage.gaussians_report(training),
+                device=surface_stage.training_device(self.job),
+            )
         with self._stage("surface"):
             surface = surface_stage.make_surface(training, hull.mesh, self.job.recipe)
             self.report = replace(self.report, surface=surface_stage.surface_report(surface))
@@ -442,8 +445,8 @@ def _vectors(image: SheetImage, clean: CleanSheet) -> VectorSheet | None:
 
 
 def _check_device(device: Device) -> None:
+    """Say at once, not after minutes, that a GPU that was asked for cannot be used."""
     if device is Device.CUDA:
-        raise EngineError(
-            "cuda-unavailable",
-            "this version trains on the CPU only: use --device auto or cpu",
-        )
+        from gaussiancad_core.splatting.devices import backend_for
+
+        backend_for(device)

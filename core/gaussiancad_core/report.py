@@ -28,6 +28,7 @@ ENGINE_PACKAGES = (
     "trimesh",
     "cadquery-ocp-novtk",
     "ortools",
+    "gsplat",
 )
 
 
@@ -169,6 +170,7 @@ class Report:
         tolerance_px: within which lines were matched.
         alternatives: other solids, best first.
         conflict: lines that contradict each other, the suspects first.
+        device: where the Gaussians were trained, ``cpu`` or ``cuda``.
     """
 
     sheet_sha256: str
@@ -196,6 +198,7 @@ class Report:
     hull: HullReport | None = None
     surface: SurfaceReport | None = None
     gaussians: GaussiansReport | None = None
+    device: str = "cpu"
     seconds: dict[str, float] = field(default_factory=dict)
 
     def warned(self, code: str, message: str) -> "Report":
@@ -258,7 +261,7 @@ class Report:
             "seconds": self.seconds,
             "peak_memory_mb": peak_memory_mb(),
             "settings": self.settings,
-            "engine": engine_facts(self.settings, self.sheet_sha256),
+            "engine": engine_facts(self.settings, self.sheet_sha256, self.device),
         }
 
     def write(self, path: Path) -> None:
@@ -267,14 +270,16 @@ class Report:
         path.write_text(text + "\n", encoding="utf-8")
 
 
-def engine_facts(settings: dict[str, Any], sheet_sha256: str) -> dict[str, Any]:
+def engine_facts(
+    settings: dict[str, Any], sheet_sha256: str, device: str = "cpu"
+) -> dict[str, Any]:
     """Versions, device, seed and the sheet's hash: what a repetition needs."""
     return {
         "version": __version__,
         "python": platform.python_version(),
         "platform": sys.platform,
         "packages": installed_versions(ENGINE_PACKAGES),
-        "device": "cpu",
+        "device": device,
         "seed": settings.get("seed"),
         "sheet_sha256": sheet_sha256,
     }

@@ -1,6 +1,7 @@
 """The hull, the Gaussians that start on it, and their surface, as a job asks for them."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from gaussiancad_core.cameras import Camera
 from gaussiancad_core.carving import CarvedHull, carved_hull
@@ -9,6 +10,7 @@ from gaussiancad_core.job import Job
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.modes import Recipe
 from gaussiancad_core.report import GaussiansReport, HullReport, SurfaceReport
+from gaussiancad_core.splatting.devices import backend_for
 from gaussiancad_core.splatting.gaussians import Start, gaussians_on
 from gaussiancad_core.splatting.settings import training_cameras, training_settings
 from gaussiancad_core.splatting.targets import mean_colour, targets_of
@@ -33,7 +35,7 @@ def train_on(
     hull: TriangleMesh, job: Job, views: ViewSet, progress: Callable[..., None]
 ) -> TrainingResult:
     """Gaussians that start on a hull, trained against the views."""
-    settings = training_settings(job.recipe, job.preset)
+    settings = replace(training_settings(job.recipe, job.preset), backend=backend_for(job.device))
     start = Start(
         count=settings.count,
         thickness=settings.thickness,
@@ -55,6 +57,11 @@ def make_surface(training: TrainingResult, hull: TriangleMesh, recipe: Recipe) -
     # Only parallel projections leave no material outside of the hull.
     within = hull if recipe is Recipe.ORTHOGRAPHIC else None
     return gaussian_surface(training.gaussians, PoissonSettings(), within)
+
+
+def training_device(job: Job) -> str:
+    """Where a job trains: ``cpu`` or ``cuda``."""
+    return backend_for(job.device).device
 
 
 def hull_report(hull: CarvedHull) -> HullReport:

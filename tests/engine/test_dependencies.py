@@ -19,6 +19,9 @@ ENGINE = [*PROJECT["project"]["dependencies"], *PROJECT["build-system"]["require
 EXTRAS = PROJECT["project"]["optional-dependencies"]
 OCR = EXTRAS["ocr"]
 TESTS = [*EXTRAS["test"], *OCR]
+CUDA = [re.split(r"\W", line)[0] for line in EXTRAS["cuda"]]
+"""Modules of the extra for GPUs, which is not installed where there is none; named as packages."""
+
 CUDA_ONLY = ("nvidia-", "cuda-", "triton")
 
 
@@ -76,7 +79,7 @@ def test_locks_hold_hashes_and_no_addresses(lock: str) -> None:
     [("core", ENGINE + OCR), ("benchmarks", ENGINE), ("tests/engine", ENGINE + TESTS)],
 )
 def test_every_import_is_declared(folder: str, declared: list[str]) -> None:
-    known = {"gaussiancad_core", *sys.stdlib_module_names}
+    known = {"gaussiancad_core", *sys.stdlib_module_names, *CUDA}
     known |= {name for line in declared for name in provided(Requirement(line).name)}
     # Scripts of a folder import each other; the benchmarks' own are tested, too.
     for scripts in (folder, "benchmarks"):

@@ -63,6 +63,7 @@ def run(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
         state = f"BROKEN: {problem}" if problem else metadata.version(distribution)
         print(f"  {distribution:24} {state}", flush=True)
     print(f"  {'ocr (optional)':24} {_ocr_state()}", flush=True)
+    print(f"  {'gpu (optional)':24} {_gpu_state()}", flush=True)
     if broken:
         print(f"{broken} of {len(_NEEDED)} libraries cannot be used; run `make install` again")
         return ExitCode.ENGINE
@@ -77,6 +78,20 @@ def _ocr_state() -> str:
     except metadata.PackageNotFoundError:
         return "not installed: pip install rapidocr onnxruntime"
     return _problem("onnxruntime", "onnxruntime") or version
+
+
+def _gpu_state() -> str:
+    """Whether Gaussians are trained on the GPU; no library is compiled for the answer."""
+    try:
+        import torch
+    except Exception:  # A broken library raises anything while it is imported.
+        return "not used: PyTorch is broken"
+    if not torch.cuda.is_available():
+        return "not used: PyTorch sees no CUDA device"
+    try:
+        return f"{torch.cuda.get_device_name()} with gsplat {metadata.version('gsplat')}"
+    except metadata.PackageNotFoundError:
+        return "not used: pip install gsplat (it needs NVIDIA's CUDA toolkit)"
 
 
 def _problem(module: str, distribution: str) -> str | None:

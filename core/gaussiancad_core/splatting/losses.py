@@ -44,10 +44,14 @@ class Targets:
     masks: Tensor
     background: tuple[float, float, float] = (1.0, 1.0, 1.0)
 
+    def on(self, device: str) -> "Targets":
+        """The same targets on a device."""
+        return Targets(self.colours.to(device), self.masks.to(device), self.background)
+
 
 def composed(rendering: Rendering, background: tuple[float, float, float]) -> Tensor:
     """(v, 3, h, w) the rendered colours on a uniform background."""
-    behind = torch.tensor(background, dtype=rendering.colours.dtype)[:, None, None]
+    behind = rendering.colours.new_tensor(background)[:, None, None]
     return rendering.colours + (1.0 - rendering.alphas)[:, None] * behind
 
 

@@ -45,6 +45,12 @@ class CameraBatch:
     centres: Tensor
     nearest: float
 
+    def on(self, device: str) -> "CameraBatch":
+        """The same cameras with their tensors on a device."""
+        tensors = (self.rotations, self.translations, self.focals, self.centres)
+        moved = (tensor.to(device) for tensor in tensors)
+        return CameraBatch(self.model, self.width, self.height, *moved, self.nearest)
+
 
 @dataclass(frozen=True, eq=False)
 class Splats:

@@ -77,8 +77,22 @@ class Rendering:
 class Rasteriser(Protocol):
     """A back end."""
 
-    def __call__(self, parameters: Parameters, cameras: CameraBatch, optics: Optics) -> Rendering:
-        """Draw the Gaussians in every view, differentiably."""
+    def __call__(
+        self,
+        parameters: Parameters,
+        cameras: CameraBatch,
+        optics: Optics,
+        shifts: Tensor | None = None,
+    ) -> Rendering:
+        """Draw the Gaussians in every view, differentiably.
+
+        Args:
+            parameters: n Gaussians.
+            cameras: v of them, on the device of the parameters.
+            optics: constants.
+            shifts: (v, n, 2) zeros in px, whose gradient tells how the loss pulls at the Gaussians'
+                images: what density control goes by.
+        """
 
 
 class Backend(Enum):
@@ -86,6 +100,12 @@ class Backend(Enum):
 
     TILES = "tiles"
     REFERENCE = "reference"
+    GSPLAT = "gsplat"
+
+    @property
+    def device(self) -> str:
+        """The device of the tensors that it draws."""
+        return "cuda" if self is Backend.GSPLAT else "cpu"
 
 
 def rasteriser(backend: Backend) -> Rasteriser:
@@ -94,18 +114,25 @@ def rasteriser(backend: Backend) -> Rasteriser:
         from gaussiancad_core.splatting.tiles import draw_tiles
 
         return draw_tiles
+    if backend is Backend.GSPLAT:
+        from gaussiancad_core.splatting.gsplat_draw import draw_gsplat
+
+        return draw_gsplat
     from gaussiancad_core.splatting.reference import draw_reference
 
     return draw_reference
 
 
 def parameters_of(
-    gaussians: Gaussians, unit: float = 1.0, dtype: torch.dtype = torch.float32
+    gaussians: Gaussians,
+    unit: float = 1.0,
+    dtype: torch.dtype = torch.float32,
+    device: str = "cpu",
 ) -> Parameters:
     """Gaussians as leaves of a graph, in a unit of ``unit`` mm."""
 
     def leaf(values: np.ndarray) -> Tensor:
-        return torch.tensor(values, dtype=dtype).requires_grad_()
+        return torch.tensor(values, dtype=dtype, device=device).requires_grad_()
 
     return Parameters(
         leaf(gaussians.means / np.float32(unit)),

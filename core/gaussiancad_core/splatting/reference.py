@@ -3,6 +3,8 @@
 Slow and readable: the compiled kernels are tested against it, and it runs wherever torch does.
 """
 
+from dataclasses import replace
+
 import torch
 from torch import Tensor
 
@@ -13,7 +15,9 @@ _TILE = 32
 """Edge of a tile in pixels; a Gaussian is drawn only in the tiles that it reaches."""
 
 
-def draw_reference(parameters: Parameters, cameras: CameraBatch, optics: Optics) -> Rendering:
+def draw_reference(
+    parameters: Parameters, cameras: CameraBatch, optics: Optics, shifts: Tensor | None = None
+) -> Rendering:
     """Draw the Gaussians in every view; see :mod:`.rasteriser` for the compositing."""
     splats = project(
         parameters.means,
@@ -22,6 +26,8 @@ def draw_reference(parameters: Parameters, cameras: CameraBatch, optics: Optics)
         cameras,
         optics.dilation,
     )
+    if shifts is not None:
+        splats = replace(splats, means=splats.means + shifts)
     opacities = torch.sigmoid(parameters.logit_opacities)
     views = []
     for view in range(len(splats.means)):

@@ -25,7 +25,7 @@ Array = npt.NDArray[np.float32]
 def plain_ssim(images: Tensor, targets: Tensor) -> Tensor:
     """Mean SSIM of two (v, c, h, w) stacks with values from 0 to 1, of any float type."""
     channels = images.shape[1]
-    offsets = torch.arange(WINDOW, dtype=images.dtype) - WINDOW // 2
+    offsets = torch.arange(WINDOW, dtype=images.dtype, device=images.device) - WINDOW // 2
     profile = torch.exp(-(offsets**2) / (2 * SIGMA**2))
     profile = profile / profile.sum()
     window = torch.outer(profile, profile).expand(channels, 1, WINDOW, WINDOW)

@@ -29,7 +29,9 @@ _KERNELS = threading.Lock()
 Array = npt.NDArray[Any]
 
 
-def draw_tiles(parameters: Parameters, cameras: CameraBatch, optics: Optics) -> Rendering:
+def draw_tiles(
+    parameters: Parameters, cameras: CameraBatch, optics: Optics, shifts: Tensor | None = None
+) -> Rendering:
     """Draw the Gaussians in every view; see :mod:`.rasteriser` for the compositing.
 
     Works in float32 and float64 on the CPU; the same input gives the same bits.
@@ -41,6 +43,7 @@ def draw_tiles(parameters: Parameters, cameras: CameraBatch, optics: Optics) -> 
             parameters.log_scales,
             torch.sigmoid(parameters.logit_opacities),
             parameters.colours,
+            shifts,
             cameras,
             optics,
         )
@@ -92,13 +95,15 @@ class _Draw(torch.autograd.Function):
         log_scales: Tensor,
         opacities: Tensor,
         colours: Tensor,
+        shifts: Tensor | None,
         cameras: CameraBatch,
         optics: Optics,
     ) -> tuple[Tensor, Tensor, Tensor]:
         scene = _scene((means, quaternions, log_scales), opacities, colours, cameras, optics)
         size = (cameras.height, cameras.width)
+        moved = None if shifts is None else _array(shifts)
         with _KERNELS:
-            tiling, projected, images = _forward(scene, size, optics)
+            tiling, projected, images = _forward(scene, size, optics, moved)
         ctx.state = (scene, size, tiling, projected, images)
         return tuple(torch.from_numpy(image) for image in images)
 
@@ -107,11 +112,13 @@ class _Draw(torch.autograd.Function):
         arrays = tuple(np.ascontiguousarray(gradient.numpy()) for gradient in upstream)
         with _KERNELS:
             gradients = _backward(ctx.state, arrays)
-        return (*(torch.from_numpy(gradient) for gradient in gradients), None, None)
+        found = [torch.from_numpy(gradient) for gradient in gradients]
+        shifted = ctx.needs_input_grad[5]
+        return (*found[:5], found[5] if shifted else None, None, None)
 
 
 def _forward(
-    scene: _Scene, size: tuple[int, int], optics: Optics
+    scene: _Scene, size: tuple[int, int], optics: Optics, shifts: Array | None
 ) -> tuple[_Tiling, tuple[Array, Array, Array], tuple[Array, Array, Array]]:
     """Tiling; means, conics and depths in the views; colour, alpha and depth images."""
     views, number, kind = len(scene.cameras[0]), len(scene.opacities), scene.opacities.dtype
@@ -128,6 +135,8 @@ def _forward(
         conics,
         depths,
     )
+    if shifts is not None:
+        means += shifts
     tiling = _sort_into_tiles(size, means, covariances, depths, scene)
     projected = (means, conics, depths)
     images = tuple(np.empty((views, *planes, *size), kind) for planes in ((3,), (), ()))
@@ -145,7 +154,7 @@ def _forward(
 
 
 def _backward(state: tuple[Any, ...], upstream: tuple[Array, ...]) -> tuple[Array, ...]:
-    """Gradients of means, quaternions, log scales, opacities and colours."""
+    """Gradients of means, quaternions, log scales, opacities, colours and shifts."""
     scene, size, tiling, projected, images = state
     slots = np.empty((len(tiling.members), tile_kernels.SLOT_FIELDS), scene.opacities.dtype)
     tile_kernels.composite_backward(
@@ -177,7 +186,7 @@ def _backward(state: tuple[Any, ...], upstream: tuple[Array, ...]) -> tuple[Arra
         to_projection,
         gradients,
     )
-    return (*gradients, to_opacities, to_colours)
+    return (*gradients, to_opacities, to_colours, to_projection[0])
 
 
 def _array(tensor: Tensor) -> Array:

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 import torch
@@ -14,7 +15,7 @@ from gaussiancad_core.splatting.losses import Targets, total_loss
 from gaussiancad_core.splatting.projection import batch_of
 from gaussiancad_core.splatting.rasteriser import Parameters, parameters_of, rasteriser
 from gaussiancad_core.splatting.settings import TrainingSettings
-from gaussiancad_core.splatting.ssim import FastSsim
+from gaussiancad_core.splatting.ssim import FastSsim, plain_ssim
 
 SCENE_EDGE = 5.0
 """Longest edge of the Gaussians' box in the units in which the rates are given."""
@@ -57,13 +58,15 @@ def train(
         The trained Gaussians; the same input gives the same bits.
     """
     unit = float(np.ptp(gaussians.means, axis=0).max()) / SCENE_EDGE or 1.0
-    batch = batch_of(cameras, unit)
-    parameters = parameters_of(gaussians, unit)
-    anchor = _Anchor(gaussians, unit, settings.anchor)
+    device = settings.backend.device
+    batch = batch_of(cameras, unit).on(device)
+    targets = targets.on(device)
+    parameters = parameters_of(gaussians, unit, device=device)
+    anchor = _Anchor(gaussians, unit, settings)
     draw = rasteriser(settings.backend)
     losses: list[float] = []
     with _one_torch_thread():
-        similarity = FastSsim(targets.colours)
+        similarity = _similarity_with(targets.colours)
         optimiser = _optimiser(parameters, settings)
         for iteration in range(settings.iterations):
             optimiser.param_groups[0]["lr"] = _position_rate(settings, iteration)
@@ -85,10 +88,11 @@ def train(
 class _Anchor:
     """Pulls the means back to the tangent planes in which they started."""
 
-    def __init__(self, gaussians: Gaussians, unit: float, weight: float) -> None:
-        self._means = torch.from_numpy(gaussians.means / np.float32(unit))
-        self._normals = torch.from_numpy(gaussians.normals)
-        self._weight = weight
+    def __init__(self, gaussians: Gaussians, unit: float, settings: TrainingSettings) -> None:
+        device = settings.backend.device
+        self._means = torch.from_numpy(gaussians.means / np.float32(unit)).to(device)
+        self._normals = torch.from_numpy(gaussians.normals).to(device)
+        self._weight = settings.anchor
 
     def __call__(self, means: Tensor) -> Tensor | float:
         if self._weight == 0.0:
@@ -122,7 +126,7 @@ def _settled(losses: list[float], settings: TrainingSettings) -> bool:
 
 def _trained(start: Gaussians, parameters: Parameters, unit: float) -> Gaussians:
     means, quaternions, log_scales, logits, colours = (
-        tensor.detach().numpy().copy() for tensor in parameters.tensors
+        tensor.detach().cpu().numpy().copy() for tensor in parameters.tensors
     )
     return Gaussians(
         means=means * np.float32(unit),
@@ -132,6 +136,13 @@ def _trained(start: Gaussians, parameters: Parameters, unit: float) -> Gaussians
         colours=np.clip(colours, 0.0, 1.0),
         normals=start.normals,
     )
+
+
+def _similarity_with(targets: Tensor) -> Callable[[Tensor], Tensor]:
+    """SSIM with fixed targets: the compiled one reads the processor's memory only."""
+    if targets.device.type == "cpu":
+        return FastSsim(targets)
+    return partial(plain_ssim, targets=targets)
 
 
 @contextmanager

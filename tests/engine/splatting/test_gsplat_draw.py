@@ -1,0 +1,181 @@
+"""The CUDA back end: what it hands to gsplat, and on a GPU whether the three back ends agree.
+
+On a machine without a GPU a stand-in for gsplat composites in torch as its manual says, so that
+the order, the shapes and the units of all arguments and results are checked everywhere.
+"""
+
+import sys
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import torch
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.cameras import CameraModel, orthographic_camera, paper_camera
+from gaussiancad_core.splatting.devices import cuda_problem
+from gaussiancad_core.splatting.gsplat_draw import draw_gsplat
+from gaussiancad_core.splatting.projection import CameraBatch, batch_of
+from gaussiancad_core.splatting.rasteriser import (
+    Backend,
+    Optics,
+    Parameters,
+    Rendering,
+    rasteriser,
+)
+from gaussiancad_core.splatting.reference import draw_reference
+from gaussiancad_core.splatting.tiles import draw_tiles
+
+SIZE = (50.0, 30.0, 40.0)
+ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
+MODELS = pytest.mark.parametrize("model", list(CameraModel))
+
+
+def cameras(model: CameraModel, pixels: int, dtype: torch.dtype) -> CameraBatch:
+    made = (
+        orthographic_camera(role, SIZE, pixels)
+        if model is CameraModel.ORTHOGRAPHIC
+        else paper_camera(role, SIZE, pixels / 1920)
+        for role in ROLES
+    )
+    return batch_of(tuple(made), unit=10.0, dtype=dtype)
+
+
+def parameters(count: int, dtype: torch.dtype, device: str = "cpu") -> Parameters:
+    random = np.random.default_rng(3)
+    arrays = (
+        random.random((count, 3)) * np.array(SIZE) / 10.0,
+        random.normal(size=(count, 4)),
+        0.3 * random.normal(size=(count, 3)) + np.log(0.2),
+        random.normal(size=count),
+        random.random((count, 3)),
+    )
+    tensors = (torch.tensor(array, dtype=dtype, device=device) for array in arrays)
+    return Parameters(*(tensor.requires_grad_() for tensor in tensors))
+
+
+def gradients(rendering: Rendering, of: tuple[torch.Tensor, ...]) -> tuple[torch.Tensor, ...]:
+    """Gradients of a fixed random combination of all images."""
+    generator = torch.Generator().manual_seed(1)
+    total = torch.zeros((), dtype=rendering.colours.dtype, device=rendering.colours.device)
+    for image in (rendering.colours, rendering.alphas, rendering.depths):
+        weights = torch.randn(image.shape, generator=generator, dtype=torch.float64)
+        total = total + (image * weights.to(image)).sum()
+    total.backward()
+    return tuple(tensor.grad for tensor in of)
+
+
+def _rotations(quaternions: torch.Tensor) -> torch.Tensor:
+    w, x, y, z = torch.nn.functional.normalize(quaternions, dim=1).unbind(1)
+    vector = torch.stack([x, y, z], dim=1)
+    cross = torch.linalg.cross(
+        vector[:, None].expand(-1, 3, -1), torch.eye(3, dtype=w.dtype).expand(len(w), -1, -1)
+    ).transpose(1, 2)
+    identity = torch.eye(3, dtype=w.dtype)
+    return identity + 2 * (w[:, None, None] * cross + cross @ cross)
+
+
+def _places(
+    means: torch.Tensor, pose: torch.Tensor, matrix: torch.Tensor, told: SimpleNamespace
+) -> torch.Tensor:
+    local = means @ pose[:3, :3].T + pose[:3, 3]
+    plane = local / local[:, 2:] if told.camera_model == "pinhole" else local
+    return plane[:, :2] * matrix[[0, 1], [0, 1]] + matrix[:2, 2]
+
+
+def stand_in(**asked: object) -> tuple[torch.Tensor, torch.Tensor, dict[str, torch.Tensor]]:
+    """What gsplat's ``rasterization`` returns, one pixel after the other in plain torch."""
+    told = SimpleNamespace(**asked)
+    assert (told.packed, told.render_mode) == (False, "RGB+D")
+    turned = _rotations(told.quats) * told.scales[:, None, :]
+    covariances = turned @ turned.transpose(1, 2)
+    places = torch.stack(
+        [_places(told.means, *camera, told) for camera in zip(told.viewmats, told.Ks, strict=True)]
+    )
+    images, alphas = [], []
+    y, x = torch.meshgrid(
+        torch.arange(told.height) + 0.5, torch.arange(told.width) + 0.5, indexing="ij"
+    )
+    for pose, matrix, means in zip(told.viewmats, told.Ks, places, strict=True):
+        local = told.means @ pose[:3, :3].T + pose[:3, 3]
+        jacobian = matrix[:2, :3].repeat(len(local), 1, 1)
+        jacobian[:, :, 2] = 0.0
+        plane = local
+        if told.camera_model == "pinhole":
+            plane = local / local[:, 2:]
+            depth = local[:, 2, None, None]
+            jacobian = torch.cat(
+                [jacobian[:, :, :2], -jacobian[:, :, :2] @ plane[:, :2, None]], dim=2
+            )
+            jacobian = jacobian / depth
+        else:
+            assert told.camera_model == "ortho"
+        linear = jacobian @ pose[:3, :3]
+        blurred = linear @ covariances @ linear.transpose(1, 2) + told.eps2d * torch.eye(2).double()
+        offsets = torch.stack([x.flatten(), y.flatten()], dim=1)[:, None] - means
+        falloff = torch.einsum("pni,nij,pnj->pn", offsets, torch.linalg.inv(blurred), offsets)
+        weighed = (told.opacities * torch.exp(-falloff / 2)).clamp_max(0.999)
+        weighed = torch.where(weighed < 1 / 255, torch.zeros_like(weighed), weighed)
+        order = torch.argsort(local[:, 2])
+        assert (local[:, 2] > told.near_plane).all()
+        weighed = weighed[:, order]
+        left = torch.cumprod(1 - weighed, dim=1)
+        weights = weighed * torch.cat([torch.ones_like(left[:, :1]), left[:, :-1]], dim=1)
+        features = torch.cat([told.colors, local[:, 2:]], dim=1)[order]
+        images.append((weights @ features).reshape(told.height, told.width, 4))
+        alphas.append(weights.sum(dim=1).reshape(told.height, told.width, 1))
+    return torch.stack(images), torch.stack(alphas), {"means2d": places}
+
+
+@MODELS
+def test_what_is_handed_to_gsplat_is_what_the_reference_draws(
+    model: CameraModel, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "gsplat", SimpleNamespace(rasterization=stand_in))
+    batch = cameras(model, 32, torch.float64)
+    found = []
+    for draw in (draw_gsplat, draw_reference, draw_tiles):
+        some = parameters(12, torch.float64)
+        shifts = torch.zeros(3, 12, 2, dtype=torch.float64, requires_grad=True)
+        rendering = draw(some, batch, Optics(dilation=0.1), shifts)
+        images = (rendering.colours, rendering.alphas, rendering.depths)
+        slopes = gradients(rendering, (*some.tensors, shifts))
+        found.append([tensor.detach() for tensor in (*images, *slopes)])
+    for own in (found[0], found[2]):
+        for one, other in zip(own, found[1], strict=True):
+            assert (one - other).abs().max() <= 1e-9 * other.abs().max()
+
+
+def test_limits_that_gsplat_does_not_have_are_refused() -> None:
+    batch = cameras(CameraModel.ORTHOGRAPHIC, 32, torch.float32)
+    with pytest.raises(ValueError, match="fixed"):
+        draw_gsplat(parameters(2, torch.float32), batch, replace(Optics(), largest_alpha=0.9))
+
+
+def test_it_is_found_by_name() -> None:
+    assert rasteriser(Backend.GSPLAT) is draw_gsplat
+
+
+@MODELS
+def test_on_a_gpu_all_back_ends_agree(model: CameraModel) -> None:
+    problem = cuda_problem()
+    if problem:
+        pytest.skip(f"no GPU to compare with: {problem}")
+    batch = cameras(model, 96, torch.float32)
+    plain, fast = (
+        gradients(draw(own, batch, Optics()), own.tensors)
+        for draw, own in (
+            (draw_reference, parameters(200, torch.float32)),
+            (draw_tiles, parameters(200, torch.float32)),
+        )
+    )
+    own = parameters(200, torch.float32, "cuda")
+    rendering = draw_gsplat(own, batch.on("cuda"), Optics())
+    other = draw_reference(parameters(200, torch.float32), batch, Optics())
+    for name, tolerance in (("colours", 4e-3), ("alphas", 4e-3), ("depths", 4e-2)):
+        difference = (getattr(rendering, name).cpu() - getattr(other, name)).abs().max()
+        assert difference <= tolerance, name
+    for one, two, three in zip(gradients(rendering, own.tensors), plain, fast, strict=True):
+        assert (two - three).norm() <= 1e-4 * two.norm()
+        assert (one.cpu() - two).norm() <= 1e-2 * two.norm()
