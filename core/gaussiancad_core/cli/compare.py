@@ -1,11 +1,20 @@
 """``gaussiancad compare``: a result against a reference."""
 
 import argparse
+from functools import partial
 from pathlib import Path
 
 from gaussiancad_core.cli import values
+from gaussiancad_core.comparison.options import (
+    Alignment,
+    CompareOptions,
+    Protocol,
+    ScaleRule,
+)
 from gaussiancad_core.errors import ExitCode
 from gaussiancad_core.events import Listener
+
+_ALL = "all"
 
 
 def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -16,6 +25,39 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
     parser.add_argument("--output", type=Path, metavar="DIR")
     parser.add_argument("--points", type=values.count, default=10_000, metavar="N")
     parser.add_argument("--seed", type=values.whole, default=0, metavar="N")
+    parser.add_argument(
+        "--protocol",
+        type=_protocols,
+        default=(Protocol.GAUSSIANCAD,),
+        metavar="NAME",
+        help="gaussiancad (default), deepcad, engineering, all, or several between commas; "
+        "the paper's numbers are always there",
+    )
+    parser.add_argument(
+        "--register",
+        type=partial(values.choice, Alignment),
+        metavar="HOW",
+        help="none, axes (24 turns), icp (axes, then ICP; default), global (any turn)",
+    )
+    parser.add_argument(
+        "--scale",
+        type=partial(values.choice, ScaleRule),
+        metavar="RULE",
+        help="fixed or free; by default gaussiancad is free and engineering fixed",
+    )
+    parser.add_argument(
+        "--tolerance",
+        type=values.positive,
+        metavar="MM",
+        help="of the share of surface that agrees (default: 1/1000 of the longest edge)",
+    )
+    parser.add_argument(
+        "--factor",
+        type=values.positive,
+        default=1.0,
+        metavar="F",
+        help="multiply the result's coordinates first, e.g. 25.4 for inches",
+    )
     parser.add_argument("--json", action="store_true", help="print comparison.json")
     parser.set_defaults(run=run)
 
@@ -24,14 +66,30 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
     """Compare two files and print the figures."""
     from gaussiancad_core.cli.libraries import silence_opencascade
     from gaussiancad_core.comparison.command import compare_files
-    from gaussiancad_core.comparison.report import comparison_json, comparison_text
+    from gaussiancad_core.comparison.report import comparison_json
+    from gaussiancad_core.comparison.text import comparison_text
 
     silence_opencascade()
-    comparison = compare_files(
-        options.result, options.reference, options.output, options.points, options.seed
+    asked = CompareOptions(
+        options.points,
+        options.seed,
+        options.protocol,
+        options.register,
+        options.scale,
+        options.tolerance,
+        options.factor,
     )
+    comparison = compare_files(options.result, options.reference, options.output, asked)
     if options.json:
         print(comparison_json(comparison).decode("utf-8"))
     else:
         print(comparison_text(comparison))
     return ExitCode.DONE
+
+
+def _protocols(text: str) -> tuple[Protocol, ...]:
+    """Names between commas, or ``all``."""
+    if text == _ALL:
+        return tuple(Protocol)
+    asked = {values.choice(Protocol, name.strip()) for name in text.split(",")}
+    return tuple(protocol for protocol in Protocol if protocol in asked)

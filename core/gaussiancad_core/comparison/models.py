@@ -1,6 +1,7 @@
 """Models on disk: exact solids (STEP, BREP) and triangle meshes (STL, PLY, OBJ), all as a mesh."""
 
 import io
+from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 
@@ -13,6 +14,55 @@ _DEFLECTION_SHARE = 5e-5
 """Largest distance of a tessellation from its exact surface, as a share of the longest edge."""
 
 _LARGEST_FILE = 2**30
+
+
+@dataclass(frozen=True)
+class ExactFacts:
+    """What only the exact surfaces of a B-Rep tell.
+
+    Attributes:
+        valid: OpenCASCADE's own check finds nothing, and it encloses a volume.
+        closed: every edge bounds two faces.
+        faces: number of distinct faces.
+        volume_mm3, area_mm2: of the exact surfaces.
+        deflection_mm: largest distance of the tessellation from them.
+    """
+
+    valid: bool
+    closed: bool
+    faces: int
+    volume_mm3: float
+    area_mm2: float
+    deflection_mm: float
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """A model as triangles, and what is exactly known of it.
+
+    Attributes:
+        mesh: welded, oriented outward, mm.
+        exact: None where the file holds triangles.
+    """
+
+    mesh: TriangleMesh
+    exact: ExactFacts | None = None
+
+    def scaled(self, factor: float) -> "Model":
+        """The same model, larger or smaller about the origin."""
+        if factor == 1.0:
+            return self
+        exact = self.exact
+        if exact is not None:
+            exact = ExactFacts(
+                exact.valid,
+                exact.closed,
+                exact.faces,
+                exact.volume_mm3 * factor**3,
+                exact.area_mm2 * factor**2,
+                exact.deflection_mm * factor,
+            )
+        return Model(make_mesh(self.mesh.vertices * factor, self.mesh.triangles), exact)
 
 
 class ModelFormat(Enum):
@@ -47,6 +97,11 @@ def format_of(path: Path) -> ModelFormat:
 
 
 def load_model(path: Path) -> TriangleMesh:
+    """Read a model as a welded mesh in the file's millimetres; see :func:`read_model`."""
+    return read_model(path).mesh
+
+
+def read_model(path: Path) -> Model:
     """Read a model as a welded mesh in the file's millimetres, oriented outward.
 
     Exact solids are tessellated to within 5e-5 of their longest edge.  STEP states its unit and is
@@ -58,7 +113,10 @@ def load_model(path: Path) -> TriangleMesh:
             formats), ``not-a-model`` (mesh formats), ``point-cloud``, ``empty-model``.
     """
     model_format = format_of(path)
-    mesh = _tessellated(path) if model_format.is_exact else _parsed(path, model_format)
+    if model_format.is_exact:
+        mesh, exact = _tessellated(path)
+    else:
+        mesh, exact = _parsed(path, model_format), None
     mesh = _welded(mesh)
     extent = np.ptp(mesh.vertices, axis=0).max() if len(mesh.triangles) else 0.0
     if not np.isfinite(mesh.vertices).all() or not np.isfinite(extent):
@@ -69,15 +127,18 @@ def load_model(path: Path) -> TriangleMesh:
         raise UnreadableError(
             "empty-model", f"{path} holds no surface: export the model with its faces"
         )
-    return mesh.oriented_outward()
+    return Model(mesh.oriented_outward(), exact)
 
 
-def _tessellated(path: Path) -> TriangleMesh:
+def _tessellated(path: Path) -> tuple[TriangleMesh, ExactFacts]:
+    from gaussiancad_core.comparison.exact import exact_facts
     from gaussiancad_core.drawing.brep import bounding_box, read_solid, tessellate
 
     shape = read_solid(path)
     longest = float(np.ptp(bounding_box(shape), axis=0).max())
-    return make_mesh(*tessellate(shape, _DEFLECTION_SHARE * longest, 0.2))
+    deflection = _DEFLECTION_SHARE * longest
+    mesh = make_mesh(*tessellate(shape, deflection, 0.2))
+    return mesh, exact_facts(shape, deflection)
 
 
 def _parsed(path: Path, model_format: ModelFormat) -> TriangleMesh:

@@ -11,13 +11,13 @@ BOX = 5.0
 """Longest edge of every model's bounding box while it is compared, in units (GaussianCAD paper)."""
 
 
-def normalising_matrix(mesh: TriangleMesh) -> Matrix:
-    """(4, 4) file coordinates -> units: bounding box centred at the origin, longest edge 5.
+def normalising_matrix(mesh: TriangleMesh, edge: float = BOX) -> Matrix:
+    """(4, 4) file coordinates -> units: bounding box centred at the origin, longest edge ``edge``.
 
     The mesh must have an extent; :func:`gaussiancad_core.comparison.models.load_model` sees to it.
     """
     low, high = mesh.bounds
-    scale = BOX / float((high - low).max())
+    scale = edge / float((high - low).max())
     matrix = np.diag([scale, scale, scale, 1.0])
     matrix[:3, 3] = -scale * (low + high) / 2.0
     return matrix

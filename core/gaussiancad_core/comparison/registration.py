@@ -3,7 +3,8 @@
 First the best of the 24 rotations that map the axes onto each other, then iterated closest points
 (ICP; Chen & Medioni 1992, here towards the exact surfaces and from both sides).  What is minimised
 is the mean distance to the exact surface, both ways averaged: it is zero for equal models, where
-distances between two samplings would have a floor.
+distances between two samplings would have a floor.  Turns that are none of the 24 are looked for
+beforehand, see :mod:`gaussiancad_core.comparison.turning`.
 """
 
 from dataclasses import dataclass
@@ -12,7 +13,8 @@ from itertools import permutations, product
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.comparison.normalise import Matrix, inverse, moved_points
+from gaussiancad_core.comparison.normalise import Matrix, inverse, moved_points, scale_of
+from gaussiancad_core.comparison.options import Alignment
 from gaussiancad_core.comparison.queries import Nearest, Points, SurfaceQueries
 from gaussiancad_core.meshes import make_mesh
 
@@ -23,6 +25,8 @@ _TIE_UNITS = 1e-5
 _MIRROR_SHARE = 0.8
 _MIRROR_UNITS = 1e-3
 """A mirrored pose is reported if its distance is below this share, and smaller by these units."""
+
+_IMAGE = np.array([-1.0, 1.0, 1.0])
 
 _ICP_ROUNDS = 40
 _ICP_GAIN = 0.02
@@ -46,6 +50,16 @@ class Side:
         mesh = self.surface.mesh
         larger = make_mesh(mesh.vertices * factor, mesh.triangles)
         return Side(SurfaceQueries(larger), self.points * factor)
+
+    def thinned(self, count: int) -> "Side":
+        """The same side with its first points only."""
+        return Side(self.surface, self.points[:count])
+
+    def mirrored(self) -> "Side":
+        """The mirror image in the plane x = 0."""
+        mesh = self.surface.mesh
+        image = make_mesh(mesh.vertices * _IMAGE, mesh.triangles).flipped()
+        return Side(SurfaceQueries(image), self.points * _IMAGE)
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,39 +88,74 @@ def axis_mirrors() -> list[npt.NDArray[np.float64]]:
     return [-matrix for matrix in axis_rotations()]
 
 
-def register(result: Side, reference: Side) -> Registration:
+def register(result: Side, reference: Side, alignment: Alignment = Alignment.ICP) -> Registration:
     """Find the motion of the result that brings it nearest to the reference.
 
     Both sides must have the same number of points.  Deterministic; of poses that are equally good
-    the smallest turn is taken.
+    the smallest turn is taken.  Whatever the alignment, all turns and mirror images are looked at,
+    so that a mirror image is told even where nothing may be moved.
+
+    Args:
+        result, reference: in their boxes.
+        alignment: ``NONE`` leaves the result as it is; ``GLOBAL`` is the same as ``ICP`` here.
     """
     rotations = axis_rotations()
-    scores = np.array([_distance(result, reference, _pose(turn)) for turn in rotations])
-    mirror_scores = [_distance(result, reference, _pose(turn)) for turn in axis_mirrors()]
+    scores = np.array([distance_under(result, reference, _pose(turn)) for turn in rotations])
     limit = float(scores.min())
     limit += max(_TIE_UNITS, _TIE_SHARE * limit)
     first = int(np.flatnonzero(scores <= limit)[0])
 
-    pose, distance = refine(result, reference, _pose(rotations[first]))
-    best_mirror = min(mirror_scores)
-    mirrored = best_mirror < _MIRROR_SHARE * distance and best_mirror < distance - _MIRROR_UNITS
-    return Registration(pose, bool(mirrored), distance)
+    pose, distance = _pose(rotations[first]), float(scores[first])
+    fit = distance
+    if alignment in (Alignment.ICP, Alignment.GLOBAL):
+        pose, distance = refine(result, reference, pose)
+        fit = distance
+    elif alignment is Alignment.NONE:
+        pose, distance = np.eye(4), float(scores[0])
+    return Registration(pose, _mirror_fits(result, reference, fit), distance)
 
 
-def refine(result: Side, reference: Side, start: Matrix) -> tuple[Matrix, float]:
-    """ICP from a start; the best pose seen, which may be the start, and its distance."""
-    best, best_distance = start, _distance(result, reference, start)
+def _mirror_fits(result: Side, reference: Side, distance: float) -> bool:
+    """Whether some mirror image of the result lies clearly nearer than ``distance``."""
+    if distance <= _MIRROR_UNITS:
+        return False
+    scores = [distance_under(result, reference, _pose(turn)) for turn in axis_mirrors()]
+    if is_clearly_nearer(min(scores), distance):
+        return True
+    image = result.mirrored()
+    turn = axis_mirrors()[int(np.argmin(scores))] * _IMAGE
+    return is_clearly_nearer(refine(image, reference, _pose(turn))[1], distance)
+
+
+def is_clearly_nearer(mirrored: float, distance: float) -> bool:
+    """Whether a mirror image's distance says that it is the one that is meant."""
+    return mirrored < _MIRROR_SHARE * distance and mirrored < distance - _MIRROR_UNITS
+
+
+def refine(
+    result: Side, reference: Side, start: Matrix, rounds: int = _ICP_ROUNDS, scaling: bool = False
+) -> tuple[Matrix, float]:
+    """ICP from a start; the best pose seen, which may be the start, and its distance.
+
+    Args:
+        result, reference: with as many points each.
+        start: (4, 4) motion of the result; a similarity if ``scaling``.
+        rounds: at most.
+        scaling: whether the result may become larger or smaller as well.
+    """
+    best, best_distance = start, distance_under(result, reference, start)
     if best_distance < _TIE_UNITS:
         return best, best_distance
     threshold = best_distance * (1.0 - _ICP_GAIN) - _TIE_UNITS
     pose = start
-    for _ in range(_ICP_ROUNDS):
+    for _ in range(rounds):
         there = reference.surface.nearest(moved_points(result.points, pose))
         back = result.surface.nearest(moved_points(reference.points, inverse(pose)))
-        distance = float(there.distances.mean() + back.distances.mean()) / 2.0
+        behind = back.distances.mean() * scale_of(pose)
+        distance = float(there.distances.mean() + behind) / 2.0
         if distance < min(best_distance, threshold):
             best, best_distance = pose, distance
-        step = _step(result, reference, pose, (there, back))
+        step = _step(result, reference, pose, (there, back), scaling)
         pose = step @ pose
         if np.abs(step - np.eye(4)).max() < 1e-8:
             break
@@ -128,23 +177,30 @@ def _pose(turn: npt.NDArray[np.float64]) -> Matrix:
     return pose
 
 
-def _distance(result: Side, reference: Side, pose: Matrix) -> float:
-    """Mean distance to the exact surface, both ways averaged; the pose may mirror."""
+def distance_under(result: Side, reference: Side, pose: Matrix) -> float:
+    """Mean distance to the exact surface, both ways averaged; the pose may mirror or scale."""
     there = reference.surface.distances(moved_points(result.points, pose))
     back = result.surface.distances(moved_points(reference.points, inverse(pose)))
-    return float(there.mean() + back.mean()) / 2.0
+    return float(there.mean() + back.mean() * scale_of(pose)) / 2.0
 
 
-def _step(result: Side, reference: Side, pose: Matrix, nearest: tuple[Nearest, Nearest]) -> Matrix:
+def _step(
+    result: Side,
+    reference: Side,
+    pose: Matrix,
+    nearest: tuple[Nearest, Nearest],
+    scaling: bool,
+) -> Matrix:
     """The small motion that the linearised, robustly weighted distances ask for."""
     there, back = nearest
     # Rows of both directions speak of a point x of the moved result and a point q of the reference.
     moving = np.concatenate([moved_points(result.points, pose), moved_points(back.points, pose)])
     fixed = np.concatenate([there.points, reference.points])
+    turned = pose[:3, :3].T / scale_of(pose)
     flat = np.concatenate(
         [
-            _normals(reference.surface, there.triangles),
-            _normals(result.surface, back.triangles) @ pose[:3, :3].T,
+            surface_normals(reference.surface, there.triangles),
+            surface_normals(result.surface, back.triangles) @ turned,
         ]
     )
     gap = moving - fixed
@@ -156,11 +212,17 @@ def _step(result: Side, reference: Side, pose: Matrix, nearest: tuple[Nearest, N
     width = max(3.0 * float(np.median(size)), 1e-4)
     weights = 1.0 / (1.0 + (size / width) ** 2) ** 2
     rows = np.hstack([np.cross(moving, normals), normals])
+    if scaling:
+        rows = np.hstack([rows, (moving * normals).sum(axis=1, keepdims=True)])
     normal_matrix = rows.T @ (rows * weights[:, None])
     # The damping holds still what the shape leaves free, such as a turn of a cylinder.
-    normal_matrix += np.eye(6) * (1e-6 * np.trace(normal_matrix) + 1e-12)
+    normal_matrix += np.eye(rows.shape[1]) * (1e-6 * np.trace(normal_matrix) + 1e-12)
     motion = -np.linalg.solve(normal_matrix, rows.T @ (weights * size))
-    return _rigid(motion[:3], motion[3:])
+    step = _rigid(motion[:3], motion[3:6])
+    if scaling:
+        # About the origin, as the row was taken; small steps only, or the result could vanish.
+        step[:3, :3] *= 1.0 + float(np.clip(motion[6], -0.2, 0.2))
+    return step
 
 
 def _rigid(turn: npt.NDArray[np.float64], shift: npt.NDArray[np.float64]) -> Matrix:
@@ -172,7 +234,10 @@ def _rigid(turn: npt.NDArray[np.float64], shift: npt.NDArray[np.float64]) -> Mat
     return step
 
 
-def _normals(surface: SurfaceQueries, triangles: npt.NDArray[np.int64]) -> npt.NDArray[np.float64]:
+def surface_normals(
+    surface: SurfaceQueries, triangles: npt.NDArray[np.int64]
+) -> npt.NDArray[np.float64]:
+    """(n, 3) unit normals of triangles by their numbers; zero where one has no area."""
     vectors = surface.mesh.area_vectors[triangles]
     lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
     return vectors / np.where(lengths > 0.0, lengths, 1.0)

@@ -8,18 +8,25 @@ import numpy as np
 import pytest
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
 
-from gaussiancad_core.comparison.command import (
-    COMPARISON_FILES,
-    compare_files,
-    compare_meshes,
-)
+from gaussiancad_core.comparison.command import COMPARISON_FILES, compare_files
+from gaussiancad_core.comparison.comparing import compare_models
+from gaussiancad_core.comparison.deviation import Deviation
 from gaussiancad_core.comparison.distances import IouMethod
+from gaussiancad_core.comparison.models import Model
 from gaussiancad_core.comparison.normalise import moved_points, scale_of
+from gaussiancad_core.comparison.options import CompareOptions
 from gaussiancad_core.comparison.registration import axis_rotations
-from gaussiancad_core.comparison.report import comparison_dict, comparison_text
+from gaussiancad_core.comparison.report import Comparison, comparison_dict
+from gaussiancad_core.comparison.text import comparison_text
 from gaussiancad_core.drawing.brep import write_step
 from gaussiancad_core.errors import UnreadableError, UsageError
 from gaussiancad_core.meshes import TriangleMesh, make_mesh
+
+
+def compare_meshes(
+    result: TriangleMesh, reference: TriangleMesh, points: int = 10_000, seed: int = 0
+) -> tuple[Comparison, Deviation]:
+    return compare_models(Model(result), Model(reference), CompareOptions(points, seed))
 
 
 def test_a_model_equals_itself(bracket: TriangleMesh) -> None:
@@ -85,7 +92,7 @@ def test_files_are_written_as_promised(bracket: TriangleMesh, tmp_path: Path) ->
     write_step(BRepPrimAPI_MakeBox(40.0, 30.0, 20.0).Shape(), solid)
     bracket.to_trimesh().export(mesh)
     output = tmp_path / "out put"
-    found = compare_files(mesh, solid, output, points=1000, seed=5)
+    found = compare_files(mesh, solid, output, CompareOptions(points=1000, seed=5))
     assert {path.name for path in output.iterdir()} <= set(COMPARISON_FILES)
     report = json.loads((output / "comparison.json").read_text("utf-8"))
     assert report == json.loads(json.dumps(comparison_dict(found)))
@@ -117,7 +124,7 @@ def test_a_failed_comparison_leaves_nothing(bracket: TriangleMesh, tmp_path: Pat
 )
 def test_wrong_options(tmp_path: Path, points: int, seed: int, code: str) -> None:
     with pytest.raises(UsageError) as caught:
-        compare_files(tmp_path / "a.stl", tmp_path / "b.stl", None, points, seed)
+        compare_files(tmp_path / "a.stl", tmp_path / "b.stl", None, CompareOptions(points, seed))
     assert caught.value.code == code
 
 
