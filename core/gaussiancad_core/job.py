@@ -22,7 +22,8 @@ class Job:
         preset: amount of work.
         seed: of all chance.
         device: where to train.
-        resume: keep the results of an earlier run of the same job.
+        resume: keep the results of an earlier run of the same job, or go on with its training.
+        scale_down: the edges of the images that are trained on are divided by this.
     """
 
     sheet: Path
@@ -35,6 +36,7 @@ class Job:
     seed: int = 0
     device: Device = Device.AUTO
     resume: bool = False
+    scale_down: int = 1
 
     def settings(self) -> dict[str, Any]:
         """What determines the result beside the sheet, as JSON values."""
@@ -56,4 +58,5 @@ class Job:
             "recipe": self.recipe.value,
             "preset": self.preset.value,
             "seed": self.seed,
+            "scale_down": self.scale_down,
         }

@@ -2,7 +2,8 @@
 
 A run writes into a staging folder inside its output folder and moves the finished files to their
 names at the end, ``report.json`` last.  A failed or cancelled run removes the staging folder and
-leaves what was there before; what a killed one left behind is swept by the next run.
+leaves what was there before; what a killed one left behind is swept by the next run.  Only the
+checkpoint of a long training stays, for a run that is to go on from it.
 """
 
 import errno
@@ -14,6 +15,9 @@ from pathlib import Path
 from gaussiancad_core.errors import GaussianCadError, LimitError, UsageError
 
 STAGING_PREFIX = ".gaussiancad-"
+
+CHECKPOINT_FILE = f"{STAGING_PREFIX}checkpoint.npz"
+"""State of a training that was not finished."""
 
 RUN_FILES = (
     "solid.step",
@@ -54,6 +58,11 @@ class OutputFolder:
         except OSError as error:
             raise _folder_error(path, error) from error
 
+    @property
+    def checkpoint(self) -> Path:
+        """Where the state of an unfinished training is kept."""
+        return self.path / CHECKPOINT_FILE
+
     def commit(self) -> None:
         """Move what is in the staging folder to its names, the report last.
 
@@ -62,6 +71,7 @@ class OutputFolder:
         """
         try:
             (self.path / self._report).unlink(missing_ok=True)
+            self.checkpoint.unlink(missing_ok=True)
             for name in self._owned:
                 if not (self.staging / name).exists():
                     _remove(self.path / name)
@@ -75,9 +85,11 @@ class OutputFolder:
         except OSError as error:
             raise _folder_error(self.path, error) from error
 
-    def discard(self) -> None:
+    def discard(self, *, keep_checkpoint: bool = False) -> None:
         """Remove the staging folder and what is in it, and the folder if it was made in vain."""
         shutil.rmtree(self.staging, ignore_errors=True)
+        if not keep_checkpoint:
+            self.checkpoint.unlink(missing_ok=True)
         if self._made:
             with suppress(OSError):
                 self.path.rmdir()

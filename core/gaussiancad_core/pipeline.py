@@ -40,7 +40,10 @@ from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 
 if TYPE_CHECKING:
     from gaussiancad_core.exact_stage import ExactModel, Reading
+    from gaussiancad_core.meshes import TriangleMesh
     from gaussiancad_core.reasoning.conflict_lines import Conflict
+    from gaussiancad_core.splatting.training import TrainingResult
+    from gaussiancad_core.views import ViewSet
 
 STAGES = (
     "read",
@@ -99,7 +102,7 @@ def reconstruct(job: Job, listener: Listener) -> Report:
             raise
         raise os_error(job.output, error) from error
     finally:
-        folder.discard()
+        folder.discard(keep_checkpoint=job.resume)
 
 
 def _as_limit(error: BaseException) -> GaussianCadError:
@@ -173,7 +176,9 @@ class _Run:
             return "before its first stage: nothing was written"
         stages = stages_of(self.job.result, self.job.recipe)
         where = f"{name} ({stages.index(name) + 1} of {len(stages)})"
-        return f"in the stage {where}: nothing was written"
+        kept = self.job.resume and self.folder.checkpoint.is_file()
+        written = "only a checkpoint was written, --resume goes on from it"
+        return f"in the stage {where}: {written if kept else 'nothing was written'}"
 
     def _stage(self, name: str):  # noqa: ANN202
         self.report = replace(self.report, stage=name)
@@ -382,16 +387,36 @@ class _Run:
             hull = surface_stage.make_hull(self.job, views, exact)
             self.report = replace(self.report, hull=surface_stage.hull_report(hull))
         with self._stage("gaussians"):
-            training = surface_stage.train_on(hull.mesh, self.job, views, self.progress)
+            training = self._train(hull.mesh, views)
             self.report = replace(
                 self.report,
-                gaussians=surface_stage.gaussians_report(training),
+                gaussians=surface_stage.gaussians_report(training, self.job, views),
                 device=surface_stage.training_device(self.job),
             )
         with self._stage("surface"):
             surface = surface_stage.make_surface(training, hull.mesh, self.job.recipe)
             self.report = replace(self.report, surface=surface_stage.surface_report(surface))
         return Models(registered, training, surface)
+
+    def _train(self, hull: "TriangleMesh", views: "ViewSet") -> "TrainingResult":
+        from gaussiancad_core import surface_stage
+        from gaussiancad_core.splatting.checkpoints import CheckpointPlace
+
+        if surface_stage.takes_long(self.job):
+            self._warn(
+                "training-takes-long",
+                "so many iterations on images of this size take hours on a processor: use "
+                "--preset draft, --scale-down N, or a GPU; with --resume a run can be broken off",
+            )
+        place = CheckpointPlace(self.folder.checkpoint, self.folder.staging, resume=self.job.resume)
+        training = surface_stage.train_on(hull, self.job, views, self.progress, place)
+        if training.passed_over:
+            self._warn(
+                "checkpoint-ignored",
+                "the checkpoint in the output folder belongs to another sheet, other options or "
+                "another version: the training began anew",
+            )
+        return training
 
     def _check(
         self,

@@ -143,11 +143,21 @@ class SurfaceReport:
 
 @dataclass(frozen=True)
 class GaussiansReport:
-    """The trained Gaussians; ``loss`` is the last one."""
+    """The trained Gaussians.
+
+    Attributes:
+        loss: the last one.
+        settled: whether the training ended because the loss fell no more.
+        image_px: width and height of the images that were trained on.
+        resumed: iterations that were made by an earlier run.
+    """
 
     count: int
     iterations: int
     loss: float
+    settled: bool = False
+    image_px: tuple[int, int] = (0, 0)
+    resumed: int = 0
 
 
 @dataclass(frozen=True)

@@ -10,13 +10,21 @@ from gaussiancad_core.job import Job
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.modes import Recipe
 from gaussiancad_core.report import GaussiansReport, HullReport, SurfaceReport
+from gaussiancad_core.splatting.checkpoints import CheckpointPlace
 from gaussiancad_core.splatting.devices import backend_for
 from gaussiancad_core.splatting.gaussians import Start, gaussians_on
-from gaussiancad_core.splatting.settings import training_cameras, training_settings
+from gaussiancad_core.splatting.settings import (
+    TrainingSettings,
+    training_cameras,
+    training_settings,
+)
 from gaussiancad_core.splatting.targets import mean_colour, targets_of
 from gaussiancad_core.splatting.training import TrainingResult, train
 from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
 from gaussiancad_core.views import ViewSet
+
+_MUCH_WORK = 1e9
+"""Pixels times iterations from which on a processor takes many minutes."""
 
 
 def make_hull(job: Job, views: ViewSet, exact: ExactModel | None) -> CarvedHull:
@@ -32,10 +40,14 @@ def make_hull(job: Job, views: ViewSet, exact: ExactModel | None) -> CarvedHull:
 
 
 def train_on(
-    hull: TriangleMesh, job: Job, views: ViewSet, progress: Callable[..., None]
+    hull: TriangleMesh,
+    job: Job,
+    views: ViewSet,
+    progress: Callable[..., None],
+    place: CheckpointPlace | None = None,
 ) -> TrainingResult:
     """Gaussians that start on a hull, trained against the views."""
-    settings = replace(training_settings(job.recipe, job.preset), backend=backend_for(job.device))
+    settings = replace(_settings(job), backend=backend_for(job.device), seed=job.seed)
     start = Start(
         count=settings.count,
         thickness=settings.thickness,
@@ -45,7 +57,14 @@ def train_on(
     )
     cameras = _cameras(job, views)
     targets = targets_of(views, cameras)
-    return train(gaussians_on(hull, start), cameras, targets, settings, progress)
+    return train(gaussians_on(hull, start), cameras, targets, settings, progress, place=place)
+
+
+def takes_long(job: Job) -> bool:
+    """Whether a job trains on a processor what was meant for a GPU."""
+    settings = _settings(job)
+    work = settings.iterations * settings.pixels**2
+    return work > _MUCH_WORK and training_device(job) == "cpu"
 
 
 def make_surface(training: TrainingResult, hull: TriangleMesh, recipe: Recipe) -> TriangleMesh:
@@ -70,9 +89,17 @@ def hull_report(hull: CarvedHull) -> HullReport:
     return HullReport(source, hull.regions, hull.doubted, hull.refused)
 
 
-def gaussians_report(training: TrainingResult) -> GaussiansReport:
+def gaussians_report(training: TrainingResult, job: Job, views: ViewSet) -> GaussiansReport:
     """What the report says of trained Gaussians."""
-    return GaussiansReport(len(training.gaussians), training.iterations, float(training.losses[-1]))
+    camera = _cameras(job, views)[0]
+    return GaussiansReport(
+        count=len(training.gaussians),
+        iterations=training.iterations,
+        loss=float(training.losses[-1]),
+        settled=training.settled,
+        image_px=(camera.width, camera.height),
+        resumed=training.resumed,
+    )
 
 
 def surface_report(surface: TriangleMesh) -> SurfaceReport:
@@ -83,5 +110,8 @@ def surface_report(surface: TriangleMesh) -> SurfaceReport:
 
 
 def _cameras(job: Job, views: ViewSet) -> tuple[Camera, ...]:
-    settings = training_settings(job.recipe, job.preset)
-    return training_cameras(job.recipe, settings, views.roles, views.size)
+    return training_cameras(job.recipe, _settings(job), views.roles, views.size)
+
+
+def _settings(job: Job) -> TrainingSettings:
+    return training_settings(job.recipe, job.preset, job.scale_down)

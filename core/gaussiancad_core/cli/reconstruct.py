@@ -76,7 +76,16 @@ def add_job_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--colour", type=values.colour, default=(120, 160, 210), metavar="#RRGGBB")
     parser.add_argument("--seed", type=values.whole, default=0, metavar="N")
     parser.add_argument(
-        "--resume", action="store_true", help="keep a finished result of the same sheet and options"
+        "--scale-down",
+        type=values.count,
+        default=1,
+        metavar="N",
+        help="train on images whose edges are N times shorter",
+    )
+    parser.add_argument(
+        "--resume",
+        action="store_true",
+        help="keep a finished result of the same sheet and options, or go on with its training",
     )
 
 
@@ -109,6 +118,7 @@ def job_of(options: argparse.Namespace, sheet: Path, output: Path) -> Job:
         seed=options.seed,
         device=options.device,
         resume=options.resume,
+        scale_down=options.scale_down,
     )
 
 

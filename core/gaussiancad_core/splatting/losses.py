@@ -22,8 +22,7 @@ class LossWeights:
 
     Attributes:
         ssim: the share of D-SSIM against L1; 0.2 as in 3DGS.
-        mask: the weight of the cross entropy.  The paper gives none; 0.1 holds silhouettes without
-            overruling the colours.
+        mask: the weight of the cross entropy; 0.1 holds silhouettes without overruling the colours.
     """
 
     ssim: float = 0.2
@@ -47,6 +46,10 @@ class Targets:
     def on(self, device: str) -> "Targets":
         """The same targets on a device."""
         return Targets(self.colours.to(device), self.masks.to(device), self.background)
+
+    def part(self, views: slice) -> "Targets":
+        """The targets of some of the views."""
+        return Targets(self.colours[views], self.masks[views], self.background)
 
 
 def composed(rendering: Rendering, background: tuple[float, float, float]) -> Tensor:

@@ -1,5 +1,6 @@
-"""Training: Adam on all parameters of all Gaussians, every view in every iteration."""
+"""Training: Adam on all parameters of all Gaussians, until the loss falls no more."""
 
+import json
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -9,16 +10,22 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from gaussiancad_core.cameras import Camera
+from gaussiancad_core.cameras import PAPER_DISTANCE, Camera, CameraModel
+from gaussiancad_core.splatting.checkpoints import CheckpointPlace, Checkpoints, training_key
+from gaussiancad_core.splatting.density import Density
 from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.splatting.losses import Targets, total_loss
-from gaussiancad_core.splatting.projection import batch_of
-from gaussiancad_core.splatting.rasteriser import Parameters, parameters_of, rasteriser
+from gaussiancad_core.splatting.projection import CameraBatch, batch_of
+from gaussiancad_core.splatting.rasteriser import rasteriser
 from gaussiancad_core.splatting.settings import TrainingSettings
 from gaussiancad_core.splatting.ssim import FastSsim, plain_ssim
+from gaussiancad_core.splatting.trainee import Arrays, Roots, Trainee
 
 SCENE_EDGE = 5.0
-"""Longest edge of the Gaussians' box in the units in which the rates are given."""
+"""Longest edge of the Gaussians' box, in units of the scene, under parallel projection."""
+
+_EXTENT_MARGIN = 1.1
+"""By how much 3DGS takes the cameras' positions to be farther apart than they are."""
 
 ProgressCallback = Callable[[float, float | None], None]
 
@@ -28,14 +35,20 @@ class TrainingResult:
     """What came out.
 
     Attributes:
-        gaussians: in mm, in the order of the start.
+        gaussians: in mm; without density control in the order of the start.
         iterations: how many were made.
         losses: (iterations,) the loss before each.
+        settled: whether it ended because the loss fell no more.
+        resumed: iterations that an earlier run had made.
+        passed_over: whether there was a checkpoint of another training.
     """
 
     gaussians: Gaussians
     iterations: int
     losses: tuple[float, ...]
+    settled: bool = False
+    resumed: int = 0
+    passed_over: bool = False
 
 
 def train(
@@ -44,6 +57,8 @@ def train(
     targets: Targets,
     settings: TrainingSettings,
     progress: ProgressCallback,
+    *,
+    place: CheckpointPlace | None = None,
 ) -> TrainingResult:
     """Fit Gaussians to the targets.
 
@@ -53,89 +68,164 @@ def train(
         targets: v images each, in the order of the cameras.
         settings: recipe and amount of work.
         progress: told the fraction done and the loss after each iteration.
+        place: where checkpoints go; none are written without it.
 
     Returns:
-        The trained Gaussians; the same input gives the same bits.
+        The trained Gaussians; the same input gives the same bits on a processor, with or without a
+        break between.
     """
-    unit = float(np.ptp(gaussians.means, axis=0).max()) / SCENE_EDGE or 1.0
-    device = settings.backend.device
-    batch = batch_of(cameras, unit).on(device)
-    targets = targets.on(device)
-    parameters = parameters_of(gaussians, unit, device=device)
-    anchor = _Anchor(gaussians, unit, settings)
-    draw = rasteriser(settings.backend)
-    losses: list[float] = []
+    checkpoints = None
+    if place is not None:
+        checkpoints = Checkpoints(place, training_key(gaussians, cameras, targets, settings))
     with _one_torch_thread():
-        similarity = _similarity_with(targets.colours)
-        optimiser = _optimiser(parameters, settings)
-        for iteration in range(settings.iterations):
-            optimiser.param_groups[0]["lr"] = _position_rate(settings, iteration)
-            rendering = draw(parameters, batch, settings.optics)
-            loss = total_loss(rendering, targets, similarity, settings.weights)
-            objective = loss + anchor(parameters.means)
-            optimiser.zero_grad()
-            objective.backward()
-            if settings.thin_axis_locked:
-                parameters.log_scales.grad[:, 2] = 0.0
-            optimiser.step()
-            losses.append(float(loss.detach()))
-            progress((iteration + 1) / settings.iterations, losses[-1])
-            if _settled(losses, settings):
-                break
-    return TrainingResult(_trained(gaussians, parameters, unit), len(losses), tuple(losses))
+        training = _Training(gaussians, cameras, targets, settings)
+        state, passed_over = checkpoints.load() if checkpoints else (None, False)
+        if state is not None:
+            training.restore(state)
+        resumed = len(training.losses)
+        while not training.ended:
+            training.iterate()
+            if checkpoints and checkpoints.due():
+                checkpoints.save(training.state())
+            progress(len(training.losses) / settings.iterations, training.losses[-1])
+    return TrainingResult(
+        training.trainee.gaussians(),
+        len(training.losses),
+        tuple(training.losses),
+        settled=training.settled,
+        resumed=resumed,
+        passed_over=passed_over,
+    )
 
 
-class _Anchor:
-    """Pulls the means back to the tangent planes in which they started."""
+@dataclass(frozen=True, eq=False)
+class _Look:
+    """What one iteration looks at: some views and what they should show."""
 
-    def __init__(self, gaussians: Gaussians, unit: float, settings: TrainingSettings) -> None:
+    cameras: CameraBatch
+    targets: Targets
+    similarity: Callable[[Tensor], Tensor]
+
+
+class _Training:
+    """A training between two iterations.
+
+    Attributes:
+        trainee: the Gaussians.
+        losses: before each iteration that was made.
+    """
+
+    def __init__(
+        self,
+        gaussians: Gaussians,
+        cameras: tuple[Camera, ...],
+        targets: Targets,
+        settings: TrainingSettings,
+    ) -> None:
         device = settings.backend.device
-        self._means = torch.from_numpy(gaussians.means / np.float32(unit)).to(device)
-        self._normals = torch.from_numpy(gaussians.normals).to(device)
-        self._weight = settings.anchor
+        unit = _unit(gaussians, cameras)
+        self.trainee = Trainee(gaussians, unit, settings.rates, device)
+        self.losses: list[float] = []
+        self._settings = settings
+        self._draw = rasteriser(settings.backend)
+        self._random = np.random.default_rng(settings.seed)
+        self._order: list[int] = []
+        count = len(cameras)
+        parts = [slice(v, v + 1) for v in range(count)] if settings.one_view else [slice(0, count)]
+        self._looks = [_look(cameras[part], targets.part(part).on(device), unit) for part in parts]
+        self._density = None
+        if settings.density is not None:
+            extent = _extent(cameras) / unit
+            self._density = Density(settings.density, extent, self.trainee, self._random)
 
-    def __call__(self, means: Tensor) -> Tensor | float:
-        if self._weight == 0.0:
-            return 0.0
-        return self._weight * ((means - self._means) * self._normals).sum(1).abs().mean()
+    @property
+    def settled(self) -> bool:
+        """Whether the loss has not become better by enough within the last iterations."""
+        settings, losses = self._settings, self.losses
+        if len(losses) <= settings.patience:
+            return False
+        before = min(losses[: -settings.patience])
+        return min(losses[-settings.patience :]) > before * (1.0 - settings.least_gain)
+
+    @property
+    def ended(self) -> bool:
+        """Whether all iterations were made, or no more are worth it."""
+        return len(self.losses) >= self._settings.iterations or self.settled
+
+    def iterate(self) -> None:
+        """Look, compare, and move the Gaussians."""
+        settings, look = self._settings, self._next_look()
+        parameters = self.trainee.parameters
+        shifts = None
+        if self._density:
+            shape = (len(look.targets.masks), len(self.trainee), 2)
+            shifts = parameters.means.new_zeros(shape).requires_grad_()
+        rendering = self._draw(parameters, look.cameras, settings.optics, shifts)
+        loss = total_loss(rendering, look.targets, look.similarity, settings.weights)
+        (loss + _strayed(parameters.means, self.trainee.roots, settings.anchor)).backward()
+        if settings.thin_axis_locked:
+            parameters.log_scales.grad[:, 2] = 0.0
+        self.trainee.step(self._position_rate())
+        self.losses.append(float(loss.detach()))
+        if self._density:
+            self._density.note(shifts.grad, (look.cameras.width, look.cameras.height))
+            self._density.after(len(self.losses))
+
+    def state(self) -> Arrays:
+        """Everything that :meth:`restore` needs."""
+        found = {**self.trainee.state(), "losses": np.array(self.losses)}
+        found["order"] = np.array(self._order, dtype=np.int64)
+        found["random"] = np.array(json.dumps(self._random.bit_generator.state))
+        return {**found, **self._density.state()} if self._density else found
+
+    def restore(self, state: Arrays) -> None:
+        """Go on from where :meth:`state` was taken."""
+        self.trainee.restore(state)
+        self.losses = state["losses"].tolist()
+        self._order = state["order"].tolist()
+        self._random.bit_generator.state = json.loads(str(state["random"]))
+        if self._density:
+            self._density.restore(state)
+
+    def _next_look(self) -> _Look:
+        """All views, or one after the other in a new random order each time."""
+        if len(self._looks) == 1:
+            return self._looks[0]
+        if not self._order:
+            self._order = self._random.permutation(len(self._looks)).tolist()
+        return self._looks[self._order.pop()]
+
+    def _position_rate(self) -> float:
+        rates = self._settings.rates
+        steps = rates.position_steps or self._settings.iterations - 1
+        share = len(self.losses) / max(1, steps)
+        return rates.position * (rates.position_end / rates.position) ** share
 
 
-def _optimiser(parameters: Parameters, settings: TrainingSettings) -> torch.optim.Optimizer:
-    rates = settings.rates
-    of_tensor = (rates.position, rates.quaternion, rates.log_scale, rates.opacity, rates.colour)
-    groups = [
-        {"params": [tensor], "lr": rate}
-        for tensor, rate in zip(parameters.tensors, of_tensor, strict=True)
-    ]
-    return torch.optim.Adam(groups, eps=rates.epsilon)
+def _look(cameras: tuple[Camera, ...], targets: Targets, unit: float) -> _Look:
+    batch = batch_of(cameras, unit).on(targets.colours.device.type)
+    return _Look(batch, targets, _similarity_with(targets.colours))
 
 
-def _position_rate(settings: TrainingSettings, iteration: int) -> float:
-    rates = settings.rates
-    share = iteration / max(1, settings.iterations - 1)
-    return rates.position * (rates.position_end / rates.position) ** share
+def _unit(gaussians: Gaussians, cameras: tuple[Camera, ...]) -> float:
+    """Millimetres that become 1: the paper's for its cameras, else the box has a size of 5."""
+    if cameras[0].model is CameraModel.PINHOLE:
+        return cameras[0].reference_depth / PAPER_DISTANCE
+    return float(np.ptp(gaussians.means, axis=0).max()) / SCENE_EDGE or 1.0
 
 
-def _settled(losses: list[float], settings: TrainingSettings) -> bool:
-    """Whether the loss has not become better by enough within the last iterations."""
-    if len(losses) <= settings.patience:
-        return False
-    before = min(losses[: -settings.patience])
-    return min(losses[-settings.patience :]) > before * (1.0 - settings.least_gain)
+def _extent(cameras: tuple[Camera, ...]) -> float:
+    """Radius of the cameras' positions about their mean, as 3DGS takes it, mm."""
+    positions = np.array([camera.position for camera in cameras])
+    away = np.linalg.norm(positions - positions.mean(axis=0), axis=1)
+    return _EXTENT_MARGIN * float(away.max())
 
 
-def _trained(start: Gaussians, parameters: Parameters, unit: float) -> Gaussians:
-    means, quaternions, log_scales, logits, colours = (
-        tensor.detach().cpu().numpy().copy() for tensor in parameters.tensors
-    )
-    return Gaussians(
-        means=means * np.float32(unit),
-        quaternions=quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True),
-        log_scales=log_scales + np.float32(np.log(unit)),
-        logit_opacities=logits,
-        colours=np.clip(colours, 0.0, 1.0),
-        normals=start.normals,
-    )
+def _strayed(means: Tensor, roots: Roots, weight: float) -> Tensor | float:
+    """Weighted mean distance from the tangent planes in which the Gaussians started."""
+    if weight == 0.0:
+        return 0.0
+    return weight * ((means - roots.points) * roots.normals).sum(1).abs().mean()
 
 
 def _similarity_with(targets: Tensor) -> Callable[[Tensor], Tensor]:

@@ -40,10 +40,12 @@ def trained(parts: Scene) -> TrainingResult:
 def test_loss_falls_and_the_colour_is_learnt(
     box_views: ViewSet, box_surface: TriangleMesh, recipe: Recipe
 ) -> None:
-    parts = scene(box_views, box_surface, recipe, iterations=60)
+    # The paper's recipe looks at one of the three views at a time, and changes colours slowly.
+    iterations = 60 if recipe is Recipe.ORTHOGRAPHIC else 360
+    parts = scene(box_views, box_surface, recipe, iterations=iterations)
     result = trained(parts)
-    assert result.iterations == len(result.losses) == 60
-    assert result.losses[-1] < 0.5 * result.losses[0]
+    assert result.iterations == len(result.losses) == iterations
+    assert np.mean(result.losses[-3:]) < 0.5 * np.mean(result.losses[:3])
     wanted = np.array([200, 100, 50]) / 255.0
     before, after = (
         np.abs(gaussians.colours.mean(axis=0) - wanted).sum()
@@ -119,7 +121,9 @@ def test_it_ends_early_when_nothing_is_gained(
 ) -> None:
     # No loss can become better by all of itself.
     parts = scene(box_views, box_surface, Recipe.ORTHOGRAPHIC, patience=4, least_gain=1.0)
-    assert trained(parts).iterations == 5
+    result = trained(parts)
+    assert (result.iterations, result.settled) == (5, True)
+    assert not trained(scene(box_views, box_surface, Recipe.ORTHOGRAPHIC)).settled
 
 
 def test_torch_gets_its_threads_back_even_after_a_failure(
