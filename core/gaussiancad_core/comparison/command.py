@@ -6,6 +6,7 @@ from gaussiancad_core.comparison.comparing import compare_models
 from gaussiancad_core.comparison.deviation import Deviation, ply_bytes
 from gaussiancad_core.comparison.models import read_model
 from gaussiancad_core.comparison.options import CompareOptions
+from gaussiancad_core.comparison.page import PageParts, comparison_page, overlay_beside
 from gaussiancad_core.comparison.picture import deviation_picture
 from gaussiancad_core.comparison.report import Comparison, comparison_json
 from gaussiancad_core.outputs import OutputFolder
@@ -41,16 +42,20 @@ def compare_files(
     pair = read_model(result), read_model(reference)
     comparison, deviation = compare_models(*pair, options)
     if output is not None:
-        _write(comparison, deviation, output)
+        picture = png_bytes(deviation_picture(deviation))
+        names = result.name, reference.name
+        parts = PageParts(names, pair[1].mesh, picture, overlay_beside(result))
+        _write(comparison, deviation, parts, output)
     return comparison
 
 
-def _write(comparison: Comparison, deviation: Deviation, output: Path) -> None:
+def _write(comparison: Comparison, deviation: Deviation, parts: PageParts, output: Path) -> None:
     folder = OutputFolder(output, COMPARISON_FILES, "comparison.json")
     try:
         (folder.staging / "deviation.ply").write_bytes(ply_bytes(deviation))
-        picture = png_bytes(deviation_picture(deviation))
-        (folder.staging / "deviation.png").write_bytes(picture)
+        (folder.staging / "deviation.png").write_bytes(parts.picture)
+        page = comparison_page(comparison, deviation, parts)
+        (folder.staging / "comparison.html").write_bytes(page)
         (folder.staging / "comparison.json").write_bytes(comparison_json(comparison))
         folder.commit()
     except BaseException:

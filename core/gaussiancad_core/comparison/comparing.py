@@ -197,8 +197,10 @@ def _deviation_facts(deviation: Deviation, laid: _Laid, reference: TriangleMesh)
     longest = BOX * unit
     centre = reference.bounds.mean(axis=0)
     shown = make_mesh((deviation.mesh.vertices - centre) / unit, deviation.mesh.triangles)
-    missing = signed_distances(SurfaceQueries(shown), laid.reference.points) * unit
-    places = laid.reference.points * unit + centre
+    # Corners are where most may be missing, and no sample hits them.
+    asked = np.concatenate([laid.reference.points, laid.reference.surface.mesh.vertices])
+    missing = signed_distances(SurfaceQueries(shown), asked) * unit
+    places = asked * unit + centre
     worst: tuple[WorstPoint, ...] = (
         *worst_points(deviation.mesh.vertices, deviation.distances, "result", longest),
         *worst_points(places, missing, "reference", longest),

@@ -29,7 +29,7 @@ _ROUND = (1.0, 1.2, 1.6, 2.0, 2.4, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
 
 # Blue, light grey, red: equally light at equal distance from the middle, distinct to colour-blind
 # eyes (after the diverging maps of Moreland 2009).
-_SCALE = np.array(
+COLOUR_STOPS = np.array(
     [[33, 76, 178], [122, 160, 225], [225, 225, 225], [232, 139, 108], [175, 24, 38]],
     dtype=np.float64,
 )
@@ -85,9 +85,9 @@ def measure_deviation(result: TriangleMesh, reference: SurfaceQueries, unit: flo
 
 def diverging_colours(values: npt.NDArray[np.float64]) -> npt.NDArray[np.uint8]:
     """(n,) values from -1 to 1 -> (n, 3) RGB, blue over light grey to red; clipped outside."""
-    places = (np.clip(values, -1.0, 1.0) + 1.0) * (len(_SCALE) - 1) / 2.0
-    stops = np.arange(len(_SCALE))
-    channels = [np.interp(places, stops, _SCALE[:, channel]) for channel in range(3)]
+    places = (np.clip(values, -1.0, 1.0) + 1.0) * (len(COLOUR_STOPS) - 1) / 2.0
+    stops = np.arange(len(COLOUR_STOPS))
+    channels = [np.interp(places, stops, COLOUR_STOPS[:, channel]) for channel in range(3)]
     return np.rint(np.stack(channels, axis=-1)).astype(np.uint8)
 
 
