@@ -13,6 +13,7 @@ import numpy.typing as npt
 from gaussiancad_core.ellipses import WholeEllipse
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
 from gaussiancad_core.sheet.runs import Piece, Rhythm
+from gaussiancad_core.sheet.stubs import Placed, without_stubs
 from gaussiancad_core.views import Linetype
 
 FULL_TURN = 2 * np.pi
@@ -28,9 +29,6 @@ _UNSEEN = 1.3
 
 _ABUTTING = 0.75
 """px between the ends of pieces that continue each other."""
-
-Placed = tuple[Geometry, Piece]
-"""A piece and the shape that it is a stretch of."""
 
 Crossing = tuple[float, float]
 """Position along a shape where another meets it, and how far their common ink reaches from it."""
@@ -66,7 +64,7 @@ def ended_at_junctions(
             last, first = _parted([ended[-1], _moved(ended[0], geometry.around)], crossings, rhythm)
             ended[-1], ended[0] = last, _moved(first, -geometry.around)
         moved += [(geometry, piece) for piece in _joined(ended)]
-    return moved
+    return without_stubs(moved, stroke_width)
 
 
 def is_full_circle(geometry: Geometry, piece: Piece) -> bool:

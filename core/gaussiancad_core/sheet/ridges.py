@@ -49,7 +49,16 @@ def ridge_points(weight: npt.NDArray[np.float32], stroke_width: float) -> RidgeP
         stroke_width: px, of the strokes looked for; those up to twice as wide are found as well.
     """
     # Under width / sqrt(12) the two edges of a stroke become two ridges.
-    sigma = max(1.1, 0.42 * stroke_width)
+    return _ridge_points(weight, max(1.1, 0.42 * stroke_width))
+
+
+def fine_ridge_points(weight: npt.NDArray[np.float32], stroke_width: float) -> RidgePoints:
+    """The same with as little smoothing as strokes of a width in px allow: those that nearly touch
+    stay apart, and wider ones may become two."""
+    return _ridge_points(weight, max(0.8, 0.31 * stroke_width))
+
+
+def _ridge_points(weight: npt.NDArray[np.float32], sigma: float) -> RidgePoints:
     smooth = cv2.GaussianBlur(weight, (0, 0), sigma)
     candidates = smooth > _LEAST_INK
     ys, xs = np.nonzero(candidates)

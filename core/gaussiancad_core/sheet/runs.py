@@ -228,7 +228,8 @@ def classify(
         rhythm: of the sheet.
         touches: for each run whether its start and its end lie on another stroke.
         around: px, of a shape that closes on itself.
-        told: for each run what its width tells; runs longer than dashes are visible all the same.
+        told: for each run what its width tells; without it runs longer than dashes are visible.
+            Dashes beside each other that fill their gaps are narrow all along.
     """
     longest_dash = 1.75 * rhythm.dash
     widest_gap = _widest_gap(rhythm)
@@ -242,7 +243,8 @@ def classify(
             group.clear()
 
     for index, run in enumerate(runs):
-        if run.length > longest_dash:
+        narrow = bool(told) and told[index] is Linetype.HIDDEN
+        if run.length > longest_dash and not narrow:
             close_group()
             sure = min(1.0, 0.5 + (run.length / longest_dash - 1.0))
             pieces.append(Piece(run.start, run.end, Linetype.VISIBLE, sure))

@@ -13,7 +13,15 @@ import numpy.typing as npt
 
 from gaussiancad_core.ellipses import WholeEllipse
 from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.close_lines import with_close_lines
 from gaussiancad_core.sheet.ellipse_fits import ellipse_profile, refit_ellipse
+from gaussiancad_core.sheet.explained import (
+    explain,
+    is_new,
+    joins_arcs,
+    path_points,
+    told_linetypes,
+)
 from gaussiancad_core.sheet.fillets import find_fillets, is_chord
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
 from gaussiancad_core.sheet.growth import GrowthRules, grow_all
@@ -54,32 +62,14 @@ from gaussiancad_core.sheet.shapes import (
 from gaussiancad_core.sheet.tracing import trace_remainder
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
-_MIN_NEW = 0.4
-"""Share of a run's ink that no earlier stroke of about its direction explains."""
-
-_MIN_CLEAR = 0.25
-"""Share that no earlier stroke explains: half of a dash can lie under one that crosses it."""
-
-_MIN_STRAIGHT = 5
-"""px of a line, one after the other, that nothing explains: enough by themselves."""
-
-_BENT = 0.12
-"""Sagitta in px of what is new of an arc, from which it is a fillet between its tangents."""
-
-_MIN_BENT = 0.04
-"""Share of a fillet that no earlier stroke explains."""
-
 _PULLED = 0.5
 """px by which a fit to the ink may move a circle that the ridges gave."""
 
-_HALF_TURN = 90
-"""Marks of direction in half a turn."""
-
-_ALIKE = 17
-"""Largest difference of two marks for one ink: both shapes lie within 16 degrees of it."""
-
 _MIN_SAGITTA = 1.2
 """Height in px of the flattest arc that is told from a straight line, beyond half a stroke."""
+
+_SMALL_BEND = 2.0
+"""Radius in line widths up to which the ink at a corner may look like an arc."""
 
 _CURVED = 0.85
 """What a circle's ink counts for against a line's, which a flat arc follows about as well."""
@@ -152,7 +142,8 @@ def _candidates(sheet: CleanSheet, finder: Finder) -> list[Geometry]:
     shapes = [shape.geometry for shape in grown]
     ellipses = [shape for shape in shapes if isinstance(shape, WholeEllipse)]
     circles = [_better_fit(sheet, shape) for shape in shapes if isinstance(shape, Circle)]
-    return [*ellipses, *circles, *(shape for shape in shapes if isinstance(shape, Line))]
+    lines = [shape for shape in shapes if isinstance(shape, Line)]
+    return [*ellipses, *circles, *with_close_lines(sheet, lines)]
 
 
 def _better_fit(sheet: CleanSheet, circle: Circle) -> Circle:
@@ -203,19 +194,20 @@ def classify_strokes(
         fresh = [
             (run, kind)
             for run, kind in runs
-            if _is_new(shape.geometry, run, explained)
-            or (joins and _joins_arcs(shape.geometry, run, explained))
+            if is_new(shape.geometry, run, explained)
+            or (joins and joins_arcs(shape.geometry, run, explained))
         ]
         touches = [_touches(view.field, shape.geometry, run) for run, _ in fresh]
-        told = [kind for _, kind in fresh]
+        told = told_linetypes(shape.geometry, fresh, explained, rhythm)
         found = classify([run for run, _ in fresh], rhythm, touches, shape.geometry.around, told)
         if not isinstance(shape.geometry, Line):
             found = [piece for piece in found if _is_curved(shape.geometry, piece, view.sheet)]
-            found = bridged(view.field, shape.geometry, found, rhythm)
+        found = bridged(view.field, shape.geometry, found, rhythm)
+        if not isinstance(shape.geometry, Line):
             found = _closed(shape.geometry, found, rhythm)
         for piece in found:
             pieces.append((shape.geometry, piece))
-            _explain(explained, shape.geometry, piece, view.sheet.stroke_width)
+            explain(explained, shape.geometry, piece, view.sheet.stroke_width)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     pieces += find_jogs(ended, view.sheet)
     pieces = _refitted(pieces, ended, view.sheet)
@@ -224,8 +216,9 @@ def classify_strokes(
     strokes = [_stroke(geometry, piece) for geometry, piece in ended]
     # Strokes that were drawn out to a junction explain the ink up to there.
     for geometry, piece in ended:
-        _explain(explained, geometry, piece, view.sheet.stroke_width)
-    remainder = view.sheet.ink & (explained == 0)
+        explain(explained, geometry, piece, view.sheet.stroke_width)
+    near = cv2.dilate(explained, np.ones((3, 3), np.uint8))
+    remainder = view.sheet.ink & (near == 0)
     strokes += trace_remainder(remainder, view.sheet.stroke_width, rhythm.dash)
     shift = np.array(view.offset) + 0.5
     return tuple(_shifted(stroke, shift) for stroke in strokes if stroke.length > 1.5)
@@ -258,7 +251,9 @@ def _curve_shape(sheet: CleanSheet, field: InkField, curve: Curve) -> Shape | No
     longest = _longest_stretch(runs, GrowthRules.of_width(sheet.stroke_width).gap, curve.around)
     covered = sum(run.length for run in runs) / curve.around
     bowed = longest**2 / (8 * _radius(curve)) > _MIN_SAGITTA + sheet.stroke_width / 2
-    if covered < 0.45 and not (bowed and longest > 6):
+    # What bends within two line widths is a corner, or two, where fillets are looked for.
+    large = _radius(curve) > _SMALL_BEND * sheet.stroke_width
+    if covered < 0.45 and not (bowed and longest > 6 and large):
         return None
     return Shape(curve, tuple(runs), _CURVED * following(residual))
 
@@ -305,66 +300,6 @@ def _closed(curve: Curve, pieces: list[Piece], rhythm: Rhythm) -> list[Piece]:
     return pieces
 
 
-def _points(geometry: Geometry, start: float, end: float) -> npt.NDArray[np.float64]:
-    """(n, 2) px about one px apart along a shape."""
-    return geometry.points_at(np.linspace(start, end, max(2, int(np.ceil(end - start)) + 1)))
-
-
-def _is_new(geometry: Geometry, run: Run, explained: npt.NDArray[np.uint8]) -> bool:
-    """Whether enough of a run's ink is unexplained; strokes of other directions may cross it."""
-    exact = _points(geometry, run.start, run.end)
-    points = np.rint(exact).astype(int)
-    height, width = explained.shape
-    xs, ys = np.clip(points[:, 0], 0, width - 1), np.clip(points[:, 1], 0, height - 1)
-    marks = explained[ys, xs].astype(int)
-    turn = np.abs(marks - _direction_marks(np.gradient(exact, axis=0)))
-    alike = np.minimum(turn, _HALF_TURN - turn) <= _ALIKE
-    old = marks > 0
-    if isinstance(geometry, Circle):
-        # Of an arc between two tangents only the middle lies clear of them: it must be bent.
-        fresh = float((~(old & alike)).mean()) * run.length
-        if fresh**2 / (8 * geometry.radius) > _BENT and (~old).mean() > _MIN_BENT:
-            return True
-    return bool((~old).mean() > _MIN_CLEAR and (~(old & alike)).mean() > _MIN_NEW)
-
-
-def _joins_arcs(geometry: Geometry, run: Run, explained: npt.NDArray[np.uint8]) -> bool:
-    """Whether a run is a short line between two arcs that follow it from both of its ends."""
-    if not isinstance(geometry, Line):
-        return False
-    points = np.rint(_points(geometry, run.start, run.end)).astype(int)
-    height, width = explained.shape
-    xs, ys = np.clip(points[:, 0], 0, width - 1), np.clip(points[:, 1], 0, height - 1)
-    return _longest_true(explained[ys, xs] == 0) >= _MIN_STRAIGHT
-
-
-def _longest_true(flags: npt.NDArray[np.bool_]) -> int:
-    """Length of the longest run of True."""
-    padded = np.concatenate([[False], flags, [False]]).astype(np.int8)
-    starts, ends = np.flatnonzero(np.diff(padded) == 1), np.flatnonzero(np.diff(padded) == -1)
-    return int((ends - starts).max(initial=0))
-
-
-def _explain(
-    explained: npt.NDArray[np.uint8], geometry: Geometry, piece: Piece, stroke_width: float
-) -> None:
-    """Mark the ink of a piece with its direction, a little wider and longer than the stroke."""
-    reach = stroke_width / 2
-    points = _points(geometry, piece.start - reach, piece.end + reach)
-    chord = len(points) - 1 if isinstance(geometry, Line) else max(1, int(_radius(geometry) / 10))
-    for first in range(0, len(points) - 1, chord):
-        part = points[first : first + chord + 1]
-        mark = int(_direction_marks(part[-1:] - part[:1])[0])
-        path = np.rint(part * 8).astype(np.int32)
-        cv2.polylines(explained, [path], False, mark, int(np.ceil(stroke_width)) + 2, shift=3)
-
-
-def _direction_marks(vectors: npt.NDArray[np.float64]) -> npt.NDArray[np.int64]:
-    """(n, 2) directions -> (n,) 1 to 90: half the degrees from the first axis, from 1 on."""
-    degrees = np.degrees(np.arctan2(vectors[:, 1], vectors[:, 0])) % 180.0
-    return np.rint(degrees / 2.0).astype(int) % _HALF_TURN + 1
-
-
 def _touches(field: InkField, geometry: Geometry, run: Run) -> tuple[bool, bool]:
     """Whether the start and the end of a run lie on another stroke: there is ink beside it."""
     half = field.stroke_width / 2
@@ -372,7 +307,7 @@ def _touches(field: InkField, geometry: Geometry, run: Run) -> tuple[bool, bool]
 
     def touch(position: float, outward: float) -> bool:
         for along in (position - outward * half, position, position + outward * half):
-            here, ahead = _points(geometry, along, along + 1.0)[[0, -1]]
+            here, ahead = path_points(geometry, along, along + 1.0)[[0, -1]]
             tangent = (ahead - here) / max(float(np.hypot(*(ahead - here))), 1e-9)
             normal = np.array([-tangent[1], tangent[0]])
             for side in (beside, -beside):
@@ -411,7 +346,7 @@ def _with_fillets(
         for index, piece in fillet.pieces:
             rounded[index] = (rounded[index][0], piece)
         arcs.append(fillet.arc)
-        _explain(explained, *fillet.arc, sheet.stroke_width)
+        explain(explained, *fillet.arc, sheet.stroke_width)
     return [own for own in rounded if not any(is_chord(own, arc) for arc in arcs)] + arcs
 
 
