@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gaussiancad_core.comparison.distances import VolumeIou, volume_iou
+from gaussiancad_core.comparison.distances import VolumeIou, encloses_volume, volume_iou
 from gaussiancad_core.comparison.models import Model
 from gaussiancad_core.comparison.normalise import moved_mesh, normalising_matrix
 from gaussiancad_core.comparison.queries import Points, SurfaceQueries
@@ -105,13 +105,7 @@ def invalidity(model: Model) -> str | None:
         return None if model.exact.valid else "OpenCASCADE's check refuses the solid"
     if not model.mesh.watertight:
         return "the mesh is not closed"
-    return None if encloses(model) else "it encloses no volume"
-
-
-def encloses(model: Model) -> bool:
-    """Whether a model has a volume that is more than rounding."""
-    longest = float(np.ptp(model.mesh.bounds, axis=0).max())
-    return abs(model.mesh.volume) > 1e-9 * longest**3
+    return None if encloses_volume(model.mesh) else "it encloses no volume"
 
 
 def summarise_deepcad(results: Sequence[DeepCadResult | None]) -> DeepCadSummary:

@@ -12,6 +12,7 @@ from enum import Enum
 from typing import TYPE_CHECKING
 
 import numpy as np
+import numpy.typing as npt
 
 from gaussiancad_core.comparison.queries import Points, SurfaceQueries
 from gaussiancad_core.comparison.sampling import RandomState
@@ -121,11 +122,24 @@ def volume_iou(result: SurfaceQueries, reference: SurfaceQueries, random: Random
     if not (high > low).all():
         return VolumeIou(None, IouMethod.NONE)
     points = random.uniform(low, high, (OCCUPANCY_POINTS, 3))
-    in_result, in_reference = result.inside(points), reference.inside(points)
+    in_result, in_reference = _occupied(result, points), _occupied(reference, points)
     union = int((in_result | in_reference).sum())
     if not union:
         return VolumeIou(None, IouMethod.NONE)
     return VolumeIou(int((in_result & in_reference).sum()) / union, IouMethod.OCCUPANCY)
+
+
+def encloses_volume(mesh: TriangleMesh) -> bool:
+    """Whether a closed mesh has a volume that is more than rounding."""
+    longest = float(np.ptp(mesh.bounds, axis=0).max())
+    return abs(mesh.volume) > 1e-9 * longest**3
+
+
+def _occupied(surface: SurfaceQueries, points: Points) -> npt.NDArray[np.bool_]:
+    if surface.mesh.watertight and not encloses_volume(surface.mesh):
+        # Rays meet the two sides of something flat at once, and may count one.
+        return np.zeros(len(points), dtype=bool)
+    return surface.inside(points)
 
 
 def _boolean_iou(first: TriangleMesh, second: TriangleMesh) -> float | None:

@@ -1,6 +1,6 @@
 """What a person should know before believing a comparison's numbers."""
 
-from gaussiancad_core.comparison.deepcad import encloses
+from gaussiancad_core.comparison.distances import encloses_volume
 from gaussiancad_core.comparison.models import Model
 from gaussiancad_core.comparison.topology import Topology
 from gaussiancad_core.report import Remark
@@ -62,7 +62,7 @@ def _on_model(name: str, model: Model, topology: Topology) -> list[Remark]:
                 "for certain, and distances from it have no sign",
             )
         ]
-    if not encloses(model):
+    if not encloses_volume(model.mesh):
         return [_warned("no-volume", f"the {name} is closed but encloses no volume")]
     return []
 

@@ -1,0 +1,114 @@
+"""What comes in wrong is told, and measured as far as it can be."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from OCP.BRep import BRep_Builder
+from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
+from OCP.TopoDS import TopoDS_Shell, TopoDS_Solid
+
+from gaussiancad_core.comparison.comparing import compare_models
+from gaussiancad_core.comparison.distances import IouMethod
+from gaussiancad_core.comparison.models import Model, read_model
+from gaussiancad_core.comparison.options import CompareOptions, Protocol
+from gaussiancad_core.comparison.report import Comparison, comparison_json
+from gaussiancad_core.comparison.text import comparison_text
+from gaussiancad_core.comparison.units import unit_factor
+from gaussiancad_core.drawing.brep import faces_of, write_brep
+from gaussiancad_core.meshes import TriangleMesh, make_mesh
+
+
+def _compared(result: Model, reference: Model, **options: object) -> Comparison:
+    asked = CompareOptions(points=500, protocols=tuple(Protocol), **options)
+    found, _ = compare_models(result, reference, asked)
+    # Whatever comes in, it can be written and read.
+    assert b"NaN" not in comparison_json(found)
+    assert comparison_text(found)
+    return found
+
+
+def _codes(found: Comparison) -> set[str]:
+    return {remark.code for remark in found.warnings}
+
+
+@pytest.mark.parametrize("factor", [1000.0, 25.4, 1 / 25.4, 1 / 1000.0])
+def test_other_units_are_told_and_the_factor_mends_them(
+    bracket: TriangleMesh, factor: float
+) -> None:
+    other = Model(make_mesh(bracket.vertices / factor, bracket.triangles))
+    found = _compared(other, Model(bracket))
+    assert found.unit_factor == pytest.approx(factor)
+    warning = next(remark for remark in found.warnings if remark.code == "unit-mismatch")
+    assert f"--factor {factor:.6g}" in warning.message
+    mended = _compared(other, Model(bracket), factor=factor)
+    assert mended.unit_factor is None
+    assert mended.engineering.agreement == pytest.approx(1.0, abs=0.01)
+    assert mended.engineering.volume_mm3 == pytest.approx(0.0, abs=1e-6 * bracket.volume)
+
+
+def test_other_sizes_are_no_other_units(box: Callable[..., TriangleMesh]) -> None:
+    assert unit_factor(box(4, 3, 2), box(8, 6, 4)) is None
+    assert unit_factor(box(4, 3, 2), box(4, 3, 2)) is None
+    assert unit_factor(box(1, 1, 1), box(25.4, 25.4, 12)) is None
+    assert unit_factor(box(1, 2, 3), box(76.2, 25.4, 50.8)) == 25.4
+
+
+def test_a_mirror_image_is_told(bracket: TriangleMesh) -> None:
+    image = make_mesh(bracket.vertices * [-1, 1, 1], bracket.triangles).flipped()
+    found = _compared(Model(image), Model(bracket))
+    assert found.mirrored and "result-mirrored" in _codes(found)
+    assert np.linalg.det(found.matrix[:3, :3]) > 0.0
+
+
+def test_an_open_mesh_has_no_volume(bracket: TriangleMesh) -> None:
+    opened = Model(make_mesh(bracket.vertices, bracket.triangles[1:]))
+    found = _compared(opened, Model(bracket))
+    assert "model-open" in _codes(found)
+    assert found.result.volume_mm3 is None
+    assert found.engineering.volume_mm3 is None
+    assert not found.engineering.reference_to_result.signed
+    assert found.engineering.result_to_reference.signed
+    assert found.volume_iou.method is IouMethod.OCCUPANCY
+    assert found.deepcad.invalid is not None
+
+
+def test_a_flat_model_is_told(box: Callable[..., TriangleMesh]) -> None:
+    """Two rectangles, back to back, closed along their border."""
+    corners = np.array([[0.0, 0, 0], [4, 0, 0], [4, 3, 0], [0, 3, 0]])
+    flat = make_mesh(corners, [[0, 1, 2], [0, 2, 3], [1, 0, 3], [1, 3, 2]])
+    assert flat.watertight
+    found = _compared(Model(flat), Model(box(4, 3, 2)))
+    assert "no-volume" in _codes(found)
+    assert found.engineering.volume_share == pytest.approx(-1.0)
+    assert found.volume_iou.value == 0.0
+    assert found.deepcad.invalid is not None
+    both = _compared(Model(flat), Model(flat))
+    assert both.volume_iou.value is None
+    assert both.engineering.result_to_reference.rms == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_solid_without_a_face_is_invalid(tmp_path: Path) -> None:
+    builder, shell, solid = BRep_Builder(), TopoDS_Shell(), TopoDS_Solid()
+    builder.MakeShell(shell)
+    for face in faces_of(BRepPrimAPI_MakeBox(4.0, 3.0, 2.0).Shape())[1:]:
+        builder.Add(shell, face)
+    builder.MakeSolid(solid)
+    builder.Add(solid, shell)
+    path = tmp_path / "open.brep"
+    write_brep(solid, path)
+    model = read_model(path)
+    assert (model.exact.faces, model.exact.closed, model.exact.valid) == (5, False, False)
+    found = _compared(model, model)
+    assert "solid-invalid" in _codes(found)
+    assert found.result.volume_mm3 is None
+    assert found.deepcad.invalid is not None
+
+
+def test_a_model_against_itself(bracket: TriangleMesh) -> None:
+    found = _compared(Model(bracket), Model(bracket))
+    assert found.warnings == ()
+    assert found.engineering.agreement == 1.0
+    assert found.engineering.volume_iou.value == pytest.approx(1.0, abs=1e-9)
+    assert found.deviation.worst == ()
