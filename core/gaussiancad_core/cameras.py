@@ -91,6 +91,15 @@ class Camera:
         offset = np.array([self.rotation[0] @ position, self.rotation[1] @ position])
         return (plane + offset) * np.array([1.0, -1.0])
 
+    def on_view_plane(self, pixels: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        """(n, 2) px -> (n, 2) mm (right, up) on the view's plane through the part's centre."""
+        local = (pixels - np.array([self.cx, self.cy])) / np.array([self.fx, self.fy])
+        if self.model is CameraModel.PINHOLE:
+            local = local * self.reference_depth
+        depths = np.full(len(pixels), self.reference_depth)
+        points = np.column_stack([local, depths]) - self.translation
+        return self.plane_coordinates(points @ self.rotation)
+
     def resized(self, factor: float) -> "Camera":
         """The same camera with its image scaled by ``factor``."""
         return replace(

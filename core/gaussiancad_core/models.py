@@ -28,7 +28,7 @@ class Models:
     Attributes:
         registered: the views.
         training: the Gaussians.
-        surface: their Poisson mesh.
+        surface: their Poisson mesh, or the hull.
     """
 
     registered: RegisteredSheet

@@ -148,7 +148,7 @@ class _Run:
         asked = exact is not None and self.job.result is not ResultKind.SURFACE
         solid = exact if asked and exact.result.shape is not None else None
         with_surface = self.job.result is not ResultKind.SOLID
-        models = self._make_models(own.registered, exact) if with_surface else None
+        models = self._make_models(own.registered, exact, clean.turn) if with_surface else None
         with self._stage("check"):
             self._check(clean, own.registered, models, solid)
         with self._stage("write"):
@@ -378,7 +378,9 @@ class _Run:
                 "two-views", "only two directions of view: what a third would show is not known"
             )
 
-    def _make_models(self, registered: RegisteredSheet, exact: "ExactModel | None") -> Models:
+    def _make_models(
+        self, registered: RegisteredSheet, exact: "ExactModel | None", turn: Turn
+    ) -> Models:
         """Hull, Gaussians and surface."""
         from gaussiancad_core import surface_stage
 
@@ -388,15 +390,17 @@ class _Run:
             self.report = replace(self.report, hull=surface_stage.hull_report(hull))
         with self._stage("gaussians"):
             training = self._train(hull.mesh, views)
+            gaussians = surface_stage.gaussians_report(training, self.job, views)
+            residuals = surface_stage.residuals(training, self.job, registered, turn)
             self.report = replace(
                 self.report,
-                gaussians=surface_stage.gaussians_report(training, self.job, views),
+                gaussians=replace(gaussians, residuals=residuals),
                 device=surface_stage.training_device(self.job),
             )
         with self._stage("surface"):
-            surface = surface_stage.make_surface(training, hull.mesh, self.job.recipe)
+            surface = surface_stage.make_surface(training, hull.mesh, self.job.recipe, views)
             self.report = replace(self.report, surface=surface_stage.surface_report(surface))
-        return Models(registered, training, surface)
+        return Models(registered, training, surface.mesh)
 
     def _train(self, hull: "TriangleMesh", views: "ViewSet") -> "TrainingResult":
         from gaussiancad_core import surface_stage

@@ -133,12 +133,20 @@ class HullReport:
 
 @dataclass(frozen=True)
 class SurfaceReport:
-    """The Poisson mesh."""
+    """The surface.
+
+    Attributes:
+        source: ``gaussians`` for their Poisson mesh, ``hull`` where the hull on which they started
+            has the outlines of the views better.
+        outline_difference: of the shadows of either from the masks, as a share of these.
+    """
 
     vertices: int
     triangles: int
     watertight: bool
     volume_mm3: float
+    source: str = "gaussians"
+    outline_difference: dict[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -150,6 +158,7 @@ class GaussiansReport:
         settled: whether the training ended because the loss fell no more.
         image_px: width and height of the images that were trained on.
         resumed: iterations that were made by an earlier run.
+        residuals: by role, how much of the mask differs, and where, boxes in px of the sheet.
     """
 
     count: int
@@ -158,6 +167,7 @@ class GaussiansReport:
     settled: bool = False
     image_px: tuple[int, int] = (0, 0)
     resumed: int = 0
+    residuals: dict[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 from gaussiancad_core.cameras import Camera
 from gaussiancad_core.carving import CarvedHull, carved_hull
@@ -10,9 +11,13 @@ from gaussiancad_core.job import Job
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.modes import Recipe
 from gaussiancad_core.report import GaussiansReport, HullReport, SurfaceReport
+from gaussiancad_core.residual_reports import residual_entries
+from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.splatting.checkpoints import CheckpointPlace
 from gaussiancad_core.splatting.devices import backend_for
 from gaussiancad_core.splatting.gaussians import Start, gaussians_on
+from gaussiancad_core.splatting.residuals import residuals_of
 from gaussiancad_core.splatting.settings import (
     TrainingSettings,
     training_cameras,
@@ -20,6 +25,7 @@ from gaussiancad_core.splatting.settings import (
 )
 from gaussiancad_core.splatting.targets import mean_colour, targets_of
 from gaussiancad_core.splatting.training import TrainingResult, train
+from gaussiancad_core.surface.choice import ChosenSurface, better_surface
 from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
 from gaussiancad_core.views import ViewSet
 
@@ -60,6 +66,17 @@ def train_on(
     return train(gaussians_on(hull, start), cameras, targets, settings, progress, place=place)
 
 
+def residuals(
+    training: TrainingResult, job: Job, registered: RegisteredSheet, turn: Turn
+) -> dict[str, Any]:
+    """Where trained Gaussians and the drawing disagree, as the report has it."""
+    views = registered.views
+    cameras = _cameras(job, views)
+    settings = replace(_settings(job), backend=backend_for(job.device))
+    found = residuals_of(training.gaussians, cameras, targets_of(views, cameras), settings)
+    return residual_entries(found, cameras, registered, turn)
+
+
 def takes_long(job: Job) -> bool:
     """Whether a job trains on a processor what was meant for a GPU."""
     settings = _settings(job)
@@ -67,15 +84,19 @@ def takes_long(job: Job) -> bool:
     return work > _MUCH_WORK and training_device(job) == "cpu"
 
 
-def make_surface(training: TrainingResult, hull: TriangleMesh, recipe: Recipe) -> TriangleMesh:
-    """The Poisson mesh of trained Gaussians.
+def make_surface(
+    training: TrainingResult, hull: TriangleMesh, recipe: Recipe, views: ViewSet
+) -> ChosenSurface:
+    """The Poisson mesh of trained Gaussians, or the hull where that has the masks' outlines better.
+
+    The paper's recipe has the former always.
 
     Raises:
         NoModelError: ``no-surface``.
     """
-    # Only parallel projections leave no material outside of the hull.
-    within = hull if recipe is Recipe.ORTHOGRAPHIC else None
-    return gaussian_surface(training.gaussians, PoissonSettings(), within)
+    if recipe is Recipe.PAPER:
+        return ChosenSurface(gaussian_surface(training.gaussians, PoissonSettings()))
+    return better_surface(hull, training.gaussians, views)
 
 
 def training_device(job: Job) -> str:
@@ -102,10 +123,18 @@ def gaussians_report(training: TrainingResult, job: Job, views: ViewSet) -> Gaus
     )
 
 
-def surface_report(surface: TriangleMesh) -> SurfaceReport:
+def surface_report(surface: ChosenSurface) -> SurfaceReport:
     """What the report says of a surface."""
+    mesh = surface.mesh
     return SurfaceReport(
-        len(surface.vertices), len(surface.triangles), surface.watertight, float(surface.volume)
+        len(mesh.vertices),
+        len(mesh.triangles),
+        mesh.watertight,
+        float(mesh.volume),
+        source=surface.source.value,
+        outline_difference={
+            source.value: round(share, 6) for source, share in surface.differences.items()
+        },
     )
 
 

@@ -7,6 +7,7 @@ from gaussiancad_core.axes import Role
 from gaussiancad_core.cameras import (
     PAPER_DISTANCE,
     PAPER_INTRINSICS,
+    CameraModel,
     orthographic_camera,
     paper_camera,
     paper_unit,
@@ -109,3 +110,18 @@ def test_colmap_files_read_back_to_the_same_projection(tmp_path) -> None:  # noq
 def test_quaternions_have_a_positive_first_part(role: Role) -> None:
     q = quaternion(role.frame.world_to_camera())
     assert q[0] >= 0 and np.linalg.norm(q) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("model", list(CameraModel))
+def test_pixels_lie_on_the_plane_through_the_middle(model: CameraModel) -> None:
+    size = (40.0, 30.0, 20.0)
+    role = Role.RIGHT
+    camera = (
+        orthographic_camera(role, size, 200)
+        if model is CameraModel.ORTHOGRAPHIC
+        else paper_camera(role, size, 0.1)
+    )
+    middle = np.array(size) / 2.0
+    points = middle + np.array([[0.0, 3.0, 4.0], [0.0, -5.0, 1.0]])
+    plane = points @ np.array([role.frame.right, role.frame.up], dtype=float).T
+    assert camera.on_view_plane(camera.project(points)) == pytest.approx(plane, abs=1e-9)

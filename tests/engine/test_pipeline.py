@@ -109,7 +109,15 @@ def test_the_report_has_what_others_rely_on(run: tuple) -> None:
         assert 0.0 <= residual["median"] <= residual["max"] < 0.5
     assert report["hull"] == {"carved_from": None, "regions": 0, "doubted": 0, "refused": ""}
     assert report["surface"]["watertight"] is True
-    assert report["gaussians"]["count"] > 0 and report["gaussians"]["loss"] < 0.2
+    # Masks that agree leave nothing to mend: the hull has the sharper edges.
+    assert report["surface"]["source"] == "hull"
+    assert set(report["surface"]["outline_difference"]) == {"hull", "gaussians"}
+    gaussians = report["gaussians"]
+    assert gaussians["count"] > 0 and gaussians["loss"] < 0.2
+    assert gaussians["image_px"] == [128, 128] and gaussians["resumed"] == 0
+    assert set(gaussians["residuals"]) == {"front", "top", "left"}
+    for residual in gaussians["residuals"].values():
+        assert 0.0 <= residual["difference"] < 0.1
     assert set(report["seconds"]) == set(STAGES) and report["peak_memory_mb"] > 0
     assert len(report["engine"]["sheet_sha256"]) == 64 and report["engine"]["seed"] == 0
 

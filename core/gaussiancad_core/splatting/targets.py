@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 import torch
 
-from gaussiancad_core.cameras import Camera, CameraModel
+from gaussiancad_core.cameras import Camera
 from gaussiancad_core.splatting.losses import Targets
 from gaussiancad_core.views import View, ViewSet
 
@@ -59,13 +59,8 @@ def _resampled(
 
 def _plane_to_mask(view: View, camera: Camera) -> npt.NDArray[np.float64]:
     """(2, 2) mask px (x, y) of the image's upper left and lower right corners."""
-    depth = camera.reference_depth
     pixels = np.array([[0.0, 0.0], [camera.width, camera.height]])
-    local = (pixels - np.array([camera.cx, camera.cy])) / np.array([camera.fx, camera.fy])
-    if camera.model is CameraModel.PINHOLE:
-        local = local * depth
-    points = np.column_stack([local, [depth, depth]]) - camera.translation
-    return view.to_pixels(camera.plane_coordinates(points @ camera.rotation))
+    return view.to_pixels(camera.on_view_plane(pixels))
 
 
 def _overlaps(ends: npt.NDArray[np.float64], count: int, source: int) -> npt.NDArray[np.float64]:

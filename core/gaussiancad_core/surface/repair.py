@@ -42,6 +42,16 @@ def intersection(
     return _from_manifold(common.simplify(tolerance) if tolerance else common)
 
 
+def simplified(mesh: TriangleMesh, tolerance: float) -> TriangleMesh | None:
+    """A closed body with fewer triangles, or nothing where it is none.
+
+    Args:
+        mesh: watertight, oriented outward, mm.
+        tolerance: mm by which the surface may move.
+    """
+    return _from_manifold(_to_manifold(mesh).simplify(tolerance))
+
+
 def _to_manifold(mesh: TriangleMesh) -> "manifold3d.Manifold":
     import manifold3d
 
