@@ -152,7 +152,7 @@ def measures(part: Part, preset: Preset | None) -> tuple[list[Measure], str]:
         ]
     truth = truth_of(part, views.size)
     source = carved.source.value if carved.source else carved.refused or "-"
-    return [_measure(surface, truth, views.size) for surface in surfaces], source
+    return [measure_mesh(surface, truth, views.size) for surface in surfaces], source
 
 
 def registered_of(part: Part) -> RegisteredSheet:
@@ -174,9 +174,10 @@ def truth_of(part: Part, size: tuple[float, float, float]) -> TriangleMesh:
     return TriangleMesh(vertices * scale, triangles)
 
 
-def _measure(
+def measure_mesh(
     surface: TriangleMesh, truth: TriangleMesh, size: tuple[float, float, float]
 ) -> Measure:
+    """A surface against the truth, both in mm; ``size`` is the part's extent in mm."""
     unit = BOX / max(size)
     scaled = [TriangleMesh(mesh.vertices * unit, mesh.triangles) for mesh in (surface, truth)]
     streams = random_streams(0, 3)

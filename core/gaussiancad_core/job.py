@@ -23,6 +23,7 @@ class Job:
         seed: of all chance.
         device: where to train.
         resume: keep the results of an earlier run of the same job, or go on with its training.
+        transforms: whether the cameras are written for nerfstudio, too.
         scale_down: the edges of the images that are trained on are divided by this.
     """
 
@@ -37,6 +38,7 @@ class Job:
     device: Device = Device.AUTO
     resume: bool = False
     scale_down: int = 1
+    transforms: bool = False
 
     def settings(self) -> dict[str, Any]:
         """What determines the result beside the sheet, as JSON values."""
@@ -59,4 +61,5 @@ class Job:
             "preset": self.preset.value,
             "seed": self.seed,
             "scale_down": self.scale_down,
+            "transforms": self.transforms,
         }

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from gaussiancad_core.cameras import Camera, orthographic_camera, paper_camera
+from gaussiancad_core.job import Job
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.modes import Recipe
 from gaussiancad_core.sheet.reading import RegisteredSheet
@@ -57,14 +58,12 @@ def write_solids(result: "ExactResult", folder: Path) -> None:
         write_step(shape, folder / alternative_file(number))
 
 
-def write_models(
-    models: Models, recipe: Recipe, folder: Path, progress: Callable[[float], None]
-) -> None:
+def write_models(models: Models, job: Job, folder: Path, progress: Callable[[float], None]) -> None:
     """Write surface, Gaussians and cameras under their names into a folder.
 
     Args:
         models: of one run.
-        recipe: whose cameras they are.
+        job: whose cameras they are, and for whom.
         folder: where the files go; it exists.
         progress: told the fraction done.
 
@@ -81,25 +80,24 @@ def write_models(
     write_faceted_step(models.surface, folder / "surface.step")
     progress(0.7)
     write_gaussians(models.training.gaussians, folder / "gaussians.ply")
-    _write_cameras(folder / "cameras", models, recipe)
+    _write_cameras(folder / "cameras", models, job)
 
 
-def _write_cameras(folder: Path, models: Models, recipe: Recipe) -> None:
+def _write_cameras(folder: Path, models: Models, job: Job) -> None:
     from gaussiancad_core.colmap import as_pinhole, write_cameras
+    from gaussiancad_core.nerfstudio import write_transforms
     from gaussiancad_core.splatting.targets import targets_of
 
     views = models.registered.views
-    cameras = _image_cameras(views, recipe)
+    cameras = _image_cameras(views, job.recipe)
     targets = targets_of(views, cameras)
     gaussians = models.training.gaussians
     colours = np.clip(np.rint(gaussians.colours * 255), 0, 255).astype(np.uint8)
-    write_cameras(
-        folder,
-        tuple(as_pinhole(camera, views.size) for camera in cameras),
-        targets.colours.numpy(),
-        targets.masks.numpy(),
-        (gaussians.means.astype(np.float64), colours),
-    )
+    points = (gaussians.means.astype(np.float64), colours)
+    pinholes = tuple(as_pinhole(camera, views.size) for camera in cameras)
+    write_cameras(folder, pinholes, targets.colours.numpy(), targets.masks.numpy(), points)
+    if job.transforms:
+        write_transforms(folder, pinholes, points)
 
 
 def _image_cameras(views: ViewSet, recipe: Recipe) -> tuple[Camera, ...]:

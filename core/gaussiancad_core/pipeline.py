@@ -155,7 +155,7 @@ class _Run:
             if solid:
                 write_solids(solid.result, self.folder.staging)
             if models:
-                write_models(models, self.job.recipe, self.folder.staging, self.progress)
+                write_models(models, self.job, self.folder.staging, self.progress)
         # Lines of a section are no edges, and a broken view is no measure: nothing verifies them.
         plain = not any(view.used for view in self.special)
         self._finish(solid.result.status if solid and plain else Status.APPROXIMATE)

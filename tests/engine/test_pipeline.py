@@ -117,7 +117,7 @@ def test_the_report_has_what_others_rely_on(run: tuple) -> None:
     assert gaussians["image_px"] == [128, 128] and gaussians["resumed"] == 0
     assert set(gaussians["residuals"]) == {"front", "top", "left"}
     for residual in gaussians["residuals"].values():
-        assert 0.0 <= residual["difference"] < 0.1
+        assert 0.0 <= residual["difference"] < 0.2
     assert set(report["seconds"]) == set(STAGES) and report["peak_memory_mb"] > 0
     assert len(report["engine"]["sheet_sha256"]) == 64 and report["engine"]["seed"] == 0
 
@@ -175,9 +175,10 @@ def test_a_run_for_the_solid_alone_makes_no_surface(sheet: Path, tmp_path: Path)
 
 
 def test_a_run_for_the_surface_alone_makes_no_solid(sheet: Path, tmp_path: Path) -> None:
-    options = ("--projection", "first", "--length", "x=80", "--result", "surface")
+    options = ("--projection", "first", "--length", "x=80", "--result", "surface", "--transforms")
     subprocess.run(_command(sheet, tmp_path, *options), check=True, capture_output=True)
     assert {path.name for path in tmp_path.iterdir()} == FILES - {"solid.step"}
+    assert (tmp_path / "cameras" / "transforms.json").is_file()
     report = json.loads((tmp_path / "report.json").read_text("utf-8"))
     assert report["status"] == "approximate" and report["solid"] is None
     assert "no-exact-solid" in {reason["code"] for reason in report["reasons"]}

@@ -83,6 +83,11 @@ def add_job_options(parser: argparse.ArgumentParser) -> None:
         help="train on images whose edges are N times shorter",
     )
     parser.add_argument(
+        "--transforms",
+        action="store_true",
+        help="write cameras/transforms.json for nerfstudio, too",
+    )
+    parser.add_argument(
         "--resume",
         action="store_true",
         help="keep a finished result of the same sheet and options, or go on with its training",
@@ -119,6 +124,7 @@ def job_of(options: argparse.Namespace, sheet: Path, output: Path) -> Job:
         device=options.device,
         resume=options.resume,
         scale_down=options.scale_down,
+        transforms=options.transforms,
     )
 
 
