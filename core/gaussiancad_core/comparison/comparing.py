@@ -222,7 +222,7 @@ def _facts(model: Model, betti: tuple[int, int, int] | None) -> ModelFacts:
     return ModelFacts(
         tuple(float(value) for value in high - low),
         len(mesh.triangles),
-        mesh.watertight,
+        model.closed,
         volume_of(model),
         area_of(model),
         (tuple(float(value) for value in low), tuple(float(value) for value in high)),

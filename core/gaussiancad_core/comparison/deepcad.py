@@ -103,7 +103,7 @@ def invalidity(model: Model) -> str | None:
     """
     if model.exact is not None:
         return None if model.exact.valid else "OpenCASCADE's check refuses the solid"
-    if not model.mesh.watertight:
+    if not model.closed:
         return "the mesh is not closed"
     return None if encloses_volume(model.mesh) else "it encloses no volume"
 

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.comparison.edges import mesh_edges
 from gaussiancad_core.comparison.queries import SurfaceQueries
 from gaussiancad_core.meshes import TriangleMesh, make_mesh
 
@@ -70,7 +71,7 @@ def measure_deviation(result: TriangleMesh, reference: SurfaceQueries, unit: flo
     longest = float(np.ptp(reference.mesh.bounds, axis=0).max())
     fine = split_long_edges(result, longest * _LONGEST_EDGE_SHARE, _MOST_TRIANGLES)
     distances = reference.nearest(fine.vertices).distances
-    signed = reference.mesh.watertight
+    signed = reference.closed
     if signed:
         # What touches the reference has no side.
         inner = reference.inside(fine.vertices) & (distances > 1e-9 * longest)
@@ -100,15 +101,15 @@ def split_long_edges(mesh: TriangleMesh, longest: float, most: int) -> TriangleM
         most: no further round once there are this many triangles.
     """
     while len(mesh.triangles) < most:
-        edges, of_triangle = _edges(mesh.triangles)
-        ends = mesh.vertices[edges]
+        edges = mesh_edges(mesh.triangles)
+        ends = mesh.vertices[edges.ends]
         long = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) > longest
         if not long.any():
             break
-        middles = np.full(len(edges), -1)
+        middles = np.full(len(edges.ends), -1)
         middles[long] = len(mesh.vertices) + np.arange(int(long.sum()))
         vertices = np.concatenate([mesh.vertices, ends[long].mean(axis=1)])
-        mesh = make_mesh(vertices, _split(mesh.triangles, middles[of_triangle]))
+        mesh = make_mesh(vertices, _split(mesh.triangles, middles[edges.of_triangle]))
     return mesh
 
 
@@ -136,15 +137,6 @@ def ply_bytes(deviation: Deviation) -> bytes:
         "property list uchar int vertex_indices\nend_header\n"
     )
     return header.encode("ascii") + vertices.tobytes() + faces.tobytes()
-
-
-def _edges(
-    triangles: npt.NDArray[np.int64],
-) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
-    """(e, 2) distinct edges, and (m, 3) which of them run 0-1, 1-2, 2-0 in each triangle."""
-    sides = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=-1).reshape(-1, 2)
-    edges, inverse = np.unique(np.sort(sides, axis=1), axis=0, return_inverse=True)
-    return edges, inverse.reshape(-1, 3)
 
 
 def _split(

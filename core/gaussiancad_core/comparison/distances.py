@@ -136,7 +136,7 @@ def encloses_volume(mesh: TriangleMesh) -> bool:
 
 
 def _occupied(surface: SurfaceQueries, points: Points) -> npt.NDArray[np.bool_]:
-    if surface.mesh.watertight and not encloses_volume(surface.mesh):
+    if surface.closed and not encloses_volume(surface.mesh):
         # Rays meet the two sides of something flat at once, and may count one.
         return np.zeros(len(points), dtype=bool)
     return surface.inside(points)

@@ -170,7 +170,7 @@ def volume_of(model: Model) -> float | None:
     """mm3, of the exact surfaces where there are; None where the model is not closed."""
     if model.exact is not None:
         return model.exact.volume_mm3 if model.exact.closed else None
-    return model.mesh.volume if model.mesh.watertight else None
+    return model.mesh.volume if model.closed else None
 
 
 def area_of(model: Model) -> float:
@@ -195,7 +195,7 @@ def _statistics(
     sample = sample_triangles(own.mesh, points, random)
     nearest = other.nearest(sample.points)
     sizes = nearest.distances * unit
-    signed = other.mesh.watertight
+    signed = other.closed
     distances = _with_signs(other, sample.points, nearest.distances) * unit
     corners = signed_distances(other, own.mesh.vertices) * unit
     normals = surface_normals(own, sample.triangles) * surface_normals(other, nearest.triangles)
@@ -217,7 +217,7 @@ def _with_signs(
     points: npt.NDArray[np.float64],
     distances: npt.NDArray[np.float64],
 ) -> npt.NDArray[np.float64]:
-    if not surface.mesh.watertight:
+    if not surface.closed:
         return distances
     # What touches the surface has no side.
     longest = float(np.ptp(surface.mesh.bounds, axis=0).max())

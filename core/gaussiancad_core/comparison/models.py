@@ -3,6 +3,7 @@
 import io
 from dataclasses import dataclass
 from enum import Enum
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -47,6 +48,11 @@ class Model:
 
     mesh: TriangleMesh
     exact: ExactFacts | None = None
+
+    @cached_property
+    def closed(self) -> bool:
+        """Whether its triangles are watertight."""
+        return self.mesh.watertight
 
     def scaled(self, factor: float) -> "Model":
         """The same model, larger or smaller about the origin."""

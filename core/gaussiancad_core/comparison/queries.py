@@ -1,6 +1,7 @@
 """Questions to one surface: the nearest point of it, and what lies inside it."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -55,6 +56,11 @@ class SurfaceQueries:
         self._scene.add_triangles(
             mesh.vertices.astype(np.float32), mesh.triangles.astype(np.uint32)
         )
+
+    @cached_property
+    def closed(self) -> bool:
+        """Whether the mesh is watertight, so that it has an inside."""
+        return self.mesh.watertight
 
     def nearest(self, points: Points) -> Nearest:
         """The nearest points of the surface to (n, 3) points, in double precision."""

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.comparison.edges import mesh_edges
 from gaussiancad_core.meshes import TriangleMesh
 
 
@@ -43,12 +44,9 @@ class Topology:
 def topology_of(mesh: TriangleMesh) -> Topology:
     """The topology of a welded mesh."""
     triangles = mesh.triangles
-    sides = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=-1), axis=2)
-    edges, number, uses = np.unique(
-        sides.reshape(-1, 2), axis=0, return_inverse=True, return_counts=True
-    )
-    labels, pieces = _pieces(number.reshape(-1, 3), len(edges))
-    open_edges = int((uses != 2).sum())
+    edges = mesh_edges(triangles)
+    labels, pieces = _pieces(edges.of_triangle, len(edges.ends))
+    open_edges = int((edges.uses != 2).sum())
     if open_edges or not mesh.watertight:
         return Topology(pieces, open_edges)
     # A vertex in which two pieces touch belongs to each of them.

@@ -1,0 +1,73 @@
+"""Seconds and memory of ``gaussiancad compare`` for many points and for large meshes.
+
+A sphere with a bump as the result against a plain one, each with the asked number of triangles, as
+binary STL; each run is a process of its own, with all protocols and its files written.
+
+    .venv/bin/python benchmarks/comparison_sizes.py [--triangles N ...] [--points N ...]
+"""
+
+import argparse
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+import trimesh
+
+
+def main() -> None:
+    """Print a line a size."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--triangles", type=int, nargs="+", default=[20_480, 1_310_720])
+    parser.add_argument("--points", type=int, nargs="+", default=[10_000, 100_000])
+    options = parser.parse_args()
+    print(f"{'triangles':>10}{'points':>10}{'s':>8}{'MB':>8}{'page, MB':>10}")
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for triangles in options.triangles:
+            files = write_pair(folder, triangles)
+            for points in options.points:
+                seconds, megabytes = run(files, folder / "out", points)
+                page = (folder / "out" / "comparison.html").stat().st_size / 1e6
+                print(
+                    f"{triangles:>10}{points:>10}{seconds:>8.1f}{megabytes:>8.0f}{page:>10.1f}",
+                    flush=True,
+                )
+
+
+def write_pair(folder: Path, triangles: int) -> tuple[Path, Path]:
+    """A sphere with a bump and a plain one, of the next number that quartering reaches."""
+    subdivisions = max(0, round(np.log(triangles / 20) / np.log(4)))
+    ball = trimesh.creation.icosphere(subdivisions, 50.0)
+    plain, bumped = folder / "plain.stl", folder / "bumped.stl"
+    ball.export(plain)
+    away = np.linalg.norm(ball.vertices - [35.0, 30.0, 20.0], axis=1)
+    ball.vertices *= 1.0 + 0.02 * np.exp(-((away / 15.0) ** 2))[:, None]
+    ball.export(bumped)
+    return bumped, plain
+
+
+def run(files: tuple[Path, Path], output: Path, points: int) -> tuple[float, float]:
+    """Seconds and MB of one comparison."""
+    command = [sys.executable, "-m", "gaussiancad_core", "compare", *map(str, files)]
+    command += ["--output", str(output), "--points", str(points), "--protocol", "all"]
+    started = time.perf_counter()
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL) as process:
+        _, status, usage = _wait(process)
+    if status:
+        raise SystemExit(f"compare ended with {status}")
+    return time.perf_counter() - started, usage.ru_maxrss / 1024.0
+
+
+def _wait(process: subprocess.Popen[bytes]) -> tuple[int, int, resource.struct_rusage]:
+    found = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(found[1])
+    return found[0], process.returncode, found[2]
+
+
+if __name__ == "__main__":
+    main()
