@@ -1,0 +1,144 @@
+"""The GaussianCAD paper's ablation of the cameras' distance, and what perspective costs.
+
+With the images and K as they are, a camera that is said to stand farther away only makes the model
+larger: ``size`` is the longest edge of the result in the paper's units, ``shape`` its distance from
+the truth once both are brought to a box of 5.  With a longer lens at each distance instead, so that
+the part keeps its size, the rays become parallel: ``lens`` is that distance for the same part.
+``parallel`` is the same training with orthographic cameras.
+
+    .venv/bin/python benchmarks/camera_distance.py [--sample NAME] [--distances D ...]
+        [--iterations N] [--chart FILE]
+"""
+
+import argparse
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from charts import Chart, Series, write_chart
+from disturbed_views import cases, solid_mesh, views_of
+from surface import measure_mesh
+
+from gaussiancad_core.cameras import PAPER_DISTANCE, Camera, orthographic_camera
+from gaussiancad_core.hull import visual_hull
+from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.modes import Preset, Recipe
+from gaussiancad_core.samples import sample
+from gaussiancad_core.splatting.gaussians import Start, gaussians_on
+from gaussiancad_core.splatting.settings import (
+    TrainingSettings,
+    training_cameras,
+    training_settings,
+)
+from gaussiancad_core.splatting.targets import mean_colour, targets_of
+from gaussiancad_core.splatting.training import train
+from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
+from gaussiancad_core.views import ViewSet
+
+DISTANCES = (3.0, 4.0, 5.0, 7.0, 10.0, 20.0)
+
+
+def main() -> None:
+    """Print the table, and draw it."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--sample", default="three-axis-block")
+    parser.add_argument("--distances", type=float, nargs="+", default=DISTANCES)
+    parser.add_argument("--iterations", type=int, default=300)
+    parser.add_argument("--chart", type=Path)
+    options = parser.parse_args()
+    truth = solid_mesh(sample(options.sample).build())
+    views = views_of(truth, cases()[0], seed=0)
+    settings = training_settings(Recipe.PAPER, Preset.DRAFT)
+    settings = replace(settings, iterations=options.iterations)
+    own = training_cameras(Recipe.PAPER, settings, views.roles, views.size)
+    unit = own[0].reference_depth / PAPER_DISTANCE
+    parallel = tuple(orthographic_camera(role, views.size, settings.pixels) for role in views.roles)
+    _, straight = reconstructed(views, parallel, settings, truth)
+    print(f"{'distance':>9}{'size':>9}{'shape':>9}{'lens':>9}{'parallel':>9}")
+    rows = []
+    for distance in options.distances:
+        factor = distance / PAPER_DISTANCE
+        larger = scaled(views, factor)
+        said = tuple(moved(camera, distance, unit, 1.0) for camera in relocated(own, views, factor))
+        size, shape = reconstructed(larger, said, settings, truth)
+        lens = tuple(moved(camera, distance, unit, factor) for camera in own)
+        _, error = reconstructed(views, lens, settings, truth)
+        rows.append((size / unit, shape, error, straight))
+        print(f"{distance:9.1f}" + "".join(f"{value:9.4f}" for value in rows[-1]), flush=True)
+    if options.chart:
+        names = ("size / 100", "shape", "lens", "parallel")
+        columns = np.array(rows).T
+        columns[0] /= 100.0
+        lines = [Series(name, list(own)) for name, own in zip(names, columns, strict=True)]
+        ticks = [f"{distance:g}" for distance in options.distances]
+        write_chart(
+            Chart("distance from the truth by camera distance", ticks, lines), options.chart
+        )
+
+
+def scaled(views: ViewSet, factor: float) -> ViewSet:
+    """The same images of a part that is ``factor`` times as large."""
+    return ViewSet(
+        tuple(
+            replace(
+                view,
+                origin=(view.origin[0] * factor, view.origin[1] * factor),
+                mm_per_pixel=view.mm_per_pixel * factor,
+            )
+            for view in views.views
+        ),
+        tuple(extent * factor for extent in views.size),
+    )
+
+
+def relocated(cameras: tuple[Camera, ...], views: ViewSet, factor: float) -> tuple[Camera, ...]:
+    """Cameras that look at the middle of the part that is ``factor`` times as large."""
+    middle = np.array(views.size) / 2.0
+    return tuple(
+        replace(
+            camera,
+            translation=camera.translation - camera.rotation @ ((factor - 1.0) * middle),
+        )
+        for camera in cameras
+    )
+
+
+def moved(camera: Camera, distance: float, unit: float, zoom: float) -> Camera:
+    """A camera at another distance, in the paper's units, with another focal length."""
+    translation = camera.translation.copy()
+    translation[2] += distance * unit - camera.reference_depth
+    return replace(
+        camera,
+        translation=translation,
+        reference_depth=distance * unit,
+        fx=camera.fx * zoom,
+        fy=camera.fy * zoom,
+    )
+
+
+def reconstructed(
+    views: ViewSet, cameras: tuple[Camera, ...], settings: TrainingSettings, truth: TriangleMesh
+) -> tuple[float, float]:
+    """Longest edge of the surface in mm, and its distance from the truth in a box of 5."""
+    start = gaussians_on(
+        visual_hull(views, cameras),
+        Start(
+            settings.count,
+            thickness=settings.thickness,
+            opacity=settings.opacity,
+            colour=mean_colour(views),
+        ),
+    )
+    trained = train(start, cameras, targets_of(views, cameras), settings, lambda *_: None)
+    surface = gaussian_surface(trained.gaussians, PoissonSettings())
+    factor = float(np.max(truth.bounds[1])) / max(views.size)
+    own = TriangleMesh(surface.vertices * factor, surface.triangles)
+    longest = float(np.ptp(surface.bounds, axis=0).max())
+    size = tuple(float(extent) for extent in truth.bounds[1])
+    return longest, measure_mesh(own, truth, size).p2s
+
+
+if __name__ == "__main__":
+    main()
