@@ -50,7 +50,7 @@ class _Fine:
     end: float
 
 
-def with_close_lines(sheet: CleanSheet, lines: list[Line]) -> list[Line]:
+def with_close_lines(sheet: CleanSheet, lines: list[Line]) -> tuple[list[Line], set[Line]]:
     """The lines of a view, with those apart that were melted.
 
     Args:
@@ -58,8 +58,8 @@ def with_close_lines(sheet: CleanSheet, lines: list[Line]) -> list[Line]:
         lines: as they were found in ink smoothed as widely as a stroke.
 
     Returns:
-        The lines, without those that run between two, and the missing ones; px, centres of pixels
-        at integers.
+        The lines, without those that run between two, and the missing ones, px, centres of pixels
+        at integers; and those of them that have another one beside them.
     """
     width = sheet.stroke_width
     ridges = fine_ridge_points(sheet.weight, width)
@@ -69,12 +69,15 @@ def with_close_lines(sheet: CleanSheet, lines: list[Line]) -> list[Line]:
         pair for pair in combinations(fine, 2) if _run_beside(*pair, width) and _shows(*pair, sheet)
     ]
     kept = list(lines)
+    close: set[Line] = set()
     for pair in pairs:
         kept = [line for line in kept if not _is_between(line, *pair)]
         for own in pair:
-            if not any(_is_same(line, own) for line in kept):
+            same = [line for line in kept if _is_same(line, own)]
+            if not same:
                 kept.append(own.line)
-    return kept
+            close.update(same or [own.line])
+    return kept, close.intersection(kept)
 
 
 def _fine(grown: Grown, ridges: RidgePoints) -> _Fine:

@@ -5,10 +5,13 @@ corner.  Ink keeps the direction of the stroke that has it, since strokes of oth
 cross a new one.
 """
 
+from dataclasses import dataclass
+
 import cv2
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Circle, Geometry, Line
 from gaussiancad_core.sheet.runs import Piece, Rhythm, Run
 from gaussiancad_core.views import Linetype
@@ -40,6 +43,46 @@ _HALF_TURN = 90
 
 _ALIKE = 17
 """Largest difference of two marks for one ink: both shapes lie within 16 degrees of it."""
+
+
+@dataclass(frozen=True, eq=False)
+class Explained:
+    """Marks of the direction of the strokes that have a view's ink, 0 where none has.
+
+    Attributes:
+        around: (h, w) uint8, a little wider than the strokes, for ink that ran.
+        upon: (h, w) uint8, as wide as they are, for lines that are known to run beside others.
+        stroke_width: px.
+    """
+
+    around: npt.NDArray[np.uint8]
+    upon: npt.NDArray[np.uint8]
+    stroke_width: float
+
+    @classmethod
+    def blank(cls, sheet: CleanSheet) -> "Explained":
+        """Nothing of a view's ink is explained."""
+        shape = sheet.ink.shape
+        return cls(np.zeros(shape, np.uint8), np.zeros(shape, np.uint8), sheet.stroke_width)
+
+    def near(self, close: bool) -> npt.NDArray[np.uint8]:
+        """The marks for a shape that runs close beside another, or for any other."""
+        return self.upon if close else self.around
+
+    def add(self, geometry: Geometry, piece: Piece) -> None:
+        """Mark the ink of a piece, in place, a little longer than the stroke."""
+        reach = self.stroke_width / 2
+        points = path_points(geometry, piece.start - reach, piece.end + reach)
+        # Ten chords to a radian.
+        straight = isinstance(geometry, Line)
+        chord = len(points) - 1 if straight else max(1, int(geometry.around / (20.0 * np.pi)))
+        width = int(np.ceil(self.stroke_width))
+        for first in range(0, len(points) - 1, chord):
+            part = points[first : first + chord + 1]
+            mark = int(_direction_marks(part[-1:] - part[:1])[0])
+            path = np.rint(part * 8).astype(np.int32)
+            cv2.polylines(self.around, [path], False, mark, width + 2, shift=3)
+            cv2.polylines(self.upon, [path], False, mark, width, shift=3)
 
 
 def is_new(geometry: Geometry, run: Run, explained: npt.NDArray[np.uint8]) -> bool:
@@ -79,22 +122,6 @@ def told_linetypes(
         if old.mean() > _CROSSED and _longest_true(~old) <= _DASH_UP_TO * rhythm.dash:
             told[index] = Linetype.HIDDEN
     return told
-
-
-def explain(
-    explained: npt.NDArray[np.uint8], geometry: Geometry, piece: Piece, stroke_width: float
-) -> None:
-    """Mark the ink of a piece with its direction, a little longer than the stroke."""
-    reach = stroke_width / 2
-    points = path_points(geometry, piece.start - reach, piece.end + reach)
-    # Ten chords to a radian.
-    straight = isinstance(geometry, Line)
-    chord = len(points) - 1 if straight else max(1, int(geometry.around / (20.0 * np.pi)))
-    for first in range(0, len(points) - 1, chord):
-        part = points[first : first + chord + 1]
-        mark = int(_direction_marks(part[-1:] - part[:1])[0])
-        path = np.rint(part * 8).astype(np.int32)
-        cv2.polylines(explained, [path], False, mark, int(np.ceil(stroke_width)), shift=3)
 
 
 def path_points(geometry: Geometry, start: float, end: float) -> npt.NDArray[np.float64]:

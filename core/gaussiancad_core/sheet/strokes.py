@@ -7,7 +7,6 @@ of them explains (free curves) is traced as short segments.
 
 from dataclasses import dataclass, replace
 
-import cv2
 import numpy as np
 import numpy.typing as npt
 
@@ -16,7 +15,7 @@ from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.close_lines import with_close_lines
 from gaussiancad_core.sheet.ellipse_fits import ellipse_profile, refit_ellipse
 from gaussiancad_core.sheet.explained import (
-    explain,
+    Explained,
     is_new,
     joins_arcs,
     path_points,
@@ -83,11 +82,13 @@ class Shape:
         geometry: the fitted shape.
         runs: in order along it.
         support: px of its ink whose centre line it follows, in doubt less than its length.
+        close: whether another line is known to run right beside it.
     """
 
     geometry: Geometry
     runs: tuple[Run, ...]
     support: float
+    close: bool = False
 
 
 @dataclass(frozen=True)
@@ -114,7 +115,7 @@ def find_shapes(
     crop, offset = _crop(sheet, box)
     field = ink_field(crop)
     height, width = crop.ink.shape
-    candidates = _candidates(crop, finder)
+    candidates, close = _candidates(crop, finder)
     curves = [curve for curve in candidates if not isinstance(curve, Line)]
     shapes = [shape for curve in curves if (shape := _curve_shape(crop, field, curve))]
     for line in candidates:
@@ -129,21 +130,22 @@ def find_shapes(
             refitted = refit_line(crop, line, runs_spans(runs))
             runs = line_runs(field, refitted, *reach)
             support = line_support(crop, refitted, runs_spans(runs))
-            shapes.append(Shape(refitted, tuple(runs), support))
+            shapes.append(Shape(refitted, tuple(runs), support, line in close))
     return ViewShapes(crop, field, tuple(shapes), offset)
 
 
-def _candidates(sheet: CleanSheet, finder: Finder) -> list[Geometry]:
-    """Ellipses first, then circles, then lines."""
+def _candidates(sheet: CleanSheet, finder: Finder) -> tuple[list[Geometry], set[Line]]:
+    """Ellipses first, then circles, then lines; and the lines that run right beside others."""
     if finder is Finder.HOUGH:
-        return [*find_circles(sheet), *find_lines(sheet, edge_map(sheet))]
+        return [*find_circles(sheet), *find_lines(sheet, edge_map(sheet))], set()
     rules = GrowthRules.of_width(sheet.stroke_width)
     grown = grow_all(ridge_points(sheet.weight, sheet.stroke_width), rules)
     shapes = [shape.geometry for shape in grown]
     ellipses = [shape for shape in shapes if isinstance(shape, WholeEllipse)]
     circles = [_better_fit(sheet, shape) for shape in shapes if isinstance(shape, Circle)]
-    lines = [shape for shape in shapes if isinstance(shape, Line)]
-    return [*ellipses, *circles, *with_close_lines(sheet, lines)]
+    straight = [shape for shape in shapes if isinstance(shape, Line)]
+    lines, close = with_close_lines(sheet, straight)
+    return [*ellipses, *circles, *lines], close
 
 
 def _better_fit(sheet: CleanSheet, circle: Circle) -> Circle:
@@ -182,7 +184,7 @@ def classify_strokes(
         rhythm: of the sheet's dashes.
         pens: what widths tell; nothing if left out.
     """
-    explained = np.zeros(view.sheet.ink.shape, np.uint8)
+    explained = Explained.blank(view.sheet)
     pieces: list[Placed] = []
     order = sorted(view.shapes, key=lambda shape: -shape.support)
     # Along the flat sides of ellipses run lines that are none.
@@ -194,11 +196,11 @@ def classify_strokes(
         fresh = [
             (run, kind)
             for run, kind in runs
-            if is_new(shape.geometry, run, explained)
-            or (joins and joins_arcs(shape.geometry, run, explained))
+            if is_new(shape.geometry, run, explained.near(shape.close))
+            or (joins and joins_arcs(shape.geometry, run, explained.around))
         ]
         touches = [_touches(view.field, shape.geometry, run) for run, _ in fresh]
-        told = told_linetypes(shape.geometry, fresh, explained, rhythm)
+        told = told_linetypes(shape.geometry, fresh, explained.around, rhythm)
         found = classify([run for run, _ in fresh], rhythm, touches, shape.geometry.around, told)
         if not isinstance(shape.geometry, Line):
             found = [piece for piece in found if _is_curved(shape.geometry, piece, view.sheet)]
@@ -207,7 +209,7 @@ def classify_strokes(
             found = _closed(shape.geometry, found, rhythm)
         for piece in found:
             pieces.append((shape.geometry, piece))
-            explain(explained, shape.geometry, piece, view.sheet.stroke_width)
+            explained.add(shape.geometry, piece)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     pieces += find_jogs(ended, view.sheet)
     pieces = _refitted(pieces, ended, view.sheet)
@@ -216,9 +218,8 @@ def classify_strokes(
     strokes = [_stroke(geometry, piece) for geometry, piece in ended]
     # Strokes that were drawn out to a junction explain the ink up to there.
     for geometry, piece in ended:
-        explain(explained, geometry, piece, view.sheet.stroke_width)
-    near = cv2.dilate(explained, np.ones((3, 3), np.uint8))
-    remainder = view.sheet.ink & (near == 0)
+        explained.add(geometry, piece)
+    remainder = view.sheet.ink & (explained.around == 0)
     strokes += trace_remainder(remainder, view.sheet.stroke_width, rhythm.dash)
     shift = np.array(view.offset) + 0.5
     return tuple(_shifted(stroke, shift) for stroke in strokes if stroke.length > 1.5)
@@ -336,9 +337,7 @@ def _refitted(pieces: list[Placed], ended: list[Placed], sheet: CleanSheet) -> l
     ]
 
 
-def _with_fillets(
-    ended: list[Placed], sheet: CleanSheet, explained: npt.NDArray[np.uint8]
-) -> list[Placed]:
+def _with_fillets(ended: list[Placed], sheet: CleanSheet, explained: Explained) -> list[Placed]:
     """The pieces with the arcs that round their corners; what was taken for a chord goes."""
     rounded = list(ended)
     arcs: list[Placed] = []
@@ -346,7 +345,7 @@ def _with_fillets(
         for index, piece in fillet.pieces:
             rounded[index] = (rounded[index][0], piece)
         arcs.append(fillet.arc)
-        explain(explained, *fillet.arc, sheet.stroke_width)
+        explained.add(*fillet.arc)
     return [own for own in rounded if not any(is_chord(own, arc) for arc in arcs)] + arcs
 
 

@@ -37,7 +37,9 @@ def test_dashed_lines_beside_each_other_are_two(sketch: Sketch, apart: float, ph
     drawn = sketch().broken((20, 60.3), (180, 60.3), (12, 6))
     sheet = _sheet(drawn.broken((20 + phase, lower), (180, lower), (12, 6)))
     melted = Line((100.0, 60.3 + apart / 2), (1.0, 0.0))
-    found = _heights(with_close_lines(sheet, [melted]), sheet)
+    lines, close = with_close_lines(sheet, [melted])
+    found = _heights(lines, sheet)
+    assert close == set(lines)
     assert found == pytest.approx([60.3, lower], abs=0.35)
 
 
@@ -45,13 +47,13 @@ def test_dashed_lines_beside_each_other_are_two(sketch: Sketch, apart: float, ph
 def test_a_wide_line_stays_one(sketch: Sketch, width: float) -> None:
     sheet = _sheet(sketch().line((20, 60.3), (180, 60.3), width))
     only = [Line((100.0, 60.3), (1.0, 0.0))]
-    assert with_close_lines(sheet, only) == only
+    assert with_close_lines(sheet, only) == (only, set())
 
 
 def test_single_lines_stay_as_they_are(sketch: Sketch) -> None:
     sheet = _sheet(sketch().line((20, 60), (180, 60)).line((20, 75), (180, 80)))
     lines = [Line((100.0, 60.0), (1.0, 0.0)), Line((100.0, 77.5), (0.9995, 0.0312))]
-    assert with_close_lines(sheet, lines) == lines
+    assert with_close_lines(sheet, lines) == (lines, set())
 
 
 def _hidden(sheet: CleanSheet) -> list[Segment]:

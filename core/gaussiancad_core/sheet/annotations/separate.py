@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.sheet.annotations.centre_marks import mark_centre_marks
 from gaussiancad_core.sheet.annotations.erase import Told, erased, masked
 from gaussiancad_core.sheet.annotations.frame import find_frame
 from gaussiancad_core.sheet.annotations.hatching import find_hatching
@@ -135,6 +136,7 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
     else:
         shapes = [split_by_width(sheet, shape, weights.limit) for shape in shapes]
     kinds = kinds_of_runs(shapes, weights, sheet.stroke_width)
+    mark_centre_marks(shapes, kinds, sheet.ink, sheet.stroke_width)
     part = sheet
     if letters.marks and not weights.limit:
         told, boxes = _told_by_form(sheet, Told(shapes, kinds, unexplained), letters.marks)

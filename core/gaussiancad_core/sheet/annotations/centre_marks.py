@@ -1,0 +1,170 @@
+"""Centre marks: a cross in the middle of a circle, perhaps with arms that lead beyond the circle.
+
+Where all lines of a sheet are of one width, only their places tell them: two equal lines at right
+angles, their middles at the circle's centre, and all their ends free.  Edges end at other edges.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.erase import Kinds
+from gaussiancad_core.sheet.annotations.inked import InkedShape
+from gaussiancad_core.sheet.annotations.marks import Mask
+from gaussiancad_core.sheet.geometry import Circle, Line
+
+_OFF = 1.0
+"""px by which a mark may miss its circle's centre."""
+
+_EVEN = 2.5
+"""px by which arms that belong together may differ."""
+
+_SQUARE = 0.02
+"""Cosine of the angle between a cross's lines at most."""
+
+_DRAWN = 0.2
+"""Share of a circle that is drawn at least, for it to have a mark."""
+
+_AHEAD = (1.5, 5.0)
+"""px ahead of a line's ink where there is nothing if its end is free."""
+
+_BESIDE = 2.0
+"""px on either side of the way ahead."""
+
+
+@dataclass(frozen=True)
+class _Ray:
+    """A straight run whose line leads through a circle's centre.
+
+    Attributes:
+        shape, run: its numbers.
+        line: that it lies on.
+        start, end: px along it from the centre.
+        zero: position of the centre along the line.
+    """
+
+    shape: int
+    run: int
+    line: Line
+    start: float
+    end: float
+    zero: float
+
+
+def mark_centre_marks(
+    shapes: Sequence[InkedShape], kinds: Kinds, ink: Mask, stroke_width: float
+) -> None:
+    """Mark the runs of centre marks as centre lines, in place.
+
+    Args:
+        shapes: lines and circles of the sheet.
+        kinds: what each run is known to be.
+        ink: (h, w) bool.
+        stroke_width: px.
+    """
+    for shape in shapes:
+        circle = shape.geometry
+        if not isinstance(circle, Circle):
+            continue
+        if sum(own.run.length for own in shape.runs) < _DRAWN * circle.around:
+            continue
+        rays = [ray for ray in _rays(circle, shapes) if kinds[ray.shape][ray.run] is None]
+        free = {
+            ray
+            for ray in rays
+            if _is_free(ray, ink, stroke_width) and not _ends_at(ray, circle, stroke_width)
+        }
+        for one, other in combinations([ray for ray in rays if _is_even(ray, ray)], 2):
+            for ray in _mark(one, other, rays, free):
+                kinds[ray.shape][ray.run] = AnnotationKind.CENTRE_LINE
+
+
+def _mark(one: _Ray, other: _Ray, rays: Sequence[_Ray], free: set[_Ray]) -> list[_Ray]:
+    """The lines of a mark whose cross two runs are; none if they are no cross.
+
+    Its ends are free.  Where they are not, as the circle is as large as the cross, arms on all four
+    sides tell it.
+    """
+    if not _is_turned(one, other):
+        return []
+    arms = [_arms(own, rays) for own in (one, other)]
+    both = [
+        [arm for arm in own if any(_is_turned(arm, ray) for ray in opposite)]
+        for own, opposite in (arms, arms[::-1])
+    ]
+    if all(both):
+        return [one, other, *both[0], *both[1]]
+    if one in free and other in free:
+        return [one, other, *(arm for own in arms for arm in own if arm in free)]
+    return []
+
+
+def _rays(circle: Circle, shapes: Sequence[InkedShape]) -> Iterator[_Ray]:
+    """The straight runs whose lines lead through a circle's centre."""
+    centre = np.array([circle.centre])
+    for k, shape in enumerate(shapes):
+        line = shape.geometry
+        if not isinstance(line, Line):
+            continue
+        along, across = line.coordinates(centre)
+        if abs(float(across[0])) > _OFF:
+            continue
+        zero = float(along[0])
+        for i, own in enumerate(shape.runs):
+            yield _Ray(k, i, line, own.run.start - zero, own.run.end - zero, zero)
+
+
+def _is_even(one: _Ray, other: _Ray) -> bool:
+    """Whether two runs of parallel lines are each other's picture in the centre."""
+    way = float(np.dot(one.line.direction, other.line.direction))
+    start, end = (other.start, other.end) if way > 0.0 else (-other.end, -other.start)
+    return max(abs(one.start + end), abs(one.end + start)) <= _EVEN
+
+
+def _is_turned(one: _Ray, other: _Ray) -> bool:
+    """Whether a run is the picture of another one, turned around the centre by a right angle."""
+    if abs(float(np.dot(one.line.direction, other.line.direction))) > _SQUARE:
+        return False
+    first, second = (
+        sorted(map(abs, (one.start, one.end))),
+        sorted(map(abs, (other.start, other.end))),
+    )
+    alike = max(abs(a - b) for a, b in zip(first, second, strict=True)) <= _EVEN
+    return alike and (one.start * one.end < 0.0) == (other.start * other.end < 0.0)
+
+
+def _arms(cross: _Ray, rays: Sequence[_Ray]) -> list[_Ray]:
+    """The runs beyond both ends of one line of a cross."""
+    level = [
+        ray
+        for ray in rays
+        if abs(float(np.dot(ray.line.direction, cross.line.direction))) > 1.0 - _SQUARE
+        and min(abs(ray.start), abs(ray.end)) > cross.end
+        and ray.start * ray.end > 0.0
+    ]
+    return [ray for ray in level if any(_is_even(ray, other) for other in level)]
+
+
+def _ends_at(ray: _Ray, circle: Circle, stroke_width: float) -> bool:
+    """Whether a run ends at its circle."""
+    away = [abs(abs(end) - circle.radius) for end in (ray.start, ray.end)]
+    return min(away) <= stroke_width + _OFF
+
+
+def _is_free(ray: _Ray, ink: Mask, stroke_width: float) -> bool:
+    """Whether nothing is ahead of either end of a run."""
+    way = np.array(ray.line.direction)
+    normal = np.array([-way[1], way[0]])
+    ahead = np.arange(*_AHEAD) + stroke_width / 2
+    beside = np.arange(-_BESIDE, _BESIDE + 1.0)
+    for position, outward in ((ray.start, -1.0), (ray.end, 1.0)):
+        end = np.array(ray.line.at(ray.zero + position))
+        places = end + outward * ahead[:, None, None] * way + beside[:, None] * normal
+        columns, rows = np.rint(places.reshape(-1, 2)).astype(int).T
+        inside = (columns >= 0) & (rows >= 0) & (columns < ink.shape[1]) & (rows < ink.shape[0])
+        if ink[rows[inside], columns[inside]].any():
+            return False
+    return True

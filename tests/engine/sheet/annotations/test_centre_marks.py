@@ -1,0 +1,72 @@
+"""Centre marks are told by their places; edges through a circle's centre stay."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.separate import separate_annotations
+from gaussiancad_core.sheet.clean import clean_sheet
+
+Sketch = Any
+"""The class that the fixture gives."""
+
+CENTRE = (200.0, 160.0)
+
+
+def _arm(drawn: Sketch, turn: float, near: float, far: float) -> Sketch:
+    """A line from one distance from the centre to another, in a direction in quarter turns."""
+    way = np.array([np.cos(turn * np.pi / 2), np.sin(turn * np.pi / 2)])
+    return drawn.line(tuple(CENTRE + near * way), tuple(CENTRE + far * way))
+
+
+def _plate(sketch: Sketch) -> Sketch:
+    sides = [(120.0, 90.0), (280.0, 90.0), (280.0, 230.0), (120.0, 230.0), (120.0, 90.0)]
+    return sketch(400, 320).lines(*sides).arc(CENTRE, 40.0)
+
+
+@pytest.mark.parametrize("arms", [(), (0, 1, 2, 3), (1, 3)])
+@pytest.mark.parametrize("turned", [0.0, 0.3])
+def test_a_mark_goes_and_the_circle_stays(sketch: Sketch, arms: tuple, turned: float) -> None:
+    plain = _plate(sketch)
+    drawn = _plate(sketch)
+    for turn in (0.0, 1.0):
+        _arm(drawn, turn + turned, -12.0, 12.0)
+    for turn in arms:
+        _arm(drawn, turn + turned, 24.0, 52.0)
+    separated = separate_annotations(clean_sheet(drawn.grey))
+    kinds = [mark.kind for mark in separated.marks]
+    assert kinds == [AnnotationKind.CENTRE_LINE] * (2 + len(arms))
+    left, wanted = separated.part.weight > 0.5, plain.weight > 0.5
+    marked = (drawn.weight > 0.5) & ~wanted
+    # A dot stays where the cross's lines meet, and the arms within the circle's fringe.
+    assert (left & marked).sum() <= 24 + 24 * len(arms)
+    assert (left & wanted).sum() > 0.99 * wanted.sum()
+
+
+def test_a_cross_as_large_as_its_circle_is_told_by_its_arms(sketch: Sketch) -> None:
+    drawn = _plate(sketch).arc(CENTRE, 22.0)
+    for turn in (0.0, 1.0):
+        _arm(drawn, turn, -22.0, 22.0)
+    for turn in range(4):
+        _arm(drawn, turn, 40.0, 60.0)
+    separated = separate_annotations(clean_sheet(drawn.grey))
+    assert [mark.kind for mark in separated.marks] == [AnnotationKind.CENTRE_LINE] * 6
+
+
+@pytest.mark.parametrize("edge", ["to the circle", "off the centre", "alone", "uneven"])
+def test_edges_stay(sketch: Sketch, edge: str) -> None:
+    drawn = _plate(sketch)
+    if edge == "to the circle":
+        _arm(_arm(drawn, 0.0, -40.0, 40.0), 1.0, -40.0, 40.0)
+    elif edge == "off the centre":
+        drawn.line((188.0, 165.0), (212.0, 165.0)).line((205.0, 153.0), (205.0, 177.0))
+    elif edge == "alone":
+        _arm(drawn, 0.0, -12.0, 12.0)
+    else:
+        _arm(_arm(drawn, 0.0, -12.0, 20.0), 1.0, -12.0, 12.0)
+    sheet = clean_sheet(drawn.grey)
+    separated = separate_annotations(sheet)
+    assert separated.marks == ()
+    assert np.array_equal(separated.part.weight, sheet.weight)
