@@ -135,6 +135,46 @@
             <source>The projection under which the drawing was read</source>
             <translation>Die Projektion, unter der die Zeichnung gelesen wurde</translation>
         </message>
+        <message>
+            <source>Deviation at each point in mm</source>
+            <translation>Abweichung an jedem Punkt in mm</translation>
+        </message>
+        <message>
+            <source>The comparison as a page for a browser</source>
+            <translation>Der Vergleich als Seite für einen Browser</translation>
+        </message>
+        <message>
+            <source>The file it was measured against</source>
+            <translation>Die Datei, an der gemessen wurde</translation>
+        </message>
+        <message>
+            <source>The file that was measured</source>
+            <translation>Die Datei, die gemessen wurde</translation>
+        </message>
+        <message>
+            <source>The object that it was measured against</source>
+            <translation>Das Objekt, an dem gemessen wurde</translation>
+        </message>
+        <message>
+            <source>The object that was measured</source>
+            <translation>Das Objekt, das gemessen wurde</translation>
+        </message>
+        <message>
+            <source>The reference when it was compared</source>
+            <translation>Die Referenz, als verglichen wurde</translation>
+        </message>
+        <message>
+            <source>The result when it was compared</source>
+            <translation>Das Ergebnis, als verglichen wurde</translation>
+        </message>
+        <message>
+            <source>Whether an object changed since it was compared</source>
+            <translation>Ob sich ein Objekt seit dem Vergleich geändert hat</translation>
+        </message>
+        <message>
+            <source>Whether to compare again when an object changes</source>
+            <translation>Ob neu verglichen wird, wenn sich ein Objekt ändert</translation>
+        </message>
     </context>
     <context>
         <name>GaussianCAD</name>
@@ -579,10 +619,6 @@
             <translation>Das Dokument wurde geschlossen. Öffnen Sie es, und vergleichen Sie noch einmal.</translation>
         </message>
         <message>
-            <source>There is nothing to compare. Open a document with a result and a reference: a part, a body or a mesh each.</source>
-            <translation>Es gibt nichts zu vergleichen. Öffnen Sie ein Dokument mit einem Ergebnis und einer Referenz: je ein Bauteil, ein Körper oder ein Netz.</translation>
-        </message>
-        <message>
             <source>Models</source>
             <translation>Modelle</translation>
         </message>
@@ -857,6 +893,154 @@
         <message>
             <source>Part (outlines only, approximate)</source>
             <translation>Bauteil (nur Umrisse, angenähert)</translation>
+        </message>
+        <message>
+            <source>Agrees, %</source>
+            <translation>Stimmt, %</translation>
+        </message>
+        <message>
+            <source>Area, %</source>
+            <translation>Fläche, %</translation>
+        </message>
+        <message>
+            <source>By how much the result's area differs</source>
+            <translation>Um wie viel die Fläche des Ergebnisses abweicht</translation>
+        </message>
+        <message>
+            <source>By how much the result's volume differs</source>
+            <translation>Um wie viel das Volumen des Ergebnisses abweicht</translation>
+        </message>
+        <message>
+            <source>Colours to ±</source>
+            <translation>Farben bis ±</translation>
+        </message>
+        <message>
+            <source>Compare Again</source>
+            <translation>Neu vergleichen</translation>
+        </message>
+        <message>
+            <source>Comparison</source>
+            <translation>Vergleich</translation>
+        </message>
+        <message>
+            <source>File…</source>
+            <translation>Datei…</translation>
+        </message>
+        <message>
+            <source>Inside, mm</source>
+            <translation>Innen, mm</translation>
+        </message>
+        <message>
+            <source>Mean deviation; negative lies inside the other model</source>
+            <translation>Mittlere Abweichung; negativ liegt im anderen Modell</translation>
+        </message>
+        <message>
+            <source>Mean, mm</source>
+            <translation>Mittel, mm</translation>
+        </message>
+        <message>
+            <source>Measures</source>
+            <translation>Maße</translation>
+        </message>
+        <message>
+            <source>Model to Compare</source>
+            <translation>Modell zum Vergleichen</translation>
+        </message>
+        <message>
+            <source>Models ({patterns})</source>
+            <translation>Modelle ({patterns})</translation>
+        </message>
+        <message>
+            <source>Outside, mm</source>
+            <translation>Außen, mm</translation>
+        </message>
+        <message>
+            <source>Page for a browser (*.html)</source>
+            <translation>Seite für einen Browser (*.html)</translation>
+        </message>
+        <message>
+            <source>Place</source>
+            <translation>Ort</translation>
+        </message>
+        <message>
+            <source>RMS, mm</source>
+            <translation>RMS, mm</translation>
+        </message>
+        <message>
+            <source>Range of the Colours</source>
+            <translation>Bereich der Farben</translation>
+        </message>
+        <message>
+            <source>Root mean square of the deviation</source>
+            <translation>Quadratisches Mittel der Abweichung</translation>
+        </message>
+        <message>
+            <source>Save As…</source>
+            <translation>Speichern unter…</translation>
+        </message>
+        <message>
+            <source>Save Comparison</source>
+            <translation>Vergleich speichern</translation>
+        </message>
+        <message>
+            <source>Section</source>
+            <translation>Schnitt</translation>
+        </message>
+        <message>
+            <source>Share of the surface within the tolerance</source>
+            <translation>Anteil der Oberfläche innerhalb der Toleranz</translation>
+        </message>
+        <message>
+            <source>Table (*.csv)</source>
+            <translation>Tabelle (*.csv)</translation>
+        </message>
+        <message>
+            <source>The comparison is out of date: {reason}</source>
+            <translation>Der Vergleich ist veraltet: {reason}</translation>
+        </message>
+        <message>
+            <source>The farthest that it lies inside the other model</source>
+            <translation>Wie weit es höchstens im anderen Modell liegt</translation>
+        </message>
+        <message>
+            <source>The farthest that it lies outside the other model</source>
+            <translation>Wie weit es höchstens außerhalb des anderen Modells liegt</translation>
+        </message>
+        <message>
+            <source>There is no file {path}. Choose another one.</source>
+            <translation>Es gibt keine Datei {path}. Bitte eine andere wählen.</translation>
+        </message>
+        <message>
+            <source>There is nothing to compare. Open a document with a result and a reference: a part, a body or a mesh each, or choose a file.</source>
+            <translation>Es gibt nichts zu vergleichen. Öffnen Sie ein Dokument mit einem Ergebnis und einer Referenz: je ein Bauteil, ein Körper oder ein Netz, oder wählen Sie eine Datei.</translation>
+        </message>
+        <message>
+            <source>Volume, %</source>
+            <translation>Volumen, %</translation>
+        </message>
+        <message>
+            <source>What lies there</source>
+            <translation>Was dort liegt</translation>
+        </message>
+        <message>
+            <source>Worst points</source>
+            <translation>Schlimmste Punkte</translation>
+        </message>
+        <message>
+            <source>material is missing</source>
+            <translation>Material fehlt</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>keiner</translation>
+        </message>
+        <message>
+            <source>the result has too little</source>
+            <translation>das Ergebnis hat zu wenig</translation>
+        </message>
+        <message>
+            <source>the result has too much</source>
+            <translation>das Ergebnis hat zu viel</translation>
         </message>
     </context>
     <context>

@@ -54,7 +54,7 @@ class Panel(WindowCase):
     def test_whole_objects_are_offered_and_the_selected_ones_chosen(self) -> None:
         result, reference = (widget(QtWidgets.QComboBox, n) for n in ("result", "reference"))
         offered = [result.itemText(index) for index in range(result.count())]
-        self.assertEqual(offered, ["Model", "Scan", "Body"])
+        self.assertEqual(offered, ["Model", "Scan", "Body", "File…"])
         self.assertEqual((result.currentText(), reference.currentText()), ("Scan", "Model"))
 
     def test_distances_beside_their_floor_and_a_coloured_mesh(self) -> None:
@@ -89,6 +89,116 @@ class Panel(WindowCase):
         self.document.undo()
         self.assertTrue(self.document.getObject("Model").Visibility)
         self.assertEqual(len(self.document.Objects), self.count)
+
+    def test_millimetres_and_what_to_know_are_told(self) -> None:
+        self.compare()
+        table = widget(QtWidgets.QTableWidget, "engineering")
+        rows = [[table.item(row, k).text() for k in range(2)] for row in range(table.rowCount())]
+        self.assertEqual(rows[:3], [["-0.01", "-0.01"], ["0.05", "0.05"], ["-0.75", "-0.75"]])
+        self.assertEqual(rows[3:], [["0.5", "1"], ["87.5", "87.5"], ["-2", ""], ["–", ""]])
+        log = widget(QtWidgets.QPlainTextEdit, "log").toPlainText()
+        self.assertIn("model-open", log)
+
+    def test_the_view_flies_to_a_worst_point(self) -> None:
+        self.compare()
+        view = FreeCADGui.getDocument("Test").ActiveView
+        view.viewIsometric()
+        view.fitAll()
+        spin(300)
+        graph = view.getSceneGraph()
+        children, height = graph.getNumChildren(), view.getCameraNode().height.getValue()
+        table = widget(QtWidgets.QTableWidget, "worst")
+        self.assertEqual([table.item(k, 0).text() for k in range(2)], ["+1", "-0.75"])
+        self.assertEqual(table.item(1, 1).text(), "0, 0, 30")
+        widget(QtWidgets.QTabWidget, "comparisonTabs").setCurrentIndex(1)
+        table.selectRow(1)
+        spin(900)
+        self.assertEqual(graph.getNumChildren(), children + 1)
+        self.assertLess(view.getCameraNode().height.getValue(), 0.8 * height)
+        self.picture("compare-worst")
+        across, up = view.getPointOnScreen(FreeCAD.Vector(0, 0, 30))
+        width, tall = view.getSize()
+        self.assertAlmostEqual(across / width, 0.5, delta=0.02)
+        self.assertAlmostEqual(up / tall, 0.5, delta=0.02)
+        FreeCADGui.Control.closeDialog()
+        spin(200)
+        self.assertEqual(graph.getNumChildren(), children)
+
+    def test_the_range_is_undone_as_one_step(self) -> None:
+        self.compare()
+        steps = self.document.UndoCount
+        widget(QtWidgets.QDoubleSpinBox, "range").setValue(0.25)
+        spin(200)
+        group = self.document.getObject("Comparison")
+        self.assertEqual(group.RangeMillimetres, 0.25)
+        self.assertEqual(self.document.UndoCount, steps + 1)
+        self.picture("compare-range")
+        self.document.undo()
+        self.assertEqual(group.RangeMillimetres, 1.0)
+
+    def test_a_section_shows_both_outlines(self) -> None:
+        self.compare()
+        view = FreeCADGui.getDocument("Test").ActiveView
+        self.document.getObject("Body").Visibility = False
+        view.viewFront()
+        view.fitAll()
+        graph = view.getSceneGraph()
+        children = graph.getNumChildren()
+        axis = widget(QtWidgets.QComboBox, "sectionAxis")
+        axis.setCurrentIndex(2)
+        spin(300)
+        self.assertEqual(graph.getNumChildren(), children + 2)
+        self.picture("compare-section")
+        widget(QtWidgets.QSlider, "sectionPlace").setValue(100)
+        spin(100)
+        self.assertEqual(graph.getNumChildren(), children + 2)
+        axis.setCurrentIndex(0)
+        self.assertEqual(graph.getNumChildren(), children)
+
+    def test_a_file_is_a_reference(self) -> None:
+        box = widget(QtWidgets.QComboBox, "reference")
+        box.choose_file(fake_part.STEP_FILE)
+        self.compare()
+        self.assertEqual(self.boxes(), [])
+        group = self.document.getObject("Comparison")
+        self.assertEqual(group.ReferenceFile, str(fake_part.STEP_FILE))
+        widget(QtWidgets.QComboBox, "sectionAxis").setCurrentIndex(1)
+        spin(200)
+        self.assertEqual(self.boxes(), [])
+
+    def test_it_is_saved_as_table_json_and_page(self) -> None:
+        self.compare()
+        view = widget(QtWidgets.QPushButton, "saveComparison").parentWidget()
+        for name, start in (("a.csv", b"\xef\xbb\xbfmeasure"), ("b.json", b"{"), ("c.html", b"<!")):
+            view.save_as(self.folder / name)
+            self.assertTrue((self.folder / name).read_bytes().startswith(start), name)
+
+    def test_a_changed_object_is_compared_again(self) -> None:
+        self.compare()
+        group, part = self.document.getObject("Comparison"), self.document.getObject("Model")
+        self.assertFalse(group.Stale)
+        state = group.ReferenceState
+        part.Placement.Base = FreeCAD.Vector(0, 0, 3)
+        self.document.recompute()
+        self.assertTrue(group.Stale)
+        self.wait_for(lambda: not group.Stale)
+        self.assertNotEqual(group.ReferenceState, state)
+        self.assertEqual(self.document.UndoNames[0], "Compare Again")
+
+    def test_a_comparison_is_shown_again(self) -> None:
+        self.compare()
+        FreeCADGui.Control.closeDialog()
+        spin(200)
+        group = self.document.getObject("Comparison")
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(group)
+        self.open_panel("GaussianCAD_Compare")
+        self.assertEqual(widget(QtWidgets.QComboBox, "result").currentText(), "Scan")
+        table = widget(QtWidgets.QTableWidget, "distances")
+        self.assertEqual(table.item(0, 0).text(), "0.0312")
+        count = len(self.document.Objects)
+        self.compare()
+        self.assertEqual(len(self.document.Objects), count)
 
     def test_the_colours_survive_saving(self) -> None:
         self.compare()

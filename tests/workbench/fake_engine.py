@@ -213,6 +213,23 @@ def refuse(code: str, message: str, exit_code: int) -> int:
     return exit_code
 
 
+SIDE = {
+    "mean_mm": -0.01,
+    "rms_mm": 0.05,
+    "least_mm": -0.75,
+    "greatest_mm": 0.5,
+    "within_tolerance": 0.875,
+}
+
+ENGINEERING = {
+    "result_to_reference": SIDE,
+    "reference_to_result": {**SIDE, "greatest_mm": 1.0},
+    "agreement": 0.875,
+    "volume_difference_share": -0.02,
+    "area_difference_share": None,
+}
+
+
 def compare(arguments: list[str]) -> int:
     """What ``gaussiancad compare`` does."""
     for path in arguments[:2]:
@@ -236,8 +253,21 @@ def compare(arguments: list[str]) -> int:
         "points": 10000,
         "seed": 0,
         "unit_mm": 12.0,
-        "deviation": {"signed": True, "range_mm": 1.0, "least_mm": -1.0, "greatest_mm": 1.0},
+        "deviation": {
+            "signed": True,
+            "range_mm": 1.0,
+            "least_mm": -1.0,
+            "greatest_mm": 1.0,
+            "histogram": {"edges_mm": [-1, -0.5, 0, 0.5, 1], "shares": [0.1, 0.4, 0.4, 0.1]},
+            "worst": [
+                {"of": "reference", "point_mm": [60.0, 40.0, 10.0], "deviation_mm": 1.0},
+                {"of": "result", "point_mm": [0.0, 0.0, 30.0], "deviation_mm": -0.75},
+            ],
+        },
+        "warnings": [{"code": "model-open", "message": "the result is not closed"}],
+        "protocols": {"engineering": ENGINEERING},
     }
+    (output / "comparison.html").write_text("<!doctype html><h1>fake</h1>")
     (output / "deviation.ply").write_bytes(fake_part.deviation_bytes())
     (output / "comparison.json").write_text(json.dumps(values))
     sys.stdout.write("chamfer 0.0312\n")

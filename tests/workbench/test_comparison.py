@@ -11,7 +11,17 @@ from support import FolderCase, run_fake
 from freecad.gaussiancad.engine.job import CompareJob
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.objects.comparable import comparable_objects, export_geometry
-from freecad.gaussiancad.objects.comparison import add_comparison, load_comparison
+from freecad.gaussiancad.objects.comparison import (
+    CompareRequest,
+    add_comparison,
+    comparison_report,
+    is_comparison,
+    load_comparison,
+    request_of,
+    update_comparison,
+)
+from freecad.gaussiancad.objects.comparison_colours import colours_of
+from freecad.gaussiancad.objects.comparison_export import comparison_csv
 from freecad.gaussiancad.objects.legend import (
     HEIGHT,
     STOPS,
@@ -20,6 +30,7 @@ from freecad.gaussiancad.objects.legend import (
     colour_at,
     legend_image,
 )
+from freecad.gaussiancad.objects.sources import Source
 
 
 class DocumentCase(FolderCase):
@@ -84,6 +95,9 @@ class Candidates(DocumentCase):
 
 
 class Groups(DocumentCase):
+    def request(self) -> CompareRequest:
+        return CompareRequest(Source(self.scan), Source(self.part))
+
     def compare(self) -> Path:
         output = self.folder / "out"
         result = export_geometry(self.scan, self.folder, "result")
@@ -94,7 +108,7 @@ class Groups(DocumentCase):
     def test_everything_is_there_in_one_undo_step(self) -> None:
         self.document.UndoMode = 1
         loaded = load_comparison(self.compare(), self.folder)
-        group = add_comparison(self.document, loaded, (self.scan, self.part))
+        group = add_comparison(self.document, loaded, self.request())
         self.assertEqual(self.document.UndoCount, 1)
         self.assertEqual((group.Result, group.Reference), ("Scan", "Model"))
         self.assertEqual((group.Chamfer, group.Hausdorff, group.Emd), (0.0312, 0.12, 0.056))
@@ -113,7 +127,7 @@ class Groups(DocumentCase):
 
     def test_a_coloured_mesh_is_no_candidate_for_the_next_comparison(self) -> None:
         loaded = load_comparison(self.compare(), self.folder)
-        add_comparison(self.document, loaded, (self.scan, self.part))
+        add_comparison(self.document, loaded, self.request())
         names = [candidate.Name for candidate in comparable_objects(self.document)]
         self.assertEqual(names, ["Model", "Scan"])
 
@@ -126,6 +140,85 @@ class Groups(DocumentCase):
             with self.assertRaises(WorkbenchError) as caught:
                 load_comparison(output, self.folder)
             self.assertIs(caught.exception.code, ErrorCode.RESULT_UNREADABLE)
+
+    def test_the_range_recolours_the_mesh(self) -> None:
+        loaded = load_comparison(self.compare(), self.folder)
+        group = add_comparison(self.document, loaded, self.request())
+        deviation, _ = group.Group
+        self.document.UndoMode = 1
+        self.document.openTransaction("Range")
+        group.RangeMillimetres = 0.5
+        self.document.commitTransaction()
+        for value, colour in zip(deviation.Deviations, deviation.VertexColors, strict=True):
+            expected = [channel / 255.0 for channel in colour_at(value / 0.5)]
+            for channel, wanted in zip(colour[:3], expected, strict=True):
+                self.assertAlmostEqual(channel, wanted, delta=0.01)
+        self.document.undo()
+        self.assertEqual(group.RangeMillimetres, 1.0)
+        self.assertAlmostEqual(deviation.VertexColors[-1][0], loaded.colours[-1][0], delta=0.01)
+
+    def test_a_change_makes_it_stale_and_comparing_again_mends_that(self) -> None:
+        loaded = load_comparison(self.compare(), self.folder)
+        group = add_comparison(self.document, loaded, self.request())
+        self.document.recompute()
+        self.assertFalse(group.Stale)
+        self.assertEqual(request_of(group), self.request())
+        shape = self.part.Shape.copy()
+        shape.translate(FreeCAD.Vector(1, 0, 0))
+        self.part.Shape = shape
+        self.document.recompute()
+        self.assertTrue(group.Stale)
+        update_comparison(group, loaded, self.request())
+        self.assertFalse(group.Stale)
+        self.document.recompute()
+        self.assertFalse(group.Stale)
+
+    def test_a_file_is_a_reference_and_its_change_is_seen(self) -> None:
+        path = self.folder / "Führung – 支架.stl"
+        path.write_text(fake_part.stl_text())
+        request = CompareRequest(Source(self.scan), Source(path=str(path)))
+        self.assertEqual(request.reference.file(self.folder, "x"), path)
+        loaded = load_comparison(self.compare(), self.folder)
+        group = add_comparison(self.document, loaded, request)
+        self.assertEqual((group.Reference, group.ReferenceFile), (path.name, str(path)))
+        self.assertIsNone(group.ReferenceObject)
+        path.write_text(fake_part.stl_text() + " ")
+        group.touch()
+        self.document.recompute()
+        self.assertTrue(group.Stale)
+        path.unlink()
+        with self.assertRaises(WorkbenchError) as caught:
+            request.reference.file(self.folder, "x")
+        self.assertIs(caught.exception.code, ErrorCode.NOTHING_TO_COMPARE)
+
+    def test_it_is_all_there_after_saving(self) -> None:
+        loaded = load_comparison(self.compare(), self.folder)
+        add_comparison(self.document, loaded, self.request())
+        path = self.folder / "saved.FCStd"
+        self.document.saveAs(str(path))
+        FreeCAD.closeDocument(self.document.Name)
+        group = next(o for o in FreeCAD.openDocument(str(path)).Objects if is_comparison(o))
+        report = comparison_report(group)
+        self.assertEqual([point.deviation for point in report.worst], [1.0, -0.75])
+        self.assertEqual(len(report.histogram.shares), 4)
+        self.assertEqual(report.engineering["agreement"], 0.875)
+        self.assertEqual(request_of(group).result.label, "Scan")
+        self.assertIn("<h1>fake", Path(group.Page).read_text())
+        group.RangeMillimetres = 2.0
+        self.assertEqual(len(group.Group[0].Deviations), len(group.Group[0].VertexColors))
+
+    def test_the_table_holds_every_number(self) -> None:
+        loaded = load_comparison(self.compare(), self.folder)
+        lines = comparison_csv(loaded.report).split("\r\n")
+        self.assertEqual(lines[0], "measure,value")
+        self.assertIn("chamfer,0.0312", lines)
+        self.assertIn("protocols.engineering.result_to_reference.rms_mm,0.05", lines)
+        self.assertIn("deviation.worst.1.point_mm.2,30.0", lines)
+
+    def test_many_colours_are_quick_tables_and_clipped(self) -> None:
+        colours = colours_of([-9.0, -1.0, 0.0, 1.0, 9.0], 1.0)
+        self.assertEqual((colours[0], colours[-1]), (colours[1], colours[-2]))
+        self.assertEqual(colours[2], tuple(channel / 255.0 for channel in STOPS[2]))
 
 
 class Legends(FolderCase):

@@ -49,5 +49,8 @@ class Arguments(unittest.TestCase):
         job = CompareJob("r.step", "t.stl", "out", points=500, seed=1)
         self.assertEqual(
             job.arguments(),
-            ["compare", "r.step", "t.stl", "--output", "out", "--points", "500", "--seed", "1"],
+            [
+                *("compare", "r.step", "t.stl", "--output", "out", "--protocol", "all"),
+                *("--points", "500", "--seed", "1"),
+            ],
         )

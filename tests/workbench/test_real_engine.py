@@ -22,11 +22,16 @@ from freecad.gaussiancad.engine.locate import Engine, SearchPlaces, find_engine
 from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
 from freecad.gaussiancad.engine.verdict import RunState
 from freecad.gaussiancad.errors import WorkbenchError
-from freecad.gaussiancad.objects.comparison import add_comparison, load_comparison
+from freecad.gaussiancad.objects.comparison import (
+    CompareRequest,
+    add_comparison,
+    load_comparison,
+)
 from freecad.gaussiancad.objects.legend import colour_at
 from freecad.gaussiancad.objects.loading import load_run
 from freecad.gaussiancad.objects.ply import read_vertices
 from freecad.gaussiancad.objects.reconstruction import add_reconstruction, find_part
+from freecad.gaussiancad.objects.sources import Source
 from freecad.gaussiancad.paths import ADDON_ROOT
 
 SAMPLE = ADDON_ROOT / "resources" / "samples" / "l-bracket.png"
@@ -163,10 +168,15 @@ class Sample(unittest.TestCase):
             for channel, wanted in zip((red, green, blue), expected, strict=True):
                 self.assertAlmostEqual(channel, wanted, delta=1)
         surface = next(o for o in self.group.Group if o.TypeId == "Mesh::Feature")
-        group = add_comparison(self.document, loaded, (surface, find_part(self.group)))
+        request = CompareRequest(Source(surface), Source(find_part(self.group)))
+        group = add_comparison(self.document, loaded, request)
         self.assertEqual(group.Chamfer, loaded.report.distances["chamfer"])
         deviation = group.Group[0]
         self.assertEqual(len(deviation.VertexColors), deviation.Mesh.CountPoints)
+        self.assertGreater(loaded.report.engineering["agreement"], 0.0)
+        self.assertGreater(len(loaded.report.worst), 5)
+        self.assertEqual(len(loaded.report.histogram.shares), 40)
+        self.assertIn(b"<h1>surface.stl against", Path(group.Page).read_bytes())
 
 
 @unittest.skipIf(engine() is None, "the engine is not installed")

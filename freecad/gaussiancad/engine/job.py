@@ -148,7 +148,7 @@ class CompareJob:
 
     Attributes:
         result, reference: paths of STEP, BREP, STL, PLY or OBJ files.
-        output: folder for ``comparison.json`` and ``deviation.ply``.
+        output: folder for ``comparison.json``, ``comparison.html`` and ``deviation.ply``.
         points: samples on each side, or None for the engine's default.
         seed: of the samples.
     """
@@ -168,6 +168,7 @@ class CompareJob:
             self.reference,
             "--output",
             self.output,
+            *("--protocol", "all"),
             *points,
             "--seed",
             str(self.seed),

@@ -6,7 +6,7 @@ is no report at all is an error.
 
 import json
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 from pathlib import Path
 from typing import Any
@@ -154,6 +154,34 @@ def parse_report(text: str, values: dict[str, Any]) -> Report:
 
 
 @dataclass(frozen=True)
+class Histogram:
+    """Share of a result's surface by its deviation.
+
+    Attributes:
+        edges: mm, one more than there are shares.
+        shares: of the surface, 0 to 1.
+    """
+
+    edges: tuple[float, ...]
+    shares: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class WorstPoint:
+    """A place where the models are far apart.
+
+    Attributes:
+        of_result: whether it lies on the result's surface, else on the reference's.
+        place: mm, in the reference's coordinates.
+        deviation: mm, negative inside the other model.
+    """
+
+    of_result: bool
+    place: tuple[float, float, float]
+    deviation: float
+
+
+@dataclass(frozen=True)
 class Comparison:
     """A comparison's report.
 
@@ -163,12 +191,20 @@ class Comparison:
         distances: ``chamfer``, ``hausdorff``, ``emd``, ``point_to_surface``, ``volume_iou`` as far
             as they were told.
         floor: what two samplings of the same reference give, same keys.
+        warnings: what to know before believing the numbers.
+        histogram: share of the surface by its deviation, or None.
+        worst: the farthest points, the worst first.
+        engineering: the block of that protocol, empty where it was not told.
     """
 
     text: str
     values: dict[str, Any]
     distances: dict[str, float]
     floor: dict[str, float]
+    warnings: tuple[Remark, ...] = ()
+    histogram: Histogram | None = None
+    worst: tuple[WorstPoint, ...] = ()
+    engineering: dict[str, Any] = field(default_factory=dict)
 
 
 COMPARED = ("chamfer", "hausdorff", "emd", "point_to_surface", "volume_iou")
@@ -181,10 +217,69 @@ def read_comparison(path: Path) -> Comparison:
         WorkbenchError: the file is missing, or is no comparison.
     """
     text, values = _read_object(path)
+    try:
+        return parse_comparison(text, values)
+    except ValueError as error:
+        raise _unreadable(path, str(error)) from error
+
+
+def parse_comparison(text: str, values: dict[str, Any]) -> Comparison:
+    """The comparison in a file's JSON.
+
+    Args:
+        text: the file as it is.
+        values: its JSON.
+
+    Raises:
+        ValueError: it has no distances.
+    """
     distances = _numbers({key: values.get(key) for key in COMPARED})
     if not distances:
-        raise _unreadable(path, "no distances")
-    return Comparison(text, values, distances, _numbers(values.get("floor")))
+        raise ValueError("no distances")
+    return Comparison(
+        text,
+        values,
+        distances,
+        _numbers(values.get("floor")),
+        _remarks(values.get("warnings")),
+        _histogram(values.get("deviation")),
+        _worst(values.get("deviation")),
+        _engineering(values.get("protocols")),
+    )
+
+
+def _histogram(deviation: object) -> Histogram | None:
+    values = deviation.get("histogram") if isinstance(deviation, dict) else None
+    if not isinstance(values, dict):
+        return None
+    edges, shares = (_row(values.get(key)) for key in ("edges_mm", "shares"))
+    if not shares or len(edges) != len(shares) + 1:
+        return None
+    return Histogram(edges, shares)
+
+
+def _worst(deviation: object) -> tuple[WorstPoint, ...]:
+    values = deviation.get("worst") if isinstance(deviation, dict) else None
+    found = []
+    for value in values if isinstance(values, list) else ():
+        place = _row(value.get("point_mm")) if isinstance(value, dict) else ()
+        amount = _number(value.get("deviation_mm")) if len(place) == 3 else None
+        if amount is not None:
+            found.append(WorstPoint(value.get("of") == "result", place, amount))
+    return tuple(found)
+
+
+def _engineering(protocols: object) -> dict[str, Any]:
+    block = protocols.get("engineering") if isinstance(protocols, dict) else None
+    return block if isinstance(block, dict) else {}
+
+
+def _row(values: object) -> tuple[float, ...]:
+    """A list of numbers; empty if it is none."""
+    if not isinstance(values, list):
+        return ()
+    numbers = [_number(value) for value in values]
+    return () if None in numbers else tuple(numbers)
 
 
 def _read_object(path: Path) -> tuple[str, dict[str, Any]]:

@@ -1,25 +1,31 @@
 """A comparison in a document: a group with the distances, the coloured mesh and its legend."""
 
-from dataclasses import dataclass
+import json
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import FreeCAD
 import Mesh
 
-from freecad.gaussiancad.engine.report import COMPARED, Comparison, read_comparison
+from freecad.gaussiancad.engine.report import Comparison, parse_comparison, read_comparison
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
 from freecad.gaussiancad.objects.appearance import show_vertex_colours
+from freecad.gaussiancad.objects.comparison_colours import recolour
+from freecad.gaussiancad.objects.comparison_properties import (
+    add_links,
+    fixed_properties,
+    tell_report,
+)
 from freecad.gaussiancad.objects.legend import HEIGHT, WIDTH, DeviationRange, legend_image
 from freecad.gaussiancad.objects.placing import PlanePlacement
 from freecad.gaussiancad.objects.ply import read_vertices
-from freecad.gaussiancad.objects.properties import Access, PropertySpec, add_properties, text_map
+from freecad.gaussiancad.objects.properties import Access, add_properties
 from freecad.gaussiancad.objects.proxies import GroupProxy, GroupViewProxy
 from freecad.gaussiancad.objects.sheet_views import add_image_plane
+from freecad.gaussiancad.objects.sources import Source
 from freecad.gaussiancad.objects.transaction import transaction
 from freecad.gaussiancad.qt import QtCore
-
-SCHEMA_VERSION = 1
 
 
 class ComparisonView(GroupViewProxy):
@@ -46,6 +52,43 @@ class ComparisonGroup(GroupProxy):
 
     view_proxy = ComparisonView
 
+    def execute(self, target: FreeCAD.DocumentObject) -> None:
+        """See whether what was compared has changed; the engine never runs within a recompute."""
+        request = request_of(target)
+        if request is None:
+            return
+        stale = request.states != (target.ResultState, target.ReferenceState)
+        if target.Stale != stale:
+            target.Stale = stale
+        if stale and target.CompareAgain and FreeCAD.GuiUp:
+            from freecad.gaussiancad.objects.refreshing import refresh_soon
+
+            refresh_soon(target)
+
+    def onChanged(self, target: FreeCAD.DocumentObject, name: str) -> None:
+        """Colour the mesh anew when the user changes the range."""
+        if name == "RangeMillimetres" and "Restore" not in target.State:
+            recolour(target, target.RangeMillimetres)
+
+
+@dataclass(frozen=True)
+class CompareRequest:
+    """What is compared.
+
+    Attributes:
+        result, reference: the two sides.
+        states: of both when their geometry was taken.
+    """
+
+    result: Source
+    reference: Source
+    states: tuple[str, str] = field(default=("", ""))
+
+    def __post_init__(self) -> None:
+        if self.states == ("", ""):
+            states = (self.result.state(), self.reference.state())
+            object.__setattr__(self, "states", states)
+
 
 @dataclass(frozen=True)
 class LoadedComparison:
@@ -57,6 +100,8 @@ class LoadedComparison:
         colours: (red, green, blue), 0 to 1, of the mesh's points.
         scale: what the colours mean.
         legend: path of the legend's picture.
+        deviations: mm at the mesh's points.
+        page: path of the page for a browser, or None where the engine wrote none.
     """
 
     report: Comparison
@@ -64,6 +109,8 @@ class LoadedComparison:
     colours: list[tuple[float, float, float]]
     scale: DeviationRange
     legend: Path
+    deviations: list[float]
+    page: Path | None = None
 
 
 def load_comparison(output: Path, scratch: Path) -> LoadedComparison:
@@ -85,61 +132,124 @@ def load_comparison(output: Path, scratch: Path) -> LoadedComparison:
             (red / 255.0, green / 255.0, blue / 255.0)
             for red, green, blue in vertices.columns("red", "green", "blue")
         ]
-        scale = _range_of(vertices.comments, vertices.columns("deviation"))
+        deviations = [value for (value,) in vertices.columns("deviation")]
+        scale = _range_of(vertices.comments, deviations)
     except Exception as error:  # FreeCAD raises its own types, which differ between versions
         raise _unreadable(path, error) from error
     if mesh.CountPoints != len(colours):
         raise _unreadable(path, f"{mesh.CountPoints} points, {len(colours)} colours")
     legend = scratch / "legend.png"
     legend_image(scale, with_text=bool(FreeCAD.GuiUp)).save(str(legend))
-    return LoadedComparison(report, mesh, colours, scale, legend)
+    page = output / "comparison.html"
+    found = page if page.is_file() else None
+    return LoadedComparison(report, mesh, colours, scale, legend, deviations, found)
 
 
 def add_comparison(
-    document: FreeCAD.Document,
-    loaded: LoadedComparison,
-    compared: tuple[FreeCAD.DocumentObject, FreeCAD.DocumentObject],
+    document: FreeCAD.Document, loaded: LoadedComparison, request: CompareRequest
 ) -> FreeCAD.DocumentObject:
     """Add a comparison to a document, in one undo step.
 
     Args:
         document: receives a group with everything in it.
         loaded: what the comparison left.
-        compared: the result and the reference; hidden, since the coloured mesh lies on them.
+        request: what was compared; its objects are hidden, since the coloured mesh lies on them.
 
     Returns:
         The group.
     """
-    names = (compared[0].Label, compared[1].Label)
+    names = (request.result.label, request.reference.label)
     with transaction(document, translate("GaussianCAD", "Compare with Reference")):
         group = document.addObject("App::DocumentObjectGroupPython", "Comparison")
         ComparisonGroup(group)
         label = translate("GaussianCAD", "Comparison of {result} with {reference}")
         group.Label = label.format(result=names[0], reference=names[1])
-        add_properties(group, _properties(loaded, names))
+        add_links(group)
+        add_properties(group, fixed_properties(loaded.scale.limit))
         deviation = document.addObject("Mesh::Feature", "Deviation")
-        deviation.Mesh = loaded.mesh
         deviation.Label = translate("GaussianCAD", "Deviation")
-        deviation.addProperty(
-            "App::PropertyColorList",
-            "VertexColors",
-            "GaussianCAD",
-            QT_TRANSLATE_NOOP("App::Property", "Colour of the deviation at each point"),
-        )
-        deviation.VertexColors = loaded.colours
+        for kind, name, tip in (
+            (
+                "ColorList",
+                "VertexColors",
+                QT_TRANSLATE_NOOP("App::Property", "Colour of the deviation at each point"),
+            ),
+            (
+                "FloatList",
+                "Deviations",
+                QT_TRANSLATE_NOOP("App::Property", "Deviation at each point in mm"),
+            ),
+        ):
+            deviation.addProperty(f"App::Property{kind}", name, "GaussianCAD", tip)
+        deviation.setEditorMode("Deviations", int(Access.HIDDEN))
         legend = add_image_plane(document, "Legend", loaded.legend, _beside(loaded.mesh))
         legend.Label = translate("GaussianCAD", "Legend")
         group.addObjects([deviation, legend])
-        for source in compared:
-            source.Visibility = False
+        _fill(group, loaded, request)
+        for source in (request.result, request.reference):
+            if source.feature is not None:
+                source.feature.Visibility = False
         document.recompute()
         group.Proxy.show(group)
     return group
 
 
-def _range_of(comments: tuple[str, ...], deviations: list[tuple[float, ...]]) -> DeviationRange:
+def update_comparison(
+    group: FreeCAD.DocumentObject, loaded: LoadedComparison, request: CompareRequest
+) -> None:
+    """Put new numbers and colours into a comparison, in one undo step."""
+    with transaction(group.Document, translate("GaussianCAD", "Compare Again")):
+        _fill(group, loaded, request)
+        legend = next((each for each in group.Group if each.TypeId == "Image::ImagePlane"), None)
+        if legend is not None:
+            legend.ImageFile = str(loaded.legend)
+        group.RangeMillimetres = loaded.scale.limit
+        group.Document.recompute()
+        group.Proxy.show(group)
+
+
+def comparison_report(group: FreeCAD.DocumentObject) -> Comparison | None:
+    """The report that a group stores, or None where it cannot be read."""
+    try:
+        return parse_comparison(group.ReportJson, json.loads(group.ReportJson))
+    except (AttributeError, ValueError):
+        return None
+
+
+def request_of(group: FreeCAD.DocumentObject) -> CompareRequest | None:
+    """What a group compares, or None where an older version made it or an object is gone."""
+    if not hasattr(group, "ResultObject"):
+        return None
+    result = Source(group.ResultObject, group.ResultFile)
+    reference = Source(group.ReferenceObject, group.ReferenceFile)
+    if any(each.feature is None and not each.path for each in (result, reference)):
+        return None
+    return CompareRequest(result, reference)
+
+
+def is_comparison(candidate: FreeCAD.DocumentObject) -> bool:
+    """Whether an object is a comparison's group."""
+    return isinstance(getattr(candidate, "Proxy", None), ComparisonGroup)
+
+
+def _fill(group: FreeCAD.DocumentObject, loaded: LoadedComparison, request: CompareRequest) -> None:
+    deviation = next(each for each in group.Group if hasattr(each, "VertexColors"))
+    deviation.Mesh = loaded.mesh
+    deviation.Deviations = loaded.deviations
+    deviation.VertexColors = loaded.colours
+    group.Result, group.Reference = request.result.label, request.reference.label
+    group.ResultObject, group.ReferenceObject = request.result.feature, request.reference.feature
+    group.ResultFile, group.ReferenceFile = request.result.path, request.reference.path
+    group.ResultState, group.ReferenceState = request.states
+    group.Stale = False
+    if loaded.page is not None:
+        group.Page = str(loaded.page)
+    tell_report(group, loaded.report)
+
+
+def _range_of(comments: tuple[str, ...], deviations: list[float]) -> DeviationRange:
     words = {line.split()[0]: line.split()[-1] for line in comments if line}
-    extreme = max((abs(value) for (value,) in deviations), default=0.0)
+    extreme = max(map(abs, deviations), default=0.0)
     return DeviationRange(float(words.get("range", extreme)), words.get("signed", "1") != "0")
 
 
@@ -150,70 +260,6 @@ def _beside(mesh: Mesh.Mesh) -> PlanePlacement:
     width = height * WIDTH / HEIGHT
     centre = (box.XMax + 0.1 * height + width / 2.0, box.YMax, box.ZMin + height / 2.0)
     return PlanePlacement(centre, (1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, -1.0, 0.0), width, height)
-
-
-def _properties(loaded: LoadedComparison, names: tuple[str, str]) -> list[PropertySpec]:
-    report = loaded.report
-    tips = {
-        "chamfer": QT_TRANSLATE_NOOP(
-            "App::Property", "Sum of the mean distances to the nearest point, both ways"
-        ),
-        "hausdorff": QT_TRANSLATE_NOOP("App::Property", "Largest distance to the nearest point"),
-        "emd": QT_TRANSLATE_NOOP("App::Property", "Mean distance of points matched one to one"),
-        "point_to_surface": QT_TRANSLATE_NOOP("App::Property", "Mean distance to the surface"),
-        "volume_iou": QT_TRANSLATE_NOOP("App::Property", "Common volume over united volume"),
-    }
-    specs = [
-        PropertySpec(
-            "Integer",
-            "SchemaVersion",
-            "Comparison",
-            QT_TRANSLATE_NOOP("App::Property", "Version of these properties"),
-            SCHEMA_VERSION,
-            Access.HIDDEN,
-        ),
-        PropertySpec(
-            "String",
-            "Result",
-            "Comparison",
-            QT_TRANSLATE_NOOP("App::Property", "What was measured"),
-            names[0],
-        ),
-        PropertySpec(
-            "String",
-            "Reference",
-            "Comparison",
-            QT_TRANSLATE_NOOP("App::Property", "What it was measured against"),
-            names[1],
-        ),
-        PropertySpec(
-            "Float",
-            "RangeMillimetres",
-            "Comparison",
-            QT_TRANSLATE_NOOP("App::Property", "Deviation at the ends of the colour scale"),
-            loaded.scale.limit,
-        ),
-        PropertySpec(
-            "Map",
-            "Floor",
-            "Comparison",
-            QT_TRANSLATE_NOOP("App::Property", "What two samples of the reference give"),
-            text_map(report.floor),
-        ),
-        PropertySpec(
-            "String",
-            "ReportJson",
-            "Comparison",
-            QT_TRANSLATE_NOOP("App::Property", "The engine's report as it wrote it"),
-            report.text,
-            Access.HIDDEN,
-        ),
-    ]
-    for key in COMPARED:
-        if key in report.distances:
-            name = "".join(part.capitalize() for part in key.split("_"))
-            specs.append(PropertySpec("Float", name, "Distances", tips[key], report.distances[key]))
-    return specs
 
 
 def _unreadable(path: Path, reason: object) -> WorkbenchError:

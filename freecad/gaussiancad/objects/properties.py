@@ -12,6 +12,7 @@ PropertyValue = str | float | int | bool | list[str] | Mapping[str, str]
 class Access(IntFlag):
     """How the property editor treats a property (FreeCAD's own numbers)."""
 
+    OPEN = 0
     READ_ONLY = 1
     HIDDEN = 2
 

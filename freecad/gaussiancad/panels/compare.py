@@ -8,10 +8,19 @@ import FreeCADGui
 from freecad.gaussiancad.engine.job import CompareJob
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
-from freecad.gaussiancad.objects.comparable import comparable_objects, export_geometry
-from freecad.gaussiancad.objects.comparison import add_comparison, load_comparison
-from freecad.gaussiancad.panels.distances import DistanceTable
+from freecad.gaussiancad.objects.comparable import comparable_objects
+from freecad.gaussiancad.objects.comparison import (
+    CompareRequest,
+    add_comparison,
+    is_comparison,
+    load_comparison,
+    request_of,
+    update_comparison,
+)
+from freecad.gaussiancad.objects.sources import Source
+from freecad.gaussiancad.panels.comparison_view import ComparisonView
 from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts, Success
+from freecad.gaussiancad.panels.model_box import ModelBox
 from freecad.gaussiancad.panels.widgets import bring_into_sight
 from freecad.gaussiancad.qt import QtWidgets
 
@@ -33,28 +42,33 @@ class ComparePanel(EnginePanel):
             )
         )
         self._document_name = document.Name
-        self._names = [candidate.Name for candidate in comparable_objects(document)]
-        labels = [document.getObject(name).Label for name in self._names]
-        self.result = _object_box("result", labels)
-        self.reference = _object_box("reference", labels)
-        self._choose_selected(document)
-        self.distances = DistanceTable()
+        features = comparable_objects(document)
+        self.result = ModelBox("result", features)
+        self.reference = ModelBox("reference", features)
+        self.view = ComparisonView()
         self.run_view.log.setFixedHeight(90)
-        self.form = [self._models_box(), self.run_view, self.distances]
+        self.form = [self._models_box(), self.run_view, self.view]
         self.dress()
-        self._compared = ("", "")
+        self._request: CompareRequest | None = None
+        self._shown = ""
+        chosen = self._selected(document)
+        again = next((each for each in chosen if is_comparison(each)), None)
+        if again is None:
+            self._choose(chosen, features)
+        else:
+            self._choose_again(again)
 
     def prepare(self, scratch: Path) -> list[str]:
         """Write both objects to files."""
         result, reference = self._chosen(self.result), self._chosen(self.reference)
-        if result.Name == reference.Name:
+        if result == reference:
             text = translate("GaussianCAD", "Choose two different objects to compare.")
             raise WorkbenchError(ErrorCode.NOTHING_TO_COMPARE, text)
-        self._compared = (result.Name, reference.Name)
-        self.distances.clear()
+        self._request = CompareRequest(result, reference)
+        self.view.clear()
         return CompareJob(
-            str(export_geometry(result, scratch, "result")),
-            str(export_geometry(reference, scratch, "reference")),
+            str(result.file(scratch, "result")),
+            str(reference.file(scratch, "reference")),
             str(scratch / "comparison"),
         ).arguments()
 
@@ -62,15 +76,26 @@ class ComparePanel(EnginePanel):
         """Show the distances; add the coloured mesh to the document in one step."""
         loaded = load_comparison(scratch / "comparison", scratch)
         document = self._document()
-        pair = tuple(document.getObject(name) for name in self._compared)
-        if None in pair:
+        try:
+            labels = [each.label for each in (self._request.result, self._request.reference)]
+        except ReferenceError:
             text = translate("GaussianCAD", "An object was removed while it was being compared.")
-            raise WorkbenchError(ErrorCode.NOTHING_TO_COMPARE, text)
-        add_comparison(document, loaded, pair)
-        self.distances.show_comparison(loaded.report)
-        bring_into_sight(self.distances)
-        lines = self.distances.millimetre_lines(loaded.report)
-        return Success(translate("GaussianCAD", "Finished"), tuple(lines))
+            raise WorkbenchError(ErrorCode.NOTHING_TO_COMPARE, text) from None
+        group = document.getObject(self._shown) if self._shown else None
+        if group is not None and [group.Result, group.Reference] == labels:
+            update_comparison(group, loaded, self._request)
+        else:
+            group = add_comparison(document, loaded, self._request)
+        self._shown = group.Name
+        self.view.show_group(group)
+        bring_into_sight(self.view)
+        warnings = [str(remark) for remark in loaded.report.warnings]
+        lines = self.view.distances.millimetre_lines(loaded.report)
+        return Success(translate("GaussianCAD", "Finished"), (*warnings, *lines))
+
+    def _leave(self) -> None:
+        super()._leave()
+        self.view.take_off()
 
     def set_editable(self, editable: bool) -> None:
         """Let the user choose other objects, or not."""
@@ -83,25 +108,41 @@ class ComparePanel(EnginePanel):
             raise WorkbenchError(ErrorCode.NOTHING_TO_COMPARE, text)
         return FreeCAD.getDocument(self._document_name)
 
-    def _chosen(self, box: QtWidgets.QComboBox) -> FreeCAD.DocumentObject:
-        index = box.currentIndex()
-        chosen = self._document().getObject(self._names[index]) if index >= 0 else None
+    def _chosen(self, box: ModelBox) -> Source:
+        chosen = box.source(self._document())
         if chosen is None:
             text = translate(
                 "GaussianCAD",
                 "There is nothing to compare. Open a document with a result and a reference: "
-                "a part, a body or a mesh each.",
+                "a part, a body or a mesh each, or choose a file.",
             )
             raise WorkbenchError(ErrorCode.NOTHING_TO_COMPARE, text)
         return chosen
 
-    def _choose_selected(self, document: FreeCAD.Document) -> None:
+    def _selected(self, document: FreeCAD.Document) -> list[FreeCAD.DocumentObject]:
+        return list(FreeCADGui.Selection.getSelection(document.Name))
+
+    def _choose(
+        self, chosen: list[FreeCAD.DocumentObject], features: list[FreeCAD.DocumentObject]
+    ) -> None:
         """The first selected object is the result, the second one the reference."""
-        selected = [item.Name for item in FreeCADGui.Selection.getSelection(document.Name)]
-        wanted = [name for name in selected if name in self._names]
-        others = [name for name in self._names if name not in wanted]
+        names = [feature.Name for feature in features]
+        wanted = [item.Name for item in chosen if item.Name in names]
+        others = [name for name in names if name not in wanted]
         for box, name in zip((self.result, self.reference), wanted + others, strict=False):
-            box.setCurrentIndex(self._names.index(name))
+            box.choose(name)
+
+    def _choose_again(self, group: FreeCAD.DocumentObject) -> None:
+        """Show a comparison that is there, with what it compares."""
+        request = request_of(group)
+        if request is not None:
+            for box, source in ((self.result, request.result), (self.reference, request.reference)):
+                if source.feature is None:
+                    box.choose_file(Path(source.path))
+                else:
+                    box.choose(source.feature.Name)
+        self._shown = group.Name
+        self.view.show_group(group)
 
     def _models_box(self) -> QtWidgets.QWidget:
         box = QtWidgets.QWidget()
@@ -112,13 +153,3 @@ class ComparePanel(EnginePanel):
         layout.addRow(translate("GaussianCAD", "Result"), self.result)
         layout.addRow(translate("GaussianCAD", "Reference"), self.reference)
         return box
-
-
-def _object_box(name: str, labels: list[str]) -> QtWidgets.QComboBox:
-    box = QtWidgets.QComboBox()
-    box.setObjectName(name)
-    policy = QtWidgets.QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
-    box.setSizeAdjustPolicy(policy)
-    box.setMinimumContentsLength(8)
-    box.addItems(labels)
-    return box

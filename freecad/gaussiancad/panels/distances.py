@@ -1,5 +1,7 @@
 """The table of a comparison's distances."""
 
+from typing import Any
+
 from freecad.gaussiancad.engine.report import Comparison
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtCore, QtWidgets
@@ -14,19 +16,16 @@ class DistanceTable(QtWidgets.QWidget):
         super().__init__()
         self.setWindowTitle(translate("GaussianCAD", "Distances"))
         self._rows = _rows()
-        self.table = QtWidgets.QTableWidget(len(self._rows), 2)
-        self.table.setObjectName("distances")
-        self.table.setHorizontalHeaderLabels(
-            [translate("GaussianCAD", "Value"), translate("GaussianCAD", "Floor")]
+        self.table = _table(
+            "distances",
+            (translate("GaussianCAD", "Value"), translate("GaussianCAD", "Floor")),
+            [(title, tip) for _, title, tip in self._rows],
         )
-        self.table.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.table.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.Stretch)
-        for row, (_, title, tip) in enumerate(self._rows):
-            header = QtWidgets.QTableWidgetItem(title)
-            header.setToolTip(tip)
-            self.table.setVerticalHeaderItem(row, header)
-        self.table.verticalHeader().setDefaultSectionSize(24)
-        self.table.setFixedHeight(24 * len(self._rows) + 34)
+        self.engineering = _table(
+            "engineering",
+            (translate("GaussianCAD", "Result"), translate("GaussianCAD", "Reference")),
+            _engineering_titles(),
+        )
         hint = QtWidgets.QLabel(
             translate(
                 "GaussianCAD",
@@ -37,23 +36,25 @@ class DistanceTable(QtWidgets.QWidget):
         hint.setWordWrap(True)
         hint.setMinimumHeight(4 * hint.fontMetrics().lineSpacing())
         layout = QtWidgets.QVBoxLayout(self)
+        layout.addWidget(self.engineering)
         layout.addWidget(self.table)
         layout.addWidget(hint)
 
     def clear(self) -> None:
         """Show no numbers."""
         self.table.clearContents()
+        self.engineering.clearContents()
 
     def show_comparison(self, comparison: Comparison) -> None:
         """Show the numbers."""
         for row, (key, _, _) in enumerate(self._rows):
             numbers = (comparison.distances.get(key), comparison.floor.get(key))
             for column, number in enumerate(numbers):
-                item = QtWidgets.QTableWidgetItem(_NOTHING if number is None else f"{number:.3g}")
-                item.setTextAlignment(
-                    QtCore.Qt.AlignmentFlag.AlignRight | QtCore.Qt.AlignmentFlag.AlignVCenter
-                )
-                self.table.setItem(row, column, item)
+                text = _NOTHING if number is None else f"{number:.3g}"
+                self.table.setItem(row, column, _cell(text))
+        for row, texts in enumerate(_engineering_cells(comparison.engineering)):
+            for column, text in enumerate(texts):
+                self.engineering.setItem(row, column, _cell(text))
 
     def millimetre_lines(self, comparison: Comparison) -> list[str]:
         """The distances in millimetres of the reference, a line each."""
@@ -66,6 +67,82 @@ class DistanceTable(QtWidgets.QWidget):
             for key, title, _ in self._rows
             if key in comparison.distances and key != "volume_iou"
         ]
+
+
+def _table(
+    name: str, columns: tuple[str, str], rows: list[tuple[str, str]]
+) -> QtWidgets.QTableWidget:
+    """An empty table with headings, rows with an explanation each."""
+    table = QtWidgets.QTableWidget(len(rows), len(columns))
+    table.setObjectName(name)
+    table.setHorizontalHeaderLabels(list(columns))
+    table.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
+    table.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.Stretch)
+    for row, (title, tip) in enumerate(rows):
+        header = QtWidgets.QTableWidgetItem(title)
+        header.setToolTip(tip)
+        table.setVerticalHeaderItem(row, header)
+    table.verticalHeader().setDefaultSectionSize(24)
+    table.setFixedHeight(24 * len(rows) + 34)
+    return table
+
+
+def _cell(text: str) -> QtWidgets.QTableWidgetItem:
+    item = QtWidgets.QTableWidgetItem(text)
+    item.setTextAlignment(QtCore.Qt.AlignmentFlag.AlignRight | QtCore.Qt.AlignmentFlag.AlignVCenter)
+    return item
+
+
+def _engineering_titles() -> list[tuple[str, str]]:
+    """Title and explanation of each row in millimetres."""
+    return [
+        (
+            translate("GaussianCAD", "Mean, mm"),
+            translate("GaussianCAD", "Mean deviation; negative lies inside the other model"),
+        ),
+        (
+            translate("GaussianCAD", "RMS, mm"),
+            translate("GaussianCAD", "Root mean square of the deviation"),
+        ),
+        (
+            translate("GaussianCAD", "Inside, mm"),
+            translate("GaussianCAD", "The farthest that it lies inside the other model"),
+        ),
+        (
+            translate("GaussianCAD", "Outside, mm"),
+            translate("GaussianCAD", "The farthest that it lies outside the other model"),
+        ),
+        (
+            translate("GaussianCAD", "Agrees, %"),
+            translate("GaussianCAD", "Share of the surface within the tolerance"),
+        ),
+        (
+            translate("GaussianCAD", "Volume, %"),
+            translate("GaussianCAD", "By how much the result's volume differs"),
+        ),
+        (
+            translate("GaussianCAD", "Area, %"),
+            translate("GaussianCAD", "By how much the result's area differs"),
+        ),
+    ]
+
+
+def _engineering_cells(block: dict[str, Any]) -> list[tuple[str, ...]]:
+    """The numbers of those rows, as far as they were told."""
+    sides = [block.get(key) or {} for key in ("result_to_reference", "reference_to_result")]
+    keys = ("mean_mm", "rms_mm", "least_mm", "greatest_mm")
+    cells = [tuple(_text(side.get(key)) for side in sides) for key in keys]
+    cells.append(tuple(_text(side.get("within_tolerance"), 100.0) for side in sides))
+    cells += [
+        (_text(block.get(f"{name}_difference_share"), 100.0), "") for name in ("volume", "area")
+    ]
+    return cells
+
+
+def _text(number: object, factor: float = 1.0) -> str:
+    if isinstance(number, bool) or not isinstance(number, int | float):
+        return _NOTHING
+    return f"{factor * number + 0.0:.4g}"
 
 
 def _rows() -> list[tuple[str, str, str]]:

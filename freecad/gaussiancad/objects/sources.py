@@ -1,0 +1,77 @@
+"""What is compared: an object of the document or a model file, and whether it changed since."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import FreeCAD
+
+from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
+from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.objects.comparable import export_geometry
+
+MODEL_SUFFIXES = ("step", "stp", "brep", "brp", "stl", "ply", "obj")
+"""Files that the engine compares."""
+
+
+@dataclass(frozen=True)
+class Source:
+    """One side of a comparison.
+
+    Attributes:
+        feature: the object, or None where it is a file.
+        path: of the file, empty where it is an object.
+    """
+
+    feature: FreeCAD.DocumentObject | None = None
+    path: str = ""
+
+    @property
+    def label(self) -> str:
+        """What people call it."""
+        return Path(self.path).name if self.feature is None else self.feature.Label
+
+    def state(self) -> str:
+        """A text that changes when the geometry does; empty where there is none any more."""
+        if self.feature is None:
+            return _file_state(Path(self.path))
+        return _feature_state(self.feature)
+
+    def file(self, folder: Path, stem: str) -> Path:
+        """A file with the geometry: the file itself, or one written into the folder.
+
+        Raises:
+            WorkbenchError: there is no geometry.
+        """
+        if self.feature is not None:
+            return export_geometry(self.feature, folder, stem)
+        path = Path(self.path)
+        if not path.is_file():
+            text = translate("GaussianCAD", "There is no file {path}. Choose another one.")
+            raise WorkbenchError(ErrorCode.NOTHING_TO_COMPARE, text.format(path=path))
+        return path
+
+
+def _file_state(path: Path) -> str:
+    try:
+        facts = path.stat()
+    except OSError:
+        return ""
+    return f"{facts.st_size} {facts.st_mtime_ns}"
+
+
+def _feature_state(feature: FreeCAD.DocumentObject) -> str:
+    try:
+        if feature.isDerivedFrom("Mesh::Feature"):
+            geometry = feature.Mesh
+            counts = [geometry.CountPoints, geometry.CountFacets]
+            box, numbers = geometry.BoundBox, [geometry.Area, geometry.Volume]
+        else:
+            geometry = feature.Shape
+            counts = [len(geometry.Faces), len(geometry.Edges), len(geometry.Vertexes)]
+            box, numbers = geometry.BoundBox, [geometry.Area, geometry.Volume]
+        place = feature.getGlobalPlacement().toMatrix().A
+    except (AttributeError, ReferenceError):
+        return ""
+    corners = (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax)
+    values = " ".join(f"{value:.9g}" for value in (*numbers, *corners, *place))
+    return f"{' '.join(map(str, counts))} {values}"
