@@ -102,8 +102,10 @@ Profile = LineProfile | ArcProfile
 class RevolvedBody:
     """The space below a profile that turns about an axis.
 
-    With a sector the profile turns only through that angle, as at a rounded corner; the body then
-    is the space of the sector *beyond* the profile, which nothing but the profile ties to the rest.
+    With a sector the profile turns only through that angle, as at a rounded corner.  What lies in
+    the sector on the other side of the profile is one cell with what lies around it, so the body is
+    the side that is not: the space *beyond* the profile as a rule, as at an outer corner, and the
+    space below it where an arc curves towards the axis, as at the rim of a round notch.
 
     Attributes:
         axis: direction.
@@ -125,8 +127,14 @@ class RevolvedBody:
         if not self.profile.low < z < self.profile.high:
             return False
         a, b = point[first] - self.centre[0], point[second] - self.centre[1]
-        beyond = hypot(a, b) > self.profile.radius(z)
-        return beyond and self._in_sector(a, b) if self.sector else not beyond
+        if self.sector and not self._in_sector(a, b):
+            return False
+        return (hypot(a, b) > self.profile.radius(z)) == self._is_beyond
+
+    @property
+    def _is_beyond(self) -> bool:
+        towards_axis = isinstance(self.profile, ArcProfile) and self.profile.side < 0
+        return self.sector is not None and not towards_axis
 
     def _in_sector(self, a: float, b: float) -> bool:
         return all(a * x + b * y > 0.0 for x, y in self._inward())
@@ -150,9 +158,8 @@ class RevolvedBody:
         # On the axis itself a cone would be entered at its apex, which is no crossing.
         r = max(hypot(a - self.centre[0], b - self.centre[1]), _AXIS)
         flat = self._vector((0.0, 0.0), 1.0)
-        whole = self.sector is None
         ends = (profile.low, profile.high)
-        found = [(z, flat) for z in ends if (r < profile.radius(z)) == whole]
+        found = [(z, flat) for z in ends if (r > profile.radius(z)) == self._is_beyond]
         for z in profile.heights(r):
             along_r, along_z = profile.normal(z)
             out = (0.0, 0.0) if r <= _AXIS else ((a - self.centre[0]) / r, (b - self.centre[1]) / r)
@@ -179,12 +186,18 @@ class RevolvedBody:
             found.append((self.centre[place] + way, direction))
         if self.sector is None:
             return found
-        return self._beyond(found, place, off)
+        return self._of_sector(found, place, off)
 
-    def _beyond(
+    def _of_sector(
         self, circle: list[tuple[float, Vector]], place: int, off: float
     ) -> list[tuple[float, Vector]]:
-        """Crossings of a line with what of the sector lies beyond the profile's circle."""
+        """Crossings of a line with what of the sector lies beyond the profile's circle, or in it.
+
+        Args:
+            circle: crossings of the line with the whole circle, two or none.
+            place: of the line's axis in the projection plane.
+            off: the line's other coordinate, from the centre.
+        """
         low, high = -_FAR, _FAR
         sides: dict[float, Vector] = {}
         for inward in self._inward():
@@ -204,10 +217,12 @@ class RevolvedBody:
         middle = self.centre[place]
         ends = [(middle + at, sides.get(at, self._vector((1.0, 0.0), 0.0))) for at in (low, high)]
         inside = [hit for hit in circle if middle + low < hit[0] < middle + high]
-        # Between its meetings with the circle the line is not beyond the profile.
-        if circle:
-            ends = [end for end in ends if not circle[0][0] < end[0] < circle[1][0]]
-        return ends + inside
+        # Between its meetings with the circle the line is below the profile.
+        below = [bool(circle) and circle[0][0] < end[0] < circle[1][0] for end in ends]
+        kept = [
+            end for end, is_below in zip(ends, below, strict=True) if is_below != self._is_beyond
+        ]
+        return kept + inside
 
     def rims(self, normal: Axis) -> list[tuple[PlaneCurve, tuple[float, float]]]:
         """Circles of both ends along the axis; both outlines of the profile across it.

@@ -35,6 +35,10 @@ _PARALLEL = 1.0 - 2e-4
 """Cosine of the angle within which normals are parallel."""
 
 
+_ROUGH = 0.05
+"""Units by which a chain may be off."""
+
+
 class Body(Protocol):
     """A surface that is edge-on in no view: the border of a body."""
 
@@ -67,6 +71,10 @@ class Crossing:
     surface: Surface
     before: Cell | None
     after: Cell | None
+
+
+_Step = tuple[float, Vector, Surface, int]
+"""(depth, normal, surface, the region of the surface's plane behind it; any for a body)."""
 
 
 class Space:
@@ -151,8 +159,7 @@ class Space:
             return ()
         regions = [OUTSIDE, OUTSIDE, OUTSIDE]
         regions[normal.value] = own
-        # (depth, normal, surface, what changes: a plane's region or a body's bit)
-        steps: list[tuple[float, Vector, Surface, int]] = []
+        steps: list[_Step] = []
         for axis, coordinate in zip(IN_PLANE[normal], (a, b), strict=True):
             # The plane in which this coordinate is fixed, and depth runs along the other.
             other = next(Axis(i) for i in range(3) if i not in (axis, normal.value))
@@ -164,7 +171,7 @@ class Space:
                 continue
             for depth, direction in body.crossings(normal, a, b):
                 steps.append((depth, direction, (BODY, number), 0))
-        steps.sort(key=lambda step: step[0])
+        steps = _within_chains(steps)
         crossings: list[Crossing] = []
         before = self._cell(regions, bits)
         for depth, direction, surface, region in steps:
@@ -186,7 +193,7 @@ class Space:
 
     def _plane_steps(
         self, plane: Axis, axis: int, coordinate: float, regions: list[int]
-    ) -> list[tuple[float, Vector, Surface, int]]:
+    ) -> list[_Step]:
         """Steps of a column in one of the planes beside it; sets the region it starts in."""
         axes = IN_PLANE[plane]
         trace = self.planes[plane].trace(axes.index(axis), coordinate)
@@ -201,6 +208,25 @@ class Space:
                 (position, tuple(direction), (plane.value, support), trace.regions[place + 1])
             )
         return steps
+
+
+def _within_chains(steps: list[_Step]) -> list[_Step]:
+    """Steps in ascending depth, those that lie a hair outside a chain moved inside.
+
+    A chain on the outline is a curve in which two surfaces meet, known roughly.  Beside the curve a
+    column meets both surfaces and the chain at nearly one depth: outside there would be none.
+    """
+    chains = [(step[0], step[3]) for step in steps if step[2][1] == CHAIN]
+    moved = []
+    for step in steps:
+        depth = step[0]
+        for at, region in chains if step[2][1] != CHAIN else ():
+            if region != OUTSIDE and at - _ROUGH < depth <= at:
+                depth = at + _FUSED
+            elif region == OUTSIDE and at <= depth < at + _ROUGH:
+                depth = at - _FUSED
+        moved.append((depth, *step[1:]))
+    return sorted(moved, key=lambda step: step[0])
 
 
 def parallel(one: Vector, other: Vector) -> bool:

@@ -21,8 +21,17 @@ The shortest pieces lie where curves nearly touch; there the point that stands f
 tell what is drawn on it.
 """
 
+_STRATA = (SLIGHT, 8.0 * SLIGHT, float("inf"))
+"""Weights, in units of line, below which rules may be given up: little is tried first.
+
+Most rules then are clauses that must hold, of which the solver makes far more.
+"""
+
 _SURFACES = 10
 """Surfaces that weigh as much as a tenth of a unit of line that is given up."""
+
+_TRADED = 0.5
+"""Units of line that may be given up for fewer surfaces."""
 
 _MORE = 0.1
 """Share by which other labels may give up more than the best do."""
@@ -177,6 +186,11 @@ class Labelling:
     given_up: tuple[Rule, ...]
     complete: bool
 
+    @property
+    def weight(self) -> float:
+        """Units of line that the labels leave unexplained; all there are without labels."""
+        return float("inf") if self.labels is None else sum(rule.weight for rule in self.given_up)
+
 
 def solver_for(time: float, workers: int = 1) -> cp_model.CpSolver:
     """A solver that stops after a deterministic time and gives the same answer each time.
@@ -230,11 +244,15 @@ class Search:
         self._model = Model(rules, lightest=SLIGHT)
 
     def best(self, *, relaxed: bool = True) -> Labelling:
-        """Labels under which all rules hold, or all but the least; the simplest of them.
+        """Labels under which all rules hold, or, if ``relaxed``, all but the least."""
+        found = self.fulfilled()
+        return self.least() if found.labels is None and relaxed else found
+
+    def fulfilled(self) -> Labelling:
+        """Labels under which all rules hold; the simplest of them.
 
         Simple means few surfaces: of parts that look alike in all views, the drawn one is nearly
-        always the one with the fewest.  Without ``relaxed`` there are no labels where the rules
-        contradict each other.
+        always the one with the fewest.  There are none where the rules contradict each other.
         """
         model = self._model.model
         model.add_assumptions([~escape for escape in self._model.given_up.values()])
@@ -243,9 +261,39 @@ class Search:
         model.clear_assumptions()
         if status in FOUND:
             return self._simplest(solver)
-        if not relaxed:
-            return Labelling(None, (), status == cp_model.INFEASIBLE)
-        return self._least()
+        return Labelling(None, (), status == cp_model.INFEASIBLE)
+
+    def least(self) -> Labelling:
+        """Labels that give up rules of the least weight."""
+        for lightest in _STRATA:
+            found = self._giving_up(lightest)
+            if found is not None:
+                return found
+        return Labelling(None, (), False)
+
+    def _giving_up(self, lightest: float) -> Labelling | None:
+        """The same, if what is given up weighs no more than ``lightest`` altogether.
+
+        Then no rule that had to hold weighs less, so that there is no better choice.
+        """
+        soft = Model(self._rules, lightest=lightest)
+        cost = self._cost(soft)
+        soft.model.minimize(cost)
+        solver = relaxing_solver(self._effort.relaxed)
+        status = solver.solve(soft.model)
+        if status not in FOUND or solver.objective_value > _SURFACES * 10.0 * lightest:
+            return None
+        soft.model.add(cost <= int(solver.objective_value) + _SURFACES * _points_of(_TRADED))
+        labels = self._simpler(soft, cost, soft.labels(solver))
+        return Labelling(labels, _broken(self._rules, labels), status == cp_model.OPTIMAL)
+
+    def _simpler(self, soft: Model, cost: cp_model.LinearExprT, labels: Labels) -> Labels:
+        """Labels that give up hardly more, with few surfaces."""
+        for cell, literal in soft.cells.items():
+            soft.model.add_hint(literal, labels[cell])
+        soft.model.minimize(cost + sum(soft.surfaces))
+        solver = solver_for(self._effort.simplest)
+        return soft.labels(solver) if solver.solve(soft.model) in FOUND else labels
 
     def _simplest(self, found: cp_model.CpSolver) -> Labelling:
         """Of all labels under which the rules hold those with the fewest surfaces."""
@@ -261,17 +309,6 @@ class Search:
         model.clear_hints()
         model.clear_assumptions()
         return Labelling(self._model.labels(solver) if status in FOUND else first, (), True)
-
-    def _least(self) -> Labelling:
-        """Labels that give up rules of the least weight."""
-        soft = Model(self._rules, lightest=float("inf"))
-        soft.model.minimize(self._cost(soft) + sum(soft.surfaces))
-        solver = relaxing_solver(self._effort.relaxed)
-        status = solver.solve(soft.model)
-        if status not in FOUND:
-            return Labelling(None, (), False)
-        labels = soft.labels(solver)
-        return Labelling(labels, _broken(self._rules, labels), status == cp_model.OPTIMAL)
 
     def _cost(self, model: Model) -> cp_model.LinearExprT:
         return sum(

@@ -9,6 +9,7 @@ import numpy as np
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.reasoning.arrangement import OUTSIDE, Arrangement
+from gaussiancad_core.reasoning.bodies import RevolvedBody
 from gaussiancad_core.reasoning.bridges import bridges
 from gaussiancad_core.reasoning.chains import Chain, through_points
 from gaussiancad_core.reasoning.columns import Space
@@ -23,6 +24,7 @@ from gaussiancad_core.reasoning.revolved import find_bodies
 from gaussiancad_core.reasoning.rules import Rule, rules_of
 from gaussiancad_core.reasoning.spans import Span, Support
 from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports, find_supports
+from gaussiancad_core.reasoning.untold import with_untold_lines
 from gaussiancad_core.views import Linetype
 
 _MOST_STROKES = 900
@@ -63,6 +65,9 @@ class PartModel:
 def model_part(views: DrawnViews) -> PartModel:
     """Supports, cells and rules of views.
 
+    Args:
+        views: two to six.
+
     Raises:
         LimitError: ``part-too-complex``.
     """
@@ -76,19 +81,37 @@ def model_part(views: DrawnViews) -> PartModel:
         # Read by themselves their corners lie on no common plane.
         supports = find_supports(views, facets)
         half_spaces = find_half_spaces(supports)
-    supports = retraced(supports, half_spaces)
+    supports = with_untold_lines(retraced(supports, half_spaces))
     planes = {axis: _arranged(plane, supports.tolerance) for axis, plane in supports.planes.items()}
     for axis in Axis:
         if axis not in planes:
             planes[axis] = _box(axis, supports.size)
-    space = Space(planes, (*find_bodies(supports), *half_spaces))
+    return _part(supports, Space(planes, (*find_bodies(supports), *half_spaces)))
+
+
+def with_lone_bodies(part: PartModel) -> PartModel | None:
+    """The part divided as well by bodies of revolution that one view speaks of; None if none does.
+
+    More bodies are more cells: they are left out as long as the part can do without.
+
+    Raises:
+        LimitError: ``part-too-complex``.
+    """
+    bodies = find_bodies(part.supports, lone=True)
+    plain = tuple(body for body in part.space.bodies if isinstance(body, RevolvedBody))
+    if bodies == plain:
+        return None
+    others = part.space.bodies[len(plain) :]
+    return _part(part.supports, Space(part.space.planes, (*bodies, *others)))
+
+
+def _part(supports: PartSupports, space: Space) -> PartModel:
     near = max(_NEAR, 2.0 * supports.tolerance)
     found = find_pieces(space, supports.planes, near, supports.tolerance)
     pieces = list(islice(found, _MOST_PIECES + 1))
     if len(pieces) > _MOST_PIECES:
         raise _too_complex(f"its lines divide the views into more than {_MOST_PIECES:,} pieces")
-    rules = rules_of(space, pieces)
-    return PartModel(supports, space, tuple(rules))
+    return PartModel(supports, space, tuple(rules_of(space, pieces)))
 
 
 def _too_complex(what: str) -> LimitError:

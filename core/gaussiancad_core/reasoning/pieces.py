@@ -99,7 +99,7 @@ def find_pieces(
     for normal, plane in planes.items():
         for point, across, support, length in _lines(space, normal):
             for role in plane.roles:
-                if support is not None and _is_at_end(support, role, point, length, tolerance):
+                if support is not None and _may_be_drawn(support, role, point, length, tolerance):
                     continue
                 linetype, confidence = _drawn(support, role, point)
                 yield Piece(role, point, across, linetype, length, confidence)
@@ -125,9 +125,13 @@ def _drawn(support: Support | None, role: Role, point: Point) -> tuple[Linetype 
     return support.linetype_at(role, at), max(confidence, default=1.0)
 
 
-def _is_at_end(support: Support, role: Role, point: Point, length: float, tolerance: float) -> bool:
-    """Whether a piece is so short, and so near to a stroke's end, that it may be drawn or not."""
+def _may_be_drawn(
+    support: Support, role: Role, point: Point, length: float, tolerance: float
+) -> bool:
+    """Whether a piece may be drawn or not, as one so short and so near to a stroke's end."""
     at = support.curve.parameter(point)
+    if support.is_open_at(role, at):
+        return True
     for span in support.spans.get(role, ()):
         reach = _LOOSE_ENDS[span.linetype] * tolerance
         away = min(abs(at - span.low), abs(at - span.high)) * support.curve.speed
@@ -372,6 +376,8 @@ class _DrawnNear:
                 a, b = support.curve.normal(at)
                 if abs(a * across[0] + b * across[1]) > _ALONG:
                     (found if away < _ON else beside).add(support.linetype_at(role, at))
+                    if support.is_open_at(role, at):
+                        beside.add(Linetype.HIDDEN)
         for other, drawn, linetype in self._chains:
             if other is role and self._is_near(drawn, point):
                 found.add(linetype)

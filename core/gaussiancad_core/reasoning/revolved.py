@@ -31,27 +31,73 @@ _THIN = 0.05
 """Units of height or radius that a profile has at least."""
 
 
-def find_bodies(supports: PartSupports) -> tuple[RevolvedBody, ...]:
-    """Bodies whose profile is seen beside an axis in every view that shows the axis lengthwise."""
+def find_bodies(supports: PartSupports, lone: bool = False) -> tuple[RevolvedBody, ...]:
+    """Bodies whose profile is seen beside an axis in every view that shows the axis lengthwise.
+
+    Args:
+        supports: of all views.
+        lone: whether bodies count as well whose profile one of these views shows, if its ends have
+            the radii of drawn circles: in the other view something may be cut away there, as the
+            outline of a groove by a bore, or the profile lies in front of no edge.
+    """
     near = max(_SAME, 1.5 * supports.tolerance)
     found: list[RevolvedBody] = []
+    faint: list[RevolvedBody] = []
     for axis, plane in supports.planes.items():
         sides = [other for normal, other in supports.planes.items() if normal is not axis]
         if not sides:
             continue
         for centre in _centres(plane, near):
+            concentric = _concentric(plane, centre, near)
             by_side = [_merged(_profiles(side, axis, centre, near), near) for side in sides]
-            for profile in by_side[0]:
-                shown = [_matching(profile, other, near) for other in by_side[1:]]
-                if any(match is None for match in shown):
-                    continue
-                whole = _joined([profile, *shown])
-                for sector in _sectors(plane, centre, whole, near):
-                    body = RevolvedBody(axis, centre, whole, sector)
-                    if not any(_repeats(body, other, near) for other in found):
-                        found.append(body)
-    found.sort(key=lambda body: body.profile.low - body.profile.high)
-    return tuple(found[:_MOST])
+            whole = list(_shown_by_all(by_side, near))
+            _add(found, (axis, centre), whole, concentric, near)
+            if lone:
+                single = [p for own in by_side for p in own if _is_anchored(p, concentric, near)]
+                _add(faint, (axis, centre), single, concentric, near)
+    found.sort(key=_height)
+    faint = [body for body in faint if not any(_repeats(body, other, near) for other in found)]
+    return tuple([*found, *sorted(faint, key=_height)][:_MOST])
+
+
+def _height(body: RevolvedBody) -> float:
+    return body.profile.low - body.profile.high
+
+
+def _add(
+    found: list[RevolvedBody],
+    about: tuple[Axis, tuple[float, float]],
+    profiles: list[Profile],
+    concentric: list[Support],
+    near: float,
+) -> None:
+    """The bodies of profiles about one axis that are not among those found."""
+    for profile in profiles:
+        for sector in _sectors(concentric, profile, near):
+            body = RevolvedBody(*about, profile, sector)
+            if not any(_repeats(body, other, near) for other in found):
+                found.append(body)
+
+
+def _shown_by_all(by_side: list[list[Profile]], near: float) -> Iterator[Profile]:
+    """Profiles of the first view that the others show as well."""
+    for profile in by_side[0]:
+        shown = [_matching(profile, other, near) for other in by_side[1:]]
+        if all(match is not None for match in shown):
+            yield _joined([profile, *shown])
+
+
+def _is_anchored(profile: Profile, concentric: list[Support], near: float) -> bool:
+    """Whether circles are drawn where a profile ends: at both ends of a line, at one of an arc.
+
+    A fillet passes without an edge into the flat face that it ends at.
+    """
+    radii = [support.curve.radius for support in concentric]
+    ends = [
+        any(abs(profile.radius(z) - radius) <= near for radius in radii)
+        for z in (profile.low, profile.high)
+    ]
+    return any(ends) if isinstance(profile, ArcProfile) else all(ends)
 
 
 def _centres(plane: PlaneSupports, near: float) -> list[tuple[float, float]]:
@@ -64,17 +110,20 @@ def _centres(plane: PlaneSupports, near: float) -> list[tuple[float, float]]:
     return centres
 
 
-def _sectors(
-    plane: PlaneSupports, centre: tuple[float, float], profile: Profile, near: float
-) -> list[tuple[float, float] | None]:
-    """Through which angles a profile turns: a whole turn, or those of the arcs at its ends."""
-    concentric = [
+def _concentric(plane: PlaneSupports, centre: tuple[float, float], near: float) -> list[Support]:
+    return [
         support
         for support in plane.supports
         if isinstance(support.curve, CircleCurve)
         and abs(support.curve.centre[0] - centre[0]) <= near
         and abs(support.curve.centre[1] - centre[1]) <= near
     ]
+
+
+def _sectors(
+    concentric: list[Support], profile: Profile, near: float
+) -> list[tuple[float, float] | None]:
+    """Through which angles a profile turns: a whole turn, or those of the arcs at its ends."""
     if any(sum(high - low for low, high in s.drawn()) > _WHOLE for s in concentric):
         return [None]
     ends = (profile.radius(profile.low), profile.radius(profile.high))
@@ -84,8 +133,13 @@ def _sectors(
             arcs = support.drawn()
             if len(arcs) > 1 and arcs[0][0] < _TINY and arcs[-1][1] > TURN - _TINY:
                 arcs = [*arcs[1:-1], (arcs[-1][0], TURN + arcs[0][1])]
-            found += [(low, high - low) for low, high in arcs if high - low <= pi + _TINY]
-    return found
+            found += [_sector(low, high) for low, high in arcs]
+    return [None] if None in found else found
+
+
+def _sector(low: float, high: float) -> tuple[float, float] | None:
+    """The angles of an arc; a whole turn where it is more than a half: that has no sides."""
+    return (low, high - low) if high - low <= pi + _TINY else None
 
 
 def _profiles(

@@ -33,7 +33,7 @@ class Span:
     Attributes:
         low, high: parameters of the support's curve; 0 to 2 pi on circles.
         linetype: how it is drawn.
-        confidence: 0 to 1.
+        confidence: 0 to 1; without any it may be drawn or not.
     """
 
     low: float
@@ -66,11 +66,19 @@ class Support:
         slack = reach / self.curve.speed
         found = None
         for span in self.spans.get(role, ()):
-            if span.low - slack <= parameter <= span.high + slack:
+            if span.confidence > 0.0 and span.low - slack <= parameter <= span.high + slack:
                 if span.linetype is Linetype.VISIBLE:
                     return Linetype.VISIBLE
                 found = Linetype.HIDDEN
         return found
+
+    def is_open_at(self, role: Role, parameter: float, reach: float = 1e-4) -> bool:
+        """Whether a view may draw the support at a parameter, or may not."""
+        slack = reach / self.curve.speed
+        return any(
+            span.confidence == 0.0 and span.low - slack <= parameter <= span.high + slack
+            for span in self.spans.get(role, ())
+        )
 
 
 def merged_stretches(

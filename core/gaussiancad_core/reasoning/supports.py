@@ -12,6 +12,7 @@ from math import hypot, pi
 import numpy as np
 
 from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.reasoning.along_circles import arc_along
 from gaussiancad_core.reasoning.chains import Chain, single_runs
 from gaussiancad_core.reasoning.corner_equations import Slant
 from gaussiancad_core.reasoning.curves import (
@@ -44,6 +45,9 @@ from gaussiancad_core.views import Arc, Linetype, Segment
 
 _FOLDED = 0.01
 """Units within which the way back of a curve runs along its way out."""
+
+_ALONG = 0.05
+"""Units within which points along a drawn circle lie, at least: files write such curves roughly."""
 
 _SHORT = 1.0
 """Tolerances that a stroke is long at least to be taken at all."""
@@ -183,7 +187,22 @@ def _sorted_strokes(views: DrawnViews, scale: float, tolerance: float) -> dict[A
                 points = plane_points(stroke.sample(stroke.length / _CHAIN_LINKS), role, scale)
                 for chain in single_runs(points, max(_FOLDED, tolerance)):
                     plane.chains.append((role, chain, stroke.linetype))
+    for plane in planes.values():
+        _take_arcs(plane, max(_ALONG, tolerance))
     return planes
+
+
+def _take_arcs(plane: _Plane, near: float) -> None:
+    """Make arcs of chains that run along a drawn circle."""
+    drawn, chains = [own.circle for own in plane.circles], plane.chains
+    plane.chains = []
+    for role, chain, linetype in chains:
+        found = ((circle, arc_along(chain, circle, near)) for circle in drawn)
+        circle, arc = next(((c, a) for c, a in found if a is not None), (None, None))
+        if arc is None:
+            plane.chains.append((role, chain, linetype))
+        else:
+            plane.circles.append(_Circle(role, circle, *arc, linetype, 1.0))
 
 
 def _line(stroke: Segment, role: Role, scale: float) -> _Line:

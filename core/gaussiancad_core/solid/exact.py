@@ -19,7 +19,7 @@ from gaussiancad_core.reasoning.labelling import (
     Labels,
     Search,
 )
-from gaussiancad_core.reasoning.part import PartModel, model_part
+from gaussiancad_core.reasoning.part import PartModel, model_part, with_lone_bodies
 from gaussiancad_core.solid.build import build_solid
 from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.solid.same import same_solid
@@ -31,6 +31,9 @@ _COUNTING = 0.15
 
 _PATIENT = 0.25
 """Share of the time after which it is not asked any more which lines contradict each other."""
+
+_MUCH = 8.0
+"""Units of line given up from which more surfaces are tried."""
 
 _UNLIKELY = 0.1
 """Share of the search for others that is left where neither lines nor labels agree: they may."""
@@ -119,24 +122,54 @@ def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
         reason = error.code, error.message
         return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
     clock.lap("model")
-    result = _searched(part, views, limits, clock)
+    work, labelling = _labelled(part, views, limits, clock)
+    clock.lap("label")
+    result = _searched(work, labelling, limits)
     explained = result.verification is not None and result.verification.explains
     if explained or not limits.relaxed or clock.total > _PATIENT * limits.seconds:
         return result
-    conflict = find_conflict(part, views, limits.conflict)
+    conflict = find_conflict(work.part, views, limits.conflict)
     clock.lap("conflict")
     return replace(result, conflict=conflict)
 
 
-def _searched(part: PartModel, views: DrawnViews, limits: Limits, clock: "_Clock") -> ExactResult:
-    """The solid of cells and rules."""
+def _labelled(
+    part: PartModel, views: DrawnViews, limits: Limits, clock: "_Clock"
+) -> tuple["_Work", Labelling]:
+    """Labels of the part, or of the part with more surfaces where those explain more."""
     search = Search(part.rules, limits.effort)
-    labelling = search.best(relaxed=limits.relaxed)
-    clock.lap("label")
+    found = search.fulfilled()
+    if found.labels is not None:
+        return _Work(part, views, search, clock), found
+    wider = _wider(part)
+    if wider is not None:
+        wider_search = Search(wider.rules, limits.effort)
+        more = wider_search.fulfilled()
+        if more.labels is not None:
+            return _Work(wider, views, wider_search, clock), more
+    if limits.relaxed:
+        found = search.least()
+        if wider is not None and found.weight > _MUCH:
+            more = wider_search.least()
+            if more.weight < found.weight:
+                return _Work(wider, views, wider_search, clock), more
+    return _Work(part, views, search, clock), found
+
+
+def _wider(part: PartModel) -> PartModel | None:
+    try:
+        return with_lone_bodies(part)
+    except LimitError:
+        return None
+
+
+def _searched(work: "_Work", labelling: Labelling, limits: Limits) -> ExactResult:
+    """The solid of labels, or of others that are as good."""
+    clock, views = work.clock, work.views
     if labelling.labels is None:
         reason = _NONE if labelling.complete else _UNFINISHED
         return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
-    candidates, complete = _candidates(_Work(part, views, search, clock), labelling, limits)
+    candidates, complete = _candidates(work, labelling, limits)
     if not candidates:
         reason = _NONE if complete else _UNBUILT
         return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)

@@ -70,7 +70,9 @@ def _holds(body: RevolvedBody, point: tuple[float, ...]) -> bool:
         return hypot(a, b) < body.profile.radius(z)
     start, sweep = body.sector
     turned = (np.arctan2(b, a) - start) % TURN
-    return bool(turned < sweep and hypot(a, b) > body.profile.radius(z))
+    towards_axis = isinstance(body.profile, ArcProfile) and body.profile.side < 0
+    below = hypot(a, b) < body.profile.radius(z)
+    return bool(turned < sweep and below == towards_axis)
 
 
 @pytest.mark.parametrize("normal", Axis)

@@ -88,3 +88,22 @@ def test_sample_parts_have_the_bodies_that_they_have(
     name: str, expected: tuple[int, int, int], sample_views: Callable[[str], DrawnViews]
 ) -> None:
     assert _count(sample_views(name)) == expected
+
+
+def test_one_view_is_enough_where_circles_are_drawn_at_both_ends_of_a_slant() -> None:
+    views = _frustum(20.0, 10.0, 30.0)
+    box = _chain((0, 0), (40, 0), (40, 30), (0, 30), (0, 0))
+    strokes = {**views.strokes, Role.RIGHT: tuple(box)}
+    supports = find_supports(exact_views(strokes, views.size))
+    (body,) = find_bodies(supports, lone=True)
+    assert (body.axis, body.sector) == (Axis.Z, None)
+    ends = (body.profile.at_low / supports.scale, body.profile.at_high / supports.scale)
+    assert ends == pytest.approx((20.0, 10.0), abs=1e-3)
+
+
+def test_a_slant_that_ends_at_one_circle_only_is_no_cone() -> None:
+    views = _frustum(20.0, 10.0, 30.0)
+    box = _chain((0, 0), (40, 0), (40, 30), (0, 30), (0, 0))
+    rounds = views.strokes[Role.TOP][:1]
+    strokes = {**views.strokes, Role.RIGHT: tuple(box), Role.TOP: rounds}
+    assert find_bodies(find_supports(exact_views(strokes, views.size)), lone=True) == ()

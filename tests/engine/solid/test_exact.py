@@ -6,13 +6,21 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
-from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
-from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
-from OCP.gp import gp_Pnt, gp_Trsf
+from OCP.BRepBuilderAPI import (
+    BRepBuilderAPI_MakeFace,
+    BRepBuilderAPI_MakePolygon,
+    BRepBuilderAPI_Transform,
+)
+from OCP.BRepPrimAPI import (
+    BRepPrimAPI_MakeBox,
+    BRepPrimAPI_MakeCylinder,
+    BRepPrimAPI_MakeRevol,
+)
+from OCP.gp import gp_Ax1, gp_Ax2, gp_Dir, gp_Pnt, gp_Trsf
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import bounding_box, soundness, volume
+from gaussiancad_core.drawing.brep import bounding_box, moved_to_origin, soundness, volume
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.reasoning.labelling import Effort
@@ -61,6 +69,34 @@ def test_a_sample_part_comes_back(name: str, sample_solid: Solid, solved: Solved
     assert bounding_box(result.shape) == pytest.approx(bounding_box(truth), abs=1e-4)
     assert iou(truth, result.shape) == pytest.approx(1.0, abs=1e-6)
     assert result.verification is not None and result.verification.holds
+
+
+def test_a_groove_that_a_bore_hides_in_one_view_is_found(
+    drawn: Callable[..., DrawnViews], iou: Iou
+) -> None:
+    low = [
+        (0.0, 0.0),
+        (20.0, 0.0),
+        (20.0, 4.0),
+        (16.0, 8.0),
+        (20.0, 12.0),
+        (20.0, 16.0),
+        (0.0, 16.0),
+    ]
+    outline = BRepBuilderAPI_MakePolygon()
+    for radius, along in low:
+        outline.Add(gp_Pnt(along, radius, 0.0))
+    outline.Close()
+    face = BRepBuilderAPI_MakeFace(outline.Wire()).Face()
+    axis = gp_Ax1(gp_Pnt(0.0, 0.0, 0.0), gp_Dir(1.0, 0.0, 0.0))
+    pulley = BRepPrimAPI_MakeRevol(face, axis).Shape()
+    across = gp_Ax2(gp_Pnt(8.0, -30.0, 0.0), gp_Dir(0.0, 1.0, 0.0))
+    bore = BRepPrimAPI_MakeCylinder(across, 5.0, 60.0).Shape()
+    part = moved_to_origin(BRepAlgoAPI_Cut(pulley, bore).Shape())
+    result = exact_solid(drawn(part))
+    assert result.status is Status.VERIFIED, result.reasons
+    assert iou(result.shape, part) == pytest.approx(1.0, abs=1e-6)
+    assert soundness(result.shape).faces == soundness(part).faces
 
 
 @pytest.mark.parametrize("extent", [3.0, 3000.0])
