@@ -50,6 +50,9 @@ _LEAST_OUT_PX = 8.0
 _AHEAD_PX, _AROUND_PX = 14.0, 4.0
 """px ahead of the end of a line, and beside it, where nothing is if it sticks out."""
 
+_BACK_PX = 5.0
+"""px back from the end of a line along which another that meets it there comes near."""
+
 _LETTERED = 0.12
 """Share of a box that letters fill at least, for it to be one around them."""
 
@@ -142,7 +145,7 @@ def split_loose(
             over_paper = any(
                 side is _Side.PAPER and part.length > _LEAST_OUT_PX for part, side in parts
             )
-            loose = rule.everywhere or (over_paper and _sticks_out(shape, run.run, ink))
+            loose = rule.everywhere or (over_paper and _sticks_out(shape, run, ink))
             for part, side in parts:
                 runs.append(InkedRun(part, run.width))
                 parting = side is _Side.PARTING or not loose
@@ -174,18 +177,29 @@ def _areas(ink: Mask, bridge: int) -> _Areas:
     return _Areas(labels, paper)
 
 
-def _sticks_out(shape: InkedShape, run: Run, ink: Mask) -> bool:
-    """Whether a straight run ends on blank paper: nothing goes on ahead or meets it there."""
+def _sticks_out(shape: InkedShape, run: InkedRun, ink: Mask) -> bool:
+    """Whether a straight run ends on blank paper: nothing goes on ahead or meets it there.
+
+    At a sharp corner nothing is ahead either, but the other edge is beside the end.
+    """
     if not isinstance(shape.geometry, Line):
         return False
     direction = np.array(shape.geometry.direction)
     normal = np.array([-direction[1], direction[0]])
-    for position, outward in ((run.start, -1.0), (run.end, 1.0)):
+    ahead, across = np.arange(3.0, _AHEAD_PX), np.arange(-_AROUND_PX, _AROUND_PX + 1.0)
+    here, beside = np.arange(-_BACK_PX, 1.0), (run.width or 2.0) / 2 + np.arange(2.0, _AROUND_PX)
+    for position, outward in ((run.run.start, -1.0), (run.run.end, 1.0)):
         end = np.array(shape.geometry.at(position))
-        ahead = np.arange(3.0, _AHEAD_PX)
-        beside = np.arange(-_AROUND_PX, _AROUND_PX + 1.0)
-        places = end + outward * ahead[:, None, None] * direction + beside[:, None] * normal
-        if not _at(ink, places.reshape(-1, 2)).any():
+        around = ((ahead, across), (here, beside), (here, -beside))
+        if not any(
+            _at(
+                ink,
+                (
+                    end + outward * along[:, None, None] * direction + aside[:, None] * normal
+                ).reshape(-1, 2),
+            ).any()
+            for along, aside in around
+        ):
             return True
     return False
 

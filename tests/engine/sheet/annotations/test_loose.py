@@ -8,6 +8,7 @@ import pytest
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
 from gaussiancad_core.sheet.annotations.loose import LooseRule, mark_arrows, split_loose
+from gaussiancad_core.sheet.annotations.separate import separate_annotations
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.runs import Run
@@ -55,3 +56,15 @@ def test_a_line_within_one_area_bounds_nothing(sketch: Sketch) -> None:
     rule = LooseRule(16.0, everywhere=True, faded=5)
     _, kinds = split_loose([LONG], [[None]], ink, rule)
     assert set(kinds[0]) == {AnnotationKind.EXTENSION}
+
+
+@pytest.mark.parametrize("degrees", [27, 35, 45, 60, 65])
+def test_sharp_corners_do_not_stick_out(sketch: Sketch, degrees: int) -> None:
+    """At its tip either edge of a wedge has the same paper on both of its sides."""
+    height = 120.0
+    width = height * float(np.tan(np.radians(degrees)))
+    corners = [(120.0, 90.0), (120.0, 210.0), (120.0 + width, 210.0), (120.0, 90.0)]
+    sheet = clean_sheet(sketch(500, 480).lines(*corners).grey)
+    separated = separate_annotations(sheet)
+    assert separated.marks == ()
+    assert np.array_equal(separated.part.weight, sheet.weight)
