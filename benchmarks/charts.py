@@ -52,9 +52,9 @@ def write_chart(chart: Chart, path: Path) -> None:
     left, top, right, bottom = _FRAME
     cv2.rectangle(image, (left, top), (right, bottom), _GREY)
     _write(image, chart.title, (left, top - 24), 0.55)
-    for k in range(_TICKS):
-        level = low + (high - low) * k / (_TICKS - 1)
-        y = round(bottom - (bottom - top) * k / (_TICKS - 1))
+    ticks = round(high - low) + 1 if chart.logarithmic else _TICKS
+    for level in np.linspace(low, high, ticks).tolist():
+        y = round(bottom - (bottom - top) * (level - low) / (high - low))
         cv2.line(image, (left, y), (right, y), (225, 225, 225))
         shown = 10.0**level if chart.logarithmic else level
         _write(image, f"{shown:.3g}", (8, y + 4))

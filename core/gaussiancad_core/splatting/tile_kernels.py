@@ -13,7 +13,7 @@ the image itself, less what was met so far.
 
 All that a tile needs lies in one flat array, one field of ``TILE_PIXELS`` values after the other,
 and is indexed with unsigned integers: only so does the compiler see that the fields do not overlap
-and turn the loops over pixels into SIMD code (four times as fast).
+and turn the loops over pixels into SIMD code (four times as fast).  A tile is eight pixels wide.
 """
 
 import math

@@ -10,8 +10,10 @@ import math
 
 from numba import njit, prange
 
-TILE_WIDTH = 16
+TILE_WIDTH = 8
 TILE_HEIGHT = 16
+"""Narrow, so that small Gaussians touch few pixels in vain: one line fills a vector register.  Other
+modules compile these numbers in: change them, too, or their cached code keeps the old ones."""
 
 _COMPILE = {"fastmath": True, "error_model": "numpy", "cache": True}
 
