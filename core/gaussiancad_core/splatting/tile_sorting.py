@@ -12,8 +12,11 @@ from numba import njit, prange
 
 TILE_WIDTH = 8
 TILE_HEIGHT = 16
-"""Narrow, so that small Gaussians touch few pixels in vain: one line fills a vector register.  Other
-modules compile these numbers in: change them, too, or their cached code keeps the old ones."""
+"""Narrow, so that small Gaussians touch few pixels in vain; a line fills a vector register.
+
+Other modules compile these numbers in: where they are not changed, too, their cached code has the
+old ones.
+"""
 
 _COMPILE = {"fastmath": True, "error_model": "numpy", "cache": True}
 
