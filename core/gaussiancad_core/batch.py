@@ -114,7 +114,9 @@ def job_arguments(job: Job) -> list[str]:
         arguments += ["--length", f"{settings['length']['axis']}={settings['length']['mm']}"]
     if settings["mm_per_pixel"]:
         arguments += ["--mm-per-pixel", str(settings["mm_per_pixel"])]
-    return [*arguments, "--device", job.device.value, *(["--resume"] if job.resume else [])]
+    arguments += ["--device", job.device.value, "--scale-down", str(job.scale_down)]
+    switches = {"--resume": job.resume, "--transforms": job.transforms}
+    return [*arguments, *(name for name, wanted in switches.items() if wanted)]
 
 
 def _csv(rows: list[BatchRow]) -> bytes:

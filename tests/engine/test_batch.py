@@ -36,6 +36,8 @@ def test_options_give_the_same_job_again() -> None:
         preset=Preset.DRAFT,
         seed=7,
         resume=True,
+        scale_down=3,
+        transforms=True,
     )
     command = ["reconstruct", "sheet.png", "--output", "out", *job_arguments(job)]
     options = build_parser().parse_args(command)
