@@ -9,7 +9,7 @@ from gaussiancad_core.cli.parser import build_parser
 from gaussiancad_core.cli.reconstruct import job_of
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import Preset, Recipe, ResultKind
-from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.sheet.options import Finder, ReadingOptions
 
 
 @given(st.lists(st.text("abAB", min_size=1, max_size=2), max_size=12))
@@ -25,6 +25,8 @@ def test_options_give_the_same_job_again() -> None:
         views=((Role.FRONT, (1.5, 2.0, 30.0, 40.0)), (Role.LEFT, (50.0, 2.0, 80.0, 40.0))),
         length=(Axis.Y, 42.5),
         colour=(1, 200, 30),
+        median_kernel=5,
+        finder=Finder.HOUGH,
     )
     job = Job(
         Path("sheet.png"),
