@@ -148,14 +148,13 @@ def _boolean_iou(first: TriangleMesh, second: TriangleMesh) -> float | None:
     solids = [_manifold(mesh) for mesh in (first, second)]
     if any(solid is None for solid in solids):
         return None
-    common = solids[0] ^ solids[1]
-    union = solids[0] + solids[1]
-    if any(solid.status() != manifold3d.Error.NoError for solid in (common, union)):
+    both = solids[0] ^ solids[1]
+    if both.status() != manifold3d.Error.NoError:
         return None
-    volume = union.volume()
-    if volume <= 0.0:
-        return None
-    return float(np.clip(common.volume() / volume, 0.0, 1.0))
+    common = both.volume()
+    # What is united follows, and a second Boolean of large meshes takes long.
+    united = solids[0].volume() + solids[1].volume() - common
+    return float(np.clip(common / united, 0.0, 1.0))
 
 
 def _manifold(mesh: TriangleMesh) -> "manifold3d.Manifold | None":

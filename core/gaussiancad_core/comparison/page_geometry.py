@@ -21,6 +21,9 @@ _REFERENCE_TRIANGLES = 30_000
 
 _EDGE_SHARE = 1.0 / 60.0
 
+_CLUSTERED = 8
+_CELL_SHARE = 1.0 / 150.0
+
 
 @dataclass(frozen=True, eq=False)
 class PageGeometry:
@@ -79,6 +82,11 @@ def _thinned(mesh: TriangleMesh, most: int) -> TriangleMesh:
         open3d.utility.Vector3dVector(mesh.vertices),
         open3d.utility.Vector3iVector(mesh.triangles.astype(np.int32)),
     )
+    if len(mesh.triangles) > _CLUSTERED * most:
+        # Collapsing edges one by one takes long; cells first, which are a pixel or two.
+        cell = float(np.ptp(mesh.bounds, axis=0).max()) * _CELL_SHARE
+        contraction = open3d.geometry.SimplificationContraction.Quadric
+        source = source.simplify_vertex_clustering(cell, contraction)
     fewer = source.simplify_quadric_decimation(most)
     return make_mesh(np.asarray(fewer.vertices), np.asarray(fewer.triangles))
 

@@ -1,0 +1,98 @@
+"""Our solids under the protocols in which others publish: clean sheet -> solid -> compare.
+
+Each sample is drawn on a clean sheet of 1920 x 1080 px, reconstructed with ``--result solid`` and
+nothing told but its longest extent, and compared with its own solid.  Medians and means are over
+the parts that came out as a solid; the others are counted as invalid.  ``truth`` compares every
+part with itself: the floors.
+
+    .venv/bin/python benchmarks/comparison_published.py [--samples NAME ...] [--truth]
+"""
+
+import argparse
+import subprocess
+import sys
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from gaussiancad_core.comparison.command import compare_files
+from gaussiancad_core.comparison.deepcad import summarise_deepcad
+from gaussiancad_core.comparison.options import CompareOptions, Protocol
+from gaussiancad_core.comparison.report import Comparison
+from gaussiancad_core.drawing.brep import bounding_box, write_step
+from gaussiancad_core.samples import SAMPLES
+
+
+def main() -> None:
+    """Print a line a part, then means and medians."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--samples", nargs="+", metavar="NAME")
+    parser.add_argument("--truth", action="store_true", help="every part against itself")
+    options = parser.parse_args()
+    parts = [part for part in SAMPLES if not options.samples or part.name in options.samples]
+    found: list[Comparison | None] = []
+    print(f"{'':<20}{'CD':>8}{'HD':>8}{'EMD':>8}{'p2s':>9}{'CDx1000':>9}{'IoU':>9}{'agree':>8}")
+    with tempfile.TemporaryDirectory() as name:
+        for part in parts:
+            truth = Path(name) / f"{part.name}.step"
+            write_step(part.build(), truth)
+            result = truth if options.truth else reconstructed(truth, Path(name) / part.name)
+            asked = CompareOptions(protocols=tuple(Protocol))
+            found.append(compare_files(result, truth, options=asked) if result else None)
+            print(f"{part.name:<20}{_line(found[-1])}", flush=True)
+    _sum_up(found)
+
+
+def reconstructed(truth: Path, folder: Path) -> Path | None:
+    """The solid that the engine makes from a sheet of the truth, or None."""
+    from gaussiancad_core.drawing.brep import read_solid
+
+    low, high = bounding_box(read_solid(truth))
+    axis = int(np.argmax(high - low))
+    sheet = truth.with_suffix(".png")
+    length = f"{'xyz'[axis]}={(high - low)[axis]:.9g}"
+    _run("draw", truth, sheet)
+    _run("reconstruct", sheet, "--output", folder, "--result", "solid", "--length", length)
+    solid = folder / "solid.step"
+    return solid if solid.is_file() else None
+
+
+def _run(*arguments: object) -> None:
+    command = [sys.executable, "-m", "gaussiancad_core", *map(str, arguments)]
+    subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+
+
+def _values(each: Comparison) -> tuple[float, ...]:
+    return (
+        each.distances.chamfer,
+        each.distances.hausdorff,
+        each.distances.emd,
+        each.point_to_surface,
+        each.deepcad.chamfer_x1000,
+        each.deepcad.volume_iou.value or 0.0,
+        each.engineering.agreement,
+    )
+
+
+def _line(each: Comparison | None) -> str:
+    return "  no solid" if each is None else _cells(_values(each))
+
+
+def _cells(values: Sequence[float]) -> str:
+    cd, hd, emd, p2s, squared, iou, agreement = values
+    return f"{cd:8.4f}{hd:8.4f}{emd:8.4f}{p2s:9.5f}{squared:9.4f}{iou:9.5f}{agreement:8.4f}"
+
+
+def _sum_up(found: Sequence[Comparison | None]) -> None:
+    table = np.array([_values(each) for each in found if each is not None])
+    if len(table):
+        print(f"{'mean':<20}{_cells(table.mean(axis=0))}")
+        print(f"{'median':<20}{_cells(np.median(table, axis=0))}")
+    summary = summarise_deepcad([None if each is None else each.deepcad for each in found])
+    print(f"deepcad: {summary}")
+
+
+if __name__ == "__main__":
+    main()
