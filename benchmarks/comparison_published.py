@@ -17,6 +17,7 @@ from pathlib import Path
 
 import numpy as np
 
+from gaussiancad_core.cli.libraries import silence_opencascade
 from gaussiancad_core.comparison.command import compare_files
 from gaussiancad_core.comparison.deepcad import summarise_deepcad
 from gaussiancad_core.comparison.options import CompareOptions, Protocol
@@ -31,6 +32,7 @@ def main() -> None:
     parser.add_argument("--samples", nargs="+", metavar="NAME")
     parser.add_argument("--truth", action="store_true", help="every part against itself")
     options = parser.parse_args()
+    silence_opencascade()
     parts = [part for part in SAMPLES if not options.samples or part.name in options.samples]
     found: list[Comparison | None] = []
     print(f"{'':<20}{'CD':>8}{'HD':>8}{'EMD':>8}{'p2s':>9}{'CDx1000':>9}{'IoU':>9}{'agree':>8}")
