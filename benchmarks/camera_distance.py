@@ -68,7 +68,7 @@ def main() -> None:
         rows.append((size / unit, shape, error, straight))
         print(f"{distance:9.1f}" + "".join(f"{value:9.4f}" for value in rows[-1]), flush=True)
     if options.chart:
-        names = ("size / 100", "shape", "lens", "parallel")
+        names = ("size in units / 100", "shape", "lens", "parallel")
         columns = np.array(rows).T
         columns[0] /= 100.0
         lines = [Series(name, list(own)) for name, own in zip(names, columns, strict=True)]
