@@ -398,7 +398,7 @@ class _Run:
                 device=surface_stage.training_device(self.job),
             )
         with self._stage("surface"):
-            surface = surface_stage.make_surface(training, hull.mesh, self.job.recipe, views)
+            surface = surface_stage.make_surface(training, hull.mesh, self.job, views)
             self.report = replace(self.report, surface=surface_stage.surface_report(surface))
         return Models(registered, training, surface.mesh)
 

@@ -9,7 +9,7 @@ from gaussiancad_core.carving import CarvedHull, carved_hull
 from gaussiancad_core.exact_stage import ExactModel
 from gaussiancad_core.job import Job
 from gaussiancad_core.meshes import TriangleMesh
-from gaussiancad_core.modes import Recipe
+from gaussiancad_core.modes import Preset, Recipe
 from gaussiancad_core.report import GaussiansReport, HullReport, SurfaceReport
 from gaussiancad_core.residual_reports import residual_entries
 from gaussiancad_core.sheet.deskew import Turn
@@ -26,7 +26,7 @@ from gaussiancad_core.splatting.settings import (
 from gaussiancad_core.splatting.targets import mean_colour, targets_of
 from gaussiancad_core.splatting.training import TrainingResult, train
 from gaussiancad_core.surface.choice import ChosenSurface, better_surface
-from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
+from gaussiancad_core.surface.poisson import DENSE, PoissonSettings, gaussian_surface
 from gaussiancad_core.views import ViewSet
 
 _MUCH_WORK = 1e9
@@ -85,7 +85,7 @@ def takes_long(job: Job) -> bool:
 
 
 def make_surface(
-    training: TrainingResult, hull: TriangleMesh, recipe: Recipe, views: ViewSet
+    training: TrainingResult, hull: TriangleMesh, job: Job, views: ViewSet
 ) -> ChosenSurface:
     """The Poisson mesh of trained Gaussians, or the hull where that has the masks' outlines better.
 
@@ -94,9 +94,10 @@ def make_surface(
     Raises:
         NoModelError: ``no-surface``.
     """
-    if recipe is Recipe.PAPER:
-        return ChosenSurface(gaussian_surface(training.gaussians, PoissonSettings()))
-    return better_surface(hull, training.gaussians, views)
+    settings = DENSE if job.preset is Preset.FINE else PoissonSettings()
+    if job.recipe is Recipe.PAPER:
+        return ChosenSurface(gaussian_surface(training.gaussians, settings))
+    return better_surface(hull, training.gaussians, views, settings)
 
 
 def training_device(job: Job) -> str:

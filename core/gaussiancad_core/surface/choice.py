@@ -47,24 +47,31 @@ class ChosenSurface:
     differences: Mapping[SurfaceSource, float] = field(default_factory=dict)
 
 
-def better_surface(hull: TriangleMesh, gaussians: Gaussians, views: ViewSet) -> ChosenSurface:
+def better_surface(
+    hull: TriangleMesh,
+    gaussians: Gaussians,
+    views: ViewSet,
+    settings: PoissonSettings | None = None,
+) -> ChosenSurface:
     """The Poisson surface of trained Gaussians or the hull.
 
     Args:
         hull: on which they started; watertight, mm.
         gaussians: mm.
         views: in parallel projection.
+        settings: of the Poisson surface.
 
     Raises:
         NoModelError: ``no-surface``, the Gaussians bound no body and the hull is not closed.
     """
+    settings = settings or PoissonSettings()
     longest = float(np.ptp(hull.bounds, axis=0).max())
     start = simplified(hull, _HULL_TOLERANCE * longest)
     if start is None:
-        return ChosenSurface(gaussian_surface(gaussians, PoissonSettings(), hull))
+        return ChosenSurface(gaussian_surface(gaussians, settings, hull))
     differences = {SurfaceSource.HULL: silhouette_difference(start, views)}
     try:
-        trained = gaussian_surface(gaussians, PoissonSettings())
+        trained = gaussian_surface(gaussians, settings)
     except NoModelError:
         return ChosenSurface(start, SurfaceSource.HULL, differences)
     differences[SurfaceSource.GAUSSIANS] = silhouette_difference(trained, views)

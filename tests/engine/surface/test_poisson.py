@@ -8,7 +8,12 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.meshes import TriangleMesh, connected_pieces, make_mesh
 from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on
 from gaussiancad_core.surface.points import OrientedPoints
-from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface, poisson_surface
+from gaussiancad_core.surface.poisson import (
+    DENSE,
+    PoissonSettings,
+    gaussian_surface,
+    poisson_surface,
+)
 
 SETTINGS = PoissonSettings(depth=7)
 
@@ -35,6 +40,17 @@ def test_surface_lies_close_to_the_solid_both_ways(
     back = _mean_distance(bracket, surface)
     # In a box whose longest edge is 5 units, as the drawn 20 mm are here.
     assert (there + back) * 5.0 / 20.0 < 0.01
+
+
+def test_more_points_bring_the_surface_nearer_and_leave_one_piece(
+    bracket: TriangleMesh, bracket_gaussians: Gaussians
+) -> None:
+    few, many = (
+        gaussian_surface(bracket_gaussians, settings) for settings in (PoissonSettings(), DENSE)
+    )
+    assert len(connected_pieces(few)) == len(connected_pieces(many)) == 1
+    assert many.watertight
+    assert _mean_distance(many, bracket) < _mean_distance(few, bracket)
 
 
 def test_what_lies_outside_the_hull_is_cut_off(
