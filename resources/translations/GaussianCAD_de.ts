@@ -1042,6 +1042,10 @@
             <source>the result has too much</source>
             <translation>das Ergebnis hat zu viel</translation>
         </message>
+        <message>
+            <source>Sheet</source>
+            <translation>Blatt</translation>
+        </message>
     </context>
     <context>
         <name>GaussianCADPreferences</name>

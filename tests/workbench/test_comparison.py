@@ -17,6 +17,7 @@ from freecad.gaussiancad.objects.comparison import (
     comparison_report,
     is_comparison,
     load_comparison,
+    prepare_comparison,
     request_of,
     update_comparison,
 )
@@ -190,6 +191,20 @@ class Groups(DocumentCase):
         with self.assertRaises(WorkbenchError) as caught:
             request.reference.file(self.folder, "x")
         self.assertIs(caught.exception.code, ErrorCode.NOTHING_TO_COMPARE)
+
+    def test_the_sheet_goes_along_for_the_page(self) -> None:
+        group = self.document.addObject("App::DocumentObjectGroup", "Reconstruction")
+        group.addProperty("App::PropertyFileIncluded", "Overlay")
+        picture = self.folder / "lines.png"
+        picture.write_bytes(b"a picture")
+        group.Overlay = str(picture)
+        self.assertIsNone(self.request().result.sheet())
+        group.addObject(self.scan)
+        scratch = self.folder / "scratch"
+        scratch.mkdir()
+        job = prepare_comparison(self.request(), scratch)
+        self.assertEqual((scratch / "overlay.png").read_bytes(), b"a picture")
+        self.assertEqual(Path(job.result).parent, scratch)
 
     def test_it_is_all_there_after_saving(self) -> None:
         loaded = load_comparison(self.compare(), self.folder)

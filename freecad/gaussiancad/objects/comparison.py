@@ -1,12 +1,14 @@
 """A comparison in a document: a group with the distances, the coloured mesh and its legend."""
 
 import json
+import shutil
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import FreeCAD
 import Mesh
 
+from freecad.gaussiancad.engine.job import CompareJob
 from freecad.gaussiancad.engine.report import Comparison, parse_comparison, read_comparison
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
@@ -143,6 +145,20 @@ def load_comparison(output: Path, scratch: Path) -> LoadedComparison:
     page = output / "comparison.html"
     found = page if page.is_file() else None
     return LoadedComparison(report, mesh, colours, scale, legend, deviations, found)
+
+
+def prepare_comparison(request: CompareRequest, scratch: Path) -> CompareJob:
+    """Write what is compared to files, with the sheet beside the result for the engine's page.
+
+    Raises:
+        WorkbenchError: there is no geometry.
+    """
+    result = request.result.file(scratch, "result")
+    sheet = request.result.sheet()
+    if sheet is not None and result.parent == scratch:
+        shutil.copyfile(sheet, scratch / "overlay.png")
+    reference = request.reference.file(scratch, "reference")
+    return CompareJob(str(result), str(reference), str(scratch / "comparison"))
 
 
 def add_comparison(

@@ -6,7 +6,6 @@ from pathlib import Path
 
 import FreeCAD
 
-from freecad.gaussiancad.engine.job import CompareJob
 from freecad.gaussiancad.engine.locate import SearchPlaces, find_engine
 from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
 from freecad.gaussiancad.engine.verdict import RunState
@@ -15,6 +14,7 @@ from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.comparison import (
     CompareRequest,
     load_comparison,
+    prepare_comparison,
     request_of,
     update_comparison,
 )
@@ -72,9 +72,7 @@ class Refresh:
     def _engine_run(self, scratch: Path) -> EngineRun:
         preference = read_preferences().engine_python
         engine = find_engine(SearchPlaces.of_this_machine(preference, os.environ))
-        result = self._request.result.file(scratch, "result")
-        reference = self._request.reference.file(scratch, "reference")
-        job = CompareJob(str(result), str(reference), str(scratch / "comparison"))
+        job = prepare_comparison(self._request, scratch)
         return EngineRun(engine, job.arguments(), Watcher(on_finished=self._finish))
 
     def _finish(self, result: RunResult) -> None:

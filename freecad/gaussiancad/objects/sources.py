@@ -30,6 +30,14 @@ class Source:
         """What people call it."""
         return Path(self.path).name if self.feature is None else self.feature.Label
 
+    def sheet(self) -> Path | None:
+        """The drawing that it was made from, with its lines over it, or None."""
+        if self.feature is None:
+            path = Path(self.path).parent / "overlay.png"
+            return path if path.is_file() else None
+        overlays = [getattr(each, "Overlay", "") for each in self.feature.InList]
+        return next((Path(each) for each in overlays if each and Path(each).is_file()), None)
+
     def state(self) -> str:
         """A text that changes when the geometry does; empty where there is none any more."""
         if self.feature is None:

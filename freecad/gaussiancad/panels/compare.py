@@ -5,7 +5,6 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui
 
-from freecad.gaussiancad.engine.job import CompareJob
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.comparable import comparable_objects
@@ -14,6 +13,7 @@ from freecad.gaussiancad.objects.comparison import (
     add_comparison,
     is_comparison,
     load_comparison,
+    prepare_comparison,
     request_of,
     update_comparison,
 )
@@ -66,11 +66,7 @@ class ComparePanel(EnginePanel):
             raise WorkbenchError(ErrorCode.NOTHING_TO_COMPARE, text)
         self._request = CompareRequest(result, reference)
         self.view.clear()
-        return CompareJob(
-            str(result.file(scratch, "result")),
-            str(reference.file(scratch, "reference")),
-            str(scratch / "comparison"),
-        ).arguments()
+        return prepare_comparison(self._request, scratch).arguments()
 
     def absorb(self, scratch: Path) -> Success:
         """Show the distances; add the coloured mesh to the document in one step."""

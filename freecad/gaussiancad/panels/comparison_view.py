@@ -17,10 +17,14 @@ from freecad.gaussiancad.panels.histogram import HistogramView
 from freecad.gaussiancad.panels.messages import show_error
 from freecad.gaussiancad.panels.point_view import PointMark
 from freecad.gaussiancad.panels.section_view import SectionMark, mesh_of
+from freecad.gaussiancad.panels.sheet_picture import SheetPicture
 from freecad.gaussiancad.qt import QtCore, QtWidgets
 
 _FINENESS = 2e-3
 _SLIDER = 1000
+
+_TABS = 2
+"""Those that are always there; the sheet comes after them."""
 
 
 class ComparisonView(QtWidgets.QWidget):
@@ -33,6 +37,7 @@ class ComparisonView(QtWidgets.QWidget):
         self._mark: PointMark | None = None
         self._section: SectionMark | None = None
         self._models: tuple[object, object] | None = None
+        self.tabs = QtWidgets.QTabWidget()
         self.distances = DistanceTable()
         self.histogram = HistogramView()
         self.range = QtWidgets.QDoubleSpinBox()
@@ -73,6 +78,10 @@ class ComparisonView(QtWidgets.QWidget):
         self._set_range(group.RangeMillimetres)
         self.histogram.show_histogram(report.histogram, group.RangeMillimetres)
         self._list_worst(report)
+        request = request_of(group)
+        sheet = None if request is None else request.result.sheet()
+        if sheet is not None:
+            self.tabs.addTab(SheetPicture(sheet), translate("GaussianCAD", "Sheet"))
 
     def clear(self) -> None:
         """Show nothing, and take everything off the 3D view."""
@@ -81,6 +90,9 @@ class ComparisonView(QtWidgets.QWidget):
         self.distances.clear()
         self.histogram.show_histogram(None, 1.0)
         self.worst.setRowCount(0)
+        while self.tabs.count() > _TABS:
+            self.tabs.widget(_TABS).deleteLater()
+            self.tabs.removeTab(_TABS)
         self.axis.blockSignals(True)
         self.axis.setCurrentIndex(0)
         self.axis.blockSignals(False)
@@ -195,10 +207,9 @@ class ComparisonView(QtWidgets.QWidget):
             show_error(translate("GaussianCAD", "Save Comparison"), str(error))
 
     def _lay_out(self) -> None:
-        tabs = QtWidgets.QTabWidget()
-        tabs.setObjectName("comparisonTabs")
-        tabs.addTab(self.distances, translate("GaussianCAD", "Measures"))
-        tabs.addTab(self.worst, translate("GaussianCAD", "Worst points"))
+        self.tabs.setObjectName("comparisonTabs")
+        self.tabs.addTab(self.distances, translate("GaussianCAD", "Measures"))
+        self.tabs.addTab(self.worst, translate("GaussianCAD", "Worst points"))
         form = QtWidgets.QFormLayout()
         form.addRow(translate("GaussianCAD", "Colours to ±"), self.range)
         section = QtWidgets.QHBoxLayout()
@@ -208,7 +219,7 @@ class ComparisonView(QtWidgets.QWidget):
         layout = QtWidgets.QVBoxLayout(self)
         layout.addWidget(self.histogram)
         layout.addLayout(form)
-        layout.addWidget(tabs)
+        layout.addWidget(self.tabs)
         layout.addWidget(self.save)
 
 
