@@ -25,9 +25,17 @@ _LEAST = 1e-3
 _FLAW = 2.5
 """Matching tolerances of line in one place from which a disagreement counts."""
 
+_UNREAD = 8.0
+"""Tolerances of a hidden line, less what lies at its ends near others, up to which a picture may
+not tell it: it is one dash at most."""
+
 _CLOSE = 0.14
 """Share of the matching tolerance within which every line runs if the measures are right: a third
 of a pixel."""
+
+_STEADY = 24.0
+"""Matching tolerances of length from which a stroke is read that well; a shorter one may be off by
+as much more as it is shorter, and moves a face as little."""
 
 _TELLING = 4.0
 """Matching tolerances of length from which a stroke tells where its line runs."""
@@ -62,7 +70,7 @@ class Verification:
         matched: of each view.
         flaws: all places of disagreement, worst first.
         spread: mm that the line of a view runs beside the solid's which does so most, of those that
-            are found at all.
+            are found at all; short lines count less.
         close: whether that is close enough to rely on the measures.
     """
 
@@ -104,14 +112,15 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
         lines = lines_of_strokes(drawing.view(role), tolerance / 8.0)
         found = matched[role] = match_lines(views.strokes[role], lines, tolerance)
         spread = max(spread, _spread(views.strokes[role], lines, tolerance, _TELLING * tolerance))
-        for points, agree, missing in (
-            (found.sheet.visible, found.visible_found, True),
-            (found.sheet.hidden, found.hidden_found, True),
-            (found.result.visible, found.visible_explained, False),
-            (found.result.hidden, found.hidden_explained, False),
+        unread = max(least, _UNREAD * views.tolerance)
+        for points, agree, missing, shortest in (
+            (found.sheet.visible, found.visible_found, True, least),
+            (found.sheet.hidden, found.hidden_found, True, least),
+            (found.result.visible, found.visible_explained, False, least),
+            (found.result.hidden, found.hidden_explained, False, unread),
         ):
             for place, length in _places(points, ~agree, tolerance):
-                if length >= least:
+                if length >= shortest:
                     flaws.append(Flaw(role, place, length, missing))
     flaws.sort(key=lambda flaw: -flaw.length)
     sound = facts.valid and facts.closed and facts.solids == 1
@@ -131,7 +140,7 @@ def _spread(strokes: Iterable[Curve], result: Lines, tolerance: float, least: fl
             points = stroke.sample(tolerance / 4.0)
             beside = float(np.median(_beside(points, trees[stroke.linetype])))
             if beside <= tolerance:
-                worst = max(worst, beside)
+                worst = max(worst, beside * min(1.0, stroke.length / (_STEADY * tolerance)))
     return worst
 
 

@@ -13,6 +13,7 @@ from OCP.TopoDS import TopoDS_Compound, TopoDS_Shape
 from gaussiancad_core.axes import Role
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.solid.verify import matching_tolerance, verify
+from gaussiancad_core.views import Linetype
 
 Draw = Callable[..., DrawnViews]
 
@@ -80,3 +81,42 @@ def test_two_solids_are_not_one_sound_body(drawn: Draw) -> None:
     found = verify(solids, drawn(solids))
     assert not found.sound and not found.holds
     assert found.flaws == ()
+
+
+def _pocketed(depth: float) -> TopoDS_Shape:
+    pocket = _box(15, 10, 20 - depth, 10, 10, depth)
+    return BRepAlgoAPI_Cut(_box(0, 0, 0, 40, 30, 20), pocket).Shape()
+
+
+@pytest.mark.parametrize(("depth", "told"), [(6.0, False), (7.5, True)])
+def test_a_hidden_line_of_a_dash_may_be_missing_in_a_picture(
+    depth: float, told: bool, drawn: Draw
+) -> None:
+    solid = _pocketed(depth)
+    exact = drawn(solid)
+    strokes = {
+        role: tuple(
+            s for s in own if s.linetype is Linetype.VISIBLE or abs(s.length - depth) > 1e-6
+        )
+        for role, own in exact.strokes.items()
+    }
+    found = verify(solid, replace(exact, strokes=strokes, tolerance=0.5))
+    assert bool(found.flaws) == told
+    assert not any(flaw.missing for flaw in found.flaws)
+
+
+@pytest.mark.parametrize(("length", "close"), [(6.0, True), (38.0, False)])
+def test_a_short_line_may_be_read_less_exactly(length: float, close: bool, drawn: Draw) -> None:
+    solid = BRepAlgoAPI_Cut(_box(0, 0, 0, 40, 30, 20), _box(0, 0, 10, length, 30, 10)).Shape()
+    exact = drawn(solid)
+    off = 0.1
+    front = tuple(
+        replace(s, start=(s.start[0], 10.0 + off), end=(s.end[0], 10.0 + off))
+        if s.start[1] == s.end[1] == pytest.approx(10.0)
+        else s
+        for s in exact.strokes[Role.FRONT]
+    )
+    views = replace(exact, strokes={**exact.strokes, Role.FRONT: front}, tolerance=0.2)
+    found = verify(solid, views)
+    assert found.explains
+    assert found.close == close
