@@ -409,8 +409,9 @@ class _Run:
         if surface_stage.takes_long(self.job):
             self._warn(
                 "training-takes-long",
-                "so many iterations on images of this size take hours on a processor: use "
-                "--preset draft, --scale-down N, or a GPU; with --resume a run can be broken off",
+                "so many iterations on images of this size take an hour or more on a processor: "
+                "use --preset draft, --scale-down N, or a GPU; with --resume a run that is broken "
+                "off goes on",
             )
         place = CheckpointPlace(self.folder.checkpoint, self.folder.staging, resume=self.job.resume)
         training = surface_stage.train_on(hull, self.job, views, self.progress, place)
