@@ -13,10 +13,20 @@ import subprocess
 import sys
 import tempfile
 import time
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import trimesh
+
+
+@dataclass(frozen=True)
+class Cost:
+    """What a run took: seconds, those of all processors together, and most MB."""
+
+    seconds: float
+    cpu_seconds: float
+    megabytes: float
 
 
 def main() -> None:
@@ -25,18 +35,16 @@ def main() -> None:
     parser.add_argument("--triangles", type=int, nargs="+", default=[20_480, 1_310_720])
     parser.add_argument("--points", type=int, nargs="+", default=[10_000, 100_000])
     options = parser.parse_args()
-    print(f"{'triangles':>10}{'points':>10}{'s':>8}{'MB':>8}{'page, MB':>10}")
+    print(f"{'triangles':>10}{'points':>10}{'s':>8}{'CPU s':>8}{'MB':>8}{'page, MB':>10}")
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for triangles in options.triangles:
             files = write_pair(folder, triangles)
             for points in options.points:
-                seconds, megabytes = run(files, folder / "out", points)
+                cost = run(files, folder / "out", points)
                 page = (folder / "out" / "comparison.html").stat().st_size / 1e6
-                print(
-                    f"{triangles:>10}{points:>10}{seconds:>8.1f}{megabytes:>8.0f}{page:>10.1f}",
-                    flush=True,
-                )
+                row = f"{cost.seconds:>8.1f}{cost.cpu_seconds:>8.1f}{cost.megabytes:>8.0f}"
+                print(f"{triangles:>10}{points:>10}{row}{page:>10.1f}", flush=True)
 
 
 def write_pair(folder: Path, triangles: int) -> tuple[Path, Path]:
@@ -51,8 +59,8 @@ def write_pair(folder: Path, triangles: int) -> tuple[Path, Path]:
     return bumped, plain
 
 
-def run(files: tuple[Path, Path], output: Path, points: int) -> tuple[float, float]:
-    """Seconds and MB of one comparison."""
+def run(files: tuple[Path, Path], output: Path, points: int) -> Cost:
+    """What one comparison costs."""
     command = [sys.executable, "-m", "gaussiancad_core", "compare", *map(str, files)]
     command += ["--output", str(output), "--points", str(points), "--protocol", "all"]
     started = time.perf_counter()
@@ -60,7 +68,8 @@ def run(files: tuple[Path, Path], output: Path, points: int) -> tuple[float, flo
         _, status, usage = _wait(process)
     if status:
         raise SystemExit(f"compare ended with {status}")
-    return time.perf_counter() - started, usage.ru_maxrss / 1024.0
+    seconds = time.perf_counter() - started
+    return Cost(seconds, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024.0)
 
 
 def _wait(process: subprocess.Popen[bytes]) -> tuple[int, int, resource.struct_rusage]:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
 
+from gaussiancad_core.cli import main
 from gaussiancad_core.comparison.command import COMPARISON_FILES, compare_files
 from gaussiancad_core.comparison.comparing import compare_models
 from gaussiancad_core.comparison.deviation import Deviation
@@ -104,6 +105,36 @@ def test_files_are_written_as_promised(bracket: TriangleMesh, tmp_path: Path) ->
     assert report["volume_iou"] == pytest.approx(bracket.volume / 24000, abs=0.02)
     assert report["deviation"]["range_mm"] > 0
     assert (output / "deviation.ply").read_bytes().startswith(b"ply\n")
+
+
+def test_the_command_takes_all_options(
+    bracket: TriangleMesh, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    part = tmp_path / "part.stl"
+    bracket.to_trimesh().export(part)
+    asked = ["--protocol", "deepcad,engineering", "--register", "axes", "--scale", "fixed"]
+    asked += ["--tolerance", "0.5", "--points", "500", "--seed", "3", "--factor", "2"]
+    assert main(["compare", str(part), str(part), *asked, "--json"]) == 0
+    report = json.loads(capsys.readouterr().out)
+    assert list(report["protocols"]) == ["deepcad", "engineering"]
+    assert report["protocols"]["engineering"]["tolerance_mm"] == 0.5
+    assert report["protocols"]["engineering"]["volume_difference_share"] == pytest.approx(7.0)
+    assert report["registration"]["mode"] == "axes"
+    assert report["registration"]["scale"] == pytest.approx(1.0)
+    assert report["result"]["extent_mm"] == pytest.approx([80, 60, 40])
+    assert main(["compare", str(part), str(part), *asked]) == 0
+    text = capsys.readouterr().out
+    assert "deepcad: 8192 points" in text and "agreeing: within 0.5 mm" in text
+
+
+@pytest.mark.parametrize(
+    "option",
+    [("--protocol", "iso"), ("--register", "best"), ("--scale", "2"), ("--factor", "-1")],
+)
+def test_wrong_words_are_wrong_usage(option: tuple[str, str]) -> None:
+    with pytest.raises(SystemExit) as caught:
+        main(["compare", "a.stl", "b.stl", *option])
+    assert caught.value.code == 2
 
 
 def test_a_failed_comparison_leaves_nothing(bracket: TriangleMesh, tmp_path: Path) -> None:
