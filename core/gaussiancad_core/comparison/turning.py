@@ -133,7 +133,9 @@ def _search(
     rough = result.thinned(_ROUGH_POINTS), reference.thinned(_ROUGH_POINTS)
     found = [refine(*rough, _pose(turn), _ROUGH_ROUNDS) for turn in chosen]
     found.sort(key=lambda each: each[1])
-    final = [refine(result, reference, pose) for pose, _ in found[:_FINALISTS]]
+    # What lies right already stays, whatever the symmetries of the part.
+    starts = [np.eye(4), *(pose for pose, _ in found[:_FINALISTS])]
+    final = [refine(result, reference, pose) for pose in starts]
     nearest = min(distance for _, distance in final)
     limit = nearest + max(_TIE_UNITS, _TIE_SHARE * nearest)
     equal = [(pose, distance) for pose, distance in final if distance <= limit]

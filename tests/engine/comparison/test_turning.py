@@ -1,5 +1,7 @@
 """Turns that are none of the 24 by quarters."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
@@ -29,6 +31,12 @@ def test_spread_rotations_leave_no_gap() -> None:
 def test_any_turn_is_undone_at_any_size(bracket: TriangleMesh, turn: np.ndarray) -> None:
     found = find_turn(_turned(bracket, turn, 3.0), bracket, np.random.default_rng(0))
     assert found.rotation @ turn == pytest.approx(np.eye(3), abs=1e-3)
+    assert not found.mirrored
+
+
+def test_a_symmetric_part_stays_where_it_is(box: Callable[..., TriangleMesh]) -> None:
+    found = find_turn(box(4, 3, 2), box(4, 3, 2), np.random.default_rng(0))
+    assert found.rotation == pytest.approx(np.eye(3), abs=1e-6)
     assert not found.mirrored
 
 
