@@ -3,6 +3,7 @@
     .venv/bin/python benchmarks/splatting.py kernels [--counts N ...] [--pixels N ...]
         [--threads N ...] [--chart FILE]
     .venv/bin/python benchmarks/splatting.py recipes [--sample NAME] [--paper-iterations N]
+        [--scale-down N]
     .venv/bin/python benchmarks/splatting.py memory [--count N]
 
 ``kernels``: forward and backward of three views of Gaussians on a sphere.  Times on one thread are
@@ -11,7 +12,7 @@ on more threads and on a GPU they are those of the clock.  ``ns a pair``: one Ga
 of its box.  The reference in plain torch is left out where it would take minutes.
 
 ``recipes``: seconds of training and distance of the surface from the truth, the default against the
-paper's, which is timed for some iterations and extrapolated.
+paper's, which is timed for some iterations and extrapolated, or trained to its end.
 
 ``memory``: the most that a process holds that draws and differentiates so many Gaussians.
 """
@@ -93,6 +94,7 @@ def main() -> None:
     recipes.add_argument("--sample", default="l-bracket")
     recipes.add_argument("--preset", type=Preset, default=Preset.STANDARD)
     recipes.add_argument("--paper-iterations", type=int, default=20)
+    recipes.add_argument("--scale-down", type=int, default=1, help="of the paper's images")
     recipes.set_defaults(run=run_recipes)
     memory = commands.add_parser("memory")
     memory.add_argument("--count", type=int, default=1_000_000)
@@ -268,9 +270,10 @@ def run_recipes(options: argparse.Namespace) -> None:
     print(f"{options.sample}; distance from the truth in a box of 5")
     spent = {}
     for recipe in Recipe:
-        settings = training_settings(recipe, options.preset)
+        paper = recipe is Recipe.PAPER
+        settings = training_settings(recipe, options.preset, options.scale_down if paper else 1)
         whole = settings.iterations
-        if recipe is Recipe.PAPER:
+        if paper:
             settings = replace(settings, iterations=options.paper_iterations)
         cameras = training_cameras(recipe, settings, sheet.roles, sheet.size)
         hull = visual_hull(sheet, cameras)
@@ -287,15 +290,20 @@ def run_recipes(options: argparse.Namespace) -> None:
         began = time.process_time()
         trained = train(start, cameras, targets, settings, lambda *_: None)
         seconds = (time.process_time() - began) / trained.iterations
-        spent[recipe] = seconds * (whole if recipe is Recipe.PAPER else trained.iterations)
-        told = f"{recipe.value}: {seconds * 1e3:.0f} ms of processor time an iteration, "
-        if recipe is Recipe.PAPER:
-            told += f"so {spent[recipe] / 60:.0f} min for {whole} (extrapolated)"
+        ended = whole if paper else trained.iterations
+        spent[recipe] = seconds * ended
+        told = f"{seconds * 1e3:.0f} ms of processor time an iteration, "
+        told += f"{spent[recipe]:.0f} s for {ended}"
+        if trained.iterations == ended:
+            within = None if paper else hull
+            before, after = (
+                measure_mesh(gaussian_surface(own, PoissonSettings(), within), mesh, sheet.size).p2s
+                for own in (start, trained.gaussians)
+            )
+            told += f"; {before:.4f} from the truth before, {after:.4f} after"
         else:
-            surface = gaussian_surface(trained.gaussians, PoissonSettings(), hull)
-            distance = measure_mesh(surface, mesh, sheet.size).p2s
-            told += f"{spent[recipe]:.1f} s for {trained.iterations}; {distance:.4f} from the truth"
-        print(told, flush=True)
+            told += f", extrapolated from {trained.iterations}"
+        print(f"{recipe.value}: {told}", flush=True)
     print(f"ratio {spent[Recipe.PAPER] / spent[Recipe.ORTHOGRAPHIC]:.0f}")
 
 

@@ -30,8 +30,8 @@ def test_gaussians_on_the_part_leave_little_and_no_region(
     assert tuple(residual.role for residual in found) == box_views.roles
     for residual in found:
         assert residual.regions == ()
-        # Less than a ring of one pixel around the part.
-        assert residual.difference < 0.04
+        # About a ring of one pixel around the part.
+        assert residual.difference < 0.05
 
 
 def test_what_the_drawing_does_not_have_is_an_excess_at_its_place(
