@@ -47,3 +47,19 @@ def test_inside_bears_a_missing_triangle(unit_cube: TriangleMesh) -> None:
     expected = ((points > 0) & (points < 1)).all(axis=1)
     agreed = (SurfaceQueries(open_cube).inside(points) == expected).mean()
     assert agreed > 0.97
+
+
+def test_slivers_are_found_where_single_precision_fails() -> None:
+    """The triangles of a pierced plate are long and thin; trimesh looks at all of them."""
+    import trimesh
+
+    plate = trimesh.creation.box((5.0, 3.75, 2.5))
+    drill = trimesh.creation.cylinder(0.8125, 5.0)
+    drill.apply_translation((1.0, 0.375, 0.0))
+    pierced = plate.difference(drill)
+    mesh = make_mesh(pierced.vertices, pierced.faces)
+    points = np.asarray(trimesh.sample.sample_surface(pierced, 20_000, seed=5)[0])
+    assert SurfaceQueries(mesh).nearest(points).distances.max() < 1e-9
+    away = points[:1000] * 1.1
+    _, expected, _ = trimesh.proximity.closest_point(pierced, away)
+    assert np.abs(SurfaceQueries(mesh).nearest(away).distances - expected).max() < 1e-6
