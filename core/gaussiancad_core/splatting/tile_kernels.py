@@ -14,6 +14,8 @@ the image itself, less what was met so far.
 All that a tile needs lies in one flat array, one field of ``TILE_PIXELS`` values after the other,
 and is indexed with unsigned integers: only so does the compiler see that the fields do not overlap
 and turn the loops over pixels into SIMD code (four times as fast).  A tile is eight pixels wide.
+
+Threads take runs of neighbouring tiles, which share Gaussians, and all runs have as much to do.
 """
 
 import math
@@ -182,37 +184,38 @@ def _composite_gradient(tile, span, offset, conic, opacity, limits, features, sl
 def composite_forward(size, grid, tiles, projected, opacities, palette, limits, images):
     """Fill the images: colour (v, 3, h, w), alpha (v, h, w), depth (v, h, w)."""
     height, width = size
-    starts, members, boxes = tiles
+    starts, members, boxes, parts = tiles
     means, conics, depths = projected
     colours, alphas, depth_sums = images
     per_view = grid[0] * grid[1]
-    for index in prange(len(means) * per_view):
-        v = index // per_view
-        x0 = (index - v * per_view) % grid[1] * TILE_WIDTH
-        y0 = (index - v * per_view) // grid[1] * TILE_HEIGHT
-        tile = _new_tile(_FORWARD_FIELDS, means.dtype)
-        for k in range(starts[index], starts[index + 1]):
-            check = (k - starts[index]) % _CHECK_EVERY == _CHECK_EVERY - 1
-            if check and _clearest(tile) <= limits[2]:
-                break
-            g = members[k]
-            _composite(
-                tile,
-                _span(boxes[v, g], y0),
-                _offset(x0, y0, means[v, g]),
-                conics[v, g],
-                opacities[g],
-                limits,
-                (palette[g, 0], palette[g, 1], palette[g, 2], depths[v, g]),
-            )
-        for r in range(min(TILE_HEIGHT, height - y0)):
-            for x in range(min(TILE_WIDTH, width - x0)):
-                p, row, column = r * TILE_WIDTH + x, y0 + r, x0 + x
-                colours[v, 0, row, column] = tile[p + _RED]
-                colours[v, 1, row, column] = tile[p + _GREEN]
-                colours[v, 2, row, column] = tile[p + _BLUE]
-                alphas[v, row, column] = _ONE - tile[p + _LEFT]
-                depth_sums[v, row, column] = tile[p + _DEPTH]
+    for part in prange(len(parts) - 1):
+        for index in range(parts[part], parts[part + 1]):
+            v = index // per_view
+            x0 = (index - v * per_view) % grid[1] * TILE_WIDTH
+            y0 = (index - v * per_view) // grid[1] * TILE_HEIGHT
+            tile = _new_tile(_FORWARD_FIELDS, means.dtype)
+            for k in range(starts[index], starts[index + 1]):
+                check = (k - starts[index]) % _CHECK_EVERY == _CHECK_EVERY - 1
+                if check and _clearest(tile) <= limits[2]:
+                    break
+                g = members[k]
+                _composite(
+                    tile,
+                    _span(boxes[v, g], y0),
+                    _offset(x0, y0, means[v, g]),
+                    conics[v, g],
+                    opacities[g],
+                    limits,
+                    (palette[g, 0], palette[g, 1], palette[g, 2], depths[v, g]),
+                )
+            for r in range(min(TILE_HEIGHT, height - y0)):
+                for x in range(min(TILE_WIDTH, width - x0)):
+                    p, row, column = r * TILE_WIDTH + x, y0 + r, x0 + x
+                    colours[v, 0, row, column] = tile[p + _RED]
+                    colours[v, 1, row, column] = tile[p + _GREEN]
+                    colours[v, 2, row, column] = tile[p + _BLUE]
+                    alphas[v, row, column] = _ONE - tile[p + _LEFT]
+                    depth_sums[v, row, column] = tile[p + _DEPTH]
 
 
 @njit(inline="always", **_COMPILE)
@@ -243,37 +246,38 @@ def composite_backward(
 ):
     """Fill the (pairs, SLOT_FIELDS) gradients of all (Gaussian, tile) pairs."""
     height, width = size
-    starts, members, boxes = tiles
+    starts, members, boxes, parts = tiles
     means, conics, depths = projected
     per_view = grid[0] * grid[1]
-    for index in prange(len(means) * per_view):
-        if starts[index] == starts[index + 1]:
-            continue
-        v = index // per_view
-        x0 = (index - v * per_view) % grid[1] * TILE_WIDTH
-        y0 = (index - v * per_view) // grid[1] * TILE_HEIGHT
-        tile = _new_tile(_BACKWARD_FIELDS, means.dtype)
-        extent = (min(TILE_HEIGHT, height - y0), min(TILE_WIDTH, width - x0))
-        _fill_upstream(tile, v, (y0, x0), extent, images, upstream)
-        opaque = False
-        for k in range(starts[index], starts[index + 1]):
-            check = (k - starts[index]) % _CHECK_EVERY == _CHECK_EVERY - 1
-            if check and not opaque:
-                opaque = _clearest(tile) <= limits[2]
-            if opaque:
-                gradients[slots[k], :] = 0
+    for part in prange(len(parts) - 1):
+        for index in range(parts[part], parts[part + 1]):
+            if starts[index] == starts[index + 1]:
                 continue
-            g = members[k]
-            _composite_gradient(
-                tile,
-                _span(boxes[v, g], y0),
-                _offset(x0, y0, means[v, g]),
-                conics[v, g],
-                opacities[g],
-                limits,
-                (palette[g, 0], palette[g, 1], palette[g, 2], depths[v, g]),
-                gradients[slots[k]],
-            )
+            v = index // per_view
+            x0 = (index - v * per_view) % grid[1] * TILE_WIDTH
+            y0 = (index - v * per_view) // grid[1] * TILE_HEIGHT
+            tile = _new_tile(_BACKWARD_FIELDS, means.dtype)
+            extent = (min(TILE_HEIGHT, height - y0), min(TILE_WIDTH, width - x0))
+            _fill_upstream(tile, v, (y0, x0), extent, images, upstream)
+            opaque = False
+            for k in range(starts[index], starts[index + 1]):
+                check = (k - starts[index]) % _CHECK_EVERY == _CHECK_EVERY - 1
+                if check and not opaque:
+                    opaque = _clearest(tile) <= limits[2]
+                if opaque:
+                    gradients[slots[k], :] = 0
+                    continue
+                g = members[k]
+                _composite_gradient(
+                    tile,
+                    _span(boxes[v, g], y0),
+                    _offset(x0, y0, means[v, g]),
+                    conics[v, g],
+                    opacities[g],
+                    limits,
+                    (palette[g, 0], palette[g, 1], palette[g, 2], depths[v, g]),
+                    gradients[slots[k]],
+                )
 
 
 @njit(parallel=True, **_COMPILE)

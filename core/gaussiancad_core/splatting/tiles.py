@@ -26,6 +26,12 @@ if "NUMBA_THREADING_LAYER" not in os.environ:
 
 _KERNELS = threading.Lock()
 
+PARTS = 96
+"""Runs of tiles that the threads share out; a number that many numbers of threads divide."""
+
+TILE_WORK = 8
+"""What an empty tile costs, in Gaussians."""
+
 Array = npt.NDArray[Any]
 
 
@@ -62,6 +68,7 @@ class _Tiling:
         boxes: (v, n, 4) pixels that a Gaussian reaches.
         counts: (v, n) tiles of a Gaussian.
         first_slots: (v, n) its first slot; the others follow.
+        parts: (parts + 1,) tiles at which runs of tiles with as much to do begin and end.
     """
 
     grid: tuple[int, int]
@@ -71,6 +78,7 @@ class _Tiling:
     boxes: Array
     counts: Array
     first_slots: Array
+    parts: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,7 +151,7 @@ def _forward(
     tile_kernels.composite_forward(
         size,
         tiling.grid,
-        (tiling.starts, tiling.members, tiling.boxes),
+        (tiling.starts, tiling.members, tiling.boxes, tiling.parts),
         projected,
         scene.opacities,
         scene.colours,
@@ -160,7 +168,7 @@ def _backward(state: tuple[Any, ...], upstream: tuple[Array, ...]) -> tuple[Arra
     tile_kernels.composite_backward(
         size,
         tiling.grid,
-        (tiling.starts, tiling.members, tiling.boxes),
+        (tiling.starts, tiling.members, tiling.boxes, tiling.parts),
         tiling.slots,
         projected,
         scene.opacities,
@@ -241,7 +249,20 @@ def _sort_into_tiles(
     members, slots = np.empty(pairs, dtype=np.int32), np.empty(pairs, dtype=np.int64)
     order = np.argsort(depths, axis=1, kind="stable")
     tile_sorting.fill_tiles(grid, order, boxes, counts, first_slots, starts, members, slots)
-    return _Tiling(grid, starts, members, slots, boxes, counts, first_slots)
+    return _Tiling(grid, starts, members, slots, boxes, counts, first_slots, even_parts(starts))
+
+
+def even_parts(starts: Array) -> Array:
+    """Where to divide the tiles, so that threads with as many parts have as much to do.
+
+    Args:
+        starts: (tiles + 1,) places where the tiles' lists of Gaussians begin.
+
+    Returns:
+        (PARTS + 1,) tiles, ascending from the first to the number of tiles.
+    """
+    work = starts + TILE_WORK * np.arange(len(starts))
+    return np.searchsorted(work, np.linspace(0, work[-1], PARTS + 1)).astype(np.int64)
 
 
 def warm_up() -> None:

@@ -6,6 +6,8 @@ import numba
 import numpy as np
 import pytest
 import torch
+from hypothesis import given
+from hypothesis import strategies as st
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.cameras import Camera, CameraModel, orthographic_camera, paper_camera
@@ -20,7 +22,13 @@ from gaussiancad_core.splatting.rasteriser import (
     rasteriser,
 )
 from gaussiancad_core.splatting.reference import draw_reference
-from gaussiancad_core.splatting.tiles import draw_tiles, warm_up
+from gaussiancad_core.splatting.tiles import (
+    PARTS,
+    TILE_WORK,
+    draw_tiles,
+    even_parts,
+    warm_up,
+)
 
 SIZE = (50.0, 30.0, 40.0)
 THREE = (Role.FRONT, Role.TOP, Role.RIGHT)
@@ -207,6 +215,17 @@ def test_the_number_of_threads_does_not_change_a_bit() -> None:
     finally:
         numba.set_num_threads(before)
     assert all(torch.equal(one, other) for one, other in zip(*found, strict=True))
+
+
+@given(st.lists(st.integers(0, 500), min_size=1, max_size=400))
+def test_threads_get_as_much_to_do(counts: list[int]) -> None:
+    starts = np.concatenate([[0], np.cumsum(counts)])
+    parts = even_parts(starts)
+    assert len(parts) == PARTS + 1
+    assert (parts[0], parts[-1]) == (0, len(counts))
+    assert (np.diff(parts) >= 0).all()
+    work = np.diff((starts + TILE_WORK * np.arange(len(starts)))[parts])
+    assert work.max() <= work.sum() / PARTS + max(counts) + TILE_WORK
 
 
 def test_backends_are_found_by_name() -> None:
