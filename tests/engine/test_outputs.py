@@ -64,3 +64,23 @@ def test_a_file_in_the_way_is_the_users_to_solve(tmp_path: Path) -> None:
     with pytest.raises(UsageError, match="cannot write") as caught:
         _folder(tmp_path / "file" / "below")
     assert caught.value.code == "output-not-writable"
+
+
+@pytest.mark.parametrize("kept", [False, True])
+def test_a_checkpoint_outlives_a_run_only_where_it_is_wanted(tmp_path: Path, kept: bool) -> None:
+    folder = _folder(tmp_path / "out")
+    folder.checkpoint.write_bytes(b"state")
+    folder.discard(keep_checkpoint=kept)
+    assert folder.checkpoint.exists() is kept
+    assert (tmp_path / "out").exists() is kept
+    if kept:
+        again = _folder(tmp_path / "out")
+        assert again.checkpoint.read_bytes() == b"state"
+
+
+def test_a_finished_run_leaves_no_checkpoint(tmp_path: Path) -> None:
+    folder = _folder(tmp_path / "out")
+    folder.checkpoint.write_bytes(b"state")
+    (folder.staging / "report.json").write_text("{}")
+    folder.commit()
+    assert [path.name for path in (tmp_path / "out").iterdir()] == ["report.json"]
