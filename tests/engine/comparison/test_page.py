@@ -4,6 +4,7 @@ import base64
 import importlib.util
 import json
 import re
+import warnings
 from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
@@ -196,7 +197,10 @@ window.addEventListener("load", () => {
 def test_the_view_turns_in_a_browser(page: Path, tmp_path: Path) -> None:
     found = browser.find_browser()
     if found is None:
-        pytest.skip(f"no browser: none of {', '.join(browser.NAMES)} is installed")
+        reason = f"no browser: none of {', '.join(browser.NAMES)} is installed"
+        # A skipped test is easily overlooked; a warning is printed.
+        warnings.warn(f"the page was not opened: {reason}", stacklevel=1)
+        pytest.skip(reason)
     probed = tmp_path / "probed page.html"
     probed.write_text(page.read_text("utf-8").replace("</body>", _PROBE), "utf-8")
     text = browser.dump_dom(found, probed, tmp_path / "profile")
