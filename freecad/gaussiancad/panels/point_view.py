@@ -50,7 +50,7 @@ class PointMark:
         unpickable.style = coin.SoPickStyle.UNPICKABLE
         node.addChild(unpickable)
         colour = coin.SoBaseColor()
-        colour.rgb = (1.0, 0.9, 0.2)
+        colour.rgb = (1.0, 0.55, 0.0)
         node.addChild(colour)
         coordinate = coin.SoCoordinate3()
         coordinate.point.setValue(*place)
