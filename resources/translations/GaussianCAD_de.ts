@@ -407,6 +407,10 @@
             <translation>Engine wird geprüft</translation>
         </message>
         <message>
+            <source>Compiling the engine&apos;s kernels</source>
+            <translation>Rechenkerne der Engine werden übersetzt</translation>
+        </message>
+        <message>
             <source>Downloading and installing packages</source>
             <translation>Pakete werden geladen und installiert</translation>
         </message>

@@ -58,6 +58,8 @@ class Installations(FolderCase):
             self.assertIn("--no-deps", arguments)
         self.assertEqual(asked[3][-1], str(CORE))
         self.assertEqual(asked[4], ["-I", "-u", "-m", "gaussiancad_core", "doctor"])
+        self.assertEqual(asked[5], ["-I", "-u", "-m", "gaussiancad_core", "warm-up"])
+        self.assertEqual(len(asked), 6)
         self.assertEqual(json.loads((self.root / MARKER).read_text())["build"], "cpu")
         engine = find_engine(SearchPlaces("", "", self.root, self.folder / "none"))
         self.assertEqual(engine.python, str(self.root / "bin" / "python"))
@@ -68,6 +70,11 @@ class Installations(FolderCase):
         self.assertEqual(self.ends, [""])
         self.assertEqual(asked[2][-1], str(TorchBuild.CUDA.lock))
         self.assertEqual(json.loads((self.root / MARKER).read_text())["build"], "cuda")
+
+    def test_kernels_that_do_not_compile_ahead_are_no_failure(self) -> None:
+        self.set_variable("GAUSSIANCAD_FAKE_FAILS", "warm-up")
+        self.install()
+        self.assertEqual(self.ends, [""])
 
     def test_a_failure_is_told_and_leaves_nothing(self) -> None:
         for step in ("venv", "engine-cpu.txt", "doctor"):

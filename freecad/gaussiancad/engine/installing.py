@@ -214,9 +214,16 @@ class Installer:
         return Step(title, self._python(), ("-I", "-c", _LINK, str(CORE)))
 
     def _check(self, _succeeded: bool) -> Step | None:
-        self._next = lambda _succeeded: None
+        self._next = self._warm_up
         title = translate("GaussianCAD", "Checking the engine")
         return Step(title, self._python(), ("-I", "-u", "-m", "gaussiancad_core", "doctor"))
+
+    def _warm_up(self, _succeeded: bool) -> Step | None:
+        """Compile the kernels, so that the first run does not wait; it would compile them itself."""
+        self._next = lambda _succeeded: None
+        title = translate("GaussianCAD", "Compiling the engine's kernels")
+        arguments = ("-I", "-u", "-m", "gaussiancad_core", "warm-up")
+        return Step(title, self._python(), arguments, may_fail=True)
 
     def _pip_install(self, build: TorchBuild) -> Step:
         self._build = build
