@@ -16,6 +16,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.ellipses import WholeEllipse
 from gaussiancad_core.sheet.arc_kernels import grow_arcs
+from gaussiancad_core.sheet.corner_fits import is_corner
 from gaussiancad_core.sheet.geometry import Circle, Geometry, Line
 from gaussiancad_core.sheet.line_kernels import grow_lines
 from gaussiancad_core.sheet.ovals import OvalRules, grow_ovals
@@ -116,8 +117,10 @@ def _lines_and_arcs(
         if len(grown.members) >= _LONG:
             away = grown.geometry.distances(ridges.points[grown.members])
             beside[grown.members] = np.minimum(beside[grown.members], away)
-    found = grow_arcs(*_inputs(ridges, rules), beside)
-    return lines, [Grown(_circle(row), own) for row, own in _unpacked(found)], beside
+    found = _unpacked(grow_arcs(*_inputs(ridges, rules), beside))
+    arcs = [Grown(_circle(row), own) for row, own in found]
+    arcs = [grown for grown in arcs if not is_corner(grown.geometry, ridges.points[grown.members])]
+    return lines, arcs, beside
 
 
 def grow_straight(ridges: RidgePoints, rules: GrowthRules = GrowthRules()) -> list[Grown]:

@@ -30,6 +30,9 @@ _LEAST_OWN = 4.0
 """px of ink in a shape's own direction that are a dash, though they lead into other ink."""
 
 
+_MOSTLY = 0.4
+"""Share of a closed curve that is told as dashed where the rest of it is bridged."""
+
 _LONGEST_BRIDGE, _BRIDGE_INK = 3.5, 0.35
 """Dashes with their gaps that others may cover in a row, and the share of ink that is there."""
 
@@ -279,12 +282,16 @@ def bridged(
 ) -> list[Piece]:
     """Hidden pieces of a shape that are parted by dashes of theirs that other strokes cover.
 
-    Ink in between that is not the shape's alone, yet lies as closely as dashes do, joins them.
+    Ink in between that is not the shape's alone, yet lies as closely as dashes do, joins them; over
+    any length where they make up much of a circle.
     """
+    longest = _LONGEST_BRIDGE * (rhythm.dash + rhythm.gap)
+    if is_mostly_dashed(geometry, pieces):
+        longest = geometry.around
     joined: list[Piece] = []
     for piece in pieces:
         before = joined[-1] if joined else None
-        if before and _is_bridged(field, geometry, before, piece, rhythm):
+        if before and _is_bridged(field, geometry, (before, piece), rhythm, longest):
             sure = max(before.confidence, piece.confidence)
             joined[-1] = Piece(before.start, piece.end, Linetype.HIDDEN, sure)
         else:
@@ -292,7 +299,7 @@ def bridged(
     if joined and np.isfinite(geometry.around):
         first, last = joined[0], joined[-1]
         over = replace(first, start=first.start + geometry.around, end=first.end + geometry.around)
-        if _is_bridged(field, geometry, last, over, rhythm):
+        if _is_bridged(field, geometry, (last, over), rhythm, longest):
             # One piece that reaches its own beginning goes once around.
             end = over.end if len(joined) > 1 else over.start
             sure = max(first.confidence, last.confidence)
@@ -300,12 +307,23 @@ def bridged(
     return joined
 
 
+def is_mostly_dashed(geometry: Geometry, pieces: Sequence[Piece]) -> bool:
+    """Whether hidden pieces make up so much of a closed curve that the rest of it will be there."""
+    dashed = sum(own.end - own.start for own in pieces if own.linetype is Linetype.HIDDEN)
+    return bool(np.isfinite(geometry.around)) and dashed > _MOSTLY * geometry.around
+
+
 def _is_bridged(
-    field: InkField, geometry: Geometry, before: Piece, after: Piece, rhythm: Rhythm
+    field: InkField,
+    geometry: Geometry,
+    pair: tuple[Piece, Piece],
+    rhythm: Rhythm,
+    longest: float,
 ) -> bool:
+    before, after = pair
     both = before.linetype is after.linetype is Linetype.HIDDEN
     gap = after.start - before.end
-    if not both or gap > _LONGEST_BRIDGE * (rhythm.dash + rhythm.gap):
+    if not both or gap > longest:
         return False
     if gap <= STEP:
         return True

@@ -43,10 +43,12 @@ from gaussiancad_core.sheet.runs import (
     circle_runs,
     classify,
     ink_field,
+    is_mostly_dashed,
     learn_rhythm,
     line_runs,
     runs_spans,
 )
+from gaussiancad_core.sheet.shadows import without_shadows
 from gaussiancad_core.sheet.shapes import (
     edge_map,
     find_circles,
@@ -203,13 +205,16 @@ def classify_strokes(
         told = told_linetypes(shape.geometry, fresh, explained.around, rhythm)
         found = classify([run for run, _ in fresh], rhythm, touches, shape.geometry.around, told)
         if not isinstance(shape.geometry, Line):
-            found = [piece for piece in found if _is_curved(shape.geometry, piece, view.sheet)]
+            curved = [piece for piece in found if _is_curved(shape.geometry, piece, view.sheet)]
+            # Of a circle that is drawn all around short parts between crossings count as well.
+            found = found if is_mostly_dashed(shape.geometry, curved) else curved
         found = bridged(view.field, shape.geometry, found, rhythm)
         if not isinstance(shape.geometry, Line):
             found = _closed(shape.geometry, found, rhythm)
         for piece in found:
             pieces.append((shape.geometry, piece))
             explained.add(shape.geometry, piece)
+    pieces = without_shadows(pieces, view.sheet.stroke_width)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     pieces += find_jogs(ended, view.sheet)
     pieces = _refitted(pieces, ended, view.sheet)

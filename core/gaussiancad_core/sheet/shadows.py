@@ -1,0 +1,65 @@
+"""Pieces of lines that are another stroke's ink.
+
+Where a stroke crosses the course of a long line at a small angle, its ink lies on that course for a
+while, and looks like a piece of the line if the line is taken first.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from gaussiancad_core.sheet.explained import path_points
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.junctions import Placed
+from gaussiancad_core.views import Linetype
+
+_LONGEST = 40.0
+"""px of a shadow at most: a longer one is crossed at hardly any angle."""
+
+_LONGER = 1.5
+"""Times the shadow's length that the stroke has which throws it."""
+
+_COVERED = 0.9
+"""Share of the shadow that lies on that stroke's ink."""
+
+_LEAST_TURN, _MOST_TURN = 0.05, 0.35
+"""Sine of the angle between them."""
+
+
+def without_shadows(pieces: Sequence[Placed], stroke_width: float) -> list[Placed]:
+    """The pieces but the visible ones that lie on longer visible strokes that cross them.
+
+    Args:
+        pieces: of a view, px.
+        stroke_width: px.
+    """
+    straight = [own for own in pieces if _is_visible_line(own)]
+    return [
+        own
+        for own in pieces
+        if not (
+            _is_visible_line(own)
+            and own[1].end - own[1].start <= _LONGEST
+            and any(_throws(other, own, stroke_width) for other in straight)
+        )
+    ]
+
+
+def _is_visible_line(placed: Placed) -> bool:
+    return isinstance(placed[0], Line) and placed[1].linetype is Linetype.VISIBLE
+
+
+def _throws(stroke: Placed, shadow: Placed, stroke_width: float) -> bool:
+    line, piece = stroke
+    course, own = shadow
+    length = own.end - own.start
+    if piece.end - piece.start < _LONGER * length:
+        return False
+    (ax, ay), (bx, by) = line.direction, course.direction
+    if not _LEAST_TURN < abs(ax * by - ay * bx) < _MOST_TURN:
+        return False
+    points = path_points(course, own.start, own.end)
+    along, across = line.coordinates(points)
+    inside = (along > piece.start - 1.0) & (along < piece.end + 1.0)
+    covered = inside & (np.abs(across) <= stroke_width / 2.0 + 1.0)
+    return bool(covered.mean() >= _COVERED)

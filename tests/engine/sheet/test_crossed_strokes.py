@@ -1,0 +1,94 @@
+"""Strokes that others cross: dashed circles stay whole, and ink counts for one stroke."""
+
+from collections.abc import Iterable
+
+import cv2
+import numpy as np
+import pytest
+
+from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.drawing.sheet import draw_sheet
+from gaussiancad_core.drawing.strokes import as_plain_strokes
+from gaussiancad_core.drawing.style import PRESETS
+from gaussiancad_core.samples.classed import PartClass, classed_part
+from gaussiancad_core.sheet.clean import clean_sheet
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.layout import find_layout
+from gaussiancad_core.sheet.reading import read_views
+from gaussiancad_core.sheet.runs import Piece
+from gaussiancad_core.sheet.shadows import without_shadows
+from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_rhythm
+from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
+
+_DASH, _GAP = 12.0, 6.0
+
+
+def _strokes(drawing) -> tuple[Stroke, ...]:  # noqa: ANN001
+    sheet = clean_sheet(drawing.grey)
+    height, width = drawing.weight.shape
+    shapes = find_shapes(sheet, (10.0, 10.0, width - 10.0, height - 10.0))
+    return classify_strokes(shapes, view_rhythm([shapes], sheet.stroke_width))
+
+
+def _framed(sketch):  # noqa: ANN001, ANN202
+    return sketch(400, 300).lines((12, 12), (388, 12), (388, 288), (12, 288), (12, 12), width=2.5)
+
+
+def _circles(strokes: Iterable[Stroke]) -> list[tuple[float, float, float]]:
+    """(x, y, radius) of whole hidden circles."""
+    return [
+        (*s.centre, s.radius)
+        for s in strokes
+        if isinstance(s, Arc) and s.linetype is Linetype.HIDDEN and s.sweep > 6.28
+    ]
+
+
+def test_dashed_circles_that_many_lines_cross_are_whole() -> None:
+    """Bores under a stepped plate: edges, pockets and slots run through their dashes."""
+    part = classed_part(PartClass.HOLES, 3, 3)
+    sheet = draw_sheet(part, (Role.FRONT, Role.TOP, Role.RIGHT), Projection.THIRD, PRESETS["clean"])
+    clean = clean_sheet(cv2.cvtColor(sheet.image, cv2.COLOR_RGB2GRAY))
+    layout = find_layout(clean.ink, {}, Projection.THIRD)
+    top = next(view for view in read_views(clean, layout) if view.role is Role.TOP)
+    drawn = next(view for view in sheet.views if view.role is Role.TOP)
+    truth = np.array(_circles(as_plain_strokes(drawn.strokes)))
+    assert len(truth) == 6
+    away = np.abs(truth[:, None] - np.array(_circles(top.strokes))[None]).max(2)
+    assert away.min(1) == pytest.approx(0.0, abs=0.5)
+
+
+def test_a_stroke_across_the_course_of_a_hidden_line_is_no_piece_of_it(sketch) -> None:  # noqa: ANN001
+    drawing = _framed(sketch)
+    drawing.broken((12, 100), (250, 100), (_DASH, _GAP), 1.5)
+    drawing.line((250, 12), (250, 288), 2.5)
+    # At eleven degrees, as a shallow roof beside a hidden edge.
+    drawing.lines((250, 92), (330, 107.5), (330, 200), (250, 215), width=2.5)
+    found = _strokes(drawing)
+    beyond = [
+        s
+        for s in found
+        if isinstance(s, Segment)
+        and min(s.start[0], s.end[0]) > 245
+        and max(s.start[0], s.end[0]) < 335
+        and abs(s.start[1] - s.end[1]) < 2.0
+    ]
+    assert beyond == []
+    assert not any(isinstance(s, Arc) for s in found)
+
+
+def _line(start: tuple[float, float], end: tuple[float, float]) -> tuple[Line, Piece]:
+    way = np.subtract(end, start)
+    length = float(np.hypot(*way))
+    line = Line(start, (float(way[0]) / length, float(way[1]) / length))
+    return line, Piece(0.0, length, Linetype.VISIBLE, 1.0)
+
+
+def test_a_shadow_needs_a_longer_stroke_that_crosses_it() -> None:
+    stroke, shadow = _line((0.0, 0.0), (80.0, 16.0)), _line((30.0, 8.0), (50.0, 8.0))
+    assert without_shadows([stroke, shadow], 2.5) == [stroke]
+    beside = _line((30.0, 12.0), (50.0, 12.0))
+    assert without_shadows([stroke, beside], 2.5) == [stroke, beside]
+    parallel = _line((30.0, 7.0), (50.0, 11.0))
+    assert without_shadows([stroke, parallel], 2.5) == [stroke, parallel]
+    short = _line((25.0, 5.0), (50.0, 10.0))
+    assert without_shadows([short, shadow], 2.5) == [short, shadow]
