@@ -87,7 +87,7 @@ def make_input(case: Case, truth: TopoDS_Shape, kind: InputKind, folder: Path) -
     if kind in FILE_KINDS:
         if case.dxf is None:
             raise FileNotFoundError(f"{case.name} has no DXF file")
-        return _read(case.dxf, None, vectors=kind is InputKind.DXF_VECTORS)
+        return read_input(case.dxf, None, vectors=kind is InputKind.DXF_VECTORS)
     lines = kept_lines(case, truth, folder)
     if kind in _NOISE or kind is InputKind.VECTORS:
         views = exact_views(lines.views, _size(lines))
@@ -139,11 +139,27 @@ def _drawn_and_read(case: Case, lines: PartLines, kind: InputKind) -> Input:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / ("sheet.png" if style.jpeg_quality >= 95 else "sheet.jpg")
         write_image(sheet.image, path, style.jpeg_quality, sheet.dpi)
-        return _read(path, (Axis(longest), float(lines.size[longest])))
+        return read_input(path, (Axis(longest), float(lines.size[longest])))
 
 
-def _read(path: Path, length: tuple[Axis, float] | None, vectors: bool = False) -> Input:
-    options = ReadingOptions(projection=Projection.THIRD, length=length)
+def read_input(
+    path: Path,
+    length: tuple[Axis, float] | None,
+    vectors: bool = False,
+    projection: Projection = Projection.THIRD,
+) -> Input:
+    """What a sheet's file has.
+
+    Args:
+        path: of the sheet.
+        length: the part's extent in mm along an axis, or nothing.
+        vectors: take the lines of a vector file, not those of its picture.
+        projection: first or third angle.
+
+    Raises:
+        GaussianCadError: the sheet cannot be read.
+    """
+    options = ReadingOptions(projection=projection, length=length)
     image = read_sheet(path)
     clean = upright_sheet(clean_sheet(image.grey, options.median_kernel))
     separated, layout = find_views(clean, {}, options.projection)

@@ -34,7 +34,8 @@ from exact_cases import Case, classed_cases, folder_cases
 from exact_inputs import DRAWN_KINDS, FILE_KINDS, InputKind
 from exact_peers import Peer
 from exact_tables import tables, time_picture
-from exact_work import Row, Task, Worker, causes, solved
+from exact_work import Task, causes, solved, worked
+from workers import Row, Worker
 
 from gaussiancad_core.samples.classed import PartClass
 
@@ -104,7 +105,7 @@ def _tasks(options: argparse.Namespace) -> Iterator[Task]:
 def _run(tasks: Sequence[Task], workers: int) -> Iterator[Row]:
     """Rows as they come, from as many child processes as there are workers."""
     free: SimpleQueue[Worker] = SimpleQueue()
-    everyone = [Worker() for _ in range(workers)]
+    everyone = [Worker(worked) for _ in range(workers)]
     for worker in everyone:
         free.put(worker)
 

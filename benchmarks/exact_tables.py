@@ -6,7 +6,8 @@ from html import escape
 
 import numpy as np
 from exact_peers import Peer
-from exact_work import Row, causes, close, falsely_verified, solved
+from exact_work import causes, close, falsely_verified, solved
+from workers import Row
 
 # Okabe and Ito (2008): colour-blind people can tell them apart.
 _COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")

@@ -3,10 +3,7 @@
 import time
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
-from multiprocessing import get_context
-from multiprocessing.connection import Connection
 from pathlib import Path
-from typing import Any
 
 from exact_cases import Case
 from exact_inputs import FILE_KINDS, InputKind, make_input
@@ -22,14 +19,12 @@ from exact_measures import (
 )
 from exact_peers import Peer, peer_mesh
 from OCP.TopoDS import TopoDS_Shape
+from workers import FIRST, SOLVE, Row
 
 from gaussiancad_core.drawing.brep import faces_of
-from gaussiancad_core.errors import GaussianCadError
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.modes import Status
 from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
-
-Row = dict[str, Any]
 
 CLOSE_IOU = 0.98
 """From here on a solid with the right number of faces is the truth but for its measures."""
@@ -67,6 +62,16 @@ class Task:
         """What tells it from other tasks."""
         return self.case.group, self.case.name, self.kind.value
 
+    @property
+    def known(self) -> Row:
+        """What its row begins with."""
+        return dict(zip(("group", "name", "input"), self.name, strict=True))
+
+    @property
+    def allowed(self) -> dict[str, float]:
+        """s for each stage."""
+        return {FIRST: _PREPARING_S, SOLVE: self.limit, "measure": _MEASURING_S, "peers": _PEERS_S}
+
 
 def worked(task: Task) -> Iterator[Row]:
     """What becomes known of a task, bit by bit; each bit tells the stage that comes next."""
@@ -85,7 +90,7 @@ def worked(task: Task) -> Iterator[Row]:
                 continue
             fitted, _ = _fitted(task, mesh, truth, drawing.views.size)
             yield {peer.value: mesh_iou(mesh, fine_mesh(fitted))}
-    yield {"stage": "solve"}
+    yield {"stage": SOLVE}
     started = time.perf_counter()
     result = exact_solid(drawing.views, Limits())
     seconds = time.perf_counter() - started
@@ -122,75 +127,6 @@ def _measured(task: Task, result: ExactResult, truth: TopoDS_Shape, size: Size) 
     others = (solid_iou(other, truth) for other in result.alternatives)
     row["in_alternatives"] = any((iou or 0.0) >= EXACT_IOU for iou in others)
     yield row
-
-
-def serve(connection: Connection) -> None:
-    """Work on tasks until there is none: the child's main function."""
-    while (task := connection.recv()) is not None:
-        try:
-            for bit in worked(task):
-                connection.send(bit)
-        except GaussianCadError as error:
-            connection.send({"failure": error.code, "message": error.message})
-        except Exception as error:
-            # Any defect is a row of the table, not the end of the run.
-            connection.send({"failure": f"error-{type(error).__name__}", "message": str(error)})
-        connection.send(None)
-
-
-class Worker:
-    """A child process that works on tasks one after the other; a new one when it hangs or dies."""
-
-    def __init__(self) -> None:
-        self._context = get_context("spawn")
-        self._process: Any = None
-        self._connection: Any = None
-
-    def run(self, task: Task) -> Row:
-        """The row of a task; ``failure`` tells what ended it."""
-        if self._process is None:
-            self._start()
-        group, name, kind = task.name
-        row: Row = {"group": group, "name": name, "input": kind, "stage": "prepare"}
-        allowed = {
-            "prepare": _PREPARING_S,
-            "solve": task.limit,
-            "measure": _MEASURING_S,
-            "peers": _PEERS_S,
-        }
-        self._connection.send(task)
-        deadline = time.monotonic() + allowed["prepare"]
-        while True:
-            try:
-                if not self._connection.poll(max(0.0, deadline - time.monotonic())):
-                    # Time that was spent counts, or the slowest parts would make others look fast.
-                    spent = {"seconds": task.limit} if row["stage"] == "solve" else {}
-                    return self._ended({**row, **spent}, f"{row['stage']}-over-time")
-                bit = self._connection.recv()
-            except (EOFError, ConnectionError):
-                return self._ended(row, f"{row['stage']}-crashed")
-            if bit is None:
-                return row
-            row.update(bit)
-            if "stage" in bit:
-                deadline = time.monotonic() + allowed[row["stage"]]
-
-    def close(self) -> None:
-        """End the child."""
-        if self._process is not None:
-            self._process.kill()
-            self._process.join()
-            self._process = None
-
-    def _start(self) -> None:
-        self._connection, other = self._context.Pipe()
-        self._process = self._context.Process(target=serve, args=(other,), daemon=True)
-        self._process.start()
-        other.close()
-
-    def _ended(self, row: Row, failure: str) -> Row:
-        self.close()
-        return {**row, "failure": failure}
 
 
 def solved(row: Row) -> bool:

@@ -6,7 +6,8 @@ from exact_cases import USUAL_LEVELS, Case, classed_cases, folder_cases
 from exact_inputs import InputKind, kept_lines, make_input
 from exact_peers import Peer, peer_mesh
 from exact_tables import tables, time_picture
-from exact_work import Row, causes, close, falsely_verified, solved
+from exact_work import causes, close, falsely_verified, solved
+from workers import Row
 
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.drawing.brep import faces_of, write_step

@@ -3,11 +3,12 @@ from pathlib import Path
 
 from exact_cases import Case
 from exact_inputs import InputKind
-from exact_work import Task, Worker, causes, solved
+from exact_work import Task, causes, solved, worked
+from workers import Worker
 
 
 def test_a_part_that_takes_too_long_is_ended_and_the_next_one_is_not(tmp_path: Path) -> None:
-    worker = Worker()
+    worker = Worker(worked)
     task = Task(Case("planes-0", "planes", 0, 0), InputKind.VECTORS, tmp_path, 0.0)
     try:
         late = worker.run(task)

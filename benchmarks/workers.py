@@ -1,0 +1,96 @@
+"""Child processes for work that may hang or die: each stage of a task has its seconds."""
+
+import time
+from collections.abc import Callable, Iterator, Mapping
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
+from typing import Any, Protocol
+
+from gaussiancad_core.errors import GaussianCadError
+
+Row = dict[str, Any]
+
+Work = Callable[[Any], Iterator[Row]]
+"""What becomes known of a task, bit by bit; a bit's ``stage`` tells the stage that comes next.
+A child imports it by its name."""
+
+SOLVE = "solve"
+"""The stage whose seconds are measured."""
+
+FIRST = "prepare"
+"""The stage that a task begins with."""
+
+
+class Limited(Protocol):
+    """A task whose stages have limits."""
+
+    @property
+    def known(self) -> Row:
+        """What is known of it beforehand: its row begins with that."""
+
+    @property
+    def allowed(self) -> Mapping[str, float]:
+        """Seconds of the clock for each stage."""
+
+
+def serve(connection: Connection, work: Work) -> None:
+    """Work on tasks until there is none: the child's main function."""
+    while (task := connection.recv()) is not None:
+        try:
+            for bit in work(task):
+                connection.send(bit)
+        except GaussianCadError as error:
+            connection.send({"failure": error.code, "message": error.message})
+        except Exception as error:
+            # Any defect is a row of the table, not the end of the run.
+            connection.send({"failure": f"error-{type(error).__name__}", "message": str(error)})
+        connection.send(None)
+
+
+class Worker:
+    """A child process that works on tasks one after the other; a new one when it hangs or dies."""
+
+    def __init__(self, work: Work) -> None:
+        self._work = work
+        self._context = get_context("spawn")
+        self._process: Any = None
+        self._connection: Any = None
+
+    def run(self, task: Limited) -> Row:
+        """The row of a task; ``failure`` tells what ended it."""
+        if self._process is None:
+            self._start()
+        row: Row = {**task.known, "stage": FIRST}
+        self._connection.send(task)
+        deadline = time.monotonic() + task.allowed[FIRST]
+        while True:
+            try:
+                if not self._connection.poll(max(0.0, deadline - time.monotonic())):
+                    # Time that was spent counts, or the slowest parts would make others look fast.
+                    spent = {"seconds": task.allowed[SOLVE]} if row["stage"] == SOLVE else {}
+                    return self._ended({**row, **spent}, f"{row['stage']}-over-time")
+                bit = self._connection.recv()
+            except (EOFError, ConnectionError):
+                return self._ended(row, f"{row['stage']}-crashed")
+            if bit is None:
+                return row
+            row.update(bit)
+            if "stage" in bit:
+                deadline = time.monotonic() + task.allowed[row["stage"]]
+
+    def close(self) -> None:
+        """End the child."""
+        if self._process is not None:
+            self._process.kill()
+            self._process.join()
+            self._process = None
+
+    def _start(self) -> None:
+        self._connection, other = self._context.Pipe()
+        self._process = self._context.Process(target=serve, args=(other, self._work), daemon=True)
+        self._process.start()
+        other.close()
+
+    def _ended(self, row: Row, failure: str) -> Row:
+        self.close()
+        return {**row, "failure": failure}
