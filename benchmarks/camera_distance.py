@@ -11,7 +11,7 @@ the part keeps its size, the rays become parallel: ``lens`` is that distance for
 """
 
 import argparse
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -38,6 +38,15 @@ from gaussiancad_core.views import ViewSet
 DISTANCES = (3.0, 4.0, 5.0, 7.0, 10.0, 20.0)
 
 
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """A part, its undisturbed views, and how it is trained."""
+
+    truth: TriangleMesh
+    views: ViewSet
+    settings: TrainingSettings
+
+
 def main() -> None:
     """Print the table, and draw it."""
     parser = argparse.ArgumentParser(
@@ -48,24 +57,12 @@ def main() -> None:
     parser.add_argument("--iterations", type=int, default=300)
     parser.add_argument("--chart", type=Path)
     options = parser.parse_args()
-    truth = solid_mesh(sample(options.sample).build())
-    views = views_of(truth, cases()[0], seed=0)
-    settings = training_settings(Recipe.PAPER, Preset.DRAFT)
-    settings = replace(settings, iterations=options.iterations)
-    own = training_cameras(Recipe.PAPER, settings, views.roles, views.size)
-    unit = own[0].reference_depth / PAPER_DISTANCE
-    parallel = tuple(orthographic_camera(role, views.size, settings.pixels) for role in views.roles)
-    _, straight = reconstructed(views, parallel, settings, truth)
+    scene = scene_of(options.sample, options.iterations)
+    straight = parallel_error(scene)
     print(f"{'distance':>9}{'size':>9}{'shape':>9}{'lens':>9}{'parallel':>9}")
     rows = []
     for distance in options.distances:
-        factor = distance / PAPER_DISTANCE
-        larger = scaled(views, factor)
-        said = tuple(moved(camera, distance, unit, 1.0) for camera in relocated(own, views, factor))
-        size, shape = reconstructed(larger, said, settings, truth)
-        lens = tuple(moved(camera, distance, unit, factor) for camera in own)
-        _, error = reconstructed(views, lens, settings, truth)
-        rows.append((size / unit, shape, error, straight))
+        rows.append((*errors_at(scene, distance), straight))
         print(f"{distance:9.1f}" + "".join(f"{value:9.4f}" for value in rows[-1]), flush=True)
     if options.chart:
         names = ("size in units / 100", "shape", "lens", "parallel")
@@ -76,6 +73,38 @@ def main() -> None:
         write_chart(
             Chart("distance from the truth by camera distance", ticks, lines), options.chart
         )
+
+
+def scene_of(name: str, iterations: int) -> Scene:
+    """A sample part and the paper's recipe for it, scaled down as the preset ``draft`` is."""
+    truth = solid_mesh(sample(name).build())
+    views = views_of(truth, cases()[0], seed=0)
+    settings = training_settings(Recipe.PAPER, Preset.DRAFT)
+    settings = replace(settings, iterations=iterations)
+    return Scene(truth, views, settings)
+
+
+def parallel_error(scene: Scene) -> float:
+    """Distance from the truth of the same training with orthographic cameras."""
+    views = scene.views
+    parallel = tuple(
+        orthographic_camera(role, views.size, scene.settings.pixels) for role in views.roles
+    )
+    return reconstructed(views, parallel, scene.settings, scene.truth)[1]
+
+
+def errors_at(scene: Scene, distance: float) -> tuple[float, float, float]:
+    """``size``, ``shape`` and ``lens`` of cameras at a distance in the paper's units."""
+    views, settings, truth = scene.views, scene.settings, scene.truth
+    own = training_cameras(Recipe.PAPER, settings, views.roles, views.size)
+    unit = own[0].reference_depth / PAPER_DISTANCE
+    factor = distance / PAPER_DISTANCE
+    larger = scaled(views, factor)
+    said = tuple(moved(camera, distance, unit, 1.0) for camera in relocated(own, views, factor))
+    size, shape = reconstructed(larger, said, settings, truth)
+    lens = tuple(moved(camera, distance, unit, factor) for camera in own)
+    _, error = reconstructed(views, lens, settings, truth)
+    return size / unit, shape, error
 
 
 def scaled(views: ViewSet, factor: float) -> ViewSet:

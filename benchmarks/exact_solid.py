@@ -26,16 +26,14 @@ import json
 import os
 import sys
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
-from queue import SimpleQueue
 
 from exact_cases import Case, classed_cases, folder_cases
 from exact_inputs import DRAWN_KINDS, FILE_KINDS, InputKind
 from exact_peers import Peer
 from exact_tables import tables, time_picture
 from exact_work import Task, causes, solved, worked
-from workers import Row, Worker
+from workers import Row, run_all
 
 from gaussiancad_core.samples.classed import PartClass
 
@@ -53,7 +51,7 @@ def main() -> None:
     left = [task for task in tasks if task.name not in known]
     if options.json is not None and not options.resume:
         options.json.write_text("", encoding="utf-8")
-    for row in _run(left, options.workers):
+    for _, row in run_all(left, worked, options.workers):
         rows.append(row)
         _tell(row, len(rows), len(tasks))
         if options.json is not None:
@@ -100,29 +98,6 @@ def _tasks(options: argparse.Namespace) -> Iterator[Task]:
     for kind in kinds:
         for case in cases:
             yield Task(case, kind, options.cache, options.limit, peers)
-
-
-def _run(tasks: Sequence[Task], workers: int) -> Iterator[Row]:
-    """Rows as they come, from as many child processes as there are workers."""
-    free: SimpleQueue[Worker] = SimpleQueue()
-    everyone = [Worker(worked) for _ in range(workers)]
-    for worker in everyone:
-        free.put(worker)
-
-    def run(task: Task) -> Row:
-        worker = free.get()
-        try:
-            return worker.run(task)
-        finally:
-            free.put(worker)
-
-    try:
-        with ThreadPoolExecutor(workers) as pool:
-            for future in as_completed([pool.submit(run, task) for task in tasks]):
-                yield future.result()
-    finally:
-        for worker in everyone:
-            worker.close()
 
 
 def _earlier(path: Path) -> list[Row]:

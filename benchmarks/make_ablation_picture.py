@@ -28,6 +28,9 @@ from gaussiancad_core.sheet.options import Finder, ReadingOptions
 from gaussiancad_core.views import Linetype
 
 KERNELS = (0, 3, 5, 7)
+STYLE = "scan,visible-width=2,hidden-width=1.2,dash=5,gap=4,salt=0.02"
+"""Thin lines, short dashes, and much noise: here filters matter."""
+
 FIELD = 300
 """px, width of a field."""
 
@@ -67,9 +70,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("picture", type=Path)
     parser.add_argument("--part", default="three-axis-block")
-    parser.add_argument(
-        "--style", default="scan,visible-width=2,hidden-width=1.2,dash=5,gap=4,salt=0.02"
-    )
+    parser.add_argument("--style", default=STYLE)
     options = parser.parse_args()
     style = parse_style(options.style)
     roles = (Role.FRONT, Role.TOP, Role.RIGHT)

@@ -1,10 +1,12 @@
 """Child processes for work that may hang or die: each stage of a task has its seconds."""
 
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
-from typing import Any, Protocol
+from queue import SimpleQueue
+from typing import Any, Protocol, TypeVar
 
 from gaussiancad_core.errors import GaussianCadError
 
@@ -31,6 +33,9 @@ class Limited(Protocol):
     @property
     def allowed(self) -> Mapping[str, float]:
         """Seconds of the clock for each stage."""
+
+
+Task = TypeVar("Task", bound=Limited)
 
 
 def serve(connection: Connection, work: Work) -> None:
@@ -94,3 +99,28 @@ class Worker:
     def _ended(self, row: Row, failure: str) -> Row:
         self.close()
         return {**row, "failure": failure}
+
+
+def run_all(tasks: Sequence[Task], work: Work, workers: int) -> Iterator[tuple[Task, Row]]:
+    """Tasks and their rows as they come, from as many child processes as there are workers."""
+    free: SimpleQueue[Worker] = SimpleQueue()
+    everyone = [Worker(work) for _ in range(workers)]
+    for worker in everyone:
+        free.put(worker)
+
+    def run(task: Task) -> tuple[Task, Row]:
+        worker = free.get()
+        try:
+            return task, worker.run(task)
+        finally:
+            free.put(worker)
+
+    pool = ThreadPoolExecutor(workers)
+    try:
+        for future in as_completed([pool.submit(run, task) for task in tasks]):
+            yield future.result()
+    finally:
+        # After an interruption nobody waits for what has not begun.
+        pool.shutdown(wait=False, cancel_futures=True)
+        for worker in everyone:
+            worker.close()
