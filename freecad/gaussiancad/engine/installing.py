@@ -219,7 +219,7 @@ class Installer:
         return Step(title, self._python(), ("-I", "-u", "-m", "gaussiancad_core", "doctor"))
 
     def _warm_up(self, _succeeded: bool) -> Step | None:
-        """Compile the kernels, so that the first run does not wait; it would compile them itself."""
+        """Compile the kernels ahead of the first run, which would compile them itself."""
         self._next = lambda _succeeded: None
         title = translate("GaussianCAD", "Compiling the engine's kernels")
         arguments = ("-I", "-u", "-m", "gaussiancad_core", "warm-up")
