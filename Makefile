@@ -2,7 +2,7 @@
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
 .PHONY: help install demo test test-engine test-workbench test-gui test-freecad-latest lint bench \
-	lock clean
+	benchmark lock clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-20s %s\n", $$1, $$2 }' Makefile
@@ -35,6 +35,9 @@ test-freecad-latest: install ## workbench and window in Debian's next FreeCAD (r
 bench: install ## the figures of the documentation: seconds and memory, and distance from the truth
 	@.venv/bin/python benchmarks/stages.py
 	@.venv/bin/python benchmarks/surface.py
+
+benchmark: install ## five methods on many sheets, ablations, one page; ARGS='--data DIR', see its --help
+	@.venv/bin/python benchmarks/benchmark.py $(ARGS)
 
 lock: ## pin the engine's and the tests' packages anew; UPGRADE=1 takes the newest ones
 	@sh scripts/lock.sh $(if $(UPGRADE),--upgrade)

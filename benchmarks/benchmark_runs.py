@@ -1,0 +1,257 @@
+"""One part, one sheet, one way to make models of it: draw, make, measure, in a child process."""
+
+import base64
+import tempfile
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import Enum
+from functools import lru_cache
+from pathlib import Path
+
+import cv2
+from benchmark_parts import DrawnSheet, Part, SheetKind, make_sheet
+from exact_inputs import read_input
+from exact_measures import EXACT_IOU, closeness, registered
+from exact_peers import Peer, peer_mesh
+from OCP.TopoDS import TopoDS_Shape
+from workers import FIRST, SOLVE, Row
+
+from gaussiancad_core.cli.libraries import silence_opencascade
+from gaussiancad_core.comparison.comparing import compare_models
+from gaussiancad_core.comparison.deviation import Deviation
+from gaussiancad_core.comparison.models import Model, read_model
+from gaussiancad_core.comparison.options import CompareOptions, Protocol
+from gaussiancad_core.comparison.picture import deviation_picture
+from gaussiancad_core.comparison.report import comparison_dict
+from gaussiancad_core.drawing.brep import read_solid, write_step
+from gaussiancad_core.errors import GaussianCadError
+from gaussiancad_core.events import Silence
+from gaussiancad_core.job import Job
+from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind, Status
+from gaussiancad_core.pipeline import reconstruct
+from gaussiancad_core.sheet.options import ReadingOptions
+
+_PREPARING_S = 200.0
+_MEASURING_S = 200.0
+
+_PICTURE_PX = 420
+_PICTURE_QUALITY = 82
+
+
+class Method(Enum):
+    """What is made of a sheet."""
+
+    PAPER = "paper recipe"
+    SURFACE = "default surface"
+    SOLID = "exact solid"
+    HULL = "plain hull"
+    SWEEP = "sweep-and-cut"
+
+
+class Run(Enum):
+    """Methods that share their work."""
+
+    ENGINE = (Method.SOLID, Method.SURFACE)
+    PAPER = (Method.PAPER,)
+    OUTLINES = (Method.HULL, Method.SWEEP)
+
+
+_PEERS = {Method.HULL: Peer.HULL, Method.SWEEP: Peer.SWEEP_AND_CUT}
+
+
+@dataclass(frozen=True)
+class Effort:
+    """How much is done for each part.
+
+    Attributes:
+        limit: s of the clock to make the models of one run.
+        points: surface points a side.
+        preset: of the default surface.
+        seed: of training and samples.
+    """
+
+    limit: float = 90.0
+    points: int = 1_024
+    preset: Preset = Preset.STANDARD
+    seed: int = 0
+
+
+@dataclass(frozen=True)
+class RunTask:
+    """What a process gets.
+
+    Attributes:
+        part, kind, run: what is made of which sheet.
+        effort: how much is done.
+        folder: keeps drawn lines.
+        pictures: whether the models are shown.
+    """
+
+    part: Part
+    kind: SheetKind
+    run: Run
+    effort: Effort
+    folder: Path
+    pictures: bool = False
+
+    @property
+    def name(self) -> str:
+        """What tells it from other tasks."""
+        case = self.part.case
+        name = f"{case.group} {case.name} {self.kind.value} {self.run.name.lower()}"
+        projection = self.part.projection.value
+        return f"{name} {projection} {self.part.digest}" if self.part.digest else name
+
+    @property
+    def known(self) -> Row:
+        """What its row begins with."""
+        case = self.part.case
+        return {
+            "group": case.group,
+            "part": case.name,
+            "input": self.kind.value,
+            "run": self.run.name.lower(),
+            "models": {method.value: {} for method in self.run.value},
+        }
+
+    @property
+    def allowed(self) -> dict[str, float]:
+        """s for each stage."""
+        return {FIRST: _PREPARING_S, SOLVE: self.effort.limit, "measure": _MEASURING_S}
+
+
+@dataclass(frozen=True, eq=False)
+class Made:
+    """A model and what is said of it.
+
+    Attributes:
+        model: what is measured; None if there is none.
+        facts: its status, the reasons, seconds.
+        shape: the exact solid behind it.
+    """
+
+    model: Model | None
+    facts: Row
+    shape: TopoDS_Shape | None = None
+
+
+def run_task(task: RunTask) -> Iterator[Row]:
+    """What becomes known of a task, bit by bit."""
+    silence_opencascade()
+    shape, truth = _truth(task.part)
+    with tempfile.TemporaryDirectory(dir=task.folder) as name:
+        folder = Path(name)
+        sheet = make_sheet(task.part, shape, task.kind, folder)
+        yield {"stage": SOLVE}
+        made = {}
+        models: Row = {method.value: {} for method in task.run.value}
+        for method, own in _made(task, sheet, folder):
+            made[method] = own
+            models[method.value] = own.facts
+        yield {"models": models, "stage": "measure"}
+        for method, own in made.items():
+            if own.model is not None:
+                models[method.value] = {**own.facts, **_measured(own, shape, truth, task)}
+                yield {"models": models, "stage": "measure"}
+
+
+@lru_cache(maxsize=1)
+def _truth(part: Part) -> tuple[TopoDS_Shape, Model]:
+    """The solid, and the model that results are measured against."""
+    shape = part.case.truth()
+    return shape, _as_model(shape)
+
+
+def _as_model(shape: TopoDS_Shape) -> Model:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "truth.step"
+        write_step(shape, path)
+        return read_model(path)
+
+
+def _made(task: RunTask, sheet: DrawnSheet, folder: Path) -> Iterator[tuple[Method, Made]]:
+    if task.run is Run.OUTLINES:
+        yield from _outline_models(task.run, sheet)
+        return
+    recipe = Recipe.PAPER if task.run is Run.PAPER else Recipe.ORTHOGRAPHIC
+    job = Job(
+        sheet.path,
+        folder / "result",
+        ReadingOptions(projection=sheet.projection, length=sheet.length),
+        result=ResultKind.SURFACE if recipe is Recipe.PAPER else ResultKind.BOTH,
+        recipe=recipe,
+        preset=Preset.DRAFT if recipe is Recipe.PAPER else task.effort.preset,
+        seed=task.effort.seed,
+        device=Device.CPU,
+    )
+    try:
+        report = reconstruct(job, Silence())
+    except GaussianCadError as error:
+        failed = {"status": Status.FAILED.value, "failure": error.code, "message": error.message}
+        yield from ((method, Made(None, failed)) for method in task.run.value)
+        return
+    spent = report.seconds
+    for method in task.run.value:
+        solid = method is Method.SOLID
+        path = job.output / ("solid.step" if solid else "surface.stl")
+        left_out = ("hull", "gaussians", "surface") if solid else ()
+        facts = {
+            "status": report.status.value if solid else Status.APPROXIMATE.value,
+            "seconds": sum(own for name, own in spent.items() if name not in left_out),
+        }
+        if not path.is_file():
+            yield method, Made(None, {**facts, "status": Status.FAILED.value, "failure": "none"})
+            continue
+        yield method, Made(read_model(path), facts, read_solid(path) if solid else None)
+
+
+def _outline_models(run: Run, sheet: DrawnSheet) -> Iterator[tuple[Method, Made]]:
+    """The hull and the swept outlines of the views, which nobody checks."""
+    started = time.perf_counter()
+    drawing = read_input(sheet.path, sheet.length, projection=sheet.projection)
+    reading = time.perf_counter() - started
+    for method in run.value:
+        started = time.perf_counter()
+        mesh = None
+        if drawing.outlines is not None and drawing.masks is not None:
+            mesh = peer_mesh(_PEERS[method], drawing.outlines, drawing.masks)
+        facts: Row = {"seconds": reading + time.perf_counter() - started}
+        if mesh is None:
+            yield method, Made(None, {**facts, "status": Status.FAILED.value, "failure": "none"})
+        else:
+            yield method, Made(Model(mesh), {**facts, "status": Status.APPROXIMATE.value})
+
+
+def _measured(made: Made, shape: TopoDS_Shape, truth: Model, task: RunTask) -> Row:
+    """A model under all protocols; a given sheet's truth is first turned as the sheet has it."""
+    if task.part.sheet is not None:
+        low, high = made.model.mesh.bounds
+        x, y, z = (float(extent) for extent in high - low)
+        shape, _ = registered(made.model.mesh, shape, (x, y, z))
+        truth = _as_model(shape)
+    asked = CompareOptions(
+        points=task.effort.points, seed=task.effort.seed, protocols=tuple(Protocol)
+    )
+    comparison, deviation = compare_models(made.model, truth, asked)
+    found = comparison_dict(comparison)
+    # Histogram and worst points are most of it, and no table has them.
+    del found["deviation"]
+    row: Row = {"comparison": found}
+    if made.shape is not None:
+        close = closeness(made.shape, shape)
+        row |= {"exact": close.exact, "faces": close.faces, "true_faces": close.true_faces}
+    else:
+        iou = comparison.engineering.volume_iou.value if comparison.engineering else None
+        row["exact"] = made.model.closed and iou is not None and iou >= EXACT_IOU
+    return row | ({"picture": _picture(deviation)} if task.pictures else {})
+
+
+def _picture(deviation: Deviation) -> str:
+    """A small JPEG of the coloured model, base64."""
+    image = deviation_picture(deviation)
+    scale = _PICTURE_PX / image.shape[1]
+    small = cv2.resize(image, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
+    options = [cv2.IMWRITE_JPEG_QUALITY, _PICTURE_QUALITY]
+    _, content = cv2.imencode(".jpg", small[..., ::-1], options)
+    return base64.b64encode(content.tobytes()).decode("ascii")
