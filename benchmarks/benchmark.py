@@ -45,11 +45,11 @@ from benchmark_tables_ablations import ablation_tables
 from workers import Row, Work
 
 from gaussiancad_core.axes import Projection
-from gaussiancad_core.cli.libraries import prepare_environment
+from gaussiancad_core.cli.libraries import prepare_environment, silence_opencascade
 from gaussiancad_core.modes import Preset
 
-_PICTURED = (SheetKind.CLEAN, SheetKind.ENDS_8, SheetKind.GIVEN)
-_QUICK_KINDS = (SheetKind.CLEAN, SheetKind.ENDS_4)
+_PICTURED = (SheetKind.CLEAN, SheetKind.ENDS_3, SheetKind.GIVEN)
+_QUICK_KINDS = (SheetKind.CLEAN, SheetKind.ENDS_2)
 
 Task = RunTask | AblationTask
 
@@ -78,11 +78,12 @@ def work(task: Task) -> Iterator[Row]:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run what is asked for; write the page and print the tables."""
-    options = _parser().parse_args(arguments)
+    options = parser().parse_args(arguments)
     # Many tasks side by side: threads of one would only slow down the others.
     for name in ("OMP_NUM_THREADS", "NUMBA_NUM_THREADS"):
         os.environ.setdefault(name, "1")
     prepare_environment()
+    silence_opencascade()
     plan = plan_of(options)
     if not plan.tasks:
         print(f"{options.data} holds no STEP files: name a folder of parts", file=sys.stderr)
@@ -169,13 +170,14 @@ def content_of(plan: Plan, rows: Sequence[Row]) -> Content:
     return Content(plan.settings, tables, ablations, records)
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+def parser() -> argparse.ArgumentParser:
+    """The options."""
+    found = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("--output", type=Path, default=Path("build/benchmark"))
-    parser.add_argument("--data", type=Path, help="folder of STEP files, or of sheets beside them")
-    parser.add_argument(
+    found.add_argument("--output", type=Path, default=Path("build/benchmark"))
+    found.add_argument("--data", type=Path, help="folder of STEP files, or of sheets beside them")
+    found.add_argument(
         "--projection",
         type=Projection,
         default=Projection.THIRD,
@@ -183,12 +185,12 @@ def _parser() -> argparse.ArgumentParser:
         metavar="first|third",
         help="of the sheets beside STEP files",
     )
-    parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
-    parser.add_argument(
+    found.add_argument("--workers", type=int, default=os.cpu_count() or 1)
+    found.add_argument(
         "--limit", type=float, default=Effort.limit, help="s for the models of a run"
     )
-    parser.add_argument("--points", type=int, default=Effort.points, help="surface points a side")
-    parser.add_argument(
+    found.add_argument("--points", type=int, default=Effort.points, help="surface points a side")
+    found.add_argument(
         "--preset",
         type=Preset,
         default=Effort.preset,
@@ -196,10 +198,10 @@ def _parser() -> argparse.ArgumentParser:
         metavar="draft|standard|fine",
         help="of the default surface",
     )
-    parser.add_argument("--classed", type=int, default=1, help="parts of each class by chance")
-    parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--quick", action="store_true", help="two parts, two sheets, few settings")
-    return parser
+    found.add_argument("--classed", type=int, default=1, help="parts of each class by chance")
+    found.add_argument("--seed", type=int, default=0)
+    found.add_argument("--quick", action="store_true", help="two parts, two sheets, few settings")
+    return found
 
 
 if __name__ == "__main__":

@@ -35,9 +35,9 @@ class SheetKind(Enum):
     SCAN = "scan"
     ENDS_1 = "ends 1 px"
     ENDS_2 = "ends 2 px"
-    ENDS_4 = "ends 4 px"
+    ENDS_3 = "ends 3 px"
+    ENDS_5 = "ends 5 px"
     ENDS_8 = "ends 8 px"
-    ENDS_16 = "ends 16 px"
     GIVEN = "given"
 
     @property
