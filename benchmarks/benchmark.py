@@ -134,7 +134,9 @@ def plan_of(options: argparse.Namespace) -> Plan:
         tasks += ablation_tasks(options.limit, quick=options.quick)
     told = {
         "parts": ", ".join(part.case.name for part in parts),
-        "sheets": ", ".join(dict.fromkeys(k.value for part in parts for k in part.kinds)),
+        "sheets": ", ".join(
+            dict.fromkeys(task.kind.value for task in tasks if isinstance(task, RunTask))
+        ),
         "points a side": f"{effort.points}",
         "seed": f"{effort.seed} of training and samples; noise has each part's own",
         "preset": f"{effort.preset.value} of the default surface, draft of the paper's recipe",

@@ -29,7 +29,7 @@ _STYLE = """
 .gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); gap: 1rem; }
 td { font-variant-numeric: tabular-nums; white-space: nowrap; padding-right: 1.4rem; }
 th { white-space: nowrap; padding-right: 1.4rem; }
-td:first-child { white-space: normal; }
+.facts td + td { white-space: normal; overflow-wrap: anywhere; }
 tr.first td { border-top: 2px solid #8a949e; }
 """
 
@@ -104,7 +104,8 @@ def _processor() -> str:
 def _body(content: Content) -> Iterator[str]:
     yield "<h1>GaussianCAD benchmark</h1>"
     facts = Table("Run", "", ("", ""), tuple((content.settings | machine_facts()).items()))
-    for table in (facts, PUBLISHED, *content.tables):
+    yield f'<div class="facts">{_table_html(facts)}</div>'
+    for table in (PUBLISHED, *content.tables):
         yield _table_html(table)
     charts = list(_charts(content.records))
     if charts:
@@ -117,7 +118,9 @@ def _body(content: Content) -> Iterator[str]:
         yield "".join(f"<figure>{chart}</figure>" for chart in charts)
     pictures = list(_pictures(content.records))
     if pictures:
-        yield '<h2>Models, coloured by their deviation</h2>\n<div class="gallery">'
+        yield "<h2>Models, coloured by their deviation</h2>"
+        yield '<p class="note">Red lies outside of the truth, blue inside; ranges differ.</p>'
+        yield '<div class="gallery">'
         yield from pictures
         yield "</div>"
     yield from map(_table_html, content.ablations)
@@ -162,18 +165,14 @@ def _charts(records: Sequence[Record]) -> Iterator[str]:
         if lines:
             yield _chart_html(Chart(title, ticks, lines))
     shares = [
-        Series(
-            own.value,
-            [_share(records, name, own) for name in names],
-        )
-        for own in Method
+        Series(own.value, [_exact_share(records, name, own) for name in names]) for own in Method
     ]
-    yield _chart_html(Chart("share of parts with a model", ticks, shares))
+    yield _chart_html(Chart("share of all parts whose model is exact", ticks, shares))
 
 
-def _share(records: Sequence[Record], sheet: str, method: Method) -> float:
+def _exact_share(records: Sequence[Record], sheet: str, method: Method) -> float:
     own = [r for r in records if r.input == sheet and r.method is method]
-    return sum("comparison" in r.entry for r in own) / len(own) if own else float("nan")
+    return sum(bool(r.entry.get("exact")) for r in own) / len(own) if own else float("nan")
 
 
 def _chart_html(chart: Chart) -> str:
@@ -190,6 +189,7 @@ def _pictures(records: Sequence[Record]) -> Iterator[str]:
     order = {method: number for number, method in enumerate(Method)}
     chosen = [record for record in shown if record.part in parts]
     for record in sorted(chosen, key=lambda r: (parts.index(r.part), r.input, order[r.method])):
-        name = escape(f"{record.part}, {record.input}: {record.method.value}")
+        span = f"up to {record.entry['range_mm']:.3g} mm"
+        name = escape(f"{record.part}, {record.input}: {record.method.value}, {span}")
         picture = f"data:image/jpeg;base64,{record.entry['picture']}"
         yield f'<figure><img alt="{name}" src="{picture}"><figcaption>{name}</figcaption></figure>'

@@ -237,7 +237,7 @@ def _measured(made: Made, shape: TopoDS_Shape, truth: Model, task: RunTask) -> R
     found = comparison_dict(comparison)
     # Histogram and worst points are most of it, and no table has them.
     del found["deviation"]
-    row: Row = {"comparison": found}
+    row: Row = {"comparison": found, "range_mm": comparison.deviation.range_mm}
     if made.shape is not None:
         close = closeness(made.shape, shape)
         row |= {"exact": close.exact, "faces": close.faces, "true_faces": close.true_faces}

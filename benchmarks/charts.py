@@ -85,7 +85,8 @@ def _range(chart: Chart) -> tuple[float, float]:
     found = found[np.isfinite(found)]
     if chart.logarithmic:
         return float(np.floor(found.min())), float(np.ceil(found.max() + 1e-9))
-    return 0.0, 1.1 * float(found.max())
+    # Where all is zero the lines lie on the axis.
+    return 0.0, 1.1 * float(found.max()) or 1.0
 
 
 def _write(

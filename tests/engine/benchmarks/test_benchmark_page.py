@@ -47,6 +47,7 @@ def rows(compared: Row) -> list[Row]:
                         "exact": False,
                         "comparison": compared,
                         "picture": "QUJD",
+                        "range_mm": 0.5,
                     }
                     for method in run.value
                 }

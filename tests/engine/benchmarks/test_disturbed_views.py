@@ -63,6 +63,14 @@ def test_outlines_are_bitten_both_ways_and_repeat(block: TriangleMesh) -> None:
         assert np.array_equal(other.mask, same.mask)
 
 
+def test_charts_of_nothing_but_zero_can_be_drawn(tmp_path: Path) -> None:
+    path = tmp_path / "chart.png"
+    write_chart(Chart("title", ["a", "b"], [Series("none", [0.0, 0.0])]), path)
+    image = cv2.imread(str(path))
+    # The line lies on the lower edge of the frame.
+    assert (180, 119, 31) in {tuple(colour) for colour in image[395:405].reshape(-1, 3).tolist()}
+
+
 @pytest.mark.parametrize("logarithmic", [False, True])
 def test_charts_show_their_lines(tmp_path: Path, logarithmic: bool) -> None:
     lines = [Series("one", [1.0, 10.0, 1000.0]), Series("two", [2.0, float("nan"), 5.0])]
