@@ -88,7 +88,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if not plan.tasks:
         print(f"{options.data} holds no STEP files: name a folder of parts", file=sys.stderr)
         return 2
-    rows = carry_out(plan, work, tell_on_stderr)
+    try:
+        rows = carry_out(plan, work, tell_on_stderr)
+    except KeyboardInterrupt:
+        print("\nstopped: the same command goes on from here", file=sys.stderr)
+        return 130
     content = content_of(plan, rows)
     page = options.output / "benchmark.html"
     write_atomically(page, benchmark_page(content))

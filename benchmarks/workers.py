@@ -1,5 +1,6 @@
 """Child processes for work that may hang or die: each stage of a task has its seconds."""
 
+import signal
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
@@ -39,17 +40,27 @@ Task = TypeVar("Task", bound=Limited)
 
 
 def serve(connection: Connection, work: Work) -> None:
-    """Work on tasks until there is none: the child's main function."""
-    while (task := connection.recv()) is not None:
-        try:
-            for bit in work(task):
+    """Work on tasks until there is none, or nobody who asks: the child's main function."""
+    # Who presses Ctrl-C stops the parent, which ends its children.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        while (task := connection.recv()) is not None:
+            for bit in _told(work, task):
                 connection.send(bit)
-        except GaussianCadError as error:
-            connection.send({"failure": error.code, "message": error.message})
-        except Exception as error:
-            # Any defect is a row of the table, not the end of the run.
-            connection.send({"failure": f"error-{type(error).__name__}", "message": str(error)})
-        connection.send(None)
+            connection.send(None)
+    except (EOFError, ConnectionError):
+        return
+
+
+def _told(work: Work, task: Limited) -> Iterator[Row]:
+    """What becomes known of a task, and what ended it."""
+    try:
+        yield from work(task)
+    except GaussianCadError as error:
+        yield {"failure": error.code, "message": error.message}
+    except Exception as error:
+        # Any defect is a row of the table, not the end of the run.
+        yield {"failure": f"error-{type(error).__name__}", "message": str(error)}
 
 
 class Worker:

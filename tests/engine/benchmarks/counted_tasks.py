@@ -1,11 +1,14 @@
 """Tasks that children work on quickly: nothing heavy is imported here."""
 
 import os
+import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from workers import FIRST, SOLVE, Row
+
+from gaussiancad_core.errors import UsageError
 
 
 @dataclass(frozen=True)
@@ -30,4 +33,10 @@ def count(task: Counted) -> Iterator[Row]:
     yield {"stage": SOLVE}
     if task.name == "dies":
         os._exit(1)
+    if task.name == "refused":
+        raise UsageError("refused-by-name", "its name is refused")
+    if task.name == "defect":
+        raise ValueError("a defect")
+    if task.name == "sleeps":
+        time.sleep(600.0)
     yield {"told": len(task.name)}

@@ -42,6 +42,16 @@ def test_what_is_finished_is_not_done_again(tmp_path: Path) -> None:
     assert told == ["3 of 3 tasks were finished before\n"]
 
 
+def test_what_ends_a_task_is_in_its_row_and_ends_no_other(tmp_path: Path) -> None:
+    tasks = tasks_in(tmp_path, "refused", "defect", "sleeps", "last")
+    tasks = tuple(replace(task, limit=0.3 if task.name == "sleeps" else 30.0) for task in tasks)
+    refused, defect, slept, last = carry_out(plan_in(tmp_path, tasks), count, lambda _: None)
+    assert (refused["failure"], refused["message"]) == ("refused-by-name", "its name is refused")
+    assert (defect["failure"], defect["message"]) == ("error-ValueError", "a defect")
+    assert (slept["failure"], slept["seconds"]) == ("solve-over-time", 0.3)
+    assert last["told"] == 4 and "failure" not in last
+
+
 def test_a_run_that_was_stopped_goes_on(tmp_path: Path) -> None:
     plan = replace(plan_in(tmp_path, tasks_in(tmp_path, "a", "b", "c")), workers=1)
 
