@@ -186,11 +186,6 @@ class Labelling:
     given_up: tuple[Rule, ...]
     complete: bool
 
-    @property
-    def weight(self) -> float:
-        """Units of line that the labels leave unexplained; all there are without labels."""
-        return float("inf") if self.labels is None else sum(rule.weight for rule in self.given_up)
-
 
 def solver_for(time: float, workers: int = 1) -> cp_model.CpSolver:
     """A solver that stops after a deterministic time and gives the same answer each time.

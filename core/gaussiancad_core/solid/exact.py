@@ -32,9 +32,6 @@ _COUNTING = 0.15
 _PATIENT = 0.25
 """Share of the time after which it is not asked any more which lines contradict each other."""
 
-_MUCH = 8.0
-"""Units of line given up from which more surfaces are tried."""
-
 _UNLIKELY = 0.1
 """Share of the search for others that is left where neither lines nor labels agree: they may."""
 
@@ -136,7 +133,7 @@ def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
 def _labelled(
     part: PartModel, views: DrawnViews, limits: Limits, clock: "_Clock"
 ) -> tuple["_Work", Labelling]:
-    """Labels of the part, or of the part with more surfaces where those explain more."""
+    """Labels of the part, or of the part with more surfaces where all lines are explained then."""
     search = Search(part.rules, limits.effort)
     found = search.fulfilled()
     if found.labels is not None:
@@ -149,10 +146,6 @@ def _labelled(
             return _Work(wider, views, wider_search, clock), more
     if limits.relaxed:
         found = search.least()
-        if wider is not None and found.weight > _MUCH:
-            more = wider_search.least()
-            if more.weight < found.weight:
-                return _Work(wider, views, wider_search, clock), more
     return _Work(part, views, search, clock), found
 
 
