@@ -23,6 +23,7 @@ was.  Another version of the code, or another setting, is another set of results
 
 import argparse
 import os
+import shutil
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass
@@ -38,7 +39,7 @@ from benchmark_parts import (
     shipped_parts,
 )
 from benchmark_records import Table, records_of
-from benchmark_runs import Effort, Run, RunTask, run_task
+from benchmark_runs import SCRATCH, Effort, Run, RunTask, run_task
 from benchmark_store import Store, fingerprint, rows_of, tell_on_stderr, write_atomically
 from benchmark_tables import failure_table, part_table, result_tables
 from benchmark_tables_ablations import ablation_tables
@@ -112,7 +113,12 @@ def carry_out(plan: Plan, job: Work, tell: Callable[[str], None]) -> list[Row]:
     """
     plan.folder.mkdir(parents=True, exist_ok=True)
     store = Store(plan.folder / "tasks")
-    found = {task.name: row for task, row in rows_of(plan.tasks, store, job, plan.workers, tell)}
+    try:
+        rows = rows_of(plan.tasks, store, job, plan.workers, tell)
+        found = {task.name: row for task, row in rows}
+    finally:
+        # Processes that were ended at their limit could not tidy up.
+        shutil.rmtree(plan.folder / SCRATCH, ignore_errors=True)
     return [found[task.name] for task in plan.tasks]
 
 

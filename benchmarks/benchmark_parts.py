@@ -113,18 +113,21 @@ def given_parts(folder: Path, projection: Projection) -> Iterator[Part]:
         yield Part(case, sheet, projection, digest)
 
 
-def make_sheet(part: Part, truth: TopoDS_Shape, kind: SheetKind, folder: Path) -> DrawnSheet:
+def make_sheet(
+    part: Part, truth: TopoDS_Shape, kind: SheetKind, folder: Path, kept: Path
+) -> DrawnSheet:
     """Draw a part into a folder, or take the sheet that was given.
 
     Args:
         part: what is drawn.
         truth: its solid.
         kind: how.
-        folder: for the picture; lines that were drawn are kept in the folder above it.
+        folder: for the picture.
+        kept: folder for lines, which sheets of the same part share.
     """
     if part.sheet is not None:
         return DrawnSheet(part.sheet, None, part.projection)
-    lines = kept_lines(part.case, truth, folder.parent)
+    lines = kept_lines(part.case, truth, kept)
     size = np.ptp(bounding_box(truth), axis=0)
     longest = int(np.argmax(size))
     style = parse_style("scan" if kind is SheetKind.SCAN else "clean")

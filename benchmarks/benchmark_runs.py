@@ -32,6 +32,9 @@ from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind, Status
 from gaussiancad_core.pipeline import reconstruct
 from gaussiancad_core.sheet.options import ReadingOptions
 
+SCRATCH = "scratch"
+"""Folder for what a task needs while it runs; what an ended process left there may be removed."""
+
 _PREPARING_S = 200.0
 _MEASURING_S = 200.0
 
@@ -140,9 +143,11 @@ def run_task(task: RunTask) -> Iterator[Row]:
     """What becomes known of a task, bit by bit."""
     silence_opencascade()
     shape, truth = _truth(task.part)
-    with tempfile.TemporaryDirectory(dir=task.folder) as name:
+    scratch = task.folder / SCRATCH
+    scratch.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=scratch) as name:
         folder = Path(name)
-        sheet = make_sheet(task.part, shape, task.kind, folder)
+        sheet = make_sheet(task.part, shape, task.kind, folder, task.folder)
         yield {"stage": SOLVE}
         made = {}
         models: Row = {method.value: {} for method in task.run.value}

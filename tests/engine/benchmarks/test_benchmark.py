@@ -7,7 +7,7 @@ import pytest
 from benchmark import Plan, carry_out, main, parser, plan_of
 from benchmark_ablations import Ablation, AblationTask
 from benchmark_parts import DRAWN_KINDS, STRENGTHS, SheetKind, given_parts
-from benchmark_runs import Method, Run, RunTask
+from benchmark_runs import SCRATCH, Method, Run, RunTask
 from benchmark_store import Store, progress
 from counted_tasks import Counted, count
 
@@ -50,6 +50,13 @@ def test_what_ends_a_task_is_in_its_row_and_ends_no_other(tmp_path: Path) -> Non
     assert (defect["failure"], defect["message"]) == ("error-ValueError", "a defect")
     assert (slept["failure"], slept["seconds"]) == ("solve-over-time", 0.3)
     assert last["told"] == 4 and "failure" not in last
+
+
+def test_what_ended_processes_left_is_removed(tmp_path: Path) -> None:
+    plan = plan_in(tmp_path, tasks_in(tmp_path, "one"))
+    (plan.folder / SCRATCH / "left").mkdir(parents=True)
+    carry_out(plan, count, lambda _: None)
+    assert [path.name for path in plan.folder.iterdir()] == ["tasks"]
 
 
 def test_a_run_that_was_stopped_goes_on(tmp_path: Path) -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from benchmark_parts import Part, SheetKind, given_parts, make_sheet
-from benchmark_runs import Effort, Method, Run, RunTask, run_task
+from benchmark_runs import SCRATCH, Effort, Method, Run, RunTask, run_task
 from workers import Row
 
 from gaussiancad_core.axes import Projection
@@ -50,7 +50,7 @@ def test_ends_are_wrong_by_more_at_each_strength(folder: Path, tmp_path: Path) -
     for kind in (SheetKind.CLEAN, SheetKind.ENDS_1, SheetKind.ENDS_3, SheetKind.ENDS_8):
         place = tmp_path / kind.name
         place.mkdir()
-        sheet = make_sheet(part, solid, kind, place)
+        sheet = make_sheet(part, solid, kind, place, tmp_path)
         assert sheet.length is not None and sheet.length[1] == pytest.approx(60.0)
         images[kind] = read_sheet(sheet.path).grey.astype(float)
     clean = images.pop(SheetKind.CLEAN)
@@ -70,12 +70,12 @@ def test_outlines_are_made_into_models_and_measured(folder: Path, tmp_path: Path
         assert comparison["protocols"]["engineering"]["volume_iou"] > 0.98
         assert comparison["points"] == 200
         assert model["picture"].startswith("/9j/") and model["seconds"] > 0.0
-    assert not list(tmp_path.glob("tmp*"))
+    assert not list((tmp_path / SCRATCH).iterdir())
 
 
 def test_solids_of_given_sheets_are_turned_to_fit(folder: Path, tmp_path: Path) -> None:
     drawn = only(folder)
-    sheet = make_sheet(drawn, drawn.case.truth(), SheetKind.CLEAN, tmp_path)
+    sheet = make_sheet(drawn, drawn.case.truth(), SheetKind.CLEAN, tmp_path, tmp_path)
     pairs = tmp_path / "pairs"
     pairs.mkdir()
     # The same angle lying otherwise, and in other units.
