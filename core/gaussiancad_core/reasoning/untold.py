@@ -101,6 +101,9 @@ def _completed(
             nearest_station(stations, line.parameter(end), _REACH * tolerance)
             for end in (start, end)
         )
+        if high - low < _LEAST * tolerance:
+            # Both ends belong to one corner.
+            continue
         span = Span(low, high, Linetype.HIDDEN, 0.0)
         spans: dict[Role, tuple[Span, ...]] = {role: (span,) for role in plane.roles}
         found.append(Support(line, spans))

@@ -99,11 +99,11 @@ def _free_ends(pieces: Sequence[Placed], width: float) -> Iterator[_End]:
             outward = way * np.array(geometry.direction)
             corner = tip - outward * width / 2.0
             others = (own for k, own in enumerate(pieces) if k != index)
-            if all(_distance(own, tip) > _FREE * width for own in others):
+            if all(distance_to(own, tip) > _FREE * width for own in others):
                 yield _End(index, corner, outward)
 
 
-def _distance(placed: Placed, point: Floats) -> float:
+def distance_to(placed: Placed, point: Floats) -> float:
     """px from a point to a piece."""
     geometry, piece = placed
     at = float(geometry.positions(point[None])[0])

@@ -235,7 +235,7 @@ def classify(
             Dashes beside each other that fill their gaps are narrow all along.
     """
     longest_dash = 1.75 * rhythm.dash
-    widest_gap = _widest_gap(rhythm)
+    widest = widest_gap(rhythm)
     pieces: list[Piece] = []
     group: list[int] = []
 
@@ -256,7 +256,7 @@ def classify(
             close_group()
             pieces.append(Piece(run.start, run.end, Linetype.VISIBLE, _BY_WIDTH))
             continue
-        if group and run.start - runs[group[-1]].end > widest_gap:
+        if group and run.start - runs[group[-1]].end > widest:
             close_group()
         group.append(index)
     close_group()
@@ -272,7 +272,7 @@ def _is_cut(runs: list[Run], index: int) -> bool:
     return before or (index + 1 < len(runs) and runs[index + 1].start - runs[index].end < STEP)
 
 
-def _widest_gap(rhythm: Rhythm) -> float:
+def widest_gap(rhythm: Rhythm) -> float:
     """px between dashes of one stroke, at most."""
     return min(2.2 * rhythm.gap + 2.0, 4.0 * rhythm.gap)
 
@@ -332,7 +332,7 @@ def _is_bridged(
     normals = np.stack([-tangents[:, 1], tangents[:, 0]], 1)
     inked = _inked(field, geometry.points_at(along), normals)
     blank = max(((last - first) * STEP for first, last in _spans(~inked)), default=0.0)
-    return blank <= _widest_gap(rhythm) and bool(inked.mean() > _BRIDGE_INK)
+    return blank <= widest_gap(rhythm) and bool(inked.mean() > _BRIDGE_INK)
 
 
 def _short_piece(

@@ -13,6 +13,7 @@ import numpy.typing as npt
 from gaussiancad_core.ellipses import WholeEllipse
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.close_lines import with_close_lines
+from gaussiancad_core.sheet.corner_dashes import find_corner_dashes
 from gaussiancad_core.sheet.ellipse_fits import ellipse_profile, refit_ellipse
 from gaussiancad_core.sheet.explained import (
     Explained,
@@ -33,6 +34,7 @@ from gaussiancad_core.sheet.junctions import (
 )
 from gaussiancad_core.sheet.line_widths import Pens, learn_pens, run_width, told_by_width
 from gaussiancad_core.sheet.options import Finder
+from gaussiancad_core.sheet.parted import parted_at_corners
 from gaussiancad_core.sheet.ridges import ridge_points
 from gaussiancad_core.sheet.runs import (
     InkField,
@@ -215,10 +217,14 @@ def classify_strokes(
             pieces.append((shape.geometry, piece))
             explained.add(shape.geometry, piece)
     pieces = without_shadows(pieces, view.sheet.stroke_width)
+    pieces += find_corner_dashes(pieces, view.sheet, rhythm)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     pieces += find_jogs(ended, view.sheet)
     pieces = _refitted(pieces, ended, view.sheet)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
+    parted = parted_at_corners(ended, view.sheet, rhythm)
+    if len(parted) > len(ended):
+        ended = ended_at_junctions(parted, rhythm, view.sheet.stroke_width)
     ended = _with_fillets(ended, view.sheet, explained)
     strokes = [_stroke(geometry, piece) for geometry, piece in ended]
     # Strokes that were drawn out to a junction explain the ink up to there.

@@ -81,3 +81,13 @@ def test_a_line_that_is_drawn_stays_as_it_is() -> None:
 
 def test_one_view_alone_tells_nothing() -> None:
     assert _slants(_cut_corner((1.5, 1.0, 1.2), (Role.FRONT,))) == 0
+
+
+def test_an_edge_whose_ends_are_one_corner_is_no_line() -> None:
+    views = _edge(0.25, 0.3)
+    # A third line crosses within reach of both ends.
+    right = (*views.strokes[Role.RIGHT], Segment((0.35, 0.0), (0.0, 0.35), Linetype.HIDDEN))
+    views = replace(views, strokes={**views.strokes, Role.RIGHT: right})
+    plane = with_untold_lines(find_supports(views)).planes[Axis.X]
+    spans = [span for support in plane.supports for span in support.spans[Role.RIGHT]]
+    assert all(span.high - span.low > _TOLERANCE for span in spans)

@@ -92,3 +92,48 @@ def test_a_shadow_needs_a_longer_stroke_that_crosses_it() -> None:
     assert without_shadows([stroke, parallel], 2.5) == [stroke, parallel]
     short = _line((25.0, 5.0), (50.0, 10.0))
     assert without_shadows([short, shadow], 2.5) == [short, shadow]
+
+
+def _hidden(strokes: Iterable[Stroke]) -> list[tuple[float, ...]]:
+    """Ends of straight hidden strokes, rounded px."""
+    ends = (
+        sorted(tuple(round(v) for v in end) for end in (s.start, s.end))
+        for s in strokes
+        if isinstance(s, Segment) and s.linetype is Linetype.HIDDEN
+    )
+    return sorted((*one, *other) for one, other in ends)
+
+
+def _with_rhythm(sketch):  # noqa: ANN001, ANN202
+    """A framed sheet with a dashed line that tells the rhythm, and an edge at x = 200."""
+    drawing = _framed(sketch).line((200, 12), (200, 288), 2.5)
+    return drawing.broken((240, 60), (378, 60), (_DASH, _GAP), 1.5)
+
+
+def test_a_hidden_leg_of_a_dash_is_told_by_its_corners(sketch) -> None:  # noqa: ANN001
+    drawing = _with_rhythm(sketch)
+    # A pocket 13 px deep: its short sides are a tick at the corner, a gap, and a tick.
+    drawing.broken((187, 100), (187, 202), (_DASH, _GAP), 1.5)
+    for y in (100, 202):
+        drawing.line((187, y), (191, y), 1.5).line((196, y), (200, y), 1.5)
+    found = _hidden(_strokes(drawing))
+    legs = [ends for ends in found if ends[0] < 200 and ends[1] == ends[3]]
+    assert len(legs) == 2
+    assert np.array(legs) == pytest.approx(
+        np.array([[187, 100, 200, 100], [187, 202, 200, 202]]), abs=1.0
+    )
+    (side,) = (ends for ends in found if ends[0] < 200 and ends[0] == ends[2])
+    assert side == pytest.approx((187, 100, 187, 202), abs=1.0)
+
+
+def test_a_wide_gap_between_two_corners_parts_a_hidden_line(sketch) -> None:  # noqa: ANN001
+    drawing = _with_rhythm(sketch)
+    for y in (100, 113):
+        drawing.broken((12, y), (150, y), (_DASH, _GAP), 1.5)
+    drawing.line((150, 88), (150, 100), 1.5).line((150, 70), (150, 82), 1.5)
+    drawing.line((150, 52), (150, 64), 1.5)
+    drawing.line((150, 113), (150, 125), 1.5).line((150, 131), (150, 143), 1.5)
+    drawing.line((150, 149), (150, 161), 1.5)
+    upright = [ends for ends in _hidden(_strokes(drawing)) if ends[0] == ends[2]]
+    assert len(upright) == 2
+    assert np.array(upright)[:, [1, 3]] == pytest.approx(np.array([[52, 100], [113, 161]]), abs=2.0)

@@ -1,0 +1,119 @@
+"""Hidden lines too short for their dashes to be told: legs between a corner and the next stroke.
+
+A hidden line of little more than a dash is drawn as two ends of dashes with a gap.  What tells it
+is the corner: a hidden line ends, and its last dash goes on at a right angle.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.jogs import distance_to
+from gaussiancad_core.sheet.runs import Piece, Rhythm, widest_gap
+from gaussiancad_core.sheet.shapes import sample
+from gaussiancad_core.sheet.stubs import Placed
+from gaussiancad_core.views import Linetype
+
+_LONGEST = 2.0
+"""Dashes with their gaps that a leg is long at most."""
+
+_TICK = 2.0
+"""px of ink beside the line at least that its dash goes on with."""
+
+_STEP = 0.5
+"""px between the places that are looked at."""
+
+_DARK = 0.5
+"""Weight from which a pixel is ink."""
+
+_INKED = 0.35
+"""Share of a leg that is ink, at least."""
+
+_WITHIN = (0.25, 0.5)
+"""Widths of a stroke by which a corner lies before the end of its ink."""
+
+_CLEAR = 1.0
+"""px beyond a stroke's ink from which ink is not its own."""
+
+_CONFIDENCE = 0.6
+
+Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class _Corner:
+    """The end of a hidden line: its number, the corner (2,) px, and a unit vector to one side."""
+
+    index: int
+    place: Floats
+    aside: Floats
+
+
+def find_corner_dashes(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhythm) -> list[Placed]:
+    """Hidden legs from the ends of hidden lines to the next stroke at a right angle.
+
+    Args:
+        pieces: of a view, with their ends where their ink ends; px.
+        sheet: its ink.
+        rhythm: of its dashes.
+    """
+    found: list[Placed] = []
+    for corner in _corners(pieces, sheet.stroke_width):
+        leg = _leg(corner, [*pieces, *found], sheet, rhythm)
+        if leg is not None:
+            found.append(leg)
+    return found
+
+
+def _corners(pieces: Sequence[Placed], width: float) -> Iterator[_Corner]:
+    for index, (geometry, piece) in enumerate(pieces):
+        if not isinstance(geometry, Line) or piece.linetype is not Linetype.HIDDEN:
+            continue
+        dx, dy = geometry.direction
+        for at, way in ((piece.start, -1.0), (piece.end, 1.0)):
+            # Hidden lines may be as wide as others or half of that.
+            places = [np.array(geometry.at(at - way * width * share)) for share in _WITHIN]
+            for side in (-1.0, 1.0):
+                for place in places:
+                    yield _Corner(index, place, side * np.array([-dy, dx]))
+
+
+def _leg(
+    corner: _Corner, pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhythm
+) -> Placed | None:
+    """The leg that leaves a corner; None if no ink does, or it is another stroke's."""
+    width = sheet.stroke_width
+    others = [own for k, own in enumerate(pieces) if k != corner.index]
+    places = np.arange(0.0, _LONGEST * (rhythm.dash + rhythm.gap), _STEP)
+    points = corner.place + places[:, None] * corner.aside
+    dark = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > _DARK
+    beside = width / 2.0
+    tick = (places > beside) & (places < beside + _TICK)
+    if not dark[tick].all() or _is_taken(points[tick][-1], others, width):
+        return None
+    ends = (k for k in np.flatnonzero(places > 2.0 * width) if _is_taken(points[k], others, 0.0))
+    end = next(ends, None)
+    if end is None:
+        return None
+    inked = dark[: end + 1]
+    blank = _longest_blank(inked) * _STEP
+    if inked.mean() < _INKED or blank > widest_gap(rhythm) or blank < 1.0:
+        # Ink without any gap would have been found as a line.
+        return None
+    line = Line(tuple(map(float, corner.place)), tuple(map(float, corner.aside)))
+    return line, Piece(0.0, float(places[end]), Linetype.HIDDEN, _CONFIDENCE)
+
+
+def _is_taken(point: Floats, others: Sequence[Placed], width: float) -> bool:
+    """Whether a point lies on another stroke, or within its ink."""
+    return any(distance_to(own, point) <= width / 2.0 + _CLEAR for own in others)
+
+
+def _longest_blank(dark: npt.NDArray[np.bool_]) -> int:
+    padded = np.concatenate([[True], dark, [True]]).astype(np.int8)
+    starts, ends = np.flatnonzero(np.diff(padded) == -1), np.flatnonzero(np.diff(padded) == 1)
+    return int((ends - starts).max(initial=0))
