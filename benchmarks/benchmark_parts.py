@@ -6,15 +6,14 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from pathlib import Path
 
-import numpy as np
 from exact_cases import Case, classed_cases
 from exact_inputs import kept_lines
 from exact_perturbations import of_wrong_length
 from OCP.TopoDS import TopoDS_Shape
 from reading_folder import FILES
 
-from gaussiancad_core.axes import Axis, Projection
-from gaussiancad_core.drawing.brep import bounding_box, write_step
+from gaussiancad_core.axes import Projection
+from gaussiancad_core.drawing.brep import write_step
 from gaussiancad_core.drawing.command import write_image
 from gaussiancad_core.drawing.sheet import PartLines, compose_sheet
 from gaussiancad_core.drawing.style import parse_style
@@ -73,21 +72,6 @@ class Part:
         return DRAWN_KINDS if self.sheet is None else (SheetKind.GIVEN,)
 
 
-@dataclass(frozen=True)
-class DrawnSheet:
-    """A sheet's file and what is told of it.
-
-    Attributes:
-        path: of the picture.
-        length: the longest extent and its axis, as a user would tell it; None of given sheets.
-        projection: first or third angle.
-    """
-
-    path: Path
-    length: tuple[Axis, float] | None
-    projection: Projection
-
-
 def shipped_parts(names: tuple[str, ...], classed: int, seed: int, folder: Path) -> Iterator[Part]:
     """Samples, whose STEP files are written into a folder, and parts of each class."""
     for number, name in enumerate(names):
@@ -113,10 +97,8 @@ def given_parts(folder: Path, projection: Projection) -> Iterator[Part]:
         yield Part(case, sheet, projection, digest)
 
 
-def make_sheet(
-    part: Part, truth: TopoDS_Shape, kind: SheetKind, folder: Path, kept: Path
-) -> DrawnSheet:
-    """Draw a part into a folder, or take the sheet that was given.
+def make_sheet(part: Part, truth: TopoDS_Shape, kind: SheetKind, folder: Path, kept: Path) -> Path:
+    """The file of a part's sheet: drawn into a folder, third angle, or given.
 
     Args:
         part: what is drawn.
@@ -126,16 +108,14 @@ def make_sheet(
         kept: folder for lines, which sheets of the same part share.
     """
     if part.sheet is not None:
-        return DrawnSheet(part.sheet, None, part.projection)
+        return part.sheet
     lines = kept_lines(part.case, truth, kept)
-    size = np.ptp(bounding_box(truth), axis=0)
-    longest = int(np.argmax(size))
     style = parse_style("scan" if kind is SheetKind.SCAN else "clean")
     drawn = _with_wrong_ends(lines, kind.wrong_px, part.case.seed)
     sheet = compose_sheet(drawn, Projection.THIRD, style, part.case.seed)
     path = folder / ("sheet.png" if style.jpeg_quality >= 95 else "sheet.jpg")
     write_image(sheet.image, path, style.jpeg_quality, sheet.dpi)
-    return DrawnSheet(path, (Axis(longest), float(size[longest])), Projection.THIRD)
+    return path
 
 
 def _with_wrong_ends(lines: PartLines, pixels: float | None, seed: int) -> PartLines:

@@ -10,13 +10,15 @@ from functools import lru_cache
 from pathlib import Path
 
 import cv2
-from benchmark_parts import DrawnSheet, Part, SheetKind, make_sheet
+import numpy as np
+from benchmark_parts import Part, SheetKind, make_sheet
 from exact_inputs import read_input
 from exact_measures import EXACT_IOU, closeness, registered
 from exact_peers import Peer, peer_mesh
 from OCP.TopoDS import TopoDS_Shape
 from workers import FIRST, SOLVE, Row
 
+from gaussiancad_core.axes import Axis
 from gaussiancad_core.cli.libraries import silence_opencascade
 from gaussiancad_core.comparison.comparing import compare_models
 from gaussiancad_core.comparison.deviation import Deviation
@@ -24,7 +26,7 @@ from gaussiancad_core.comparison.models import Model, read_model
 from gaussiancad_core.comparison.options import CompareOptions, Protocol
 from gaussiancad_core.comparison.picture import deviation_picture
 from gaussiancad_core.comparison.report import comparison_dict
-from gaussiancad_core.drawing.brep import read_solid, write_step
+from gaussiancad_core.drawing.brep import bounding_box, read_solid, write_step
 from gaussiancad_core.errors import GaussianCadError
 from gaussiancad_core.events import Silence
 from gaussiancad_core.job import Job
@@ -142,30 +144,60 @@ class Made:
 def run_task(task: RunTask) -> Iterator[Row]:
     """What becomes known of a task, bit by bit."""
     silence_opencascade()
-    shape, truth = _truth(task.part)
+    truth = _truth(task.part)
     scratch = task.folder / SCRATCH
     scratch.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=scratch) as name:
         folder = Path(name)
-        sheet = make_sheet(task.part, shape, task.kind, folder, task.folder)
+        sheet = make_sheet(task.part, truth.shape, task.kind, folder, task.folder)
+        told = ReadingOptions(projection=task.part.projection, length=truth.length)
         yield {"stage": SOLVE}
         made = {}
         models: Row = {method.value: {} for method in task.run.value}
-        for method, own in _made(task, sheet, folder):
+        for method, own in _made(task, sheet, told, folder):
             made[method] = own
             models[method.value] = own.facts
         yield {"models": models, "stage": "measure"}
         for method, own in made.items():
             if own.model is not None:
-                models[method.value] = {**own.facts, **_measured(own, shape, truth, task)}
+                models[method.value] = {**own.facts, **_measured(own, truth, task)}
                 yield {"models": models, "stage": "measure"}
 
 
+@dataclass(frozen=True, eq=False)
+class Truth:
+    """What results are measured against.
+
+    Attributes:
+        shape: the solid as the sheet has it.
+        model: the same for comparisons.
+        length: its longest extent in mm and the sheet's axis of it.
+    """
+
+    shape: TopoDS_Shape
+    model: Model
+    length: tuple[Axis, float]
+
+
 @lru_cache(maxsize=1)
-def _truth(part: Part) -> tuple[TopoDS_Shape, Model]:
-    """The solid, and the model that results are measured against."""
+def _truth(part: Part) -> Truth:
+    """The solid; that of a given sheet is turned as the sheet's outlines have it.
+
+    Raises:
+        GaussianCadError: the given sheet cannot be read.
+    """
     shape = part.case.truth()
-    return shape, _as_model(shape)
+    low, high = bounding_box(shape)
+    size = high - low
+    if part.sheet is not None:
+        drawing = read_input(part.sheet, None, projection=part.projection)
+        # What the sheet is taken to measure in mm depends on what is told.
+        size = np.array(drawing.views.size) / max(drawing.views.size) * size.max()
+        told = (Axis(int(np.argmax(size))), float(size.max()))
+        drawing = read_input(part.sheet, told, projection=part.projection)
+        hull = peer_mesh(Peer.HULL, drawing.outlines, drawing.masks)
+        shape, _ = registered(hull, shape, drawing.views.size)
+    return Truth(shape, _as_model(shape), (Axis(int(np.argmax(size))), float(size.max())))
 
 
 def _as_model(shape: TopoDS_Shape) -> Model:
@@ -175,15 +207,17 @@ def _as_model(shape: TopoDS_Shape) -> Model:
         return read_model(path)
 
 
-def _made(task: RunTask, sheet: DrawnSheet, folder: Path) -> Iterator[tuple[Method, Made]]:
+def _made(
+    task: RunTask, sheet: Path, told: ReadingOptions, folder: Path
+) -> Iterator[tuple[Method, Made]]:
     if task.run is Run.OUTLINES:
-        yield from _outline_models(task.run, sheet)
+        yield from _outline_models(task.run, sheet, told)
         return
     recipe = Recipe.PAPER if task.run is Run.PAPER else Recipe.ORTHOGRAPHIC
     job = Job(
-        sheet.path,
+        sheet,
         folder / "result",
-        ReadingOptions(projection=sheet.projection, length=sheet.length),
+        told,
         result=ResultKind.SURFACE if recipe is Recipe.PAPER else ResultKind.BOTH,
         recipe=recipe,
         preset=Preset.DRAFT if recipe is Recipe.PAPER else task.effort.preset,
@@ -211,10 +245,10 @@ def _made(task: RunTask, sheet: DrawnSheet, folder: Path) -> Iterator[tuple[Meth
         yield method, Made(read_model(path), facts, read_solid(path) if solid else None)
 
 
-def _outline_models(run: Run, sheet: DrawnSheet) -> Iterator[tuple[Method, Made]]:
+def _outline_models(run: Run, sheet: Path, told: ReadingOptions) -> Iterator[tuple[Method, Made]]:
     """The hull and the swept outlines of the views, which nobody checks."""
     started = time.perf_counter()
-    drawing = read_input(sheet.path, sheet.length, projection=sheet.projection)
+    drawing = read_input(sheet, told.length, projection=told.projection)
     reading = time.perf_counter() - started
     for method in run.value:
         started = time.perf_counter()
@@ -228,23 +262,18 @@ def _outline_models(run: Run, sheet: DrawnSheet) -> Iterator[tuple[Method, Made]
             yield method, Made(Model(mesh), {**facts, "status": Status.APPROXIMATE.value})
 
 
-def _measured(made: Made, shape: TopoDS_Shape, truth: Model, task: RunTask) -> Row:
-    """A model under all protocols; a given sheet's truth is first turned as the sheet has it."""
-    if task.part.sheet is not None:
-        low, high = made.model.mesh.bounds
-        x, y, z = (float(extent) for extent in high - low)
-        shape, _ = registered(made.model.mesh, shape, (x, y, z))
-        truth = _as_model(shape)
+def _measured(made: Made, truth: Truth, task: RunTask) -> Row:
+    """A model under all protocols."""
     asked = CompareOptions(
         points=task.effort.points, seed=task.effort.seed, protocols=tuple(Protocol)
     )
-    comparison, deviation = compare_models(made.model, truth, asked)
+    comparison, deviation = compare_models(made.model, truth.model, asked)
     found = comparison_dict(comparison)
     # Histogram and worst points are most of it, and no table has them.
     del found["deviation"]
     row: Row = {"comparison": found, "range_mm": comparison.deviation.range_mm}
     if made.shape is not None:
-        close = closeness(made.shape, shape)
+        close = closeness(made.shape, truth.shape)
         row |= {"exact": close.exact, "faces": close.faces, "true_faces": close.true_faces}
     else:
         iou = comparison.engineering.volume_iou.value if comparison.engineering else None

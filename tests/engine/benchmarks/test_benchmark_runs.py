@@ -51,8 +51,7 @@ def test_ends_are_wrong_by_more_at_each_strength(folder: Path, tmp_path: Path) -
         place = tmp_path / kind.name
         place.mkdir()
         sheet = make_sheet(part, solid, kind, place, tmp_path)
-        assert sheet.length is not None and sheet.length[1] == pytest.approx(60.0)
-        images[kind] = read_sheet(sheet.path).grey.astype(float)
+        images[kind] = read_sheet(sheet).grey.astype(float)
     clean = images.pop(SheetKind.CLEAN)
     changed = [int((np.abs(image - clean) > 100.0).sum()) for image in images.values()]
     assert 0 < changed[0] < changed[1] < changed[2]
@@ -81,8 +80,11 @@ def test_solids_of_given_sheets_are_turned_to_fit(folder: Path, tmp_path: Path) 
     # The same angle lying otherwise, and in other units.
     turned = cut(box((0, 0, 0), (3, 6, 4)), box((1, 2, -1), (4, 7, 5)))
     write_step(turned, pairs / "angle.step")
-    sheet.path.rename(pairs / "angle.png")
+    sheet.rename(pairs / "angle.png")
     models = last(run_task(task_of(only(pairs), SheetKind.GIVEN, Run.OUTLINES, tmp_path)))
     assert models[Method.SWEEP.value]["exact"]
-    iou = models[Method.HULL.value]["comparison"]["protocols"]["deepcad"]["volume_iou"]
-    assert iou > 0.98
+    found = models[Method.HULL.value]["comparison"]
+    assert found["protocols"]["deepcad"]["volume_iou"] > 0.98
+    # The solid's own millimetres, whatever the sheet's are.
+    assert max(found["result"]["extent_mm"]) == pytest.approx(6.0, rel=1e-6)
+    assert found["reference"]["extent_mm"] == pytest.approx([6.0, 4.0, 3.0])
