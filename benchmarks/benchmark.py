@@ -14,7 +14,8 @@ are one run of ``gaussiancad reconstruct``, which takes longer than either; the 
 told.  Plain hull and sweep-and-cut are made of the same reading of the sheet.
 
 ``--data`` takes a folder of STEP files; where a sheet of the same stem (PNG, JPEG, TIFF, BMP, WebP,
-PDF, SVG, DXF) lies beside one, that sheet is read instead, told the longest extent, too; the solid is turned to fit.  No ablations.
+PDF, SVG, DXF) lies beside one, that sheet is read instead, told the longest extent, too, and the
+solid is turned to fit.  No ablations are run.
 
 Every finished task is kept in the output folder at once: a run that was stopped goes on where it
 was.  Another version of the code, or another setting, is another set of results.
