@@ -33,6 +33,7 @@ from benchmark_ablations import AblationTask, ablation_tasks, run_ablation
 from benchmark_page import PUBLISHED, Content, benchmark_page
 from benchmark_parts import (
     SAMPLE_NAMES,
+    USUAL_CLASSES,
     Part,
     SheetKind,
     given_parts,
@@ -48,6 +49,7 @@ from workers import Row, Work
 from gaussiancad_core.axes import Projection
 from gaussiancad_core.cli.libraries import prepare_environment, silence_opencascade
 from gaussiancad_core.modes import Preset
+from gaussiancad_core.samples.classed import PartClass
 
 _PICTURED = (SheetKind.CLEAN, SheetKind.ENDS_3, SheetKind.GIVEN)
 _QUICK_KINDS = (SheetKind.CLEAN, SheetKind.ENDS_2)
@@ -162,9 +164,10 @@ def _parts(options: argparse.Namespace, folder: Path) -> tuple[Part, ...]:
         parts = tuple(given_parts(options.data, options.projection))
         return parts[:2] if options.quick else parts
     if options.quick:
-        found = shipped_parts(SAMPLE_NAMES[:1], 1, options.seed, folder)
-        return tuple(found)[:2]
-    return tuple(shipped_parts(SAMPLE_NAMES, options.classed, options.seed, folder))
+        few = [PartClass.PLANES]
+        return tuple(shipped_parts(SAMPLE_NAMES[:1], few, 1, options.seed, folder))
+    classes = [PartClass(name) for name in options.classes]
+    return tuple(shipped_parts(SAMPLE_NAMES, classes, options.parts, options.seed, folder))
 
 
 def content_of(plan: Plan, rows: Sequence[Row]) -> Content:
@@ -210,7 +213,15 @@ def parser() -> argparse.ArgumentParser:
         metavar="draft|standard|fine",
         help="of the default surface",
     )
-    found.add_argument("--classed", type=int, default=1, help="parts of each class by chance")
+    found.add_argument(
+        "--classes",
+        nargs="*",
+        default=[kind.value for kind in USUAL_CLASSES],
+        choices=[kind.value for kind in PartClass],
+        metavar="NAME",
+        help="of parts by chance beside the samples",
+    )
+    found.add_argument("--parts", type=int, default=1, help="of each class")
     found.add_argument("--seed", type=int, default=0)
     found.add_argument("--quick", action="store_true", help="two parts, two sheets, few settings")
     return found

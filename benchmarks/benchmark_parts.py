@@ -24,6 +24,9 @@ from gaussiancad_core.samples.classed import PartClass
 SAMPLE_NAMES = ("l-bracket", "boss-plate", "wedge-block")
 """The samples whose sheets ship with the product."""
 
+USUAL_CLASSES = (PartClass.FILLETS, PartClass.REVOLVED, PartClass.OBLIQUE)
+"""Those that the samples are none of."""
+
 _STEPS = (".step", ".stp")
 
 
@@ -72,15 +75,17 @@ class Part:
         return DRAWN_KINDS if self.sheet is None else (SheetKind.GIVEN,)
 
 
-def shipped_parts(names: tuple[str, ...], classed: int, seed: int, folder: Path) -> Iterator[Part]:
-    """Samples, whose STEP files are written into a folder, and parts of each class."""
+def shipped_parts(
+    names: tuple[str, ...], classes: list[PartClass], parts: int, seed: int, folder: Path
+) -> Iterator[Part]:
+    """Samples, whose STEP files are written into a folder, and some parts of each class."""
     for number, name in enumerate(names):
         path = folder / "parts" / f"{name}.step"
         if not path.exists():
             path.parent.mkdir(parents=True, exist_ok=True)
             write_step(sample(name).build(), path)
         yield Part(Case(name, "samples", number, step=path))
-    for case in classed_cases(list(PartClass), classed, seed, 0):
+    for case in classed_cases(classes, parts, seed, 0):
         yield Part(case)
 
 

@@ -76,7 +76,7 @@ class Effort:
         seed: of training and samples.
     """
 
-    limit: float = 90.0
+    limit: float = 120.0
     points: int = 1_024
     preset: Preset = Preset.STANDARD
     seed: int = 0
