@@ -5,9 +5,10 @@ may be too short to be read, a dash or two of a hidden edge; without it the plan
 would be missing.  It is added as a line that may be drawn or not.
 """
 
-from collections.abc import Iterator
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from itertools import combinations
+from itertools import combinations, islice
 from math import hypot
 
 from gaussiancad_core.axes import Axis, Role
@@ -26,6 +27,12 @@ _LEAST = 2.0
 _SAME = 1.5
 """Tolerances within which two views show the same end, and lines are one."""
 
+
+_CHANCE = 12
+"""Lines of a view that may be lost; where more would be, ends agree by chance."""
+
+_LOOKED_AT = 2000
+"""Edges that are looked at for a view."""
 
 _REACH = 3.0
 """Tolerances within which a line ends at another one."""
@@ -51,7 +58,7 @@ def with_untold_lines(supports: PartSupports) -> PartSupports:
     if len(supports.planes) < len(Axis):
         return supports
     planes = {
-        axis: _completed(plane, list(_missing(supports, axis)), supports.tolerance)
+        axis: _completed(plane, islice(_missing(supports, axis), _LOOKED_AT), supports.tolerance)
         for axis, plane in supports.planes.items()
     }
     return replace(supports, planes=planes)
@@ -59,21 +66,22 @@ def with_untold_lines(supports: PartSupports) -> PartSupports:
 
 def _missing(supports: PartSupports, shared: Axis) -> Iterator[tuple[Point, Point]]:
     """Edges, as the view along an axis should show them, that both other views show over it."""
-    near = _SAME * supports.tolerance
+    near, least, most = (k * supports.tolerance for k in (_SAME, _LEAST, _MOST))
     one, other = (Axis(index) for index in IN_PLANE[shared])
-    firsts = list(_edges(supports.planes[other], shared))
-    seconds = list(_edges(supports.planes[one], shared))
+    firsts = _edges(supports.planes[other], shared, most)
+    seconds = sorted(_edges(supports.planes[one], shared, most), key=lambda edge: edge.low)
+    lows = [edge.low for edge in seconds]
     for first in firsts:
-        for second in seconds:
-            if abs(first.low - second.low) > near or abs(first.high - second.high) > near:
-                continue
+        at = slice(bisect_left(lows, first.low - near), bisect_right(lows, first.low + near))
+        for second in seconds[at]:
             start, end = (first.at_low, second.at_low), (first.at_high, second.at_high)
             length = hypot(end[0] - start[0], end[1] - start[1])
-            if _LEAST * supports.tolerance < length < _MOST * supports.tolerance:
+            if abs(first.high - second.high) <= near and least < length < most:
                 yield start, end
 
 
-def _edges(plane: PlaneSupports, over: Axis) -> Iterator[_Edge]:
+def _edges(plane: PlaneSupports, over: Axis, most: float) -> Iterator[_Edge]:
+    """Edges over an axis that rise by no more than ``most``."""
     place = IN_PLANE[plane.normal].index(over.value)
     for support in plane.supports:
         if not isinstance(support.curve, LineCurve) or support.curve.axis is not None:
@@ -83,11 +91,12 @@ def _edges(plane: PlaneSupports, over: Axis) -> Iterator[_Edge]:
             ends = {start, end, *(at for at in cuts if start < at < end)}
             points = sorted((p[place], p[1 - place]) for p in map(support.curve.at, ends))
             for low, high in combinations(points, 2):
-                yield _Edge(low[0], high[0], low[1], high[1])
+                if abs(high[1] - low[1]) < most:
+                    yield _Edge(low[0], high[0], low[1], high[1])
 
 
 def _completed(
-    plane: PlaneSupports, missing: list[tuple[Point, Point]], tolerance: float
+    plane: PlaneSupports, missing: Iterable[tuple[Point, Point]], tolerance: float
 ) -> PlaneSupports:
     found = list(plane.supports)
     for start, end in missing:
@@ -107,6 +116,8 @@ def _completed(
         span = Span(low, high, Linetype.HIDDEN, 0.0)
         spans: dict[Role, tuple[Span, ...]] = {role: (span,) for role in plane.roles}
         found.append(Support(line, spans))
+        if len(found) > len(plane.supports) + _CHANCE:
+            return plane
     return replace(plane, supports=tuple(found))
 
 

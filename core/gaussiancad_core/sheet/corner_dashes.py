@@ -24,6 +24,9 @@ _LONGEST = 2.0
 _TICK = 2.0
 """px of ink beside the line at least that its dash goes on with."""
 
+_MOST = 600
+"""Pieces of a view up to which legs are looked for: of more each would cost too much."""
+
 _STEP = 0.5
 """px between the places that are looked at."""
 
@@ -62,6 +65,8 @@ def find_corner_dashes(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhyt
         rhythm: of its dashes.
     """
     found: list[Placed] = []
+    if len(pieces) > _MOST:
+        return found
     for corner in _corners(pieces, sheet.stroke_width):
         leg = _leg(corner, [*pieces, *found], sheet, rhythm)
         if leg is not None:

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from itertools import pairwise
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -91,3 +92,19 @@ def test_an_edge_whose_ends_are_one_corner_is_no_line() -> None:
     plane = with_untold_lines(find_supports(views)).planes[Axis.X]
     spans = [span for support in plane.supports for span in support.spans[Role.RIGHT]]
     assert all(span.high - span.low > _TOLERANCE for span in spans)
+
+
+def test_where_ends_agree_by_chance_nothing_is_added() -> None:
+    random = np.random.default_rng(0)
+    views = _cut_corner((1.5, 1.0, 1.2), ())
+    strokes = {}
+    for role, outline in views.strokes.items():
+        starts = random.uniform(0.0, 40.0, (150, 2))
+        ends = np.clip(starts + random.normal(0.0, 4.0, (150, 2)), 0.0, 40.0)
+        scribble = zip(starts.tolist(), ends.tolist(), strict=True)
+        lines = (Segment(tuple(a), tuple(b), Linetype.VISIBLE) for a, b in scribble)
+        strokes[role] = (*outline, *lines)
+    supports = find_supports(replace(views, strokes=strokes))
+    found = with_untold_lines(supports)
+    for axis, plane in supports.planes.items():
+        assert len(found.planes[axis].supports) - len(plane.supports) <= 12
