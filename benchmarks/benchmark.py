@@ -82,9 +82,6 @@ def work(task: Task) -> Iterator[Row]:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run what is asked for; write the page and print the tables."""
     options = parser().parse_args(arguments)
-    # Many tasks side by side: threads of one would only slow down the others.
-    for name in ("OMP_NUM_THREADS", "NUMBA_NUM_THREADS"):
-        os.environ.setdefault(name, "1")
     prepare_environment()
     silence_opencascade()
     plan = plan_of(options)
@@ -228,4 +225,7 @@ def parser() -> argparse.ArgumentParser:
 
 
 if __name__ == "__main__":
+    # Many tasks side by side: threads of one would only slow down the others.
+    for name in ("OMP_NUM_THREADS", "NUMBA_NUM_THREADS"):
+        os.environ.setdefault(name, "1")
     sys.exit(main())
