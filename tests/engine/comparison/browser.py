@@ -31,7 +31,7 @@ def dump_dom(browser: str, page: Path, profile: Path) -> str:
         [browser, *FLAGS, f"--user-data-dir={profile}", "--dump-dom", page.as_uri()],
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=300,
         check=True,
     )
     return done.stdout

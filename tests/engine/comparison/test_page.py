@@ -139,6 +139,11 @@ def test_the_packed_arrays_give_the_geometry_back(bracket: TriangleMesh) -> None
     assert (triangles == found.mesh.triangles).all()
 
 
+# Frames come with the virtual clock of the waits below, and not when a busy machine has one.
+_FRAMES = """<script>
+window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 16);
+</script></head>"""
+
 _PROBE = """<script>
 window.addEventListener("load", () => {
   const canvas = document.getElementById("view");
@@ -202,7 +207,10 @@ def test_the_view_turns_in_a_browser(page: Path, tmp_path: Path) -> None:
         warnings.warn(f"the page was not opened: {reason}", stacklevel=1)
         pytest.skip(reason)
     probed = tmp_path / "probed page.html"
-    probed.write_text(page.read_text("utf-8").replace("</body>", _PROBE), "utf-8")
+    text = page.read_text("utf-8")
+    assert "</head>" in text and "</body>" in text
+    text = text.replace("</head>", _FRAMES).replace("</body>", _PROBE)
+    probed.write_text(text, "utf-8")
     text = browser.dump_dom(found, probed, tmp_path / "profile")
     match = re.search(r'<pre id="seen">(.*?)</pre>', text, re.DOTALL)
     assert match, "the page's script did not run to its end"
