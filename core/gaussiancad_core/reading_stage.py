@@ -1,0 +1,206 @@
+"""The stages views, lines and masks: a clean sheet to registered views, and what is told of it."""
+
+from dataclasses import dataclass, replace
+
+from gaussiancad_core.axes import Projection, mutually_orthogonal
+from gaussiancad_core.exact_stage import Reading
+from gaussiancad_core.job import Job
+from gaussiancad_core.modes import Recipe
+from gaussiancad_core.projection_choice import choose_projection
+from gaussiancad_core.report import ViewReport
+from gaussiancad_core.run_notes import RunNotes
+from gaussiancad_core.sheet.annotations.marks import Mark
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.layout import Layout
+from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
+from gaussiancad_core.sheet.read import SheetImage
+from gaussiancad_core.sheet.reading import (
+    ReadView,
+    RegisteredSheet,
+    find_views,
+    read_views,
+    register_views,
+)
+from gaussiancad_core.sheet.scale.find import ScaleSource, find_scale
+from gaussiancad_core.sheet.special_views.kinds import SpecialView
+from gaussiancad_core.sheet.special_views.telling import tellings
+from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
+
+
+@dataclass(frozen=True, eq=False)
+class SheetFindings:
+    """What was read on a sheet.
+
+    Attributes:
+        own: the views on shared axes, under the likelier projection.
+        other: the same under the other projection, where that is possible.
+        marks: annotations, in px of the upright sheet.
+        special: views that are no plain projections.
+        symbol: the projection that the sheet's symbol tells, if there is one.
+        contradicted: whether the lines fit the other projection better than the symbol's.
+    """
+
+    own: Reading
+    other: Reading | None
+    marks: tuple[Mark, ...]
+    special: tuple[SpecialView, ...]
+    symbol: Projection | None = None
+    contradicted: bool = False
+
+
+def read_drawing(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) -> SheetFindings:
+    """Views, lines and masks of a sheet, on shared axes, under one or two projections.
+
+    Args:
+        job: with what the user says of the sheet.
+        image: as stored.
+        clean: the same, upright, its ink told from its paper.
+        notes: told what is found.
+
+    Raises:
+        NoModelError: the sheet has no views that belong together.
+    """
+    reading = job.reading
+    with notes.stage("views"):
+        given = {role: clean.turn.box_to_upright(box) for role, box in reading.views}
+        separated, layout = find_views(clean, given, reading.projection)
+        _tell_marks(notes, separated.marks, clean.turn)
+        _tell_layout(notes, layout, clean.turn)
+    with notes.stage("lines"):
+        vectors = _vectors(image, clean) if reading.finder is Finder.RIDGES else None
+        drawn = read_views(separated.part, layout, notes.progress, reading.finder, vectors)
+        options = _scaled(reading, image, clean, (separated.marks, drawn), notes)
+    with notes.stage("masks"):
+        if job.recipe is Recipe.PAPER:
+            options = replace(options, open_holes=False)
+        if layout.alternatives and not reading.views:
+            found = _choose_projection(drawn, layout, options, notes)
+        else:
+            own = Reading(register_views(drawn, options), notes.report.projection)
+            found = SheetFindings(own, None, (), ())
+        _tell_views(notes, found.own.registered, clean.turn)
+        _tell_registration(notes, found.own.registered)
+    return replace(found, marks=separated.marks, special=layout.special)
+
+
+def tell_projection(notes: RunNotes, projection: Projection, inferred: bool) -> None:
+    """Say which projection was taken, and whether the sheet told it."""
+    notes.tell(
+        projection=projection,
+        projection_source="inferred" if inferred else "default",
+        projection_alternatives=() if inferred else (projection.other,),
+    )
+
+
+def tell_symbol(notes: RunNotes, found: SheetFindings, taken: Projection) -> None:
+    """Say where the projection symbol and the lines do not agree."""
+    symbol = found.symbol
+    if symbol is None or (taken is symbol and not found.contradicted):
+        return
+    notes.warn(
+        "symbol-contradicts-lines",
+        f"the projection symbol says {symbol.value} angle, but the visible and hidden "
+        f"lines fit {symbol.other.value} angle better: {taken.value} angle was taken; "
+        "tell --projection if it is the other",
+    )
+
+
+def _choose_projection(
+    drawn: tuple[ReadView, ...], layout: Layout, options: ReadingOptions, notes: RunNotes
+) -> SheetFindings:
+    """The likelier reading of the views, and the other one where it is possible."""
+    choice = choose_projection(drawn, layout.projection, options)
+    contradicted = False
+    if layout.symbol is not None:
+        contradicted = choice.inferred and choice.projection is not layout.symbol
+        choice = choice.told(layout.symbol)
+    tell_projection(notes, choice.projection, choice.inferred)
+    own = Reading(choice.registered, choice.projection)
+    other = Reading(choice.other, choice.projection.other) if choice.other else None
+    return SheetFindings(own, other, (), (), layout.symbol, contradicted)
+
+
+def _scaled(
+    reading: ReadingOptions,
+    image: SheetImage,
+    clean: CleanSheet,
+    found: tuple[tuple[Mark, ...], tuple[ReadView, ...]],
+    notes: RunNotes,
+) -> ReadingOptions:
+    """What the user said, with the scale that the sheet tells where they said none."""
+    if reading.length is not None or reading.mm_per_pixel is not None:
+        notes.tell(scale_source=ScaleSource.GIVEN.value)
+        return reading
+    scale = find_scale(image, clean, *found)
+    notes.tell(scale_source=scale.source.value, dimensions=scale.dimensions)
+    for note in scale.notes:
+        notes.warn(note.code, note.message)
+    return replace(reading, mm_per_pixel=scale.mm_per_pixel)
+
+
+def _vectors(image: SheetImage, clean: CleanSheet) -> VectorSheet | None:
+    """The exact lines of a sheet's file, where it has them."""
+    return VectorSheet(image.vectors, clean) if image.vectors is not None else None
+
+
+def _tell_views(notes: RunNotes, registered: RegisteredSheet, turn: Turn) -> None:
+    notes.tell(views={view.role: ViewReport(view.stored_box(turn)) for view in registered.drawn})
+
+
+def _tell_marks(notes: RunNotes, marks: tuple[Mark, ...], turn: Turn) -> None:
+    kinds: dict[str, list[Box]] = {}
+    for mark in marks:
+        kinds.setdefault(mark.kind.value, []).append(turn.box_to_stored(mark.box))
+    notes.tell(annotations=kinds)
+
+
+def _tell_layout(notes: RunNotes, layout: Layout, turn: Turn) -> None:
+    special = tuple(replace(view, box=turn.box_to_stored(view.box)) for view in layout.special)
+    notes.tell(
+        projection=layout.projection,
+        projection_source=layout.source,
+        projection_alternatives=layout.alternatives,
+        views={role: ViewReport(turn.box_to_stored(box)) for role, box in layout.boxes.items()},
+        special_views=special,
+    )
+    for told in tellings(special):
+        (notes.doubt if told.doubt else notes.warn)(told.code, told.message)
+    if layout.left_out:
+        boxes = ("({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*b) for b in layout.left_out[:5])
+        notes.warn(
+            "lines-left-out",
+            f"{len(layout.left_out)} group(s) of lines belong to no view and were left out: "
+            f"{'; '.join(boxes)} px",
+        )
+
+
+def _tell_registration(notes: RunNotes, registered: RegisteredSheet) -> None:
+    notes.tell(
+        scale_mm_per_pixel=registered.mm_per_pixel,
+        bounding_box_mm=registered.views.size,
+        strokes_source=registered.source.value,
+        residuals_px={
+            axis.name.lower(): (residual.median, residual.largest)
+            for axis, residual in registered.extents.residuals.items()
+        },
+    )
+    if notes.report.scale_source == ScaleSource.DEFAULT.value:
+        notes.warn(
+            "scale-assumed",
+            "the scale is not known: the longest edge was made 100 mm; "
+            "tell --length AXIS=MM or --mm-per-pixel",
+        )
+    for axis in registered.extents.disagreeing:
+        spread = registered.extents.spread[axis]
+        residual = registered.extents.residuals[axis]
+        notes.warn(
+            "views-disagree",
+            f"the views differ by {spread:.1f} px in the part's extent along {axis.name}, and "
+            f"by up to {residual.largest:.1f} px from the coordinates that they share: "
+            "their mean was taken",
+        )
+    if not mutually_orthogonal(registered.views.roles):
+        notes.doubt(
+            "two-views", "only two directions of view: what a third would show is not known"
+        )
