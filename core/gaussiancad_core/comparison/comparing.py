@@ -229,6 +229,7 @@ def _facts(model: Model, betti: tuple[int, int, int] | None) -> ModelFacts:
         betti,
         None if exact is None else exact.valid,
         None if exact is None else exact.faces,
+        None if exact is None else exact.content.value,
     )
 
 

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gaussiancad_core.comparison.distances import VolumeIou, encloses_volume, volume_iou
-from gaussiancad_core.comparison.models import Model
+from gaussiancad_core.comparison.models import Content, Model
 from gaussiancad_core.comparison.normalise import moved_mesh, normalising_matrix
 from gaussiancad_core.comparison.queries import Points, SurfaceQueries
 from gaussiancad_core.comparison.sampling import random_streams, sample_surface
@@ -101,6 +101,8 @@ def invalidity(model: Model) -> str | None:
     A B-Rep is valid if OpenCASCADE's check finds nothing, and a mesh if it is closed; both must
     enclose a volume.
     """
+    if model.exact is not None and model.exact.content is Content.SURFACES:
+        return "it holds surfaces and no solid"
     if model.exact is not None:
         return None if model.exact.valid else "OpenCASCADE's check refuses the solid"
     if not model.closed:

@@ -9,18 +9,15 @@ samplings of the reference is their floor.
 import os
 from dataclasses import dataclass
 from enum import Enum
-from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.comparison.bodies import manifold_of
 from gaussiancad_core.comparison.queries import Points, SurfaceQueries
 from gaussiancad_core.comparison.sampling import RandomState
 from gaussiancad_core.errors import EngineError
 from gaussiancad_core.meshes import TriangleMesh
-
-if TYPE_CHECKING:
-    import manifold3d
 
 EMD_POINTS = 2048
 """Most points a side for the EMD: optimal transport costs the third power of their number."""
@@ -145,7 +142,7 @@ def _occupied(surface: SurfaceQueries, points: Points) -> npt.NDArray[np.bool_]:
 def _boolean_iou(first: TriangleMesh, second: TriangleMesh) -> float | None:
     import manifold3d
 
-    solids = [_manifold(mesh) for mesh in (first, second)]
+    solids = [manifold_of(mesh) for mesh in (first, second)]
     if any(solid is None for solid in solids):
         return None
     both = solids[0] ^ solids[1]
@@ -155,18 +152,3 @@ def _boolean_iou(first: TriangleMesh, second: TriangleMesh) -> float | None:
     # What is united follows, and a second Boolean of large meshes takes long.
     united = solids[0].volume() + solids[1].volume() - common
     return float(np.clip(common / united, 0.0, 1.0))
-
-
-def _manifold(mesh: TriangleMesh) -> "manifold3d.Manifold | None":
-    """The mesh as a solid for Booleans, or None where it does not bound one."""
-    import manifold3d
-
-    solid = manifold3d.Manifold(
-        manifold3d.Mesh64(
-            np.ascontiguousarray(mesh.vertices),
-            np.ascontiguousarray(mesh.triangles, dtype=np.uint64),
-        )
-    )
-    if solid.status() != manifold3d.Error.NoError or solid.volume() <= 0.0:
-        return None
-    return solid

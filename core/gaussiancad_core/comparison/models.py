@@ -1,20 +1,26 @@
 """Models on disk: exact solids (STEP, BREP) and triangle meshes (STL, PLY, OBJ), all as a mesh."""
 
 import io
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 
+from gaussiancad_core.comparison.bodies import untangled
 from gaussiancad_core.errors import UnreadableError
 from gaussiancad_core.meshes import TriangleMesh, make_mesh
 
-_DEFLECTION_SHARE = 5e-5
-"""Largest distance of a tessellation from its exact surface, as a share of the longest edge."""
-
 _LARGEST_FILE = 2**30
+
+
+class Content(Enum):
+    """What is measured of a file with exact surfaces."""
+
+    SOLIDS = "solids"
+    SEWN = "surfaces, sewn into solids"
+    SURFACES = "surfaces"
 
 
 @dataclass(frozen=True)
@@ -25,8 +31,11 @@ class ExactFacts:
         valid: OpenCASCADE's own check finds nothing, and it encloses a volume.
         closed: every edge bounds two faces.
         faces: number of distinct faces.
-        volume_mm3, area_mm2: of the exact surfaces.
+        volume_mm3, area_mm2: of the exact surfaces; of the triangles around united solids.
         deflection_mm: largest distance of the tessellation from them.
+        content: what is measured.
+        united: how many solids that touch or overlap are measured as one; 0 where none do.
+        left_out: faces beside the solids, which are not measured.
     """
 
     valid: bool
@@ -35,6 +44,9 @@ class ExactFacts:
     volume_mm3: float
     area_mm2: float
     deflection_mm: float
+    content: Content = Content.SOLIDS
+    united: int = 0
+    left_out: int = 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,13 +72,11 @@ class Model:
             return self
         exact = self.exact
         if exact is not None:
-            exact = ExactFacts(
-                exact.valid,
-                exact.closed,
-                exact.faces,
-                exact.volume_mm3 * factor**3,
-                exact.area_mm2 * factor**2,
-                exact.deflection_mm * factor,
+            exact = replace(
+                exact,
+                volume_mm3=exact.volume_mm3 * factor**3,
+                area_mm2=exact.area_mm2 * factor**2,
+                deflection_mm=exact.deflection_mm * factor,
             )
         return Model(make_mesh(self.mesh.vertices * factor, self.mesh.triangles), exact)
 
@@ -111,7 +121,8 @@ def read_model(path: Path) -> Model:
     """Read a model as a welded mesh in the file's millimetres, oriented outward.
 
     Exact solids are tessellated to within 5e-5 of their longest edge.  STEP states its unit and is
-    converted; the mesh formats have none and are taken as they are.
+    converted; the mesh formats have none and are taken as they are.  Where pieces of a closed
+    surface touch along an edge each has vertices of its own.
 
     Raises:
         UnreadableError: ``file-missing``, ``file-not-readable``, ``file-too-large``,
@@ -119,11 +130,15 @@ def read_model(path: Path) -> Model:
             formats), ``not-a-model`` (mesh formats), ``point-cloud``, ``empty-model``.
     """
     model_format = format_of(path)
+    _check_size(path)
     if model_format.is_exact:
-        mesh, exact = _tessellated(path)
+        from gaussiancad_core.comparison.exact import read_exact
+
+        mesh, exact = read_exact(path)
     else:
         mesh, exact = _parsed(path, model_format), None
-    mesh = _welded(mesh)
+    if exact is None or not exact.united:
+        mesh = untangled(_welded(mesh))
     extent = np.ptp(mesh.vertices, axis=0).max() if len(mesh.triangles) else 0.0
     if not np.isfinite(mesh.vertices).all() or not np.isfinite(extent):
         raise UnreadableError(
@@ -134,17 +149,6 @@ def read_model(path: Path) -> Model:
             "empty-model", f"{path} holds no surface: export the model with its faces"
         )
     return Model(mesh.oriented_outward(), exact)
-
-
-def _tessellated(path: Path) -> tuple[TriangleMesh, ExactFacts]:
-    from gaussiancad_core.comparison.exact import exact_facts
-    from gaussiancad_core.drawing.brep import bounding_box, read_solid, tessellate
-
-    shape = read_solid(path)
-    longest = float(np.ptp(bounding_box(shape), axis=0).max())
-    deflection = _DEFLECTION_SHARE * longest
-    mesh = make_mesh(*tessellate(shape, deflection, 0.2))
-    return mesh, exact_facts(shape, deflection)
 
 
 def _parsed(path: Path, model_format: ModelFormat) -> TriangleMesh:
@@ -178,17 +182,23 @@ def _parsed(path: Path, model_format: ModelFormat) -> TriangleMesh:
     return make_mesh(mesh.vertices, mesh.faces)
 
 
+def _check_size(path: Path) -> None:
+    """Refuse what would not fit into the memory; what cannot be asked is told when it is read."""
+    try:
+        size = path.stat().st_size
+    except OSError:
+        return
+    if size > _LARGEST_FILE:
+        raise UnreadableError(
+            "file-too-large", f"{path} is larger than 1 GiB: export it with fewer triangles"
+        )
+
+
 def _read(path: Path) -> bytes:
     try:
-        if path.stat().st_size > _LARGEST_FILE:
-            raise UnreadableError(
-                "file-too-large", f"{path} is larger than 1 GiB: export it with fewer triangles"
-            )
         content = path.read_bytes()
     except FileNotFoundError as error:
         raise UnreadableError("file-missing", f"{path} does not exist: check the path") from error
-    except UnreadableError:
-        raise
     except OSError as error:
         reason = error.strerror or str(error)
         raise UnreadableError(

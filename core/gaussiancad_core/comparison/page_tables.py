@@ -11,6 +11,7 @@ from gaussiancad_core.comparison.deviation import diverging_colours
 from gaussiancad_core.comparison.distances import VolumeIou
 from gaussiancad_core.comparison.engineering import NORMAL_ANGLE, EngineeringResult
 from gaussiancad_core.comparison.findings import Histogram, WorstPoint
+from gaussiancad_core.comparison.models import Content
 from gaussiancad_core.comparison.report import Comparison, DeviationFacts, ModelFacts
 
 _PLOT = (720, 190)
@@ -225,6 +226,8 @@ def _soundness(facts: ModelFacts) -> str:
     closed = "closed" if facts.watertight else "not closed"
     if facts.valid is None:
         return f"mesh, {closed}"
+    if facts.content == Content.SURFACES.value:
+        return f"exact surfaces, {closed}"
     return f"exact, {'valid' if facts.valid else 'not valid'}, {closed}"
 
 

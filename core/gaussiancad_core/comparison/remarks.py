@@ -1,7 +1,7 @@
 """What a person should know before believing a comparison's numbers."""
 
 from gaussiancad_core.comparison.distances import encloses_volume
-from gaussiancad_core.comparison.models import Model
+from gaussiancad_core.comparison.models import Content, ExactFacts, Model
 from gaussiancad_core.comparison.topology import Topology
 from gaussiancad_core.report import Remark
 
@@ -47,24 +47,69 @@ def remarks_on(
 
 
 def _on_model(name: str, model: Model, topology: Topology) -> list[Remark]:
-    if model.exact is not None and not model.exact.valid:
-        return [
+    exact = model.exact
+    found = [] if exact is None else _on_content(name, exact)
+    if exact is not None and exact.content is Content.SURFACES:
+        return found
+    if exact is not None and not exact.valid:
+        found.append(
             _warned(
                 "solid-invalid",
                 f"OpenCASCADE's check refuses the {name}: its volume and Booleans may be wrong",
             )
-        ]
-    if topology.betti is None:
-        return [
+        )
+    elif topology.betti is None:
+        count = topology.open_edges
+        edges = "1 open edge" if count == 1 else f"{count} open edges"
+        found.append(
             _warned(
                 "model-open",
-                f"the {name} is not closed ({topology.open_edges} open edges): it has no volume "
-                "for certain, and distances from it have no sign",
+                f"the {name} is not closed ({edges}): it has no volume for certain, and distances "
+                "from it have no sign",
             )
-        ]
-    if not encloses_volume(model.mesh):
-        return [_warned("no-volume", f"the {name} is closed but encloses no volume")]
-    return []
+        )
+    elif not encloses_volume(model.mesh):
+        found.append(_warned("no-volume", f"the {name} is closed but encloses no volume"))
+    return found
+
+
+def _on_content(name: str, exact: ExactFacts) -> list[Remark]:
+    """What of a STEP or BREP file is measured, where that is not just its solids."""
+    found = []
+    if exact.content is Content.SEWN:
+        found.append(
+            _warned(
+                "surfaces-sewn",
+                f"the {name} holds surfaces and no solid: sewn together they are closed, and are "
+                "measured as a solid",
+            )
+        )
+    if exact.content is Content.SURFACES:
+        found.append(
+            _warned(
+                "surfaces-only",
+                f"the {name} holds surfaces that do not close up to a solid: it has no volume for "
+                "certain, and distances from it have no sign",
+            )
+        )
+    if exact.united:
+        found.append(
+            _warned(
+                "solids-united",
+                f"{exact.united} solids of the {name} touch or overlap: they are measured as one "
+                "body, without the faces between them",
+            )
+        )
+    if exact.left_out:
+        faces = "1 face" if exact.left_out == 1 else f"{exact.left_out} faces"
+        found.append(
+            _warned(
+                "surfaces-left-out",
+                f"the {name} holds {faces} beside its solids, which are not measured: remove them, "
+                "or make solids of them",
+            )
+        )
+    return found
 
 
 def _words(betti: tuple[int, int, int]) -> str:

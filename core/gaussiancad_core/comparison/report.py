@@ -41,6 +41,7 @@ class ModelFacts:
         betti: bodies, tunnels and cavities; None where it is not closed.
         valid: whether OpenCASCADE's check finds nothing; None for triangles.
         faces: of an exact solid; None for triangles.
+        content: what of an exact file is measured, a value of ``Content``; None for triangles.
     """
 
     extent_mm: tuple[float, ...]
@@ -52,6 +53,7 @@ class ModelFacts:
     betti: tuple[int, int, int] | None
     valid: bool | None
     faces: int | None
+    content: str | None
 
 
 @dataclass(frozen=True)

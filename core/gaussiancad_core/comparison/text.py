@@ -7,6 +7,7 @@ from gaussiancad_core.comparison.engineering import (
     DistanceStatistics,
     EngineeringResult,
 )
+from gaussiancad_core.comparison.models import Content
 from gaussiancad_core.comparison.normalise import scale_of
 from gaussiancad_core.comparison.report import Comparison, ModelFacts
 
@@ -59,7 +60,9 @@ def _iou_line(iou: VolumeIou) -> str:
 def _facts_line(name: str, facts: ModelFacts) -> str:
     size = " x ".join(f"{edge:.6g}" for edge in facts.extent_mm)
     parts = [f"{size} mm", f"{facts.triangles} triangles"]
-    if facts.faces is not None:
+    if facts.content == Content.SURFACES.value:
+        parts.append(f"{facts.faces} surfaces, no solid")
+    elif facts.faces is not None:
         parts.append(f"{facts.faces} faces, {'valid' if facts.valid else 'INVALID'}")
     parts.append("closed" if facts.watertight else "not closed")
     if facts.betti is not None:

@@ -7,7 +7,7 @@ file descriptor 1 while it reads and writes; who needs a clean stdout redirects 
 
 import io
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -74,27 +74,34 @@ def read_solid(path: Path) -> TopoDS_Shape:
         The solid, or a compound where the file holds several.
 
     Raises:
-        UnreadableError: ``file-missing``, ``file-not-readable``, ``empty-file``, ``not-a-solid``
-            (another format, or no solid inside), ``file-damaged``.
+        UnreadableError: as :func:`read_shape`; ``not-a-solid``, too, if there is no solid inside.
     """
-    content = _read_bytes(path)
-    # Editors put a byte order mark before the text, which the STEP reader takes for damage.
-    text = content.lstrip(b"\xef\xbb\xbf \t\r\n")
-    if text.startswith(_STEP_MAGIC):
-        shape = _parse_step(path, text)
-    elif any(magic in content[:_HEAD] for magic in _BREP_MAGIC):
-        shape = _parse_brep(path, content)
-    else:
-        raise UnreadableError(
-            "not-a-solid", f"{path} is neither STEP nor BREP: export the solid as STEP"
-        )
-    solids = subshapes(shape, TopAbs_ShapeEnum.TopAbs_SOLID)
+    solids = subshapes(read_shape(path), TopAbs_ShapeEnum.TopAbs_SOLID)
     if not solids:
         raise UnreadableError(
             "not-a-solid",
             f"{path} holds no solid, only surfaces or curves: export a closed solid",
         )
-    return solids[0] if len(solids) == 1 else _compound(solids)
+    return solids[0] if len(solids) == 1 else compound_of(solids)
+
+
+def read_shape(path: Path) -> TopoDS_Shape:
+    """Read all that a STEP or BREP file holds, in millimetres; the content decides which it is.
+
+    Raises:
+        UnreadableError: ``file-missing``, ``file-not-readable``, ``empty-file``, ``not-a-solid``
+            (another format), ``file-damaged``.
+    """
+    content = _read_bytes(path)
+    # Editors put a byte order mark before the text, which the STEP reader takes for damage.
+    text = content.lstrip(b"\xef\xbb\xbf \t\r\n")
+    if text.startswith(_STEP_MAGIC):
+        return _parse_step(path, text)
+    if any(magic in content[:_HEAD] for magic in _BREP_MAGIC):
+        return _parse_brep(path, content)
+    raise UnreadableError(
+        "not-a-solid", f"{path} is neither STEP nor BREP: export the solid as STEP"
+    )
 
 
 def _read_bytes(path: Path) -> bytes:
@@ -152,7 +159,8 @@ def _parse_brep(path: Path, content: bytes) -> TopoDS_Shape:
     return shape
 
 
-def _compound(shapes: list[TopoDS_Shape]) -> TopoDS_Shape:
+def compound_of(shapes: Sequence[TopoDS_Shape]) -> TopoDS_Compound:
+    """Shapes as one."""
     builder, compound = BRep_Builder(), TopoDS_Compound()
     builder.MakeCompound(compound)
     for shape in shapes:

@@ -73,7 +73,7 @@ def test_brep_round_trip(bored: object, tmp_path: Path) -> None:
 
 
 def test_several_solids_stay_together(tmp_path: Path) -> None:
-    both = brep._compound([box((0, 0, 0), (1, 1, 1)), box((3, 0, 0), (5, 1, 1))])
+    both = brep.compound_of([box((0, 0, 0), (1, 1, 1)), box((3, 0, 0), (5, 1, 1))])
     write_step(both, tmp_path / "two.step")
     found = soundness(read_solid(tmp_path / "two.step"))
     assert (found.solids, found.faces, found.closed) == (2, 12, True)
@@ -160,7 +160,7 @@ def test_soundness_sees_an_open_and_an_inverted_solid(bored: object) -> None:
     sound = soundness(bored)
     assert (sound.valid, sound.closed, sound.solids, sound.faces) == (True, True, 1, 7)
     assert not soundness(bored.Reversed()).valid
-    shell = brep._compound(faces_of(bored)[:-1])
+    shell = brep.compound_of(faces_of(bored)[:-1])
     assert not soundness(shell).closed
 
 
