@@ -1,13 +1,9 @@
-"""What a solution has more or less than the first one, marked in the 3D view.
+"""What a solution has more or less than the first one, marked in the 3D view."""
 
-Nothing of it is in the document: it is drawn beside the document's objects, and taken off again.
-"""
-
-import FreeCAD
-import FreeCADGui
 from pivy import coin
 
 from freecad.gaussiancad.objects.solutions import Difference, Region
+from freecad.gaussiancad.panels.view_mark import ViewMark, unpickable
 
 MORE = (0.90, 0.62, 0.0)
 """Orange (Okabe and Ito): the colour of material that only the shown solution has."""
@@ -22,28 +18,14 @@ _FINE = 0.005
 """Deviation of the marks, as a share of their largest extent."""
 
 
-class DifferenceMark:
-    """Marks in a document's 3D view.
-
-    Args:
-        document: whose view is marked.
-    """
-
-    def __init__(self, document: FreeCAD.Document) -> None:
-        self._document = document.Name
-        self._node: coin.SoSeparator | None = None
-        self._view: object = None
+class DifferenceMark(ViewMark):
+    """Marks in a document's 3D view."""
 
     def show(self, difference: Difference) -> None:
         """Mark a difference in place of the last one."""
-        self.clear()
-        view = FreeCADGui.getDocument(self._document).ActiveView
-        if not hasattr(view, "getSceneGraph"):
+        if self._cleared_view() is None:
             return
-        node = coin.SoSeparator()
-        unpickable = coin.SoPickStyle()
-        unpickable.style = coin.SoPickStyle.UNPICKABLE
-        node.addChild(unpickable)
+        node = unpickable(coin.SoSeparator())
         # In front of the solid's own faces, which they lie on.
         offset = coin.SoPolygonOffset()
         offset.factor, offset.units = -2.0, -2.0
@@ -51,17 +33,7 @@ class DifferenceMark:
         for region, colour in ((difference.more, MORE), (difference.less, LESS)):
             if region.shape is not None:
                 node.addChild(_body(region, colour))
-        view.getSceneGraph().addChild(node)
-        self._node, self._view = node, view
-
-    def clear(self) -> None:
-        """Take the marks off; a view that was closed has none."""
-        node, self._node = self._node, None
-        if node is None or self._document not in FreeCAD.listDocuments():
-            return
-        graph = self._view.getSceneGraph()
-        if graph.findChild(node) >= 0:
-            graph.removeChild(node)
+        self._put_behind(node)
 
 
 def _body(region: Region, colour: tuple[float, float, float]) -> coin.SoSeparator:

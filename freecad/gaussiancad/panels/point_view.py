@@ -1,13 +1,9 @@
-"""Fly to a point of the 3D view, and mark it there.
-
-Nothing of it is in the document: the mark is drawn beside the document's objects, and taken off
-again.
-"""
+"""Fly to a point of the 3D view, and mark it there."""
 
 import FreeCAD
-import FreeCADGui
 from pivy import coin
 
+from freecad.gaussiancad.panels.view_mark import ViewMark, unpickable
 from freecad.gaussiancad.qt import QtCore
 
 _STEPS = 12
@@ -18,7 +14,7 @@ _CLOSE = 0.35
 Point = tuple[float, float, float]
 
 
-class PointMark:
+class PointMark(ViewMark):
     """A mark in a document's 3D view.
 
     Args:
@@ -26,9 +22,7 @@ class PointMark:
     """
 
     def __init__(self, document: FreeCAD.Document) -> None:
-        self._document = document.Name
-        self._node: coin.SoSeparator | None = None
-        self._view: object = None
+        super().__init__(document)
         self._timer = QtCore.QTimer()
         self._timer.timeout.connect(self._step)
         self._flight: list[tuple[coin.SbVec3f, float]] = []
@@ -41,14 +35,9 @@ class PointMark:
             text: written beside it.
             size: of the part, mm.
         """
-        self.clear()
-        view = FreeCADGui.getDocument(self._document).ActiveView
-        if not hasattr(view, "getSceneGraph"):
+        if self._cleared_view() is None:
             return
-        node = coin.SoAnnotation()
-        unpickable = coin.SoPickStyle()
-        unpickable.style = coin.SoPickStyle.UNPICKABLE
-        node.addChild(unpickable)
+        node = unpickable(coin.SoAnnotation())
         colour = coin.SoBaseColor()
         colour.rgb = (1.0, 0.55, 0.0)
         node.addChild(colour)
@@ -67,19 +56,13 @@ class PointMark:
         words = coin.SoText2()
         words.string.setValues(0, 2, ["", f"  {text}"])
         node.addChild(words)
-        view.getSceneGraph().addChild(node)
-        self._node, self._view = node, view
+        self._put_behind(node)
         self._fly(place, size)
 
     def clear(self) -> None:
         """Take the mark off; a view that was closed has none."""
         self._timer.stop()
-        node, self._node = self._node, None
-        if node is None or self._document not in FreeCAD.listDocuments():
-            return
-        graph = self._view.getSceneGraph()
-        if graph.findChild(node) >= 0:
-            graph.removeChild(node)
+        super().clear()
 
     def _fly(self, place: Point, size: float) -> None:
         camera = self._view.getCameraNode()
@@ -98,7 +81,7 @@ class PointMark:
         self._timer.start(_STEP_MILLISECONDS)
 
     def _step(self) -> None:
-        if not self._flight or self._document not in FreeCAD.listDocuments():
+        if not self._flight or not self._is_open():
             self._timer.stop()
             return
         position, height = self._flight.pop(0)

@@ -1,18 +1,17 @@
 """A section through a comparison: the outlines of both models in one plane, in the 3D view.
 
 Orange is the result, green the reference.  What lies in front of the plane is hidden meanwhile.
-Nothing of it is in the document.
 """
 
 from collections.abc import Sequence
 
 import FreeCAD
-import FreeCADGui
 import Mesh
 import Part
 from pivy import coin
 
 from freecad.gaussiancad.objects.sources import Source
+from freecad.gaussiancad.panels.view_mark import ViewMark, unpickable
 
 RESULT = (0.90, 0.62, 0.0)
 """Orange (Okabe and Ito)."""
@@ -29,17 +28,8 @@ AXES = {
 Line = Sequence[tuple[float, float, float]]
 
 
-class SectionMark:
-    """The outlines in a document's 3D view.
-
-    Args:
-        document: whose view it is.
-    """
-
-    def __init__(self, document: FreeCAD.Document) -> None:
-        self._document = document.Name
-        self._nodes: list[coin.SoNode] = []
-        self._view: object = None
+class SectionMark(ViewMark):
+    """The outlines in a document's 3D view."""
 
     def show(self, axis: str, at: float, models: tuple[Mesh.Mesh, Mesh.Mesh]) -> None:
         """Cut the result and the reference.
@@ -49,40 +39,23 @@ class SectionMark:
             at: mm along it.
             models: result and reference, in global coordinates.
         """
-        self.clear()
-        view = FreeCADGui.getDocument(self._document).ActiveView
-        if not hasattr(view, "getSceneGraph"):
+        view = self._cleared_view()
+        if view is None:
             return
-        graph = view.getSceneGraph()
         normal = AXES[axis]
         # The half towards the eye is taken off.
         towards = -1.0 if view.getViewDirection() * normal > 0.0 else 1.0
         clip = coin.SoClipPlane()
         kept = normal * -towards
         clip.plane = coin.SbPlane(coin.SbVec3f(*kept), -towards * at)
-        lines = coin.SoAnnotation()
-        unpickable = coin.SoPickStyle()
-        unpickable.style = coin.SoPickStyle.UNPICKABLE
-        lines.addChild(unpickable)
+        lines = unpickable(coin.SoAnnotation())
         style = coin.SoDrawStyle()
         style.lineWidth = 3.0
         lines.addChild(style)
         for mesh, colour in zip(models, (RESULT, REFERENCE), strict=True):
             lines.addChild(_polylines(outlines(mesh, axis, at), colour))
         # The lines lie in the plane: they come before it, so that it does not cut them.
-        graph.insertChild(clip, 0)
-        graph.insertChild(lines, 0)
-        self._nodes, self._view = [clip, lines], view
-
-    def clear(self) -> None:
-        """Take the section off; a view that was closed has none."""
-        nodes, self._nodes = self._nodes, []
-        if not nodes or self._document not in FreeCAD.listDocuments():
-            return
-        graph = self._view.getSceneGraph()
-        for node in nodes:
-            if graph.findChild(node) >= 0:
-                graph.removeChild(node)
+        self._put_before(lines, clip)
 
 
 def outlines(mesh: Mesh.Mesh, axis: str, at: float) -> list[Line]:
