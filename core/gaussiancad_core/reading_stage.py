@@ -64,7 +64,9 @@ def read_drawing(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes
     reading = job.reading
     with notes.stage("views"):
         given = {role: clean.turn.box_to_upright(box) for role, box in reading.views}
-        separated, layout = find_views(clean, given, reading.projection)
+        # Where a file has lines of one width, those of its picture only seem to differ.
+        by_weight = not (image.vectors is not None and image.vectors.has_one_width)
+        separated, layout = find_views(clean, given, reading.projection, by_weight)
         _tell_marks(notes, separated.marks, clean.turn)
         _tell_layout(notes, layout, clean.turn)
     with notes.stage("lines"):

@@ -103,7 +103,10 @@ class RegisteredSheet:
 
 
 def find_views(
-    sheet: CleanSheet, given: dict[Role, Box], projection: Projection | None
+    sheet: CleanSheet,
+    given: dict[Role, Box],
+    projection: Projection | None,
+    by_weight: bool = True,
 ) -> tuple[SeparatedSheet, Layout]:
     """Take the annotations off a sheet and find the views on it.
 
@@ -113,13 +116,15 @@ def find_views(
         sheet: upright.
         given: boxes that the user named, in px of the upright sheet.
         projection: as told by the user, or nothing: then the sheet's symbol is looked for.
+        by_weight: whether narrow lines may be told from wide ones; a file may know better.
 
     Raises:
         NoModelError: see :func:`gaussiancad_core.sheet.special_views.finding.find_named_layout`.
         UsageError: a given box holds no ink.
     """
     symbol = find_symbol(sheet) if projection is None else None
-    separated, layout = _separated_views(sheet, given, symbol.projection if symbol else projection)
+    told = symbol.projection if symbol else projection
+    separated, layout = _separated_views(sheet, given, told, by_weight)
     if symbol is not None:
         separated = replace(separated, marks=(*separated.marks, symbol.mark))
         layout = replace(
@@ -132,13 +137,13 @@ def find_views(
 
 
 def _separated_views(
-    sheet: CleanSheet, given: dict[Role, Box], projection: Projection | None
+    sheet: CleanSheet, given: dict[Role, Box], projection: Projection | None, by_weight: bool
 ) -> tuple[SeparatedSheet, Layout]:
     """Without relying on line widths, or on annotations at all, where that leads to more.
 
     Where the widths leave two views only, outlines may have been taken for annotations.
     """
-    separated = separate_annotations(sheet)
+    separated = separate_annotations(sheet, by_weight)
     ways: list[Callable[[], SeparatedSheet]] = [lambda: separated]
     if separated.by_weight:
         ways.append(lambda: separate_annotations(sheet, by_weight=False))
@@ -237,7 +242,8 @@ def read_views(
         region = cut_region(layout, box)
         if region is not None:
             strokes = with_hidden_inside(strokes, outline, region)
-        drawn.append(ReadView(role, view_box(strokes, outline), strokes, outline, source))
+        own = view_box(strokes, outline, exact=source is StrokesSource.VECTOR)
+        drawn.append(ReadView(role, own, strokes, outline, source))
     return tuple(drawn)
 
 

@@ -31,6 +31,9 @@ _CONTRADICTION = 0.1
 _NEAR_OUTLINE = 1.5
 """px between a stroke along a side of a view and the outline there."""
 
+_NEAR_EXACT = 4.0
+"""The same for strokes of a file."""
+
 _LEVEL, _SHORTEST_SIDE = 0.6, 8.0
 """px: largest lean and shortest length of a stroke along a side."""
 
@@ -101,14 +104,16 @@ class Placement:
         return np.stack([x0 + u * (x1 - x0), y1 - v * (y1 - y0)], axis=1)
 
 
-def view_box(strokes: tuple[Stroke, ...], outline: Outline) -> Box:
+def view_box(strokes: tuple[Stroke, ...], outline: Outline, exact: bool = False) -> Box:
     """The box between the centre lines of the outermost strokes.
 
     The strokes are exact to a tenth of a px; where the outline says something else (a curve that no
     stroke follows) it is the outline that counts.  Of the strokes those along a side of the box
-    tell where it is; ends of others only where there are none.
+    tell where it is; ends of others only where there are none.  Exact strokes count farther from
+    the outline, which closes narrow gaps between lines.
     """
     rough = outline.box
+    reach = _NEAR_EXACT if exact else _NEAR_OUTLINE
     solid = [stroke for stroke in strokes if stroke.linetype is Linetype.VISIBLE]
     if not solid:
         return rough
@@ -117,13 +122,13 @@ def view_box(strokes: tuple[Stroke, ...], outline: Outline) -> Box:
     for side, near in enumerate(rough):
         direction, inward = side % 2, 1.0 if side < 2 else -1.0
         along = [level for stroke in solid for level in _levels(stroke, direction)]
-        found = [level for level in along if abs(level - near) < _NEAR_OUTLINE]
+        found = [level for level in along if abs(level - near) < reach]
         ends = points[:, direction]
         outermost = float(ends.min() if inward > 0 else ends.max())
         if found:
             sides.append(min(found) if inward > 0 else max(found))
         else:
-            sides.append(outermost if abs(outermost - near) < _NEAR_OUTLINE else near)
+            sides.append(outermost if abs(outermost - near) < reach else near)
     return sides[0], sides[1], sides[2], sides[3]
 
 

@@ -43,3 +43,16 @@ def test_the_box_reaches_as_far_as_an_ellipse() -> None:
     assert view_box((ellipse,), Outline(depth, (), 1, (0.0, 0.0))) == pytest.approx(
         (*low, *high), abs=1e-3
     )
+
+
+@pytest.mark.parametrize(("exact", "inset"), [(True, 0.0), (False, 1.7)])
+def test_exact_lines_count_where_the_outline_closed_a_narrow_gap(exact: bool, inset: float) -> None:
+    # A narrow chamfer around the view: the outline runs between its two lines.
+    sides = [((10.0, y), (90.0, y)) for y in (8.3, 11.7, 68.3, 71.7)]
+    sides += [((x, 10.0), (x, 70.0)) for x in (8.3, 11.7, 88.3, 91.7)]
+    strokes = tuple(Segment(*ends, Linetype.VISIBLE) for ends in sides)
+    depth = np.full((80, 100), -1.0, np.float32)
+    depth[10:70, 10:90] = 1.0
+    found = view_box(strokes, Outline(depth, (), 1, (0.0, 0.0)), exact=exact)
+    expected = (8.3 + inset, 8.3 + inset, 91.7 - inset, 71.7 - inset)
+    assert found == pytest.approx(expected, abs=0.51 if inset else 1e-9)

@@ -1,7 +1,17 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.sheet.files.vectors import Chain, CircularArc, EllipticArc, Line, bounds
+from gaussiancad_core.sheet.files.vectors import (
+    Chain,
+    CircularArc,
+    EllipticArc,
+    Line,
+    StrokeKind,
+    StrokeRole,
+    VectorDrawing,
+    VectorStroke,
+    bounds,
+)
 
 TURN = 2 * np.pi
 
@@ -39,3 +49,30 @@ def test_full_turns_are_known() -> None:
     assert CircularArc((0, 0), 1, 2.0, TURN).is_full
     assert not CircularArc((0, 0), 1, 2.0, 6.0).is_full
     assert EllipticArc((0, 0), (1, 0), 0.5, 2.0, TURN).is_full
+
+
+EDGE = Line((0.0, 0.0), (50.0, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("others", "expected"),
+    [
+        ((), True),
+        ((VectorStroke(EDGE, 2.4, role=StrokeRole.VISIBLE),), True),
+        ((VectorStroke(EDGE, 1.4, role=StrokeRole.HIDDEN),), True),
+        ((VectorStroke(EDGE, 1.0, dashes=(6.0, 3.0)),), True),
+        (
+            (VectorStroke(EDGE, None, role=StrokeRole.CENTRE, kind=StrokeKind.BLOCK),),
+            True,
+        ),
+        ((VectorStroke(EDGE, None, kind=StrokeKind.FILL),), True),
+        ((VectorStroke(EDGE, 1.4, role=StrokeRole.VISIBLE),), False),
+        ((VectorStroke(EDGE, 1.0, kind=StrokeKind.DIMENSION),), False),
+        ((VectorStroke(EDGE, None, role=StrokeRole.VISIBLE),), False),
+    ],
+)
+def test_one_width_is_that_of_all_solid_lines(
+    others: tuple[VectorStroke, ...], expected: bool
+) -> None:
+    edge = VectorStroke(EDGE, 2.0, role=StrokeRole.VISIBLE)
+    assert VectorDrawing((edge, *others), ()).has_one_width is expected
