@@ -1,38 +1,82 @@
-"""What point density, octree depth and screening do to the Poisson surface.
+"""What point density, octree depth, screening and sharp edges do to the Poisson surface.
 
-Gaussians as they start on the hull of exact masks; the surface through their discs, uncut, against
-that hull, so that only what Poisson adds is measured: ``p2s`` in a box whose longest edge is 5, and
-seconds of processor time.
+Gaussians as they start on a hull of exact masks that is carved by the true solid, so that neither
+reading nor splatting plays a part; the surface through their discs, uncut.  Measured are
 
-    .venv/bin/python benchmarks/poisson_settings.py [--samples NAME ...]
+* ``CD``: Chamfer distance from the true solid as ``gaussiancad compare`` measures it, but without
+  registration: each in a box whose longest edge is 5, 10,000 points, less the distance of two
+  samples of the truth;
+* ``p2s``: mean distance from the hull in that box, both ways, so that only what Poisson adds counts;
+* seconds of processor time.
+
+Parts are all samples and parts made by class, which no setting was chosen by.
+
+    .venv/bin/python benchmarks/poisson_settings.py [--samples NAME ...] [--classed N]
+        [--variants NAME ...]
 """
 
 import argparse
 import time
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from disturbed_views import cases, solid_mesh, views_of
-from surface import measure_mesh
+from OCP.TopoDS import TopoDS_Shape
+from scipy.spatial import cKDTree
+from surface import BOX, POINTS, Part, measure_mesh
 
+from gaussiancad_core.comparison.normalise import moved_mesh, normalising_matrix
+from gaussiancad_core.comparison.sampling import random_streams, sample_surface
+from gaussiancad_core.drawing.brep import moved_to_origin
 from gaussiancad_core.hull import visual_hull
-from gaussiancad_core.meshes import connected_pieces
+from gaussiancad_core.meshes import TriangleMesh, connected_pieces
 from gaussiancad_core.modes import Preset, Recipe
+from gaussiancad_core.reliefs import CastSolid, relief_of
 from gaussiancad_core.samples import SAMPLES
+from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.splatting.gaussians import Start, gaussians_on
 from gaussiancad_core.splatting.settings import training_cameras, training_settings
-from gaussiancad_core.surface.points import DiscSampling
+from gaussiancad_core.surface.discs import DiscSampling
 from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
+from gaussiancad_core.views import ViewSet
+
+DEFAULT = PoissonSettings()
 
 VARIANTS = {
-    "depth 8, 6 points, weight 4": PoissonSettings(),
-    "3 points": PoissonSettings(sampling=DiscSampling(per_disc=3)),
-    "12 points": PoissonSettings(sampling=DiscSampling(per_disc=12)),
-    "depth 7": PoissonSettings(depth=7),
-    "depth 9": PoissonSettings(depth=9),
-    "weight 1": PoissonSettings(point_weight=1.0),
-    "weight 10": PoissonSettings(point_weight=10.0),
-    "weight 30": PoissonSettings(point_weight=30.0),
+    "default": DEFAULT,
+    "round": replace(DEFAULT, sharpening=None),
+    "points-3": replace(DEFAULT, sampling=DiscSampling(per_disc=3)),
+    "points-12": replace(DEFAULT, sampling=DiscSampling(per_disc=12)),
+    "depth-7": replace(DEFAULT, depth=7),
+    "depth-9": replace(DEFAULT, depth=9),
+    "weight-1": replace(DEFAULT, point_weight=1.0),
+    "weight-10": replace(DEFAULT, point_weight=10.0),
+    "weight-30": replace(DEFAULT, point_weight=30.0),
 }
+
+SEED = 301
+LEVELS = 4
+
+
+@dataclass(frozen=True)
+class Row:
+    """One surface.
+
+    Attributes:
+        chamfer: above the floor of the truth.
+        p2s: from the hull.
+        seconds: of the processor.
+        triangles: of the surface.
+        closed: whether it is watertight and has as many pieces as the hull.
+    """
+
+    chamfer: float
+    p2s: float
+    seconds: float
+    triangles: int
+    closed: bool
 
 
 def main() -> None:
@@ -41,32 +85,93 @@ def main() -> None:
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("--samples", nargs="*", default=[part.name for part in SAMPLES])
+    parser.add_argument("--classed", type=int, default=0, help="parts of each class beside them")
+    parser.add_argument("--variants", nargs="*", choices=VARIANTS, default=list(VARIANTS))
     options = parser.parse_args()
-    settings = training_settings(Recipe.ORTHOGRAPHIC, Preset.STANDARD)
-    found: dict[str, list[tuple[float, float]]] = {name: [] for name in VARIANTS}
-    for part in SAMPLES:
-        if part.name not in options.samples:
-            continue
-        views = views_of(solid_mesh(part.build()), cases()[0], seed=0)
-        cameras = training_cameras(Recipe.ORTHOGRAPHIC, settings, views.roles, views.size)
-        hull = visual_hull(views, cameras)
-        pieces = len(connected_pieces(hull))
-        start = gaussians_on(hull, Start(settings.count, thickness=settings.thickness))
-        for name, variant in VARIANTS.items():
-            began = time.process_time()
-            surface = gaussian_surface(start, variant)
-            seconds = time.process_time() - began
-            distance = measure_mesh(surface, hull, views.size).p2s
-            found[name].append((distance, seconds))
-            own = len(connected_pieces(surface))
-            print(
-                f"{part.name:20}{name:30}{distance:9.5f}{seconds:7.1f} s{len(surface.triangles):9}"
-                f" triangles, {own} of {pieces} pieces, watertight {surface.watertight}",
-                flush=True,
-            )
+    found: dict[str, list[Row]] = {name: [] for name in ("hull", *options.variants)}
+    print(f"{'part':20}{'':12}{'CD':>9}{'p2s':>9}{'s':>7}{'triangles':>11}")
+    for part in (*_samples(options.samples), *_classed(options.classed)):
+        for name, row in measured(part, options.variants):
+            found[name].append(row)
+            print(_line(part.name, name, row), flush=True)
     for name, rows in found.items():
-        median, worst = np.median(rows, axis=0), np.max(rows, axis=0)
-        print(f"{name:30}p2s {median[0]:.5f} median, {worst[0]:.5f} worst; {median[1]:.1f} s")
+        values = np.array([(row.chamfer, row.p2s, row.seconds, row.triangles) for row in rows])
+        whole = sum(row.closed for row in rows)
+        for told, one in (("median", np.median(values, axis=0)), ("worst", values.max(axis=0))):
+            print(_line(told, name, Row(*one[:3], int(one[3]), whole == len(rows))))
+        print(f"{'':20}{name:12}{whole} of {len(rows)} watertight with the hull's pieces")
+
+
+def _line(part: str, name: str, row: Row) -> str:
+    told = "" if row.closed else "  not whole"
+    return (
+        f"{part:20}{name:12}{row.chamfer:+9.4f}{row.p2s:9.5f}{row.seconds:7.1f}"
+        f"{row.triangles:11}{told}"
+    )
+
+
+def _samples(names: list[str]) -> Iterator[Part]:
+    for part in SAMPLES:
+        if part.name in names:
+            yield Part(part.name, part.build)
+
+
+def _classed(count: int) -> Iterator[Part]:
+    for kind in PartClass:
+        for seed in range(SEED, SEED + count):
+            build = partial(classed_part, kind, seed, seed % LEVELS)
+            yield Part(f"{kind.value}-{seed}", build)
+
+
+def measured(part: Part, variants: list[str]) -> Iterator[tuple[str, Row]]:
+    """The hull of a part, and the surfaces on it."""
+    shape = moved_to_origin(part.build())
+    truth = solid_mesh(shape)
+    views = views_of(truth, cases()[0], seed=0)
+    settings = training_settings(Recipe.ORTHOGRAPHIC, Preset.STANDARD)
+    hull = true_hull(shape, views)
+    pieces = len(connected_pieces(hull))
+    start = gaussians_on(hull, Start(settings.count, thickness=settings.thickness))
+    yield "hull", Row(chamfer_above_floor(hull, truth), 0.0, 0.0, len(hull.triangles), True)
+    for name in variants:
+        began = time.process_time()
+        surface = gaussian_surface(start, VARIANTS[name])
+        seconds = time.process_time() - began
+        whole = surface.watertight and len(connected_pieces(surface)) == pieces
+        yield (
+            name,
+            Row(
+                chamfer_above_floor(surface, truth),
+                measure_mesh(surface, hull, views.size).p2s,
+                seconds,
+                len(surface.triangles),
+                whole,
+            ),
+        )
+
+
+def true_hull(shape: TopoDS_Shape, views: ViewSet) -> TriangleMesh:
+    """The hull of the views, carved by the true solid's depths from all their sides."""
+    settings = training_settings(Recipe.ORTHOGRAPHIC, Preset.STANDARD)
+    cameras = training_cameras(Recipe.ORTHOGRAPHIC, settings, views.roles, views.size)
+    solid = [CastSolid(shape, views.size)]
+    reliefs = [relief_of(solid, view, behind) for view in views.views for behind in (False, True)]
+    return visual_hull(views, cameras, tuple(reliefs))
+
+
+def chamfer_above_floor(surface: TriangleMesh, truth: TriangleMesh) -> float:
+    """Chamfer distance, each mesh in its own box, less that of two samples of the truth."""
+    boxed = [moved_mesh(mesh, normalising_matrix(mesh, BOX)) for mesh in (surface, truth, truth)]
+    own, first, second = (
+        sample_surface(mesh, POINTS, stream)
+        for mesh, stream in zip(boxed, random_streams(0, 3), strict=True)
+    )
+    return _chamfer(own, first) - _chamfer(first, second)
+
+
+def _chamfer(first: np.ndarray, second: np.ndarray) -> float:
+    there, back = cKDTree(second).query(first)[0], cKDTree(first).query(second)[0]
+    return float(there.mean() + back.mean())
 
 
 if __name__ == "__main__":

@@ -7,11 +7,20 @@ import numpy as np
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.meshes import TriangleMesh, connected_pieces, joined, make_mesh
 from gaussiancad_core.splatting.gaussians import Gaussians
-from gaussiancad_core.surface.points import DiscSampling, OrientedPoints, disc_points
-from gaussiancad_core.surface.repair import intersection, made_manifold
+from gaussiancad_core.surface.discs import DiscSampling, creases_of, discs_of
+from gaussiancad_core.surface.points import OrientedPoints, disc_points
+from gaussiancad_core.surface.repair import intersection, made_manifold, simplified
+from gaussiancad_core.surface.sharpen import Sharpening, sharpened
+
+_SCALE = 1.1
+"""Edge of the octree, in longest edges of the points' box."""
+
+_TOLERANCE = 1e-4
+"""By how much the surface may be simplified, as a share of the longest edge: what the eye does not
+see, and a third or more of the triangles."""
 
 _CUT_TOLERANCE = 2e-4
-"""By how much the cut surface may be simplified, as a share of the longest edge."""
+"""The same for the cut surface, where slivers have to go."""
 
 
 @dataclass(frozen=True)
@@ -23,12 +32,14 @@ class PoissonSettings:
         point_weight: how strongly the surface is held at the points (screening).
         smallest_piece: pieces below this share of the area are left out.
         sampling: of the points.
+        sharpening: of the edges; None leaves them as Poisson rounds them.
     """
 
     depth: int = 8
     point_weight: float = 4.0
     smallest_piece: float = 0.01
     sampling: DiscSampling = field(default_factory=DiscSampling)
+    sharpening: Sharpening | None = field(default_factory=Sharpening)
 
 
 DENSE = PoissonSettings(sampling=DiscSampling(per_disc=12))
@@ -52,9 +63,17 @@ def gaussian_surface(
     Raises:
         NoModelError: ``no-surface``, the Gaussians bound no body.
     """
-    surface = poisson_surface(disc_points(gaussians, settings.sampling), settings)
+    discs = discs_of(gaussians, settings.sampling)
+    creases = creases_of(discs, settings.sampling)
+    points = disc_points(discs, creases, settings.sampling)
+    surface = poisson_surface(points, settings)
+    if settings.sharpening is not None:
+        cell = _SCALE * float(np.ptp(points.points, axis=0).max()) / 2**settings.depth
+        reach = settings.sampling.edge_reach * float(discs.sigmas.mean())
+        surface = sharpened(surface, creases, cell, reach, settings.sharpening)
     if within is None:
-        return surface
+        longest = float(np.ptp(surface.bounds, axis=0).max())
+        return simplified(surface, _TOLERANCE * longest) or surface
     longest = float(np.ptp(within.bounds, axis=0).max())
     common = intersection(surface, within, _CUT_TOLERANCE * longest)
     if common is None:
@@ -74,7 +93,7 @@ def poisson_surface(points: OrientedPoints, settings: PoissonSettings) -> Triang
     found, _ = open3d.geometry.TriangleMesh.create_from_point_cloud_poisson(
         cloud,
         depth=settings.depth,
-        scale=1.1,
+        scale=_SCALE,
         linear_fit=False,
         n_threads=1,
         point_weight=settings.point_weight,

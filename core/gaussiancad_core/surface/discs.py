@@ -1,0 +1,187 @@
+"""The flat discs that Gaussians are, and the creases in which those of two faces meet."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+from scipy.spatial import cKDTree
+
+from gaussiancad_core.splatting.gaussians import Gaussians
+
+Array = npt.NDArray[np.float64]
+
+_BESIDE = 8
+"""Neighbours by which it is told how strongly the surface bends at a disc."""
+
+
+@dataclass(frozen=True)
+class DiscSampling:
+    """How points are set on the Gaussians' discs.
+
+    Attributes:
+        per_disc: points on each.
+        reach: the farthest from the centre, in standard deviations.
+        smallest_opacity: Gaussians that are more transparent show no surface.
+        steepest: largest angle between a disc's normal and that of its start, degrees; a disc that
+            turned farther no longer lies on the surface that it stood for.
+        crease: neighbouring discs whose normals differ by more, in degrees, meet in an edge.
+        neighbours: discs around one that may meet it in an edge.
+        edge_reach: how far a disc's edges are looked for, in standard deviations.
+    """
+
+    per_disc: int = 6
+    reach: float = 1.2
+    smallest_opacity: float = 0.02
+    steepest: float = 60.0
+    crease: float = 30.0
+    neighbours: int = 16
+    edge_reach: float = 2.0
+
+
+@dataclass(frozen=True, eq=False)
+class Discs:
+    """Flat discs.
+
+    Attributes:
+        centres: (n, 3) mm.
+        normals: (n, 3) unit vectors that point outward.
+        axes: (n, 3, 2) the two directions in the disc, each as long as its standard deviation, mm.
+    """
+
+    centres: Array
+    normals: Array
+    axes: Array
+
+    def __len__(self) -> int:
+        return len(self.centres)
+
+    @property
+    def sigmas(self) -> Array:
+        """(n,) mean standard deviations in the disc, mm."""
+        return np.linalg.norm(self.axes, axis=1).mean(axis=1)
+
+
+@dataclass(frozen=True, eq=False)
+class Creases:
+    """Points of edges, each where the planes of two neighbouring discs meet.
+
+    Attributes:
+        points: (n, 3) mm.
+        normals: (n, 3) of the disc that the point was found from.
+        others: (n, 3) normals of the disc on the other side.
+        convex: (n,) whether the material lies within both planes, not within either.
+        bends: (n,) angle in degrees by which the surface bends beside the edge, of the two sides
+            the larger one; 0 between planes.
+    """
+
+    points: Array
+    normals: Array
+    others: Array
+    convex: npt.NDArray[np.bool_]
+    bends: Array
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    def between_planes(self, most: float) -> "Creases":
+        """Those beside which the surface bends by less than ``most`` degrees."""
+        kept = self.bends < most
+        return Creases(
+            self.points[kept],
+            self.normals[kept],
+            self.others[kept],
+            self.convex[kept],
+            self.bends[kept],
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Crossing:
+    """Where each disc's plane, from a point in it, meets the plane of another disc.
+
+    Attributes:
+        points: (n, 3) nearest points that lie in both planes.
+        beyond: (n,) distance of the point from the other plane, positive on its outer side.
+        creased: (n,) whether the planes differ enough to meet in an edge.
+    """
+
+    points: Array
+    beyond: Array
+    creased: npt.NDArray[np.bool_]
+
+
+def disc_normals(gaussians: Gaussians) -> Array:
+    """(n, 3) the thinnest axis of each Gaussian, on the side of its start's normal."""
+    thinnest = np.argmin(gaussians.log_scales, axis=1)
+    normals = gaussians.rotations[np.arange(len(gaussians)), :, thinnest]
+    inward = (normals * gaussians.normals).sum(axis=1) < 0.0
+    return np.where(inward[:, None], -normals, normals)
+
+
+def discs_of(gaussians: Gaussians, sampling: DiscSampling) -> Discs:
+    """The discs of all Gaussians that show a surface."""
+    normals = disc_normals(gaussians)
+    upright = np.cos(np.radians(sampling.steepest))
+    kept = gaussians.opacities >= sampling.smallest_opacity
+    kept &= (normals * gaussians.normals).sum(axis=1) >= upright
+    order = np.argsort(gaussians.log_scales, axis=1)[:, 1:]
+    rows = np.arange(len(gaussians))[:, None]
+    axes = gaussians.rotations.transpose(0, 2, 1)[rows, order]
+    lengths = np.exp(gaussians.log_scales.astype(np.float64))[rows, order]
+    flat = (axes * lengths[:, :, None]).transpose(0, 2, 1)
+    return Discs(gaussians.means[kept].astype(np.float64), normals[kept], flat[kept])
+
+
+def crossing(
+    points: Array, discs: Discs, other: npt.NDArray[np.int64], sampling: DiscSampling
+) -> Crossing:
+    """Follow each disc's plane to another's.
+
+    Args:
+        points: (n, 3) one in the plane of each disc, mm.
+        discs: n.
+        other: (n,) the disc whose plane is met.
+        sampling: from which angle on two discs meet in an edge.
+    """
+    normals = discs.normals[other]
+    cosines = (normals * discs.normals).sum(axis=1)
+    creased = np.abs(cosines) < np.cos(np.radians(sampling.crease))
+    beyond = ((points - discs.centres[other]) * normals).sum(axis=1)
+    slope = normals - cosines[:, None] * discs.normals
+    steps = beyond / np.where(creased, (slope**2).sum(axis=1), 1.0)
+    return Crossing(points - steps[:, None] * slope, beyond, creased)
+
+
+def creases_of(discs: Discs, sampling: DiscSampling) -> Creases:
+    """For each disc near an edge, the points of the edge next to it, one a disc across the edge."""
+    if len(discs) <= sampling.neighbours:
+        none = np.zeros((0, 3))
+        return Creases(none, none, none, np.zeros(0, bool), np.zeros(0))
+    reach = sampling.edge_reach * discs.sigmas
+    _, near = cKDTree(discs.centres).query(discs.centres, k=sampling.neighbours)
+    bends = _bends(discs, near[:, 1 : _BESIDE + 1], sampling)
+    columns = []
+    for other in near.T[1:]:
+        met = crossing(discs.centres, discs, other, sampling)
+        there = np.linalg.norm(met.points - discs.centres, axis=1) < reach
+        back = np.linalg.norm(met.points - discs.centres[other], axis=1) < reach
+        found = met.creased & there & back
+        across = other[found]
+        columns.append(
+            (
+                met.points[found],
+                discs.normals[found],
+                discs.normals[across],
+                met.beyond[found] < 0.0,
+                np.maximum(bends[found], bends[across]),
+            )
+        )
+    return Creases(*(np.concatenate(parts) for parts in zip(*columns, strict=True)))
+
+
+def _bends(discs: Discs, near: npt.NDArray[np.int64], sampling: DiscSampling) -> Array:
+    """(n,) largest angle in degrees to a neighbour (n, k) that is not beyond an edge."""
+    cosines = np.einsum("nj,nkj->nk", discs.normals, discs.normals[near])
+    beyond = cosines < np.cos(np.radians(sampling.crease))
+    least = np.where(beyond, 1.0, cosines).min(axis=1)
+    return np.degrees(np.arccos(np.clip(least, -1.0, 1.0)))

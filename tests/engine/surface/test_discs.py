@@ -1,0 +1,74 @@
+"""Discs of Gaussians, and the creases in which they meet."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import trimesh
+
+from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on
+from gaussiancad_core.surface.discs import (
+    Creases,
+    DiscSampling,
+    creases_of,
+    disc_normals,
+    discs_of,
+)
+
+SAMPLING = DiscSampling()
+
+
+@pytest.fixture(scope="module")
+def creases(bracket_gaussians: Gaussians) -> Creases:
+    return creases_of(discs_of(bracket_gaussians, SAMPLING), SAMPLING)
+
+
+def test_normals_are_the_thin_axes_on_the_side_of_the_start(bracket_gaussians: Gaussians) -> None:
+    assert disc_normals(bracket_gaussians) == pytest.approx(bracket_gaussians.normals, abs=1e-6)
+    turned = replace(
+        bracket_gaussians,
+        log_scales=bracket_gaussians.log_scales[:, [2, 0, 1]],
+        normals=-bracket_gaussians.rotations[:, :, 0].astype(np.float32),
+    )
+    assert disc_normals(turned) == pytest.approx(turned.normals, abs=1e-6)
+
+
+def test_discs_are_as_wide_as_their_gaussians(bracket_gaussians: Gaussians) -> None:
+    discs = discs_of(bracket_gaussians, SAMPLING)
+    assert len(discs) == len(bracket_gaussians)
+    assert discs.sigmas == pytest.approx(np.exp(bracket_gaussians.log_scales[:, 0]), rel=1e-5)
+    assert np.abs(np.einsum("nij,ni->nj", discs.axes, discs.normals)).max() < 1e-6
+
+
+def test_creases_lie_on_the_edges_and_know_their_planes(creases: Creases) -> None:
+    points = creases.points
+    # Of the six edges along Y of the bracket, five stand out and one is the inner corner.
+    inner = np.linalg.norm(points[:, [0, 2]] - (6.0, 5.0), axis=1) < 1e-3
+    along = np.abs((creases.normals * creases.others)[:, 1]) < 1e-6
+    assert inner.any()
+    assert not creases.convex[inner & along].any()
+    # Discs of two faces that do not touch may be neighbours round a corner.
+    assert creases.convex[~inner].mean() > 0.99
+    assert np.abs((creases.normals * creases.others).sum(axis=1)).max() < 1e-5
+    assert creases.bends.max() < 0.1
+    assert len(creases.between_planes(1.0)) == len(creases)
+
+
+def test_beside_the_rims_of_a_thin_pin_the_surface_bends() -> None:
+    pin = trimesh.creation.cylinder(radius=2.0, height=20.0, sections=256)
+    gaussians = gaussians_on(make_mesh(pin.vertices, pin.faces), Start(count=500))
+    rims = creases_of(discs_of(gaussians, SAMPLING), SAMPLING)
+    assert len(rims) > 50
+    assert np.median(rims.bends) > 12.0
+    assert len(rims.between_planes(12.0)) < 0.2 * len(rims)
+
+
+def test_a_ball_and_few_discs_have_no_creases(
+    ball: TriangleMesh, bracket_gaussians: Gaussians
+) -> None:
+    many = discs_of(gaussians_on(ball, Start(count=500)), SAMPLING)
+    assert len(creases_of(many, SAMPLING)) == 0
+    names = bracket_gaussians.__dataclass_fields__
+    few = Gaussians(*(getattr(bracket_gaussians, name)[:3] for name in names))
+    assert len(creases_of(discs_of(few, SAMPLING), SAMPLING)) == 0
