@@ -6,7 +6,7 @@ reading nor splatting plays a part; the surface through their discs, uncut.  Mea
 * ``CD``: Chamfer distance from the true solid as ``gaussiancad compare`` measures it, but without
   registration: each in a box whose longest edge is 5, 10,000 points, less the distance of two
   samples of the truth;
-* ``p2s``: mean distance from the hull in that box, both ways, so that only what Poisson adds counts;
+* ``p2s``: mean distance from the hull in that box, both ways: what Poisson adds;
 * seconds of processor time.
 
 Parts are all samples and parts made by class, which no setting was chosen by.
