@@ -175,6 +175,10 @@
         <source>Whether to compare again when an object changes</source>
         <translation>Ob neu verglichen wird, wenn sich ein Objekt ändert</translation>
     </message>
+    <message>
+        <source>The result, coloured by its deviation</source>
+        <translation>Das Ergebnis in den Farben seiner Abweichung</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCAD</name>
@@ -1023,10 +1027,6 @@
         <translation>Volumen, %</translation>
     </message>
     <message>
-        <source>What lies there</source>
-        <translation>Was dort liegt</translation>
-    </message>
-    <message>
         <source>Worst points</source>
         <translation>Schlimmste Punkte</translation>
     </message>
@@ -1049,6 +1049,42 @@
     <message>
         <source>Sheet</source>
         <translation>Blatt</translation>
+    </message>
+    <message>
+        <source>Share of the surface by its deviation</source>
+        <translation>Anteil der Oberfläche nach ihrer Abweichung</translation>
+    </message>
+    <message>
+        <source>Result has</source>
+        <translation>Ergebnis hat</translation>
+    </message>
+    <message>
+        <source>Size, mm</source>
+        <translation>Größe, mm</translation>
+    </message>
+    <message>
+        <source>Volume, mm³</source>
+        <translation>Volumen, mm³</translation>
+    </message>
+    <message>
+        <source>Area, mm²</source>
+        <translation>Fläche, mm²</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>too little</source>
+        <translation>zu wenig</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>too much</source>
+        <translation>zu viel</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,8 @@
 """*Compare with Reference…* in a real window, with the fake engine."""
 
+import os
+from pathlib import Path
+
 import fake_part
 import FreeCAD
 import FreeCADGui
@@ -181,12 +184,29 @@ class Panel(WindowCase):
         self.assertFalse(widget(QtWidgets.QLabel, "sheetPicture").pixmap().isNull())
         self.picture("compare-sheet")
 
-    def test_it_is_saved_as_table_json_and_page(self) -> None:
+    def test_it_is_saved_as_table_json_page_and_pdf(self) -> None:
+        group = self.document.addObject("App::DocumentObjectGroup", "Reconstruction")
+        group.addProperty("App::PropertyFileIncluded", "Overlay")
+        group.Overlay = str(self.sheet)
+        group.addObject(self.document.getObject("Scan"))
         self.compare()
         view = widget(QtWidgets.QPushButton, "saveComparison").parentWidget()
-        for name, start in (("a.csv", b"\xef\xbb\xbfmeasure"), ("b.json", b"{"), ("c.html", b"<!")):
+        for name, start in (
+            ("a.csv", b"\xef\xbb\xbfmeasure"),
+            ("b.json", b"{"),
+            ("c.html", b"<!"),
+            ("Träger – 支架.pdf", b"%PDF-"),
+        ):
             view.save_as(self.folder / name)
             self.assertTrue((self.folder / name).read_bytes().startswith(start), name)
+        content = (self.folder / name).read_bytes()
+        self.assertTrue(content.rstrip().endswith(b"%%EOF"))
+        # The histogram, the sheet and the coloured result.
+        self.assertGreaterEqual(content.count(b"/Subtype /Image"), 3)
+        kept = Path(os.environ.get("GAUSSIANCAD_ARTIFACTS", str(self.folder)))
+        (kept / f"comparison-{FreeCAD.Version()[0]}.pdf").write_bytes(content)
+        with self.assertRaises(OSError):
+            view.save_as(self.folder / "missing" / "a.pdf")
 
     def test_a_changed_object_is_compared_again(self) -> None:
         self.compare()

@@ -269,6 +269,7 @@ def compare(arguments: list[str]) -> int:
     }
     (output / "comparison.html").write_text("<!doctype html><h1>fake</h1>")
     (output / "deviation.ply").write_bytes(fake_part.deviation_bytes())
+    (output / "deviation.png").write_bytes(fake_part.picture_bytes())
     (output / "comparison.json").write_text(json.dumps(values))
     sys.stdout.write("chamfer 0.0312\n")
     return 0

@@ -1,6 +1,7 @@
 """The part that the fake engine always finds: an L-shaped bracket of 60 x 40 x 30 mm."""
 
 import struct
+import zlib
 from pathlib import Path
 
 SIZE = (60.0, 40.0, 30.0)
@@ -84,3 +85,18 @@ def deviation_bytes() -> bytes:
     for face in faces:
         body += struct.pack("<B3i", 3, *(vertices.index(corner) for corner in face))
     return "\n".join(header).encode("ascii") + body
+
+
+def picture_bytes(width: int = 126, height: int = 90) -> bytes:
+    """A grey picture as PNG, as wide and high as the engine's in a tenth of the size."""
+    rows = b"".join(b"\0" + b"\xb0" * (3 * width) for _ in range(height))
+    chunks = (
+        (b"IHDR", struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0)),
+        (b"IDAT", zlib.compress(rows)),
+        (b"IEND", b""),
+    )
+    content = b"\x89PNG\r\n\x1a\n"
+    for name, body in chunks:
+        check = zlib.crc32(name + body)
+        content += struct.pack(">I", len(body)) + name + body + struct.pack(">I", check)
+    return content

@@ -88,6 +88,46 @@ class Candidates(DocumentCase):
         self.assertAlmostEqual(whole.BoundBox.YMin, 50.0, places=6)
         self.assertAlmostEqual(whole.Volume, 1000.0, places=6)
 
+    def test_an_assembly_is_compared_as_a_whole(self) -> None:
+        holder = self.document.addObject("App::Part", "Holder")
+        assembly = self.document.addObject("App::Part", "Assembly")
+        holder.Placement.Base = FreeCAD.Vector(0, 0, 100)
+        assembly.Placement.Base = FreeCAD.Vector(100, 0, 0)
+        holder.addObject(assembly)
+        cut = self.document.addObject("Part::Cut", "Cut")
+        cut.Base = self.document.addObject("Part::Box", "Base")
+        cut.Tool = self.document.addObject("Part::Cylinder", "Tool")
+        link = self.document.addObject("App::Link", "Again")
+        link.LinkedObject = self.part
+        link.Placement.Base = FreeCAD.Vector(0, 200, 0)
+        for child in (self.part, self.scan, cut, cut.Base, cut.Tool, link):
+            assembly.addObject(child)
+        self.document.recompute()
+        offered = comparable_objects(self.document)
+        self.assertIn(assembly, offered)
+        self.assertIn(link, offered)
+        shape = Part.read(str(export_geometry(assembly, self.folder, "assembly")))
+        self.assertEqual(len(shape.Solids), 3)
+        volume = 2.0 * fake_part.VOLUME + cut.Shape.Volume
+        self.assertAlmostEqual(shape.Volume, volume, delta=0.1)
+        box = shape.BoundBox
+        self.assertAlmostEqual(box.XMin, 100.0, places=5)
+        self.assertAlmostEqual(box.ZMin, 100.0, places=5)
+        self.assertAlmostEqual(box.YMax, 240.0, places=5)
+        repeated = Part.read(str(export_geometry(link, self.folder, "link")))
+        self.assertAlmostEqual(repeated.BoundBox.YMin, 200.0, places=5)
+        self.assertAlmostEqual(repeated.BoundBox.ZMin, 100.0, places=5)
+        state = Source(assembly).state()
+        self.assertTrue(state)
+        self.part.Placement.Base.x += 1.0
+        self.document.recompute()
+        self.assertNotEqual(Source(assembly).state(), state)
+
+    def test_an_empty_assembly_is_none(self) -> None:
+        self.document.addObject("App::Part", "Assembly")
+        names = [candidate.Name for candidate in comparable_objects(self.document)]
+        self.assertEqual(names, ["Model", "Scan"])
+
     def test_what_cannot_be_written_is_told(self) -> None:
         with self.assertRaises(WorkbenchError) as caught:
             export_geometry(self.part, self.folder / "missing", "solid")

@@ -30,6 +30,8 @@ def show_vertex_colours(feature: FreeCAD.DocumentObject) -> None:
     """Switch the colours of a mesh on; a switch that is on already must be moved."""
     view = feature.ViewObject
     if hasattr(feature, "VertexColors") and hasattr(view, "Coloring"):
+        # A section shows the inner side, which is black under a light from outside.
+        _set_quietly(view, "Lighting", "Two side")
         _set_quietly(view, "Coloring", False)
         _set_quietly(view, "Coloring", True)
 

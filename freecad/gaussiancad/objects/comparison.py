@@ -104,6 +104,7 @@ class LoadedComparison:
         legend: path of the legend's picture.
         deviations: mm at the mesh's points.
         page: path of the page for a browser, or None where the engine wrote none.
+        picture: path of a picture of the coloured mesh, or None.
     """
 
     report: Comparison
@@ -113,6 +114,7 @@ class LoadedComparison:
     legend: Path
     deviations: list[float]
     page: Path | None = None
+    picture: Path | None = None
 
 
 def load_comparison(output: Path, scratch: Path) -> LoadedComparison:
@@ -142,9 +144,9 @@ def load_comparison(output: Path, scratch: Path) -> LoadedComparison:
         raise _unreadable(path, f"{mesh.CountPoints} points, {len(colours)} colours")
     legend = scratch / "legend.png"
     legend_image(scale, with_text=bool(FreeCAD.GuiUp)).save(str(legend))
-    page = output / "comparison.html"
-    found = page if page.is_file() else None
-    return LoadedComparison(report, mesh, colours, scale, legend, deviations, found)
+    files = [output / name for name in ("comparison.html", "deviation.png")]
+    page, picture = (path if path.is_file() else None for path in files)
+    return LoadedComparison(report, mesh, colours, scale, legend, deviations, page, picture)
 
 
 def prepare_comparison(request: CompareRequest, scratch: Path) -> CompareJob:
@@ -258,8 +260,10 @@ def _fill(group: FreeCAD.DocumentObject, loaded: LoadedComparison, request: Comp
     group.ResultFile, group.ReferenceFile = request.result.path, request.reference.path
     group.ResultState, group.ReferenceState = request.states
     group.Stale = False
-    if loaded.page is not None:
-        group.Page = str(loaded.page)
+    for name, path in (("Page", loaded.page), ("Picture", loaded.picture)):
+        # Groups of an older version have no picture.
+        if path is not None and hasattr(group, name):
+            setattr(group, name, str(path))
     tell_report(group, loaded.report)
 
 

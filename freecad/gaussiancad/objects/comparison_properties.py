@@ -16,15 +16,20 @@ _LINKS = (
     ),
 )
 
+_FILES = (
+    ("Page", QT_TRANSLATE_NOOP("App::Property", "The comparison as a page for a browser")),
+    ("Picture", QT_TRANSLATE_NOOP("App::Property", "The result, coloured by its deviation")),
+)
+
 
 def add_links(group: FreeCAD.DocumentObject) -> None:
-    """Add the links to the compared objects; the group is recomputed after them."""
+    """Add the links to the compared objects, after which the group is recomputed, and its files."""
     for name, tip in _LINKS:
         group.addProperty("App::PropertyLinkGlobal", name, "Comparison", tip)
         group.setEditorMode(name, int(Access.READ_ONLY))
-    tip = QT_TRANSLATE_NOOP("App::Property", "The comparison as a page for a browser")
-    group.addProperty("App::PropertyFileIncluded", "Page", "Comparison", tip)
-    group.setEditorMode("Page", int(Access.HIDDEN))
+    for name, tip in _FILES:
+        group.addProperty("App::PropertyFileIncluded", name, "Comparison", tip)
+        group.setEditorMode(name, int(Access.HIDDEN))
 
 
 def fixed_properties(limit: float) -> list[PropertySpec]:

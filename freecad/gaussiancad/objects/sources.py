@@ -7,7 +7,7 @@ import FreeCAD
 
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
-from freecad.gaussiancad.objects.comparable import export_geometry
+from freecad.gaussiancad.objects.comparable import export_geometry, global_shape
 
 MODEL_SUFFIXES = ("step", "stp", "brep", "brp", "stl", "ply", "obj")
 """Files that the engine compares."""
@@ -70,16 +70,15 @@ def _file_state(path: Path) -> str:
 def _feature_state(feature: FreeCAD.DocumentObject) -> str:
     try:
         if feature.isDerivedFrom("Mesh::Feature"):
-            geometry = feature.Mesh
+            geometry, place = feature.Mesh, feature.getGlobalPlacement()
             counts = [geometry.CountPoints, geometry.CountFacets]
-            box, numbers = geometry.BoundBox, [geometry.Area, geometry.Volume]
         else:
-            geometry = feature.Shape
+            geometry = global_shape(feature)
+            place = geometry.Placement
             counts = [len(geometry.Faces), len(geometry.Edges), len(geometry.Vertexes)]
-            box, numbers = geometry.BoundBox, [geometry.Area, geometry.Volume]
-        place = feature.getGlobalPlacement().toMatrix().A
+        box, numbers = geometry.BoundBox, [geometry.Area, geometry.Volume]
     except (AttributeError, ReferenceError):
         return ""
     corners = (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax)
-    values = " ".join(f"{value:.9g}" for value in (*numbers, *corners, *place))
+    values = " ".join(f"{value:.9g}" for value in (*numbers, *corners, *place.toMatrix().A))
     return f"{' '.join(map(str, counts))} {values}"

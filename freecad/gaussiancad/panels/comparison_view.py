@@ -7,17 +7,18 @@ from pathlib import Path
 
 import FreeCAD
 
-from freecad.gaussiancad.engine.report import Comparison, WorstPoint
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.comparison import comparison_report, request_of
 from freecad.gaussiancad.objects.comparison_export import comparison_csv
 from freecad.gaussiancad.objects.transaction import transaction
+from freecad.gaussiancad.panels.comparison_pdf import write_comparison_pdf
 from freecad.gaussiancad.panels.distances import DistanceTable
 from freecad.gaussiancad.panels.histogram import HistogramView
 from freecad.gaussiancad.panels.messages import show_error
 from freecad.gaussiancad.panels.point_view import PointMark
-from freecad.gaussiancad.panels.section_view import SectionMark, mesh_of
+from freecad.gaussiancad.panels.section_view import REFERENCE, RESULT, SectionMark, mesh_of
 from freecad.gaussiancad.panels.sheet_picture import SheetPicture
+from freecad.gaussiancad.panels.worst_table import WorstTable
 from freecad.gaussiancad.qt import QtCore, QtWidgets
 
 _FINENESS = 2e-3
@@ -47,8 +48,7 @@ class ComparisonView(QtWidgets.QWidget):
         self.range.setSuffix(" mm")
         self.range.setKeyboardTracking(False)
         self.range.valueChanged.connect(self._change_range)
-        self.worst = _worst_table()
-        self.worst.itemSelectionChanged.connect(self._fly)
+        self.worst = WorstTable(self._fly)
         self.axis = QtWidgets.QComboBox()
         self.axis.setObjectName("sectionAxis")
         for text, axis in ((translate("GaussianCAD", "none"), ""), *zip("XYZ", "xyz", strict=True)):
@@ -77,7 +77,7 @@ class ComparisonView(QtWidgets.QWidget):
         self.distances.show_comparison(report)
         self._set_range(group.RangeMillimetres)
         self.histogram.show_histogram(report.histogram, group.RangeMillimetres)
-        self._list_worst(report)
+        self.worst.show_points(report.worst)
         request = request_of(group)
         sheet = None if request is None else request.result.sheet()
         if sheet is not None:
@@ -89,7 +89,7 @@ class ComparisonView(QtWidgets.QWidget):
         self._group = self._mark = self._section = self._models = None
         self.distances.clear()
         self.histogram.show_histogram(None, 1.0)
-        self.worst.setRowCount(0)
+        self.worst.show_points(())
         while self.tabs.count() > _TABS:
             self.tabs.widget(_TABS).deleteLater()
             self.tabs.removeTab(_TABS)
@@ -105,7 +105,7 @@ class ComparisonView(QtWidgets.QWidget):
                 mark.clear()
 
     def save_as(self, path: Path) -> None:
-        """Write the comparison; the suffix says as what: CSV, JSON or HTML.
+        """Write the comparison; the suffix says as what: CSV, JSON, PDF or HTML.
 
         Raises:
             OSError: it cannot be written.
@@ -116,6 +116,8 @@ class ComparisonView(QtWidgets.QWidget):
             path.write_bytes(comparison_csv(report).encode("utf-8-sig"))
         elif path.suffix.lower() == ".json":
             path.write_text(report.text, encoding="utf-8")
+        elif path.suffix.lower() == ".pdf":
+            write_comparison_pdf(self._group, path)
         else:
             path.write_bytes(Path(self._group.Page).read_bytes())
 
@@ -134,23 +136,9 @@ class ComparisonView(QtWidgets.QWidget):
         report = comparison_report(self._group)
         self.histogram.show_histogram(report.histogram, value)
 
-    def _list_worst(self, report: Comparison) -> None:
-        self.worst.blockSignals(True)
-        self.worst.setRowCount(len(report.worst))
-        for row, point in enumerate(report.worst):
-            place = ", ".join(f"{value:.4g}" for value in point.place)
-            for column, text in enumerate((f"{point.deviation:+.4g}", place, _meaning(point))):
-                item = QtWidgets.QTableWidgetItem(text)
-                item.setToolTip(_meaning(point))
-                item.setData(QtCore.Qt.ItemDataRole.UserRole, list(point.place))
-                self.worst.setItem(row, column, item)
-        self.worst.blockSignals(False)
-
-    def _fly(self) -> None:
-        items = self.worst.selectedItems()
-        if items and self._alive():
-            place = tuple(items[0].data(QtCore.Qt.ItemDataRole.UserRole))
-            self._mark.show(place, f"{items[0].text()} mm", self._size())
+    def _fly(self, place: tuple[float, float, float], text: str) -> None:
+        if self._alive():
+            self._mark.show(place, text, self._size())
 
     def _size(self) -> float:
         return max(self._mesh().BoundBox.DiagonalLength, 1e-6)
@@ -191,7 +179,7 @@ class ComparisonView(QtWidgets.QWidget):
     def _ask_where(self) -> None:
         if not self._alive():
             return
-        kinds = [translate("GaussianCAD", "Table (*.csv)"), "JSON (*.json)"]
+        kinds = ["PDF (*.pdf)", translate("GaussianCAD", "Table (*.csv)"), "JSON (*.json)"]
         if getattr(self._group, "Page", ""):
             kinds.insert(0, translate("GaussianCAD", "Page for a browser (*.html)"))
         path, kind = QtWidgets.QFileDialog.getSaveFileName(
@@ -216,6 +204,7 @@ class ComparisonView(QtWidgets.QWidget):
         section.addWidget(self.axis)
         section.addWidget(self.place)
         form.addRow(translate("GaussianCAD", "Section"), section)
+        form.addRow("", _section_key())
         layout = QtWidgets.QVBoxLayout(self)
         layout.addWidget(self.histogram)
         layout.addLayout(form)
@@ -223,23 +212,18 @@ class ComparisonView(QtWidgets.QWidget):
         layout.addWidget(self.save)
 
 
-def _worst_table() -> QtWidgets.QTableWidget:
-    table = QtWidgets.QTableWidget(0, 3)
-    table.setObjectName("worst")
-    table.setHorizontalHeaderLabels(
-        ["mm", translate("GaussianCAD", "Place"), translate("GaussianCAD", "What lies there")]
+def _section_key() -> QtWidgets.QLabel:
+    """What the colours of the outlines mean."""
+    names = (translate("GaussianCAD", "Result"), translate("GaussianCAD", "Reference"))
+    label = QtWidgets.QLabel(
+        " &nbsp; ".join(
+            f'<span style="color: {_css(colour)}">\N{BLACK SQUARE}</span> {name}'
+            for colour, name in zip((RESULT, REFERENCE), names, strict=True)
+        )
     )
-    table.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
-    table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectionBehavior.SelectRows)
-    table.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.SingleSelection)
-    table.horizontalHeader().setStretchLastSection(True)
-    table.verticalHeader().setDefaultSectionSize(24)
-    table.setMinimumHeight(170)
-    return table
+    label.setObjectName("sectionKey")
+    return label
 
 
-def _meaning(point: WorstPoint) -> str:
-    if point.of_result != (point.deviation > 0.0):
-        too_little = translate("GaussianCAD", "the result has too little")
-        return too_little if point.of_result else translate("GaussianCAD", "material is missing")
-    return translate("GaussianCAD", "the result has too much")
+def _css(colour: tuple[float, float, float]) -> str:
+    return "#" + "".join(f"{round(255 * channel):02x}" for channel in colour)

@@ -36,6 +36,8 @@ class DistanceTable(QtWidgets.QWidget):
         hint.setWordWrap(True)
         hint.setMinimumHeight(4 * hint.fontMetrics().lineSpacing())
         layout = QtWidgets.QVBoxLayout(self)
+        # Task panels are narrow.
+        layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.engineering)
         layout.addWidget(self.table)
         layout.addWidget(hint)
@@ -47,14 +49,13 @@ class DistanceTable(QtWidgets.QWidget):
 
     def show_comparison(self, comparison: Comparison) -> None:
         """Show the numbers."""
-        for row, (key, _, _) in enumerate(self._rows):
-            numbers = (comparison.distances.get(key), comparison.floor.get(key))
-            for column, number in enumerate(numbers):
-                text = _NOTHING if number is None else f"{number:.3g}"
-                self.table.setItem(row, column, _cell(text))
-        for row, texts in enumerate(_engineering_cells(comparison.engineering)):
-            for column, text in enumerate(texts):
-                self.engineering.setItem(row, column, _cell(text))
+        for table, rows in (
+            (self.table, distance_rows(comparison)),
+            (self.engineering, engineering_rows(comparison.engineering)),
+        ):
+            for row, (_, *texts) in enumerate(rows):
+                for column, text in enumerate(texts):
+                    table.setItem(row, column, _cell(text))
 
     def millimetre_lines(self, comparison: Comparison) -> list[str]:
         """The distances in millimetres of the reference, a line each."""
@@ -67,6 +68,24 @@ class DistanceTable(QtWidgets.QWidget):
             for key, title, _ in self._rows
             if key in comparison.distances and key != "volume_iou"
         ]
+
+
+def distance_rows(comparison: Comparison) -> list[tuple[str, ...]]:
+    """Name, value and floor of each of the paper's distances, as texts."""
+    return [
+        (
+            title,
+            *(_text(told.get(key), digits=3) for told in (comparison.distances, comparison.floor)),
+        )
+        for key, title, _ in _rows()
+    ]
+
+
+def engineering_rows(block: dict[str, Any]) -> list[tuple[str, ...]]:
+    """Name, number of the result and of the reference, as texts."""
+    cells = _engineering_cells(block)
+    titles = _engineering_titles()
+    return [(title, *texts) for (title, _), texts in zip(titles, cells, strict=True)]
 
 
 def _table(
@@ -83,7 +102,11 @@ def _table(
         header.setToolTip(tip)
         table.setVerticalHeaderItem(row, header)
     table.verticalHeader().setDefaultSectionSize(24)
-    table.setFixedHeight(24 * len(rows) + 34)
+    off = QtCore.Qt.ScrollBarPolicy.ScrollBarAlwaysOff
+    table.setHorizontalScrollBarPolicy(off)
+    table.setVerticalScrollBarPolicy(off)
+    head = table.horizontalHeader().sizeHint().height()
+    table.setFixedHeight(24 * len(rows) + head + 2 * table.frameWidth())
     return table
 
 
@@ -139,10 +162,10 @@ def _engineering_cells(block: dict[str, Any]) -> list[tuple[str, ...]]:
     return cells
 
 
-def _text(number: object, factor: float = 1.0) -> str:
+def _text(number: object, factor: float = 1.0, digits: int = 4) -> str:
     if isinstance(number, bool) or not isinstance(number, int | float):
         return _NOTHING
-    return f"{factor * number + 0.0:.4g}"
+    return f"{factor * number + 0.0:.{digits}g}"
 
 
 def _rows() -> list[tuple[str, str, str]]:

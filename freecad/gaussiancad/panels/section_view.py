@@ -10,6 +10,7 @@ import Mesh
 import Part
 from pivy import coin
 
+from freecad.gaussiancad.objects.comparable import global_shape
 from freecad.gaussiancad.objects.sources import Source
 from freecad.gaussiancad.panels.view_mark import ViewMark, unpickable
 
@@ -78,9 +79,7 @@ def mesh_of(source: Source, fineness: float) -> Mesh.Mesh:
         mesh.Placement = feature.getGlobalPlacement()
         return mesh
     if feature is not None:
-        shape = feature.Shape.copy()
-        shape.Placement = feature.getGlobalPlacement()
-        return _triangles(shape, fineness)
+        return _triangles(global_shape(feature), fineness)
     if source.path.lower().rsplit(".", 1)[-1] in ("stl", "ply", "obj"):
         return Mesh.Mesh(source.path)
     return _triangles(Part.read(source.path), fineness)
