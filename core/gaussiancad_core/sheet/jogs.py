@@ -105,16 +105,21 @@ def _free_ends(pieces: Sequence[Placed], width: float) -> Iterator[_End]:
 
 def distance_to(placed: Placed, point: Floats) -> float:
     """px from a point to a piece."""
+    return float(distances_to(placed, point[None])[0])
+
+
+def distances_to(placed: Placed, points: Floats) -> Floats:
+    """(n, 2) points -> (n,) px from each to a piece."""
     geometry, piece = placed
-    at = float(geometry.positions(point[None])[0])
+    at = geometry.positions(points)
     if np.isfinite(geometry.around):
-        at = piece.start + (at - piece.start) % geometry.around
-        past = at > piece.end
-        nearest = [piece.start, piece.end] if past else [at]
-    else:
-        nearest = [float(np.clip(at, piece.start, piece.end))]
-    points = geometry.points_at(np.array(nearest))
-    return float(np.hypot(*(points - point).T).min())
+        at = piece.start + np.mod(at - piece.start, geometry.around)
+        within = at <= piece.end
+        ends = geometry.points_at(np.array([piece.start, piece.end]))
+        to_ends = np.hypot(*(points[:, None] - ends).transpose(2, 0, 1)).min(1)
+        return np.where(within, np.hypot(*(geometry.points_at(at) - points).T), to_ends)
+    nearest = geometry.points_at(np.clip(at, piece.start, piece.end))
+    return np.hypot(*(nearest - points).T)
 
 
 def _path(one: _End, other: _End, sheet: CleanSheet, longest: float) -> list[Floats] | None:

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.ellipses import WholeEllipse
+from gaussiancad_core.sheet.chamfers import with_chamfers
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.close_lines import with_close_lines
 from gaussiancad_core.sheet.corner_dashes import find_corner_dashes
@@ -62,6 +63,7 @@ from gaussiancad_core.sheet.shapes import (
     refit_circle,
     refit_line,
 )
+from gaussiancad_core.sheet.slanted_dashes import with_slanted_dashes
 from gaussiancad_core.sheet.tracing import trace_remainder
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
@@ -226,11 +228,13 @@ def classify_strokes(
     if len(parted) > len(ended):
         ended = ended_at_junctions(parted, rhythm, view.sheet.stroke_width)
     ended = _with_fillets(ended, view.sheet, explained)
-    strokes = [_stroke(geometry, piece) for geometry, piece in ended]
+    ended = with_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
+    ended = with_slanted_dashes(ended, view.sheet, rhythm)
     # Strokes that were drawn out to a junction explain the ink up to there.
     for geometry, piece in ended:
         explained.add(geometry, piece)
     remainder = view.sheet.ink & (explained.around == 0)
+    strokes = [_stroke(geometry, piece) for geometry, piece in ended]
     strokes += trace_remainder(remainder, view.sheet.stroke_width, rhythm.dash)
     shift = np.array(view.offset) + 0.5
     return tuple(_shifted(stroke, shift) for stroke in strokes if stroke.length > 1.5)

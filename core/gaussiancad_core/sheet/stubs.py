@@ -69,7 +69,8 @@ def without_stubs(placed: Sequence[Placed], stroke_width: float) -> list[Placed]
         stubs = [float((end.place - corner) @ end.outward) for end in (one, other)]
         if min(stubs) < _SHORTEST:
             continue
-        if any(_hides(own, corner, (one, other), beside) for own in placed):
+        thirds = (own for k, own in enumerate(placed) if k not in (one.index, other.index))
+        if any(_hides(own, corner, (one, other), beside) for own in thirds):
             for end in (one, other):
                 cut[end.index] = _ended(cut[end.index], end, corner)
     return cut

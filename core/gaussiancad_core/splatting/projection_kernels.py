@@ -12,6 +12,10 @@ import math
 import numpy as np
 from numba import njit, prange
 
+_RUNS = 48
+"""Runs of Gaussians that the threads share out; each has scratch arrays of its own, since to make
+them anew for every Gaussian takes longer than the work."""
+
 _COMPILE = {"fastmath": True, "error_model": "numpy", "cache": True}
 
 
@@ -88,21 +92,33 @@ def _image_rows(pinhole, rotation, focal, local, limit, rows, slope):
                 rows[k, j] = focal[k] * rotation[k, j]
 
 
+@njit(inline="always", **_COMPILE)
+def _run_of(number, run):
+    """First and last Gaussian (exclusive) of a run."""
+    return number * run // _RUNS, number * (run + 1) // _RUNS
+
+
 @njit(parallel=True, **_COMPILE)
-def project_forward(
-    gaussians, cameras, pinhole, nearest, dilation, means, covariances, conics, depths
-):
+def project_forward(gaussians, cameras, pinhole, nearest, dilation, projected):
     """Fill the (v, n, ...) arrays of means, covariances, conics and depths.
 
     A Gaussian nearer than ``nearest`` gets a covariance of zero: it is not drawn.
     """
+    for run in prange(_RUNS):
+        part = _run_of(len(gaussians[0]), run)
+        _project_run(part, gaussians, cameras, pinhole, nearest, dilation, projected)
+
+
+@njit(**_COMPILE)
+def _project_run(part, gaussians, cameras, pinhole, nearest, dilation, projected):
+    means, covariances, conics, depths = projected
     centres, quaternions, log_scales = gaussians
     rotations, translations, focals, principals, limits = cameras
-    for i in prange(len(centres)):
-        axes = np.empty((3, 3), centres.dtype)
-        rows = np.empty((2, 3), centres.dtype)
-        local = np.empty(3, centres.dtype)
-        slope = np.empty(2, centres.dtype)
+    axes = np.empty((3, 3), centres.dtype)
+    rows = np.empty((2, 3), centres.dtype)
+    local = np.empty(3, centres.dtype)
+    slope = np.empty(2, centres.dtype)
+    for i in range(part[0], part[1]):
         _rotation(quaternions[i], axes)
         for k in range(3):
             scale = math.exp(log_scales[i, k])
@@ -149,20 +165,32 @@ def project_backward(gaussians, cameras, pinhole, nearest, conics, depths, upstr
     ``upstream`` holds the gradients of means (v, n, 2), conics (v, n, 3; the mixed term counted
     once) and depths (v, n).
     """
+    for run in prange(_RUNS):
+        part = _run_of(len(gaussians[0]), run)
+        _differentiate_run(
+            part, gaussians, cameras, pinhole, nearest, conics, depths, upstream, gradients
+        )
+
+
+@njit(**_COMPILE)
+def _differentiate_run(
+    part, gaussians, cameras, pinhole, nearest, conics, depths, upstream, gradients
+):
     centres, quaternions, log_scales = gaussians
     rotations, translations, focals, _principals, limits = cameras
     to_means, to_conics, to_depths = upstream
     centre_gradient, quaternion_gradient, scale_gradient = gradients
-    for i in prange(len(centres)):
-        turn = np.empty((3, 3), centres.dtype)
-        axes = np.empty((3, 3), centres.dtype)
-        to_axes = np.zeros((3, 3), centres.dtype)
-        rows = np.empty((2, 3), centres.dtype)
-        to_rows = np.empty((2, 3), centres.dtype)
-        local = np.empty(3, centres.dtype)
-        to_local = np.empty(3, centres.dtype)
-        slope = np.empty(2, centres.dtype)
-        scales = np.empty(3, centres.dtype)
+    turn = np.empty((3, 3), centres.dtype)
+    axes = np.empty((3, 3), centres.dtype)
+    to_axes = np.empty((3, 3), centres.dtype)
+    rows = np.empty((2, 3), centres.dtype)
+    to_rows = np.empty((2, 3), centres.dtype)
+    local = np.empty(3, centres.dtype)
+    to_local = np.empty(3, centres.dtype)
+    slope = np.empty(2, centres.dtype)
+    scales = np.empty(3, centres.dtype)
+    for i in range(part[0], part[1]):
+        to_axes[:] = 0
         inverse = _rotation(quaternions[i], turn)
         for k in range(3):
             scales[k] = math.exp(log_scales[i, k])

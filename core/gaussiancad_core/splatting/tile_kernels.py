@@ -47,6 +47,7 @@ _BACKWARD_FIELDS = 10
 _ZERO = np.float32(0.0)
 _HALF = np.float32(0.5)
 _ONE = np.float32(1.0)
+_MARGIN = np.float32(0.01)
 _LOG2_E = np.float32(math.log2(math.e))
 _SERIES = tuple(np.float32(math.log(2.0) ** k / math.factorial(k)) for k in range(7))
 _LOWEST = np.float32(-86.0)
@@ -78,14 +79,14 @@ def _exp_for(x):
 
 
 @njit(inline="always", **_COMPILE)
-def _new_tile(fields, kind):
-    """A tile's array, empty and clear."""
-    tile = np.zeros(fields * TILE_PIXELS, kind)
-    for p in range(TILE_PIXELS):
-        tile[p + _COLUMN] = p % TILE_WIDTH
-        tile[p + _LINE] = p // TILE_WIDTH
+def _clear(tile):
+    """Make a tile's array empty, and let everything through."""
+    for p in range(np.uint64(len(tile))):
+        tile[p] = _ZERO
+    for p in range(np.uint64(TILE_PIXELS)):
+        tile[p + _COLUMN] = p % np.uint64(TILE_WIDTH)
+        tile[p + _LINE] = p // np.uint64(TILE_WIDTH)
         tile[p + _LEFT] = _ONE
-    return tile
 
 
 @njit(inline="always", **_COMPILE)
@@ -98,25 +99,47 @@ def _clearest(tile):
 
 
 @njit(inline="always", **_COMPILE)
-def _span(box, y0):
-    """First and last pixel (exclusive) of the lines of a tile that a Gaussian reaches."""
-    first = max(0, box[2] - y0)
-    last = min(TILE_HEIGHT, box[3] - y0 + 1)
+def _lines(record, x, y, lines):
+    """First and last line (exclusive) of a tile that a Gaussian reaches within its columns.
+
+    The outline of a Gaussian is an ellipse; within a range of columns it is highest at its top, or
+    at the column that is nearest to it.
+
+    Args:
+        record: of the Gaussian.
+        x, y: from its mean to the centre of the tile's first pixel.
+        lines: of the tile.
+    """
+    last_x = x + np.float32(TILE_WIDTH - 1)
+    upper_x = min(max(record[13], x), last_x)
+    lower_x = min(max(-record[13], x), last_x)
+    above = record[11] - record[12] * upper_x * upper_x
+    below = record[11] - record[12] * lower_x * lower_x
+    if above < _ZERO or below < _ZERO:
+        return 0, 0
+    first = math.ceil(max(record[10] * lower_x - math.sqrt(below) - y - _MARGIN, _ZERO))
+    last = math.floor(min(record[10] * upper_x + math.sqrt(above) - y + _MARGIN, lines - _ONE))
+    return first, max(first, last + 1)
+
+
+@njit(inline="always", **_COMPILE)
+def _pixels(first, last):
+    """First and last pixel (exclusive) of a range of lines."""
     return np.uint64(first * TILE_WIDTH), np.uint64(last * TILE_WIDTH)
 
 
 @njit(inline="always", **_COMPILE)
-def _offset(x0, y0, mean):
+def _offset(x0, y0, record):
     """From a mean to the centre of a tile's first pixel, in the mean's precision."""
-    return np.float32(x0) + _HALF - mean[0], np.float32(y0) + _HALF - mean[1]
+    return np.float32(x0) + _HALF - record[0], np.float32(y0) + _HALF - record[1]
 
 
 @njit(**_COMPILE)
-def _composite(tile, span, offset, conic, opacity, limits, features):
+def _composite(tile, span, offset, record, limits):
     """Add one Gaussian to a tile: its weights times colour and depth, and what it leaves."""
     smallest_alpha, largest_alpha, smallest_left = limits
-    xx, xy, yy = _HALF * conic[0], conic[1], _HALF * conic[2]
-    red, green, blue, depth = features
+    xx, xy, yy, opacity = record[2], record[3], record[4], record[5]
+    red, green, blue, depth = record[6], record[7], record[8], record[9]
     for p in range(span[0], span[1]):
         dx, dy = offset[0] + tile[p + _COLUMN], offset[1] + tile[p + _LINE]
         alpha = min(opacity * _exp(-((xx * dx + xy * dy) * dx + yy * dy * dy)), largest_alpha)
@@ -131,11 +154,11 @@ def _composite(tile, span, offset, conic, opacity, limits, features):
 
 
 @njit(**_COMPILE)
-def _composite_gradient(tile, span, offset, conic, opacity, limits, features, slot):
+def _composite_gradient(tile, span, offset, record, limits, slot):
     """Gradients that one tile gives to one Gaussian, written to its slot."""
     smallest_alpha, largest_alpha, smallest_left = limits
-    xx, xy, yy = _HALF * conic[0], conic[1], _HALF * conic[2]
-    red, green, blue, depth = features
+    xx, xy, yy, opacity = record[2], record[3], record[4], record[5]
+    red, green, blue, depth = record[6], record[7], record[8], record[9]
     zero = _ZERO * opacity
     sum_1, sum_x, sum_y, sum_xx, sum_xy, sum_yy = zero, zero, zero, zero, zero, zero
     to_red, to_green, to_blue, to_depth = zero, zero, zero, zero
@@ -168,8 +191,8 @@ def _composite_gradient(tile, span, offset, conic, opacity, limits, features, sl
         sum_xx += to_exponent * dx * dx
         sum_xy += to_exponent * dx * dy
         sum_yy += to_exponent * dy * dy
-    slot[0] = conic[0] * sum_x + conic[1] * sum_y
-    slot[1] = conic[1] * sum_x + conic[2] * sum_y
+    slot[0] = (xx + xx) * sum_x + xy * sum_y
+    slot[1] = xy * sum_x + (yy + yy) * sum_y
     slot[2] = -_HALF * sum_xx
     slot[3] = -sum_xy
     slot[4] = -_HALF * sum_yy
@@ -181,33 +204,33 @@ def _composite_gradient(tile, span, offset, conic, opacity, limits, features, sl
 
 
 @njit(parallel=True, **_COMPILE)
-def composite_forward(size, grid, tiles, projected, opacities, palette, limits, images):
-    """Fill the images: colour (v, 3, h, w), alpha (v, h, w), depth (v, h, w)."""
+def composite_forward(size, grid, tiles, records, limits, spans, images):
+    """Fill the images: colour (v, 3, h, w), alpha (v, h, w), depth (v, h, w).
+
+    ``spans`` (pairs, 2) is filled with the lines of its tile that each Gaussian reaches.
+    """
     height, width = size
-    starts, members, boxes, parts = tiles
-    means, conics, depths = projected
+    starts, members, parts = tiles
     colours, alphas, depth_sums = images
     per_view = grid[0] * grid[1]
     for part in prange(len(parts) - 1):
+        tile = np.empty(_FORWARD_FIELDS * TILE_PIXELS, records.dtype)
         for index in range(parts[part], parts[part + 1]):
             v = index // per_view
             x0 = (index - v * per_view) % grid[1] * TILE_WIDTH
             y0 = (index - v * per_view) // grid[1] * TILE_HEIGHT
-            tile = _new_tile(_FORWARD_FIELDS, means.dtype)
+            lines = np.float32(min(TILE_HEIGHT, height - y0))
+            _clear(tile)
             for k in range(starts[index], starts[index + 1]):
                 check = (k - starts[index]) % _CHECK_EVERY == _CHECK_EVERY - 1
                 if check and _clearest(tile) <= limits[2]:
                     break
-                g = members[k]
-                _composite(
-                    tile,
-                    _span(boxes[v, g], y0),
-                    _offset(x0, y0, means[v, g]),
-                    conics[v, g],
-                    opacities[g],
-                    limits,
-                    (palette[g, 0], palette[g, 1], palette[g, 2], depths[v, g]),
-                )
+                record = records[v, members[k]]
+                offset = _offset(x0, y0, record)
+                first, last = _lines(record, offset[0], offset[1], lines)
+                spans[k, 0], spans[k, 1] = first, last
+                if first < last:
+                    _composite(tile, _pixels(first, last), offset, record, limits)
             for r in range(min(TILE_HEIGHT, height - y0)):
                 for x in range(min(TILE_WIDTH, width - x0)):
                     p, row, column = r * TILE_WIDTH + x, y0 + r, x0 + x
@@ -242,21 +265,21 @@ def _fill_upstream(tile, v, corner, extent, images, upstream):
 
 @njit(parallel=True, **_COMPILE)
 def composite_backward(
-    size, grid, tiles, slots, projected, opacities, palette, limits, images, upstream, gradients
+    size, grid, tiles, slots, records, limits, spans, images, upstream, gradients
 ):
     """Fill the (pairs, SLOT_FIELDS) gradients of all (Gaussian, tile) pairs."""
     height, width = size
-    starts, members, boxes, parts = tiles
-    means, conics, depths = projected
+    starts, members, parts = tiles
     per_view = grid[0] * grid[1]
     for part in prange(len(parts) - 1):
+        tile = np.empty(_BACKWARD_FIELDS * TILE_PIXELS, records.dtype)
         for index in range(parts[part], parts[part + 1]):
             if starts[index] == starts[index + 1]:
                 continue
             v = index // per_view
             x0 = (index - v * per_view) % grid[1] * TILE_WIDTH
             y0 = (index - v * per_view) // grid[1] * TILE_HEIGHT
-            tile = _new_tile(_BACKWARD_FIELDS, means.dtype)
+            _clear(tile)
             extent = (min(TILE_HEIGHT, height - y0), min(TILE_WIDTH, width - x0))
             _fill_upstream(tile, v, (y0, x0), extent, images, upstream)
             opaque = False
@@ -264,20 +287,13 @@ def composite_backward(
                 check = (k - starts[index]) % _CHECK_EVERY == _CHECK_EVERY - 1
                 if check and not opaque:
                     opaque = _clearest(tile) <= limits[2]
-                if opaque:
-                    gradients[slots[k], :] = 0
+                slot = gradients[slots[k]]
+                if opaque or spans[k, 0] >= spans[k, 1]:
+                    slot[:] = 0
                     continue
-                g = members[k]
-                _composite_gradient(
-                    tile,
-                    _span(boxes[v, g], y0),
-                    _offset(x0, y0, means[v, g]),
-                    conics[v, g],
-                    opacities[g],
-                    limits,
-                    (palette[g, 0], palette[g, 1], palette[g, 2], depths[v, g]),
-                    gradients[slots[k]],
-                )
+                record = records[v, members[k]]
+                span = _pixels(spans[k, 0], spans[k, 1])
+                _composite_gradient(tile, span, _offset(x0, y0, record), record, limits, slot)
 
 
 @njit(parallel=True, **_COMPILE)

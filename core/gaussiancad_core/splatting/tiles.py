@@ -65,7 +65,7 @@ class _Tiling:
         starts: (tiles + 1,) places in ``members`` where each tile's list begins.
         members: (pairs,) Gaussians.
         slots: (pairs,) place of each pair's gradients.
-        boxes: (v, n, 4) pixels that a Gaussian reaches.
+        spans: (pairs, 2) lines of the tile that the Gaussian reaches; known after compositing.
         counts: (v, n) tiles of a Gaussian.
         first_slots: (v, n) its first slot; the others follow.
         parts: (parts + 1,) tiles at which runs of tiles with as much to do begin and end.
@@ -75,7 +75,7 @@ class _Tiling:
     starts: Array
     members: Array
     slots: Array
-    boxes: Array
+    spans: Array
     counts: Array
     first_slots: Array
     parts: Array
@@ -125,10 +125,25 @@ class _Draw(torch.autograd.Function):
         return (*found[:5], found[5] if shifted else None, None, None)
 
 
+@dataclass(frozen=True, eq=False)
+class _Projected:
+    """What is known of all Gaussians in all views.
+
+    Attributes:
+        conics: (v, n, 3).
+        depths: (v, n).
+        records: (v, n, fields) what compositing reads, see :mod:`.tile_sorting`.
+    """
+
+    conics: Array
+    depths: Array
+    records: Array
+
+
 def _forward(
     scene: _Scene, size: tuple[int, int], optics: Optics, shifts: Array | None
-) -> tuple[_Tiling, tuple[Array, Array, Array], tuple[Array, Array, Array]]:
-    """Tiling; means, conics and depths in the views; colour, alpha and depth images."""
+) -> tuple[_Tiling, _Projected, tuple[Array, Array, Array]]:
+    """Tiling; Gaussians in the views; colour, alpha and depth images."""
     views, number, kind = len(scene.cameras[0]), len(scene.opacities), scene.opacities.dtype
     shapes = ((views, number, 2), (views, number, 3), (views, number, 3), (views, number))
     means, covariances, conics, depths = (np.empty(shape, kind) for shape in shapes)
@@ -138,47 +153,52 @@ def _forward(
         scene.pinhole,
         scene.nearest,
         kind.type(optics.dilation),
-        means,
-        covariances,
-        conics,
-        depths,
+        (means, covariances, conics, depths),
     )
     if shifts is not None:
         means += shifts
-    tiling = _sort_into_tiles(size, means, covariances, depths, scene)
-    projected = (means, conics, depths)
+    boxes = np.empty((views, number, 4), dtype=np.int32)
+    counts = np.empty((views, number), dtype=np.int32)
+    smallest = scene.limits[0]
+    tile_sorting.find_boxes(size, means, covariances, scene.opacities, smallest, boxes, counts)
+    records = np.empty((views, number, tile_sorting.RECORD_FIELDS), kind)
+    tile_sorting.fill_records(
+        (means, conics, depths), scene.opacities, scene.colours, smallest, counts, records
+    )
+    tiling = _sort_into_tiles(size, boxes, counts, depths)
     images = tuple(np.empty((views, *planes, *size), kind) for planes in ((3,), (), ()))
     tile_kernels.composite_forward(
         size,
         tiling.grid,
-        (tiling.starts, tiling.members, tiling.boxes, tiling.parts),
-        projected,
-        scene.opacities,
-        scene.colours,
+        (tiling.starts, tiling.members, tiling.parts),
+        records,
         scene.limits,
+        tiling.spans,
         images,
     )
-    return tiling, projected, images
+    return tiling, _Projected(conics, depths, records), images
 
 
 def _backward(state: tuple[Any, ...], upstream: tuple[Array, ...]) -> tuple[Array, ...]:
     """Gradients of means, quaternions, log scales, opacities, colours and shifts."""
     scene, size, tiling, projected, images = state
-    slots = np.empty((len(tiling.members), tile_kernels.SLOT_FIELDS), scene.opacities.dtype)
+    kind = scene.opacities.dtype
+    slots = np.empty((len(tiling.members), tile_kernels.SLOT_FIELDS), kind)
     tile_kernels.composite_backward(
         size,
         tiling.grid,
-        (tiling.starts, tiling.members, tiling.boxes, tiling.parts),
+        (tiling.starts, tiling.members, tiling.parts),
         tiling.slots,
-        projected,
-        scene.opacities,
-        scene.colours,
+        projected.records,
         scene.limits,
+        tiling.spans,
         images,
         upstream,
         slots,
     )
-    to_projection = tuple(np.empty_like(array) for array in projected)
+    views, number = projected.depths.shape
+    shapes = ((views, number, 2), (views, number, 3), (views, number))
+    to_projection = tuple(np.empty(shape, kind) for shape in shapes)
     to_opacities, to_colours = np.empty_like(scene.opacities), np.empty_like(scene.colours)
     tile_kernels.add_slots(
         tiling.counts, tiling.first_slots, slots, to_projection, to_opacities, to_colours
@@ -189,8 +209,8 @@ def _backward(state: tuple[Any, ...], upstream: tuple[Array, ...]) -> tuple[Arra
         scene.cameras,
         scene.pinhole,
         scene.nearest,
-        projected[1],
-        projected[2],
+        projected.conics,
+        projected.depths,
         to_projection,
         gradients,
     )
@@ -230,26 +250,25 @@ def _scene(
     )
 
 
-def _sort_into_tiles(
-    size: tuple[int, int], means: Array, covariances: Array, depths: Array, scene: _Scene
-) -> _Tiling:
+def _sort_into_tiles(size: tuple[int, int], boxes: Array, counts: Array, depths: Array) -> _Tiling:
+    """List the Gaussians of each tile by their boxes (v, n, 4) and numbers of tiles (v, n)."""
     views, number = depths.shape
     grid = (-(-size[0] // tile_sorting.TILE_HEIGHT), -(-size[1] // tile_sorting.TILE_WIDTH))
-    boxes = np.zeros((views, number, 4), dtype=np.int32)
-    counts = np.empty((views, number), dtype=np.int32)
-    tile_sorting.find_boxes(
-        size, means, covariances, scene.opacities, scene.limits[0], boxes, counts
-    )
     ends = np.cumsum(counts.ravel(), dtype=np.int64)
     pairs = int(ends[-1]) if len(ends) else 0
     first_slots = (ends - counts.ravel()).reshape(views, number)
-    totals = np.zeros((views, grid[0] * grid[1]), dtype=np.int64)
-    tile_sorting.count_tiles(grid, boxes, counts, totals)
-    starts = np.concatenate([[0], np.cumsum(totals.ravel())])
+    order = tile_sorting.depth_order(depths)
+    totals = np.zeros((views, tile_sorting.CHUNKS, grid[0] * grid[1]), dtype=np.int64)
+    tile_sorting.count_tiles(grid, order, boxes, counts, totals)
+    # A tile's list has the chunks one after the other.
+    listed = totals.transpose(0, 2, 1)
+    after = np.cumsum(listed, dtype=np.int64).reshape(listed.shape)
+    places = np.ascontiguousarray((after - listed).transpose(0, 2, 1))
+    starts = np.concatenate([[0], after[:, :, -1].ravel()])
     members, slots = np.empty(pairs, dtype=np.int32), np.empty(pairs, dtype=np.int64)
-    order = np.argsort(depths, axis=1, kind="stable")
-    tile_sorting.fill_tiles(grid, order, boxes, counts, first_slots, starts, members, slots)
-    return _Tiling(grid, starts, members, slots, boxes, counts, first_slots, even_parts(starts))
+    tile_sorting.fill_tiles(grid, order, boxes, counts, first_slots, places, members, slots)
+    spans = np.empty((pairs, 2), dtype=np.uint8)
+    return _Tiling(grid, starts, members, slots, spans, counts, first_slots, even_parts(starts))
 
 
 def even_parts(starts: Array) -> Array:

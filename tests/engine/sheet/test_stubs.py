@@ -62,3 +62,12 @@ def test_ends_at_junctions_are_such_corners() -> None:
     found = ended_at_junctions(seen, Rhythm(12.0, 6.0), WIDTH)
     slanted = [own for own in found if own[0] != WALL[0]]
     assert _ends(slanted) == pytest.approx(np.array([[3.0, 0.0]] * 2), abs=1e-6)
+
+
+def test_a_leg_is_no_wall_for_its_own_ends() -> None:
+    """A bore's end, its side, and a drill's tip that starts at their corner."""
+    floor, side = _between((278.8, 580.7), (330.7, 580.7)), _between((330.5, 546.0), (330.7, 580.7))
+    tip = [_between((304.7, 595.6), (330.7, 580.3)), _between((278.8, 580.1), (304.7, 595.6))]
+    found = without_stubs([floor, side, *tip], WIDTH)
+    lengths = [piece.end - piece.start for _, piece in found]
+    assert lengths == pytest.approx([51.9, 34.7, 30.2, 30.2], abs=0.2)

@@ -1,0 +1,258 @@
+"""Small chamfers: the straight cut between a line that ends with nothing beyond and the next end.
+
+A cut of a few line widths leaves too little ink of its own between two corners for a line to be
+grown from.  What tells it are an end without a continuation and another end close by.  Both are
+drawn without and with a straight stroke between them, from wherever on its line the first one may
+turn, and compared with the sheet pixel by pixel (analysis by synthesis).
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.jogs import distances_to
+from gaussiancad_core.sheet.pen import Pen, fit_pen
+from gaussiancad_core.sheet.runs import Piece
+from gaussiancad_core.sheet.stubs import Placed
+from gaussiancad_core.views import Linetype
+
+_LONGEST, _LEAST_LONGEST = 6.0, 20.0
+"""Line widths that a chamfer is long at most, and px at least: longer ones are found as lines."""
+
+_SHORTEST, _SEEN = 1.3, 0.8
+"""Line widths that it is long at least, and from one seen end to the other."""
+
+_FREE = 0.75
+"""Line widths around an end within which there is no other stroke."""
+
+_SAME = 0.75
+"""px between ends that are one corner."""
+
+_FLATTEST, _STEEPEST = np.cos(np.radians(12.0)), np.cos(np.radians(78.0))
+"""Cosines of the turns between a line and its chamfer that are looked for."""
+
+_BACK, _ON = 1.5, 0.5
+"""Line widths before and beyond a line's seen end where it may turn."""
+
+_AROUND = 2.5
+"""px beside a stroke's ink that are compared."""
+
+_COARSE, _FINE = 1.0, 0.125
+"""px between the places that are tried first and at last."""
+
+_BETTER, _LEAST_GAIN = 0.4, 1.0
+"""Share of the squared error without a chamfer that one leaves at most; squared ink, in full
+pixels, that it explains at least."""
+
+_FEWEST = 20
+"""Pixels that are compared, at least."""
+
+_MOST = 200
+"""Free ends of a view up to which chamfers are looked for: more are no outline's."""
+
+_CONFIDENCE = 0.8
+
+Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class _End:
+    """An end of a piece.
+
+    Attributes:
+        index: of the piece.
+        at_start: whether it is the piece's start.
+        place: (2,) px.
+        outward: (2,) unit vector out of the piece.
+        free: whether it is a line's and no other stroke is around.
+    """
+
+    index: int
+    at_start: bool
+    place: Floats
+    outward: Floats
+    free: bool
+
+
+@dataclass(frozen=True)
+class _Cut:
+    """A straight stroke between two ends, px by which each moves outward, and what it leaves of
+    the squared error."""
+
+    first: _End
+    second: _End
+    shifts: tuple[float, float]
+    left: float
+
+    @property
+    def ends(self) -> tuple[Floats, Floats]:
+        """(2,) px of its start and of its end."""
+        return _moved(self.first, self.shifts[0]), _moved(self.second, self.shifts[1])
+
+
+def with_chamfers(
+    weight: npt.NDArray[np.float32], placed: Sequence[Placed], stroke_width: float
+) -> list[Placed]:
+    """The pieces and the chamfers between their ends, which then end there.
+
+    Args:
+        weight: (h, w) ink.
+        placed: pieces with their ends at junctions; px, pixel centres at integers.
+        stroke_width: px.
+    """
+    ends = list(_visible_ends(placed, stroke_width))
+    free = [end for end in ends if end.free]
+    pieces = list(placed)
+    if not free or len(free) > _MOST:
+        return pieces
+    straight = [
+        (geometry, piece.start, piece.end)
+        for geometry, piece in placed
+        if isinstance(geometry, Line) and piece.linetype is Linetype.VISIBLE
+    ]
+    pen = fit_pen(weight, straight, stroke_width)
+    taken: set[tuple[int, bool]] = set()
+    for first, second in _pairs(free, ends, stroke_width):
+        keys = {(end.index, end.at_start) for end in (first, second) if end.free}
+        if keys & taken:
+            continue
+        cut = _best_cut(weight, first, second, pieces, pen)
+        if cut is None:
+            continue
+        taken |= keys
+        for end, shift in zip((first, second), cut.shifts, strict=True):
+            if end.free:
+                pieces[end.index] = _lengthened(pieces[end.index], end, shift)
+        pieces.append(_straight(*cut.ends))
+    return pieces
+
+
+def _visible_ends(placed: Sequence[Placed], width: float) -> Iterator[_End]:
+    for index, (geometry, piece) in enumerate(placed):
+        whole = piece.end - piece.start >= geometry.around - 1e-6
+        if piece.linetype is not Linetype.VISIBLE or whole:
+            continue
+        at = np.array([piece.start, piece.end])
+        places, ways = geometry.points_at(at), geometry.tangents_at(at)
+        for k, way in ((0, -1.0), (1, 1.0)):
+            others = (own for other, own in enumerate(placed) if other != index)
+            free = isinstance(geometry, Line) and all(
+                distances_to(own, places[k : k + 1])[0] > _FREE * width for own in others
+            )
+            yield _End(index, k == 0, places[k], way * ways[k], free)
+
+
+def _pairs(free: Sequence[_End], ends: Sequence[_End], width: float) -> Iterator[tuple[_End, _End]]:
+    """A free end and another end that a chamfer may join, the nearest first."""
+    longest = max(_LEAST_LONGEST, _LONGEST * width)
+    found = []
+    for first in free:
+        for second in ends:
+            way = second.place - first.place
+            away = float(np.hypot(*way))
+            if first.index == second.index or not _SEEN * width <= away <= longest:
+                continue
+            if second.free and second.index < first.index:
+                continue
+            turns = [way @ first.outward / away]
+            if second.free:
+                turns.append(-way @ second.outward / away)
+            if all(_STEEPEST <= turn <= _FLATTEST for turn in turns):
+                found.append((away, first, second))
+    for _, first, second in sorted(found, key=lambda pair: pair[0]):
+        yield first, second
+
+
+def _best_cut(
+    weight: npt.NDArray[np.float32], first: _End, second: _End, pieces: Sequence[Placed], pen: Pen
+) -> _Cut | None:
+    """The chamfer between two ends, if the ink has one."""
+    pixels = _pixels_around(weight.shape, first, second, pieces, pen)
+    if len(pixels) < _FEWEST:
+        return None
+    columns, rows = pixels.astype(int).T
+    ink = weight[rows, columns].astype(np.float64)
+    others = _nearest(
+        [own for k, own in enumerate(pieces) if k not in _turning(first, second)], pixels
+    )
+    tips = [
+        np.minimum(others, _nearest([pieces[end.index]], pixels)) if end.free else others
+        for end in (first, second)
+    ]
+    without = float(((pen.ink(np.minimum(*tips)) - ink) ** 2).sum())
+
+    def left(shifts: tuple[float, float]) -> float:
+        cut = _Cut(first, second, shifts, 0.0)
+        distance = np.minimum(others, distances_to(_straight(*cut.ends), pixels))
+        for end, shift in zip((first, second), shifts, strict=True):
+            if end.free:
+                longer = _lengthened(pieces[end.index], end, shift)
+                distance = np.minimum(distance, distances_to(longer, pixels))
+        return float(((pen.ink(distance) - ink) ** 2).sum())
+
+    shifts = (0.0, 0.0)
+    reach = np.arange(-_BACK * pen.width, _ON * pen.width + _COARSE, _COARSE)
+    step = _COARSE
+    while step >= _FINE:
+        tried = [
+            (reach + shift if end.free else np.zeros(1))
+            for end, shift in zip((first, second), shifts, strict=True)
+        ]
+        shifts = min(((float(a), float(b)) for a in tried[0] for b in tried[1]), key=left)
+        step /= 2.0
+        reach = np.array([-step, 0.0, step])
+    best = left(shifts)
+    start, end = _Cut(first, second, shifts, best).ends
+    if np.hypot(*(end - start)) < _SHORTEST * pen.width:
+        return None
+    if best > _BETTER * without or without - best < _LEAST_GAIN:
+        return None
+    return _Cut(first, second, shifts, best)
+
+
+def _turning(first: _End, second: _End) -> set[int]:
+    return {end.index for end in (first, second) if end.free}
+
+
+def _pixels_around(
+    shape: tuple[int, ...], first: _End, second: _End, pieces: Sequence[Placed], pen: Pen
+) -> Floats:
+    """(n, 2) px near a chamfer and the ends before it, away from dashes and arcs' own fits."""
+    beside = pen.width / 2.0 + _AROUND
+    corners = np.array([first.place, second.place])
+    low = np.maximum(np.floor(corners.min(0) - 2.0 * beside), 0).astype(int)
+    high = np.minimum(np.ceil(corners.max(0) + 2.0 * beside) + 1, shape[::-1]).astype(int)
+    ys, xs = np.mgrid[low[1] : max(high[1], low[1]), low[0] : max(high[0], low[0])]
+    pixels = np.stack([xs.ravel(), ys.ravel()], axis=1).astype(np.float64)
+    near = distances_to(_straight(first.place, second.place), pixels) <= beside
+    dashed = [own for own in pieces if own[1].linetype is Linetype.HIDDEN]
+    return pixels[near & (_nearest(dashed, pixels) > beside)]
+
+
+def _nearest(pieces: Sequence[Placed], pixels: Floats) -> Floats:
+    """(n,) px to the nearest of some pieces; far where there is none."""
+    distance = np.full(len(pixels), 1e3)
+    for own in pieces:
+        distance = np.minimum(distance, distances_to(own, pixels))
+    return distance
+
+
+def _moved(end: _End, shift: float) -> Floats:
+    return end.place + shift * end.outward
+
+
+def _lengthened(placed: Placed, end: _End, shift: float) -> Placed:
+    geometry, piece = placed
+    if end.at_start:
+        return geometry, replace(piece, start=piece.start - shift)
+    return geometry, replace(piece, end=piece.end + shift)
+
+
+def _straight(start: Floats, end: Floats) -> Placed:
+    length = float(np.hypot(*(end - start)))
+    dx, dy = (end - start) / length
+    line = Line((float(start[0]), float(start[1])), (float(dx), float(dy)))
+    return line, Piece(0.0, length, Linetype.VISIBLE, _CONFIDENCE)

@@ -1,0 +1,325 @@
+"""Hidden lines too short for their dashes to be told: slanted ones from the end of a hidden line.
+
+The cone of a countersink or of a drill's tip, or a chamfer, shows as one dash or two between the
+corner of a hidden line and the next stroke.  What tells it is ink that no stroke explains, on a
+straight way from that corner: to another stroke, or to where two such lines meet.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.explained import Explained
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.jogs import distances_to
+from gaussiancad_core.sheet.runs import Piece, Rhythm, widest_gap
+from gaussiancad_core.sheet.shapes import sample
+from gaussiancad_core.sheet.stubs import Placed
+from gaussiancad_core.views import Linetype
+
+_LONGEST = 3.0
+"""Dashes with their gaps that a leg is long at most."""
+
+_SHORTEST = 2.5
+"""Line widths that it is long at least."""
+
+_SMALLEST, _LARGEST = 4, 3.0
+"""Pixels of a blot of ink at least; dashes, as pixels of a line, at most."""
+
+_BESIDE = 1.0
+"""px beside a leg's ink by which a blot of it may reach."""
+
+_OFF = 0.1
+"""Sine of the angle to the line it starts from, or to an axis, under which a leg is no slant."""
+
+_ONE_DASH = 1.4
+"""Dashes that a piece is long at most to be a single one."""
+
+_STEP = 0.5
+"""px between the places that are looked at."""
+
+_DARK = 0.5
+"""Weight from which a pixel is ink."""
+
+_INKED, _LEAST_INKED = 0.35, 2.0
+"""Share of a leg's own way that is ink, and px, at least."""
+
+_MOST_CORNERS, _MOST_BLOTS = 400, 400
+"""Of a view, up to which legs are looked for: more are a sketch's."""
+
+_TIP = 3.0
+"""px by which the ink of two legs may end before they meet, beyond a gap of the dashes."""
+
+_CONFIDENCE = 0.6
+
+Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class _Blot:
+    """Ink that no stroke explains: its pixels, (n, 2) px."""
+
+    pixels: Floats
+
+    @property
+    def middle(self) -> Floats:
+        """(2,) px."""
+        return self.pixels.mean(0)
+
+
+@dataclass(frozen=True)
+class _View:
+    """The pieces of a view, its ink, the blots that no piece has, and the rhythm of its dashes."""
+
+    pieces: Sequence[Placed]
+    sheet: CleanSheet
+    blots: Sequence[_Blot]
+    rhythm: Rhythm
+
+    @property
+    def longest(self) -> float:
+        """px of a leg, at most."""
+        return _LONGEST * (self.rhythm.dash + self.rhythm.gap)
+
+
+@dataclass(frozen=True)
+class _Leg:
+    """A slanted way from a corner along some blots.
+
+    Attributes:
+        corner: (2,) px.
+        way: (2,) unit vector.
+        end: px from the corner to the stroke that it meets, None if none is near.
+        inked: px from the corner of the last ink.
+        blots: numbers of those that lie on it.
+    """
+
+    corner: Floats
+    way: Floats
+    end: float | None
+    inked: float
+    blots: frozenset[int]
+
+
+def with_slanted_dashes(
+    pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhythm
+) -> list[Placed]:
+    """The pieces, and short hidden lines that leave the ends of hidden ones at a slant.
+
+    A single dash that begins at a corner and ends on nothing is taken for a part of such a line.
+
+    Args:
+        pieces: of a view, with their ends at junctions; px, pixel centres at integers.
+        sheet: its ink.
+        rhythm: of its dashes.
+    """
+    dangling = _dangling(pieces, rhythm)
+    kept = [own for k, own in enumerate(pieces) if k not in dangling]
+    corners = list(_corners(kept))
+    if not corners or len(corners) > _MOST_CORNERS:
+        return list(pieces)
+    blots = _blots(_unexplained(kept, sheet), sheet.stroke_width, rhythm)
+    if len(blots) > _MOST_BLOTS:
+        return list(pieces)
+    view = _View(kept, sheet, blots, rhythm)
+    legs = [leg for corner, along in corners for leg in _legs(corner, along, view)]
+    found: list[Placed] = []
+    taken: set[int] = set()
+    for leg in sorted(legs, key=lambda leg: -leg.inked):
+        if leg.end is not None and not taken & leg.blots:
+            taken |= leg.blots
+            found.append(_hidden(leg, leg.end))
+    for one, other, tip in _tips([leg for leg in legs if leg.end is None], sheet, rhythm):
+        if not taken & (one.blots | other.blots):
+            taken |= one.blots | other.blots
+            found += [_hidden(leg, float((tip - leg.corner) @ leg.way)) for leg in (one, other)]
+    near = sheet.stroke_width / 2.0 + _BESIDE
+    replaced = {k for k in dangling if any(_covers(own, pieces[k], near) for own in found)}
+    return [own for k, own in enumerate(pieces) if k not in replaced] + found
+
+
+def _dangling(pieces: Sequence[Placed], rhythm: Rhythm) -> set[int]:
+    """Numbers of slanted hidden pieces of about a dash, one end of which is on no other stroke."""
+    found = set()
+    for index, (geometry, piece) in enumerate(pieces):
+        if not isinstance(geometry, Line) or piece.linetype is not Linetype.HIDDEN:
+            continue
+        if (
+            piece.end - piece.start > _ONE_DASH * rhythm.dash
+            or min(np.abs(geometry.direction)) < _OFF
+        ):
+            continue
+        others = [own for k, own in enumerate(pieces) if k != index]
+        ends = geometry.points_at(np.array([piece.start, piece.end]))
+        free = np.min([distances_to(own, ends) for own in others], axis=0, initial=1e3) > _STEP
+        if free.sum() == 1:
+            found.add(index)
+    return found
+
+
+def _covers(own: Placed, other: Placed, near: float) -> bool:
+    """Whether both ends of another piece lie on one."""
+    geometry, piece = other
+    ends = geometry.points_at(np.array([piece.start, piece.end]))
+    return bool((distances_to(own, ends) <= near).all())
+
+
+def _corners(pieces: Sequence[Placed]) -> Iterator[tuple[Floats, Floats]]:
+    """(2,) px of the end of each hidden line, and its direction."""
+    for geometry, piece in pieces:
+        if isinstance(geometry, Line) and piece.linetype is Linetype.HIDDEN:
+            for at in (piece.start, piece.end):
+                yield np.array(geometry.at(at)), np.array(geometry.direction)
+
+
+def _unexplained(pieces: Sequence[Placed], sheet: CleanSheet) -> npt.NDArray[np.bool_]:
+    """(h, w) where there is ink that no piece has now; others may have had it before."""
+    explained = Explained.blank(sheet)
+    for own in pieces:
+        explained.add(*own)
+    return sheet.ink & (explained.around == 0)
+
+
+def _blots(unexplained: npt.NDArray[np.bool_], stroke_width: float, rhythm: Rhythm) -> list[_Blot]:
+    count, labels, boxes, _ = cv2.connectedComponentsWithStats(
+        unexplained.astype(np.uint8), connectivity=8
+    )
+    found: list[_Blot] = []
+    largest = _LARGEST * rhythm.dash * stroke_width
+    for label in range(1, count):
+        x, y, w, h, area = boxes[label]
+        if not _SMALLEST <= area <= largest:
+            continue
+        rows, columns = np.nonzero(labels[y : y + h, x : x + w] == label)
+        found.append(_Blot(np.stack([columns + x, rows + y], axis=1).astype(np.float64)))
+    return found
+
+
+def _legs(corner: Floats, along: Floats, view: _View) -> Iterator[_Leg]:
+    """The slanted ways out of a corner on which blots lie."""
+    others = [own for own in view.pieces if distances_to(own, corner[None])[0] > _STEP]
+    near = view.sheet.stroke_width / 2.0 + _BESIDE
+    for blot in view.blots:
+        if np.hypot(*(blot.middle - corner)) > view.longest:
+            continue
+        way = _direction(corner, blot.pixels)
+        reach = near, view.longest
+        on = frozenset(k for k, own in enumerate(view.blots) if _is_on(own, corner, way, reach))
+        if not on:
+            continue
+        way = _direction(corner, np.concatenate([view.blots[k].pixels for k in sorted(on)]))
+        way = _refined(corner, way, view)
+        if min(abs(way[0] * along[1] - way[1] * along[0]), *np.abs(way)) < _OFF:
+            continue
+        leg = _followed(corner, way, on, others, view)
+        if leg is not None:
+            yield leg
+
+
+def _direction(corner: Floats, pixels: Floats) -> Floats:
+    """The way from a corner that runs closest to some pixels, (2,) unit vector."""
+    offsets = pixels - corner
+    _, vectors = np.linalg.eigh(offsets.T @ offsets)
+    way = vectors[:, 1]
+    return way if offsets.mean(0) @ way >= 0.0 else -way
+
+
+def _refined(corner: Floats, way: Floats, view: _View) -> Floats:
+    """The way through the middle of the ink along it that no piece has."""
+    sheet, longest = view.sheet, view.longest
+    beside = sheet.stroke_width / 2.0 + _BESIDE
+    columns, rows = np.meshgrid(
+        *(np.arange(c - longest, c + longest + 1.0) for c in np.rint(corner))
+    )
+    pixels = np.stack([columns.ravel(), rows.ravel()], axis=1)
+    offsets = pixels - corner
+    along, across = offsets @ way, offsets @ np.array([-way[1], way[0]])
+    inside = ((pixels >= 0.0) & (pixels < sheet.weight.shape[::-1])).all(1)
+    inside &= (along > 0.0) & (along < longest) & (np.abs(across) <= beside)
+    pixels, along, across = pixels[inside], along[inside], across[inside]
+    own = np.min([distances_to(piece, pixels) for piece in view.pieces], axis=0) > beside
+    columns, rows = pixels[own].astype(int).T
+    ink = sheet.weight[rows, columns]
+    turn = float((ink * along[own] * across[own]).sum() / max((ink * along[own] ** 2).sum(), 1e-9))
+    turned = way + turn * np.array([-way[1], way[0]])
+    return turned / np.hypot(*turned)
+
+
+def _is_on(blot: _Blot, corner: Floats, way: Floats, reach: tuple[float, float]) -> bool:
+    """Whether all of a blot lies on the way out of a corner, within px beside and along it."""
+    near, longest = reach
+    offsets = blot.pixels - corner
+    along, across = offsets @ way, np.abs(offsets @ np.array([-way[1], way[0]]))
+    return bool(along.min() > 0.0 and along.max() < longest and across.max() <= near)
+
+
+def _followed(
+    corner: Floats, way: Floats, on: frozenset[int], others: Sequence[Placed], view: _View
+) -> _Leg | None:
+    """A way out of a corner up to the stroke that it meets, if ink is there as dashes have it."""
+    width = view.sheet.stroke_width
+    places = np.arange(0.0, view.longest, _STEP)
+    points = corner + places[:, None] * way
+    dark = sample(view.sheet.weight, points[:, :1], points[:, 1:])[:, 0] > _DARK
+    to_others = np.min([distances_to(own, points) for own in others], axis=0, initial=1e3)
+    to_any = np.min([distances_to(own, points) for own in view.pieces], axis=0, initial=1e3)
+    met = np.flatnonzero((to_others < _STEP) & (places >= _SHORTEST * width))
+    last = int(met[0]) if len(met) else len(places) - 1
+    own = (to_any > width / 2.0 + 1.0)[: last + 1]
+    inked = np.flatnonzero(dark[: last + 1] & own)
+    if len(inked) * _STEP < _LEAST_INKED:
+        return None
+    if not len(met):
+        last = int(inked[-1])
+        own = own[: last + 1]
+    share = float(dark[: last + 1][own].mean())
+    blank = _longest_blank(dark[: last + 1]) * _STEP
+    if share < _INKED or blank > widest_gap(view.rhythm):
+        return None
+    end = _meeting(corner, way, float(places[last]), others) if len(met) else None
+    return _Leg(corner, way, end, float(places[inked[-1]]), on)
+
+
+def _meeting(corner: Floats, way: Floats, about: float, others: Sequence[Placed]) -> float:
+    """px from the corner to where a way comes closest to the stroke that it meets there."""
+    places = about + np.arange(-1.0, 1.5, 0.05)
+    points = corner + places[:, None] * way
+    distance = np.min([distances_to(own, points) for own in others], axis=0)
+    return float(places[int(distance.argmin())])
+
+
+def _tips(
+    legs: Sequence[_Leg], sheet: CleanSheet, rhythm: Rhythm
+) -> Iterator[tuple[_Leg, _Leg, Floats]]:
+    """Pairs of legs that end on no stroke but on each other, and where."""
+    slack = widest_gap(rhythm) + _TIP
+    for k, one in enumerate(legs):
+        for other in legs[:k]:
+            cross = float(one.way[0] * other.way[1] - one.way[1] * other.way[0])
+            gap = other.corner - one.corner
+            if abs(cross) < _OFF or np.hypot(*gap) < _SHORTEST * sheet.stroke_width:
+                continue
+            places = (
+                float(gap[0] * other.way[1] - gap[1] * other.way[0]) / cross,
+                float(gap[0] * one.way[1] - gap[1] * one.way[0]) / cross,
+            )
+            if all(
+                -_TIP <= at - leg.inked <= slack
+                for at, leg in zip(places, (one, other), strict=True)
+            ):
+                yield one, other, one.corner + places[0] * one.way
+
+
+def _hidden(leg: _Leg, length: float) -> Placed:
+    line = Line(tuple(map(float, leg.corner)), tuple(map(float, leg.way)))
+    return line, Piece(0.0, length, Linetype.HIDDEN, _CONFIDENCE)
+
+
+def _longest_blank(dark: npt.NDArray[np.bool_]) -> int:
+    padded = np.concatenate([[True], dark, [True]]).astype(np.int8)
+    starts, ends = np.flatnonzero(np.diff(padded) == -1), np.flatnonzero(np.diff(padded) == 1)
+    return int((ends - starts).max(initial=0))
