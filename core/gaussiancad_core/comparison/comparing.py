@@ -162,8 +162,13 @@ def _placement(laid: _Laid, options: CompareOptions) -> Matrix:
     unscaled = scale_of(laid.box) / scale_of(laid.own)
     own = laid.result.scaled(unscaled) if rule is ScaleRule.FIXED else laid.result
     if options.alignment is not Alignment.AXES:
-        scaling = rule is ScaleRule.FREE
-        pose, _ = refine(_thinned(own), _thinned(laid.reference), pose, scaling=scaling)
+        sides, scaling = (_thinned(own), _thinned(laid.reference)), rule is ScaleRule.FREE
+        # Most files that are compared have one origin already, whatever their bounding boxes.
+        unmoved = laid.box @ inverse(laid.own)
+        if rule is ScaleRule.FIXED:
+            unmoved = unmoved @ np.diag([*np.full(3, 1.0 / unscaled), 1.0])
+        found = [refine(*sides, start, scaling=scaling) for start in (unmoved, pose)]
+        pose, _ = min(found, key=lambda each: each[1])
     if rule is ScaleRule.FIXED:
         pose = pose @ np.diag([unscaled, unscaled, unscaled, 1.0])
     return pose @ laid.own

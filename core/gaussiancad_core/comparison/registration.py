@@ -29,6 +29,13 @@ _MIRROR_UNITS = 1e-3
 _IMAGE = np.array([-1.0, 1.0, 1.0])
 
 _ICP_ROUNDS = 40
+
+_WIDE, _NARROWING = 3.0, 0.6
+"""Points beyond so many root mean squares count little at first; each round narrows that."""
+
+_NARROW, _NARROWEST = 3.0, 1e-4
+"""In the end those beyond so many medians do; never less than so many units."""
+
 _ICP_GAIN = 0.02
 """ICP must lower the distance by this share, or the start is kept: less is a matter of samples."""
 
@@ -137,6 +144,9 @@ def refine(
 ) -> tuple[Matrix, float]:
     """ICP from a start; the best pose seen, which may be the start, and its distance.
 
+    What lies far off pulls less, at first only what lies very far off: else nothing would pull a
+    part whose sides fit along the way in which its top and bottom do not.
+
     Args:
         result, reference: with as many points each.
         start: (4, 4) motion of the result; a similarity if ``scaling``.
@@ -147,17 +157,21 @@ def refine(
     if best_distance < _TIE_UNITS:
         return best, best_distance
     threshold = best_distance * (1.0 - _ICP_GAIN) - _TIE_UNITS
-    pose = start
-    for _ in range(rounds):
+    pose, wide = start, 0.0
+    for number in range(rounds):
         there = reference.surface.nearest(moved_points(result.points, pose))
         back = result.surface.nearest(moved_points(reference.points, inverse(pose)))
         behind = back.distances.mean() * scale_of(pose)
         distance = float(there.distances.mean() + behind) / 2.0
         if distance < min(best_distance, threshold):
             best, best_distance = pose, distance
-        step = _step(result, reference, pose, (there, back), scaling)
+        sizes = np.concatenate([there.distances, back.distances * scale_of(pose)])
+        wide = wide or _WIDE * float(np.sqrt(np.square(sizes).mean()))
+        narrow = max(_NARROW * float(np.median(sizes)), _NARROWEST)
+        width = max(narrow, wide * _NARROWING**number)
+        step = _step((result, reference), pose, (there, back), (width, scaling))
         pose = step @ pose
-        if np.abs(step - np.eye(4)).max() < 1e-8:
+        if width <= narrow and np.abs(step - np.eye(4)).max() < 1e-8:
             break
     return best, best_distance
 
@@ -185,13 +199,20 @@ def distance_under(result: Side, reference: Side, pose: Matrix) -> float:
 
 
 def _step(
-    result: Side,
-    reference: Side,
+    sides: tuple[Side, Side],
     pose: Matrix,
     nearest: tuple[Nearest, Nearest],
-    scaling: bool,
+    how: tuple[float, bool],
 ) -> Matrix:
-    """The small motion that the linearised, robustly weighted distances ask for."""
+    """The small motion that the linearised, robustly weighted distances ask for.
+
+    Args:
+        sides: result and reference.
+        pose: of the result.
+        nearest: points on the reference to those of the result, and the other way round.
+        how: the distance at which a point's weight is a quarter; whether sizes may change.
+    """
+    (result, reference), (width, scaling) = sides, how
     there, back = nearest
     # Rows of both directions speak of a point x of the moved result and a point q of the reference.
     moving = np.concatenate([moved_points(result.points, pose), moved_points(back.points, pose)])
@@ -209,7 +230,6 @@ def _step(
     normals = np.where(apart[:, None], gap / np.where(apart, size, 1.0)[:, None], flat)
 
     # Geman-McClure: what the result misses or adds must not pull at what fits.
-    width = max(3.0 * float(np.median(size)), 1e-4)
     weights = 1.0 / (1.0 + (size / width) ** 2) ** 2
     rows = np.hstack([np.cross(moving, normals), normals])
     if scaling:
