@@ -66,8 +66,8 @@ def _pictures(
     group: FreeCAD.DocumentObject, report: Comparison
 ) -> Iterator[tuple[str, QtGui.QImage]]:
     """What there is to see, by name."""
-    shown = QtGui.QImage(getattr(group, "Picture", ""))
-    if not shown.isNull():
+    shown = _image_of(getattr(group, "Picture", ""))
+    if shown is not None:
         yield "picture", shown
     if report.histogram is not None:
         image = QtGui.QImage(_WIDTH * _FINE, _TALL * _FINE, QtGui.QImage.Format.Format_RGB32)
@@ -81,9 +81,15 @@ def _pictures(
         yield "histogram", image
     request = request_of(group)
     sheet = None if request is None else request.result.sheet()
-    drawing = QtGui.QImage("" if sheet is None else str(sheet))
-    if not drawing.isNull():
+    drawing = None if sheet is None else _image_of(str(sheet))
+    if drawing is not None:
         yield "sheet", drawing
+
+
+def _image_of(path: str) -> QtGui.QImage | None:
+    """The picture in a file; None where there is none."""
+    image = QtGui.QImage(path) if path else QtGui.QImage()
+    return None if image.isNull() else image
 
 
 def _range_of(group: FreeCAD.DocumentObject, report: Comparison) -> float:
@@ -111,8 +117,8 @@ def _html(names: tuple[str, str], report: Comparison, pictures: dict[str, QtGui.
     if report.worst:
         head = (
             "mm",
-            translate("GaussianCAD", "Place"),
             translate("GaussianCAD", "Result has"),
+            translate("GaussianCAD", "Place"),
         )
         title = translate("GaussianCAD", "Worst points")
         parts.append(f'<h2 class="page">{escape(title)}</h2>')
@@ -123,7 +129,11 @@ def _html(names: tuple[str, str], report: Comparison, pictures: dict[str, QtGui.
     head = ("", translate("GaussianCAD", "Value"), translate("GaussianCAD", "Floor"))
     parts.append(f"<h2>{escape(translate('GaussianCAD', 'Measures'))}</h2>")
     parts.append(_table(head, distance_rows(report)))
-    told = [str(values[key]) for key in ("protocol", "emd_method") if values.get(key)]
+    told = [
+        f"{start}{values[key]}"
+        for key, start in (("protocol", ""), ("emd_method", "EMD "))
+        if values.get(key)
+    ]
     told += [f"{key} {values[key]}" for key in ("points", "seed") if key in values]
     parts.append(f'<p class="note">{escape("; ".join(told))}</p>')
     if "sheet" in pictures:

@@ -8,6 +8,12 @@ from freecad.gaussiancad.qt import QtCore, QtWidgets
 
 _NOTHING = "–"
 
+_SMALL = 0.01
+"""Below it two digits are told."""
+
+_DECIMALS = 9
+"""What is smaller is rounding."""
+
 
 class DistanceTable(QtWidgets.QWidget):
     """Each distance beside its floor: what two samples of the same reference give."""
@@ -165,7 +171,9 @@ def _engineering_cells(block: dict[str, Any]) -> list[tuple[str, ...]]:
 def _text(number: object, factor: float = 1.0, digits: int = 4) -> str:
     if isinstance(number, bool) or not isinstance(number, int | float):
         return _NOTHING
-    return f"{factor * number + 0.0:.{digits}g}"
+    value = round(factor * number, _DECIMALS) + 0.0
+    # Small numbers have many zeros, and the panel is narrow.
+    return f"{value:.{digits if abs(value) >= _SMALL else 2}g}"
 
 
 def _rows() -> list[tuple[str, str, str]]:

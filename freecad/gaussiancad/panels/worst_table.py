@@ -20,7 +20,7 @@ class WorstTable(QtWidgets.QTableWidget):
         super().__init__(0, 3)
         self.setObjectName("worst")
         self.setHorizontalHeaderLabels(
-            ["mm", translate("GaussianCAD", "Place"), translate("GaussianCAD", "Result has")]
+            ["mm", translate("GaussianCAD", "Result has"), translate("GaussianCAD", "Place")]
         )
         self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectionBehavior.SelectRows)
@@ -44,7 +44,7 @@ class WorstTable(QtWidgets.QTableWidget):
         for row, (point, texts) in enumerate(zip(points, worst_rows(points), strict=True)):
             for column, text in enumerate(texts):
                 item = QtWidgets.QTableWidgetItem(text)
-                item.setToolTip(_meaning(point))
+                item.setToolTip(f"{_meaning(point)}: {texts[-1]}")
                 item.setData(QtCore.Qt.ItemDataRole.UserRole, list(point.place))
                 self.setItem(row, column, item)
         self.blockSignals(False)
@@ -57,12 +57,12 @@ class WorstTable(QtWidgets.QTableWidget):
 
 
 def worst_rows(points: Sequence[WorstPoint]) -> list[tuple[str, str, str]]:
-    """Deviation in mm, place, and what the result has there, as texts."""
+    """Deviation in mm, what the result has there, and the place, as texts."""
     return [
         (
             f"{point.deviation:+.4g}",
-            ", ".join(f"{value:.4g}" for value in point.place),
             _amount(point),
+            ", ".join(f"{value:.4g}" for value in point.place),
         )
         for point in points
     ]
