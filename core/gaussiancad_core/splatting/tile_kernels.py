@@ -3,8 +3,8 @@
 """Compositing of a tile's Gaussians and the gradient of that, compiled.
 
 Each tile is composited from front to back by one thread, so that no two threads write to one place.
-In the backward pass each (Gaussian, tile) pair has a slot of its own; the slots are added up in a
-fixed order.  So the result does not depend on the number of threads.
+In the backward pass each (Gaussian, tile) pair has a row of its own; the rows of a Gaussian are
+added up in a fixed order.  So the result does not depend on the number of threads.
 
 The gradient also runs from front to back.  With ``v`` the upstream gradient's product with a
 Gaussian's colour, one and depth, and ``w = a T`` its weight, the loss changes with its alpha by
@@ -24,15 +24,16 @@ import numpy as np
 from numba import njit, prange, types
 from numba.extending import overload
 
-from gaussiancad_core.splatting.tile_sorting import TILE_HEIGHT, TILE_WIDTH
+from gaussiancad_core.splatting.tile_sorting import RECORD_FIELDS, TILE_HEIGHT, TILE_WIDTH
 
 TILE_PIXELS = TILE_WIDTH * TILE_HEIGHT
 
-SLOT_FIELDS = 10
+PAIR_FIELDS = 10
 """Gradients kept for a (Gaussian, tile) pair: mean 2, conic 3, opacity, depth, colour 3."""
 
-_CHECK_EVERY = 16
-"""Gaussians between two looks whether a tile is opaque all over."""
+_BATCH = 16
+"""Gaussians whose records are fetched at once, so that they are waited for together; between two
+batches it is looked whether the tile is opaque all over."""
 
 _COMPILE = {"fastmath": True, "error_model": "numpy", "cache": True}
 
@@ -47,7 +48,10 @@ _BACKWARD_FIELDS = 10
 _ZERO = np.float32(0.0)
 _HALF = np.float32(0.5)
 _ONE = np.float32(1.0)
-_MARGIN = np.float32(0.01)
+_LAST_COLUMN = np.float32(TILE_WIDTH - 1)
+_BEFORE = np.float32(1.0 - 0.01)
+_AFTER = np.float32(1.0 + 0.01)
+"""Rounding up the first line, and one past the last, with a margin of a hundredth of a pixel."""
 _LOG2_E = np.float32(math.log2(math.e))
 _SERIES = tuple(np.float32(math.log(2.0) ** k / math.factorial(k)) for k in range(7))
 _LOWEST = np.float32(-86.0)
@@ -99,27 +103,35 @@ def _clearest(tile):
 
 
 @njit(inline="always", **_COMPILE)
-def _lines(record, x, y, lines):
+def _lines(records, row, x, y, lines):
     """First and last line (exclusive) of a tile that a Gaussian reaches within its columns.
 
     The outline of a Gaussian is an ellipse; within a range of columns it is highest at its top, or
     at the column that is nearest to it.
 
     Args:
-        record: of the Gaussian.
+        records: of all Gaussians.
+        row: of the Gaussian.
         x, y: from its mean to the centre of the tile's first pixel.
         lines: of the tile.
     """
-    last_x = x + np.float32(TILE_WIDTH - 1)
-    upper_x = min(max(record[13], x), last_x)
-    lower_x = min(max(-record[13], x), last_x)
-    above = record[11] - record[12] * upper_x * upper_x
-    below = record[11] - record[12] * lower_x * lower_x
+    slope, height, fall, top = (
+        records[row, 10],
+        records[row, 11],
+        records[row, 12],
+        records[row, 13],
+    )
+    last_x = x + _LAST_COLUMN
+    upper_x = min(max(top, x), last_x)
+    lower_x = min(max(-top, x), last_x)
+    above = height - fall * upper_x * upper_x
+    below = height - fall * lower_x * lower_x
     if above < _ZERO or below < _ZERO:
         return 0, 0
-    first = math.ceil(max(record[10] * lower_x - math.sqrt(below) - y - _MARGIN, _ZERO))
-    last = math.floor(min(record[10] * upper_x + math.sqrt(above) - y + _MARGIN, lines - _ONE))
-    return first, max(first, last + 1)
+    # Within the tile both are small numbers that are not negative: cutting off is rounding down.
+    start = min(max(slope * lower_x - math.sqrt(below) - y + _BEFORE, _ZERO), lines)
+    stop = min(max(slope * upper_x + math.sqrt(above) - y + _AFTER, _ZERO), lines)
+    return np.int32(start), np.int32(stop)
 
 
 @njit(inline="always", **_COMPILE)
@@ -129,17 +141,28 @@ def _pixels(first, last):
 
 
 @njit(inline="always", **_COMPILE)
-def _offset(x0, y0, record):
+def _offset(x0, y0, records, row):
     """From a mean to the centre of a tile's first pixel, in the mean's precision."""
-    return np.float32(x0) + _HALF - record[0], np.float32(y0) + _HALF - record[1]
+    return np.float32(x0) + _HALF - records[row, 0], np.float32(y0) + _HALF - records[row, 1]
+
+
+@njit(inline="always", **_COMPILE)
+def _fetch(records, members, first, end, batch):
+    """Copy the records of the next few of a tile's Gaussians side by side; their number."""
+    count = min(_BATCH, end - first)
+    for n in range(count):
+        row = members[first + n]
+        for field in range(RECORD_FIELDS):
+            batch[n, field] = records[row, field]
+    return count
 
 
 @njit(**_COMPILE)
-def _composite(tile, span, offset, record, limits):
+def _composite(tile, span, offset, records, row, limits):
     """Add one Gaussian to a tile: its weights times colour and depth, and what it leaves."""
     smallest_alpha, largest_alpha, smallest_left = limits
-    xx, xy, yy, opacity = record[2], record[3], record[4], record[5]
-    red, green, blue, depth = record[6], record[7], record[8], record[9]
+    xx, xy, yy, opacity = records[row, 2], records[row, 3], records[row, 4], records[row, 5]
+    red, green, blue, depth = records[row, 6], records[row, 7], records[row, 8], records[row, 9]
     for p in range(span[0], span[1]):
         dx, dy = offset[0] + tile[p + _COLUMN], offset[1] + tile[p + _LINE]
         alpha = min(opacity * _exp(-((xx * dx + xy * dy) * dx + yy * dy * dy)), largest_alpha)
@@ -154,11 +177,11 @@ def _composite(tile, span, offset, record, limits):
 
 
 @njit(**_COMPILE)
-def _composite_gradient(tile, span, offset, record, limits, slot):
-    """Gradients that one tile gives to one Gaussian, written to its slot."""
+def _composite_gradient(tile, span, offset, records, row, limits, gradients, pair):
+    """Gradients that one tile gives to one Gaussian, written to the pair's row."""
     smallest_alpha, largest_alpha, smallest_left = limits
-    xx, xy, yy, opacity = record[2], record[3], record[4], record[5]
-    red, green, blue, depth = record[6], record[7], record[8], record[9]
+    xx, xy, yy, opacity = records[row, 2], records[row, 3], records[row, 4], records[row, 5]
+    red, green, blue, depth = records[row, 6], records[row, 7], records[row, 8], records[row, 9]
     zero = _ZERO * opacity
     sum_1, sum_x, sum_y, sum_xx, sum_xy, sum_yy = zero, zero, zero, zero, zero, zero
     to_red, to_green, to_blue, to_depth = zero, zero, zero, zero
@@ -191,16 +214,16 @@ def _composite_gradient(tile, span, offset, record, limits, slot):
         sum_xx += to_exponent * dx * dx
         sum_xy += to_exponent * dx * dy
         sum_yy += to_exponent * dy * dy
-    slot[0] = (xx + xx) * sum_x + xy * sum_y
-    slot[1] = xy * sum_x + (yy + yy) * sum_y
-    slot[2] = -_HALF * sum_xx
-    slot[3] = -sum_xy
-    slot[4] = -_HALF * sum_yy
-    slot[5] = sum_1 / opacity
-    slot[6] = to_depth
-    slot[7] = to_red
-    slot[8] = to_green
-    slot[9] = to_blue
+    gradients[pair, 0] = (xx + xx) * sum_x + xy * sum_y
+    gradients[pair, 1] = xy * sum_x + (yy + yy) * sum_y
+    gradients[pair, 2] = -_HALF * sum_xx
+    gradients[pair, 3] = -sum_xy
+    gradients[pair, 4] = -_HALF * sum_yy
+    gradients[pair, 5] = sum_1 / opacity
+    gradients[pair, 6] = to_depth
+    gradients[pair, 7] = to_red
+    gradients[pair, 8] = to_green
+    gradients[pair, 9] = to_blue
 
 
 @njit(parallel=True, **_COMPILE)
@@ -215,22 +238,23 @@ def composite_forward(size, grid, tiles, records, limits, spans, images):
     per_view = grid[0] * grid[1]
     for part in prange(len(parts) - 1):
         tile = np.empty(_FORWARD_FIELDS * TILE_PIXELS, records.dtype)
+        batch = np.empty((_BATCH, RECORD_FIELDS), records.dtype)
         for index in range(parts[part], parts[part + 1]):
             v = index // per_view
             x0 = (index - v * per_view) % grid[1] * TILE_WIDTH
             y0 = (index - v * per_view) // grid[1] * TILE_HEIGHT
             lines = np.float32(min(TILE_HEIGHT, height - y0))
             _clear(tile)
-            for k in range(starts[index], starts[index + 1]):
-                check = (k - starts[index]) % _CHECK_EVERY == _CHECK_EVERY - 1
-                if check and _clearest(tile) <= limits[2]:
+            for first_pair in range(starts[index], starts[index + 1], _BATCH):
+                if first_pair > starts[index] and _clearest(tile) <= limits[2]:
                     break
-                record = records[v, members[k]]
-                offset = _offset(x0, y0, record)
-                first, last = _lines(record, offset[0], offset[1], lines)
-                spans[k, 0], spans[k, 1] = first, last
-                if first < last:
-                    _composite(tile, _pixels(first, last), offset, record, limits)
+                count = _fetch(records, members, first_pair, starts[index + 1], batch)
+                for n in range(count):
+                    offset = _offset(x0, y0, batch, n)
+                    first, last = _lines(batch, n, offset[0], offset[1], lines)
+                    spans[first_pair + n, 0], spans[first_pair + n, 1] = first, last
+                    if first < last:
+                        _composite(tile, _pixels(first, last), offset, batch, n, limits)
             for r in range(min(TILE_HEIGHT, height - y0)):
                 for x in range(min(TILE_WIDTH, width - x0)):
                     p, row, column = r * TILE_WIDTH + x, y0 + r, x0 + x
@@ -264,15 +288,14 @@ def _fill_upstream(tile, v, corner, extent, images, upstream):
 
 
 @njit(parallel=True, **_COMPILE)
-def composite_backward(
-    size, grid, tiles, slots, records, limits, spans, images, upstream, gradients
-):
-    """Fill the (pairs, SLOT_FIELDS) gradients of all (Gaussian, tile) pairs."""
+def composite_backward(size, grid, tiles, records, limits, spans, images, upstream, gradients):
+    """Fill the (pairs, PAIR_FIELDS) gradients of all (Gaussian, tile) pairs."""
     height, width = size
     starts, members, parts = tiles
     per_view = grid[0] * grid[1]
     for part in prange(len(parts) - 1):
         tile = np.empty(_BACKWARD_FIELDS * TILE_PIXELS, records.dtype)
+        batch = np.empty((_BATCH, RECORD_FIELDS), records.dtype)
         for index in range(parts[part], parts[part + 1]):
             if starts[index] == starts[index + 1]:
                 continue
@@ -283,36 +306,44 @@ def composite_backward(
             extent = (min(TILE_HEIGHT, height - y0), min(TILE_WIDTH, width - x0))
             _fill_upstream(tile, v, (y0, x0), extent, images, upstream)
             opaque = False
-            for k in range(starts[index], starts[index + 1]):
-                check = (k - starts[index]) % _CHECK_EVERY == _CHECK_EVERY - 1
-                if check and not opaque:
-                    opaque = _clearest(tile) <= limits[2]
-                slot = gradients[slots[k]]
-                if opaque or spans[k, 0] >= spans[k, 1]:
-                    slot[:] = 0
-                    continue
-                record = records[v, members[k]]
-                span = _pixels(spans[k, 0], spans[k, 1])
-                _composite_gradient(tile, span, _offset(x0, y0, record), record, limits, slot)
+            for first_pair in range(starts[index], starts[index + 1], _BATCH):
+                opaque = opaque or (first_pair > starts[index] and _clearest(tile) <= limits[2])
+                count = _fetch(records, members, first_pair, starts[index + 1], batch)
+                for n in range(count):
+                    pair = first_pair + n
+                    if opaque or spans[pair, 0] >= spans[pair, 1]:
+                        for field in range(PAIR_FIELDS):
+                            gradients[pair, field] = 0
+                        continue
+                    offset = _offset(x0, y0, batch, n)
+                    span = _pixels(spans[pair, 0], spans[pair, 1])
+                    _composite_gradient(tile, span, offset, batch, n, limits, gradients, pair)
 
 
 @njit(parallel=True, **_COMPILE)
-def add_slots(counts, first_slots, gradients, upstream, opacities, colours):
-    """Sum the slots of each Gaussian: per view for the projection, over all views for the rest."""
+def add_pairs(counts, first_slots, pairs, gradients, upstream, opacities, colours):
+    """Sum the rows of each Gaussian: per view for the projection, over all views for the rest."""
     to_means, to_conics, to_depths = upstream
     views, number = counts.shape
+    zero = gradients.dtype.type(0)
     for i in prange(number):
-        opacities[i] = 0
-        colours[i, :] = 0
+        opacity, red, green, blue = zero, zero, zero, zero
         for v in range(views):
-            to_means[v, i, :] = 0
-            to_conics[v, i, :] = 0
-            to_depths[v, i] = 0
-            for s in range(first_slots[v, i], first_slots[v, i] + counts[v, i]):
-                for k in range(2):
-                    to_means[v, i, k] += gradients[s, k]
-                for k in range(3):
-                    to_conics[v, i, k] += gradients[s, 2 + k]
-                    colours[i, k] += gradients[s, 7 + k]
-                opacities[i] += gradients[s, 5]
-                to_depths[v, i] += gradients[s, 6]
+            x, y, xx, xy, yy, depth = zero, zero, zero, zero, zero, zero
+            for slot in range(first_slots[v, i], first_slots[v, i] + counts[v, i]):
+                pair = pairs[slot]
+                x += gradients[pair, 0]
+                y += gradients[pair, 1]
+                xx += gradients[pair, 2]
+                xy += gradients[pair, 3]
+                yy += gradients[pair, 4]
+                opacity += gradients[pair, 5]
+                depth += gradients[pair, 6]
+                red += gradients[pair, 7]
+                green += gradients[pair, 8]
+                blue += gradients[pair, 9]
+            to_means[v, i, 0], to_means[v, i, 1] = x, y
+            to_conics[v, i, 0], to_conics[v, i, 1], to_conics[v, i, 2] = xx, xy, yy
+            to_depths[v, i] = depth
+        opacities[i] = opacity
+        colours[i, 0], colours[i, 1], colours[i, 2] = red, green, blue

@@ -3,7 +3,8 @@
 """Sorting Gaussians into tiles, compiled.
 
 A tile is a small rectangle of pixels that one thread composites.  Each (Gaussian, tile) pair has a
-slot of its own for its gradients, and the slots of a Gaussian lie side by side.
+place of its own for its gradients; those of a tile lie side by side, as they are worked out.  For
+each Gaussian it is listed where its own are.
 
 All that compositing reads of a Gaussian in a view is one record, as long as a cache line in single
 precision: a tile's Gaussians lie anywhere in memory, and what is read from one place is waited for
@@ -89,7 +90,7 @@ def find_boxes(size, means, covariances, opacities, smallest_alpha, boxes, count
 
 @njit(parallel=True, **_COMPILE)
 def fill_records(projected, opacities, palette, smallest_alpha, counts, records):
-    """Put what compositing reads of each Gaussian that is seen side by side, (v, n, fields)."""
+    """Put what compositing reads of each Gaussian that is seen side by side, (v n, fields)."""
     means, conics, depths = projected
     views, number = counts.shape
     for index in prange(views * number):
@@ -107,19 +108,19 @@ def fill_records(projected, opacities, palette, smallest_alpha, counts, records)
             height = reach / yy
             fall = determinant / (yy * yy)
             top = -xy / xx * math.sqrt(reach * xx / determinant)
-        records[v, i, 0] = means[v, i, 0]
-        records[v, i, 1] = means[v, i, 1]
-        records[v, i, 2] = conics[v, i, 0] / 2
-        records[v, i, 3] = conics[v, i, 1]
-        records[v, i, 4] = conics[v, i, 2] / 2
-        records[v, i, 5] = opacities[i]
+        records[index, 0] = means[v, i, 0]
+        records[index, 1] = means[v, i, 1]
+        records[index, 2] = conics[v, i, 0] / 2
+        records[index, 3] = conics[v, i, 1]
+        records[index, 4] = conics[v, i, 2] / 2
+        records[index, 5] = opacities[i]
         for k in range(3):
-            records[v, i, 6 + k] = palette[i, k]
-        records[v, i, 9] = depths[v, i]
-        records[v, i, 10] = slope
-        records[v, i, 11] = height
-        records[v, i, 12] = fall
-        records[v, i, 13] = top
+            records[index, 6 + k] = palette[i, k]
+        records[index, 9] = depths[v, i]
+        records[index, 10] = slope
+        records[index, 11] = height
+        records[index, 12] = fall
+        records[index, 13] = top
 
 
 def depth_order(depths: npt.NDArray[np.floating]) -> npt.NDArray[np.int32]:
@@ -186,8 +187,8 @@ def count_tiles(grid, order, boxes, counts, totals):
 
 
 @njit(parallel=True, **_COMPILE)
-def fill_tiles(grid, order, boxes, counts, first_slots, places, members, slots):
-    """List each tile's Gaussians from front to back, and the slot of each pair.
+def fill_tiles(grid, order, boxes, counts, first_slots, places, members, pairs):
+    """List each tile's Gaussians (rows of records) from front to back, and each Gaussian's pairs.
 
     ``places`` (v, chunks, lines * columns) says where each chunk's part of a tile's list begins,
     and then where it ends.
@@ -206,7 +207,7 @@ def fill_tiles(grid, order, boxes, counts, first_slots, places, members, slots):
                 for column in range(boxes[v, i, 0] // TILE_WIDTH, boxes[v, i, 1] // TILE_WIDTH + 1):
                     tile = line * columns + column
                     place = places[v, chunk, tile]
-                    members[place] = i
-                    slots[place] = slot
+                    members[place] = v * number + i
+                    pairs[slot] = place
                     places[v, chunk, tile] = place + 1
                     slot += 1

@@ -63,18 +63,18 @@ class _Tiling:
     Attributes:
         grid: lines and columns of tiles.
         starts: (tiles + 1,) places in ``members`` where each tile's list begins.
-        members: (pairs,) Gaussians.
-        slots: (pairs,) place of each pair's gradients.
+        members: (pairs,) rows of the Gaussians' records.
+        pairs: (pairs,) places in ``members`` of the first Gaussian's tiles, then of the second's.
         spans: (pairs, 2) lines of the tile that the Gaussian reaches; known after compositing.
         counts: (v, n) tiles of a Gaussian.
-        first_slots: (v, n) its first slot; the others follow.
+        first_slots: (v, n) its first place in ``pairs``; the others follow.
         parts: (parts + 1,) tiles at which runs of tiles with as much to do begin and end.
     """
 
     grid: tuple[int, int]
     starts: Array
     members: Array
-    slots: Array
+    pairs: Array
     spans: Array
     counts: Array
     first_slots: Array
@@ -132,7 +132,7 @@ class _Projected:
     Attributes:
         conics: (v, n, 3).
         depths: (v, n).
-        records: (v, n, fields) what compositing reads, see :mod:`.tile_sorting`.
+        records: (v n, fields) what compositing reads, see :mod:`.tile_sorting`.
     """
 
     conics: Array
@@ -161,7 +161,7 @@ def _forward(
     counts = np.empty((views, number), dtype=np.int32)
     smallest = scene.limits[0]
     tile_sorting.find_boxes(size, means, covariances, scene.opacities, smallest, boxes, counts)
-    records = np.empty((views, number, tile_sorting.RECORD_FIELDS), kind)
+    records = np.empty((views * number, tile_sorting.RECORD_FIELDS), kind)
     tile_sorting.fill_records(
         (means, conics, depths), scene.opacities, scene.colours, smallest, counts, records
     )
@@ -183,25 +183,30 @@ def _backward(state: tuple[Any, ...], upstream: tuple[Array, ...]) -> tuple[Arra
     """Gradients of means, quaternions, log scales, opacities, colours and shifts."""
     scene, size, tiling, projected, images = state
     kind = scene.opacities.dtype
-    slots = np.empty((len(tiling.members), tile_kernels.SLOT_FIELDS), kind)
+    of_pairs = np.empty((len(tiling.members), tile_kernels.PAIR_FIELDS), kind)
     tile_kernels.composite_backward(
         size,
         tiling.grid,
         (tiling.starts, tiling.members, tiling.parts),
-        tiling.slots,
         projected.records,
         scene.limits,
         tiling.spans,
         images,
         upstream,
-        slots,
+        of_pairs,
     )
     views, number = projected.depths.shape
     shapes = ((views, number, 2), (views, number, 3), (views, number))
     to_projection = tuple(np.empty(shape, kind) for shape in shapes)
     to_opacities, to_colours = np.empty_like(scene.opacities), np.empty_like(scene.colours)
-    tile_kernels.add_slots(
-        tiling.counts, tiling.first_slots, slots, to_projection, to_opacities, to_colours
+    tile_kernels.add_pairs(
+        tiling.counts,
+        tiling.first_slots,
+        tiling.pairs,
+        of_pairs,
+        to_projection,
+        to_opacities,
+        to_colours,
     )
     gradients = tuple(np.empty_like(array) for array in scene.gaussians)
     projection_kernels.project_backward(
@@ -255,7 +260,7 @@ def _sort_into_tiles(size: tuple[int, int], boxes: Array, counts: Array, depths:
     views, number = depths.shape
     grid = (-(-size[0] // tile_sorting.TILE_HEIGHT), -(-size[1] // tile_sorting.TILE_WIDTH))
     ends = np.cumsum(counts.ravel(), dtype=np.int64)
-    pairs = int(ends[-1]) if len(ends) else 0
+    count = int(ends[-1]) if len(ends) else 0
     first_slots = (ends - counts.ravel()).reshape(views, number)
     order = tile_sorting.depth_order(depths)
     totals = np.zeros((views, tile_sorting.CHUNKS, grid[0] * grid[1]), dtype=np.int64)
@@ -265,10 +270,10 @@ def _sort_into_tiles(size: tuple[int, int], boxes: Array, counts: Array, depths:
     after = np.cumsum(listed, dtype=np.int64).reshape(listed.shape)
     places = np.ascontiguousarray((after - listed).transpose(0, 2, 1))
     starts = np.concatenate([[0], after[:, :, -1].ravel()])
-    members, slots = np.empty(pairs, dtype=np.int32), np.empty(pairs, dtype=np.int64)
-    tile_sorting.fill_tiles(grid, order, boxes, counts, first_slots, places, members, slots)
-    spans = np.empty((pairs, 2), dtype=np.uint8)
-    return _Tiling(grid, starts, members, slots, spans, counts, first_slots, even_parts(starts))
+    members, pairs = np.empty(count, dtype=np.int32), np.empty(count, dtype=np.int32)
+    tile_sorting.fill_tiles(grid, order, boxes, counts, first_slots, places, members, pairs)
+    spans = np.empty((count, 2), dtype=np.uint8)
+    return _Tiling(grid, starts, members, pairs, spans, counts, first_slots, even_parts(starts))
 
 
 def even_parts(starts: Array) -> Array:

@@ -143,6 +143,23 @@ def test_tiles_draw_and_differentiate_as_the_reference_does(
 
 
 @MODELS
+def test_thin_slanting_gaussians_lose_no_pixel(model: CameraModel) -> None:
+    batch = cameras(model, 150, torch.float64)
+    some = parameters(80, 0.3, torch.float64, seed=5)
+    with torch.no_grad():
+        some.log_scales[:, 2] -= 4.0
+        some.log_scales[::2, 1] -= 3.0
+    optics = Optics(dilation=0.02)
+    fast, plain = (draw(some, batch, optics) for draw in (draw_tiles, draw_reference))
+    assert float(plain.alphas.detach().max()) > 0.5
+    for name in ("colours", "alphas", "depths"):
+        one, other = getattr(fast, name), getattr(plain, name)
+        assert (one - other).abs().max() <= 1e-12 * other.abs().max(), name
+    for one, other in zip(gradients(fast, some), gradients(plain, some), strict=True):
+        assert (one - other).abs().max() <= 1e-11 * other.abs().max()
+
+
+@MODELS
 def test_gradients_of_the_tiles_are_those_of_finite_differences(model: CameraModel) -> None:
     batch = cameras(model, 20, torch.float64, (Role.FRONT, Role.RIGHT))
     some = parameters(4, 0.5, torch.float64, seed=2)
