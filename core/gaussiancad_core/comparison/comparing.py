@@ -35,6 +35,7 @@ from gaussiancad_core.comparison.sampling import RandomState, random_streams, sa
 from gaussiancad_core.comparison.topology import topology_of
 from gaussiancad_core.comparison.turning import find_turn
 from gaussiancad_core.comparison.units import unit_factor
+from gaussiancad_core.errors import UsageError
 from gaussiancad_core.meshes import TriangleMesh, make_mesh
 
 _REGISTRATION_POINTS = 2000
@@ -43,6 +44,9 @@ _SAME_SIZE = 0.05
 """Longest edges that differ by less than this share are taken for the same size in mm."""
 
 _STREAMS = 8
+
+_MOST_RATIO = 1e7
+"""Metres and micrometres differ by less; beyond it single precision does not do."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,9 +70,14 @@ class _Laid:
 def compare_models(
     result: Model, reference: Model, options: CompareOptions
 ) -> tuple[Comparison, Deviation]:
-    """Compare two models with an extent; the deviation is in the reference's coordinates, mm."""
+    """Compare two models with an extent; the deviation is in the reference's coordinates, mm.
+
+    Raises:
+        UsageError: see :meth:`CompareOptions.check`; ``sizes-too-different``.
+    """
     options.check()
     result = result.scaled(options.factor)
+    _check_sizes(result.mesh, reference.mesh)
     streams = random_streams(options.seed, _STREAMS)
     laid = _lay(result.mesh, reference.mesh, options, streams)
     pose = laid.registration.pose
@@ -107,6 +116,16 @@ def compare_models(
         engineering=_engineering((result, reference), (placement, laid.box), options, streams),
     )
     return comparison, deviation
+
+
+def _check_sizes(result: TriangleMesh, reference: TriangleMesh) -> None:
+    ratio = float(np.ptp(result.bounds, axis=0).max() / np.ptp(reference.bounds, axis=0).max())
+    if not 1.0 / _MOST_RATIO <= ratio <= _MOST_RATIO:
+        raise UsageError(
+            "sizes-too-different",
+            f"the result is {ratio:.3g} times as long as the reference: "
+            "see --factor, or whether these are the right files",
+        )
 
 
 def _lay(

@@ -14,6 +14,9 @@ from gaussiancad_core.meshes import TriangleMesh, make_mesh
 
 _LARGEST_FILE = 2**30
 
+_SIZES_MM = (1e-6, 1e8)
+"""Smallest longest edge and largest coordinate; beyond them single precision overflows."""
+
 
 class Content(Enum):
     """What is measured of a file with exact surfaces."""
@@ -127,8 +130,13 @@ def read_model(path: Path) -> Model:
     Raises:
         UnreadableError: ``file-missing``, ``file-not-readable``, ``file-too-large``,
             ``empty-file``, ``model-format-unknown``, ``not-a-solid``, ``file-damaged`` (exact
-            formats), ``not-a-model`` (mesh formats), ``point-cloud``, ``empty-model``.
+            formats), ``not-a-model`` (mesh formats), ``point-cloud``, ``empty-model``,
+            ``size-out-of-range``.
     """
+    if path.is_dir():
+        raise UnreadableError(
+            "file-not-readable", f"cannot read {path} (it is a folder): name a model in it"
+        )
     model_format = format_of(path)
     _check_size(path)
     if model_format.is_exact:
@@ -138,17 +146,33 @@ def read_model(path: Path) -> Model:
     else:
         mesh, exact = _parsed(path, model_format), None
     if exact is None or not exact.united:
-        mesh = untangled(_welded(mesh))
-    extent = np.ptp(mesh.vertices, axis=0).max() if len(mesh.triangles) else 0.0
-    if not np.isfinite(mesh.vertices).all() or not np.isfinite(extent):
+        mesh = _welded(mesh)
+    _check_mesh(path, mesh)
+    return Model(untangled(mesh).oriented_outward(), exact)
+
+
+def _check_mesh(path: Path, mesh: TriangleMesh) -> None:
+    if not np.isfinite(mesh.vertices).all():
         raise UnreadableError(
             "not-a-model", f"{path} holds coordinates that are not numbers: export the model again"
         )
+    least, most = _SIZES_MM
+    if len(mesh.vertices) and np.abs(mesh.vertices).max() > most:
+        raise UnreadableError(
+            "size-out-of-range",
+            f"{path} has coordinates beyond {most:g} mm: export the model in millimetres, near the "
+            "origin",
+        )
+    extent = np.ptp(mesh.vertices, axis=0).max() if len(mesh.triangles) else 0.0
     if extent <= 0.0 or mesh.area <= 0.0:
         raise UnreadableError(
             "empty-model", f"{path} holds no surface: export the model with its faces"
         )
-    return Model(mesh.oriented_outward(), exact)
+    if extent < least:
+        raise UnreadableError(
+            "size-out-of-range",
+            f"{path} is smaller than {least:g} mm: export the model in millimetres",
+        )
 
 
 def _parsed(path: Path, model_format: ModelFormat) -> TriangleMesh:
@@ -157,12 +181,14 @@ def _parsed(path: Path, model_format: ModelFormat) -> TriangleMesh:
     content = _read(path)
     try:
         # From memory there is no folder beside it, so that materials and textures stay unread.
-        model = trimesh.load(
-            io.BytesIO(content),
-            file_type=model_format.value[0][1:],
-            process=False,
-            skip_materials=True,
-        )
+        # What is no number is told afterwards, in one line.
+        with np.errstate(invalid="ignore", over="ignore"):
+            model = trimesh.load(
+                io.BytesIO(content),
+                file_type=model_format.value[0][1:],
+                process=False,
+                skip_materials=True,
+            )
         mesh = model.to_mesh() if isinstance(model, trimesh.Scene) else model
     except Exception as error:
         # The parsers raise whatever their arithmetic meets in a damaged file.

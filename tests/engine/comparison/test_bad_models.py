@@ -1,5 +1,6 @@
 """What comes in wrong is told, and measured as far as it can be."""
 
+import struct
 from collections.abc import Callable
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from gaussiancad_core.comparison.report import Comparison, comparison_json
 from gaussiancad_core.comparison.text import comparison_text
 from gaussiancad_core.comparison.units import unit_factor
 from gaussiancad_core.drawing.brep import faces_of, write_brep
+from gaussiancad_core.errors import UnreadableError, UsageError
 from gaussiancad_core.meshes import TriangleMesh, make_mesh
 
 
@@ -53,6 +55,40 @@ def test_other_sizes_are_no_other_units(box: Callable[..., TriangleMesh]) -> Non
     assert unit_factor(box(4, 3, 2), box(4, 3, 2)) is None
     assert unit_factor(box(1, 1, 1), box(25.4, 25.4, 12)) is None
     assert unit_factor(box(1, 2, 3), box(76.2, 25.4, 50.8)) == 25.4
+
+
+def test_sizes_that_no_unit_explains_are_refused(box: Callable[..., TriangleMesh]) -> None:
+    with pytest.raises(UsageError) as caught:
+        _compared(Model(box(3e5, 2e5, 1e5)), Model(box(3e-3, 2e-3, 1e-3)))
+    assert caught.value.code == "sizes-too-different"
+    # A million is what metres and micrometres differ by.
+    assert _compared(Model(box(3e4, 2e4, 1e4)), Model(box(3e-2, 2e-2, 1e-2))).warnings == ()
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize(
+    ("scale", "corner", "code"),
+    [
+        (1.0, np.inf, "not-a-model"),
+        (1.0, np.nan, "not-a-model"),
+        (1.0, 3e38, "size-out-of-range"),
+        (1e30, 0.0, "size-out-of-range"),
+        (1e-30, 0.0, "size-out-of-range"),
+    ],
+)
+def test_numbers_that_are_none_or_too_large_are_told(
+    box: Callable[..., TriangleMesh], tmp_path: Path, scale: float, corner: float, code: str
+) -> None:
+    content = bytearray(
+        box(30 * scale, 20 * scale, 10 * scale).to_trimesh().export(file_type="stl")
+    )
+    if corner:
+        content[96:100] = struct.pack("<f", corner)
+    path = tmp_path / "numbers.stl"
+    path.write_bytes(content)
+    with pytest.raises(UnreadableError) as caught:
+        read_model(path)
+    assert caught.value.code == code
 
 
 def test_a_mirror_image_is_told(bracket: TriangleMesh) -> None:
