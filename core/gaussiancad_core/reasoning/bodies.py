@@ -19,6 +19,9 @@ _RIM = 1e-3
 _FAR = 1e3
 """Units; farther than any part."""
 
+_SMOOTH = 0.01
+"""Units from its widest place within which an arc ends along the axis."""
+
 _AXIS = 1e-9
 """Distance from the axis below which there is no radial direction."""
 
@@ -74,6 +77,11 @@ class ArcProfile:
     radius_of_arc: float
     side: int
 
+    @property
+    def ends_along_axis(self) -> bool:
+        """Whether it runs along the axis at one of its ends."""
+        return min(abs(self.low - self.z), abs(self.high - self.z)) < _SMOOTH
+
     def radius(self, z: float) -> float:
         """r at z."""
         square = self.radius_of_arc**2 - (z - self.z) ** 2
@@ -107,6 +115,9 @@ class RevolvedBody:
     the side that is not: the space *beyond* the profile as a rule, as at an outer corner, and the
     space below it where an arc curves towards the axis, as at the rim of a round notch.
 
+    Nor is a line drawn where an arc passes smoothly into a cylinder, as at a rod's rounded end.
+    What lies below such a profile goes on below the cylinder: the body is the space beyond it.
+
     Attributes:
         axis: direction.
         centre: (2,) of the axis in its projection plane.
@@ -133,8 +144,10 @@ class RevolvedBody:
 
     @property
     def _is_beyond(self) -> bool:
-        towards_axis = isinstance(self.profile, ArcProfile) and self.profile.side < 0
-        return self.sector is not None and not towards_axis
+        profile = self.profile
+        if not isinstance(profile, ArcProfile):
+            return self.sector is not None
+        return profile.side > 0 and (self.sector is not None or profile.ends_along_axis)
 
     def _in_sector(self, a: float, b: float) -> bool:
         return all(a * x + b * y > 0.0 for x, y in self._inward())
@@ -184,9 +197,12 @@ class RevolvedBody:
             out[place], out[1 - place] = way / r, off / r
             direction = self._vector((along_r * out[0], along_r * out[1]), along_z)
             found.append((self.centre[place] + way, direction))
-        if self.sector is None:
-            return found
-        return self._of_sector(found, place, off)
+        if self.sector is not None:
+            return self._of_sector(found, place, off)
+        if self._is_beyond:
+            # The space beyond reaches far away on both sides.
+            found += [(way, self._vector((1.0, 0.0), 0.0)) for way in (-_FAR, _FAR)]
+        return found
 
     def _of_sector(
         self, circle: list[tuple[float, Vector]], place: int, off: float

@@ -14,6 +14,7 @@ import numpy as np
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.reasoning.along_circles import arc_along
 from gaussiancad_core.reasoning.chains import Chain, single_runs
+from gaussiancad_core.reasoning.chords import find_chords
 from gaussiancad_core.reasoning.corner_equations import Slant
 from gaussiancad_core.reasoning.curves import (
     TURN,
@@ -171,12 +172,19 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
 
 def _sorted_strokes(views: DrawnViews, scale: float, tolerance: float) -> dict[Axis, _Plane]:
     planes: dict[Axis, _Plane] = {}
+    chords = find_chords(views.strokes, views.tolerance)
     for role, strokes in views.strokes.items():
         normal = role_plane(role).normal
         plane = planes.setdefault(normal, _Plane(normal, [], [], [], []))
         plane.roles.append(role)
-        for stroke in strokes:
-            if stroke.length * scale <= _SHORT * tolerance:
+        followed: set[int] = set()
+        for run in chords:
+            if run.role is role:
+                followed.update(range(run.first, run.last + 1))
+                chain = tuple(map(tuple, plane_points(run.points, role, scale).tolist()))
+                plane.chains.append((role, chain, strokes[run.first].linetype))
+        for number, stroke in enumerate(strokes):
+            if number in followed or stroke.length * scale <= _SHORT * tolerance:
                 continue
             line = _line(stroke, role, scale) if isinstance(stroke, Segment) else None
             if line is not None and _tells_line(line, tolerance):

@@ -66,13 +66,22 @@ def _holds(body: RevolvedBody, point: tuple[float, ...]) -> bool:
     a, b, z = _space(body, point)
     if not body.profile.low < z < body.profile.high:
         return False
+    below = hypot(a, b) < body.profile.radius(z)
     if body.sector is None:
-        return hypot(a, b) < body.profile.radius(z)
+        return below != _rounds_a_cylinder(body.profile)
     start, sweep = body.sector
     turned = (np.arctan2(b, a) - start) % TURN
     towards_axis = isinstance(body.profile, ArcProfile) and body.profile.side < 0
-    below = hypot(a, b) < body.profile.radius(z)
     return bool(turned < sweep and below == towards_axis)
+
+
+def _rounds_a_cylinder(profile: Profile) -> bool:
+    """Whether a profile is widest at one of its ends, and smooth there."""
+    return (
+        isinstance(profile, ArcProfile)
+        and profile.side > 0
+        and profile.z in (profile.low, profile.high)
+    )
 
 
 @pytest.mark.parametrize("normal", Axis)

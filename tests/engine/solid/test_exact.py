@@ -5,22 +5,32 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from OCP.BRepAdaptor import BRepAdaptor_Curve
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
 from OCP.BRepBuilderAPI import (
     BRepBuilderAPI_MakeFace,
     BRepBuilderAPI_MakePolygon,
     BRepBuilderAPI_Transform,
 )
+from OCP.BRepFilletAPI import BRepFilletAPI_MakeFillet
 from OCP.BRepPrimAPI import (
     BRepPrimAPI_MakeBox,
     BRepPrimAPI_MakeCylinder,
     BRepPrimAPI_MakeRevol,
 )
+from OCP.GeomAbs import GeomAbs_CurveType
 from OCP.gp import gp_Ax1, gp_Ax2, gp_Dir, gp_Pnt, gp_Trsf
-from OCP.TopoDS import TopoDS_Shape
+from OCP.TopAbs import TopAbs_ShapeEnum
+from OCP.TopoDS import TopoDS, TopoDS_Shape
 
 from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import bounding_box, moved_to_origin, soundness, volume
+from gaussiancad_core.drawing.brep import (
+    bounding_box,
+    moved_to_origin,
+    soundness,
+    subshapes,
+    volume,
+)
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.reasoning.labelling import Effort
@@ -97,6 +107,22 @@ def test_a_groove_that_a_bore_hides_in_one_view_is_found(
     assert result.status is Status.VERIFIED, result.reasons
     assert iou(result.shape, part) == pytest.approx(1.0, abs=1e-6)
     assert soundness(result.shape).faces == soundness(part).faces
+
+
+def test_a_rounded_end_passes_into_its_cylinder_without_a_line(
+    drawn: Callable[..., DrawnViews],
+) -> None:
+    rod = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 1, 0)), 20.0, 70.0).Shape()
+    fillet = BRepFilletAPI_MakeFillet(rod)
+    for edge in subshapes(rod, TopAbs_ShapeEnum.TopAbs_EDGE):
+        if BRepAdaptor_Curve(TopoDS.Edge(edge)).GetType() == GeomAbs_CurveType.GeomAbs_Circle:
+            fillet.Add(7.0, TopoDS.Edge(edge))
+    bore = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 1, 0)), 9.0, 40.0).Shape()
+    part = moved_to_origin(BRepAlgoAPI_Cut(fillet.Shape(), bore).Shape())
+    result = exact_solid(drawn(part))
+    assert result.status is Status.VERIFIED, result.reasons
+    assert volume(result.shape) == pytest.approx(volume(part), rel=1e-6)
+    assert bounding_box(result.shape) == pytest.approx(bounding_box(part), abs=1e-4)
 
 
 @pytest.mark.parametrize("extent", [3.0, 3000.0])

@@ -11,7 +11,7 @@ from gaussiancad_core.views import Arc, Linetype, Segment
 
 Floats = npt.NDArray[np.float64]
 
-_BENT = 0.1
+_BENT = 0.05
 """px by which straight pieces leave the curve."""
 
 _ROUND = 0.25
