@@ -61,6 +61,7 @@ def parse_options(arguments: Sequence[str]) -> BatchOptions:
         found.colour,
         found.page,
         found.seed,
+        found.scale_down,
     )
     return BatchOptions(tuple(sheets), found.output, found.flat, job)
 
@@ -119,6 +120,13 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--colour", default=ReconstructJob.colour, metavar="#RRGGBB")
     parser.add_argument("--page", type=int, default=1, metavar="N")
     parser.add_argument("--seed", type=int, default=0, metavar="N")
+    parser.add_argument(
+        "--scale-down",
+        type=_whole,
+        default=1,
+        metavar="N",
+        help="divides the edges of the images that train the Gaussians",
+    )
     return parser
 
 
@@ -140,6 +148,12 @@ def _length(text: str) -> Scale:
 
 def _mm_per_pixel(text: str) -> Scale:
     return Scale(ScaleKind.MM_PER_PIXEL, _positive(text))
+
+
+def _whole(text: str) -> int:
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number from 1")
+    return int(text)
 
 
 def _positive(text: str) -> float:

@@ -1086,6 +1086,18 @@
         <source>too much</source>
         <translation>zu viel</translation>
     </message>
+    <message>
+        <source>Image size</source>
+        <translation>Bildgröße</translation>
+    </message>
+    <message>
+        <source>Divides the edges of the images that train the Gaussians. 1 / 1 is the size in the paper</source>
+        <translation>Teilt die Kanten der Bilder, an denen die Gauß-Verteilungen trainiert werden. 1 / 1 ist die Größe aus dem Aufsatz</translation>
+    </message>
+    <message>
+        <source>{width} x {height} px, about {minutes} min on a processor</source>
+        <translation>{width} x {height} px, auf einem Prozessor etwa {minutes} min</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>

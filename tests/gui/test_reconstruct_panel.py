@@ -233,6 +233,27 @@ class Panel(WindowCase):
         self.assertEqual(group.Settings["preset"], "fine")
         self.assertTrue((output / "bracket" / "report.json").is_file())
 
+    def test_the_papers_cameras_start_small_and_say_what_they_cost(self) -> None:
+        size = widget(QtWidgets.QSpinBox, "scaleDown")
+        effort = widget(QtWidgets.QLabel, "effort")
+        recipe = widget(QtWidgets.QComboBox, "recipe")
+        self.assertFalse(size.isVisible())
+        recipe.setCurrentIndex(1)
+        self.assertTrue(size.isVisible())
+        self.assertEqual((size.value(), effort.text()[:12]), (6, "320 x 180 px"))
+        self.picture("panel-perspective")
+        widget(QtWidgets.QComboBox, "preset").setCurrentIndex(0)
+        self.assertEqual((size.value(), effort.text()[:12]), (1, "240 x 135 px"))
+        size.setValue(2)
+        widget(QtWidgets.QComboBox, "preset").setCurrentIndex(1)
+        self.assertEqual((size.value(), effort.text()[:12]), (2, "960 x 540 px"))
+        self.choose_sheet(self.sheet)
+        self.finish()
+        settings = self.document.getObject("Reconstruction").Settings
+        self.assertEqual((settings["recipe"], settings["scale-down"]), ("paper", "2"))
+        widget(QtWidgets.QComboBox, "outcome").setCurrentIndex(1)
+        self.assertFalse(size.isVisible())
+
     def test_temporary_files_are_removed(self) -> None:
         place = self.folder / "temporary"
         place.mkdir()

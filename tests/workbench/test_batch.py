@@ -19,7 +19,7 @@ from support import FAKE_ENGINE, FolderCase, draw_sheet
 
 from freecad.gaussiancad.batch import main, unique_names
 from freecad.gaussiancad.batch_options import parse_options
-from freecad.gaussiancad.engine.job import Preset, ScaleKind
+from freecad.gaussiancad.engine.job import Preset, Recipe, ScaleKind
 from freecad.gaussiancad.objects.exporting import write_step, write_stl
 from freecad.gaussiancad.paths import ADDON_ROOT
 
@@ -184,8 +184,10 @@ class Batches(FolderCase):
     def test_options_become_the_job(self) -> None:
         sheet = str(draw_sheet(self.sheets / "a.png"))
         words = ["--preset", "fine", "--mm-per-pixel", "0.5", "--page", "3", "--seed", "9"]
+        words += ["--recipe", "paper", "--scale-down", "4"]
         job = parse_options([sheet, "--output", str(self.output), *words]).job
         self.assertEqual((job.preset, job.page, job.seed), (Preset.FINE, 3, 9))
+        self.assertEqual((job.recipe, job.scale_down), (Recipe.PAPER, 4))
         self.assertEqual((job.scale.kind, job.scale.value), (ScaleKind.MM_PER_PIXEL, 0.5))
 
     def test_names_are_unique_whatever_their_case(self) -> None:

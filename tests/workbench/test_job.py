@@ -27,11 +27,13 @@ class Arguments(unittest.TestCase):
             "#102030",
             page=2,
             seed=7,
+            scale_down=4,
         )
         self.assertEqual(
             " ".join(job.arguments()),
             "reconstruct a b.png --output out --projection first --preset fine --result solid "
-            "--recipe paper --colour #102030 --page 2 --seed 7 --length y=12.5 --events",
+            "--recipe paper --colour #102030 --page 2 --seed 7 "
+            "--scale-down 4 --length y=12.5 --events",
         )
 
     def test_scales(self) -> None:

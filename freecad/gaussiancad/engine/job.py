@@ -86,6 +86,7 @@ class ReconstructJob:
         colour: of the part, ``#RRGGBB``.
         page: of a PDF, TIFF or DXF file, from 1.
         seed: of everything random.
+        scale_down: the edges of the images that train the Gaussians are divided by this.
     """
 
     sheet: str
@@ -98,6 +99,7 @@ class ReconstructJob:
     colour: str = "#78a0d2"
     page: int = 1
     seed: int = 0
+    scale_down: int = 1
 
     def arguments(self) -> list[str]:
         """``reconstruct SHEET --output DIR ... --events``."""
@@ -120,6 +122,7 @@ class ReconstructJob:
             *("--colour", self.colour),
             *("--page", str(self.page)),
             *("--seed", str(self.seed)),
+            *("--scale-down", str(self.scale_down)),
             *self.scale.arguments(),
         ]
 
@@ -139,6 +142,7 @@ class ReconstructJob:
             "colour": self.colour,
             "page": str(self.page),
             "seed": str(self.seed),
+            "scale-down": str(self.scale_down),
         }
 
 

@@ -12,6 +12,7 @@ from freecad.gaussiancad.engine.job import (
     ScaleKind,
 )
 from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.panels.training_images import TrainingImages
 from freecad.gaussiancad.panels.widgets import ColourButton, ModeBox, PathField
 from freecad.gaussiancad.preferences import Preferences
 from freecad.gaussiancad.qt import QtWidgets
@@ -34,6 +35,7 @@ class SettingsForm(QtWidgets.QWidget):
         self.preset = _preset_box(preferences.preset)
         self.outcome = _outcome_box()
         self.recipe = _recipe_box()
+        self.images = TrainingImages(preferences.preset)
         self.scale = _scale_box()
         self.length = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
         self.length.setObjectName("length")
@@ -59,6 +61,10 @@ class SettingsForm(QtWidgets.QWidget):
         self._lay_out()
         self.scale.currentIndexChanged.connect(self._show_scale)
         self._show_scale()
+        self.recipe.currentIndexChanged.connect(self._show_images)
+        self.outcome.currentIndexChanged.connect(self._show_images)
+        self.preset.currentIndexChanged.connect(lambda: self.images.show_preset(self.preset.mode))
+        self._show_images()
 
     def job(self, sheet: str, output: str) -> ReconstructJob:
         """The job that the widgets describe.
@@ -77,6 +83,7 @@ class SettingsForm(QtWidgets.QWidget):
             self._scale(),
             self.colour.colour,
             self.page.value(),
+            scale_down=self.images.scale_down if self._perspective else 1,
         )
 
     def tell_mm_per_pixel(self, value: float) -> None:
@@ -108,12 +115,22 @@ class SettingsForm(QtWidgets.QWidget):
         self.length.setVisible(along_axis)
         self._value_label.setVisible(kind is not ScaleKind.UNKNOWN)
 
+    @property
+    def _perspective(self) -> bool:
+        """Whether Gaussians are trained with the paper's cameras."""
+        return self.recipe.mode is Recipe.PAPER and self.outcome.mode is not Outcome.SOLID
+
+    def _show_images(self) -> None:
+        self._images_label.setVisible(self._perspective)
+        self.images.setVisible(self._perspective)
+
     def _lay_out(self) -> None:
         layout = QtWidgets.QFormLayout(self)
         grow = QtWidgets.QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow
         layout.setFieldGrowthPolicy(grow)
         self._page_label = QtWidgets.QLabel(translate("GaussianCAD", "Page"))
         self._value_label = QtWidgets.QLabel(translate("GaussianCAD", "Value"))
+        self._images_label = QtWidgets.QLabel(translate("GaussianCAD", "Image size"))
         values = QtWidgets.QVBoxLayout()
         values.addWidget(self.length)
         values.addWidget(self.mm_per_pixel)
@@ -124,6 +141,7 @@ class SettingsForm(QtWidgets.QWidget):
         layout.addRow(translate("GaussianCAD", "Result"), self.outcome)
         layout.addRow(translate("GaussianCAD", "Quality"), self.preset)
         layout.addRow(translate("GaussianCAD", "Cameras"), self.recipe)
+        layout.addRow(self._images_label, self.images)
         layout.addRow(translate("GaussianCAD", "Colour"), self.colour)
         layout.addRow(translate("GaussianCAD", "Folder"), self.output)
         self.output.line.setToolTip(
@@ -170,7 +188,10 @@ def _preset_box(start: Preset) -> ModeBox[Preset]:
         "preset",
     )
     box.setToolTip(
-        translate("GaussianCAD", "Trades time for detail of the surface and effort of the search")
+        translate(
+            "GaussianCAD",
+            "Trades time for detail of the surface and effort of the search",
+        )
     )
     box.choose(start)
     return box
@@ -197,7 +218,10 @@ def _outcome_box() -> ModeBox[Outcome]:
 def _recipe_box() -> ModeBox[Recipe]:
     box = ModeBox(
         [
-            (Recipe.ORTHOGRAPHIC, translate("GaussianCAD", "Parallel, as drawings are")),
+            (
+                Recipe.ORTHOGRAPHIC,
+                translate("GaussianCAD", "Parallel, as drawings are"),
+            ),
             (Recipe.PAPER, translate("GaussianCAD", "Perspective, as in the paper")),
         ],
         "recipe",
