@@ -45,6 +45,9 @@ _SAME_SIZE = 0.05
 
 _STREAMS = 8
 
+_NEARER = 0.99
+"""Files as they are must lie nearer by more than chance, or the middles of the boxes decide."""
+
 _MOST_RATIO = 1e7
 """Metres and micrometres differ by less; beyond it single precision does not do."""
 
@@ -186,8 +189,11 @@ def _placement(laid: _Laid, options: CompareOptions) -> Matrix:
         unmoved = laid.box @ inverse(laid.own)
         if rule is ScaleRule.FIXED:
             unmoved = unmoved @ np.diag([*np.full(3, 1.0 / unscaled), 1.0])
-        found = [refine(*sides, start, scaling=scaling) for start in (unmoved, pose)]
-        pose, _ = min(found, key=lambda each: each[1])
+        (pose, far), (other, near) = (
+            refine(*sides, start, scaling=scaling) for start in (pose, unmoved)
+        )
+        if near < _NEARER * far:
+            pose = other
     if rule is ScaleRule.FIXED:
         pose = pose @ np.diag([unscaled, unscaled, unscaled, 1.0])
     return pose @ laid.own

@@ -18,9 +18,13 @@ _PLOT = (720, 190)
 _MARGINS = (46, 12, 30)
 """Left, top and bottom of the histogram's axes, px."""
 
+_DECIMALS = 9
+"""Of lengths in mm."""
+
 
 def millimetres(value: float, signed: bool = True) -> str:
-    """A length with its sign and unit."""
+    """A length with its sign and unit; what is rounding is nothing."""
+    value = round(value, _DECIMALS)
     # Adding zero turns a negative zero into a positive one.
     return f"{value + 0.0:+.4g} mm" if signed and value else f"{abs(value):.4g} mm"
 

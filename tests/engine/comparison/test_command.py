@@ -69,7 +69,12 @@ def test_deviation_is_measured_in_the_results_own_size(
     assert scale_of(found.matrix) == pytest.approx(100 / 101)
     assert found.deviation.scale == 1.0
     assert np.ptp(deviation.mesh.bounds, axis=0) == pytest.approx([101, 60, 30])
-    assert deviation.distances.max() == pytest.approx(0.5, abs=0.02)
+    # Flush at one end or in the middle: both are as near on the whole.
+    low, high = deviation.mesh.bounds[:, 0]
+    along = deviation.mesh.vertices[:, 0]
+    ends = [deviation.distances[np.abs(along - end) < 1e-6].max() for end in (low, high)]
+    assert sum(ends) == pytest.approx(1.0, abs=0.04)
+    assert min(ends) > -0.02
     assert np.quantile(np.abs(deviation.distances), 0.5) < 0.02
 
 

@@ -40,4 +40,4 @@ def test_one_pin_does_not_move_the_part(
 def test_nothing_is_moved_that_fits(bracket: TriangleMesh, bumped: TriangleMesh) -> None:
     asked = CompareOptions(points=2000, protocols=(Protocol.ENGINEERING,))
     found, _ = compare_models(Model(bumped), Model(bracket), asked)
-    assert found.engineering.matrix == pytest.approx(np.eye(4), abs=1e-9)
+    assert found.engineering.matrix == pytest.approx(np.eye(4), abs=1e-4)
