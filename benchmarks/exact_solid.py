@@ -18,7 +18,8 @@ third angle, and the reader is told so, and the longest extent.
 
 With ``--data`` the parts are the STEP files of a folder; where DXF files of the same names lie
 beside them, these drawings (third angle) are solved instead and the STEP solids are scaled and
-turned to fit.
+turned to fit.  How many parts have surfaces that no cells express is told by kind, and how the
+others do.
 """
 
 import argparse

@@ -18,6 +18,7 @@ from exact_measures import (
     solid_iou,
 )
 from exact_peers import Peer, peer_mesh
+from exact_surfaces import unsupported
 from OCP.TopoDS import TopoDS_Shape
 from workers import FIRST, SOLVE, Row
 
@@ -76,7 +77,7 @@ class Task:
 def worked(task: Task) -> Iterator[Row]:
     """What becomes known of a task, bit by bit; each bit tells the stage that comes next."""
     truth = task.case.truth()
-    yield {"true_faces": len(faces_of(truth))}
+    yield {"true_faces": len(faces_of(truth)), "unsupported": unsupported(truth)}
     drawing = make_input(task.case, truth, task.kind, task.cache)
     strokes = sum(len(drawn) for drawn in drawing.views.strokes.values())
     yield {"strokes": strokes, "source": drawing.source}
@@ -91,10 +92,13 @@ def worked(task: Task) -> Iterator[Row]:
             fitted, _ = _fitted(task, mesh, truth, drawing.views.size)
             yield {peer.value: mesh_iou(mesh, fine_mesh(fitted))}
     yield {"stage": SOLVE}
-    started = time.perf_counter()
+    started, processor = time.perf_counter(), time.process_time()
     result = exact_solid(drawing.views, Limits())
-    seconds = time.perf_counter() - started
-    yield {**_told(result), "seconds": seconds, "stage": "measure"}
+    spent = {
+        "seconds": time.perf_counter() - started,
+        "processor": time.process_time() - processor,
+    }
+    yield {**_told(result), **spent, "stage": "measure"}
     yield from _measured(task, result, truth, drawing.views.size)
 
 
