@@ -70,7 +70,7 @@ class Effort:
     """How much is done for each part.
 
     Attributes:
-        limit: s of the clock to make the models of one run.
+        limit: s to make the models of one run, of the processor on a busy machine.
         points: surface points a side.
         preset: of the default surface.
         seed: of training and samples.

@@ -1,5 +1,6 @@
 """Surface against truth: the hull, the hull carved by the exact solid's depths, and the Poisson
-surface on the latter before and after splatting, side by side.
+surface on the latter before and after splatting, side by side: the surface that a run weighs
+against the carved hull.
 
 Each part is drawn, read and reconstructed as ``gaussiancad reconstruct`` does it, and measured
 against its own solid in place, without registration.  Lengths are in units of a box whose longest
@@ -146,10 +147,7 @@ def measures(part: Part, preset: Preset | None) -> tuple[list[Measure], str]:
             ),
         )
         trained = train(start, cameras, targets_of(views, cameras), settings, lambda *_: None)
-        surfaces += [
-            gaussian_surface(own, PoissonSettings(), carved.mesh)
-            for own in (start, trained.gaussians)
-        ]
+        surfaces += [gaussian_surface(own, PoissonSettings()) for own in (start, trained.gaussians)]
     truth = truth_of(part, views.size)
     source = carved.source.value if carved.source else carved.refused or "-"
     return [measure_mesh(surface, truth, views.size) for surface in surfaces], source

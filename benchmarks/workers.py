@@ -4,10 +4,13 @@ import signal
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
+from contextlib import suppress
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from queue import SimpleQueue
 from typing import Any, Protocol, TypeVar
+
+import psutil
 
 from gaussiancad_core.errors import GaussianCadError
 
@@ -23,6 +26,12 @@ SOLVE = "solve"
 FIRST = "prepare"
 """The stage that a task begins with."""
 
+_LOOKS_EVERY = 0.5
+"""s between looks at what a child has spent."""
+
+_PATIENCE = 4.0
+"""By so much the clock may run ahead of the processor's seconds."""
+
 
 class Limited(Protocol):
     """A task whose stages have limits."""
@@ -33,7 +42,7 @@ class Limited(Protocol):
 
     @property
     def allowed(self) -> Mapping[str, float]:
-        """Seconds of the clock for each stage."""
+        """Seconds for each stage: of the clock, or of the processor where those are fewer."""
 
 
 Task = TypeVar("Task", bound=Limited)
@@ -63,6 +72,40 @@ def _told(work: Work, task: Limited) -> Iterator[Row]:
         yield {"failure": f"error-{type(error).__name__}", "message": str(error)}
 
 
+class _Watch:
+    """Seconds that a process and its children spend from now on.
+
+    Those of the processor count where they are fewer than those of the clock, so that others on a
+    busy machine do not end what would be done in time; but what only waits ends, too.
+    """
+
+    def __init__(self, pid: int) -> None:
+        self._process = psutil.Process(pid)
+        self._clock, self._before = time.monotonic(), self._worked()
+
+    def spent(self) -> float:
+        """Seconds since it began."""
+        clock = time.monotonic() - self._clock
+        worked = self._worked() - self._before
+        return max(min(clock, worked), clock / _PATIENCE)
+
+    def _worked(self) -> float:
+        """Seconds of all processors."""
+        try:
+            family = self._process.children(recursive=True)
+            own = self._process.cpu_times()
+        except psutil.Error:
+            # It is gone, which its pipe tells: the clock counts.
+            return float("inf")
+        # Of children that ended their parent knows.
+        total = own.user + own.system + own.children_user + own.children_system
+        for each in family:
+            with suppress(psutil.Error):
+                times = each.cpu_times()
+                total += times.user + times.system
+        return total
+
+
 class Worker:
     """A child process that works on tasks one after the other; a new one when it hangs or dies."""
 
@@ -78,10 +121,10 @@ class Worker:
             self._start()
         row: Row = {**task.known, "stage": FIRST}
         self._connection.send(task)
-        deadline = time.monotonic() + task.allowed[FIRST]
+        watch = _Watch(self._process.pid)
         while True:
             try:
-                if not self._connection.poll(max(0.0, deadline - time.monotonic())):
+                if not self._comes(watch, task.allowed[row["stage"]]):
                     # Time that was spent counts, or the slowest parts would make others look fast.
                     spent = {"seconds": task.allowed[SOLVE]} if row["stage"] == SOLVE else {}
                     return self._ended({**row, **spent}, f"{row['stage']}-over-time")
@@ -92,7 +135,14 @@ class Worker:
                 return row
             row.update(bit)
             if "stage" in bit:
-                deadline = time.monotonic() + task.allowed[row["stage"]]
+                watch = _Watch(self._process.pid)
+
+    def _comes(self, watch: "_Watch", allowed: float) -> bool:
+        """Wait for word of the child; False once it has spent the seconds that it is allowed."""
+        while (left := allowed - watch.spent()) > 0.0:
+            if self._connection.poll(min(left, _LOOKS_EVERY)):
+                return True
+        return self._connection.poll(0.0)
 
     def close(self) -> None:
         """End the child."""

@@ -13,6 +13,7 @@ import numpy.typing as npt
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.jogs import distance_to
+from gaussiancad_core.sheet.parted import wide_gaps
 from gaussiancad_core.sheet.runs import Piece, Rhythm, widest_gap
 from gaussiancad_core.sheet.shapes import sample
 from gaussiancad_core.sheet.stubs import Placed
@@ -67,21 +68,25 @@ def find_corner_dashes(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhyt
     found: list[Placed] = []
     if len(pieces) > _MOST:
         return found
-    for corner in _corners(pieces, sheet.stroke_width):
+    for corner in _corners(pieces, sheet, rhythm):
         leg = _leg(corner, [*pieces, *found], sheet, rhythm)
         if leg is not None:
             found.append(leg)
     return found
 
 
-def _corners(pieces: Sequence[Placed], width: float) -> Iterator[_Corner]:
+def _corners(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhythm) -> Iterator[_Corner]:
+    """The ends of hidden lines, and those that a wide gap in one may have."""
     for index, (geometry, piece) in enumerate(pieces):
         if not isinstance(geometry, Line) or piece.linetype is not Linetype.HIDDEN:
             continue
         dx, dy = geometry.direction
-        for at, way in ((piece.start, -1.0), (piece.end, 1.0)):
+        ends = [(piece.start, -1.0), (piece.end, 1.0)]
+        for low, high in wide_gaps(geometry, piece, sheet, rhythm):
+            ends += [(low, 1.0), (high, -1.0)]
+        for at, way in ends:
             # Hidden lines may be as wide as others or half of that.
-            places = [np.array(geometry.at(at - way * width * share)) for share in _WITHIN]
+            places = [np.array(geometry.at(at - way * sheet.stroke_width * w)) for w in _WITHIN]
             for side in (-1.0, 1.0):
                 for place in places:
                     yield _Corner(index, place, side * np.array([-dy, dx]))

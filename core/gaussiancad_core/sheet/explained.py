@@ -5,6 +5,7 @@ corner.  Ink keeps the direction of the stroke that has it, since strokes of oth
 cross a new one.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -12,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.geometry import Circle, Geometry, Line
+from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
 from gaussiancad_core.sheet.runs import Piece, Rhythm, Run
 from gaussiancad_core.views import Linetype
 
@@ -37,6 +38,10 @@ _BENT = 0.12
 
 _MIN_BENT = 0.04
 """Share of a fillet that no earlier stroke explains."""
+
+_DASHES_BESIDE, _LONGEST_DASH = 1.5, 1.75
+"""Dashes with their gaps between two dashes of an arc, one of which others may cover; dashes that
+one is long at most."""
 
 _HALF_TURN = 90
 """Marks of direction in half a turn."""
@@ -94,6 +99,35 @@ def is_new(geometry: Geometry, run: Run, explained: npt.NDArray[np.uint8]) -> bo
         if fresh**2 / (8 * geometry.radius) > _BENT and (~old).mean() > _MIN_BENT:
             return True
     return bool((~old).mean() > _MIN_CLEAR and (~(old & alike)).mean() > _MIN_NEW)
+
+
+def with_dashes_beside(
+    curve: Curve, runs: Sequence[Told], fresh: Sequence[Told], rhythm: Rhythm
+) -> list[Told]:
+    """The new runs of a curve, and those that may be dashes beside them.
+
+    What an arc has of a dash that goes on along its tangent lies in the tangent's ink: it is no new
+    ink, but the dash beside it tells that the arc goes on there.
+    """
+    found = list(fresh)
+    reach = _DASHES_BESIDE * (rhythm.dash + rhythm.gap)
+    added = True
+    while added:
+        beside = [
+            own
+            for own in runs
+            if own not in found
+            and own[0].length <= _LONGEST_DASH * rhythm.dash
+            and any(_apart(curve, own[0], other) <= reach for other, _ in found)
+        ]
+        found += beside
+        added = bool(beside)
+    return [own for own in runs if own in found]
+
+
+def _apart(curve: Curve, one: Run, other: Run) -> float:
+    """px between two runs around a curve."""
+    return min((other.start - one.end) % curve.around, (one.start - other.end) % curve.around)
 
 
 def joins_arcs(geometry: Geometry, run: Run, explained: npt.NDArray[np.uint8]) -> bool:

@@ -48,7 +48,7 @@ def parted_at_corners(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhyth
             continue
         others = [other for other in pieces if other[0] != geometry]
         start = piece.start
-        for low, high in _wide_gaps(geometry, piece, sheet, rhythm):
+        for low, high in wide_gaps(geometry, piece, sheet, rhythm):
             near = sheet.stroke_width / 2.0 + _MEETING
             if all(_is_met(geometry, at, others, near) for at in (low, high)):
                 parted.append((geometry, replace(piece, start=start, end=low)))
@@ -57,10 +57,10 @@ def parted_at_corners(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhyth
     return parted
 
 
-def _wide_gaps(
+def wide_gaps(
     line: Line, piece: Piece, sheet: CleanSheet, rhythm: Rhythm
 ) -> Iterator[tuple[float, float]]:
-    """Where nothing is drawn for long."""
+    """Where nothing is drawn along a hidden line for longer than between its dashes, in px."""
     along = np.arange(piece.start, piece.end, _STEP)
     points = line.points_at(along)
     dark = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > _DARK

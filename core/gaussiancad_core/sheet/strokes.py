@@ -22,6 +22,7 @@ from gaussiancad_core.sheet.explained import (
     joins_arcs,
     path_points,
     told_linetypes,
+    with_dashes_beside,
 )
 from gaussiancad_core.sheet.fillets import find_fillets, is_chord
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
@@ -205,6 +206,8 @@ def classify_strokes(
             if is_new(shape.geometry, run, explained.near(shape.close))
             or (joins and joins_arcs(shape.geometry, run, explained.around))
         ]
+        if not isinstance(shape.geometry, Line):
+            fresh = with_dashes_beside(shape.geometry, runs, fresh, rhythm)
         touches = [_touches(view.field, shape.geometry, run) for run, _ in fresh]
         told = told_linetypes(shape.geometry, fresh, explained.around, rhythm)
         found = classify([run for run, _ in fresh], rhythm, touches, shape.geometry.around, told)

@@ -66,19 +66,20 @@ def gaussian_surface(
     discs = discs_of(gaussians, settings.sampling)
     creases = creases_of(discs, settings.sampling)
     points = disc_points(discs, creases, settings.sampling)
-    surface = poisson_surface(points, settings)
+    rounded = surface = poisson_surface(points, settings)
     if settings.sharpening is not None:
         cell = _SCALE * float(np.ptp(points.points, axis=0).max()) / 2**settings.depth
         reach = settings.sampling.edge_reach * float(discs.sigmas.mean())
-        surface = sharpened(surface, creases, cell, reach, settings.sharpening)
+        surface = sharpened(rounded, creases, cell, reach, settings.sharpening)
+    longest = float(np.ptp(surface.bounds, axis=0).max())
     if within is None:
-        longest = float(np.ptp(surface.bounds, axis=0).max())
         return simplified(surface, _TOLERANCE * longest) or surface
-    longest = float(np.ptp(within.bounds, axis=0).max())
-    common = intersection(surface, within, _CUT_TOLERANCE * longest)
-    if common is None:
-        raise _no_surface()
-    return common
+    # Sharp faces lie in those of a hull: what two such bodies have in common may touch itself.
+    for body in (surface, rounded):
+        common = intersection(body, within, _CUT_TOLERANCE * longest)
+        if common is not None:
+            return common
+    raise _no_surface()
 
 
 def poisson_surface(points: OrientedPoints, settings: PoissonSettings) -> TriangleMesh:

@@ -116,7 +116,8 @@ def kinds_of_runs(
     rest: list[list[InkedRun]] = []
     for shape, own in zip(shapes, kinds, strict=True):
         for first, last in _groups(shape.runs, stroke_width, weights.limit):
-            if is_long_short([run.run for run in shape.runs[first:last]]):
+            group = shape.runs[first:last]
+            if is_long_short([run.run for run in group]) and _is_even(group):
                 own[first:last] = [AnnotationKind.CENTRE_LINE] * (last - first)
         rest.append([run for run, kind in zip(shape.runs, own, strict=True) if kind is None])
     if not weights.limit:
@@ -155,6 +156,16 @@ def is_long_short(runs: Sequence[Run]) -> bool:
     turns = short[1:] != short[:-1]
     mixed = inner.any() and (not inner.all() or len(inner) == 1)
     return bool(mixed) and bool(turns.mean() >= _ALTERNATING)
+
+
+def _is_even(runs: Sequence[InkedRun]) -> bool:
+    """Whether the longest dash is no wider than the others: an edge that hidden dashes lead to,
+    some of them made longer by a stroke that touches them, is."""
+    longest = max(runs, key=lambda own: own.run.length)
+    others = [own.width for own in runs if own is not longest and own.width is not None]
+    if longest.width is None or not others:
+        return True
+    return longest.width <= _CONTRAST * float(np.median(others))
 
 
 def _with_faded(runs: Sequence[Run], short: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:

@@ -231,3 +231,12 @@ def test_two_centre_lines_in_a_row_are_told_apart_from_what_lies_between() -> No
 def test_no_shapes_no_kinds() -> None:
     assert _kinds() == []
     assert _kinds(_shape()) == [[]]
+
+
+def test_hidden_dashes_that_lead_to_an_edge_are_no_centre_line() -> None:
+    """A circle that touches the line makes one dash longer, the edge another."""
+    pieces = [(0.0, 13.5, 2.0), (20.5, 51.5, 2.1), (58.5, 71.0, 2.0), (77.5, 142.5, 2.7)]
+    (own,) = kinds_of_runs([_shape(*pieces)], Weights(2.9, 0.0), 2.6)
+    assert own == [None] * 4
+    (even,) = kinds_of_runs([_shape(*((a, b, 2.0) for a, b, _ in pieces))], Weights(2.9, 0.0), 2.6)
+    assert even == [CENTRE] * 4
