@@ -7,6 +7,7 @@ import trimesh
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.meshes import TriangleMesh, connected_pieces, make_mesh
 from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on
+from gaussiancad_core.surface import poisson
 from gaussiancad_core.surface.points import OrientedPoints
 from gaussiancad_core.surface.poisson import (
     DENSE,
@@ -14,6 +15,7 @@ from gaussiancad_core.surface.poisson import (
     gaussian_surface,
     poisson_surface,
 )
+from gaussiancad_core.surface.repair import intersection
 
 SETTINGS = PoissonSettings(depth=7)
 
@@ -64,6 +66,21 @@ def test_what_lies_outside_the_hull_is_cut_off(
     far = make_mesh(bracket.vertices + 100.0, bracket.triangles)
     with pytest.raises(NoModelError):
         gaussian_surface(bracket_gaussians, SETTINGS, within=far)
+
+
+def test_where_sharp_edges_cannot_be_cut_round_ones_are(
+    bracket: TriangleMesh, bracket_gaussians: Gaussians, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    bodies = []
+
+    def refuse_once(body: TriangleMesh, *others: object) -> TriangleMesh | None:
+        bodies.append(body)
+        return intersection(body, *others) if len(bodies) > 1 else None
+
+    monkeypatch.setattr(poisson, "intersection", refuse_once)
+    assert gaussian_surface(bracket_gaussians, SETTINGS, within=bracket).watertight
+    sharp, rounded = bodies
+    assert _mean_distance(sharp, bracket) < _mean_distance(rounded, bracket)
 
 
 def _mean_distance(source: TriangleMesh, target: TriangleMesh) -> float:
