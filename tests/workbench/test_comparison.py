@@ -214,6 +214,20 @@ class Groups(DocumentCase):
         self.document.recompute()
         self.assertFalse(group.Stale)
 
+    def test_a_change_within_an_assembly_makes_it_stale(self) -> None:
+        loaded = load_comparison(self.compare(), self.folder)
+        assembly = self.document.addObject("App::Part", "Assembly")
+        assembly.addObject(self.part)
+        self.document.recompute()
+        request = CompareRequest(Source(self.scan), Source(assembly))
+        group = add_comparison(self.document, loaded, request)
+        self.document.recompute()
+        self.assertFalse(group.Stale)
+        self.assertFalse(assembly.Visibility)
+        self.part.Placement.Base = FreeCAD.Vector(0, 0, 3)
+        self.document.recompute()
+        self.assertTrue(group.Stale)
+
     def test_a_file_is_a_reference_and_its_change_is_seen(self) -> None:
         path = self.folder / "Führung – 支架.stl"
         path.write_text(fake_part.stl_text())
