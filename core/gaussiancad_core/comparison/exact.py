@@ -77,7 +77,7 @@ def read_exact(path: Path) -> tuple[TriangleMesh, ExactFacts]:
     shape = chosen.shape
     longest = float(np.ptp(bounding_box(shape), axis=0).max())
     deflection = _DEFLECTION_SHARE * longest
-    mesh = make_mesh(*tessellate(shape, deflection, _DEFLECTION_ANGLE))
+    mesh = _triangles(shape, deflection)
     facts = exact_facts(shape, deflection)
     facts = replace(
         facts,
@@ -87,9 +87,7 @@ def read_exact(path: Path) -> tuple[TriangleMesh, ExactFacts]:
     )
     solids = subshapes(shape, TopAbs_ShapeEnum.TopAbs_SOLID)
     if len(solids) > 1:
-        around = united(
-            [make_mesh(*tessellate(solid, deflection, _DEFLECTION_ANGLE)) for solid in solids]
-        )
+        around = united([_triangles(solid, deflection) for solid in solids])
         if around is not None:
             mesh = around
             facts = replace(
@@ -101,16 +99,16 @@ def read_exact(path: Path) -> tuple[TriangleMesh, ExactFacts]:
 def exact_facts(shape: TopoDS_Shape, deflection: float) -> ExactFacts:
     """Measure a shape whose triangles are at most ``deflection`` mm away from it."""
     sound = soundness(shape)
-    kinds = [BRepAdaptor_Surface(face).GetType() for face in faces_of(shape)]
+    kinds = _kinds(shape)
     volume, area = sound.volume_mm3, GProp_GProps()
-    if all(kind in _ELEMENTARY for kind in kinds):
+    if kinds <= set(_ELEMENTARY):
         BRepGProp.SurfaceProperties_s(shape, area)
     else:
         enclosed = GProp_GProps()
         BRepGProp.VolumeProperties_s(shape, enclosed, _INTEGRATION_ERROR)
         BRepGProp.SurfaceProperties_s(shape, area, _INTEGRATION_ERROR)
         volume = float(enclosed.Mass())
-    flat = all(kind == GeomAbs_SurfaceType.GeomAbs_Plane for kind in kinds)
+    flat = kinds <= {GeomAbs_SurfaceType.GeomAbs_Plane}
     return ExactFacts(
         valid=sound.valid,
         closed=sound.closed,
@@ -120,6 +118,15 @@ def exact_facts(shape: TopoDS_Shape, deflection: float) -> ExactFacts:
         # Where all faces are planes the triangles are the surface itself.
         deflection_mm=0.0 if flat else deflection,
     )
+
+
+def _triangles(shape: TopoDS_Shape, deflection: float) -> TriangleMesh:
+    strict = not _kinds(shape) <= set(_ELEMENTARY)
+    return make_mesh(*tessellate(shape, deflection, _DEFLECTION_ANGLE, strict=strict))
+
+
+def _kinds(shape: TopoDS_Shape) -> set[GeomAbs_SurfaceType]:
+    return {BRepAdaptor_Surface(face).GetType() for face in faces_of(shape)}
 
 
 def _comparable(path: Path) -> _Comparable:

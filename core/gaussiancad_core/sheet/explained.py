@@ -39,9 +39,9 @@ _BENT = 0.12
 _MIN_BENT = 0.04
 """Share of a fillet that no earlier stroke explains."""
 
-_DASHES_BESIDE, _LONGEST_DASH = 1.5, 1.75
+_DASHES_BESIDE, _LONG_DASH = 1.5, 1.1
 """Dashes with their gaps between two dashes of an arc, one of which others may cover; dashes that
-one is long at most."""
+one is long at most, without what a tangent adds to it."""
 
 _HALF_TURN = 90
 """Marks of direction in half a turn."""
@@ -102,27 +102,38 @@ def is_new(geometry: Geometry, run: Run, explained: npt.NDArray[np.uint8]) -> bo
 
 
 def with_dashes_beside(
-    curve: Curve, runs: Sequence[Told], fresh: Sequence[Told], rhythm: Rhythm
+    curve: Curve, runs: Sequence[Told], fresh: Sequence[Told], rhythm: Rhythm, stroke_width: float
 ) -> list[Told]:
     """The new runs of a curve, and those that may be dashes beside them.
 
     What an arc has of a dash that goes on along its tangent lies in the tangent's ink: it is no new
     ink, but the dash beside it tells that the arc goes on there.
     """
-    found = list(fresh)
+    shared = float(np.sqrt(2.0 * curve.around / (2.0 * np.pi) * (stroke_width / 2.0 + 1.0)))
+    longest = _LONG_DASH * rhythm.dash + shared
     reach = _DASHES_BESIDE * (rhythm.dash + rhythm.gap)
-    added = True
-    while added:
+    places = [run for run, _ in fresh]
+    candidates = [
+        run
+        for run, kind in runs
+        if run not in places and kind is not Linetype.VISIBLE and run.length <= longest
+    ]
+    added: list[Run] = []
+    while True:
         beside = [
-            own
-            for own in runs
-            if own not in found
-            and own[0].length <= _LONGEST_DASH * rhythm.dash
-            and any(_apart(curve, own[0], other) <= reach for other, _ in found)
+            run
+            for run in candidates
+            if run not in added
+            and any(_apart(curve, run, other) <= reach for other in [*places, *added])
         ]
-        found += beside
-        added = bool(beside)
-    return [own for own in runs if own in found]
+        if not beside:
+            break
+        added += beside
+    return [
+        (run, Linetype.HIDDEN if run in added else kind)
+        for run, kind in runs
+        if run in added or run in places
+    ]
 
 
 def _apart(curve: Curve, one: Run, other: Run) -> float:

@@ -1,7 +1,8 @@
 """Pieces of lines that are another stroke's ink.
 
 Where a stroke crosses the course of a long line at a small angle, its ink lies on that course for a
-while, and looks like a piece of the line if the line is taken first.
+while, and looks like a piece of the line if the line is taken first.  So does that of a circle that
+touches the course.
 """
 
 from collections.abc import Sequence
@@ -9,7 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from gaussiancad_core.sheet.explained import path_points
-from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.junctions import Placed
 from gaussiancad_core.views import Linetype
 
@@ -25,6 +26,12 @@ _COVERED = 0.9
 _LEAST_TURN, _MOST_TURN = 0.05, 0.35
 """Sine of the angle between them."""
 
+_MIDDLE = 0.25
+"""Share of a shadow's length by which a circle may touch it off its middle."""
+
+_BEYOND = 2.0
+"""px by which the circle goes on beyond both of its ends at least."""
+
 
 def without_shadows(pieces: Sequence[Placed], stroke_width: float) -> list[Placed]:
     """The pieces but the visible ones that lie on longer visible strokes that cross them.
@@ -34,13 +41,19 @@ def without_shadows(pieces: Sequence[Placed], stroke_width: float) -> list[Place
         stroke_width: px.
     """
     straight = [own for own in pieces if _is_visible_line(own)]
+    round_ = [
+        own for own in pieces if isinstance(own[0], Circle) and own[1].linetype is Linetype.VISIBLE
+    ]
     return [
         own
         for own in pieces
         if not (
             _is_visible_line(own)
             and own[1].end - own[1].start <= _LONGEST
-            and any(_throws(other, own, stroke_width) for other in straight)
+            and (
+                any(_throws(other, own, stroke_width) for other in straight)
+                or any(_touches(other, own, stroke_width) for other in round_)
+            )
         )
     ]
 
@@ -63,3 +76,27 @@ def _throws(stroke: Placed, shadow: Placed, stroke_width: float) -> bool:
     inside = (along > piece.start - 1.0) & (along < piece.end + 1.0)
     covered = inside & (np.abs(across) <= stroke_width / 2.0 + 1.0)
     return bool(covered.mean() >= _COVERED)
+
+
+def _touches(stroke: Placed, shadow: Placed, stroke_width: float) -> bool:
+    """Whether a circle touches a line in the middle of a piece, and goes on beside all of it."""
+    circle, piece = stroke
+    course, own = shadow
+    if not isinstance(circle, Circle):
+        return False
+    length = own.end - own.start
+    foot = float(course.positions(np.array([circle.centre]))[0])
+    if abs(foot - (own.start + own.end) / 2.0) > _MIDDLE * length:
+        return False
+    points = path_points(course, own.start, own.end)
+    if (circle.distances(points) <= stroke_width / 2.0 + 1.0).mean() < _COVERED:
+        return False
+    ends = circle.positions(points[[0, -1]])
+    middle = float(circle.positions(points[len(points) // 2][None])[0])
+    # Both ends of the shadow as positions before and behind its middle, on the piece's own turn.
+    at = piece.start + np.mod(middle - piece.start, circle.around)
+    half = float(
+        np.abs((ends - middle + circle.around / 2) % circle.around - circle.around / 2).max()
+    )
+    whole = piece.end - piece.start >= circle.around - 1e-6
+    return whole or (at - half - _BEYOND >= piece.start and at + half + _BEYOND <= piece.end)

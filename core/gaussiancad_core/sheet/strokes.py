@@ -207,7 +207,7 @@ def classify_strokes(
             or (joins and joins_arcs(shape.geometry, run, explained.around))
         ]
         if not isinstance(shape.geometry, Line):
-            fresh = with_dashes_beside(shape.geometry, runs, fresh, rhythm)
+            fresh = with_dashes_beside(shape.geometry, runs, fresh, rhythm, view.sheet.stroke_width)
         touches = [_touches(view.field, shape.geometry, run) for run, _ in fresh]
         told = told_linetypes(shape.geometry, fresh, explained.around, rhythm)
         found = classify([run for run, _ in fresh], rhythm, touches, shape.geometry.around, told)

@@ -225,3 +225,7 @@ def test_free_form_faces_have_their_exact_volume(tmp_path: Path) -> None:
     assert model.exact.volume_mm3 == pytest.approx(2.0 * np.pi**2 * 10.0 * 9.0, rel=1e-8)
     assert model.exact.area_mm2 == pytest.approx(4.0 * np.pi**2 * 10.0 * 3.0, rel=1e-8)
     assert model.mesh.volume == pytest.approx(model.exact.volume_mm3, rel=1e-3)
+    # Triangles keep to the surface between the edges of its faces, too.
+    middles = model.mesh.corners.mean(axis=1)
+    around = np.hypot(np.hypot(middles[:, 0], middles[:, 1]) - 10.0, middles[:, 2])
+    assert np.abs(around - 3.0).max() < 1.5 * model.exact.deflection_mm

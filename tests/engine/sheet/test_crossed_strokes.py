@@ -12,7 +12,7 @@ from gaussiancad_core.drawing.strokes import as_plain_strokes
 from gaussiancad_core.drawing.style import PRESETS
 from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.sheet.clean import clean_sheet
-from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.layout import find_layout
 from gaussiancad_core.sheet.reading import read_views
 from gaussiancad_core.sheet.runs import Piece
@@ -137,3 +137,41 @@ def test_a_wide_gap_between_two_corners_parts_a_hidden_line(sketch) -> None:  # 
     upright = [ends for ends in _hidden(_strokes(drawing)) if ends[0] == ends[2]]
     assert len(upright) == 2
     assert np.array(upright)[:, [1, 3]] == pytest.approx(np.array([[52, 100], [113, 161]]), abs=2.0)
+
+
+def test_where_a_circle_touches_a_line_there_is_no_piece_of_it() -> None:
+    ring = Circle((50.0, 50.0), 19.0)
+    whole = ring, Piece(0.0, ring.around, Linetype.VISIBLE, 1.0)
+    touched = _line((41.0, 69.0), (59.0, 69.0))
+    assert without_shadows([whole, touched], 2.5) == [whole]
+    # A short straight side between two half circles begins where one of them ends.
+    half = ring, Piece(0.0, 0.5 * np.pi * 19.0 + 4.0, Linetype.VISIBLE, 1.0)
+    side = _line((50.0, 69.0), (38.0, 69.0))
+    assert without_shadows([half, side], 2.5) == [half, side]
+    ended = _line((41.0, 69.0), (59.0, 69.0))
+    assert without_shadows([half, ended], 2.5) == [half, ended]
+
+
+def test_the_round_ends_of_hidden_slots_are_arcs() -> None:
+    """Their dashes go on in those of the straight sides; edges of a boss cross them."""
+    part = classed_part(PartClass.HOLES, 313, 5)
+    sheet = draw_sheet(part, (Role.FRONT, Role.TOP, Role.RIGHT), Projection.THIRD, PRESETS["clean"])
+    clean = clean_sheet(cv2.cvtColor(sheet.image, cv2.COLOR_RGB2GRAY))
+    layout = find_layout(clean.ink, {}, Projection.THIRD)
+    top = next(view for view in read_views(clean, layout) if view.role is Role.TOP)
+    drawn = next(view for view in sheet.views if view.role is Role.TOP)
+    truth = np.array(
+        [
+            (*s.centre, s.radius)
+            for s in as_plain_strokes(drawn.strokes)
+            if isinstance(s, Arc) and s.linetype is Linetype.HIDDEN and s.sweep < 6.28
+        ]
+    )
+    found = [
+        (*s.centre, s.radius)
+        for s in top.strokes
+        if isinstance(s, Arc) and s.linetype is Linetype.HIDDEN and s.sweep > 3.0
+    ]
+    assert len(truth) == 3
+    away = np.abs(truth[:, None] - np.array(found)[None]).max(2)
+    assert away.min(1) == pytest.approx(0.0, abs=0.5)
