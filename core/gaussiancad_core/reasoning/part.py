@@ -62,11 +62,12 @@ class PartModel:
     rules: tuple[Rule, ...]
 
 
-def model_part(views: DrawnViews) -> PartModel:
+def model_part(views: DrawnViews, near: float = _NEAR) -> PartModel:
     """Supports, cells and rules of views.
 
     Args:
         views: two to six.
+        near: units within which a computed curve is one that is drawn, at least.
 
     Raises:
         LimitError: ``part-too-complex``.
@@ -86,7 +87,7 @@ def model_part(views: DrawnViews) -> PartModel:
     for axis in Axis:
         if axis not in planes:
             planes[axis] = _box(axis, supports.size)
-    return _part(supports, Space(planes, (*find_bodies(supports), *half_spaces)))
+    return _part(supports, Space(planes, (*find_bodies(supports), *half_spaces)), near)
 
 
 def with_lone_bodies(part: PartModel) -> PartModel | None:
@@ -105,8 +106,8 @@ def with_lone_bodies(part: PartModel) -> PartModel | None:
     return _part(part.supports, Space(part.space.planes, (*bodies, *others)))
 
 
-def _part(supports: PartSupports, space: Space) -> PartModel:
-    near = max(_NEAR, 2.0 * supports.tolerance)
+def _part(supports: PartSupports, space: Space, near: float = _NEAR) -> PartModel:
+    near = max(near, 2.0 * supports.tolerance)
     found = find_pieces(space, supports.planes, near, supports.tolerance)
     pieces = list(islice(found, _MOST_PIECES + 1))
     if len(pieces) > _MOST_PIECES:

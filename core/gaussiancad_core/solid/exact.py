@@ -20,6 +20,7 @@ from gaussiancad_core.reasoning.labelling import (
     Search,
 )
 from gaussiancad_core.reasoning.part import PartModel, model_part, with_lone_bodies
+from gaussiancad_core.reasoning.rough_arcs import ROUGHLY, without_rough_arcs
 from gaussiancad_core.solid.build import build_solid
 from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.solid.same import same_solid
@@ -138,12 +139,12 @@ def _labelled(
     found = search.fulfilled()
     if found.labels is not None:
         return _Work(part, views, search, clock), found
-    wider = _wider(part)
-    if wider is not None:
-        wider_search = Search(wider.rules, limits.effort)
-        more = wider_search.fulfilled()
-        if more.labels is not None:
-            return _Work(wider, views, wider_search, clock), more
+    for other in (_wider(part), _smoother(views)):
+        if other is not None:
+            other_search = Search(other.rules, limits.effort)
+            more = other_search.fulfilled()
+            if more.labels is not None:
+                return _Work(other, views, other_search, clock), more
     if limits.relaxed:
         found = search.least()
     return _Work(part, views, search, clock), found
@@ -152,6 +153,15 @@ def _labelled(
 def _wider(part: PartModel) -> PartModel | None:
     try:
         return with_lone_bodies(part)
+    except LimitError:
+        return None
+
+
+def _smoother(views: DrawnViews) -> PartModel | None:
+    """The part without cylinders where arcs may only follow other curves; None if none may."""
+    smooth = without_rough_arcs(views)
+    try:
+        return None if smooth is None else model_part(smooth, ROUGHLY)
     except LimitError:
         return None
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from OCP.BRepAdaptor import BRepAdaptor_Curve
-from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
 from OCP.BRepBuilderAPI import (
     BRepBuilderAPI_MakeFace,
     BRepBuilderAPI_MakePolygon,
@@ -16,14 +16,15 @@ from OCP.BRepFilletAPI import BRepFilletAPI_MakeFillet
 from OCP.BRepPrimAPI import (
     BRepPrimAPI_MakeBox,
     BRepPrimAPI_MakeCylinder,
+    BRepPrimAPI_MakePrism,
     BRepPrimAPI_MakeRevol,
 )
 from OCP.GeomAbs import GeomAbs_CurveType
-from OCP.gp import gp_Ax1, gp_Ax2, gp_Dir, gp_Pnt, gp_Trsf
+from OCP.gp import gp_Ax1, gp_Ax2, gp_Dir, gp_Pnt, gp_Trsf, gp_Vec
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Shape
 
-from gaussiancad_core.axes import Role
+from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.drawing.brep import (
     bounding_box,
     moved_to_origin,
@@ -34,13 +35,15 @@ from gaussiancad_core.drawing.brep import (
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.reasoning.labelling import Effort
+from gaussiancad_core.samples.modelling import box, cut, cylinder
+from gaussiancad_core.sheet.files.fitting import circle_through
 from gaussiancad_core.solid import exact
 from gaussiancad_core.solid.build import BuiltSolid, build_solid
 from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
 from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.verify import verify
-from gaussiancad_core.views import Linetype, Segment
+from gaussiancad_core.views import Arc, Linetype, Segment
 
 Solid = Callable[[str], TopoDS_Shape]
 Views = Callable[[str], DrawnViews]
@@ -107,6 +110,34 @@ def test_a_groove_that_a_bore_hides_in_one_view_is_found(
     assert result.status is Status.VERIFIED, result.reasons
     assert iou(result.shape, part) == pytest.approx(1.0, abs=1e-6)
     assert soundness(result.shape).faces == soundness(part).faces
+
+
+def test_an_arc_that_follows_an_ellipse_is_no_cylinder(
+    drawn: Callable[..., DrawnViews], iou: Iou
+) -> None:
+    block = cut(box((0, 0, 0), (60, 40, 30)), box((48, -1, 18), (61, 41, 31)))
+    rounded = BRepAlgoAPI_Fuse(block, cylinder(Axis.Y, (48, 18), 12, 0, 40)).Shape()
+    outline = BRepBuilderAPI_MakePolygon()
+    for corner in ((30.0, -1.0), (70.0, 40.2), (70.0, -1.0)):
+        outline.Add(gp_Pnt(*corner, -1.0))
+    outline.Close()
+    face = BRepBuilderAPI_MakeFace(outline.Wire()).Face()
+    wedge = BRepPrimAPI_MakePrism(face, gp_Vec(0.0, 0.0, 40.0)).Shape()
+    part = moved_to_origin(BRepAlgoAPI_Cut(rounded, wedge).Shape())
+    views = drawn(part)
+    curved = [s for s in views.strokes[Role.RIGHT] if not isinstance(s, Segment)]
+    (curve,) = curved
+    points = curve.sample(0.05)
+    centre, radius = circle_through(points[[0, len(points) // 2, -1]])
+    angles = np.unwrap(np.arctan2(*(points[[0, -1]] - centre).T[::-1]))
+    start, sweep = float(angles.min()), float(np.ptp(angles))
+    arc = Arc((float(centre[0]), float(centre[1])), radius, start, sweep, curve.linetype)
+    assert 1e-3 < np.abs(np.hypot(*(points - centre).T) - radius).max() < 0.05
+    strokes = tuple(arc if s is curve else s for s in views.strokes[Role.RIGHT])
+    result = exact_solid(replace(views, strokes={**views.strokes, Role.RIGHT: strokes}))
+    assert result.shape is not None, result.reasons
+    assert iou(result.shape, part) > 0.9999
+    assert soundness(result.shape).faces == 8
 
 
 def test_a_rounded_end_passes_into_its_cylinder_without_a_line(

@@ -94,13 +94,17 @@ def _told(track: Track) -> list[Piece]:
 
 
 def _bridged(dashes: list[Span], around: float) -> list[Span]:
-    """Lines of one length with gaps of one length that are no longer are one dashed line."""
+    """Lines of one length with gaps of one length that are no longer are one dashed line.
+
+    No dash is much longer than the others, though those at the ends may be shorter.
+    """
     if len(dashes) < 3:
         return dashes
     lengths = np.array([end - start for start, end in dashes])
     gaps = np.array([after[0] - before[1] for before, after in pairwise(dashes)])
     dash, gap = float(np.median(lengths)), float(np.median(gaps))
-    if gap > 1.2 * dash or np.mean(np.abs(lengths - dash) < 0.5 * dash) < 0.5:
+    alike = np.mean(np.abs(lengths - dash) < 0.5 * dash) >= 0.5 and lengths.max() < 2.0 * dash
+    if gap > 1.2 * dash or not alike:
         return dashes
     return united(dashes, around, 1.5 * gap)
 
