@@ -13,6 +13,15 @@ Array = npt.NDArray[np.float64]
 _BESIDE = 8
 """Neighbours by which it is told how strongly the surface bends at a disc."""
 
+_ALIKE = 0.97
+"""Cosine from which on discs belong to one face."""
+
+_OF_TWO = 0.7
+"""Share of the neighbours that belong to one of two faces where these meet in an edge."""
+
+_ROUND = 90.0
+"""Bend in degrees where neighbours face in many directions."""
+
 
 @dataclass(frozen=True)
 class DiscSampling:
@@ -70,8 +79,8 @@ class Creases:
         normals: (n, 3) of the disc that the point was found from.
         others: (n, 3) normals of the disc on the other side.
         convex: (n,) whether the material lies within both planes, not within either.
-        bends: (n,) angle in degrees by which the surface bends beside the edge, of the two sides
-            the larger one; 0 between planes.
+        bends: (n,) mean angle in degrees between neighbouring discs beside the edge, of the two
+            sides the larger one; 0 between planes, 90 where discs face in many directions.
     """
 
     points: Array
@@ -159,7 +168,8 @@ def creases_of(discs: Discs, sampling: DiscSampling) -> Creases:
         return Creases(none, none, none, np.zeros(0, bool), np.zeros(0))
     reach = sampling.edge_reach * discs.sigmas
     _, near = cKDTree(discs.centres).query(discs.centres, k=sampling.neighbours)
-    bends = _bends(discs, near[:, 1 : _BESIDE + 1], sampling)
+    beside = near[:, 1 : _BESIDE + 1]
+    bends = _bends(discs, beside, sampling)
     columns = []
     for other in near.T[1:]:
         met = crossing(discs.centres, discs, other, sampling)
@@ -167,21 +177,36 @@ def creases_of(discs: Discs, sampling: DiscSampling) -> Creases:
         back = np.linalg.norm(met.points - discs.centres[other], axis=1) < reach
         found = met.creased & there & back
         across = other[found]
+        across_normals = discs.normals[across]
         columns.append(
             (
                 met.points[found],
                 discs.normals[found],
-                discs.normals[across],
+                across_normals,
                 met.beyond[found] < 0.0,
-                np.maximum(bends[found], bends[across]),
+                np.where(
+                    _two_faces(discs.normals[beside[found]], discs.normals[found], across_normals),
+                    np.maximum(bends[found], bends[across]),
+                    _ROUND,
+                ),
             )
         )
     return Creases(*(np.concatenate(parts) for parts in zip(*columns, strict=True)))
 
 
+def _two_faces(around: Array, own: Array, others: Array) -> npt.NDArray[np.bool_]:
+    """(m,) whether most normals (m, k, 3) around an edge are one of its two (m, 3).
+
+    Around a slender pin neighbours may differ by as much as two faces do, and meet in no edge.
+    """
+    alike = np.einsum("mkj,mj->mk", around, own) > _ALIKE
+    alike |= np.einsum("mkj,mj->mk", around, others) > _ALIKE
+    return alike.mean(axis=1) >= _OF_TWO
+
+
 def _bends(discs: Discs, near: npt.NDArray[np.int64], sampling: DiscSampling) -> Array:
-    """(n,) largest angle in degrees to a neighbour (n, k) that is not beyond an edge."""
+    """(n,) mean angle in degrees to the neighbours (n, k) that are not beyond an edge."""
     cosines = np.einsum("nj,nkj->nk", discs.normals, discs.normals[near])
-    beyond = cosines < np.cos(np.radians(sampling.crease))
-    least = np.where(beyond, 1.0, cosines).min(axis=1)
-    return np.degrees(np.arccos(np.clip(least, -1.0, 1.0)))
+    own = cosines >= np.cos(np.radians(sampling.crease))
+    angles = np.degrees(np.arccos(np.clip(cosines, -1.0, 1.0)))
+    return np.where(own, angles, 0.0).sum(axis=1) / np.maximum(own.sum(axis=1), 1)

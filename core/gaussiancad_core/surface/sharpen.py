@@ -22,6 +22,9 @@ _NEAR = 8
 _ALIKE = 0.9
 """Cosine from which on two points belong to one crease."""
 
+_SPREAD = 0.2
+"""Share of the reach along a crease over which the moves to its points are evened out."""
+
 _ALONG = 0.75
 """Sine of the most by which a vertex's normal may point along the crease: else it belongs to a
 third face at a corner."""
@@ -50,7 +53,7 @@ class Sharpening:
     farthest: float = 2.0
     snap: float = 0.6
     rounds: int = 2
-    bend: float = 12.0
+    bend: float = 3.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,7 +134,7 @@ def _moves(
     # The nearest that fits leads; what else belongs to its crease evens out the discs' noise.
     rows, leader = np.arange(len(vertices)), np.argmax(fits, axis=1)
     alike = _same_crease(wedges, rows, leader) & fits
-    spread = 0.5 * reach
+    spread = _SPREAD * reach
     nearness = np.where(alike, distances - distances[rows, leader][:, None], np.inf)
     weights = np.where(alike, np.exp(-((nearness / spread) ** 2)), 0.0)
     total = weights.sum(axis=1)

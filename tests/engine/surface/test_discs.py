@@ -51,8 +51,9 @@ def test_creases_lie_on_the_edges_and_know_their_planes(creases: Creases) -> Non
     # Discs of two faces that do not touch may be neighbours round a corner.
     assert creases.convex[~inner].mean() > 0.99
     assert np.abs((creases.normals * creases.others).sum(axis=1)).max() < 1e-5
-    assert creases.bends.max() < 0.1
-    assert len(creases.between_planes(1.0)) == len(creases)
+    # At the corners discs face in three directions.
+    assert set(creases.bends.round()) == {0.0, 90.0}
+    assert len(creases.between_planes(1.0)) > 0.8 * len(creases)
 
 
 def test_beside_the_rims_of_a_thin_pin_the_surface_bends() -> None:
@@ -60,8 +61,8 @@ def test_beside_the_rims_of_a_thin_pin_the_surface_bends() -> None:
     gaussians = gaussians_on(make_mesh(pin.vertices, pin.faces), Start(count=500))
     rims = creases_of(discs_of(gaussians, SAMPLING), SAMPLING)
     assert len(rims) > 50
-    assert np.median(rims.bends) > 12.0
-    assert len(rims.between_planes(12.0)) < 0.2 * len(rims)
+    assert np.median(rims.bends) > 3.0
+    assert len(rims.between_planes(3.0)) < 0.2 * len(rims)
 
 
 def test_a_ball_and_few_discs_have_no_creases(
