@@ -1,6 +1,7 @@
 """The exact solid of a drawing: reason, build, draw again, look for others."""
 
 import time
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 from OCP.TopoDS import TopoDS_Shape
@@ -139,15 +140,22 @@ def _labelled(
     found = search.fulfilled()
     if found.labels is not None:
         return _Work(part, views, search, clock), found
-    for other in (_wider(part), _smoother(views)):
-        if other is not None:
-            other_search = Search(other.rules, limits.effort)
-            more = other_search.fulfilled()
-            if more.labels is not None:
-                return _Work(other, views, other_search, clock), more
+    for other in _otherwise(part, views, found.complete):
+        other_search = Search(other.rules, limits.effort)
+        more = other_search.fulfilled()
+        if more.labels is not None:
+            return _Work(other, views, other_search, clock), more
     if limits.relaxed:
         found = search.least()
     return _Work(part, views, search, clock), found
+
+
+def _otherwise(part: PartModel, views: DrawnViews, contradict: bool) -> Iterator[PartModel]:
+    """The part with more surfaces, and, where its lines do ``contradict``, without rough arcs."""
+    if (wider := _wider(part)) is not None:
+        yield wider
+    if contradict and (smoother := _smoother(views)) is not None:
+        yield smoother
 
 
 def _wider(part: PartModel) -> PartModel | None:
