@@ -101,6 +101,14 @@ def is_new(geometry: Geometry, run: Run, explained: npt.NDArray[np.uint8]) -> bo
     return bool((~old).mean() > _MIN_CLEAR and (~(old & alike)).mean() > _MIN_NEW)
 
 
+def is_next_dash(
+    geometry: Geometry, runs: list[Told], index: int, explained: Explained, rhythm: Rhythm
+) -> bool:
+    """Whether a run follows a series of dashes, and is new but for what ran from strokes across."""
+    run = runs[index][0]
+    return _has_dash_beside(runs, index, rhythm) and is_new(geometry, run, explained.upon)
+
+
 def with_dashes_beside(
     curve: Curve, runs: Sequence[Told], fresh: Sequence[Told], rhythm: Rhythm, stroke_width: float
 ) -> list[Told]:

@@ -19,6 +19,7 @@ from gaussiancad_core.sheet.ellipse_fits import ellipse_profile, refit_ellipse
 from gaussiancad_core.sheet.explained import (
     Explained,
     is_new,
+    is_next_dash,
     joins_arcs,
     path_points,
     told_linetypes,
@@ -202,8 +203,9 @@ def classify_strokes(
             runs = told_by_width(view.sheet, shape.geometry, shape.runs, pens)
         fresh = [
             (run, kind)
-            for run, kind in runs
+            for k, (run, kind) in enumerate(runs)
             if is_new(shape.geometry, run, explained.near(shape.close))
+            or is_next_dash(shape.geometry, runs, k, explained, rhythm)
             or (joins and joins_arcs(shape.geometry, run, explained.around))
         ]
         if not isinstance(shape.geometry, Line):

@@ -175,3 +175,19 @@ def test_the_round_ends_of_hidden_slots_are_arcs() -> None:
     assert len(truth) == 3
     away = np.abs(truth[:, None] - np.array(found)[None]).max(2)
     assert away.min(1) == pytest.approx(0.0, abs=0.5)
+
+
+def test_the_last_dash_of_a_line_may_lie_across_two_others(sketch) -> None:  # noqa: ANN001
+    drawing = _framed(sketch)
+    bottom = 12.0 + 5 * _DASH + 4 * _GAP
+    drawing.broken((120, 12), (120, bottom), (_DASH, _GAP), 2.5)
+    drawing.broken((12, bottom - 8.0), (388, bottom - 8.0), (_DASH, _GAP), 2.5)
+    drawing.broken((120, bottom), (120 + 9 * _DASH + 8 * _GAP, bottom), (_DASH, _GAP), 2.5)
+    (upright,) = [
+        s
+        for s in _strokes(drawing)
+        if isinstance(s, Segment)
+        and s.linetype is Linetype.HIDDEN
+        and abs(s.start[0] - s.end[0]) < 1.0
+    ]
+    assert max(upright.start[1], upright.end[1]) == pytest.approx(bottom + 0.5, abs=1.0)
