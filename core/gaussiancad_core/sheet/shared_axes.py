@@ -40,6 +40,9 @@ Floats = npt.NDArray[np.float64]
 _RADIUS_REACH = 1.5
 """Radii are one up to this many times the finest difference of coordinates."""
 
+_UNSURE_REACH = 2.0
+"""The same of arcs too short to tell theirs, in distances that tell coordinates of a view apart."""
+
 _SURELY = 4.0
 """Standard deviations by which a value is wrong at most."""
 
@@ -206,8 +209,9 @@ class _Unknowns:
         weights = np.array([self._radius_weight(*circle) for circle in circles])
         limits = self._seen.limits
         near = _RADIUS_REACH * limits.finest
+        far = _UNSURE_REACH * limits.apart
         sure = weights >= 1.0 / limits.finest**2
-        for group, reach in ((sure, near), (~sure, max(limits.reach, near))):
+        for group, reach in ((sure, near), (~sure, max(far, near))):
             own = np.flatnonzero(group)
             if not len(own):
                 continue
