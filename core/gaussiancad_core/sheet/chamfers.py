@@ -131,18 +131,21 @@ def with_chamfers(
 
 
 def _visible_ends(placed: Sequence[Placed], width: float) -> Iterator[_End]:
+    found: list[_End] = []
     for index, (geometry, piece) in enumerate(placed):
         whole = piece.end - piece.start >= geometry.around - 1e-6
         if piece.linetype is not Linetype.VISIBLE or whole:
             continue
         at = np.array([piece.start, piece.end])
         places, ways = geometry.points_at(at), geometry.tangents_at(at)
-        for k, way in ((0, -1.0), (1, 1.0)):
-            others = (own for other, own in enumerate(placed) if other != index)
-            free = isinstance(geometry, Line) and all(
-                distances_to(own, places[k : k + 1])[0] > _FREE * width for own in others
-            )
-            yield _End(index, k == 0, places[k], way * ways[k], free)
+        found.append(_End(index, True, places[0], -ways[0], isinstance(geometry, Line)))
+        found.append(_End(index, False, places[1], ways[1], isinstance(geometry, Line)))
+    if not found:
+        return
+    away = np.array([distances_to(own, np.array([e.place for e in found])) for own in placed])
+    away[[end.index for end in found], np.arange(len(found))] = np.inf
+    for end, nearest in zip(found, away.min(axis=0), strict=True):
+        yield replace(end, free=end.free and bool(nearest > _FREE * width))
 
 
 def _pairs(free: Sequence[_End], ends: Sequence[_End], width: float) -> Iterator[tuple[_End, _End]]:

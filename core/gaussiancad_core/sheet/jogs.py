@@ -91,16 +91,19 @@ def find_jogs(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Placed]:
 
 def _free_ends(pieces: Sequence[Placed], width: float) -> Iterator[_End]:
     """Ends of visible lines with no other stroke around."""
-    for index, (geometry, piece) in enumerate(pieces):
-        if not isinstance(geometry, Line) or piece.linetype is not Linetype.VISIBLE:
-            continue
-        for at, way in ((piece.start, -1.0), (piece.end, 1.0)):
-            tip = np.array(geometry.at(at))
-            outward = way * np.array(geometry.direction)
-            corner = tip - outward * width / 2.0
-            others = (own for k, own in enumerate(pieces) if k != index)
-            if all(distance_to(own, tip) > _FREE * width for own in others):
-                yield _End(index, corner, outward)
+    tips = [
+        (index, np.array(geometry.at(at)), way * np.array(geometry.direction))
+        for index, (geometry, piece) in enumerate(pieces)
+        if isinstance(geometry, Line) and piece.linetype is Linetype.VISIBLE
+        for at, way in ((piece.start, -1.0), (piece.end, 1.0))
+    ]
+    if not tips:
+        return
+    away = np.array([distances_to(own, np.array([tip for _, tip, _ in tips])) for own in pieces])
+    away[[index for index, _, _ in tips], np.arange(len(tips))] = np.inf
+    for (index, tip, outward), nearest in zip(tips, away.min(axis=0), strict=True):
+        if nearest > _FREE * width:
+            yield _End(index, tip - outward * width / 2.0, outward)
 
 
 def distance_to(placed: Placed, point: Floats) -> float:

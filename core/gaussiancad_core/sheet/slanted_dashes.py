@@ -6,7 +6,7 @@ straight way from that corner: to another stroke, or to where two such lines mee
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -61,8 +61,9 @@ Floats = npt.NDArray[np.float64]
 
 @dataclass(frozen=True)
 class _Blot:
-    """Ink that no stroke explains: its pixels, (n, 2) px."""
+    """Ink that no stroke explains: its number, and its pixels, (n, 2) px."""
 
+    number: int
     pixels: Floats
 
     @property
@@ -84,6 +85,23 @@ class _View:
     def longest(self) -> float:
         """px of a leg, at most."""
         return _LONGEST * (self.rhythm.dash + self.rhythm.gap)
+
+
+@dataclass(frozen=True)
+class _Place:
+    """The end of a hidden line.
+
+    Attributes:
+        corner: (2,) px.
+        along: (2,) unit vector of the line.
+        others: pieces within a leg's reach that do not meet there.
+        view: with the pieces and the blots within a leg's reach alone.
+    """
+
+    corner: Floats
+    along: Floats
+    others: Sequence[Placed]
+    view: _View
 
 
 @dataclass(frozen=True)
@@ -126,7 +144,7 @@ def with_slanted_dashes(
     if len(blots) > _MOST_BLOTS:
         return list(pieces)
     view = _View(kept, sheet, blots, rhythm)
-    legs = [leg for corner, along in corners for leg in _legs(corner, along, view)]
+    legs = [leg for place in _places(corners, view) for leg in _legs(place)]
     found: list[Placed] = []
     taken: set[int] = set()
     for leg in sorted(legs, key=lambda leg: -leg.inked):
@@ -195,27 +213,47 @@ def _blots(unexplained: npt.NDArray[np.bool_], stroke_width: float, rhythm: Rhyt
         if not _SMALLEST <= area <= largest:
             continue
         rows, columns = np.nonzero(labels[y : y + h, x : x + w] == label)
-        found.append(_Blot(np.stack([columns + x, rows + y], axis=1).astype(np.float64)))
+        pixels = np.stack([columns + x, rows + y], axis=1).astype(np.float64)
+        found.append(_Blot(label, pixels))
     return found
 
 
-def _legs(corner: Floats, along: Floats, view: _View) -> Iterator[_Leg]:
+def _places(corners: Sequence[tuple[Floats, Floats]], view: _View) -> Iterator[_Place]:
+    """Corners that a blot is near, with what is around each."""
+    if not view.blots:
+        return
+    places = np.array([corner for corner, _ in corners])
+    away = np.array([distances_to(own, places) for own in view.pieces])
+    middles = np.array([blot.middle for blot in view.blots])
+    reach = view.longest + view.sheet.stroke_width
+    for k, (corner, along) in enumerate(corners):
+        blots = np.flatnonzero(np.hypot(*(middles - corner).T) <= view.longest)
+        if not len(blots):
+            continue
+        around = np.flatnonzero(away[:, k] <= reach)
+        others = [view.pieces[i] for i in around if away[i, k] > _STEP]
+        pieces = [view.pieces[i] for i in around]
+        own = replace(view, pieces=pieces, blots=[view.blots[i] for i in blots])
+        yield _Place(corner, along, others, own)
+
+
+def _legs(place: _Place) -> Iterator[_Leg]:
     """The slanted ways out of a corner on which blots lie."""
-    others = [own for own in view.pieces if distances_to(own, corner[None])[0] > _STEP]
-    near = view.sheet.stroke_width / 2.0 + _BESIDE
+    corner, along, view = place.corner, place.along, place.view
+    reach = view.sheet.stroke_width / 2.0 + _BESIDE, view.longest
+    tried: set[frozenset[int]] = set()
     for blot in view.blots:
-        if np.hypot(*(blot.middle - corner)) > view.longest:
-            continue
         way = _direction(corner, blot.pixels)
-        reach = near, view.longest
-        on = frozenset(k for k, own in enumerate(view.blots) if _is_on(own, corner, way, reach))
-        if not on:
+        on = [own for own in view.blots if _is_on(own, corner, way, reach)]
+        numbers = frozenset(own.number for own in on)
+        if not on or numbers in tried:
             continue
-        way = _direction(corner, np.concatenate([view.blots[k].pixels for k in sorted(on)]))
+        tried.add(numbers)
+        way = _direction(corner, np.concatenate([own.pixels for own in on]))
         way = _refined(corner, way, view)
         if min(abs(way[0] * along[1] - way[1] * along[0]), *np.abs(way)) < _OFF:
             continue
-        leg = _followed(corner, way, on, others, view)
+        leg = _followed(place, way, numbers)
         if leg is not None:
             yield leg
 
@@ -257,10 +295,9 @@ def _is_on(blot: _Blot, corner: Floats, way: Floats, reach: tuple[float, float])
     return bool(along.min() > 0.0 and along.max() < longest and across.max() <= near)
 
 
-def _followed(
-    corner: Floats, way: Floats, on: frozenset[int], others: Sequence[Placed], view: _View
-) -> _Leg | None:
+def _followed(place: _Place, way: Floats, on: frozenset[int]) -> _Leg | None:
     """A way out of a corner up to the stroke that it meets, if ink is there as dashes have it."""
+    corner, others, view = place.corner, place.others, place.view
     width = view.sheet.stroke_width
     places = np.arange(0.0, view.longest, _STEP)
     points = corner + places[:, None] * way
