@@ -48,6 +48,9 @@ _DARK = 0.5
 _INKED, _LEAST_INKED = 0.35, 2.0
 """Share of a leg's own way that is ink, and px, at least."""
 
+_ROUGHLY = 1.5
+"""Times the widest gap that a way may be blank for before it is fitted to the ink."""
+
 _MOST_CORNERS, _MOST_BLOTS = 400, 400
 """Of a view, up to which legs are looked for: more are a sketch's."""
 
@@ -244,18 +247,35 @@ def _legs(place: _Place) -> Iterator[_Leg]:
     tried: set[frozenset[int]] = set()
     for blot in view.blots:
         way = _direction(corner, blot.pixels)
+        if not _is_slanted(way, along):
+            continue
         on = [own for own in view.blots if _is_on(own, corner, way, reach)]
         numbers = frozenset(own.number for own in on)
         if not on or numbers in tried:
             continue
         tried.add(numbers)
-        way = _direction(corner, np.concatenate([own.pixels for own in on]))
+        pixels = np.concatenate([own.pixels for own in on])
+        way = _direction(corner, pixels)
+        if not _is_dashed(corner, way, float(((pixels - corner) @ way).max()), view):
+            continue
         way = _refined(corner, way, view)
-        if min(abs(way[0] * along[1] - way[1] * along[0]), *np.abs(way)) < _OFF:
+        if not _is_slanted(way, along):
             continue
         leg = _followed(place, way, numbers)
         if leg is not None:
             yield leg
+
+
+def _is_slanted(way: Floats, along: Floats) -> bool:
+    """Whether a way goes neither along a line nor along an axis."""
+    return min(abs(way[0] * along[1] - way[1] * along[0]), *np.abs(way)) >= _OFF
+
+
+def _is_dashed(corner: Floats, way: Floats, last: float, view: _View) -> bool:
+    """Whether ink lies on a way as dashes have it, roughly, up to ``last`` px from the corner."""
+    points = corner + np.arange(0.0, last, _STEP)[:, None] * way
+    dark = sample(view.sheet.weight, points[:, :1], points[:, 1:])[:, 0] > _DARK
+    return _longest_blank(dark) * _STEP <= _ROUGHLY * widest_gap(view.rhythm)
 
 
 def _direction(corner: Floats, pixels: Floats) -> Floats:
