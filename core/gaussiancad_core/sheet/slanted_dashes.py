@@ -33,7 +33,7 @@ _SMALLEST, _LARGEST = 4, 3.0
 _BESIDE = 1.0
 """px beside a leg's ink by which a blot of it may reach."""
 
-_OFF = 0.1
+_OFF = 0.2
 """Sine of the angle to the line it starts from, or to an axis, under which a leg is no slant."""
 
 _ONE_DASH = 1.4

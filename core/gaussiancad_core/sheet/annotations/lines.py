@@ -117,7 +117,8 @@ def kinds_of_runs(
     for shape, own in zip(shapes, kinds, strict=True):
         for first, last in _groups(shape.runs, stroke_width, weights.limit):
             group = shape.runs[first:last]
-            if is_long_short([run.run for run in group]) and _is_even(group):
+            # Where wide and narrow lines are told apart, a group is of one kind.
+            if is_long_short([run.run for run in group]) and (weights.limit or _is_even(group)):
                 own[first:last] = [AnnotationKind.CENTRE_LINE] * (last - first)
         rest.append([run for run, kind in zip(shape.runs, own, strict=True) if kind is None])
     if not weights.limit:
