@@ -27,8 +27,11 @@ _LONGEST = 3.0
 _SHORTEST = 2.5
 """Line widths that it is long at least."""
 
-_SMALLEST, _LARGEST = 4, 3.0
-"""Pixels of a blot of ink at least; dashes, as pixels of a line, at most."""
+_SMALLEST, _LARGEST = 0.5, 3.0
+"""Squared line widths of a blot of ink at least; dashes, as pixels of a line, at most."""
+
+_TIP_INK = 0.5
+"""Dashes, as pixels of a line, that a leg to a tip has of its own at least: no stroke tells it."""
 
 _BESIDE = 1.0
 """px beside a leg's ink by which a blot of it may reach."""
@@ -154,7 +157,10 @@ def with_slanted_dashes(
         if leg.end is not None and not taken & leg.blots:
             taken |= leg.blots
             found.append(_hidden(leg, leg.end))
-    for one, other, tip in _tips([leg for leg in legs if leg.end is None], sheet, rhythm):
+    area = {blot.number: len(blot.pixels) for blot in blots}
+    least = _TIP_INK * rhythm.dash * sheet.stroke_width
+    free = [leg for leg in legs if leg.end is None and sum(area[k] for k in leg.blots) >= least]
+    for one, other, tip in _tips(free, sheet, rhythm):
         if not taken & (one.blots | other.blots):
             taken |= one.blots | other.blots
             found += [_hidden(leg, float((tip - leg.corner) @ leg.way)) for leg in (one, other)]
@@ -210,10 +216,10 @@ def _blots(unexplained: npt.NDArray[np.bool_], stroke_width: float, rhythm: Rhyt
         unexplained.astype(np.uint8), connectivity=8
     )
     found: list[_Blot] = []
-    largest = _LARGEST * rhythm.dash * stroke_width
+    smallest, largest = _SMALLEST * stroke_width**2, _LARGEST * rhythm.dash * stroke_width
     for label in range(1, count):
         x, y, w, h, area = boxes[label]
-        if not _SMALLEST <= area <= largest:
+        if not smallest <= area <= largest:
             continue
         rows, columns = np.nonzero(labels[y : y + h, x : x + w] == label)
         pixels = np.stack([columns + x, rows + y], axis=1).astype(np.float64)

@@ -77,3 +77,13 @@ def test_other_ink_is_no_slant(sketch, blot) -> None:  # noqa: ANN001
     corners = [(_LEFT, _TOP), (_RIGHT, _TOP)]
     ends = [end for slant in _slanted(_strokes(drawing)) for end in slant]
     assert all(np.hypot(*np.subtract(end, corner)) > 20 for end in ends for corner in corners)
+
+
+def test_specks_make_no_tip(sketch) -> None:  # noqa: ANN001
+    """Dots of a centre line are about where the two sides of a tip would have their ink."""
+    drawing = _block(sketch)
+    for x in (_LEFT + 6.0, _RIGHT - 6.0):
+        drawing.line((x - 1.5, _TOP - 6.0), (x + 1.5, _TOP - 6.0), 2.0)
+    corners = [(_LEFT, _TOP), (_RIGHT, _TOP)]
+    ends = [end for slant in _slanted(_strokes(drawing)) for end in slant]
+    assert all(np.hypot(*np.subtract(end, corner)) > 4 for end in ends for corner in corners)
