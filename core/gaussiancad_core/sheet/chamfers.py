@@ -13,9 +13,8 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.sheet.geometry import Line
-from gaussiancad_core.sheet.jogs import distances_to
+from gaussiancad_core.sheet.jogs import distances_to, visible_leg
 from gaussiancad_core.sheet.pen import Pen, fit_pen
-from gaussiancad_core.sheet.runs import Piece
 from gaussiancad_core.sheet.stubs import Placed
 from gaussiancad_core.views import Linetype
 
@@ -52,8 +51,6 @@ _FEWEST = 20
 
 _MOST = 200
 """Free ends of a view up to which chamfers are looked for: more are no outline's."""
-
-_CONFIDENCE = 0.8
 
 Floats = npt.NDArray[np.float64]
 
@@ -126,7 +123,7 @@ def with_chamfers(
         for end, shift in zip((first, second), cut.shifts, strict=True):
             if end.free:
                 pieces[end.index] = _lengthened(pieces[end.index], end, shift)
-        pieces.append(_straight(*cut.ends))
+        pieces.append(visible_leg(*cut.ends))
     return pieces
 
 
@@ -189,7 +186,7 @@ def _best_cut(
 
     def left(shifts: tuple[float, float]) -> float:
         cut = _Cut(first, second, shifts, 0.0)
-        distance = np.minimum(others, distances_to(_straight(*cut.ends), pixels))
+        distance = np.minimum(others, distances_to(visible_leg(*cut.ends), pixels))
         for end, shift in zip((first, second), shifts, strict=True):
             if end.free:
                 longer = _lengthened(pieces[end.index], end, shift)
@@ -223,14 +220,14 @@ def _turning(first: _End, second: _End) -> set[int]:
 def _pixels_around(
     shape: tuple[int, ...], first: _End, second: _End, pieces: Sequence[Placed], pen: Pen
 ) -> Floats:
-    """(n, 2) px near a chamfer and the ends before it, away from dashes and arcs' own fits."""
+    """(n, 2) px near a chamfer and the ends before it, away from dashes."""
     beside = pen.width / 2.0 + _AROUND
     corners = np.array([first.place, second.place])
     low = np.maximum(np.floor(corners.min(0) - 2.0 * beside), 0).astype(int)
     high = np.minimum(np.ceil(corners.max(0) + 2.0 * beside) + 1, shape[::-1]).astype(int)
     ys, xs = np.mgrid[low[1] : max(high[1], low[1]), low[0] : max(high[0], low[0])]
     pixels = np.stack([xs.ravel(), ys.ravel()], axis=1).astype(np.float64)
-    near = distances_to(_straight(first.place, second.place), pixels) <= beside
+    near = distances_to(visible_leg(first.place, second.place), pixels) <= beside
     dashed = [own for own in pieces if own[1].linetype is Linetype.HIDDEN]
     return pixels[near & (_nearest(dashed, pixels) > beside)]
 
@@ -252,10 +249,3 @@ def _lengthened(placed: Placed, end: _End, shift: float) -> Placed:
     if end.at_start:
         return geometry, replace(piece, start=piece.start - shift)
     return geometry, replace(piece, end=piece.end + shift)
-
-
-def _straight(start: Floats, end: Floats) -> Placed:
-    length = float(np.hypot(*(end - start)))
-    dx, dy = (end - start) / length
-    line = Line((float(start[0]), float(start[1])), (float(dx), float(dy)))
-    return line, Piece(0.0, length, Linetype.VISIBLE, _CONFIDENCE)

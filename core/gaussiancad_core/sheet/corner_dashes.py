@@ -110,7 +110,7 @@ def _leg(
     if end is None:
         return None
     inked = dark[: end + 1]
-    blank = _longest_blank(inked) * _STEP
+    blank = longest_blank(inked) * _STEP
     if inked.mean() < _INKED or blank > widest_gap(rhythm) or blank < 1.0:
         # Ink without any gap would have been found as a line.
         return None
@@ -123,7 +123,8 @@ def _is_taken(point: Floats, others: Sequence[Placed], width: float) -> bool:
     return any(distance_to(own, point) <= width / 2.0 + _CLEAR for own in others)
 
 
-def _longest_blank(dark: npt.NDArray[np.bool_]) -> int:
+def longest_blank(dark: npt.NDArray[np.bool_]) -> int:
+    """How many places in a row of (n,) are blank at most."""
     padded = np.concatenate([[True], dark, [True]]).astype(np.int8)
     starts, ends = np.flatnonzero(np.diff(padded) == -1), np.flatnonzero(np.diff(padded) == 1)
     return int((ends - starts).max(initial=0))

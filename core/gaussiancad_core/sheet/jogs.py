@@ -85,7 +85,7 @@ def find_jogs(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Placed]:
         path = _path(ends[i], ends[k], sheet, longest)
         if path is not None:
             taken |= {i, k}
-            found += [_leg(a, b) for a, b in pairwise(path)]
+            found += [visible_leg(a, b) for a, b in pairwise(path)]
     return found
 
 
@@ -162,7 +162,8 @@ def _is_inked(start: Floats, end: Floats, sheet: CleanSheet) -> bool:
     return float((weights > _DARK).mean()) >= _INKED
 
 
-def _leg(start: Floats, end: Floats) -> Placed:
+def visible_leg(start: Floats, end: Floats) -> Placed:
+    """A short visible line from (2,) px to (2,) px."""
     length = float(np.hypot(*(end - start)))
     dx, dy = (end - start) / length
     line = Line((float(start[0]), float(start[1])), (float(dx), float(dy)))

@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.corner_dashes import longest_blank
 from gaussiancad_core.sheet.explained import Explained
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.jogs import distances_to
@@ -281,7 +282,7 @@ def _is_dashed(corner: Floats, way: Floats, last: float, view: _View) -> bool:
     """Whether ink lies on a way as dashes have it, roughly, up to ``last`` px from the corner."""
     points = corner + np.arange(0.0, last, _STEP)[:, None] * way
     dark = sample(view.sheet.weight, points[:, :1], points[:, 1:])[:, 0] > _DARK
-    return _longest_blank(dark) * _STEP <= _ROUGHLY * widest_gap(view.rhythm)
+    return longest_blank(dark) * _STEP <= _ROUGHLY * widest_gap(view.rhythm)
 
 
 def _direction(corner: Floats, pixels: Floats) -> Floats:
@@ -340,7 +341,7 @@ def _followed(place: _Place, way: Floats, on: frozenset[int]) -> _Leg | None:
         last = int(inked[-1])
         own = own[: last + 1]
     share = float(dark[: last + 1][own].mean())
-    blank = _longest_blank(dark[: last + 1]) * _STEP
+    blank = longest_blank(dark[: last + 1]) * _STEP
     if share < _INKED or blank > widest_gap(view.rhythm):
         return None
     end = _meeting(corner, way, float(places[last]), others) if len(met) else None
@@ -380,9 +381,3 @@ def _tips(
 def _hidden(leg: _Leg, length: float) -> Placed:
     line = Line(tuple(map(float, leg.corner)), tuple(map(float, leg.way)))
     return line, Piece(0.0, length, Linetype.HIDDEN, _CONFIDENCE)
-
-
-def _longest_blank(dark: npt.NDArray[np.bool_]) -> int:
-    padded = np.concatenate([[True], dark, [True]]).astype(np.int8)
-    starts, ends = np.flatnonzero(np.diff(padded) == -1), np.flatnonzero(np.diff(padded) == 1)
-    return int((ends - starts).max(initial=0))
