@@ -42,6 +42,10 @@ _LONG = 24
 """Points of a line that certainly is one; what it explains starts no arc."""
 
 
+_MIDDLE = 0.7
+"""Share of a long line, in its middle, that has to be straight."""
+
+
 @dataclass(frozen=True)
 class GrowthRules:
     """When points belong to a line or circle; px.
@@ -114,13 +118,29 @@ def _lines_and_arcs(
     lines = _all_lines(ridges, rules)
     beside = np.full(len(ridges.points), np.inf)
     for grown in _chosen(lines, ridges, rules.shortest):
-        if len(grown.members) >= _LONG:
+        certain = len(grown.members) >= _LONG
+        if certain and not _bows(grown.geometry, ridges.points[grown.members], rules):
             away = grown.geometry.distances(ridges.points[grown.members])
             beside[grown.members] = np.minimum(beside[grown.members], away)
     found = _unpacked(grow_arcs(*_inputs(ridges, rules), beside))
     arcs = [Grown(_circle(row), own) for row, own in found]
     arcs = [grown for grown in arcs if not is_corner(grown.geometry, ridges.points[grown.members])]
     return lines, arcs, beside
+
+
+def _bows(line: Line, points: Floats, rules: GrowthRules) -> bool:
+    """Whether the middle of what a line explains is an arc: a chord across dashes of a circle.
+
+    A straight line between two tangent arcs explains their beginnings too: the ends say nothing.
+    """
+    along, across = line.coordinates(points)
+    along = along - (along.min() + along.max()) / 2
+    inner = _MIDDLE * float(np.abs(along).max())
+    middle = np.abs(along) <= inner
+    if middle.sum() < 3:
+        return False
+    bend = float(np.polyfit(along[middle], across[middle], 2)[0])
+    return abs(bend) * inner**2 > rules.flattest
 
 
 def grow_straight(ridges: RidgePoints, rules: GrowthRules = GrowthRules()) -> list[Grown]:

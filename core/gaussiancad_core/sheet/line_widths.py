@@ -26,6 +26,9 @@ _CLEAR = 0.2
 _DIP = 0.8
 """Ink on the centre line, as a share of the most across it, under which there are two lines."""
 
+_LOPSIDED = 0.35
+"""Stroke widths by which the ink may be wider on one side of a centre line than on the other."""
+
 _SOLID = 3.0
 """Length from which a run is a visible line's, in dashes."""
 
@@ -159,5 +162,8 @@ def widths_along(sheet: CleanSheet, geometry: Geometry, run: Run) -> Floats:
     # Between two lines that touch, the centre is paler than both.
     highest = np.where(own, profile, 0.0).max(1)
     double = profile[:, half] < _DIP * highest
-    width = np.where(own, profile, 0.0).sum(1) * 0.5
-    return np.where(merged | double | ~inked[:, half], np.nan, width)
+    ink = np.where(own, profile, 0.0)
+    # Where another stroke leaves at a flat angle, the ink is wider on its side alone.
+    lopsided = np.abs(ink[:, :half].sum(1) - ink[:, half + 1 :].sum(1)) * 0.5
+    unclear = merged | double | ~inked[:, half] | (lopsided > _LOPSIDED * sheet.stroke_width)
+    return np.where(unclear, np.nan, ink.sum(1) * 0.5)

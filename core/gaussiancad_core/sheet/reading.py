@@ -32,9 +32,10 @@ from gaussiancad_core.sheet.shared_axes import share_axes
 from gaussiancad_core.sheet.special_views.cut_views import cut_region, with_hidden_inside
 from gaussiancad_core.sheet.special_views.finding import LayoutRequest, find_named_layout
 from gaussiancad_core.sheet.special_views.symbol import find_symbol
-from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_pens, view_rhythm
+from gaussiancad_core.sheet.strokes import classify_strokes
 from gaussiancad_core.sheet.through_holes import Extent, ViewEvidence, is_through
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet, vector_views
+from gaussiancad_core.sheet.view_shapes import find_shapes, view_pens, view_rhythm
 from gaussiancad_core.views import Linetype, Stroke, ViewSet
 
 _TINY = 0.02

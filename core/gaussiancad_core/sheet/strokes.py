@@ -5,7 +5,7 @@ explains little that is new is dropped: a chord of a circle, or an arc that cuts
 of them explains (free curves) is traced as short segments.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import numpy.typing as npt
@@ -13,9 +13,7 @@ import numpy.typing as npt
 from gaussiancad_core.ellipses import WholeEllipse
 from gaussiancad_core.sheet.chamfers import with_chamfers
 from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.close_lines import with_close_lines
 from gaussiancad_core.sheet.corner_dashes import find_corner_dashes
-from gaussiancad_core.sheet.ellipse_fits import ellipse_profile, refit_ellipse
 from gaussiancad_core.sheet.explained import (
     Explained,
     is_new,
@@ -27,7 +25,6 @@ from gaussiancad_core.sheet.explained import (
 )
 from gaussiancad_core.sheet.fillets import find_fillets, is_chord
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
-from gaussiancad_core.sheet.growth import GrowthRules, grow_all
 from gaussiancad_core.sheet.jogs import find_jogs
 from gaussiancad_core.sheet.junctions import (
     FULL_TURN,
@@ -35,151 +32,25 @@ from gaussiancad_core.sheet.junctions import (
     ended_at_junctions,
     is_full_circle,
 )
-from gaussiancad_core.sheet.line_widths import Pens, learn_pens, run_width, told_by_width
-from gaussiancad_core.sheet.options import Finder
+from gaussiancad_core.sheet.line_widths import Pens, told_by_width
 from gaussiancad_core.sheet.parted import parted_at_corners
-from gaussiancad_core.sheet.ridges import ridge_points
 from gaussiancad_core.sheet.runs import (
     InkField,
     Piece,
     Rhythm,
     Run,
     bridged,
-    circle_runs,
     classify,
-    ink_field,
     is_mostly_dashed,
-    learn_rhythm,
-    line_runs,
-    runs_spans,
 )
 from gaussiancad_core.sheet.shadows import without_shadows
 from gaussiancad_core.sheet.shapes import (
-    edge_map,
-    find_circles,
-    find_lines,
-    fit_circle,
-    following,
-    line_support,
-    radial_profile,
     refit_circle,
-    refit_line,
 )
 from gaussiancad_core.sheet.slanted_dashes import with_slanted_dashes
 from gaussiancad_core.sheet.tracing import trace_remainder
+from gaussiancad_core.sheet.view_shapes import MIN_SAGITTA, ViewShapes, radius_of
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
-
-_PULLED = 0.5
-"""px by which a fit to the ink may move a circle that the ridges gave."""
-
-_MIN_SAGITTA = 1.2
-"""Height in px of the flattest arc that is told from a straight line, beyond half a stroke."""
-
-_SMALL_BEND = 2.0
-"""Radius in line widths up to which the ink at a corner may look like an arc."""
-
-_CURVED = 0.85
-"""What a circle's ink counts for against a line's, which a flat arc follows about as well."""
-
-
-@dataclass(frozen=True)
-class Shape:
-    """A line, circle or ellipse with the runs of ink along it.
-
-    Attributes:
-        geometry: the fitted shape.
-        runs: in order along it.
-        support: px of its ink whose centre line it follows, in doubt less than its length.
-        close: whether another line is known to run right beside it.
-    """
-
-    geometry: Geometry
-    runs: tuple[Run, ...]
-    support: float
-    close: bool = False
-
-
-@dataclass(frozen=True)
-class ViewShapes:
-    """Shapes of one view before their linetypes are known.
-
-    Attributes:
-        sheet: the view's part of the sheet.
-        field: its ink with directions.
-        shapes: ellipses and circles, then lines.
-        offset: (x, y) px of the crop on the sheet.
-    """
-
-    sheet: CleanSheet
-    field: InkField
-    shapes: tuple[Shape, ...]
-    offset: tuple[int, int]
-
-
-def find_shapes(
-    sheet: CleanSheet, box: tuple[float, float, float, float], finder: Finder = Finder.RIDGES
-) -> ViewShapes:
-    """Lines, circles and ellipses of the view inside a box of the sheet."""
-    crop, offset = _crop(sheet, box)
-    field = ink_field(crop)
-    height, width = crop.ink.shape
-    candidates, close = _candidates(crop, finder)
-    curves = [curve for curve in candidates if not isinstance(curve, Line)]
-    shapes = [shape for curve in curves if (shape := _curve_shape(crop, field, curve))]
-    for line in candidates:
-        if not isinstance(line, Line):
-            continue
-        along, _ = line.coordinates(
-            np.array([[0, 0], [width, 0], [0, height], [width, height]], dtype=np.float64)
-        )
-        reach = float(along.min()), float(along.max())
-        runs = line_runs(field, line, *reach)
-        if runs:
-            refitted = refit_line(crop, line, runs_spans(runs))
-            runs = line_runs(field, refitted, *reach)
-            support = line_support(crop, refitted, runs_spans(runs))
-            shapes.append(Shape(refitted, tuple(runs), support, line in close))
-    return ViewShapes(crop, field, tuple(shapes), offset)
-
-
-def _candidates(sheet: CleanSheet, finder: Finder) -> tuple[list[Geometry], set[Line]]:
-    """Ellipses first, then circles, then lines; and the lines that run right beside others."""
-    if finder is Finder.HOUGH:
-        return [*find_circles(sheet), *find_lines(sheet, edge_map(sheet))], set()
-    rules = GrowthRules.of_width(sheet.stroke_width)
-    grown = grow_all(ridge_points(sheet.weight, sheet.stroke_width), rules)
-    shapes = [shape.geometry for shape in grown]
-    ellipses = [shape for shape in shapes if isinstance(shape, WholeEllipse)]
-    circles = [_better_fit(sheet, shape) for shape in shapes if isinstance(shape, Circle)]
-    straight = [shape for shape in shapes if isinstance(shape, Line)]
-    lines, close = with_close_lines(sheet, straight)
-    return [*ellipses, *circles, *lines], close
-
-
-def _better_fit(sheet: CleanSheet, circle: Circle) -> Circle:
-    """The circle fitted to the ink, exact where it is whole; tangents pull a fillet away."""
-    fitted = fit_circle(sheet, circle)
-    if fitted is None:
-        return circle
-    moved = (*np.subtract(fitted.centre, circle.centre), fitted.radius - circle.radius)
-    return fitted if np.abs(moved).max() < _PULLED else circle
-
-
-def view_rhythm(views: list[ViewShapes], stroke_width: float) -> Rhythm:
-    """The rhythm of dashes of a sheet, learnt from all its views."""
-    series = [list(shape.runs) for view in views for shape in view.shapes]
-    return learn_rhythm(series, stroke_width)
-
-
-def view_pens(views: list[ViewShapes], rhythm: Rhythm) -> Pens:
-    """What the widths of a sheet's lines tell of their linetypes, learnt from all its views."""
-    runs = [
-        (run, run_width(view.sheet, shape.geometry, run))
-        for view in views
-        for shape in view.shapes
-        for run in shape.runs
-    ]
-    return learn_pens(runs, rhythm)
 
 
 def classify_strokes(
@@ -245,64 +116,10 @@ def classify_strokes(
     return tuple(_shifted(stroke, shift) for stroke in strokes if stroke.length > 1.5)
 
 
-def _crop(
-    sheet: CleanSheet, box: tuple[float, float, float, float]
-) -> tuple[CleanSheet, tuple[int, int]]:
-    margin = int(np.ceil(sheet.stroke_width)) + 6
-    x0, y0 = max(0, int(box[0]) - margin), max(0, int(box[1]) - margin)
-    x1, y1 = int(np.ceil(box[2])) + margin, int(np.ceil(box[3])) + margin
-    part = replace(sheet, ink=sheet.ink[y0:y1, x0:x1], weight=sheet.weight[y0:y1, x0:x1].copy())
-    return part, (x0, y0)
-
-
-def _curve_shape(sheet: CleanSheet, field: InkField, curve: Curve) -> Shape | None:
-    """The curve with its runs, if the ink follows it and not a tangent or a polygon."""
-    if isinstance(curve, WholeEllipse):
-        curve = refit_ellipse(sheet, curve, runs_spans(circle_runs(field, curve)))
-        along, residual = ellipse_profile(sheet, curve)
-    else:
-        angles, radii = radial_profile(sheet, curve, sheet.stroke_width / 2 + 1.5)
-        along, residual = angles * curve.radius, radii - curve.radius
-    followed = along[np.abs(residual) < 0.6]
-    runs = []
-    for run in circle_runs(field, curve):
-        inside = _count_within(followed, run, curve.around)
-        if inside > 0.75 * run.length:
-            runs.append(run)
-    longest = _longest_stretch(runs, GrowthRules.of_width(sheet.stroke_width).gap, curve.around)
-    covered = sum(run.length for run in runs) / curve.around
-    bowed = longest**2 / (8 * _radius(curve)) > _MIN_SAGITTA + sheet.stroke_width / 2
-    # What bends within two line widths is a corner, or two, where fillets are looked for.
-    large = _radius(curve) > _SMALL_BEND * sheet.stroke_width
-    if covered < 0.45 and not (bowed and longest > 6 and large):
-        return None
-    return Shape(curve, tuple(runs), _CURVED * following(residual))
-
-
-def _longest_stretch(runs: list[Run], gap: float, around: float) -> float:
-    """px of the longest series of runs with no wider gap between them, over position 0 too."""
-    longest = length = 0.0
-    for before, run in zip([None, *runs, *runs], [*runs, *runs], strict=False):
-        follows = before is not None and (run.start - before.end) % around <= gap
-        length = length + (run.end - before.end) % around if follows else run.length
-        longest = max(longest, length)
-    return min(longest, around)
-
-
-def _radius(curve: Curve) -> float:
-    """px of a circle's radius, of an ellipse the mean one."""
-    return curve.around / FULL_TURN
-
-
-def _count_within(positions: npt.NDArray[np.float64], run: Run, around: float) -> int:
-    relative = (positions - run.start) % around
-    return int((relative <= run.length).sum())
-
-
 def _is_curved(curve: Curve, piece: Piece, sheet: CleanSheet) -> bool:
     length = piece.end - piece.start
-    sagitta = length**2 / (8 * _radius(curve))
-    return sagitta > _MIN_SAGITTA + sheet.stroke_width / 2 or length > curve.around / 2
+    sagitta = length**2 / (8 * radius_of(curve))
+    return sagitta > MIN_SAGITTA + sheet.stroke_width / 2 or length > curve.around / 2
 
 
 def _closed(curve: Curve, pieces: list[Piece], rhythm: Rhythm) -> list[Piece]:

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.sheet.clean import clean_sheet
-from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_rhythm
+from gaussiancad_core.sheet.strokes import classify_strokes
+from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
 from gaussiancad_core.views import Linetype, Segment, Stroke
 
 _LEFT, _TOP, _RIGHT, _BOTTOM = 40.0, 30.0, 340.0, 250.0

@@ -8,7 +8,8 @@ import pytest
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
 from gaussiancad_core.sheet.close_lines import with_close_lines
 from gaussiancad_core.sheet.geometry import Line
-from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_pens, view_rhythm
+from gaussiancad_core.sheet.strokes import classify_strokes
+from gaussiancad_core.sheet.view_shapes import find_shapes, view_pens, view_rhythm
 from gaussiancad_core.views import Linetype, Segment
 
 Sketch = Any

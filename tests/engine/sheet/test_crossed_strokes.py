@@ -1,10 +1,12 @@
 """Strokes that others cross: dashed circles stay whole, and ink counts for one stroke."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import cv2
 import numpy as np
+import numpy.typing as npt
 import pytest
+from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.sheet import draw_sheet
@@ -17,7 +19,8 @@ from gaussiancad_core.sheet.layout import find_layout
 from gaussiancad_core.sheet.reading import read_views
 from gaussiancad_core.sheet.runs import Piece
 from gaussiancad_core.sheet.shadows import without_shadows
-from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_rhythm
+from gaussiancad_core.sheet.strokes import classify_strokes
+from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
 from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
 
 _DASH, _GAP = 12.0, 6.0
@@ -43,18 +46,42 @@ def _circles(strokes: Iterable[Stroke]) -> list[tuple[float, float, float]]:
     ]
 
 
-def test_dashed_circles_that_many_lines_cross_are_whole() -> None:
-    """Bores under a stepped plate: edges, pockets and slots run through their dashes."""
-    part = classed_part(PartClass.HOLES, 3, 3)
+def _top_view(part: TopoDS_Shape) -> tuple[Sequence[Stroke], Sequence[Stroke]]:
+    """The strokes of a part's top view as read from a clean sheet, and as they were drawn."""
     sheet = draw_sheet(part, (Role.FRONT, Role.TOP, Role.RIGHT), Projection.THIRD, PRESETS["clean"])
     clean = clean_sheet(cv2.cvtColor(sheet.image, cv2.COLOR_RGB2GRAY))
     layout = find_layout(clean.ink, {}, Projection.THIRD)
     top = next(view for view in read_views(clean, layout) if view.role is Role.TOP)
     drawn = next(view for view in sheet.views if view.role is Role.TOP)
-    truth = np.array(_circles(as_plain_strokes(drawn.strokes)))
+    return top.strokes, as_plain_strokes(drawn.strokes)
+
+
+def test_dashed_circles_that_many_lines_cross_are_whole() -> None:
+    """Bores under a stepped plate: edges, pockets and slots run through their dashes."""
+    top, drawn = _top_view(classed_part(PartClass.HOLES, 3, 3))
+    truth = np.array(_circles(drawn))
     assert len(truth) == 6
-    away = np.abs(truth[:, None] - np.array(_circles(top.strokes))[None]).max(2)
+    away = np.abs(truth[:, None] - np.array(_circles(top))[None]).max(2)
     assert away.min(1) == pytest.approx(0.0, abs=0.5)
+
+
+def test_a_hidden_arc_reaches_the_hidden_line_that_ends_it() -> None:
+    """A flat under a shaft's chamfer: at either end two dashes meet at a flat angle."""
+    top, drawn = _top_view(classed_part(PartClass.REVOLVED, 700, 0))
+    assert _ends(top) == pytest.approx(_ends(drawn), abs=0.7)
+
+
+def _ends(strokes: Iterable[Stroke]) -> npt.NDArray[np.float64]:
+    """(n, 6) linetype, length and the lowest and highest ends of strokes, in this order; px."""
+    rows = []
+    for stroke in strokes:
+        first, last = stroke.sample(1.0)[[0, -1]]
+        closed = isinstance(stroke, Arc) and stroke.sweep > 6.28
+        ends = (
+            (0.0,) * 4 if closed else (*min(first, last, key=tuple), *max(first, last, key=tuple))
+        )
+        rows.append((float(stroke.linetype is Linetype.HIDDEN), stroke.length, *ends))
+    return np.array(sorted(rows))
 
 
 def test_a_stroke_across_the_course_of_a_hidden_line_is_no_piece_of_it(sketch) -> None:  # noqa: ANN001
@@ -154,22 +181,17 @@ def test_where_a_circle_touches_a_line_there_is_no_piece_of_it() -> None:
 
 def test_the_round_ends_of_hidden_slots_are_arcs() -> None:
     """Their dashes go on in those of the straight sides; edges of a boss cross them."""
-    part = classed_part(PartClass.HOLES, 313, 5)
-    sheet = draw_sheet(part, (Role.FRONT, Role.TOP, Role.RIGHT), Projection.THIRD, PRESETS["clean"])
-    clean = clean_sheet(cv2.cvtColor(sheet.image, cv2.COLOR_RGB2GRAY))
-    layout = find_layout(clean.ink, {}, Projection.THIRD)
-    top = next(view for view in read_views(clean, layout) if view.role is Role.TOP)
-    drawn = next(view for view in sheet.views if view.role is Role.TOP)
+    top, drawn = _top_view(classed_part(PartClass.HOLES, 313, 5))
     truth = np.array(
         [
             (*s.centre, s.radius)
-            for s in as_plain_strokes(drawn.strokes)
+            for s in drawn
             if isinstance(s, Arc) and s.linetype is Linetype.HIDDEN and s.sweep < 6.28
         ]
     )
     found = [
         (*s.centre, s.radius)
-        for s in top.strokes
+        for s in top
         if isinstance(s, Arc) and s.linetype is Linetype.HIDDEN and s.sweep > 3.0
     ]
     assert len(truth) == 3

@@ -11,7 +11,8 @@ from gaussiancad_core.drawing.style import PRESETS, SheetStyle
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.pen import Pen, fit_pen
-from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_rhythm
+from gaussiancad_core.sheet.strokes import classify_strokes
+from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
 from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
 
 V = Linetype.VISIBLE

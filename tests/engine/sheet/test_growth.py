@@ -270,3 +270,17 @@ def test_rules_follow_the_width() -> None:
     assert GrowthRules.of_width(2.0) == GrowthRules()
     wide = GrowthRules.of_width(8.0)
     assert (wide.gap, wide.band) == pytest.approx((40.0, 1.6))
+
+
+@pytest.mark.parametrize("radius", [122.6, 150.9, 284.0, 291.0])
+def test_dashes_of_a_large_circle_are_no_chords(sketch: Sketch, radius: float) -> None:
+    """A line along one dash explains ends of its neighbours, too; it is still no line."""
+    dash, gap, middle = 17.25, 9.75, radius + 20.0
+    count = round(FULL * radius / (dash + gap))
+    drawn = sketch(int(2 * middle), int(2 * middle))
+    for k in range(count):
+        start, sweep = FULL * k / count, FULL / count * dash / (dash + gap)
+        drawn.arc((middle, middle), radius, 3.0, start, sweep)
+    lines, circles = _shapes(drawn)
+    assert lines == []
+    assert _matched(circles, [((middle, middle), radius)]) < 0.1

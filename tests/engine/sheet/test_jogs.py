@@ -9,7 +9,8 @@ from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.jogs import find_jogs
 from gaussiancad_core.sheet.runs import Piece
-from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_rhythm
+from gaussiancad_core.sheet.strokes import classify_strokes
+from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
 from gaussiancad_core.views import Linetype, Segment
 
 _STEP = [(110.0, 112.0), (110.0, 120.0)]

@@ -13,7 +13,8 @@ from gaussiancad_core.ellipses import WholeEllipse
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.growth import GrowthRules, grow_all
 from gaussiancad_core.sheet.ridges import ridge_points
-from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_rhythm
+from gaussiancad_core.sheet.strokes import classify_strokes
+from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
 Sketch = Any

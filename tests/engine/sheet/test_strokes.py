@@ -6,7 +6,8 @@ from scipy.spatial import cKDTree
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.strokes import as_plain_strokes
-from gaussiancad_core.sheet.strokes import classify_strokes, find_shapes, view_rhythm
+from gaussiancad_core.sheet.strokes import classify_strokes
+from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
 CASES = [

@@ -1,0 +1,238 @@
+"""The shapes of one view before their linetypes are known: each with the runs of ink along it.
+
+Ridge points of the ink grow lines, circles and ellipses (or edge points vote for them); each is
+fitted to its ink, and of a curve only the runs count that follow it, not a tangent or a polygon.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.ellipses import WholeEllipse
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.close_lines import with_close_lines
+from gaussiancad_core.sheet.ellipse_fits import ellipse_profile, refit_ellipse
+from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
+from gaussiancad_core.sheet.growth import GrowthRules, grow_all
+from gaussiancad_core.sheet.junctions import FULL_TURN
+from gaussiancad_core.sheet.line_widths import Pens, learn_pens, run_width
+from gaussiancad_core.sheet.options import Finder
+from gaussiancad_core.sheet.ridges import ridge_points
+from gaussiancad_core.sheet.runs import (
+    STEP,
+    InkField,
+    Rhythm,
+    Run,
+    circle_runs,
+    ink_field,
+    learn_rhythm,
+    line_runs,
+    runs_spans,
+)
+from gaussiancad_core.sheet.shapes import (
+    edge_map,
+    find_circles,
+    find_lines,
+    fit_circle,
+    following,
+    line_support,
+    radial_profile,
+    refit_line,
+)
+
+MIN_SAGITTA = 1.2
+"""Height in px of the flattest arc that is told from a straight line, beyond half a stroke."""
+
+_PULLED = 0.5
+"""px by which a fit to the ink may move a circle that the ridges gave."""
+
+_SMALL_BEND = 2.0
+"""Radius in line widths up to which the ink at a corner may look like an arc."""
+
+_CURVED = 0.85
+"""What a circle's ink counts for against a line's, which a flat arc follows about as well."""
+
+
+_FOLLOWING, _FOLLOWING_IN_PART = 0.75, 0.4
+"""Share of a run whose ink lies on its curve, and of a dash that runs into another stroke."""
+
+_RHYTHMIC, _UNEVEN = 3, 0.35
+"""Runs that tell a rhythm; by which share of it another dash or gap may differ."""
+
+
+@dataclass(frozen=True)
+class Shape:
+    """A line, circle or ellipse with the runs of ink along it.
+
+    Attributes:
+        geometry: the fitted shape.
+        runs: in order along it.
+        support: px of its ink whose centre line it follows, in doubt less than its length.
+        close: whether another line is known to run right beside it.
+    """
+
+    geometry: Geometry
+    runs: tuple[Run, ...]
+    support: float
+    close: bool = False
+
+
+@dataclass(frozen=True)
+class ViewShapes:
+    """Shapes of one view before their linetypes are known.
+
+    Attributes:
+        sheet: the view's part of the sheet.
+        field: its ink with directions.
+        shapes: ellipses and circles, then lines.
+        offset: (x, y) px of the crop on the sheet.
+    """
+
+    sheet: CleanSheet
+    field: InkField
+    shapes: tuple[Shape, ...]
+    offset: tuple[int, int]
+
+
+def find_shapes(
+    sheet: CleanSheet, box: tuple[float, float, float, float], finder: Finder = Finder.RIDGES
+) -> ViewShapes:
+    """Lines, circles and ellipses of the view inside a box of the sheet."""
+    crop, offset = _crop(sheet, box)
+    field = ink_field(crop)
+    height, width = crop.ink.shape
+    candidates, close = _candidates(crop, finder)
+    curves = [curve for curve in candidates if not isinstance(curve, Line)]
+    shapes = [shape for curve in curves if (shape := _curve_shape(crop, field, curve))]
+    for line in candidates:
+        if not isinstance(line, Line):
+            continue
+        along, _ = line.coordinates(
+            np.array([[0, 0], [width, 0], [0, height], [width, height]], dtype=np.float64)
+        )
+        reach = float(along.min()), float(along.max())
+        runs = line_runs(field, line, *reach)
+        if runs:
+            refitted = refit_line(crop, line, runs_spans(runs))
+            runs = line_runs(field, refitted, *reach)
+            support = line_support(crop, refitted, runs_spans(runs))
+            shapes.append(Shape(refitted, tuple(runs), support, line in close))
+    return ViewShapes(crop, field, tuple(shapes), offset)
+
+
+def _candidates(sheet: CleanSheet, finder: Finder) -> tuple[list[Geometry], set[Line]]:
+    """Ellipses first, then circles, then lines; and the lines that run right beside others."""
+    if finder is Finder.HOUGH:
+        return [*find_circles(sheet), *find_lines(sheet, edge_map(sheet))], set()
+    rules = GrowthRules.of_width(sheet.stroke_width)
+    grown = grow_all(ridge_points(sheet.weight, sheet.stroke_width), rules)
+    shapes = [shape.geometry for shape in grown]
+    ellipses = [shape for shape in shapes if isinstance(shape, WholeEllipse)]
+    circles = [_better_fit(sheet, shape) for shape in shapes if isinstance(shape, Circle)]
+    straight = [shape for shape in shapes if isinstance(shape, Line)]
+    lines, close = with_close_lines(sheet, straight)
+    return [*ellipses, *circles, *lines], close
+
+
+def _better_fit(sheet: CleanSheet, circle: Circle) -> Circle:
+    """The circle fitted to the ink, exact where it is whole; tangents pull a fillet away."""
+    fitted = fit_circle(sheet, circle)
+    if fitted is None:
+        return circle
+    moved = (*np.subtract(fitted.centre, circle.centre), fitted.radius - circle.radius)
+    return fitted if np.abs(moved).max() < _PULLED else circle
+
+
+def view_rhythm(views: list[ViewShapes], stroke_width: float) -> Rhythm:
+    """The rhythm of dashes of a sheet, learnt from all its views."""
+    series = [list(shape.runs) for view in views for shape in view.shapes]
+    return learn_rhythm(series, stroke_width)
+
+
+def view_pens(views: list[ViewShapes], rhythm: Rhythm) -> Pens:
+    """What the widths of a sheet's lines tell of their linetypes, learnt from all its views."""
+    runs = [
+        (run, run_width(view.sheet, shape.geometry, run))
+        for view in views
+        for shape in view.shapes
+        for run in shape.runs
+    ]
+    return learn_pens(runs, rhythm)
+
+
+def _crop(
+    sheet: CleanSheet, box: tuple[float, float, float, float]
+) -> tuple[CleanSheet, tuple[int, int]]:
+    margin = int(np.ceil(sheet.stroke_width)) + 6
+    x0, y0 = max(0, int(box[0]) - margin), max(0, int(box[1]) - margin)
+    x1, y1 = int(np.ceil(box[2])) + margin, int(np.ceil(box[3])) + margin
+    part = replace(sheet, ink=sheet.ink[y0:y1, x0:x1], weight=sheet.weight[y0:y1, x0:x1].copy())
+    return part, (x0, y0)
+
+
+def _curve_shape(sheet: CleanSheet, field: InkField, curve: Curve) -> Shape | None:
+    """The curve with its runs, if the ink follows it and not a tangent or a polygon."""
+    if isinstance(curve, WholeEllipse):
+        curve = refit_ellipse(sheet, curve, runs_spans(circle_runs(field, curve)))
+        along, residual = ellipse_profile(sheet, curve)
+    else:
+        angles, radii = radial_profile(sheet, curve, sheet.stroke_width / 2 + 1.5)
+        along, residual = angles * curve.radius, radii - curve.radius
+    followed = along[np.abs(residual) < 0.6]
+    seen = circle_runs(field, curve)
+    shares = [_count_within(followed, run, curve.around) / max(run.length, STEP) for run in seen]
+    runs = _followed_runs(seen, shares, curve.around)
+    longest = _longest_stretch(runs, GrowthRules.of_width(sheet.stroke_width).gap, curve.around)
+    covered = sum(run.length for run in runs) / curve.around
+    bowed = longest**2 / (8 * radius_of(curve)) > MIN_SAGITTA + sheet.stroke_width / 2
+    # What bends within two line widths is a corner, or two, where fillets are looked for.
+    large = radius_of(curve) > _SMALL_BEND * sheet.stroke_width
+    if covered < 0.45 and not (bowed and longest > 6 and large):
+        return None
+    return Shape(curve, tuple(runs), _CURVED * following(residual))
+
+
+def _followed_runs(runs: list[Run], shares: Sequence[float], around: float) -> list[Run]:
+    """The runs of a curve that follow it, by the share of each that does.
+
+    A dash that ends in another stroke at a flat angle follows it in part only.  It counts if it
+    carries on the rhythm of dashes that do follow it.
+    """
+    follows = [share > _FOLLOWING for share in shares]
+    whole = [run.length for run, own in zip(runs, follows, strict=True) if own]
+    blanks = [(runs[k].start - runs[k - 1].end) % around for k in range(len(runs))]
+    gaps = [blanks[k] for k in range(len(runs)) if follows[k] and follows[k - 1]]
+    if len(whole) < _RHYTHMIC:
+        return [run for run, own in zip(runs, follows, strict=True) if own]
+    dash, gap = float(np.median(whole)), float(np.median(gaps)) if gaps else 0.0
+
+    def carries_on(k: int) -> bool:
+        after = (k + 1) % len(runs)
+        led = follows[k - 1] and abs(blanks[k] - gap) < _UNEVEN * gap
+        leads = follows[after] and abs(blanks[after] - gap) < _UNEVEN * gap
+        even = abs(runs[k].length - dash) < _UNEVEN * dash
+        return shares[k] > _FOLLOWING_IN_PART and even and (led or leads)
+
+    return [run for k, run in enumerate(runs) if follows[k] or carries_on(k)]
+
+
+def _longest_stretch(runs: list[Run], gap: float, around: float) -> float:
+    """px of the longest series of runs with no wider gap between them, over position 0 too."""
+    longest = length = 0.0
+    for before, run in zip([None, *runs, *runs], [*runs, *runs], strict=False):
+        follows = before is not None and (run.start - before.end) % around <= gap
+        length = length + (run.end - before.end) % around if follows else run.length
+        longest = max(longest, length)
+    return min(longest, around)
+
+
+def radius_of(curve: Curve) -> float:
+    """px of a circle's radius, of an ellipse the mean one."""
+    return curve.around / FULL_TURN
+
+
+def _count_within(positions: npt.NDArray[np.float64], run: Run, around: float) -> int:
+    relative = (positions - run.start) % around
+    return int((relative <= run.length).sum())
