@@ -13,6 +13,7 @@ from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.bodies import ArcProfile, LineProfile, Profile, RevolvedBody
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve
 from gaussiancad_core.reasoning.planes import IN_PLANE
+from gaussiancad_core.reasoning.profile_ends import ProfileEnds
 from gaussiancad_core.reasoning.spans import Support
 from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports
 
@@ -49,7 +50,9 @@ def find_bodies(supports: PartSupports, lone: bool = False) -> tuple[RevolvedBod
             continue
         for centre in _centres(plane, near):
             concentric = _concentric(plane, centre, near)
-            by_side = [_merged(_profiles(side, axis, centre, near), near) for side in sides]
+            drawn = ([*_profiles(side, axis, centre, near)] for side in sides)
+            ends = ProfileEnds.of(supports.values[axis], concentric, near)
+            by_side = [_merged((ends.met_by(profile) for profile in own), near) for own in drawn]
             whole = list(_shown_by_all(by_side, near))
             _add(found, (axis, centre), whole, concentric, near)
             if lone:

@@ -31,6 +31,11 @@ _FAR = 2.5
 """Tolerances by which anything moves at most; an equation that asks for more is dropped."""
 
 
+_AT_CIRCLE = 0.25
+"""Share of the reach within which an end of a line has the coordinate of a circle's centre or
+extreme: half a tolerance."""
+
+
 @dataclass(frozen=True)
 class Reading:
     """A coordinate as a view shows it.
@@ -149,14 +154,35 @@ def snapped(
 
 
 def with_lone_values(snap: Snapped, readings: Sequence[Reading]) -> Snapped:
-    """The values, and those that further readings tell where there are none yet."""
+    """The values, and those that further readings tell where there are none yet.
+
+    A countersink's slanted lines end at the extremes of its circles, and a drill's at its axis.
+    """
     values, weights = dict(snap.values), dict(snap.weights)
     for axis in Axis:
         lone = [r for r in readings if r.axis is axis and snap.value(axis, r.value) is None]
         means = [_mean(cluster) for cluster in _clusters(lone, snap.reach)]
+        round_ones = _circle_values(snap, axis)
+        means = [(nearest_value(round_ones, at, _AT_CIRCLE * snap.reach), w) for at, w in means]
         values[axis] = tuple(sorted({*values[axis], *(value for value, _ in means)}))
         weights.update({(axis, value): weight for value, weight in means})
     return replace(snap, values=values, weights=weights)
+
+
+def _circle_values(snap: Snapped, axis: Axis) -> list[float]:
+    """Coordinates of the centres and extremes of circles."""
+    return [
+        circle.centre[IN_PLANE[normal].index(axis.value)] + side * circle.radius
+        for normal, circle in snap.circles
+        if normal is not axis
+        for side in (-1.0, 0.0, 1.0)
+    ]
+
+
+def nearest_value(values: Sequence[float], value: float, near: float) -> float:
+    """The nearest of some values, or the value itself if none is near."""
+    found = min(values, key=lambda other: abs(other - value), default=value)
+    return found if abs(found - value) <= near else value
 
 
 class _Variables:

@@ -1,0 +1,58 @@
+"""Where profiles of bodies of revolution end: exactly at the edges and circles that are drawn.
+
+A slanted line is known by its own ink; its ends, carried to the axis, miss the circles and edges
+that they lie on by a little.  Slivers of cells would lie in between.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from gaussiancad_core.reasoning.bodies import ArcProfile, LineProfile, Profile
+from gaussiancad_core.reasoning.curves import CircleCurve
+from gaussiancad_core.reasoning.snapping import nearest_value
+from gaussiancad_core.reasoning.spans import Support
+
+_STEEP = 0.05
+"""Change of radius or height between the ends of a line, as a share of the other, from which an
+end that is moved leaves its slope alone."""
+
+
+@dataclass(frozen=True)
+class ProfileEnds:
+    """Heights and radii that ends of profiles about one axis have.
+
+    Attributes:
+        heights: of edges across the axis.
+        radii: of circles about it, and 0.
+        near: units within which an end has one of them.
+    """
+
+    heights: tuple[float, ...]
+    radii: tuple[float, ...]
+    near: float
+
+    @classmethod
+    def of(
+        cls, heights: Sequence[float], concentric: Sequence[Support], near: float
+    ) -> "ProfileEnds":
+        """What edges across an axis and circles about it say."""
+        circles = [s.curve.radius for s in concentric if isinstance(s.curve, CircleCurve)]
+        return cls(tuple(heights), (0.0, *circles), near)
+
+    def met_by(self, profile: Profile) -> Profile:
+        """The profile with its ends at the heights and radii that they are near to."""
+        low, high = self._height(profile.low), self._height(profile.high)
+        if high <= low:
+            return profile
+        if isinstance(profile, ArcProfile):
+            return replace(profile, low=low, high=high)
+        radii = self._radius(profile.at_low), self._radius(profile.at_high)
+        if abs(radii[1] - radii[0]) < _STEEP * abs(profile.at_high - profile.at_low):
+            return profile
+        return LineProfile(low, high, *radii)
+
+    def _height(self, z: float) -> float:
+        return nearest_value(self.heights, z, self.near)
+
+    def _radius(self, r: float) -> float:
+        return nearest_value(self.radii, r, self.near)
