@@ -5,7 +5,8 @@ tangent's, or goes on in the first dash of a hidden line.
 """
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from math import sqrt
 
 import numpy as np
 import numpy.typing as npt
@@ -30,8 +31,26 @@ _UNSEEN = 1.3
 _ABUTTING = 0.75
 """px between the ends of pieces that continue each other."""
 
-Crossing = tuple[float, float]
-"""Position along a shape where another meets it, and how far their common ink reaches from it."""
+_ROUNDS = 3
+"""How often strokes are ended where the others were seen, or last found, to end."""
+
+_CORNER = 2.0
+"""Stroke widths by which a hidden piece ends rather in a corner than in a stroke that runs past."""
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """Where along a shape another meets it.
+
+    Attributes:
+        at: position, px.
+        reach: px along the shape over which they share their ink, from there.
+        lead: px by which it is preferred: the other ends there, too.
+    """
+
+    at: float
+    reach: float
+    lead: float = 0.0
 
 
 def ended_at_junctions(
@@ -42,10 +61,22 @@ def ended_at_junctions(
     Pieces of one shape follow each other in the order of their positions.  Those of one linetype
     that end at one crossing become one.
     """
+    # A corner is known once both strokes have been drawn out to it.
+    ended = pieces
+    for _ in range(_ROUNDS):
+        before, ended = ended, _ended(pieces, ended, rhythm, stroke_width)
+        if ended == before:
+            break
+    return without_stubs(ended, stroke_width)
+
+
+def _ended(
+    pieces: Sequence[Placed], placed: Sequence[Placed], rhythm: Rhythm, stroke_width: float
+) -> list[Placed]:
     moved: list[Placed] = []
     for geometry in dict.fromkeys(geometry for geometry, _ in pieces):
         stretches = [piece for other, piece in pieces if other == geometry]
-        others = [(other, piece) for other, piece in pieces if other != geometry]
+        others = [(other, piece) for other, piece in placed if other != geometry]
         ended = []
         crossings: list[Crossing] = []
         for piece in stretches:
@@ -64,7 +95,7 @@ def ended_at_junctions(
             last, first = _parted([ended[-1], _moved(ended[0], geometry.around)], crossings, rhythm)
             ended[-1], ended[0] = last, _moved(first, -geometry.around)
         moved += [(geometry, piece) for piece in _joined(ended)]
-    return without_stubs(moved, stroke_width)
+    return moved
 
 
 def is_full_circle(geometry: Geometry, piece: Piece) -> bool:
@@ -74,7 +105,7 @@ def is_full_circle(geometry: Geometry, piece: Piece) -> bool:
 
 def _end_at(piece: Piece, crossings: list[Crossing], rhythm: Rhythm) -> Piece:
     """Move the ends of a piece to the nearest crossings."""
-    mirrored = [(-at, reach) for at, reach in crossings]
+    mirrored = [replace(crossing, at=-crossing.at) for crossing in crossings]
     start = -_nearest(mirrored, -piece.start, piece.linetype, rhythm)
     end = _nearest(crossings, piece.end, piece.linetype, rhythm)
     return replace(piece, start=start, end=end) if end - start > 1.0 else piece
@@ -87,12 +118,12 @@ def _nearest(
     hidden = linetype is Linetype.HIDDEN
     outward = 1.8 * rhythm.gap + 3.0 if hidden else _SEEN_BEYOND
     near = [
-        at
-        for at, reach in crossings
+        (abs(own.at - position) - hidden * own.lead, own.at)
+        for own in crossings
         # Dashes in ink that the other stroke has too are not seen.
-        if -reach - _SEEN_BEYOND <= at - position <= outward + hidden * _UNSEEN * reach
+        if -own.reach - _SEEN_BEYOND <= own.at - position <= outward + hidden * _UNSEEN * own.reach
     ]
-    return min(near, key=lambda at: abs(at - position), default=position)
+    return min(near, default=(0.0, position))[1]
 
 
 def _parted(pair: list[Piece], crossings: list[Crossing], rhythm: Rhythm) -> list[Piece]:
@@ -108,9 +139,9 @@ def _parted(pair: list[Piece], crossings: list[Crossing], rhythm: Rhythm) -> lis
         return pair
     visible_first = first.linetype is Linetype.VISIBLE
     at = first.end if visible_first else second.start
-    if not any(abs(other - at) < reach + _SEEN_BEYOND for other, reach in crossings):
+    if not any(abs(other.at - at) < other.reach + _SEEN_BEYOND for other in crossings):
         inward = -1.0 if visible_first else 1.0
-        dashes = {(other - at) * inward / rhythm.dash: other for other, _ in crossings}
+        dashes = {(other.at - at) * inward / rhythm.dash: other.at for other in crossings}
         likely = min(dashes, key=lambda dash: abs(dash - 1.0), default=0.0)
         at = dashes[likely] if 0.55 < likely < 1.45 else at
     if at - first.start < 1.0 or second.end - at < 1.0:
@@ -149,8 +180,8 @@ def _crossings(
         points = _line_line(geometry, other)
         # Strokes that meet at a flat angle share their ink over a longer way; runs are seen up to
         # 1 px beside the ink.
-        da, db = np.array(geometry.direction), np.array(other.direction)
-        sine = max(abs(da[0] * db[1] - da[1] * db[0]), 0.05)
+        (ax, ay), (bx, by) = geometry.direction, other.direction
+        sine = max(abs(ax * by - ay * bx), 0.05)
         reach = min((half + 1.0) / sine - 1.0, 8.0 * half)
     elif isinstance(geometry, Line) and not isinstance(other, Line):
         points = _line_curve(geometry, other)
@@ -164,11 +195,14 @@ def _crossings(
     else:
         return []
     slack = max(stroke_width, reach) + 2.0
-    return [
-        (_position(geometry, point, piece), reach)
-        for point in points
-        if stretch.start - slack <= _position(other, point, stretch) <= stretch.end + slack
-    ]
+    found = []
+    for point in points:
+        place = _position(other, point, stretch)
+        if stretch.start - slack <= place <= stretch.end + slack:
+            inside = min(place - stretch.start, stretch.end - place)
+            lead = _CORNER * stroke_width if inside < slack else 0.0
+            found.append(Crossing(_position(geometry, point, piece), reach, lead))
+    return found
 
 
 def _shared_with_tangent(points: list[npt.NDArray[np.float64]], curve: Curve, half: float) -> float:
@@ -189,21 +223,21 @@ def _radius_at(curve: Curve, point: npt.NDArray[np.float64]) -> float:
 
 def _position(geometry: Geometry, point: npt.NDArray[np.float64], piece: Piece) -> float:
     """Position of a point along a shape; on a curve the turn nearest to the piece's middle."""
-    along = float(geometry.positions(point[None])[0])
     if isinstance(geometry, Line):
-        return along
+        (x, y), (dx, dy) = geometry.point, geometry.direction
+        return float((point[0] - x) * dx + (point[1] - y) * dy)
+    along = float(geometry.positions(point[None])[0])
     middle = (piece.start + piece.end) / 2
     return along + geometry.around * round((middle - along) / geometry.around)
 
 
 def _line_line(a: Line, b: Line) -> list[npt.NDArray[np.float64]]:
-    da, db = np.array(a.direction), np.array(b.direction)
-    cross = da[0] * db[1] - da[1] * db[0]
+    (ax, ay), (bx, by) = a.direction, b.direction
+    cross = ax * by - ay * bx
     if abs(cross) < 0.05:
         return []
-    offset = np.array(b.point) - np.array(a.point)
-    along = (offset[0] * db[1] - offset[1] * db[0]) / cross
-    return [np.array(a.point) + along * da]
+    along = ((b.point[0] - a.point[0]) * by - (b.point[1] - a.point[1]) * bx) / cross
+    return [np.array((a.point[0] + along * ax, a.point[1] + along * ay))]
 
 
 def _line_curve(line: Line, curve: Curve) -> list[npt.NDArray[np.float64]]:
@@ -271,11 +305,12 @@ def _circle_circle(one: Circle, other: Circle) -> list[npt.NDArray[np.float64]]:
 
 
 def _line_circle(line: Line, circle: Circle) -> list[npt.NDArray[np.float64]]:
-    along, across = line.coordinates(np.array([circle.centre]))
-    distance = abs(float(across[0]))
+    (x, y), (dx, dy) = line.point, line.direction
+    ox, oy = circle.centre[0] - x, circle.centre[1] - y
+    along, distance = ox * dx + oy * dy, abs(oy * dx - ox * dy)
     if distance > circle.radius + _TANGENT:
         return []
-    half = np.sqrt(max(circle.radius**2 - distance**2, 0.0))
+    half = sqrt(max(circle.radius**2 - distance**2, 0.0))
     # A tangent has one junction, below the centre.
     halves = (0.0,) if abs(distance - circle.radius) < _TANGENT else (-half, half)
-    return [np.array(line.at(float(along[0]) + h)) for h in halves]
+    return [np.array(line.at(along + h)) for h in halves]

@@ -30,6 +30,9 @@ _LEAST_OWN = 4.0
 """px of ink in a shape's own direction that are a dash, though they lead into other ink."""
 
 
+_LEAST_CLEAR = 3.0
+"""px of these that have a clear direction at least."""
+
 _MOSTLY = 0.4
 """Share of a closed curve that is told as dashed where the rest of it is bridged."""
 
@@ -172,11 +175,30 @@ def _own_span(
     if foreign[first : last + 1].mean() > 0.4:
         # A crossing, perhaps with the dash that leads to it.
         mine = first + np.flatnonzero(own[first : last + 1])
-        if len(mine) * STEP < max(_LEAST_OWN, stroke_width):
-            return None
+        least = max(_LEAST_OWN, stroke_width)
+        if len(mine) * STEP < least:
+            # The end of a dash has no clear direction, but is the dash's where it leads to it.
+            mine = _with_vague_ends(mine, (first, last), foreign)
+            if len(mine) * STEP < least:
+                return None
         first, last = int(mine[0]), int(mine[-1])
     vague = own[first : last + 1].sum() * STEP < 1.5
     return None if vague and (last - first) * STEP < 1.2 * stroke_width else (first, last)
+
+
+def _with_vague_ends(
+    mine: npt.NDArray[np.int64], span: tuple[int, int], foreign: npt.NDArray[np.bool_]
+) -> npt.NDArray[np.int64]:
+    """Places of a shape's own ink and those beside them, up to the ends of the span, that are no
+    other's either; none where there is too little ink that is its own."""
+    if len(mine) * STEP < _LEAST_CLEAR:
+        return mine
+    first, last = int(mine[0]), int(mine[-1])
+    if not foreign[span[0] : first].any():
+        first = span[0]
+    elif not foreign[last + 1 : span[1] + 1].any():
+        last = span[1]
+    return np.arange(first, last + 1)
 
 
 def _spans(flags: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
