@@ -27,9 +27,13 @@ from OCP.TopoDS import (
 from gaussiancad_core.drawing.brep import Soundness, soundness
 from gaussiancad_core.errors import EngineError
 from gaussiancad_core.meshes import TriangleMesh, connected_pieces
+from gaussiancad_core.surface.repair import simplified
 
 _FLAT_ANGLE = 1e-5
 """Neighbouring triangles whose normals differ by less, in radians, lie in one plane."""
+
+_NEEDLE = 1e-6
+"""mm: a triangle of less height has no plane, and OpenCASCADE may never be done with its face."""
 
 _SAME_VOLUME = 1e-6
 """Largest change of the volume, as a share, that merging faces may bring."""
@@ -39,23 +43,46 @@ def faceted_solid(mesh: TriangleMesh) -> TopoDS_Shape:
     """A valid closed solid with one planar face a triangle; coplanar neighbours are merged.
 
     Args:
-        mesh: watertight, oriented outward, mm.
+        mesh: watertight, oriented outward, mm.  Triangles without area, whose corners lie on one
+            line, are left out, and their neighbours joined.
 
     Returns:
         A solid, or a compound of solids where the mesh has several pieces.
 
     Raises:
-        EngineError: ``faceted-solid-failed``, OpenCASCADE finds the solid wrong.
+        EngineError: ``faceted-solid-failed``, OpenCASCADE finds the solid wrong, or triangles
+            without area cannot be left out.
     """
+    mesh = _without_needles(mesh)
     solids = [_solid(piece) for piece in connected_pieces(mesh)]
     shape = solids[0] if len(solids) == 1 else _compound(solids)
     state = soundness(shape)
     if not (state.valid and state.closed):
-        raise EngineError(
-            "faceted-solid-failed",
-            "the surface does not become a valid solid: use surface.stl instead",
-        )
+        raise _failed()
     return _merged(shape, state) if _has_flat_edges(mesh) else shape
+
+
+def _failed() -> EngineError:
+    return EngineError(
+        "faceted-solid-failed",
+        "the surface does not become a valid solid: use surface.stl instead",
+    )
+
+
+def _without_needles(mesh: TriangleMesh) -> TriangleMesh:
+    """The same surface without triangles that have no plane."""
+    if not _has_needles(mesh):
+        return mesh
+    fewer = simplified(mesh, _NEEDLE)
+    if fewer is None or _has_needles(fewer):
+        raise _failed()
+    return fewer
+
+
+def _has_needles(mesh: TriangleMesh) -> bool:
+    sides = mesh.corners - np.roll(mesh.corners, 1, axis=1)
+    longest = np.linalg.norm(sides, axis=2).max(axis=1)
+    return bool((2.0 * mesh.areas <= _NEEDLE * longest).any())
 
 
 def _solid(mesh: TriangleMesh) -> TopoDS_Solid:

@@ -57,3 +57,29 @@ def test_an_open_or_inverted_mesh_is_refused(box: TriangleMesh) -> None:
         with pytest.raises(EngineError) as caught:
             faceted_solid(wrong)
         assert caught.value.code == "faceted-solid-failed"
+
+
+def test_a_triangle_whose_corners_lie_on_one_line_is_left_out(box: TriangleMesh) -> None:
+    # Over an edge of the box, between its ends and its middle, and the triangle beyond it in two.
+    start, end, third = box.triangles[0].tolist()
+    beside = next(
+        triangle
+        for triangle in box.triangles[1:].tolist()
+        if (end, start) in zip(triangle, triangle[1:] + triangle[:1], strict=True)
+    )
+    middle = len(box.vertices)
+    with_needle = make_mesh(
+        np.vstack([box.vertices, box.vertices[[start, end]].mean(axis=0)]),
+        [
+            *(t for t in box.triangles.tolist() if t not in ([start, end, third], beside)),
+            [start, middle, third],
+            [middle, end, third],
+            [start, end, middle],
+            beside,
+        ],
+    )
+    assert with_needle.watertight
+    assert with_needle.areas.min() == 0.0
+    state = soundness(faceted_solid(with_needle))
+    assert (state.valid, state.closed, state.solids, state.faces) == (True, True, 1, 6)
+    assert state.volume_mm3 == pytest.approx(box.volume)
