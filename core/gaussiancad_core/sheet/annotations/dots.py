@@ -16,7 +16,7 @@ from gaussiancad_core.sheet.shapes import sample
 _INKED, _BLANK = 0.3, 0.2
 """Darkness from which there is a dot, and up to which there is paper around it."""
 
-_LONGEST = 1.5
+_LONGEST = 2.5
 """Length of a dot at most, in stroke widths; a longer one has a direction, and is a run."""
 
 _LEAST_BLANK_PX = 1.0

@@ -46,7 +46,8 @@ def erased(sheet: CleanSheet, told: Told) -> CleanSheet:
     """The sheet without the runs that are annotations, and without what hung on them."""
     inside = cv2.distanceTransform(sheet.ink.astype(np.uint8), cv2.DIST_L2, 5)
     erase = np.zeros(sheet.ink.shape, np.uint8)
-    keep = cv2.dilate(told.unexplained.astype(np.uint8), np.ones((3, 3), np.uint8))
+    free = told.unexplained & ~_along_annotations(told)
+    keep = cv2.dilate(free.astype(np.uint8), np.ones((3, 3), np.uint8))
     for shape, own in zip(told.shapes, told.kinds, strict=True):
         for run, kind in zip(shape.runs, own, strict=True):
             points = points_along(shape.geometry, run.run, 1.0)
@@ -75,3 +76,15 @@ def erased(sheet: CleanSheet, told: Told) -> CleanSheet:
     kept[0] = True
     near = cv2.dilate((~kept[labels]).astype(np.uint8), np.ones((5, 5), np.uint8)) == 0
     return masked(part, near | (keep > 0))
+
+
+def _along_annotations(told: Told) -> Mask:
+    """(h, w) bool, pixels within about one of the axis of an annotation: where two of them cross,
+    or one runs into the part, ridge points on it belong to no line, yet are its own."""
+    axes = np.zeros(told.unexplained.shape, np.uint8)
+    for shape, own in zip(told.shapes, told.kinds, strict=True):
+        for run, kind in zip(shape.runs, own, strict=True):
+            if kind is not None:
+                path = np.rint(points_along(shape.geometry, run.run, 1.0) * 8).astype(np.int32)
+                cv2.polylines(axes, [path], False, 1, 1, shift=3)
+    return cv2.dilate(axes, np.ones((3, 3), np.uint8)) > 0

@@ -24,7 +24,7 @@ def _found(drawn: Sketch) -> list[Run]:
     return with_dots(sheet.weight, 2.5, LEVEL, DASHES)
 
 
-@pytest.mark.parametrize("length", [1.0, 2.0, 3.0])
+@pytest.mark.parametrize("length", [1.0, 2.0, 3.0, 4.0, 5.0])
 @pytest.mark.parametrize("off", [-1.5, 0.0, 1.0])
 def test_a_dot_in_the_gap_is_a_run(sketch: Sketch, length: float, off: float) -> None:
     middle = 47.5 + off

@@ -1,0 +1,39 @@
+"""Annotations that meet in the part's ink leave no crumbs there that hide a rounded corner."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from gaussiancad_core.sheet.annotations.separate import separate_annotations
+from gaussiancad_core.sheet.clean import clean_sheet
+from gaussiancad_core.sheet.strokes import classify_strokes
+from gaussiancad_core.sheet.view_shapes import find_shapes, view_pens, view_rhythm
+from gaussiancad_core.views import Arc
+
+Sketch = Any
+"""The class that the fixture gives."""
+
+LEFT, TOP, RIGHT, BOTTOM = 60.4, 50.2, 340.6, 240.3
+
+
+@pytest.mark.parametrize(("radius", "wide"), [(14.0, 3.0), (15.0, 3.0), (20.0, 3.0), (17.0, 4.0)])
+def test_extension_lines_to_a_rounded_corner_leave_it_round(
+    sketch: Sketch, radius: float, wide: float
+) -> None:
+    """They run through the sharp corner that the part has not, and end in the arc."""
+    drawn, narrow = sketch(400, 300), wide / 2.0
+    x, y = LEFT + radius, BOTTOM - radius
+    drawn.lines((LEFT, y), (LEFT, TOP), (RIGHT, TOP), (RIGHT, BOTTOM), (x, BOTTOM), width=wide)
+    drawn.arc((x, y), radius, wide, np.pi / 2, np.pi / 2)
+    drawn.line((LEFT, BOTTOM - radius / 2), (LEFT, 285.0), narrow)
+    drawn.line((RIGHT, BOTTOM + 4.0), (RIGHT, 285.0), narrow)
+    drawn.line((20.0, BOTTOM), (LEFT + radius / 2, BOTTOM), narrow)
+    drawn.line((20.0, TOP), (LEFT - 4.0, TOP), narrow)
+    part = separate_annotations(clean_sheet(drawn.grey)).part
+    view = find_shapes(part, (LEFT - 2.0, TOP - 2.0, RIGHT + 2.0, BOTTOM + 2.0))
+    rhythm = view_rhythm([view], part.stroke_width)
+    strokes = classify_strokes(view, rhythm, view_pens([view], rhythm))
+    (corner,) = (stroke for stroke in strokes if isinstance(stroke, Arc))
+    assert corner.radius == pytest.approx(radius, abs=0.6)
+    assert (corner.centre[0] - 0.5, corner.centre[1] - 0.5) == pytest.approx((x, y), abs=0.6)
