@@ -266,6 +266,15 @@ def _candidate(work: _Work, labels: Labels) -> tuple[Candidate | None, bool]:
     return Candidate(built.shape, verification), verification.sound
 
 
+def _inexact(verification: Verification) -> str:
+    spread, misfit = verification.spread, verification.misfit
+    if misfit > spread:
+        where = f"the views reach up to {misfit:.2g} mm beyond the solid, or less far"
+    else:
+        where = f"the views' lines lie up to {spread:.2g} mm beside the solid's"
+    return f"{where}: its faces are right, its measures may not be"
+
+
 def _reasons(
     best: Candidate, agreeing: list[Candidate], complete: bool, views: DrawnViews
 ) -> list[tuple[str, str]]:
@@ -290,13 +299,7 @@ def _reasons(
             )
         )
     if not best.verification.close:
-        reasons.append(
-            (
-                "lines-inexact",
-                f"the views' lines lie up to {best.verification.spread:.2g} mm beside the solid's: "
-                "its faces are right, its measures may not be",
-            )
-        )
+        reasons.append(("lines-inexact", _inexact(best.verification)))
     if len(agreeing) > 1:
         reasons.append(
             ("ambiguous", f"{len(agreeing)} different solids have these lines: see alternatives/")

@@ -9,7 +9,7 @@ from OCP.TopoDS import TopoDS_Shape
 from scipy.spatial import cKDTree
 
 from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import soundness
+from gaussiancad_core.drawing.brep import bounding_box, soundness
 from gaussiancad_core.drawing.hlr import LineDrawing
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.verification.agreement import MatchedLines, agreeing_share, match_lines
@@ -30,8 +30,8 @@ _UNREAD = 8.0
 not tell it: it is one dash at most."""
 
 _CLOSE = 0.14
-"""Share of the matching tolerance within which every line runs if the measures are right: a third
-of a pixel."""
+"""Share of the matching tolerance within which every line, and every side of the bounding box,
+lies if the measures are right: a third of a pixel."""
 
 _STEADY = 24.0
 """Matching tolerances of length from which a stroke is read that well; a shorter one may be off by
@@ -71,13 +71,16 @@ class Verification:
         flaws: all places of disagreement, worst first.
         spread: mm that the line of a view runs beside the solid's which does so most, of those that
             are found at all; short lines count less.
-        close: whether that is close enough to rely on the measures.
+        misfit: mm between the solid's bounding box and that of the views, where they differ most.
+            The scale is that of the box: if a line sticks out of the part, all measures are off.
+        close: whether both are small enough to rely on the measures.
     """
 
     sound: bool
     matched: Mapping[Role, MatchedLines]
     flaws: tuple[Flaw, ...]
     spread: float
+    misfit: float
     close: bool
 
     @property
@@ -124,7 +127,15 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
                     flaws.append(Flaw(role, place, length, missing))
     flaws.sort(key=lambda flaw: -flaw.length)
     sound = facts.valid and facts.closed and facts.solids == 1
-    return Verification(sound, matched, tuple(flaws), spread, spread <= _CLOSE * tolerance)
+    misfit = _misfit(shape, views)
+    close = max(spread, misfit) <= _CLOSE * tolerance
+    return Verification(sound, matched, tuple(flaws), spread, misfit, close)
+
+
+def _misfit(shape: TopoDS_Shape, views: DrawnViews) -> float:
+    """mm between the sides of a solid's bounding box and those of the views, at most."""
+    sides = np.array([np.zeros(3), views.size])
+    return float(np.abs(bounding_box(shape) - sides).max())
 
 
 def _spread(strokes: Iterable[Curve], result: Lines, tolerance: float, least: float) -> float:

@@ -120,3 +120,19 @@ def test_a_short_line_may_be_read_less_exactly(length: float, close: bool, drawn
     found = verify(solid, views)
     assert found.explains
     assert found.close == close
+
+
+@pytest.mark.parametrize(("beyond", "close"), [(0.3, True), (0.4, False), (0.9, False)])
+def test_a_solid_that_does_not_fill_the_views_has_other_measures(
+    beyond: float, close: bool, drawn: Draw
+) -> None:
+    # As if an edge reached over a corner: the box is too long, and all lines are where they were.
+    solid = _slotted(10)
+    exact = drawn(solid)
+    pixel = 0.1
+    views = replace(exact, size=(40.0, 30.0 + beyond * pixel, 20.0), tolerance=pixel)
+    found = verify(solid, views)
+    assert found.explains
+    assert found.spread == pytest.approx(0.0, abs=1e-6)
+    assert found.misfit == pytest.approx(beyond * pixel, abs=1e-6)
+    assert found.close == close
