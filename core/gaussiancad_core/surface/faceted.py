@@ -35,18 +35,12 @@ _FLAT_ANGLE = 1e-5
 _NEEDLE = 1e-6
 """mm: a triangle of less height has no plane, and OpenCASCADE may never be done with its face."""
 
-_THINNEST = 1e-6
-"""Triangles less high, in mm, have edges that are one within OpenCASCADE's precision of 1e-7 mm:
-its faces of them do not end."""
-
 _SAME_VOLUME = 1e-6
 """Largest change of the volume, as a share, that merging faces may bring."""
 
 
 def faceted_solid(mesh: TriangleMesh) -> TopoDS_Shape:
     """A valid closed solid with one planar face a triangle; coplanar neighbours are merged.
-
-    Triangles without area, whose corners lie in a line or in one place, are taken out first.
 
     Args:
         mesh: watertight, oriented outward, mm.  Triangles without area, whose corners lie on one

@@ -85,21 +85,6 @@ def test_a_triangle_whose_corners_lie_on_one_line_is_left_out(box: TriangleMesh)
     assert state.volume_mm3 == pytest.approx(box.volume)
 
 
-def test_triangles_without_area_are_taken_out(box: TriangleMesh) -> None:
-    # A corner more in the middle of an edge, for one of its two triangles only.
-    a, b, c = box.triangles[0]
-    middle, count = (box.vertices[a] + box.vertices[b]) / 2.0, len(box.vertices)
-    cracked = make_mesh(
-        np.vstack([box.vertices, middle]),
-        np.vstack([box.triangles[1:], [a, count, c], [count, b, c], [a, b, count]]),
-    )
-    assert cracked.watertight
-    assert cracked.areas.min() == 0.0
-    state = soundness(faceted_solid(cracked))
-    assert (state.valid, state.closed, state.solids, state.faces) == (True, True, 1, 6)
-    assert state.volume_mm3 == pytest.approx(box.volume, rel=1e-12)
-
-
 def test_corners_in_one_place_are_one(box: TriangleMesh) -> None:
     # Both triangles at an edge have a second ``b``; two triangles more fill what opens.
     a, b, c = box.triangles[0]
