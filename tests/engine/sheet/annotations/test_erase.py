@@ -17,12 +17,14 @@ Sketch = Any
 LEFT, TOP, RIGHT, BOTTOM = 60.4, 50.2, 340.6, 240.3
 
 
-@pytest.mark.parametrize(("radius", "wide"), [(14.0, 3.0), (15.0, 3.0), (20.0, 3.0), (17.0, 4.0)])
+@pytest.mark.parametrize(
+    ("radius", "wide", "narrow"), [(14.0, 3.0, 1.4), (15.0, 3.0, 1.4), (17.0, 4.0, 2.0)]
+)
 def test_extension_lines_to_a_rounded_corner_leave_it_round(
-    sketch: Sketch, radius: float, wide: float
+    sketch: Sketch, radius: float, wide: float, narrow: float
 ) -> None:
     """They run through the sharp corner that the part has not, and end in the arc."""
-    drawn, narrow = sketch(400, 300), wide / 2.0
+    drawn = sketch(400, 300)
     x, y = LEFT + radius, BOTTOM - radius
     drawn.lines((LEFT, y), (LEFT, TOP), (RIGHT, TOP), (RIGHT, BOTTOM), (x, BOTTOM), width=wide)
     drawn.arc((x, y), radius, wide, np.pi / 2, np.pi / 2)
