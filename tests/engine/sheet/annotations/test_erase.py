@@ -18,7 +18,7 @@ LEFT, TOP, RIGHT, BOTTOM = 60.4, 50.2, 340.6, 240.3
 
 
 @pytest.mark.parametrize(
-    ("radius", "wide", "narrow"), [(14.0, 3.0, 1.4), (15.0, 3.0, 1.4), (17.0, 4.0, 2.0)]
+    ("radius", "wide", "narrow"), [(17.0, 3.0, 1.5), (15.0, 4.0, 1.8), (17.0, 4.0, 1.8)]
 )
 def test_extension_lines_to_a_rounded_corner_leave_it_round(
     sketch: Sketch, radius: float, wide: float, narrow: float
