@@ -26,6 +26,9 @@ _MIRROR_SHARE = 0.8
 _MIRROR_UNITS = 1e-3
 """A mirrored pose is reported if its distance is below this share, and smaller by these units."""
 
+_MIRROR_ERRORS = 3.0
+"""It must also be nearer by so many standard errors: few points find a small difference by luck."""
+
 _IMAGE = np.array([-1.0, 1.0, 1.0])
 
 _ICP_ROUNDS = 40
@@ -67,6 +70,19 @@ class Side:
         mesh = self.surface.mesh
         image = make_mesh(mesh.vertices * _IMAGE, mesh.triangles).flipped()
         return Side(SurfaceQueries(image), self.points * _IMAGE)
+
+
+@dataclass(frozen=True)
+class Fit:
+    """How near one side lies to the other.
+
+    Attributes:
+        distance: mean distance to the exact surface, both ways averaged, units.
+        error: its standard error, as points are a matter of chance.
+    """
+
+    distance: float
+    error: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,30 +129,32 @@ def register(result: Side, reference: Side, alignment: Alignment = Alignment.ICP
     first = int(np.flatnonzero(scores <= limit)[0])
 
     pose, distance = _pose(rotations[first]), float(scores[first])
-    fit = distance
     if alignment in (Alignment.ICP, Alignment.GLOBAL):
         pose, distance = refine(result, reference, pose)
-        fit = distance
-    elif alignment is Alignment.NONE:
+    fit = fit_under(result, reference, pose)
+    if alignment is Alignment.NONE:
         pose, distance = np.eye(4), float(scores[0])
     return Registration(pose, _mirror_fits(result, reference, fit), distance)
 
 
-def _mirror_fits(result: Side, reference: Side, distance: float) -> bool:
-    """Whether some mirror image of the result lies clearly nearer than ``distance``."""
-    if distance <= _MIRROR_UNITS:
+def _mirror_fits(result: Side, reference: Side, own: Fit) -> bool:
+    """Whether some mirror image of the result lies clearly nearer than the result itself."""
+    if own.distance <= _MIRROR_UNITS:
         return False
-    scores = [distance_under(result, reference, _pose(turn)) for turn in axis_mirrors()]
-    if is_clearly_nearer(min(scores), distance):
+    fits = [fit_under(result, reference, _pose(turn)) for turn in axis_mirrors()]
+    best = int(np.argmin([fit.distance for fit in fits]))
+    if is_clearly_nearer(fits[best], own):
         return True
     image = result.mirrored()
-    turn = axis_mirrors()[int(np.argmin(scores))] * _IMAGE
-    return is_clearly_nearer(refine(image, reference, _pose(turn))[1], distance)
+    pose, _ = refine(image, reference, _pose(axis_mirrors()[best] * _IMAGE))
+    return is_clearly_nearer(fit_under(image, reference, pose), own)
 
 
-def is_clearly_nearer(mirrored: float, distance: float) -> bool:
-    """Whether a mirror image's distance says that it is the one that is meant."""
-    return mirrored < _MIRROR_SHARE * distance and mirrored < distance - _MIRROR_UNITS
+def is_clearly_nearer(mirrored: Fit, own: Fit) -> bool:
+    """Whether a mirror image's fit says that it is the one that is meant."""
+    gain = own.distance - mirrored.distance
+    certain = gain > _MIRROR_ERRORS * float(np.hypot(own.error, mirrored.error))
+    return certain and gain > _MIRROR_UNITS and mirrored.distance < _MIRROR_SHARE * own.distance
 
 
 def refine(
@@ -193,9 +211,16 @@ def _pose(turn: npt.NDArray[np.float64]) -> Matrix:
 
 def distance_under(result: Side, reference: Side, pose: Matrix) -> float:
     """Mean distance to the exact surface, both ways averaged; the pose may mirror or scale."""
+    return fit_under(result, reference, pose).distance
+
+
+def fit_under(result: Side, reference: Side, pose: Matrix) -> Fit:
+    """The same distance, and how far chance may have it off."""
     there = reference.surface.distances(moved_points(result.points, pose))
     back = result.surface.distances(moved_points(reference.points, inverse(pose)))
-    return float(there.mean() + back.mean() * scale_of(pose)) / 2.0
+    back *= scale_of(pose)
+    errors = [own.std() / np.sqrt(len(own)) for own in (there, back)]
+    return Fit(float(there.mean() + back.mean()) / 2.0, float(np.hypot(*errors)) / 2.0)
 
 
 def _step(

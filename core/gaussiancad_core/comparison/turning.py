@@ -14,7 +14,13 @@ import numpy.typing as npt
 
 from gaussiancad_core.comparison.normalise import moved_mesh, scale_of
 from gaussiancad_core.comparison.queries import Points, SurfaceQueries
-from gaussiancad_core.comparison.registration import Side, is_clearly_nearer, refine
+from gaussiancad_core.comparison.registration import (
+    Fit,
+    Side,
+    fit_under,
+    is_clearly_nearer,
+    refine,
+)
 from gaussiancad_core.comparison.sampling import RandomState, sample_surface
 from gaussiancad_core.meshes import TriangleMesh
 
@@ -79,11 +85,11 @@ def find_turn(result: TriangleMesh, reference: TriangleMesh, random: RandomState
     first = _centred(result, random)
     second = _centred(reference, random)
     field = _DistanceField(second.surface)
-    rotation, distance = _search(first, second, field)
-    if distance <= _TIE_UNITS:
-        return Turn(rotation, False, distance)
+    rotation, fit = _search(first, second, field)
+    if fit.distance <= _TIE_UNITS:
+        return Turn(rotation, False, fit.distance)
     _, image = _search(first.mirrored(), second, field)
-    return Turn(rotation, is_clearly_nearer(image, distance), distance)
+    return Turn(rotation, is_clearly_nearer(image, fit), fit.distance)
 
 
 def spread_rotations(count: int) -> npt.NDArray[np.float64]:
@@ -123,8 +129,8 @@ def _centred(mesh: TriangleMesh, random: RandomState) -> Side:
 
 def _search(
     result: Side, reference: Side, field: _DistanceField
-) -> tuple[npt.NDArray[np.float64], float]:
-    """The best rotation and its distance after ICP."""
+) -> tuple[npt.NDArray[np.float64], Fit]:
+    """The best rotation and how it fits after ICP."""
     rotations = spread_rotations(_ROTATIONS)
     back_field = _DistanceField(result.surface)
     scores = _scores(rotations, result.points, field)
@@ -139,8 +145,8 @@ def _search(
     nearest = min(distance for _, distance in final)
     limit = nearest + max(_TIE_UNITS, _TIE_SHARE * nearest)
     equal = [(pose, distance) for pose, distance in final if distance <= limit]
-    pose, distance = max(equal, key=lambda each: round(float(np.trace(each[0][:3, :3])), 6))
-    return pose[:3, :3] / scale_of(pose), distance
+    pose, _ = max(equal, key=lambda each: round(float(np.trace(each[0][:3, :3])), 6))
+    return pose[:3, :3] / scale_of(pose), fit_under(result, reference, pose)
 
 
 def _scores(
