@@ -39,6 +39,12 @@ _NOISE = 1.1
 _FADED = 0.25
 """Share by which the gap that a short dash left may differ from what it and its gaps take."""
 
+_STRICT = 5
+"""Dashes, long and short strictly in turn, that are a centre line beside something else."""
+
+_UNEVEN = 0.4
+"""Share by which dashes of one kind differ there at most."""
+
 _ALTERNATING = 0.75
 """Share of a centre line's neighbouring dashes of which one is long and one short."""
 
@@ -117,9 +123,10 @@ def kinds_of_runs(
     for shape, own in zip(shapes, kinds, strict=True):
         for first, last in _groups(shape.runs, stroke_width, weights.limit):
             group = shape.runs[first:last]
+            start, end = _long_short_part([run.run for run in group])
             # Where wide and narrow lines are told apart, a group is of one kind.
-            if is_long_short([run.run for run in group]) and (weights.limit or _is_even(group)):
-                own[first:last] = [AnnotationKind.CENTRE_LINE] * (last - first)
+            if end > start and (weights.limit or _is_even(group[start:end])):
+                own[first + start : first + end] = [AnnotationKind.CENTRE_LINE] * (end - start)
         rest.append([run for run, kind in zip(shape.runs, own, strict=True) if kind is None])
     if not weights.limit:
         return kinds
@@ -157,6 +164,34 @@ def is_long_short(runs: Sequence[Run]) -> bool:
     turns = short[1:] != short[:-1]
     mixed = inner.any() and (not inner.all() or len(inner) == 1)
     return bool(mixed) and bool(turns.mean() >= _ALTERNATING)
+
+
+def _long_short_part(runs: Sequence[Run]) -> tuple[int, int]:
+    """First and one past the last of the dashes that are a centre line's: all, none, or some of
+    them beside an extension line that ends where the centre line begins."""
+    if is_long_short(runs):
+        return 0, len(runs)
+    lengths = np.array([run.length for run in runs])
+    best = 0, 0
+    for first in range(len(runs) - _STRICT + 1):
+        long = lengths[first]
+        last = first + 1
+        while last < len(runs) and (lengths[last] < _SHORT * long) == bool((last - first) % 2):
+            last += 1
+        # It ends with a long dash, as it starts.
+        last -= 1 - (last - first) % 2
+        if last - first >= max(_STRICT, best[1] - best[0] + 1) and _is_regular(runs[first:last]):
+            best = first, last
+    return best
+
+
+def _is_regular(runs: Sequence[Run]) -> bool:
+    """Whether the long dashes are of one length, but for those at the ends, and so are the short
+    ones and the gaps: of a dash that faded in part the rest of its place is blank."""
+    lengths = np.array([run.length for run in runs])
+    gaps = np.array([after.start - before.end for before, after in pairwise(runs)])
+    families = lengths[2:-1:2], lengths[1::2], gaps
+    return all(np.ptp(own) <= _UNEVEN * own.mean() for own in families if len(own))
 
 
 def _is_even(runs: Sequence[InkedRun]) -> bool:

@@ -134,6 +134,28 @@ def test_even_dashes_never_are(count: int, dash: float, data: st.DataObject) -> 
     assert not is_long_short(_runs([dash * share for share in shares], dash / 2))
 
 
+def test_a_centre_line_may_begin_where_an_extension_line_ends() -> None:
+    """A dimension to the middle of a hole: its extension line ends just before the centre mark."""
+    row = [(0.0, 56.0), (59.0, 82.0), (88.5, 107.5), (112.5, 116.5), (122.5, 140.5)]
+    row += [(145.5, 149.5), (154.0, 173.0)]
+    dashes = _row([14.0] * 9, 6.0, 1.7)
+    shapes = [_shape(*((*ends, 1.7) for ends in row)), dashes, _solid(300, 3.0), _solid(200, 1.7)]
+    kinds = kinds_of_runs(shapes, Weights(3.0, 2.4), 2.6)
+    assert kinds[0] == [EXTENSION] * 2 + [CENTRE] * 5
+    assert kinds[1] == [None] * 9
+
+
+def test_dashes_that_faded_in_part_are_no_centre_line() -> None:
+    dashes = [[20.0 * k, 20.0 * k + 14.0] for k in range(9)]
+    for short, shift in ((4.0, 0.0), (5.0, 9.0), (6.0, 1.0)):
+        faded = [list(ends) for ends in dashes]
+        for k in (2, 4):
+            faded[k] = [dashes[k][0] + shift, dashes[k][0] + shift + short]
+        shapes = [_shape(*((a, b, 1.7) for a, b in own)) for own in (faded, dashes)]
+        kinds = kinds_of_runs([*shapes, _solid(300, 3.0), _solid(200, 1.7)], Weights(3.0, 2.4), 2.6)
+        assert kinds[0] == [None] * 9
+
+
 def test_two_families_of_widths() -> None:
     shapes = [
         _solid(300, 3.0),
