@@ -21,12 +21,13 @@ from gaussiancad_core.errors import LimitError
 from gaussiancad_core.reasoning.conflict_lines import Conflict, ConflictLine
 from gaussiancad_core.reasoning.curves import Point
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.labelling import FOUND, SLIGHT, Labels, Model, solver_for
+from gaussiancad_core.reasoning.labelling import SLIGHT, Labels, Model
 from gaussiancad_core.reasoning.open_outlines import find_gaps
 from gaussiancad_core.reasoning.part import PartModel, model_part
 from gaussiancad_core.reasoning.pieces import SHARE, Piece
 from gaussiancad_core.reasoning.planes import role_plane
 from gaussiancad_core.reasoning.rules import Rule, drawn_under
+from gaussiancad_core.reasoning.solvers import FOUND, solver_for
 from gaussiancad_core.reasoning.stroke_finder import StrokeFinder
 from gaussiancad_core.views import Linetype, Segment
 

@@ -12,6 +12,13 @@ from ortools.sat.python import cp_model
 
 from gaussiancad_core.reasoning.columns import Cell
 from gaussiancad_core.reasoning.rules import Group, Rule, Transition, drawn_under
+from gaussiancad_core.reasoning.solvers import (
+    FOUND,
+    NEVER,
+    Deadline,
+    relaxing_solver,
+    solver_for,
+)
 from gaussiancad_core.views import Linetype
 
 SLIGHT = 1.0
@@ -187,31 +194,6 @@ class Labelling:
     complete: bool
 
 
-def solver_for(time: float, workers: int = 1) -> cp_model.CpSolver:
-    """A solver that stops after a deterministic time and gives the same answer each time.
-
-    It makes no linear relaxation: rules are clauses, of which that tells nothing.
-    """
-    solver = cp_model.CpSolver()
-    solver.parameters.linearization_level = 0
-    solver.parameters.max_deterministic_time = time
-    solver.parameters.num_workers = workers
-    solver.parameters.interleave_search = workers > 1
-    solver.parameters.random_seed = 0
-    solver.parameters.max_memory_in_mb = 2000
-    return solver
-
-
-def relaxing_solver(time: float) -> cp_model.CpSolver:
-    """A solver for what costs least, by unsatisfiable cores: most rules can hold together."""
-    solver = solver_for(time)
-    solver.parameters.optimize_with_core = True
-    return solver
-
-
-FOUND = (cp_model.OPTIMAL, cp_model.FEASIBLE)
-
-
 @dataclass(frozen=True)
 class Others:
     """Further labels under which the same rules hold.
@@ -243,7 +225,7 @@ class Search:
         found = self.fulfilled()
         return self.least() if found.labels is None and relaxed else found
 
-    def fulfilled(self) -> Labelling:
+    def fulfilled(self, deadline: Deadline = NEVER) -> Labelling:
         """Labels under which all rules hold; the simplest of them.
 
         Simple means few surfaces: of parts that look alike in all views, the drawn one is nearly
@@ -251,46 +233,54 @@ class Search:
         """
         model = self._model.model
         model.add_assumptions([~escape for escape in self._model.given_up.values()])
-        solver = solver_for(self._effort.hard, self._effort.workers)
+        solver = solver_for(self._effort.hard, self._effort.workers, deadline)
         status = solver.solve(model)
         model.clear_assumptions()
         if status in FOUND:
-            return self._simplest(solver)
+            return self._simplest(solver, deadline)
         return Labelling(None, (), status == cp_model.INFEASIBLE)
 
-    def least(self) -> Labelling:
-        """Labels that give up rules of the least weight."""
+    def least(self, deadline: Deadline = NEVER) -> Labelling:
+        """Labels that give up rules of the least weight, or of little where time is over."""
+        found = Labelling(None, (), False)
         for lightest in _STRATA:
-            found = self._giving_up(lightest)
-            if found is not None:
-                return found
-        return Labelling(None, (), False)
+            better, is_least = self._giving_up(lightest, deadline)
+            if is_least:
+                return better
+            if better.labels is not None:
+                found = better
+        return found
 
-    def _giving_up(self, lightest: float) -> Labelling | None:
-        """The same, if what is given up weighs no more than ``lightest`` altogether.
+    def _giving_up(self, lightest: float, deadline: Deadline) -> tuple[Labelling, bool]:
+        """The same, and whether what is given up weighs no more than ``lightest`` altogether.
 
         Then no rule that had to hold weighs less, so that there is no better choice.
         """
         soft = Model(self._rules, lightest=lightest)
         cost = self._cost(soft)
         soft.model.minimize(cost)
-        solver = relaxing_solver(self._effort.relaxed)
+        solver = relaxing_solver(self._effort.relaxed, deadline)
         status = solver.solve(soft.model)
-        if status not in FOUND or solver.objective_value > _SURFACES * 10.0 * lightest:
-            return None
+        if status not in FOUND:
+            return Labelling(None, (), False), False
+        labels = soft.labels(solver)
+        if solver.objective_value > _SURFACES * 10.0 * lightest:
+            return Labelling(labels, _broken(self._rules, labels), False), False
         soft.model.add(cost <= int(solver.objective_value) + _SURFACES * _points_of(_TRADED))
-        labels = self._simpler(soft, cost, soft.labels(solver))
-        return Labelling(labels, _broken(self._rules, labels), status == cp_model.OPTIMAL)
+        labels = self._simpler(soft, cost, labels, deadline)
+        return Labelling(labels, _broken(self._rules, labels), status == cp_model.OPTIMAL), True
 
-    def _simpler(self, soft: Model, cost: cp_model.LinearExprT, labels: Labels) -> Labels:
+    def _simpler(
+        self, soft: Model, cost: cp_model.LinearExprT, labels: Labels, deadline: Deadline
+    ) -> Labels:
         """Labels that give up hardly more, with few surfaces."""
         for cell, literal in soft.cells.items():
             soft.model.add_hint(literal, labels[cell])
         soft.model.minimize(cost + sum(soft.surfaces))
-        solver = solver_for(self._effort.simplest)
+        solver = solver_for(self._effort.simplest, deadline=deadline)
         return soft.labels(solver) if solver.solve(soft.model) in FOUND else labels
 
-    def _simplest(self, found: cp_model.CpSolver) -> Labelling:
+    def _simplest(self, found: cp_model.CpSolver, deadline: Deadline) -> Labelling:
         """Of all labels under which the rules hold those with the fewest surfaces."""
         model = self._model.model
         first = self._model.labels(found)
@@ -298,7 +288,7 @@ class Search:
             model.add_hint(literal, first[cell])
         model.add_assumptions([~escape for escape in self._model.given_up.values()])
         model.minimize(sum(self._model.surfaces))
-        solver = solver_for(self._effort.simplest, self._effort.workers)
+        solver = solver_for(self._effort.simplest, self._effort.workers, deadline)
         status = solver.solve(model)
         model.clear_objective()
         model.clear_hints()
@@ -312,7 +302,12 @@ class Search:
         )
 
     def others(
-        self, found: Labelling, cells: Sequence[Cell], most: int, share: float = 1.0
+        self,
+        found: Labelling,
+        cells: Sequence[Cell],
+        most: int,
+        share: float = 1.0,
+        deadline: Deadline = NEVER,
     ) -> Others:
         """Other labels that fulfil the rules as well as the found ones do, or nearly so.
 
@@ -321,6 +316,7 @@ class Search:
             cells: those that count: labels that differ in others only are the same.
             most: how many to look for.
             share: of the deterministic time of ``hard`` that it may take.
+            deadline: of the search.
         """
         if found.labels is None:
             return Others((), False)
@@ -336,7 +332,7 @@ class Search:
         latest = found.labels
         while len(others) < most:
             held.forbid(latest, counting)
-            solver = solver_of(left)
+            solver = solver_of(left, deadline=deadline)
             status = solver.solve(held.model)
             left -= solver.response_proto.deterministic_time
             if status == cp_model.INFEASIBLE:

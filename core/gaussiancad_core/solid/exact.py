@@ -22,6 +22,7 @@ from gaussiancad_core.reasoning.labelling import (
 )
 from gaussiancad_core.reasoning.part import PartModel, model_part, with_lone_bodies
 from gaussiancad_core.reasoning.rough_arcs import ROUGHLY, without_rough_arcs
+from gaussiancad_core.reasoning.solvers import Deadline
 from gaussiancad_core.solid.build import build_solid
 from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.solid.same import same_solid
@@ -33,6 +34,10 @@ _COUNTING = 0.15
 
 _PATIENT = 0.25
 """Share of the time after which it is not asked any more which lines contradict each other."""
+
+_HARD, _OTHERWISE, _RELAXED, _OTHERS = 0.4, 0.55, 0.8, 0.9
+"""Shares of the time at which a step's solvers end: labels for all lines, for all with more
+surfaces, for most lines, others.  Machines that are not busy have done with them long before."""
 
 _UNLIKELY = 0.1
 """Share of the search for others that is left where neither lines nor labels agree: they may."""
@@ -53,7 +58,7 @@ class Limits:
         effort: of the labelling, deterministic.
         alternatives: solids looked at beside the first.
         relaxed: whether lines may be given up where all together fit no solid.
-        seconds: after which no further alternative is begun.
+        seconds: after which no further alternative is begun, and by which solvers have ended.
         conflict: deterministic time for telling which lines contradict each other, where no solid
             has all of them, lines may be given up, and a quarter of ``seconds`` is not over.
     """
@@ -137,16 +142,17 @@ def _labelled(
 ) -> tuple["_Work", Labelling]:
     """Labels of the part, or of the part with more surfaces where all lines are explained then."""
     search = Search(part.rules, limits.effort)
-    found = search.fulfilled()
+    found = search.fulfilled(clock.deadline(_HARD * limits.seconds))
     if found.labels is not None:
         return _Work(part, views, search, clock), found
-    for other in _otherwise(part, views, found.complete):
-        other_search = Search(other.rules, limits.effort)
-        more = other_search.fulfilled()
-        if more.labels is not None:
-            return _Work(other, views, other_search, clock), more
+    if clock.total < _HARD * limits.seconds:
+        for other in _otherwise(part, views, found.complete):
+            other_search = Search(other.rules, limits.effort)
+            more = other_search.fulfilled(clock.deadline(_OTHERWISE * limits.seconds))
+            if more.labels is not None:
+                return _Work(other, views, other_search, clock), more
     if limits.relaxed:
-        found = search.least()
+        found = search.least(clock.deadline(_RELAXED * limits.seconds))
     return _Work(part, views, search, clock), found
 
 
@@ -220,6 +226,10 @@ class _Clock:
     def total(self) -> float:
         return time.perf_counter() - self._start
 
+    def deadline(self, seconds: float) -> Deadline:
+        """So many seconds after the start."""
+        return Deadline(self._start + seconds)
+
 
 @dataclass(frozen=True)
 class _Work:
@@ -243,7 +253,8 @@ def _candidates(work: _Work, labelling: Labelling, limits: Limits) -> tuple[list
     candidates = [first] if first is not None else []
     explained = first is not None and first.verification.explains
     share = 1.0 if explained or not labelling.given_up else _UNLIKELY
-    others = work.search.others(labelling, counting, limits.alternatives, share)
+    deadline = work.clock.deadline(_OTHERS * limits.seconds)
+    others = work.search.others(labelling, counting, limits.alternatives, share, deadline)
     work.clock.lap("others")
     for labels in others.labels:
         if work.clock.total > limits.seconds:

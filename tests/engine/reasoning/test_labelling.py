@@ -1,5 +1,6 @@
 """Labels that fulfil rules, and what is given up where they contradict each other."""
 
+import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import pairwise, product
@@ -9,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.reasoning import labelling
 from gaussiancad_core.reasoning.columns import Cell
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.labelling import (
@@ -20,6 +22,7 @@ from gaussiancad_core.reasoning.labelling import (
 )
 from gaussiancad_core.reasoning.part import model_part
 from gaussiancad_core.reasoning.rules import Group, Rule, Transition, drawn_under
+from gaussiancad_core.reasoning.solvers import Deadline, relaxing_solver
 from gaussiancad_core.views import Linetype
 
 _CELLS: tuple[Cell, ...] = tuple((k, 1, 1, 0) for k in range(1, 5))
@@ -237,3 +240,38 @@ def test_no_time_no_labels(rules: tuple[Rule, ...]) -> None:
     found = _best(rules, none, relaxed=False)
     assert found == Labelling(None, (), False)
     assert _best(rules, none) == Labelling(None, (), False)
+
+
+def test_no_labels_after_the_deadline(rules: tuple[Rule, ...]) -> None:
+    search, over = Search(rules, _EFFORT), Deadline(0.0)
+    assert over.left == 0.0
+    assert search.fulfilled(over) == Labelling(None, (), False)
+    assert search.least(over) == Labelling(None, (), False)
+    found = search.fulfilled()
+    assert search.others(found, list(found.labels or {}), 4, deadline=over) == Others((), False)
+
+
+def test_a_deadline_that_is_not_reached_changes_nothing(rules: tuple[Rule, ...]) -> None:
+    late = Deadline(time.perf_counter() + 1e6)
+    assert Search(rules, _EFFORT).fulfilled(late) == _best(rules)
+
+
+def test_what_was_found_until_the_deadline_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    # Three light rules against three: more than the first search may give up.
+    rules = [
+        rule
+        for cell in _CELLS[:3]
+        for rule in (_edge((None, cell), None, 0.7), _edge((None, cell), Linetype.VISIBLE, 0.8))
+    ]
+    calls = []
+
+    def solver(effort: float, deadline: Deadline) -> object:
+        calls.append(effort)
+        return relaxing_solver(effort, deadline if len(calls) == 1 else Deadline(0.0))
+
+    monkeypatch.setattr(labelling, "relaxing_solver", solver)
+    found = Search(rules, _EFFORT).least()
+    assert len(calls) == 3
+    assert not found.complete
+    assert found.labels == dict.fromkeys(_CELLS[:3], True)
+    assert list(found.given_up) == rules[::2]

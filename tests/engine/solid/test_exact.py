@@ -348,6 +348,11 @@ def test_without_time_there_is_no_solid_and_the_reason_says_so(sample_views: Vie
     assert result.status is Status.FAILED and _codes(result) == {"search-unfinished"}
 
 
+def test_solvers_end_with_the_seconds(sample_views: Views) -> None:
+    result = exact_solid(sample_views("l-bracket"), Limits(seconds=0.0))
+    assert result.status is Status.FAILED and _codes(result) == {"search-unfinished"}
+
+
 def test_same_views_same_solid(sample_views: Views, solved: Solved) -> None:
     again = exact_solid(sample_views("l-bracket"))
     assert again.status is solved("l-bracket").status
