@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import psutil
 from benchmark_parts import SheetKind
-from benchmark_records import Record, Table, medians
+from benchmark_records import NONE, Record, Table, medians
 from benchmark_runs import Method
 from charts import Chart, Series, write_chart
 
@@ -26,7 +26,11 @@ _PARTS_SHOWN = 3
 """Parts with pictures of their models."""
 
 _STYLE = """
-.gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); gap: 1rem; }
+.charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(30rem, 100%), 1fr));
+  gap: 1rem; }
+.gallery { display: grid; grid-template-columns: repeat(5, minmax(0, 1fr)); gap: 1rem; }
+@media (max-width: 44rem) { .gallery { grid-template-columns: repeat(2, minmax(0, 1fr)); } }
+h3 { font-size: 1rem; margin: 1.4rem 0 .4rem; }
 td { font-variant-numeric: tabular-nums; white-space: nowrap; padding-right: 1.4rem; }
 th { white-space: nowrap; padding-right: 1.4rem; }
 .facts td + td { white-space: normal; overflow-wrap: anywhere; }
@@ -113,28 +117,38 @@ def _body(content: Content) -> Iterator[str]:
         yield (
             '<p class="note">Every end of every line that has one lies too far out or too far in, '
             "by up to so many 1/600 of the longest extent, but at most an eighth of the line. "
-            "Medians over the parts that have a model.</p>"
+            "Medians over the parts that have a model; where some have none the dot is a ring, and "
+            "what is left may be the plainest ones.</p>"
         )
+        yield '<div class="charts">'
         yield "".join(f"<figure>{chart}</figure>" for chart in charts)
+        yield "</div>"
     pictures = list(_pictures(content.records))
     if pictures:
         yield "<h2>Models, coloured by their deviation</h2>"
-        yield '<p class="note">Red lies outside of the truth, blue inside; ranges differ.</p>'
-        yield '<div class="gallery">'
+        yield (
+            '<p class="note">Red lies outside of the truth, blue inside, each full where it is so '
+            "many mm as the number below says.</p>"
+        )
         yield from pictures
-        yield "</div>"
     yield from map(_table_html, content.ablations)
 
 
 def _table_html(table: Table) -> str:
-    head = "".join(f"<th>{escape(name)}</th>" for name in table.head)
+    numbers = [all(_is_number(row[k]) for row in table.rows) for k in range(len(table.head))]
+    kinds = [' class="number"' if number else "" for number in numbers]
+    head = "".join(
+        f"<th{kind}>{escape(name)}</th>" for kind, name in zip(kinds, table.head, strict=True)
+    )
+    grouped = len({row[0] for row in table.rows}) < len(table.rows)
     lines = []
     before = None
     for row in table.rows:
         # The rows of one sheet belong together.
         first = ' class="first"' if before is not None and row[0] not in (before, "") else ""
-        grouped = len({other[0] for other in table.rows}) < len(table.rows)
-        cells = "".join(f"<td>{escape(text)}</td>" for text in row)
+        cells = "".join(
+            f"<td{kind}>{escape(text)}</td>" for kind, text in zip(kinds, row, strict=True)
+        )
         lines.append(f"<tr{first if grouped else ''}>{cells}</tr>")
         before = row[0]
     note = f'<p class="note">{escape(table.note)}</p>' if table.note else ""
@@ -144,6 +158,11 @@ def _table_html(table: Table) -> str:
         f"<h2>{escape(table.title)}</h2>{note}\n"
         f'<div class="wide"><table>{head}<tbody>{"".join(lines)}</tbody></table></div>{empty}'
     )
+
+
+def _is_number(text: str) -> bool:
+    """Whether a cell is a number, a count of several, or nothing."""
+    return text == NONE or text.replace(".", "").replace("/", "").isdigit()
 
 
 def _charts(records: Sequence[Record]) -> Iterator[str]:
@@ -160,7 +179,14 @@ def _charts(records: Sequence[Record]) -> Iterator[str]:
         ("median distance to the exact surface, box of 5", ("point_to_surface",)),
         ("median volume IoU", ("volume_iou",)),
     ):
-        lines = [Series(own.value, medians(records, names, own, *path)) for own in Method]
+        lines = [
+            Series(
+                own.value,
+                medians(records, names, own, *path),
+                [_some_missing(records, name, own) for name in names],
+            )
+            for own in Method
+        ]
         lines = [line for line in lines if np.isfinite(line.values).any()]
         if lines:
             yield _chart_html(Chart(title, ticks, lines))
@@ -175,6 +201,11 @@ def _exact_share(records: Sequence[Record], sheet: str, method: Method) -> float
     return sum(bool(r.entry.get("exact")) for r in own) / len(own) if own else float("nan")
 
 
+def _some_missing(records: Sequence[Record], sheet: str, method: Method) -> bool:
+    own = [r for r in records if r.input == sheet and r.method is method]
+    return any(not r.entry.get("comparison") for r in own)
+
+
 def _chart_html(chart: Chart) -> str:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "chart.png"
@@ -184,12 +215,18 @@ def _chart_html(chart: Chart) -> str:
 
 
 def _pictures(records: Sequence[Record]) -> Iterator[str]:
+    """A row of models for each sheet of the first few parts."""
     shown = [record for record in records if "picture" in record.entry]
     parts = list(dict.fromkeys(record.part for record in shown))[:_PARTS_SHOWN]
     order = {method: number for number, method in enumerate(Method)}
-    chosen = [record for record in shown if record.part in parts]
-    for record in sorted(chosen, key=lambda r: (parts.index(r.part), r.input, order[r.method])):
-        span = f"up to {record.entry['range_mm']:.3g} mm"
-        name = escape(f"{record.part}, {record.input}: {record.method.value}, {span}")
-        picture = f"data:image/jpeg;base64,{record.entry['picture']}"
-        yield f'<figure><img alt="{name}" src="{picture}"><figcaption>{name}</figcaption></figure>'
+    for part in parts:
+        for sheet in dict.fromkeys(record.input for record in shown if record.part == part):
+            own = [record for record in shown if (record.part, record.input) == (part, sheet)]
+            yield f"<h3>{escape(part)}, {escape(sheet)}</h3>"
+            yield '<div class="gallery">'
+            for record in sorted(own, key=lambda each: order[each.method]):
+                name = escape(f"{record.method.value}, {record.entry['range_mm']:.3g} mm")
+                picture = f"data:image/jpeg;base64,{record.entry['picture']}"
+                image = f'<img alt="{escape(part)}, {escape(sheet)}: {name}" src="{picture}">'
+                yield f"<figure>{image}<figcaption>{name}</figcaption></figure>"
+            yield "</div>"

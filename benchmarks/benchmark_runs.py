@@ -24,7 +24,6 @@ from gaussiancad_core.comparison.comparing import compare_models
 from gaussiancad_core.comparison.deviation import Deviation
 from gaussiancad_core.comparison.models import Model, read_model
 from gaussiancad_core.comparison.options import CompareOptions, Protocol
-from gaussiancad_core.comparison.picture import deviation_picture
 from gaussiancad_core.comparison.report import comparison_dict
 from gaussiancad_core.drawing.brep import bounding_box, read_solid, write_step
 from gaussiancad_core.errors import GaussianCadError
@@ -33,6 +32,7 @@ from gaussiancad_core.job import Job
 from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind, Status
 from gaussiancad_core.pipeline import reconstruct
 from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.verification.preview import PreviewSize, render_preview
 
 SCRATCH = "scratch"
 """Folder for what a task needs while it runs; what an ended process left there may be removed."""
@@ -61,6 +61,9 @@ class Run(Enum):
     PAPER = (Method.PAPER,)
     OUTLINES = (Method.HULL, Method.SWEEP)
 
+
+_NO_MODEL: Row = {"status": Status.FAILED.value, "failure": "no-model"}
+"""What is told where a method ends well and has nothing to show."""
 
 _PEERS = {Method.HULL: Peer.HULL, Method.SWEEP: Peer.SWEEP_AND_CUT}
 
@@ -240,7 +243,10 @@ def _made(
             "seconds": sum(own for name, own in spent.items() if name not in left_out),
         }
         if not path.is_file():
-            yield method, Made(None, {**facts, "status": Status.FAILED.value, "failure": "none"})
+            yield (
+                method,
+                Made(None, facts | _NO_MODEL),
+            )
             continue
         yield method, Made(read_model(path), facts, read_solid(path) if solid else None)
 
@@ -257,7 +263,10 @@ def _outline_models(run: Run, sheet: Path, told: ReadingOptions) -> Iterator[tup
             mesh = peer_mesh(_PEERS[method], drawing.outlines, drawing.masks)
         facts: Row = {"seconds": reading + time.perf_counter() - started}
         if mesh is None:
-            yield method, Made(None, {**facts, "status": Status.FAILED.value, "failure": "none"})
+            yield (
+                method,
+                Made(None, facts | _NO_MODEL),
+            )
         else:
             yield method, Made(Model(mesh), {**facts, "status": Status.APPROXIMATE.value})
 
@@ -283,7 +292,7 @@ def _measured(made: Made, truth: Truth, task: RunTask) -> Row:
 
 def _picture(deviation: Deviation) -> str:
     """A small JPEG of the coloured model, base64."""
-    image = deviation_picture(deviation)
+    image = render_preview(deviation.mesh, deviation.colours, PreviewSize())
     scale = _PICTURE_PX / image.shape[1]
     small = cv2.resize(image, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
     options = [cv2.IMWRITE_JPEG_QUALITY, _PICTURE_QUALITY]

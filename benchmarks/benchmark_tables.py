@@ -60,7 +60,7 @@ def part_table(records: Sequence[Record], sheet: str) -> Table:
     rows = tuple((part, *(cells.get((part, method), NONE) for method in Method)) for part in parts)
     return Table(
         f"Each part, sheet: {sheet}",
-        "p2s (box of 5) and volume IoU; v: verified, e: exact.",
+        "p2s and volume IoU, each model scaled to the box of 5; v: verified, e: exact unscaled.",
         ("part", *(method.value for method in Method)),
         rows,
     )
@@ -74,7 +74,7 @@ def failure_table(records: Sequence[Record]) -> Table:
         if not record.entry.get("comparison")
     )
     rows = tuple((*names, str(count)) for names, count in sorted(counts.items()))
-    note = "A failure named over-time was ended at its limit."
+    note = "What is named over-time was ended at its limit; no-model: the method found none."
     return Table("No model, or not measured", note, ("sheet", "method", "why", "parts"), rows)
 
 

@@ -18,14 +18,26 @@ _COLOURS = ((31, 119, 180), (214, 39, 40), (44, 160, 44), (255, 127, 14), (148, 
 _FONT = cv2.FONT_HERSHEY_SIMPLEX
 _GREY = (150, 150, 150)
 _TICKS = 5
+_STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
+"""Round steps between ticks, times a power of ten."""
+
+_DODGE = 5
+"""px by which the dots of each line stand beside those of the line before: equal ones show."""
 
 
 @dataclass(frozen=True)
 class Series:
-    """One line of a chart; not finite values are left out."""
+    """One line of a chart; not finite values are left out.
+
+    Attributes:
+        name: beside the chart.
+        values: one a place.
+        hollow: places whose dot is a ring, as of values that stand for less than others.
+    """
 
     name: str
     values: Sequence[float]
+    hollow: Sequence[bool] = ()
 
 
 @dataclass(frozen=True)
@@ -48,11 +60,10 @@ class Chart:
 def write_chart(chart: Chart, path: Path) -> None:
     """Draw a chart."""
     image = np.full((*_SIZE, 3), 255, np.uint8)
-    low, high = _range(chart)
+    low, high, ticks = _range(chart)
     left, top, right, bottom = _FRAME
     cv2.rectangle(image, (left, top), (right, bottom), _GREY)
     _write(image, chart.title, (left, top - 24), 0.55)
-    ticks = round(high - low) + 1 if chart.logarithmic else _TICKS
     for level in np.linspace(low, high, ticks).tolist():
         y = round(bottom - (bottom - top) * (level - low) / (high - low))
         cv2.line(image, (left, y), (right, y), (225, 225, 225))
@@ -67,10 +78,14 @@ def write_chart(chart: Chart, path: Path) -> None:
         levels = _levels(series.values, chart.logarithmic)
         heights = bottom - (bottom - top) * (levels - low) / (high - low)
         shown = np.isfinite(heights)
-        points = np.stack([places[shown], heights[shown].round()], axis=1).astype(np.int32)
+        beside = places + round(_DODGE * (number - (len(chart.series) - 1) / 2.0))
+        points = np.stack([beside[shown], heights[shown].round()], axis=1).astype(np.int32)
         cv2.polylines(image, [points], False, colour, 2, cv2.LINE_AA)
-        for x, y in points.tolist():
+        rings = np.array(series.hollow or [False] * len(places))[shown]
+        for (x, y), ring in zip(points.tolist(), rings.tolist(), strict=True):
             cv2.circle(image, (x, y), 4, colour, cv2.FILLED, cv2.LINE_AA)
+            if ring:
+                cv2.circle(image, (x, y), 2, (255, 255, 255), cv2.FILLED, cv2.LINE_AA)
         _write(image, series.name, (right + 14, top + 14 + 22 * number), colour=colour)
     write_image(image, path)
 
@@ -80,13 +95,25 @@ def _levels(values: Sequence[float], logarithmic: bool) -> npt.NDArray[np.float6
     return np.log10(found) if logarithmic else found
 
 
-def _range(chart: Chart) -> tuple[float, float]:
+def _range(chart: Chart) -> tuple[float, float, int]:
+    """Lowest and highest level, and how many ticks there are."""
     found = np.concatenate([_levels(own.values, chart.logarithmic) for own in chart.series])
     found = found[np.isfinite(found)]
     if chart.logarithmic:
-        return float(np.floor(found.min())), float(np.ceil(found.max() + 1e-9))
+        low, high = float(np.floor(found.min())), float(np.ceil(found.max() + 1e-9))
+        return low, high, round(high - low) + 1
+    top, ticks = round_scale(float(found.max()))
+    return 0.0, top, ticks
+
+
+def round_scale(greatest: float) -> tuple[float, int]:
+    """A round number not below another, and how many round ticks there are from zero to it."""
     # Where all is zero the lines lie on the axis.
-    return 0.0, 1.1 * float(found.max()) or 1.0
+    rough = (greatest or 1.0) / _TICKS
+    power = 10.0 ** np.floor(np.log10(rough))
+    step = next(each * power for each in _STEPS if each * power >= rough * (1.0 - 1e-9))
+    count = int(np.ceil((greatest or 1.0) / step - 1e-9))
+    return float(count * step), count + 1
 
 
 def _write(

@@ -2,7 +2,9 @@
 
 import re
 from html import unescape
+from pathlib import Path
 
+import cv2
 import pytest
 from benchmark import Plan, content_of
 from benchmark_ablations import AblationTask, ablation_tasks
@@ -10,6 +12,7 @@ from benchmark_page import PUBLISHED, Content, benchmark_page
 from benchmark_records import Record, records_of
 from benchmark_runs import Method, Run
 from benchmark_tables import failure_table, part_table, result_tables
+from charts import Chart, Series, round_scale, write_chart
 from workers import Row
 
 from gaussiancad_core.comparison.comparing import compare_models
@@ -59,7 +62,7 @@ def rows(compared: Row) -> list[Row]:
                     models[Method.SOLID.value]["status"] = "verified"
                     models[Method.SOLID.value]["exact"] = sheet == "clean"
                 if run is Run.OUTLINES and part == "<two>":
-                    models[Method.SWEEP.value] = {"status": "failed", "failure": "none"}
+                    models[Method.SWEEP.value] = {"status": "failed", "failure": "no-model"}
                 found.append(row)
     return found
 
@@ -110,7 +113,7 @@ def test_what_was_verified_and_not_measured_is_false() -> None:
 def test_what_ended_a_run_is_told(rows: list[Row]) -> None:
     failures = failure_table(records_of(rows)).rows
     assert ("clean", Method.SURFACE.value, "solve-over-time", "1") in failures
-    assert ("clean", Method.SWEEP.value, "none", "1") in failures
+    assert ("clean", Method.SWEEP.value, "no-model", "1") in failures
     by_part = part_table(records_of(rows), "clean").rows
     assert [row[0] for row in by_part] == ["one", "<two>"]
     assert by_part[0][1 + list(Method).index(Method.SOLID)].endswith(" ve")
@@ -130,6 +133,30 @@ def test_the_page_holds_every_table_chart_and_picture(content: Content) -> None:
     # One part has five models on both sheets, the other two on each.
     assert text.count("data:image/jpeg;base64,QUJD") == len(SHEETS) * (5 + 2)
     assert ">7<" in text and "Python" in text
+
+
+def test_columns_of_numbers_stand_right(content: Content) -> None:
+    text = benchmark_page(content).decode("utf-8")
+    assert '<th class="number">CD</th>' in text and '<td class="number">0.307</td>' in text
+    assert '<td class="number">1/2</td>' in text
+    assert "<td>solve-over-time</td>" in text and "<th>method</th>" in text
+
+
+@pytest.mark.parametrize(
+    ("greatest", "top", "ticks"),
+    [(0.6432, 0.8, 5), (1.0, 1.0, 6), (0.2581, 0.3, 4), (0.0, 1.0, 6), (37.0, 40.0, 5)],
+)
+def test_charts_end_at_a_round_number(greatest: float, top: float, ticks: int) -> None:
+    assert round_scale(greatest) == (pytest.approx(top), ticks)
+
+
+def test_values_that_stand_for_less_are_rings(tmp_path: Path) -> None:
+    series = Series("", [1.0, 2.0], [False, True])
+    write_chart(Chart("", ["a", "b"], [series]), tmp_path / "chart.png")
+    blue = (cv2.imread(str(tmp_path / "chart.png")) == (180, 119, 31)).all(axis=2)
+    dots = [blue[y - 3 : y + 4, x - 3 : x + 4] for x, y in ((100, 228), (530, 56))]
+    assert [bool(dot[3, 3]) for dot in dots] == [True, False]
+    assert all(dot[0, 3] for dot in dots)
 
 
 def test_the_page_needs_nothing_and_names_are_text(content: Content) -> None:
