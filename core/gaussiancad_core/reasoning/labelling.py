@@ -318,7 +318,7 @@ class Search:
             share: of the deterministic time of ``hard`` that it may take.
             deadline: of the search.
         """
-        if found.labels is None:
+        if found.labels is None or not deadline.left:
             return Others((), False)
         if found.given_up:
             held, solver_of = self._within(found), relaxing_solver

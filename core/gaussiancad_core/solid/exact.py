@@ -145,12 +145,15 @@ def _labelled(
     found = search.fulfilled(clock.deadline(_HARD * limits.seconds))
     if found.labels is not None:
         return _Work(part, views, search, clock), found
-    if clock.total < _HARD * limits.seconds:
-        for other in _otherwise(part, views, found.complete):
-            other_search = Search(other.rules, limits.effort)
-            more = other_search.fulfilled(clock.deadline(_OTHERWISE * limits.seconds))
-            if more.labels is not None:
-                return _Work(other, views, other_search, clock), more
+    # Another model takes as long as the first: time has to remain for the least contradiction.
+    others = _otherwise(part, views, found.complete)
+    while clock.total + clock.seconds["model"] < _OTHERWISE * limits.seconds:
+        if (other := next(others, None)) is None:
+            break
+        other_search = Search(other.rules, limits.effort)
+        more = other_search.fulfilled(clock.deadline(_OTHERWISE * limits.seconds))
+        if more.labels is not None:
+            return _Work(other, views, other_search, clock), more
     if limits.relaxed:
         found = search.least(clock.deadline(_RELAXED * limits.seconds))
     return _Work(part, views, search, clock), found
