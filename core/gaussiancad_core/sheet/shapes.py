@@ -133,7 +133,7 @@ def refit_line(sheet: CleanSheet, line: Line, spans: list[tuple[float, float]]) 
         line: a fit to part of the stroke.
         spans: where along the line there is ink of its own; the origin of positions stays.
     """
-    along, across = _cross_profile(sheet, line, spans)
+    along, across = cross_profile(sheet, line, spans)
     if len(along) < 6:
         return line
     good = np.abs(across - np.median(across)) < 1.0
@@ -150,7 +150,7 @@ def refit_line(sheet: CleanSheet, line: Line, spans: list[tuple[float, float]]) 
 
 def line_support(sheet: CleanSheet, line: Line, spans: list[tuple[float, float]]) -> float:
     """px of the ink in some spans of a line whose centre line is the line."""
-    return following(_cross_profile(sheet, line, spans)[1]) if spans else 0.0
+    return following(cross_profile(sheet, line, spans)[1]) if spans else 0.0
 
 
 def following(residual: npt.NDArray[np.float64]) -> float:
@@ -158,10 +158,15 @@ def following(residual: npt.NDArray[np.float64]) -> float:
     return float((np.clip(1.0 - (residual / _FOLLOWED) ** 2, 0.0, None) ** 2).sum())
 
 
-def _cross_profile(
+def cross_profile(
     sheet: CleanSheet, line: Line, spans: list[tuple[float, float]]
 ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
-    """Every px along some spans: the position, and where across it the stroke's centre is."""
+    """Every px along some spans: the position, and where across it the stroke's centre is.
+
+    Returns:
+        (n,) px along the line, and (n,) px to its left, seen along its direction with y down; only
+        where a centre can be told.
+    """
     along = np.concatenate([np.arange(start, end + 0.5) for start, end in spans])
     reach = sheet.stroke_width / 2 + 2.0
     offsets = np.arange(-reach, reach + 0.25, 0.5)

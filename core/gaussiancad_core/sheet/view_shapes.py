@@ -18,6 +18,7 @@ from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
 from gaussiancad_core.sheet.growth import GrowthRules, grow_all
 from gaussiancad_core.sheet.junctions import FULL_TURN
 from gaussiancad_core.sheet.line_widths import Pens, learn_pens, run_width
+from gaussiancad_core.sheet.offset_lines import without_offset_ink
 from gaussiancad_core.sheet.options import Finder
 from gaussiancad_core.sheet.ridges import ridge_points
 from gaussiancad_core.sheet.runs import (
@@ -106,19 +107,21 @@ def find_shapes(
     candidates, close = _candidates(crop, finder)
     curves = [curve for curve in candidates if not isinstance(curve, Line)]
     shapes = [shape for curve in curves if (shape := _curve_shape(crop, field, curve))]
-    for line in candidates:
-        if not isinstance(line, Line):
-            continue
-        along, _ = line.coordinates(
-            np.array([[0, 0], [width, 0], [0, height], [width, height]], dtype=np.float64)
-        )
+    straight = [line for line in candidates if isinstance(line, Line)]
+    corners = np.array([[0, 0], [width, 0], [0, height], [width, height]], dtype=np.float64)
+    found = []
+    for line in straight:
+        along, _ = line.coordinates(corners)
         reach = float(along.min()), float(along.max())
         runs = line_runs(field, line, *reach)
         if runs:
             refitted = refit_line(crop, line, runs_spans(runs))
-            runs = line_runs(field, refitted, *reach)
-            support = line_support(crop, refitted, runs_spans(runs))
-            shapes.append(Shape(refitted, tuple(runs), support, line in close))
+            found.append((refitted, line_runs(field, refitted, *reach), line in close))
+    lines = [line for line, _, _ in found]
+    for line, runs, beside in found:
+        own = without_offset_ink(crop, line, runs, lines)
+        support = line_support(crop, line, runs_spans(own))
+        shapes.append(Shape(line, tuple(own), support, beside))
     return ViewShapes(crop, field, tuple(shapes), offset)
 
 

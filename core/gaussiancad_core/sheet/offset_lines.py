@@ -1,0 +1,105 @@
+"""Lines that go on beside themselves: a step of two pixels in an edge is two edges.
+
+The ink of either lies partly under the other's course, which would take it as its own.  Where its
+centre is on the other line, it is the other's.
+"""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.runs import Run
+from gaussiancad_core.sheet.shapes import cross_profile
+
+_PARALLEL = np.cos(np.radians(2.0))
+"""Cosine of the largest angle between two lines that run along each other."""
+
+_BESIDE = 1.0
+"""px from a line at which the centre of its ink is another's."""
+
+_UPON = 0.5
+"""px between that centre and its line at most."""
+
+_LEAST, _LEAST_AT_END = 10.0, 3.0
+"""px along which it is another's, at least, and at the end of a run."""
+
+_AT_END = 2.0
+"""px from the end of a run within which a stretch ends there."""
+
+_MOST_OF = 0.6
+"""Share of a stretch in which the centre of the ink is known to be another's, at least."""
+
+
+def without_offset_ink(
+    sheet: CleanSheet, line: Line, runs: Sequence[Run], others: Sequence[Line]
+) -> list[Run]:
+    """The runs of a line without the stretches whose ink follows another line beside it.
+
+    Args:
+        sheet: the ink.
+        line: px.
+        runs: in order along it.
+        others: lines of the same view.
+    """
+    beside = [other for other in others if other != line and _is_beside(line, other, runs, sheet)]
+    if not beside:
+        return list(runs)
+    return [part for run in runs for part in _parts(sheet, line, run, beside)]
+
+
+def _is_beside(line: Line, other: Line, runs: Sequence[Run], sheet: CleanSheet) -> bool:
+    if abs(float(np.dot(line.direction, other.direction))) < _PARALLEL or not runs:
+        return False
+    ends = line.points_at(np.array([runs[0].start, runs[-1].end]))
+    return bool(other.distances(ends).min() < sheet.stroke_width + _BESIDE)
+
+
+def _parts(sheet: CleanSheet, line: Line, run: Run, beside: Sequence[Line]) -> Iterator[Run]:
+    """What is left of a run."""
+    along = np.arange(run.start, run.end + 0.5)
+    points = line.points_at(along)
+    foreign = np.zeros(len(along), dtype=bool)
+    for other in beside:
+        apart = other.distances(points) > _BESIDE
+        foreign |= apart & _is_followed(sheet, other, other.positions(points))
+    if foreign.any():
+        foreign &= ~_is_followed(sheet, line, along)
+    start = run.start
+    for first, last in _stretches(along, foreign, (run.start, run.end)):
+        if first - start > _LEAST:
+            yield Run(start, first)
+        start = last
+    if start == run.start or run.end - start > _LEAST:
+        yield Run(start, run.end)
+
+
+def _is_followed(
+    sheet: CleanSheet, line: Line, along: npt.NDArray[np.float64]
+) -> npt.NDArray[np.bool_]:
+    """(n,) whether the ink's centre is on a line, at positions about every px along it."""
+    places, off = cross_profile(sheet, line, [(float(along.min()), float(along.max()))])
+    upon = places[np.abs(off) < _UPON]
+    if not len(upon):
+        return np.zeros(len(along), dtype=bool)
+    after = np.clip(np.searchsorted(upon, along), 1, max(len(upon) - 1, 1))
+    pair = upon[np.clip([after - 1, after], 0, len(upon) - 1)]
+    return np.abs(pair - along).min(0) < 1.0
+
+
+def _stretches(
+    along: npt.NDArray[np.float64], flags: npt.NDArray[np.bool_], ends: tuple[float, float]
+) -> Iterator[tuple[float, float]]:
+    """First and last position of long stretches, which single places in doubt do not part, and of
+    short ones at the ends."""
+    places = along[flags]
+    if not len(places):
+        return
+    for own in np.split(places, np.flatnonzero(np.diff(places) > _LEAST / 2) + 1):
+        first, last = float(own[0]), float(own[-1])
+        at_end = first - ends[0] < _AT_END or ends[1] - last < _AT_END
+        least = _LEAST_AT_END if at_end else _LEAST
+        if last - first >= least and len(own) > _MOST_OF * (last - first):
+            yield first, last

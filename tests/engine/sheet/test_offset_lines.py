@@ -1,0 +1,42 @@
+"""A step of two or three pixels in an edge is two edges, each where it is drawn."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from gaussiancad_core.sheet.clean import clean_sheet
+from gaussiancad_core.sheet.strokes import classify_strokes
+from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
+from gaussiancad_core.views import Segment
+
+Sketch = Any
+"""The class that the fixture gives."""
+
+
+def _upright(drawn: Sketch) -> list[tuple[float, float, float]]:
+    """x, and the ends, of the upright strokes beside x = 300, from top to bottom."""
+    sheet = clean_sheet(drawn.grey)
+    view = find_shapes(sheet, (18.0, 18.0, 306.0, 262.0))
+    strokes = classify_strokes(view, view_rhythm([view], sheet.stroke_width))
+    found = []
+    for stroke in strokes:
+        points = stroke.sample(1.0)[[0, -1]] - 0.5
+        if isinstance(stroke, Segment) and np.ptp(points[:, 0]) < 1.0 and points[0, 0] > 290.0:
+            found.append((float(points[:, 0].mean()), *sorted(points[:, 1].tolist())))
+    return sorted(found, key=lambda own: own[1])
+
+
+@pytest.mark.parametrize("step", [2.2, 2.6, 3.0])
+@pytest.mark.parametrize("inwards", [True, False])
+def test_a_small_step_parts_an_edge(sketch: Sketch, step: float, inwards: bool) -> None:
+    middle = 300.0 - step if inwards else 300.0
+    outer = 300.0 if inwards else 300.0 - step
+    drawn = sketch(340, 290).lines((20, 20), (outer, 20), (outer, 90), (20, 90), width=4.0)
+    drawn.lines((20, 20), (20, 260), (outer, 260), (outer, 190), (20, 190), width=4.0)
+    drawn.line((middle, 90), (middle, 190), 4.0)
+    found = _upright(drawn)
+    expected = [(outer, 20.0, 90.0), (middle, 90.0, 190.0), (outer, 190.0, 260.0)]
+    assert [own[0] for own in found] == pytest.approx([x for x, _, _ in expected], abs=0.35)
+    ends = [end for own in found for end in own[1:]]
+    assert ends == pytest.approx([end for own in expected for end in own[1:]], abs=2.5)
