@@ -55,7 +55,10 @@ def simplified(mesh: TriangleMesh, tolerance: float) -> TriangleMesh | None:
 def _to_manifold(mesh: TriangleMesh) -> "manifold3d.Manifold":
     import manifold3d
 
-    return manifold3d.Manifold(manifold3d.Mesh64(mesh.vertices, mesh.triangles.astype(np.uint64)))
+    # It takes rows that lie one after the other, and meshes may have others.
+    vertices = np.ascontiguousarray(mesh.vertices)
+    triangles = np.ascontiguousarray(mesh.triangles, dtype=np.uint64)
+    return manifold3d.Manifold(manifold3d.Mesh64(vertices, triangles))
 
 
 def _from_manifold(solid: "manifold3d.Manifold") -> TriangleMesh | None:
