@@ -55,9 +55,9 @@ def simplified(mesh: TriangleMesh, tolerance: float) -> TriangleMesh | None:
 def _to_manifold(mesh: TriangleMesh) -> "manifold3d.Manifold":
     import manifold3d
 
-    # It takes rows that lie one after the other, and meshes may have others.
-    vertices = np.ascontiguousarray(mesh.vertices)
-    triangles = np.ascontiguousarray(mesh.triangles, dtype=np.uint64)
+    # It takes nothing that is read-only or has columns one after the other: hence copies.
+    vertices = np.array(mesh.vertices, dtype=np.float64, order="C")
+    triangles = np.array(mesh.triangles, dtype=np.uint64, order="C")
     return manifold3d.Manifold(manifold3d.Mesh64(vertices, triangles))
 
 

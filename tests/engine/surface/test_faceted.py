@@ -84,6 +84,7 @@ def test_a_triangle_whose_corners_lie_on_one_line_is_left_out(
     assert with_needle.watertight
     assert with_needle.areas.min() == 0.0
     vertices = np.array(with_needle.vertices, order=order)
+    vertices.flags.writeable = False
     with_needle = TriangleMesh(vertices, np.array(with_needle.triangles, order=order))
     state = soundness(faceted_solid(with_needle))
     assert (state.valid, state.closed, state.solids, state.faces) == (True, True, 1, 6)
