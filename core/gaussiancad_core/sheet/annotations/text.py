@@ -24,6 +24,10 @@ _SPACING = 0.9
 
 _SMALLEST_PX = 4
 
+_CONCENTRIC = 0.12
+"""Distance between the centres of pieces, as a share of the largest, up to which they are rings
+and crosses around one centre."""
+
 _STRAIGHT = 1.35
 """Ink of a straight piece at most, in stroke widths times its diagonal."""
 
@@ -90,8 +94,8 @@ def _not_of_the_part(
     stats: npt.NDArray[np.int32],
     pieces: tuple[set[int], set[int]],
 ) -> list[list[int]]:
-    """The words without what may be a small slot or pocket: a lone piece inside a view, or the
-    corner of dashed lines with the dashes beside it.
+    """The words without what may be a small slot or pocket: a lone piece inside a view, the corner
+    of dashed lines with the dashes beside it, or a bore with its centre mark.
 
     Where nothing is written beside the views, nothing is written in them.
 
@@ -110,7 +114,8 @@ def _not_of_the_part(
     return [
         word
         for word, out in zip(words, beside, strict=True)
-        if out or (len(word) > 1 and not _is_corner(word, *pieces))
+        if out
+        or (len(word) > 1 and not _is_corner(word, *pieces) and not _is_concentric(word, stats))
     ]
 
 
@@ -118,6 +123,14 @@ def _is_corner(word: list[int], glyphs: set[int], corners: set[int]) -> bool:
     """Whether the only letter of a word may be the corner of dashed lines."""
     letters = [piece for piece in word if piece in glyphs]
     return len(letters) == 1 and letters[0] in corners
+
+
+def _is_concentric(word: list[int], stats: npt.NDArray[np.int32]) -> bool:
+    """Whether the pieces of a word lie around one centre; letters stand beside each other."""
+    boxes = stats[word, :4].astype(float)
+    centres = boxes[:, :2] + boxes[:, 2:] / 2.0
+    largest = float(boxes[:, 2:].max())
+    return bool(np.ptp(centres, axis=0).max() < _CONCENTRIC * largest)
 
 
 def _is_in(
