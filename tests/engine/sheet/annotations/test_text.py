@@ -136,7 +136,7 @@ def test_a_bore_with_its_centre_mark_is_no_word(sketch: Sketch) -> None:
     """The cross touches nothing and is a plus by its looks; the circle around it is no O."""
     drawn = sketch(WIDTH, HEIGHT).lines((60, 60), (400, 60), (400, 300), (60, 300), (60, 60))
     drawn.arc((230, 180), 22.0, 2.0).arc((230, 180), 10.0, 2.0)
-    drawn.line((222.5, 180), (237.5, 180), 1.5).line((230, 172.5), (230, 187.5), 1.5)
+    drawn.line((222, 180), (238, 180), 1.5).line((230, 172), (230, 188), 1.5)
     found = _found((drawn.weight >= 0.5) | _written("125", 500, 200))
     assert len(found.marks) == 1
     assert found.marks[0].box[0] > 420
