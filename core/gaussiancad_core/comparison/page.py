@@ -134,8 +134,9 @@ def _summary(comparison: Comparison) -> str:
         far = millimetres(facts.greatest_mm, False)
         words = f"The result{scaled} lies up to {far} from the reference."
     if found is not None:
+        start = "" if facts.scale == 1.0 else "As it is, "
         words += (
-            f" {100.0 * found.agreement:.2f} % of the surface agrees within "
+            f" {start}{100.0 * found.agreement:.2f} % of the surface agrees within "
             f"{found.tolerance_mm:.4g} mm."
         )
     return words

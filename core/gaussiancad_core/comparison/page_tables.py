@@ -15,7 +15,7 @@ from gaussiancad_core.comparison.models import Content
 from gaussiancad_core.comparison.report import Comparison, DeviationFacts, ModelFacts
 
 _PLOT = (720, 190)
-_MARGINS = (46, 12, 30)
+_MARGINS = (54, 12, 30)
 """Left, top and bottom of the histogram's axes, px."""
 
 _DECIMALS = 9

@@ -113,16 +113,19 @@ class SurfaceQueries:
     def inside(self, points: Points) -> npt.NDArray[np.bool_]:
         """(n,) whether each of (n, 3) points is enclosed.
 
-        Two of three rays with an odd number of crossings decide, so that a small gap in the surface
-        spoils few answers.
+        Most of the rays must have an odd number of crossings.  Of an open mesh their opposites
+        count as well: what is flat lies on one side of a point, and encloses none.
         """
         votes = np.zeros(len(points), dtype=np.int64)
-        for direction in _PARITY_DIRECTIONS:
+        directions = _PARITY_DIRECTIONS
+        if not self.closed:
+            directions = np.concatenate([directions, -directions])
+        for direction in directions:
             rays = np.empty((len(points), 6), dtype=np.float32)
             rays[:, :3] = points
             rays[:, 3:] = direction
             votes += self._scene.count_intersections(_tensor(rays)).numpy() % 2
-        return votes >= 2
+        return votes > len(directions) // 2
 
 
 class _Slivers:

@@ -17,6 +17,9 @@ _IOU_NAMES = {
     IouMethod.NONE: "no model encloses a volume",
 }
 
+_ROUNDING = 1e-12
+"""Smaller shares of volumes and areas are what double precision leaves of equal ones."""
+
 
 def comparison_text(comparison: Comparison) -> str:
     """A table for a terminal: each measure, its floor, and what it means in mm."""
@@ -35,7 +38,9 @@ def comparison_text(comparison: Comparison) -> str:
     lines.append(_iou_line(comparison.volume_iou))
     deviation = comparison.deviation
     sizes = "in its own size" if deviation.scale == 1.0 else "scaled to the reference"
-    span = f"{deviation.least_mm:>+10.4f} to {deviation.greatest_mm:+.4f}"
+    # Where nothing is left but rounding, a sign would say something.
+    least, greatest = (round(mm, 4) + 0.0 for mm in (deviation.least_mm, deviation.greatest_mm))
+    span = f"{least:>+10.4f} to {greatest:+.4f}"
     lines.append(f"{'deviation':<18}{span} mm, {sizes}")
     lines.append(_facts_line("result", comparison.result))
     lines.append(_facts_line("reference", comparison.reference))
@@ -59,15 +64,25 @@ def _iou_line(iou: VolumeIou) -> str:
 
 def _facts_line(name: str, facts: ModelFacts) -> str:
     size = " x ".join(f"{edge:.6g}" for edge in facts.extent_mm)
-    parts = [f"{size} mm", f"{facts.triangles} triangles"]
+    parts = [f"{size} mm", _counted(facts.triangles, "triangle")]
     if facts.content == Content.SURFACES.value:
-        parts.append(f"{facts.faces} surfaces, no solid")
+        parts.append(f"{_counted(facts.faces or 0, 'surface')}, no solid")
     elif facts.faces is not None:
-        parts.append(f"{facts.faces} faces, {'valid' if facts.valid else 'INVALID'}")
+        parts.append(f"{_counted(facts.faces, 'face')}, {'valid' if facts.valid else 'INVALID'}")
     parts.append("closed" if facts.watertight else "not closed")
     if facts.betti is not None:
         parts.append("b0 b1 b2 = {} {} {}".format(*facts.betti))
     return f"{name:<18}{', '.join(parts)}"
+
+
+def _counted(count: int, name: str) -> str:
+    return f"{count} {name}" if count == 1 else f"{count} {name}s"
+
+
+def _difference(value: float, share: float, unit: str) -> str:
+    """A difference and its share; none where only rounding is left."""
+    told = value if abs(share) >= _ROUNDING else 0.0
+    return f"{told:+.6g} {unit} ({round(100.0 * share, 4) + 0.0:+.4f} %)"
 
 
 def _deepcad_lines(found: DeepCadResult) -> list[str]:
@@ -100,9 +115,9 @@ def _engineering_lines(found: EngineeringResult) -> list[str]:
     )
     volume = "-"
     if found.volume_mm3 is not None and found.volume_share is not None:
-        volume = f"{found.volume_mm3:+.6g} mm3 ({100.0 * found.volume_share:+.4f} %)"
+        volume = _difference(found.volume_mm3, found.volume_share, "mm3")
     lines.append(f"{'volume':<18}{volume}")
-    lines.append(f"{'area':<18}{found.area_mm2:+.6g} mm2 ({100.0 * found.area_share:+.4f} %)")
+    lines.append(f"{'area':<18}{_difference(found.area_mm2, found.area_share, 'mm2')}")
     lines.append(_iou_line(found.volume_iou))
     return lines
 

@@ -15,7 +15,7 @@ from gaussiancad_core.comparison.deviation import Deviation
 from gaussiancad_core.comparison.distances import IouMethod
 from gaussiancad_core.comparison.models import Model
 from gaussiancad_core.comparison.normalise import moved_points, scale_of
-from gaussiancad_core.comparison.options import CompareOptions
+from gaussiancad_core.comparison.options import CompareOptions, Protocol
 from gaussiancad_core.comparison.registration import axis_rotations
 from gaussiancad_core.comparison.report import Comparison, comparison_dict
 from gaussiancad_core.comparison.text import comparison_text
@@ -178,3 +178,21 @@ def test_the_text_holds_the_numbers(bracket: TriangleMesh) -> None:
         assert name in text
     assert f"{found.distances.chamfer:.4f}" in text
     assert "mirror" not in text
+
+
+def test_what_is_only_rounding_is_told_as_zero(bracket: TriangleMesh) -> None:
+    # A shift that binary numbers do not have leaves areas and volumes equal but for rounding.
+    moved = make_mesh(bracket.vertices + 0.1, bracket.triangles)
+    asked = CompareOptions(points=200, protocols=(Protocol.ENGINEERING,))
+    found, _ = compare_models(Model(moved), Model(bracket), asked)
+    assert found.engineering.volume_mm3 != 0.0
+    text = comparison_text(found)
+    assert "+0 mm3 (+0.0000 %)" in text and "+0 mm2 (+0.0000 %)" in text
+    assert "e-" not in text and "-0.0000" not in text
+
+
+def test_one_triangle_is_told_as_one(bracket: TriangleMesh) -> None:
+    single = make_mesh([[0, 0, 0], [40, 0, 0], [0, 30, 0]], [[0, 1, 2]])
+    found, _ = compare_meshes(single, bracket, points=200)
+    assert " 1 triangle, not closed" in comparison_text(found)
+    assert found.volume_iou.value == 0.0

@@ -85,6 +85,28 @@ def test_iou_of_an_open_mesh_is_estimated(box: Callable[..., TriangleMesh]) -> N
     assert found.value == pytest.approx(0.6, abs=0.05)
 
 
+def test_a_box_without_a_lid_is_nearly_full(box: Callable[..., TriangleMesh]) -> None:
+    cube = box(1, 1, 1)
+    for axis, side in ((0, 0.0), (0, 1.0), (1, 0.0), (1, 1.0), (2, 0.0), (2, 1.0)):
+        lid = (cube.corners[:, :, axis] == side).all(axis=1)
+        pot = make_mesh(cube.vertices, cube.triangles[~lid])
+        found = volume_iou(SurfaceQueries(pot), SurfaceQueries(cube), np.random.default_rng(0))
+        assert found.method is IouMethod.OCCUPANCY
+        assert 0.8 < found.value < 1.0
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_sheet_encloses_nothing(box: Callable[..., TriangleMesh], seed: int) -> None:
+    # Larger than the box and across it, in any direction.
+    normal, along, across = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0]
+    corners = [40 * along, -20 * along + 40 * across, -20 * along - 40 * across]
+    sheet = make_mesh(np.array(corners) + 5.0 + 0.5 * normal, [[0, 1, 2]])
+    found = volume_iou(
+        SurfaceQueries(sheet), SurfaceQueries(box(10, 10, 10)), np.random.default_rng(0)
+    )
+    assert (found.value, found.method) == (0.0, IouMethod.OCCUPANCY)
+
+
 def test_iou_of_sheets_is_none() -> None:
     sheet = make_mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
     found = volume_iou(SurfaceQueries(sheet), SurfaceQueries(sheet), np.random.default_rng(0))
