@@ -15,6 +15,7 @@ from gaussiancad_core.sheet.annotations.inked import (
     points_along,
     split_by_width,
 )
+from gaussiancad_core.sheet.annotations.letter_boxes import letter_boxes
 from gaussiancad_core.sheet.annotations.lines import Weights, kinds_of_runs, line_weights
 from gaussiancad_core.sheet.annotations.loose import (
     LooseRule,
@@ -159,8 +160,9 @@ def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> t
     """Dimensions by their arrowheads, then what bounds nothing, then boxes around letters."""
     heads = arrowheads(sheet.ink, sheet.stroke_width)
     mark_arrows(told.shapes, told.kinds, heads, sheet.stroke_width)
+    single = letter_boxes(sheet.ink, letters, sheet.stroke_width)
     ink = with_open_sides(erased(sheet, told).ink, told, sheet.stroke_width)
-    boxes = lettered_boxes(ink, letters)
+    boxes = lettered_boxes(ink, letters) | single
     faded = 2 * int(_WIDEST_FADED * sheet.stroke_width) + 1
     rule = LooseRule(_LONGEST_DASH * sheet.stroke_width, everywhere=True, faded=faded)
     shapes, kinds = split_loose(told.shapes, told.kinds, ink & ~boxes, rule)

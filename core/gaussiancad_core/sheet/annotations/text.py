@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.letter_boxes import is_boxed
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask
 
 _TALLEST = 0.04
@@ -94,8 +95,8 @@ def _not_of_the_part(
     stats: npt.NDArray[np.int32],
     pieces: tuple[set[int], set[int]],
 ) -> list[list[int]]:
-    """The words without what may be a small slot or pocket: a lone piece inside a view, the corner
-    of dashed lines with the dashes beside it, or a bore with its centre mark.
+    """The words without what may be a small slot or pocket: a lone piece inside a view that no box
+    is drawn around, the corner of dashed lines with the dashes beside it, or a bore with its mark.
 
     Where nothing is written beside the views, nothing is written in them.
 
@@ -108,15 +109,18 @@ def _not_of_the_part(
         (labels == 0).astype(np.uint8), connectivity=4
     )
     outside = 1 + int(np.argmax(facts[1:, cv2.CC_STAT_AREA]))
-    beside = [_is_in(areas, labels, stats, word, outside) for word in words]
-    if not any(beside):
+    around = [_paper_around(areas, labels, stats, word) for word in words]
+    if not any(outside in own for own in around):
         return []
-    return [
-        word
-        for word, out in zip(words, beside, strict=True)
-        if out
-        or (len(word) > 1 and not _is_corner(word, *pieces) and not _is_concentric(word, stats))
-    ]
+
+    def is_word(word: list[int], paper: set[int]) -> bool:
+        if outside in paper:
+            return True
+        if len(word) == 1:
+            return any(is_boxed(facts[own, :4], stats[word[0], :4], facts[own, 4]) for own in paper)
+        return not _is_corner(word, *pieces) and not _is_concentric(word, stats)
+
+    return [word for word, paper in zip(words, around, strict=True) if is_word(word, paper)]
 
 
 def _is_corner(word: list[int], glyphs: set[int], corners: set[int]) -> bool:
@@ -133,20 +137,19 @@ def _is_concentric(word: list[int], stats: npt.NDArray[np.int32]) -> bool:
     return bool(np.ptp(centres, axis=0).max() < _CONCENTRIC * largest)
 
 
-def _is_in(
+def _paper_around(
     areas: npt.NDArray[np.int32],
     labels: npt.NDArray[np.int32],
     stats: npt.NDArray[np.int32],
     word: list[int],
-    area: int,
-) -> bool:
-    """Whether a word's largest piece lies in an area of blank paper."""
+) -> set[int]:
+    """The areas of blank paper beside a word's largest piece."""
     largest = max(word, key=lambda piece: int(stats[piece, cv2.CC_STAT_AREA]))
     x, y, width, height = (int(value) for value in stats[largest, :4])
     window = slice(max(y - 2, 0), y + height + 2), slice(max(x - 2, 0), x + width + 2)
     own = (labels[window] == largest).astype(np.uint8)
     ring = (cv2.dilate(own, np.ones((3, 3), np.uint8)) > 0) & (own == 0)
-    return bool((areas[window][ring] == area).any())
+    return {int(area) for area in np.unique(areas[window][ring])}
 
 
 def _words(
