@@ -244,6 +244,9 @@ class Search:
         """Labels that give up rules of the least weight, or of little where time is over."""
         found = Labelling(None, (), False)
         for lightest in _STRATA:
+            # The clauses alone take seconds.
+            if not deadline.left:
+                break
             better, is_least = self._giving_up(lightest, deadline)
             if is_least:
                 return better
