@@ -15,7 +15,10 @@ _ROUNDING = 1e-9
 
 
 def manifold_of(mesh: TriangleMesh) -> "manifold3d.Manifold | None":
-    """The mesh as a solid for Booleans, or None where it does not bound one."""
+    """The mesh as a solid for Booleans, or None where it does not bound one.
+
+    Bodies that overlap are united, or what they share would count twice; not beside cavities.
+    """
     import manifold3d
 
     solid = manifold3d.Manifold(
@@ -26,6 +29,9 @@ def manifold_of(mesh: TriangleMesh) -> "manifold3d.Manifold | None":
     )
     if solid.status() != manifold3d.Error.NoError or solid.volume() <= 0.0:
         return None
+    pieces = solid.decompose()
+    if len(pieces) > 1 and all(piece.volume() > 0.0 for piece in pieces):
+        return manifold3d.Manifold.batch_boolean(pieces, manifold3d.OpType.Add)
     return solid
 
 

@@ -199,7 +199,11 @@ def _statistics(
     distances = _with_signs(other, sample.points, nearest.distances) * unit
     corners = signed_distances(other, own.mesh.vertices) * unit
     normals = surface_normals(own, sample.triangles) * surface_normals(other, nearest.triangles)
-    along = normals.sum(axis=1) >= np.cos(np.radians(NORMAL_ANGLE))
+    cosines = normals.sum(axis=1)
+    if not (own.closed and other.closed):
+        # What is open has no outside: which way its triangles face says nothing.
+        cosines = np.abs(cosines)
+    along = cosines >= np.cos(np.radians(NORMAL_ANGLE))
     return DistanceStatistics(
         signed,
         float(distances.mean()),

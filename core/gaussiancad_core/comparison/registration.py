@@ -131,14 +131,15 @@ def register(result: Side, reference: Side, alignment: Alignment = Alignment.ICP
     pose, distance = _pose(rotations[first]), float(scores[first])
     if alignment in (Alignment.ICP, Alignment.GLOBAL):
         pose, distance = refine(result, reference, pose)
-    fit = fit_under(result, reference, pose)
+    mirrored = _mirror_fits(result, reference, pose)
     if alignment is Alignment.NONE:
         pose, distance = np.eye(4), float(scores[0])
-    return Registration(pose, _mirror_fits(result, reference, fit), distance)
+    return Registration(pose, mirrored, distance)
 
 
-def _mirror_fits(result: Side, reference: Side, own: Fit) -> bool:
-    """Whether some mirror image of the result lies clearly nearer than the result itself."""
+def _mirror_fits(result: Side, reference: Side, pose: Matrix) -> bool:
+    """Whether some mirror image of the result lies clearly nearer than the result in a pose."""
+    own = fit_under(result, reference, pose)
     if own.distance <= _MIRROR_UNITS:
         return False
     fits = [fit_under(result, reference, _pose(turn)) for turn in axis_mirrors()]
@@ -146,8 +147,13 @@ def _mirror_fits(result: Side, reference: Side, own: Fit) -> bool:
     if is_clearly_nearer(fits[best], own):
         return True
     image = result.mirrored()
-    pose, _ = refine(image, reference, _pose(axis_mirrors()[best] * _IMAGE))
-    return is_clearly_nearer(fit_under(image, reference, pose), own)
+    image_pose, _ = refine(image, reference, _pose(axis_mirrors()[best] * _IMAGE))
+    fit = fit_under(image, reference, image_pose)
+    if not is_clearly_nearer(fit, own):
+        return False
+    # The image was moved by ICP, and the result perhaps not yet.
+    refined, _ = refine(result, reference, pose)
+    return is_clearly_nearer(fit, fit_under(result, reference, refined))
 
 
 def is_clearly_nearer(mirrored: Fit, own: Fit) -> bool:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
 from OCP.BRep import BRep_Builder
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
 from OCP.TopoDS import TopoDS_Shell, TopoDS_Solid
@@ -13,13 +14,18 @@ from OCP.TopoDS import TopoDS_Shell, TopoDS_Solid
 from gaussiancad_core.comparison.comparing import compare_models
 from gaussiancad_core.comparison.distances import IouMethod
 from gaussiancad_core.comparison.models import Model, read_model
-from gaussiancad_core.comparison.options import CompareOptions, Protocol
+from gaussiancad_core.comparison.options import (
+    Alignment,
+    CompareOptions,
+    Protocol,
+    ScaleRule,
+)
 from gaussiancad_core.comparison.report import Comparison, comparison_json
 from gaussiancad_core.comparison.text import comparison_text
 from gaussiancad_core.comparison.units import unit_factor
 from gaussiancad_core.drawing.brep import faces_of, write_brep
 from gaussiancad_core.errors import UnreadableError, UsageError
-from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.meshes import TriangleMesh, joined, make_mesh
 
 
 def _compared(result: Model, reference: Model, **options: object) -> Comparison:
@@ -107,6 +113,28 @@ def test_few_points_make_no_mirror_image(box: Callable[..., TriangleMesh], seed:
     asked = CompareOptions(300, seed)
     found, _ = compare_models(Model(cracked), Model(whole), asked)
     assert not found.mirrored
+
+
+def test_overlapping_bodies_count_once_and_mirror_nothing(box: Callable[..., TriangleMesh]) -> None:
+    whole = box(20, 10, 10)
+    apart = make_mesh(whole.vertices + np.array([5.0, 0.0, 0.0]), whole.triangles)
+    both = Model(joined([whole, apart]))
+    asked = {"alignment": Alignment.NONE, "scale": ScaleRule.FIXED}
+    found = _compared(both, Model(whole), **asked)
+    # 25 mm of bodies against 20 mm of one; boxes lie with their middles on each other.
+    assert found.volume_iou.method is IouMethod.BOOLEAN
+    assert found.volume_iou.value == pytest.approx(20.0 / 25.0, abs=1e-9)
+    assert found.engineering.volume_iou.value == pytest.approx(20.0 / 25.0, abs=1e-9)
+    ball, other = (trimesh.creation.icosphere(3, 10.0) for _ in range(2))
+    other.apply_translation((3.0, 0.0, 0.0))
+    spheres = [make_mesh(each.vertices, each.faces) for each in (ball, other)]
+    assert not _compared(Model(joined(spheres)), Model(spheres[0]), **asked).mirrored
+
+
+def test_a_sheet_of_two_sides_agrees_with_itself() -> None:
+    corners = [[0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0]]
+    sheet = Model(make_mesh(corners, [[0, 1, 2], [0, 2, 3], [0, 2, 1], [0, 3, 2]]))
+    assert _compared(sheet, sheet).engineering.agreement == 1.0
 
 
 def test_an_open_mesh_has_no_volume(bracket: TriangleMesh) -> None:
