@@ -41,6 +41,9 @@ from gaussiancad_core.views import Linetype, Stroke, ViewSet
 _TINY = 0.02
 """Share of the sheet that its views take together at least, to be relied on at once."""
 
+_LARGEST_LEFT_OUT = 10.0
+"""Size of a figure that is no view, in that of all views, at most."""
+
 _STUB = 1.8
 """Width of a line that sticks out of a view at most, in stroke widths."""
 
@@ -157,6 +160,8 @@ def _separated_views(
         try:
             stub = _STUB * tried.part.stroke_width
             tried, layout = find_named_layout(sheet, tried, LayoutRequest(given, projection, stub))
+            if not given:
+                _require_largest(layout)
         except NoModelError as error:
             first = first or error
             continue
@@ -168,6 +173,18 @@ def _separated_views(
     if best is None:
         raise first
     return best
+
+
+def _require_largest(layout: Layout) -> None:
+    """Refuse slivers as views beside a figure that is much larger than all of them."""
+    figure = max(layout.left_out, key=_area, default=None)
+    if figure is not None and _area(figure) > _LARGEST_LEFT_OUT * _size(layout):
+        x0, y0, x1, y1 = (round(value) for value in figure)
+        raise NoModelError(
+            "views-not-aligned",
+            f"the largest figure on the sheet, from ({x0}, {y0}) to ({x1}, {y1}) px, has no "
+            "aligned neighbour: name the views with --view ROLE=X0,Y0,X1,Y1",
+        )
 
 
 def _is_better(layout: Layout, other: Layout) -> bool:
@@ -192,7 +209,11 @@ def _belong_together(layout: Layout) -> bool:
 
 def _size(layout: Layout) -> float:
     """px^2 that the views take."""
-    return sum((x1 - x0) * (y1 - y0) for x0, y0, x1, y1 in layout.boxes.values())
+    return sum(_area(box) for box in layout.boxes.values())
+
+
+def _area(box: Box) -> float:
+    return (box[2] - box[0]) * (box[3] - box[1])
 
 
 def read_views(

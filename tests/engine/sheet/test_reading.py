@@ -117,3 +117,16 @@ def test_outlines_narrower_than_what_is_inside_are_outlines_still(sketch) -> Non
     assert set(layout.boxes) == set(views)
     for role, box in views.items():
         assert layout.boxes[role] == pytest.approx(box, abs=3.0)
+
+
+def test_slivers_beside_a_large_figure_are_no_views(sketch) -> None:  # noqa: ANN001
+    drawn = sketch(900, 600).lines((90, 140), (420, 140), (420, 460), (90, 460), (90, 140))
+    for top, bottom in ((180, 240), (300, 400)):
+        drawn.lines((700, top), (714, top), (714, bottom), (700, bottom), (700, top))
+    sheet = clean_sheet(drawn.grey)
+    with pytest.raises(NoModelError, match="largest figure") as caught:
+        find_views(sheet, {}, None)
+    assert caught.value.code == "views-not-aligned"
+    named = {Role.FRONT: (698.0, 298.0, 717.0, 403.0), Role.TOP: (698.0, 178.0, 717.0, 243.0)}
+    _, layout = find_views(sheet, named, None)
+    assert set(layout.boxes) == {Role.FRONT, Role.TOP}
