@@ -6,6 +6,7 @@ stretched to it, where they differ much the views do not belong together.  In be
 coordinate is shared by all views (:mod:`gaussiancad_core.sheet.shared_axes`).
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import cv2
@@ -36,6 +37,9 @@ _NEAR_EXACT = 4.0
 
 _LEVEL, _SHORTEST_SIDE = 0.6, 8.0
 """px: largest lean and shortest length of a stroke along a side."""
+
+_LONGEST_OVERSHOOT, _UPON = 6.0, 0.75
+"""px by which strokes may be drawn beyond an edge that ends them, and within which they are not."""
 
 _MARGIN = 4
 """Blank mask px around the view's box."""
@@ -109,7 +113,8 @@ def view_box(strokes: tuple[Stroke, ...], outline: Outline, exact: bool = False)
 
     The strokes are exact to a tenth of a px; where the outline says something else (a curve that no
     stroke follows) it is the outline that counts.  Of the strokes those along a side of the box
-    tell where it is; ends of others only where there are none.  Exact strokes count farther from
+    tell where it is, though others that cross them were drawn too long; ends of others only where
+    there are none.  Exact strokes count farther from
     the outline, which closes narrow gaps between lines.
     """
     rough = outline.box
@@ -125,11 +130,31 @@ def view_box(strokes: tuple[Stroke, ...], outline: Outline, exact: bool = False)
         found = [level for level in along if abs(level - near) < reach]
         ends = points[:, direction]
         outermost = float(ends.min() if inward > 0 else ends.max())
+        overshot = None if found else _overshot(solid, direction, near, inward)
         if found:
             sides.append(min(found) if inward > 0 else max(found))
+        elif overshot is not None:
+            sides.append(overshot)
         else:
             sides.append(outermost if abs(outermost - near) < reach else near)
     return sides[0], sides[1], sides[2], sides[3]
+
+
+def _overshot(
+    strokes: Sequence[Stroke], direction: int, near: float, inward: float
+) -> float | None:
+    """The outermost stroke along a side, if all that reaches beyond it crosses it and ends soon."""
+    levels = [level for stroke in strokes for level in _levels(stroke, direction)]
+    inside = [level for level in levels if 0.0 < (level - near) * inward < _LONGEST_OVERSHOOT]
+    if not inside:
+        return None
+    side = min(inside, key=lambda level: level * inward)
+    for stroke in strokes:
+        depths = (_extremes(stroke)[:, direction] - side) * inward
+        crosses = isinstance(stroke, Segment) and depths.max() > _LONGEST_OVERSHOOT
+        if depths.min() < -_UPON and not crosses:
+            return None
+    return side
 
 
 def _levels(stroke: Stroke, direction: int) -> list[float]:

@@ -56,3 +56,20 @@ def test_exact_lines_count_where_the_outline_closed_a_narrow_gap(exact: bool, in
     found = view_box(strokes, Outline(depth, (), 1, (0.0, 0.0)), exact=exact)
     expected = (8.3 + inset, 8.3 + inset, 91.7 - inset, 71.7 - inset)
     assert found == pytest.approx(expected, abs=0.51 if inset else 1e-9)
+
+
+@pytest.mark.parametrize("beyond", [2.0, 3.0, 5.0])
+def test_strokes_drawn_too_long_leave_the_side_where_its_edge_is(beyond: float) -> None:
+    far = 90.0 + beyond
+    depth = np.full((80, 110), -1.0, np.float32)
+    depth[10:70, 10 : int(far)] = 1.0
+    outline = Outline(depth, (), 1, (0.0, 0.0))
+    edges = [((10.0, 10.0), (10.0, 70.0)), ((90.0, 10.0), (90.0, 70.0))]
+    level = [((10.0, y), (far, y)) for y in (10.0, 40.0, 70.0)]
+    strokes = tuple(Segment(*ends, Linetype.VISIBLE) for ends in (*edges, *level))
+    assert view_box(strokes, outline) == pytest.approx((10.0, 10.0, 90.0, 70.0))
+    # A roof begins at its edge and does not cross it.
+    whole = [((10.0, y), (90.0, y)) for y in (10.0, 70.0)]
+    roof = [((90.0, y), (far, 40.0)) for y in (10.0, 70.0)]
+    gabled = tuple(Segment(*ends, Linetype.VISIBLE) for ends in (*edges, *whole, *roof))
+    assert view_box(gabled, outline) == pytest.approx((10.0, 10.0, far, 70.0))
