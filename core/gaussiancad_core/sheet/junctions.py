@@ -86,7 +86,7 @@ def _ended(
             crossings = [
                 crossing
                 for other, stretch in others
-                for crossing in _crossings(geometry, piece, other, stretch, stroke_width)
+                for crossing in crossings_with(geometry, piece, other, stretch, stroke_width)
             ]
             ended.append(_end_at(piece, crossings, rhythm))
             ended[-2:] = _parted(ended[-2:], crossings, rhythm)
@@ -170,7 +170,7 @@ def _joined(pieces: list[Piece]) -> list[Piece]:
     return joined
 
 
-def _crossings(
+def crossings_with(
     geometry: Geometry, piece: Piece, other: Geometry, stretch: Piece, stroke_width: float
 ) -> list[Crossing]:
     """Where along ``geometry`` a stretch of another shape meets it."""

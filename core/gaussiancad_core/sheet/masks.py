@@ -6,6 +6,7 @@ which the hidden lines of the other views are the evidence.
 """
 
 from dataclasses import dataclass
+from itertools import product
 
 import cv2
 import numpy as np
@@ -18,6 +19,9 @@ Mask = npt.NDArray[np.bool_]
 _GAPS_PX = (1, 3, 6)
 """Half of the gaps in an outline that are closed, in turn: a pixel or two are missing at a corner,
 and more where a copy faded."""
+
+_BARE_PX, _BARE_SHARE = 10.0, 0.02
+"""How far ink may reach beyond the filled outline: strokes drawn too long, and marks left over."""
 
 _LEAST_COVERED = 0.1
 """Share of its box that a view covers at least."""
@@ -119,11 +123,14 @@ def find_outline(
     fine = cv2.resize(weight, None, fx=factor, fy=factor, interpolation=cv2.INTER_CUBIC)
     ink = (fine > 0.5).astype(np.uint8)
     area = (box[2] - box[0]) * (box[3] - box[1]) * factor**2
-    for gap in _GAPS_PX:
+    best: Outline | None = None
+    # A square fills a corner; past two ends that are a step apart it finds a way, a disc does not.
+    for gap, form in product(_GAPS_PX, (cv2.MORPH_RECT, cv2.MORPH_ELLIPSE)):
         reach = 2 * gap * factor + 1
         # Padded, or closing would fill what lies near the border.
         padded = np.pad(ink, reach)
-        closed = cv2.morphologyEx(padded, cv2.MORPH_CLOSE, np.ones((reach, reach), np.uint8))
+        kernel = cv2.getStructuringElement(form, (reach, reach))
+        closed = cv2.morphologyEx(padded, cv2.MORPH_CLOSE, kernel)
         closed = np.ascontiguousarray(closed[reach:-reach, reach:-reach])
         filled = np.zeros_like(ink)
         contours, _ = cv2.findContours(closed, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
@@ -135,8 +142,18 @@ def find_outline(
         depth = np.where(filled > 0, inside, -outside) - half
         if float((depth > 0).sum()) >= _LEAST_COVERED * max(area, 1.0):
             regions = _regions(closed, filled, half)
-            return Outline(depth.astype(np.float32), regions, factor, (float(x0), float(y0)))
-    return None
+            found = Outline(depth.astype(np.float32), regions, factor, (float(x0), float(y0)))
+            if _is_filled(found, box):
+                return found
+            best = best or found
+    return best
+
+
+def _is_filled(outline: Outline, box: tuple[float, float, float, float]) -> bool:
+    """Whether an outline is as large as the ink of its view: a gap may leave a part of it open."""
+    off = np.abs(np.subtract(outline.box, box)).reshape(2, 2)
+    sides = np.subtract(box[2:], box[:2])
+    return bool((off <= np.maximum(_BARE_PX, _BARE_SHARE * sides)).all())
 
 
 def _near(ink: Mask) -> npt.NDArray[np.float32]:

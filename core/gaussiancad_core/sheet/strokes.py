@@ -14,6 +14,7 @@ from gaussiancad_core.ellipses import WholeEllipse
 from gaussiancad_core.sheet.chamfers import with_chamfers
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.corner_dashes import find_corner_dashes
+from gaussiancad_core.sheet.dangling import with_met_ends
 from gaussiancad_core.sheet.explained import (
     Explained,
     is_new,
@@ -110,6 +111,7 @@ def classify_strokes(
     for geometry, piece in ended:
         explained.add(geometry, piece)
     remainder = view.sheet.ink & (explained.around == 0)
+    ended = with_met_ends(ended, remainder, view.sheet.stroke_width)
     strokes = [_stroke(geometry, piece) for geometry, piece in ended]
     strokes += trace_remainder(remainder, view.sheet.stroke_width, rhythm.dash)
     shift = np.array(view.offset) + 0.5
