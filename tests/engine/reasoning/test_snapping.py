@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.curves import CircleCurve
-from gaussiancad_core.reasoning.snapping import CircleReading, Reading, snapped
+from gaussiancad_core.reasoning.snapping import CircleReading, Reading, snapped, with_lone_values
 
 _TOLERANCE = 0.1
 _ERROR = st.floats(-0.04, 0.04)
@@ -141,3 +141,15 @@ def test_nothing_moves_far(rows: list[tuple[float, float, float]]) -> None:
 def test_no_readings_no_values() -> None:
     snap = snapped([], [], _TOLERANCE)
     assert snap.circles == () and set(snap.values.values()) == {()}
+
+
+def test_ends_of_slants_alone_are_at_centres_and_extremes_of_circles() -> None:
+    """A countersink from 20 to 40 about 30, and a drill's tip: no straight line is at these."""
+    circles = [_circle(30.0, 50.0, 10.0, Axis.Z)]
+    snap = snapped([Reading(Axis.X, 5.0, 30.0)], circles, 0.2)
+    ends = [20.004, 29.997, 40.003, 33.0, 45.0]
+    known = with_lone_values(snap, [Reading(Axis.X, end, 1e-3) for end in ends])
+    assert known.values[Axis.X] == pytest.approx((5.0, 20.0, 30.0, 33.0, 40.0, 45.0), abs=1e-12)
+    # Along the axis the circle says nothing, and farther off it is another place.
+    assert with_lone_values(snap, [Reading(Axis.Z, 30.01, 1e-3)]).values[Axis.Z] == (30.01,)
+    assert with_lone_values(snap, [Reading(Axis.X, 20.15, 1e-3)]).values[Axis.X] == (5.0, 20.15)
