@@ -42,8 +42,13 @@ def with_met_ends(
             moved.append((geometry, piece))
             continue
         others = [own for k, own in enumerate(pieces) if k != number and own[0] != geometry]
+        along = [own for k, (other, own) in enumerate(pieces) if k != number and other == geometry]
+        # Where a line goes on hidden, its visible part ends there.
+        joints = [end for own in along for end in (own.start, own.end)]
         start, end = (
-            _met(geometry, piece, at, (others, unexplained, stroke_width))
+            at
+            if any(abs(joint - at) <= _MET for joint in joints)
+            else _met(geometry, piece, at, (others, unexplained, stroke_width))
             for at in (piece.start, piece.end)
         )
         fits = end - start > _REACH
@@ -83,9 +88,11 @@ def _met(
 
 def _is_far(line: Line, at: float, other: Geometry, stretch: Piece) -> bool:
     """Whether a stroke is nowhere near a place: most are not."""
-    point = np.array([line.at(at)])
-    if float(np.abs(other.distances(point))[0]) > 2.0 * _REACH:
+    x, y = line.at(at)
+    if not isinstance(other, Line):
+        return float(np.abs(other.distances(np.array([(x, y)])))[0]) > 2.0 * _REACH
+    (dx, dy), ox, oy = other.direction, x - other.point[0], y - other.point[1]
+    if abs(oy * dx - ox * dy) > 2.0 * _REACH:
         return True
-    along = float(other.positions(point)[0])
-    outside = along < stretch.start - 2.0 * _REACH or along > stretch.end + 2.0 * _REACH
-    return isinstance(other, Line) and outside
+    along = ox * dx + oy * dy
+    return along < stretch.start - 2.0 * _REACH or along > stretch.end + 2.0 * _REACH

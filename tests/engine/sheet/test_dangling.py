@@ -69,6 +69,9 @@ def test_what_is_met_or_may_go_on_stays() -> None:
     curved = BLANK.copy()
     curved[148:151, 197:199] = True
     assert with_met_ends([edge, short], curved, WIDTH)[1] == short
+    line, piece = short
+    goes_on = line, Piece(piece.end, 200.0, HIDDEN, 1.0)
+    assert with_met_ends([edge, short, goes_on], BLANK, WIDTH)[1] == short
     far = _placed((60.0, 150.0), (192.0, 150.0))
     assert with_met_ends([edge, far], BLANK, WIDTH)[1] == far
 
