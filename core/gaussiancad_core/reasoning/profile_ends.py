@@ -5,7 +5,7 @@ that they lie on by a little.  Slivers of cells would lie in between.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from gaussiancad_core.reasoning.bodies import ArcProfile, LineProfile, Profile
 from gaussiancad_core.reasoning.curves import CircleCurve
@@ -40,12 +40,15 @@ class ProfileEnds:
         return cls(tuple(heights), (0.0, *circles), near)
 
     def met_by(self, profile: Profile) -> Profile:
-        """The profile with its ends at the heights and radii that they are near to."""
+        """A line with its ends at the heights and radii that they are near to.
+
+        An arc ends where its circle says, which is adjusted with the others.
+        """
+        if isinstance(profile, ArcProfile):
+            return profile
         low, high = self._height(profile.low), self._height(profile.high)
         if high <= low:
             return profile
-        if isinstance(profile, ArcProfile):
-            return replace(profile, low=low, high=high)
         radii = self._radius(profile.at_low), self._radius(profile.at_high)
         if abs(radii[1] - radii[0]) < _STEEP * abs(profile.at_high - profile.at_low):
             return profile

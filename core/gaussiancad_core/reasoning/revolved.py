@@ -51,7 +51,9 @@ def find_bodies(supports: PartSupports, lone: bool = False) -> tuple[RevolvedBod
         for centre in _centres(plane, near):
             concentric = _concentric(plane, centre, near)
             drawn = ([*_profiles(side, axis, centre, near)] for side in sides)
-            ends = ProfileEnds.of(supports.values[axis], concentric, near)
+            # What was read exactly is not moved.
+            exact = 1.5 * supports.tolerance
+            ends = ProfileEnds.of(supports.values[axis], concentric, exact)
             by_side = [_merged((ends.met_by(profile) for profile in own), near) for own in drawn]
             whole = list(_shown_by_all(by_side, near))
             _add(found, (axis, centre), whole, concentric, near)

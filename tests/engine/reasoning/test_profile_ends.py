@@ -1,6 +1,5 @@
 """Profiles end at the heights and radii that are drawn, and nowhere else."""
 
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -43,9 +42,6 @@ def test_what_ends_elsewhere_stays() -> None:
     assert ENDS.met_by(thin) == thin
 
 
-def test_an_arc_keeps_its_circle() -> None:
+def test_an_arc_ends_where_its_circle_says() -> None:
     read = ArcProfile(20.03, 23.98, 20.0, 3.0, 4.0, 1)
-    found = ENDS.met_by(read)
-    assert isinstance(found, ArcProfile)
-    assert (found.low, found.high) == (20.0, 24.0)
-    assert (found.z, found.r, found.radius_of_arc) == pytest.approx((20.0, 3.0, 4.0))
+    assert ENDS.met_by(read) == read

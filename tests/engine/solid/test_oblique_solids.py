@@ -9,7 +9,7 @@ from OCP.GProp import GProp_GProps
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import faces_of, soundness, volume
+from gaussiancad_core.drawing.brep import faces_of, moved_to_origin, soundness, volume
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.columns import Vector
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
@@ -49,7 +49,8 @@ def _polygon(count: int, radius: float) -> list[Point2]:
 
 
 def _pentagonal_frustum() -> TopoDS_Shape:
-    return frustum(Axis.Z, _polygon(5, 30.0), _polygon(5, 20.0), (0.0, 25.0))
+    # Views begin at 0 where their part does, and a pentagon is not as wide as its circle.
+    return moved_to_origin(frustum(Axis.Z, _polygon(5, 30.0), _polygon(5, 20.0), (0.0, 25.0)))
 
 
 def _frustum_on_a_block() -> TopoDS_Shape:
