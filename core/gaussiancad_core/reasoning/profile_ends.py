@@ -13,8 +13,8 @@ from gaussiancad_core.reasoning.snapping import nearest_value
 from gaussiancad_core.reasoning.spans import Support
 
 _STEEP = 0.05
-"""Change of radius or height between the ends of a line, as a share of the other, from which an
-end that is moved leaves its slope alone."""
+"""Share of a line's change of radius that is left of it at least: a cone that would become a
+cylinder is left as it was read."""
 
 
 @dataclass(frozen=True)
