@@ -15,6 +15,11 @@ from gaussiancad_core.sheet.growth_kernels import (
 _BENT_END = 6.0
 """px at either end of a line in which another stroke's ink may bend the ridge."""
 
+_BENT_PX = 0.1
+"""px from a parabola at which a point counts by half: the ridge is bent where a stroke crosses."""
+
+_ROUNDS = 6
+
 
 @njit(cache=True)
 def grow_lines(tables, limits, fit):  # noqa: ANN001, ANN201
@@ -67,6 +72,8 @@ def _grow_line(tables, limits, fit, line, scratch):  # noqa: ANN001, ANN202
     if number < fit[0]:
         return False, number
     sagitta, rms = _line_quality(points, own, number, line)
+    if sagitta > fit[1] and rms <= fit[2]:
+        sagitta = _steady_sagitta(points, own, number, line)
     return sagitta <= fit[1] and rms <= fit[2], number
 
 
@@ -159,3 +166,28 @@ def _line_quality(points, own, number, line):  # noqa: ANN001, ANN202
     spread = s4 - s2**2 / count
     bend = (s2a - s2 * a / count) / spread if spread > 1e-9 else 0.0
     return abs(bend) * half**2, np.sqrt(square / count)
+
+
+@njit(cache=True)
+def _steady_sagitta(points, own, number, line):  # noqa: ANN001, ANN202
+    """Sagitta of the parabola through most of the points, px: reweighted least squares with
+    Cauchy's weights.  All of an arc lies on one parabola; of a line that an arrowhead bends at one
+    place the rest is straight."""
+    half = 0.0
+    along, across = np.empty(number), np.empty(number)
+    for k in range(number):
+        ox, oy = points[own[k], 0] - line[0], points[own[k], 1] - line[1]
+        along[k], across[k] = ox * line[2] + oy * line[3], oy * line[2] - ox * line[3]
+        half = max(half, abs(along[k]))
+    design = np.ones((number, 3))
+    design[:, 1] = along / half
+    design[:, 2] = design[:, 1] ** 2
+    weights = np.ones(number)
+    bend = 0.0
+    for _ in range(_ROUNDS):
+        weighted = design * weights.reshape(-1, 1)
+        normal = weighted.T @ design + 1e-9 * np.eye(3)
+        solution = np.linalg.solve(normal, weighted.T @ across)
+        bend = solution[2]
+        weights = 1.0 / (1.0 + ((across - design @ solution) / _BENT_PX) ** 2)
+    return abs(bend)

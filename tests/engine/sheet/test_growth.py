@@ -284,3 +284,15 @@ def test_dashes_of_a_large_circle_are_no_chords(sketch: Sketch, radius: float) -
     lines, circles = _shapes(drawn)
     assert lines == []
     assert _matched(circles, [((middle, middle), radius)]) < 0.1
+
+
+def test_a_line_that_an_arrowhead_bends_is_straight(sketch: Sketch) -> None:
+    """The tip beside the end of a short extension line moves a few points of its ridge."""
+    drawn = sketch(120, 120).line((80.0, 40.0), (80.0, 72.0), 1.5)
+    drawn.line((20.0, 45.0), (80.0, 45.0), 1.5)
+    for half in np.arange(0.2, 2.2, 0.2).tolist():
+        drawn.line((80.0 - 5.0 * half, 45.0 - half), (80.0 - 5.0 * half, 45.0 + half), 1.5)
+    lines, _ = _shapes(drawn, 2.0)
+    upright = [line for line in lines if abs(line.direction[1]) > 0.99]
+    assert len(upright) == 1
+    assert _away(upright[0], (80.0, 60.0), (80.0, 70.0)) < 0.3

@@ -45,6 +45,15 @@ _STRICT = 5
 _UNEVEN = 0.4
 """Share by which dashes of one kind differ there at most."""
 
+_EVEN_PX, _EVEN = 1.5, 0.3
+"""px, and share of the gaps beside them, by which dots of centre lines in line differ at most."""
+
+_LONGEST_DASH = 1.75
+"""Length of a dash at most, in the sheet's usual ones."""
+
+_JOINED = 3
+"""Dashes that crossing strokes join at most."""
+
 _ALTERNATING = 0.75
 """Share of a centre line's neighbouring dashes of which one is long and one short."""
 
@@ -163,7 +172,26 @@ def is_long_short(runs: Sequence[Run]) -> bool:
     inner = short[1:-1]
     turns = short[1:] != short[:-1]
     mixed = inner.any() and (not inner.all() or len(inner) == 1)
-    return bool(mixed) and bool(turns.mean() >= _ALTERNATING)
+    return bool(mixed) and bool(turns.mean() >= _ALTERNATING or _has_even_dots(runs, short))
+
+
+def _has_even_dots(runs: Sequence[Run], short: npt.NDArray[np.bool_]) -> bool:
+    """Whether short dashes, two at least, are alike and each is between two long ones at even gaps:
+    centre lines one after the other, as those of a slot's two ends.  What crossings leave of a
+    hidden line's dashes is of any length and touches what crosses it."""
+    if len(short) != len(runs) or short[0] or short[-1] or (short[1:] & short[:-1]).any():
+        return False
+    dots = np.flatnonzero(short)
+    lengths = np.array([runs[k].length for k in dots])
+    gaps = np.array(
+        [(runs[k].start - runs[k - 1].end, runs[k + 1].start - runs[k].end) for k in dots.tolist()]
+    )
+    even = np.ptp(gaps) <= max(_EVEN_PX, _EVEN * gaps.mean())
+    even &= np.ptp(lengths) <= _EVEN_PX
+    # Both ends are whole long dashes: beyond, another line may begin.
+    ends = runs[0].length, runs[-1].length
+    even &= abs(ends[0] - ends[1]) <= _UNEVEN * min(ends)
+    return len(dots) > 1 and bool(even)
 
 
 def _long_short_part(runs: Sequence[Run]) -> tuple[int, int]:
@@ -242,7 +270,10 @@ def _is_wide(run: InkedRun, limit: float) -> bool:
 
 def _is_dash(runs: Sequence[InkedRun], k: int, rhythm: Rhythm, limit: float) -> bool:
     """Whether a run is a dash of a hidden line: of the sheet's length, with another dash on one
-    side or an edge on both.  Beside one edge only, it is the extension line of that edge."""
+    side or an edge on both.  Beside one edge only, it is the extension line of that edge.
+
+    Strokes that cross in gaps join dashes: between two dashes a run may be as long as three.
+    """
     # Faded ink breaks lines at gaps that are shorter than those between dashes.
     broken = _BREAK * rhythm.gap
     first = last = k
@@ -255,15 +286,15 @@ def _is_dash(runs: Sequence[InkedRun], k: int, rhythm: Rhythm, limit: float) -> 
             break
         last += 1
     start, end = runs[first].run.start, runs[last].run.end
-    longest = 1.75 * rhythm.dash
-    if end - start > longest:
-        return False
     gap = 2.2 * rhythm.gap + 2.0
     beside = []
     if first > 0 and start - runs[first - 1].run.end <= gap:
         beside.append(runs[first - 1])
     if last + 1 < len(runs) and runs[last + 1].run.start - end <= gap:
         beside.append(runs[last + 1])
-    wide = _NOISE * limit
+    longest, wide = _LONGEST_DASH * rhythm.dash, _NOISE * limit
     dashes = [run for run in beside if run.run.length <= longest and not _is_wide(run, wide)]
+    if end - start > longest:
+        joined = _JOINED * rhythm.dash + (_JOINED - 1) * rhythm.gap
+        return len(dashes) == 2 and end - start <= _NOISE * joined
     return bool(dashes) or len(beside) == 2

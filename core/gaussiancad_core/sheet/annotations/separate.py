@@ -6,16 +6,19 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.centre_marks import mark_centre_marks
 from gaussiancad_core.sheet.annotations.erase import Told, erased, masked
 from gaussiancad_core.sheet.annotations.frame import find_frame
 from gaussiancad_core.sheet.annotations.hatching import find_hatching
 from gaussiancad_core.sheet.annotations.inked import (
+    InkedShape,
     inked_shape,
     points_along,
     split_by_width,
 )
 from gaussiancad_core.sheet.annotations.letter_boxes import letter_boxes
+from gaussiancad_core.sheet.annotations.line_ends import extension_lines, mark_heads
 from gaussiancad_core.sheet.annotations.lines import Weights, kinds_of_runs, line_weights
 from gaussiancad_core.sheet.annotations.loose import (
     LooseRule,
@@ -130,14 +133,13 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
         told = Told(shorter, hatching.kinds(shapes), curves, loose)
         sheet = erased(sheet, told)
         shapes = hatching.others(shapes)
-    least = _ROUNDED_PX if _is_two_valued(sheet) else 0.0
-    weights = line_weights(shapes, sheet.stroke_width, least) if by_weight else None
-    if weights is None or not weights.limit:
-        weights = Weights(sheet.stroke_width, 0.0)
-    else:
+    weights = _weights(sheet, shapes) if by_weight else Weights(sheet.stroke_width, 0.0)
+    if weights.limit:
         shapes = [split_by_width(sheet, shape, weights.limit) for shape in shapes]
     kinds = kinds_of_runs(shapes, weights, sheet.stroke_width)
     mark_centre_marks(shapes, kinds, sheet.ink, sheet.stroke_width)
+    if weights.limit:
+        _tell_line_ends(sheet, ridges, Told(shapes, kinds, unexplained), weights.limit)
     part = sheet
     if letters.marks and not weights.limit:
         told, boxes = _told_by_form(sheet, Told(shapes, kinds, unexplained), letters.marks)
@@ -154,6 +156,20 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
         part = replace(erased(part, told), stroke_width=weights.visible)
     hatched = hatching.area if hatching.marks else None
     return SeparatedSheet(part, tuple(marks), bool(weights.limit), hatched, told)
+
+
+def _weights(sheet: CleanSheet, shapes: list[InkedShape]) -> Weights:
+    weights = line_weights(shapes, sheet.stroke_width, _ROUNDED_PX if _is_two_valued(sheet) else 0)
+    return weights if weights.limit else Weights(sheet.stroke_width, 0.0)
+
+
+def _tell_line_ends(sheet: CleanSheet, ridges: RidgePoints, told: Told, limit: float) -> None:
+    """Tell what is left at the ends of dimension lines, in place."""
+    mark_heads(told.shapes, told.kinds, sheet.stroke_width)
+    free = ridges, _at(ridges, told.unexplained)
+    more = extension_lines(sheet, free, (told.shapes, told.kinds), limit)
+    told.shapes.extend(more)
+    told.kinds.extend([AnnotationKind.EXTENSION] for _ in more)
 
 
 def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> tuple[Told, Mask]:
@@ -202,6 +218,12 @@ def _pixels(ridges: RidgePoints, chosen: npt.NDArray[np.bool_], letters: Mask) -
     mask = np.zeros(letters.shape, dtype=bool)
     mask[rows, columns] = True
     return mask & ~letters
+
+
+def _at(ridges: RidgePoints, mask: Mask) -> npt.NDArray[np.bool_]:
+    """(n,) the ridge points on a mask."""
+    columns, rows = np.rint(ridges.points).astype(int).T
+    return mask[rows, columns]
 
 
 def _explained(ridges: RidgePoints, grown: list[Grown], ink: Mask) -> Mask:

@@ -60,6 +60,12 @@ def _row(lengths: list[float], gap: float, width: float) -> InkedShape:
         ([40, 6, 40, 6], True),
         # A crossing joined two pieces in the middle.
         ([40, 6, 40, 6, 90, 6, 40, 6, 40], True),
+        # Two centre lines, one after the other, joined where they overlap, or with a gap between.
+        ([19, 4.5, 19, 28, 18.5, 4, 19], True),
+        ([19, 4.5, 19, 19, 4, 19], True),
+        # Of other lengths, or at uneven gaps, these are pieces of dashes.
+        ([19, 3, 19, 28, 18.5, 7, 19], False),
+        ([19, 4.5, -6, 19, 28, 18.5, 4, 19], False),
         ([12, 12, 12, 12], False),
         ([12, 11, 13, 12, 12.5], False),
         # A dashed line whose last dash is short, or its first and its last.
@@ -101,6 +107,29 @@ def test_long_and_short_in_turn(lengths: list[float], expected: bool) -> None:
 def test_short_dashes_that_faded(lengths: list[float], expected: bool) -> None:
     assert is_long_short(_runs(lengths, 5.0)) is expected
     assert is_long_short(_runs(lengths[::-1], 5.0)) is expected
+
+
+@pytest.mark.parametrize(
+    ("middle", "before", "kind"),
+    [
+        # Strokes that cross in gaps join two dashes, or three.
+        (30.0, 12.0, None),
+        (48.0, 12.0, None),
+        # An extension line between two dashes is longer.
+        (80.0, 12.0, EXTENSION),
+        # At the end of a hidden line it is one.
+        (30.0, 0.0, EXTENSION),
+    ],
+)
+def test_dashes_that_a_crossing_joins(
+    middle: float, before: float, kind: AnnotationKind | None
+) -> None:
+    row = [length for length in (12.0, before, middle, 12.0, 12.0) if length]
+    if not before:
+        row = row[1:]
+    shapes = [_row(row, 6, 2.0), _row([12, 12, 12, 12, 12], 6, 2.0), _solid(90, 3.0)]
+    kinds = kinds_of_runs(shapes, Weights(3.0, 2.4), 2.6)[0]
+    assert kinds == [kind if length == middle else None for length in row]
 
 
 def test_a_dash_may_look_a_little_wide() -> None:

@@ -1,0 +1,130 @@
+"""What is left at the ends of dimension lines: arrowheads, and extension lines of their own.
+
+An arrowhead's contour is as good as an arc that runs into its line.  An extension line in line with
+an edge that bends is explained by no line, for across the gap it was followed into the bend.
+"""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.erase import Kinds
+from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape, inked_shape, points_along
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.geometry import Circle, Line
+from gaussiancad_core.sheet.growth import Grown, GrowthRules, grow_straight
+from gaussiancad_core.sheet.ridges import RidgePoints
+from gaussiancad_core.sheet.runs import ink_field
+
+Floats = npt.NDArray[np.float64]
+
+_HEAD = 10.0
+"""Length of an arrowhead at most, in stroke widths."""
+
+_UNBROKEN_PX = 2.0
+"""Widest stretch without ridge points within ink that runs on."""
+
+_SHORTEST = 5.0
+"""Length of an extension line at least, in stroke widths."""
+
+_SQUARE = 0.1
+"""Cosine of the angle between a dimension line and its extension lines at most."""
+
+_MET_PX = 2.5
+"""px between a dimension line's end and its extension line at most."""
+
+
+def mark_heads(shapes: Sequence[InkedShape], kinds: Kinds, stroke_width: float) -> None:
+    """Give short arcs that run within the ink of an annotation its kind, in place.
+
+    Args:
+        shapes: lines and circles of the sheet.
+        kinds: what each run is known to be.
+        stroke_width: px.
+    """
+    lines = list(_told_lines(shapes, kinds))
+    for shape, own in zip(shapes, kinds, strict=True):
+        if not isinstance(shape.geometry, Circle):
+            continue
+        for k, run in enumerate(shape.runs):
+            if own[k] is not None or run.width is not None:
+                continue
+            if run.run.length > _HEAD * stroke_width:
+                continue
+            points = points_along(shape.geometry, run.run, 1.0)
+            within = (kind for line, at, kind in lines if _covers(line, at, points, stroke_width))
+            own[k] = next(within, None)
+
+
+def _told_lines(
+    shapes: Sequence[InkedShape], kinds: Kinds
+) -> Iterator[tuple[Line, InkedRun, AnnotationKind]]:
+    for shape, own in zip(shapes, kinds, strict=True):
+        if isinstance(shape.geometry, Line):
+            for run, kind in zip(shape.runs, own, strict=True):
+                if kind is not None:
+                    yield shape.geometry, run, kind
+
+
+def _covers(line: Line, run: InkedRun, points: Floats, stroke_width: float) -> bool:
+    along, across = line.coordinates(points)
+    inside = (along >= run.run.start - stroke_width) & (along <= run.run.end + stroke_width)
+    return bool(inside.all() and (np.abs(across) <= stroke_width).all())
+
+
+def extension_lines(
+    sheet: CleanSheet,
+    points: tuple[RidgePoints, npt.NDArray[np.bool_]],
+    told: tuple[Sequence[InkedShape], Kinds],
+    limit: float,
+) -> list[InkedShape]:
+    """Narrow straight ink of no shape at which the line of an annotation ends squarely.
+
+    Args:
+        sheet: with its letters taken off.
+        points: all ridge points, and (n,) bool, which of them belong to no shape.
+        told: shapes, and what each of their runs is known to be.
+        limit: px under which a line is narrow.
+    """
+    ridges, free = points
+    field = ink_field(sheet)
+    rules = GrowthRules.of_width(sheet.stroke_width)
+    rules = GrowthRules(
+        _UNBROKEN_PX, rules.band, shortest=int(np.ceil(_SHORTEST * sheet.stroke_width))
+    )
+    ends = [
+        (points[k], line.direction)
+        for line, run, _ in _told_lines(*told)
+        for points in [points_along(line, run.run, run.run.length)]
+        for k in (0, -1)
+    ]
+    found = []
+    for grown in grow_straight(_only(ridges, free), rules):
+        shape = inked_shape(sheet, field, ridges, _among(grown, free))
+        narrow = len(shape.runs) == 1 and (shape.runs[0].width or 0.0) < limit
+        if narrow and any(_meets(shape, *end) for end in ends):
+            found.append(shape)
+    return found
+
+
+def _only(ridges: RidgePoints, chosen: npt.NDArray[np.bool_]) -> RidgePoints:
+    """Some of the ridge points."""
+    numbers = np.append(np.where(chosen, np.cumsum(chosen) - 1, -1), -1)
+    return RidgePoints(
+        ridges.points[chosen], ridges.tangents[chosen], numbers[ridges.index].astype(np.int32)
+    )
+
+
+def _among(grown: Grown, chosen: npt.NDArray[np.bool_]) -> Grown:
+    """The same with its members numbered among all points."""
+    return Grown(grown.geometry, np.flatnonzero(chosen)[grown.members])
+
+
+def _meets(shape: InkedShape, end: Floats, direction: tuple[float, float]) -> bool:
+    line, run = shape.geometry, shape.runs[0].run
+    if abs(float(np.dot(line.direction, direction))) > _SQUARE:
+        return False
+    (along,), (across,) = line.coordinates(end[None])
+    return abs(across) < _MET_PX and run.start - _MET_PX < along < run.end + _MET_PX

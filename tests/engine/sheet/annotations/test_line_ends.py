@@ -1,0 +1,86 @@
+"""Arrowheads go with their dimension lines, and so do extension lines that nothing explained."""
+
+import cv2
+import numpy as np
+import pytest
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
+from gaussiancad_core.sheet.annotations.line_ends import extension_lines, mark_heads
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.geometry import Circle, Line
+from gaussiancad_core.sheet.ridges import ridge_points
+from gaussiancad_core.sheet.runs import Run
+
+EXTENSION = AnnotationKind.EXTENSION
+WIDTH = 2.0
+LEVEL = Line((0.0, 50.0), (1.0, 0.0))
+DIMENSION = InkedShape(LEVEL, (InkedRun(Run(20.0, 140.0), WIDTH),))
+
+
+def _arc(length: float, width: float | None, depth: float = 50.0) -> InkedShape:
+    """The arc that touches a level line at x = 140 and comes from the left."""
+    radius = 100.0
+    end = 1.5 * np.pi * radius
+    runs = (InkedRun(Run(end - length, end), width),)
+    return InkedShape(Circle((140.0, depth + radius), radius), runs)
+
+
+@pytest.mark.parametrize(
+    ("arc", "kind"),
+    [
+        (_arc(14.0, None), EXTENSION),
+        # Ink of its own: a rounded corner at which the dimension line ends.
+        (_arc(14.0, WIDTH), None),
+        # It leads on, or lies elsewhere.
+        (_arc(40.0, None), None),
+        (_arc(14.0, None, depth=80.0), None),
+    ],
+    ids=["head", "inked", "long", "elsewhere"],
+)
+def test_an_arrowheads_contour(arc: InkedShape, kind: AnnotationKind | None) -> None:
+    kinds = [[EXTENSION], [None]]
+    mark_heads([DIMENSION, arc], kinds, WIDTH)
+    assert kinds == [[EXTENSION], [kind]]
+    # By itself it is what it is.
+    kinds = [[None], [None]]
+    mark_heads([DIMENSION, arc], kinds, WIDTH)
+    assert kinds == [[None], [None]]
+
+
+def _sheet(*lines: tuple[tuple[int, int], tuple[int, int]]) -> CleanSheet:
+    ink = np.zeros((120, 200), np.uint8)
+    for start, end in lines:
+        cv2.line(ink, start, end, 255, 2)
+    weight = (ink / 255.0).astype(np.float32)
+    return CleanSheet(weight > 0.5, weight, WIDTH, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("upright", "limit", "found"),
+    [
+        (((140, 44), (140, 80)), 4.0, True),
+        # It ends before the dimension line, or runs past its end.
+        (((140, 60), (140, 96)), 4.0, False),
+        (((150, 44), (150, 80)), 4.0, False),
+        # Not square to it, or an edge by its width.
+        (((140, 44), (160, 80)), 4.0, False),
+        (((140, 44), (140, 80)), 1.0, False),
+        # As short as a dash.
+        (((140, 48), (140, 52)), 4.0, False),
+    ],
+    ids=["met", "apart", "beside", "slanted", "wide", "short"],
+)
+def test_an_extension_line_that_no_shape_explains(
+    upright: tuple[tuple[int, int], tuple[int, int]], limit: float, found: bool
+) -> None:
+    sheet = _sheet(upright)
+    ridges = ridge_points(sheet.weight, WIDTH)
+    free = np.ones(len(ridges.points), dtype=bool)
+    lines = extension_lines(sheet, (ridges, free), ([DIMENSION], [[EXTENSION]]), limit)
+    assert len(lines) == found
+    for shape in lines:
+        assert abs(shape.geometry.direction[1]) == pytest.approx(1.0, abs=0.02)
+        assert shape.runs[0].run.length == pytest.approx(37.0, abs=3.0)
+    # What other shapes explain is not looked at.
+    assert not extension_lines(sheet, (ridges, ~free), ([DIMENSION], [[EXTENSION]]), limit)
