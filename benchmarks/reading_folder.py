@@ -48,7 +48,7 @@ def read_folder(folder: Path, reading: ReadingOptions, keep: Path | None) -> Non
         )
         print(f"{path.name:32}{seconds:7.2f} s  {found.projection.value}: {views}", flush=True)
         if found.direct_views:
-            compared.append(as_a_picture(path, found, reading))
+            compared.append(as_a_picture(path, found, reading, keep))
         if keep is not None:
             keep.mkdir(parents=True, exist_ok=True)
             image = np.repeat(read_sheet(path).grey[..., None], 3, axis=2)
@@ -69,7 +69,9 @@ class Compared:
     failed: bool = False
 
 
-def as_a_picture(path: Path, direct: Found, reading: ReadingOptions) -> Compared:
+def as_a_picture(
+    path: Path, direct: Found, reading: ReadingOptions, keep: Path | None = None
+) -> Compared:
     """Read a vector sheet again, as a picture, and match its lines with those of the file."""
     count = len(direct.strokes)
     try:
@@ -79,7 +81,11 @@ def as_a_picture(path: Path, direct: Found, reading: ReadingOptions) -> Compared
         return Compared(count, direct.direct_views, failed=True)
     drawn = list(chain.from_iterable(direct.strokes.values()))
     seen = list(chain.from_iterable(found.strokes.values()))
-    matched, errors, _ = match(drawn, seen, covered=1.0)
+    matched, errors, marks = match(drawn, seen, covered=1.0)
+    if keep is not None:
+        keep.mkdir(parents=True, exist_ok=True)
+        image = np.repeat(read_sheet(path).grey[..., None], 3, axis=2)
+        write_image(drawn_over(image, found, marks), keep / f"{path.stem}-picture-read.png")
     visible, hidden = matched[Linetype.VISIBLE], matched[Linetype.HIDDEN]
     print(
         f"{'':32}{direct.direct_views} of {count} views direct; as a picture visible "
