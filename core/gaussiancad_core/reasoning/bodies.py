@@ -13,7 +13,7 @@ from gaussiancad_core.reasoning.columns import Vector
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve, PlaneCurve, line_through
 from gaussiancad_core.reasoning.planes import IN_PLANE
 
-_RIM = 1e-3
+RIM = 1e-3
 """Units of radius from which an end of a body is a circle."""
 
 _FAR = 1e3
@@ -251,7 +251,7 @@ class RevolvedBody:
             return [
                 (CircleCurve(self.centre, radius), stretch)
                 for radius in radii
-                if radius > _RIM
+                if radius > RIM
                 for stretch in self._stretches()
             ]
         if self.sector:

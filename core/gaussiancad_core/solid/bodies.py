@@ -1,6 +1,6 @@
 """Faces of the extra bodies: of revolution, and half spaces."""
 
-from math import cos, pi, sin
+from math import asin, copysign, cos, pi, sin
 
 import numpy as np
 from OCP.BRepBuilderAPI import (
@@ -9,12 +9,11 @@ from OCP.BRepBuilderAPI import (
     BRepBuilderAPI_MakePolygon,
 )
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeRevol
-from OCP.GC import GC_MakeArcOfCircle
-from OCP.gp import gp_Ax1, gp_Dir, gp_Pnt
+from OCP.gp import gp_Ax1, gp_Ax2, gp_Circ, gp_Dir, gp_Pnt
 from OCP.TopoDS import TopoDS_Face
 
 from gaussiancad_core.drawing.brep import faces_of
-from gaussiancad_core.reasoning.bodies import LineProfile, RevolvedBody
+from gaussiancad_core.reasoning.bodies import RIM, ArcProfile, LineProfile, RevolvedBody
 from gaussiancad_core.reasoning.columns import Body, Vector
 from gaussiancad_core.reasoning.half_spaces import HalfSpace
 from gaussiancad_core.reasoning.planes import IN_PLANE, lifted
@@ -35,6 +34,17 @@ def _plane_face(hull: tuple[Vector, ...]) -> TopoDS_Face:
     return BRepBuilderAPI_MakeFace(outline.Wire(), True).Face()
 
 
+def _angle(profile: ArcProfile, z: float) -> float:
+    """Of an arc's end about its centre, from the direction that leaves the axis.
+
+    What ends on the axis is to end there exactly: a rim that is nearly a point stays open.
+    """
+    rise = min(1.0, max(-1.0, (z - profile.z) / profile.radius_of_arc))
+    if profile.r == 0.0 and profile.radius(z) < RIM:
+        rise = copysign(1.0, rise)
+    return asin(rise) if profile.side > 0 else pi - asin(rise)
+
+
 def revolved_face(body: RevolvedBody) -> TopoDS_Face:
     """The face that a body's profile sweeps, in units."""
     profile, (a, b) = body.profile, body.centre
@@ -42,15 +52,19 @@ def revolved_face(body: RevolvedBody) -> TopoDS_Face:
     right, up = cos(start_angle), sin(start_angle)
 
     def point(z: float) -> gp_Pnt:
-        radius = profile.radius(z)
+        radius = profile.radius(z) if profile.radius(z) > RIM else 0.0
         return gp_Pnt(*lifted(body.axis, a + radius * right, b + radius * up, z))
 
-    start, end = point(profile.low), point(profile.high)
     if isinstance(profile, LineProfile):
-        edge = BRepBuilderAPI_MakeEdge(start, end).Edge()
+        edge = BRepBuilderAPI_MakeEdge(point(profile.low), point(profile.high)).Edge()
     else:
-        middle = point((profile.low + profile.high) / 2.0)
-        edge = BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(start, middle, end).Value()).Edge()
+        centre = lifted(body.axis, a + profile.r * right, b + profile.r * up, profile.z)
+        out = np.array(lifted(body.axis, right, up, 0.0))
+        along = np.array(lifted(body.axis, 0.0, 0.0, 1.0))
+        normal = gp_Dir(*map(float, np.cross(out, along)))
+        frame = gp_Ax2(gp_Pnt(*centre), normal, gp_Dir(*map(float, out)))
+        low, high = sorted((_angle(profile, profile.low), _angle(profile, profile.high)))
+        edge = BRepBuilderAPI_MakeEdge(gp_Circ(frame, profile.radius_of_arc), low, high).Edge()
     # From the plane's first axis towards its second: against y where those are x and z.
     first, second = IN_PLANE[body.axis]
     direction = gp_Dir(*map(float, np.cross(np.eye(3)[first], np.eye(3)[second])))
