@@ -24,7 +24,7 @@ from gaussiancad_core.reasoning.corner_equations import (
 from gaussiancad_core.reasoning.curves import CircleCurve, LineCurve, Point, line_through
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.relations import Linear, Numbers, Relation, solved
-from gaussiancad_core.reasoning.snapping import Snapped, circle_relations
+from gaussiancad_core.reasoning.snapping import CERTAIN, Snapped, circle_relations
 from gaussiancad_core.reasoning.tangents import touched_circles
 
 _ON = 0.5
@@ -50,6 +50,15 @@ _FIRM = 1e6
 
 _MOST = 1000
 """Incidences that are looked at: parts of 150 faces have some hundred."""
+
+_UNROUNDED = 4
+"""Times that numbers are looked for which are no multiples of the step."""
+
+_ROUNDED = 0.1 * CERTAIN
+"""Weight from which a number was made a multiple of the step."""
+
+_STAYS = 1e-6
+"""Units by which such a number may move."""
 
 _SPANNING = 3
 """Corners that any plane goes through."""
@@ -122,7 +131,16 @@ def adjusted(
     network = _Network(snap, planes, tolerance)
     relations = [relation for plane in planes for relation in network.relations(plane)]
     relations += [relation for facet in facets for relation in network.on_facet(facet)]
-    numbers = solved(network.observed, network.weights, [*network.known(), *relations], network.far)
+    known = network.known()
+    weights = list(network.weights)
+    numbers = solved(network.observed, weights, [*known, *relations], network.far)
+    for _ in range(_UNROUNDED):
+        wrong = network.wrongly_rounded(numbers, weights, relations)
+        if not wrong:
+            break
+        for at in wrong:
+            weights[at] /= CERTAIN
+        numbers = solved(network.observed, weights, [*known, *relations], network.far)
     return network.result(numbers)
 
 
@@ -141,6 +159,7 @@ class _Network:
         self.observed: list[float] = []
         self.weights: list[float] = []
         self.far: list[float] = []
+        self._rounded: set[int] = set()
         self._values = {axis: self._add_values(axis) for axis in Axis}
         self._circles = [
             self._add([*circle.centre, circle.radius], [weight] * 3, _FAR)
@@ -155,10 +174,12 @@ class _Network:
         }
 
     def _add(self, numbers: list[float], weights: list[float], far: float) -> int:
+        first = len(self.observed)
+        self._rounded.update(first + k for k, w in enumerate(weights) if w > _ROUNDED)
         self.observed += numbers
         self.weights += [max(weight, 1e-6) for weight in weights]
         self.far += [far * self._tolerance] * len(numbers)
-        return len(self.observed) - len(numbers)
+        return first
 
     def _add_values(self, axis: Axis) -> dict[float, int]:
         values = self._snap.values[axis]
@@ -168,7 +189,8 @@ class _Network:
             # The views were lined up by their extents.
             factor = _FIRM if value in (values[0], values[-1]) else 1.0
             far = _FAR_LOOSELY if weight < _LOOSE else _FAR
-            found[value] = self._add([value], [factor * weight], far)
+            found[value] = self._add([value], [weight], far)
+            self.weights[-1] *= factor
         return found
 
     def known(self) -> list[Linear]:
@@ -243,6 +265,23 @@ class _Network:
             weight = min(self._snap.weights[key] for key in zip(axes, values, strict=True))
             a, b = (self._values[axis][x] for axis, x in zip(axes, values, strict=True))
             found[a, b] = _Corner(a, b, (values[0], values[1]), weight < _LOOSE)
+        return found
+
+    def wrongly_rounded(
+        self, numbers: Numbers, weights: Sequence[float], relations: Sequence[Relation]
+    ) -> set[int]:
+        """Places of numbers that follow from others, and are near multiples of the step by chance.
+
+        Multiples of the step stay where they are.  Where an equation moves them, the one that the
+        least ink tells was none.
+        """
+        moved = np.abs(numbers - np.array(self.observed)) > _STAYS
+        found = set()
+        for relation in relations:
+            places = {at for at, _ in relation.at(numbers)[1] if moved[at]} & self._rounded
+            held = [at for at in places if weights[at] > _ROUNDED]
+            if held:
+                found.add(min(held, key=lambda at: (weights[at], at)))
         return found
 
     def result(self, numbers: Numbers) -> Adjusted:

@@ -12,6 +12,7 @@ from gaussiancad_core.reasoning.arrangement import OUTSIDE, Arrangement
 from gaussiancad_core.reasoning.bodies import RevolvedBody
 from gaussiancad_core.reasoning.bridges import bridges
 from gaussiancad_core.reasoning.chains import Chain, through_points
+from gaussiancad_core.reasoning.chamfers import with_untold_chamfers
 from gaussiancad_core.reasoning.columns import Space
 from gaussiancad_core.reasoning.curves import axis_line
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
@@ -82,7 +83,7 @@ def model_part(views: DrawnViews, near: float = _NEAR) -> PartModel:
         # Read by themselves their corners lie on no common plane.
         supports = find_supports(views, facets)
         half_spaces = find_half_spaces(supports)
-    supports = with_untold_lines(retraced(supports, half_spaces))
+    supports = with_untold_chamfers(with_untold_lines(retraced(supports, half_spaces)))
     planes = {axis: _arranged(plane, supports.tolerance) for axis, plane in supports.planes.items()}
     for axis in Axis:
         if axis not in planes:

@@ -24,7 +24,7 @@ _TOO_SMALL = 4.0
 _EXACT = 0.02
 """Units of tolerance up to which readings are exact, and are not rounded."""
 
-_CERTAIN = 1e6
+CERTAIN = 1e6
 """Weight of a number that is known to be a multiple of the part's step."""
 
 _FAR = 2.5
@@ -300,6 +300,6 @@ def _rounded(
         if multiple is None:
             nominal.add(float(number), weight)
         else:
-            nominal.add(multiple, weight * _CERTAIN)
+            nominal.add(multiple, weight * CERTAIN)
     rounded = solved(nominal.observed, nominal.weights, relations, _FAR * tolerance)
     return nominal, rounded

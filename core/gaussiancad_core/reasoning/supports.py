@@ -13,6 +13,7 @@ import numpy as np
 
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.reasoning.along_circles import arc_along
+from gaussiancad_core.reasoning.askew import without_askew_dashes
 from gaussiancad_core.reasoning.chains import Chain, single_runs
 from gaussiancad_core.reasoning.chords import find_chords
 from gaussiancad_core.reasoning.corner_equations import Slant
@@ -61,6 +62,9 @@ _CHAIN_LINKS = 128
 
 _FLAT = 4.0
 """Tolerances of rise that an arc has at least to tell a circle; flatter ones are boundaries."""
+
+_SMALLEST_QUARTER = 4.0
+"""Tolerances of the radius from which a quarter of a circle tells it, flat as it is."""
 
 _END_WEIGHT = 1e-3
 """Weight of a coordinate that only ends of slanted lines tell: all else counts more."""
@@ -154,6 +158,7 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
     """
     scale = UNITS / max(views.size)
     tolerance = views.tolerance * scale
+    views = without_askew_dashes(views)
     planes = _sorted_strokes(views, scale, tolerance)
     size = tuple(extent * scale for extent in views.size)
     apart = None if views.apart is None else views.apart * scale
@@ -225,7 +230,16 @@ def _tells_line(line: _Line, tolerance: float) -> bool:
 
 def _tells_circle(arc: Arc, scale: float, tolerance: float) -> bool:
     rise = arc.radius * scale * (1.0 - np.cos(min(arc.sweep, TURN) / 2.0))
-    return bool(rise > _FLAT * tolerance)
+    return bool(rise > _FLAT * tolerance) or _is_quarter(arc, tolerance / scale)
+
+
+def _is_quarter(arc: Arc, tolerance: float) -> bool:
+    """Whether an arc rounds a corner between lines along the axes: its ends tell its circle."""
+    if arc.radius <= _SMALLEST_QUARTER * tolerance:
+        return False
+    ends = np.array([arc.start_angle, arc.start_angle + arc.sweep]) / (pi / 2.0)
+    off = np.abs(ends - np.rint(ends)).max() * (pi / 2.0) * arc.radius
+    return bool(off <= tolerance and round(arc.sweep / (pi / 2.0)) == 1)
 
 
 def _circle(arc: Arc, role: Role, scale: float) -> _Circle:

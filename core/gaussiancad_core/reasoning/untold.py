@@ -18,13 +18,13 @@ from gaussiancad_core.reasoning.spans import Span, Support, nearest_station, sta
 from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports
 from gaussiancad_core.views import Linetype
 
-_MOST = 24.0
+MOST = 24.0
 """Tolerances up to which a line may have been lost."""
 
-_LEAST = 2.0
+LEAST = 2.0
 """Tolerances from which a line counts."""
 
-_SAME = 1.5
+SAME = 1.5
 """Tolerances within which two views show the same end, and lines are one."""
 
 
@@ -66,7 +66,7 @@ def with_untold_lines(supports: PartSupports) -> PartSupports:
 
 def _missing(supports: PartSupports, shared: Axis) -> Iterator[tuple[Point, Point]]:
     """Edges, as the view along an axis should show them, that both other views show over it."""
-    near, least, most = (k * supports.tolerance for k in (_SAME, _LEAST, _MOST))
+    near, least, most = (k * supports.tolerance for k in (SAME, LEAST, MOST))
     one, other = (Axis(index) for index in IN_PLANE[shared])
     firsts = _edges(supports.planes[other], shared, most)
     seconds = sorted(_edges(supports.planes[one], shared, most), key=lambda edge: edge.low)
@@ -102,7 +102,7 @@ def _completed(
     for start, end in missing:
         line = line_through(start, end)
         if line.axis is not None or any(
-            _shows(support, start, end, _SAME * tolerance) for support in found
+            shows(support, start, end, SAME * tolerance) for support in found
         ):
             continue
         stations = stations_on(line, [support.curve for support in plane.supports])
@@ -110,7 +110,7 @@ def _completed(
             nearest_station(stations, line.parameter(end), _REACH * tolerance)
             for end in (start, end)
         )
-        if high - low < _LEAST * tolerance:
+        if high - low < LEAST * tolerance:
             # Both ends belong to one corner.
             continue
         span = Span(low, high, Linetype.HIDDEN, 0.0)
@@ -121,7 +121,7 @@ def _completed(
     return replace(plane, supports=tuple(found))
 
 
-def _shows(support: Support, start: Point, end: Point, near: float) -> bool:
+def shows(support: Support, start: Point, end: Point, near: float) -> bool:
     """Whether a line runs along an edge, so that the edge would be on it."""
     curve = support.curve
     if max(curve.distance(start), curve.distance(end)) > near:

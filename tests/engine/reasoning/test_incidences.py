@@ -157,3 +157,22 @@ def test_the_extents_stay() -> None:
     assert found.values[Axis.X][0] == pytest.approx(0.0, abs=1e-6)
     assert found.values[Axis.Z][-1] == pytest.approx(100.0, abs=1e-6)
     assert found.values[Axis.Z][1] == pytest.approx(50.05, abs=0.01)
+
+
+def test_what_follows_from_rounded_numbers_is_no_multiple_of_their_step() -> None:
+    # A flat 20 off the axis of a cylinder of radius 32 ends at 36 +- 24.98: near a multiple of .5.
+    half = (32.0**2 - 20.0**2) ** 0.5
+    circles = [CircleReading(Axis.X, CircleCurve((36.01, 36.0), r), 6.0 * r) for r in (32.01, 36.0)]
+    readings = [(axis, at) for axis in (Axis.Y, Axis.Z) for at in (0.0, 72.0)]
+    readings += [(Axis.X, 4.5 * k) for k in range(22)] + [(Axis.X, 100.0)]
+    # Two views show the flat, one the edges at which it ends.
+    readings += [(Axis.Y, 56.01), (Axis.Y, 56.01), (Axis.Z, 36.0 - half), (Axis.Z, 36.0 + half)]
+    snap = _snap(readings, circles)
+    assert snap.values[Axis.Y] == pytest.approx((0.0, 56.0, 72.0), abs=1e-9)
+    assert snap.values[Axis.Z] == pytest.approx((0.0, 11.0, 61.0, 72.0), abs=1e-9)
+    ends = (56.0, 36.0 - half), (56.0, 36.0 + half)
+    found = adjusted(snap, [PlaneReading(Axis.X, (), ends)], _TOLERANCE).snap
+    assert found.values[Axis.Y] == pytest.approx((0.0, 56.0, 72.0), abs=1e-6)
+    assert found.values[Axis.Z] == pytest.approx((0.0, 36.0 - half, 36.0 + half, 72.0), abs=1e-6)
+    for (_, circle), radius in zip(found.circles, (36.0, 32.0), strict=True):
+        assert (*circle.centre, circle.radius) == pytest.approx((36.0, 36.0, radius), abs=1e-6)

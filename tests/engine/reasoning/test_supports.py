@@ -239,3 +239,21 @@ def test_values_are_shared_by_the_planes(sample_views: Callable[[str], DrawnView
                 axes = [other for other in Axis if other is not normal]
                 if axes[support.curve.axis] is axis:
                     assert support.curve.point[support.curve.axis] in values
+
+
+@pytest.mark.parametrize(
+    ("arc", "told"),
+    [
+        # Sharply bent quarters between lines along the axes are rounded corners.
+        (Arc((1.0, 19.0), 1.0, pi / 2.0, pi / 2.0, _VISIBLE), True),
+        (Arc((1.0, 19.0), 1.0, pi / 2.0 + 0.1, pi / 2.0 - 0.2, _VISIBLE), True),
+        # Other flat arcs may be any curve, and the smallest quarters a slip.
+        (Arc((1.0, 19.0), 1.0, pi / 4.0, pi / 2.0, _VISIBLE), False),
+        (Arc((1.0, 19.0), 1.0, pi / 2.0, pi / 4.0, _VISIBLE), False),
+        (Arc((0.5, 19.5), 0.5, pi / 2.0, pi / 2.0, _VISIBLE), False),
+    ],
+)
+def test_flat_quarters_between_the_axes_tell_their_circle(arc: Arc, told: bool) -> None:
+    plane = _front([*_box(50, 20), arc], tolerance=0.2)
+    circles = [s for s in plane.supports if isinstance(s.curve, CircleCurve)]
+    assert (len(circles), len(plane.chains)) == ((1, 0) if told else (0, 1))

@@ -1,0 +1,209 @@
+"""Chamfers of round edges whose own lines are too short to be read.
+
+The mouth of a bore, or the end of a pin, shows two circles about one centre, and beside them the
+edges across the axis at both ends of the chamfer.  The slanted lines in between are a dash long; in
+a picture they run into their neighbours.  Or one view shows them, as those of a drill's tip, and
+the other one does not.  They are added as lines that may be drawn or not.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from math import hypot, pi
+
+from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.reasoning.curves import CircleCurve, LineCurve, Point, line_through
+from gaussiancad_core.reasoning.planes import IN_PLANE
+from gaussiancad_core.reasoning.spans import Span, Support
+from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports
+from gaussiancad_core.reasoning.untold import LEAST, MOST, SAME, shows
+from gaussiancad_core.views import Linetype
+
+_WHOLE = 1.5 * pi
+"""Angle of a circle that is drawn at least."""
+
+_CHANCE = 12
+"""Chamfers of a part that may be lost; where more would be, circles lie together by chance."""
+
+
+@dataclass(frozen=True)
+class _Chamfer:
+    """Half of an axial section: from (radius, height) to (radius, height)."""
+
+    axis: Axis
+    centre: Point
+    inner: tuple[float, float]
+    outer: tuple[float, float]
+
+
+@dataclass(frozen=True)
+class _Side:
+    """A view beside an axis: where its lines run along that axis and across it."""
+
+    plane: PlaneSupports
+    along: int
+    middle: float
+
+    def across(self) -> Iterator[tuple[float, float, float]]:
+        """(height, low, high) of the edges across the axis; low and high from the axis."""
+        for support in self.plane.supports:
+            if support.curve.axis == self.along:
+                origin = support.curve.point[1 - self.along] - self.middle
+                for low, high in support.drawn():
+                    yield support.curve.point[self.along], origin + low, origin + high
+
+    def has_along(self, radius: float, height: float, near: float) -> bool:
+        """Whether a line along the axis is drawn at a radius, and passes a height."""
+        for support in self.plane.supports:
+            curve = support.curve
+            if curve.axis != 1 - self.along:
+                continue
+            off = abs(curve.point[1 - self.along] - self.middle)
+            at = height - curve.point[self.along]
+            if abs(off - radius) <= near and any(a < at < b for a, b in support.drawn()):
+                return True
+        return False
+
+    def slants(self) -> Iterator[tuple[Point, Point]]:
+        """Both ends of each slanted line: distances from the axis, and heights."""
+        for support in self.plane.supports:
+            if isinstance(support.curve, LineCurve) and support.curve.axis is None:
+                for stretch in support.drawn():
+                    one, other = (support.curve.at(at) for at in stretch)
+                    yield self._seen(one), self._seen(other)
+
+    def _seen(self, point: Point) -> Point:
+        return point[1 - self.along] - self.middle, point[self.along]
+
+
+def with_untold_chamfers(supports: PartSupports) -> PartSupports:
+    """The supports with the lines of chamfers that may be drawn; they have no confidence."""
+    if len(supports.planes) < len(Axis):
+        return supports
+    found = [chamfer for axis in Axis for chamfer in _chamfers(supports, axis)]
+    if not found or len(found) > _CHANCE:
+        return supports
+    planes = {
+        normal: _completed(plane, found, SAME * supports.tolerance)
+        for normal, plane in supports.planes.items()
+    }
+    return replace(supports, planes=planes)
+
+
+def _chamfers(supports: PartSupports, axis: Axis) -> Iterator[_Chamfer]:
+    near, least, most = (k * supports.tolerance for k in (SAME, LEAST, MOST))
+    for centre, radii in _round_edges(supports.planes[axis], near):
+        sides = [_side(plane, axis, centre) for plane in supports.planes.values()]
+        for small, large in pairwise(radii):
+            if not least < large - small < most:
+                continue
+            told = {
+                heights
+                for side in sides
+                if side is not None
+                for heights in _heights(side, (small, large), (least, most), near)
+            }
+            for start, end in sorted(told):
+                chamfer = _Chamfer(axis, centre, (small, start), (large, end))
+                if not any(_is_another(chamfer, side, near) for side in sides if side is not None):
+                    yield chamfer
+        for side in sides:
+            if side is not None:
+                for inner, outer in _shown(side, [0.0, *radii], near):
+                    if hypot(outer[0] - inner[0], outer[1] - inner[1]) < most:
+                        yield _Chamfer(axis, centre, inner, outer)
+
+
+def _round_edges(plane: PlaneSupports, near: float) -> Iterator[tuple[Point, list[float]]]:
+    """Centres of whole circles, and the radii about each, ascending."""
+    left = [
+        support.curve
+        for support in plane.supports
+        if isinstance(support.curve, CircleCurve)
+        and sum(high - low for low, high in support.drawn()) > _WHOLE
+    ]
+    while left:
+        (x, y) = left[0].centre
+        own = [c for c in left if max(abs(c.centre[0] - x), abs(c.centre[1] - y)) <= near]
+        left = [c for c in left if c not in own]
+        yield (x, y), sorted(circle.radius for circle in own)
+
+
+def _side(plane: PlaneSupports, axis: Axis, centre: Point) -> _Side | None:
+    if plane.normal is axis:
+        return None
+    along = IN_PLANE[plane.normal].index(axis.value)
+    other = IN_PLANE[plane.normal][1 - along]
+    return _Side(plane, along, centre[IN_PLANE[axis].index(other)])
+
+
+def _heights(
+    side: _Side, radii: tuple[float, float], reach: tuple[float, float], near: float
+) -> Iterator[tuple[float, float]]:
+    """Heights of the smaller and of the larger circle of a chamfer.
+
+    The edge across the axis is as long as the one circle is wide; at the other circle a face
+    reaches as far at least.  No line along the axis is there in between, as at a step.
+    """
+    small, large = radii
+    edges = list(side.across())
+    for start, low, high in edges:
+        if abs(low + small) > near or abs(high - small) > near:
+            continue
+        for end, lower, higher in edges:
+            middle = (start + end) / 2.0
+            if (
+                reach[0] < abs(end - start) < reach[1]
+                and lower <= near - large
+                and higher >= large - near
+                and not any(side.has_along(radius, middle, near) for radius in radii)
+            ):
+                yield start, end
+
+
+def _is_another(chamfer: _Chamfer, side: _Side, near: float) -> bool:
+    """Whether a drawn slanted line ends at one of the chamfer's corners only."""
+    corners = chamfer.inner, chamfer.outer
+    return any(
+        sum(any(hypot(r - abs(a), z - b) <= near for a, b in ends) for r, z in corners) == 1
+        for ends in side.slants()
+    )
+
+
+def _shown(side: _Side, radii: list[float], near: float) -> Iterator[tuple[Point, Point]]:
+    """Slanted lines on both sides of the axis whose ends have the radii of circles, or none."""
+    drawn = list(side.slants())
+    for one, other in drawn:
+        if min(one[0], other[0]) < -near:
+            continue
+        ends = []
+        for r, z in sorted((one, other)):
+            radius = min(radii, key=lambda known: abs(known - r))
+            mirrored = any(hypot(r + a, z - b) <= near for pair in drawn for a, b in pair)
+            if abs(radius - r) <= near and mirrored:
+                ends.append((radius, z))
+        if len(ends) == 2 and ends[0][0] < ends[1][0]:
+            yield ends[0], ends[1]
+
+
+def _completed(plane: PlaneSupports, found: list[_Chamfer], near: float) -> PlaneSupports:
+    supports = list(plane.supports)
+    for chamfer in found:
+        side = _side(plane, chamfer.axis, chamfer.centre)
+        if side is None:
+            continue
+        for way in (-1.0, 1.0):
+            start, end = (_placed(side, way * r, z) for r, z in (chamfer.inner, chamfer.outer))
+            if not any(shows(support, start, end, near) for support in supports):
+                line = line_through(start, end)
+                low, high = sorted((line.parameter(start), line.parameter(end)))
+                span = Span(low, high, Linetype.HIDDEN, 0.0)
+                spans: dict[Role, tuple[Span, ...]] = {role: (span,) for role in plane.roles}
+                supports.append(Support(line, spans))
+    return replace(plane, supports=tuple(supports))
+
+
+def _placed(side: _Side, off: float, height: float) -> Point:
+    point = [0.0, 0.0]
+    point[side.along], point[1 - side.along] = height, side.middle + off
+    return point[0], point[1]

@@ -1,0 +1,117 @@
+"""Chamfers whose lines are too short to be read."""
+
+from dataclasses import replace
+from itertools import pairwise
+from math import pi
+
+import pytest
+
+from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.reasoning.bodies import LineProfile
+from gaussiancad_core.reasoning.chamfers import with_untold_chamfers
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.revolved import find_bodies
+from gaussiancad_core.reasoning.supports import PartSupports, find_supports
+from gaussiancad_core.views import Arc, Linetype, Segment
+
+_VISIBLE, _HIDDEN = Linetype.VISIBLE, Linetype.HIDDEN
+_BOX = (40.0, 40.0, 20.0)
+_CENTRE = 15.0
+_BORE, _MOUTH = 4.0, 5.0
+
+Stroke = Segment | Arc
+
+
+def _outline(width: float, height: float) -> list[Stroke]:
+    corners = ((0.0, 0.0), (width, 0.0), (width, height), (0.0, height), (0.0, 0.0))
+    return [Segment(a, b, _VISIBLE) for a, b in pairwise(corners)]
+
+
+def _bore(rim: float = 19.0) -> list[Stroke]:
+    """A bore through the block beside its axis; its chamfer's slanted lines are left out."""
+    left, right = _CENTRE - _BORE, _CENTRE + _BORE
+    return [
+        Segment((left, 0.0), (left, rim), _HIDDEN),
+        Segment((right, 0.0), (right, rim), _HIDDEN),
+        Segment((left, rim), (right, rim), _HIDDEN),
+    ]
+
+
+def _chamfer() -> list[Stroke]:
+    return [
+        Segment((_CENTRE + way * _BORE, 19.0), (_CENTRE + way * _MOUTH, 20.0), _HIDDEN)
+        for way in (-1.0, 1.0)
+    ]
+
+
+def _block(
+    front: list[Stroke], right: list[Stroke], radii: tuple[float, ...] = (_BORE, _MOUTH)
+) -> PartSupports:
+    circles = [Arc((_CENTRE, _CENTRE), radius, 0.0, 2.0 * pi, _VISIBLE) for radius in radii]
+    strokes = {
+        Role.FRONT: (*_outline(40.0, 20.0), *front),
+        Role.TOP: (*_outline(40.0, 40.0), *circles),
+        Role.RIGHT: (*_outline(40.0, 20.0), *right),
+    }
+    return find_supports(DrawnViews(strokes, _BOX, 0.1))
+
+
+def _cones(supports: PartSupports) -> list[LineProfile]:
+    return [body.profile for body in find_bodies(with_untold_chamfers(supports))]
+
+
+@pytest.mark.parametrize("shown", [(True, True), (True, False), (False, True)])
+def test_the_chamfer_between_two_circles_is_a_cone(shown: tuple[bool, bool]) -> None:
+    front, right = (_bore() if one else [] for one in shown)
+    supports = _block(front, right)
+    assert not find_bodies(supports)
+    (cone,) = _cones(supports)
+    units = (cone.low, cone.high, cone.at_low, cone.at_high)
+    assert [value / supports.scale for value in units] == pytest.approx([19.0, 20.0, 4.0, 5.0])
+
+
+def test_its_lines_may_be_drawn_or_not() -> None:
+    found = with_untold_chamfers(_block(_bore(), _bore()))
+    for axis in (Axis.X, Axis.Y):
+        slants = [s for s in found.planes[axis].supports if s.curve.axis is None]
+        spans = [span for s in slants for own in s.spans.values() for span in own]
+        assert [span.confidence for span in spans] == [0.0, 0.0]
+
+
+def test_a_step_is_no_chamfer() -> None:
+    counterbore = [
+        Segment((_CENTRE + way * _MOUTH, 19.0), (_CENTRE + way * _MOUTH, 20.0), _HIDDEN)
+        for way in (-1.0, 1.0)
+    ]
+    strokes = [*_bore(), *counterbore]
+    assert not _cones(_block(strokes, strokes))
+
+
+def test_far_circles_would_have_had_their_lines_read() -> None:
+    assert not _cones(_block(_bore(), _bore(), radii=(_BORE, 9.0)))
+    assert not _cones(_block(_bore(15.0), _bore(15.0)))
+
+
+def test_lines_that_are_drawn_from_one_circle_elsewhere_are_another_cone() -> None:
+    other = Segment((_CENTRE + _BORE, 19.0), (_CENTRE + 8.0, 20.0), _HIDDEN)
+    strokes = [*_bore(), other]
+    supports = _block(strokes, strokes)
+    assert with_untold_chamfers(supports) == supports
+
+
+def test_what_one_view_shows_the_other_one_may_show() -> None:
+    supports = _block(_chamfer(), [])
+    assert not find_bodies(supports)
+    (cone,) = _cones(supports)
+    assert cone.at_high / supports.scale == pytest.approx(_MOUTH)
+    assert not _cones(_block(_chamfer()[:1], []))
+
+
+def test_nothing_is_added_where_all_is_drawn() -> None:
+    supports = _block([*_bore(), *_chamfer()], [*_bore(), *_chamfer()])
+    assert with_untold_chamfers(supports) == supports
+
+
+def test_exact_lines_are_all_there() -> None:
+    supports = replace(_block(_bore(), _bore()), tolerance=1e-4)
+    assert with_untold_chamfers(supports) == supports
