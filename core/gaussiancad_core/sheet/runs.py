@@ -321,7 +321,9 @@ def bridged(
     if joined and np.isfinite(geometry.around):
         first, last = joined[0], joined[-1]
         over = replace(first, start=first.start + geometry.around, end=first.end + geometry.around)
-        if _is_bridged(field, geometry, (last, over), rhythm, longest):
+        # One piece that others' ink would close is more than half of what it closes to.
+        most = longest if len(joined) > 1 else min(longest, geometry.around / 2.0)
+        if _is_bridged(field, geometry, (last, over), rhythm, most):
             # One piece that reaches its own beginning goes once around.
             end = over.end if len(joined) > 1 else over.start
             sure = max(first.confidence, last.confidence)

@@ -13,6 +13,7 @@ import numpy as np
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.erase import Kinds
 from gaussiancad_core.sheet.annotations.inked import InkedShape
+from gaussiancad_core.sheet.annotations.mark_forms import FreeMark, learned_form, mark_by_form
 from gaussiancad_core.sheet.annotations.marks import Mask
 from gaussiancad_core.sheet.geometry import Circle, Line
 
@@ -55,9 +56,11 @@ class _Ray:
 
 
 def mark_centre_marks(
-    shapes: Sequence[InkedShape], kinds: Kinds, ink: Mask, stroke_width: float
+    shapes: list[InkedShape], kinds: Kinds, ink: Mask, stroke_width: float
 ) -> None:
     """Mark the runs of centre marks as centre lines, in place.
+
+    Those that stand free tell the form of the others.
 
     Args:
         shapes: lines and circles of the sheet.
@@ -65,12 +68,14 @@ def mark_centre_marks(
         ink: (h, w) bool.
         stroke_width: px.
     """
-    for shape in shapes:
-        circle = shape.geometry
-        if not isinstance(circle, Circle):
-            continue
-        if sum(own.run.length for own in shape.runs) < _DRAWN * circle.around:
-            continue
+    circles = [
+        shape.geometry
+        for shape in shapes
+        if isinstance(shape.geometry, Circle)
+        and sum(own.run.length for own in shape.runs) >= _DRAWN * shape.geometry.around
+    ]
+    marks: list[FreeMark] = []
+    for circle in circles:
         rays = [ray for ray in _rays(circle, shapes) if kinds[ray.shape][ray.run] is None]
         free = {
             ray
@@ -78,8 +83,24 @@ def mark_centre_marks(
             if _is_free(ray, ink, stroke_width) and not _ends_at(ray, circle, stroke_width)
         }
         for one, other in combinations([ray for ray in rays if _is_even(ray, ray)], 2):
-            for ray in _mark(one, other, rays, free):
+            found = _mark(one, other, rays, free)
+            for ray in found:
                 kinds[ray.shape][ray.run] = AnnotationKind.CENTRE_LINE
+            if found:
+                marks.append(_free_mark(circle, found))
+    form = learned_form(marks)
+    if form is not None:
+        mark_by_form(shapes, kinds, ink, form, circles)
+
+
+def _free_mark(circle: Circle, rays: Sequence[_Ray]) -> FreeMark:
+    """A mark as it was found: its cross first, then its arms."""
+    cross = float(np.mean([ray.end - ray.start for ray in rays[:2]])) / 2.0
+    arms = [sorted((abs(ray.start), abs(ray.end))) for ray in rays[2:]]
+    if not arms:
+        return FreeMark(circle, cross)
+    inner, outer = np.mean(arms, axis=0).tolist()
+    return FreeMark(circle, cross, inner, outer)
 
 
 def _mark(one: _Ray, other: _Ray, rays: Sequence[_Ray], free: set[_Ray]) -> list[_Ray]:

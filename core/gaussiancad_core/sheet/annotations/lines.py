@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.corners import Corners
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
 from gaussiancad_core.sheet.runs import Rhythm, Run, learn_rhythm
 
@@ -129,12 +130,14 @@ def kinds_of_runs(
     """For each run of each shape what annotation it is, or nothing where it is the part's."""
     kinds: list[list[AnnotationKind | None]] = [[None] * len(shape.runs) for shape in shapes]
     rest: list[list[InkedRun]] = []
+    corners = Corners.of(shapes, stroke_width)
     for shape, own in zip(shapes, kinds, strict=True):
         for first, last in _groups(shape.runs, stroke_width, weights.limit):
             group = shape.runs[first:last]
             start, end = _long_short_part([run.run for run in group])
             # Where wide and narrow lines are told apart, a group is of one kind.
-            if end > start and (weights.limit or _is_even(group[start:end])):
+            even = end > start and (weights.limit or _is_even(group[start:end]))
+            if even and not corners.has_end(shape.geometry, group[start:end]):
                 own[first + start : first + end] = [AnnotationKind.CENTRE_LINE] * (end - start)
         rest.append([run for run, kind in zip(shape.runs, own, strict=True) if kind is None])
     if not weights.limit:

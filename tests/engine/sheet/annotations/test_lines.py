@@ -132,6 +132,17 @@ def test_dashes_that_a_crossing_joins(
     assert kinds == [kind if length == middle else None for length in row]
 
 
+@pytest.mark.parametrize(("way", "kind"), [((0.0, 1.0), None), ((1.0, 0.0), CENTRE)])
+def test_a_line_that_ends_in_a_corner_is_no_centre_line(
+    way: tuple[float, float], kind: AnnotationKind | None
+) -> None:
+    """Another line ends where this one does, or goes on in it."""
+    row = _row([40, 6, 40], 5, 2.0)
+    beside = InkedShape(Line((96.5, 0.0), way), (InkedRun(Run(0.5, 60.0), 2.0),))
+    kinds = kinds_of_runs([row, beside], Weights(2.0, 0.0), 2.0)
+    assert kinds[0] == [kind] * 3
+
+
 def test_a_dash_may_look_a_little_wide() -> None:
     """Three dashes on a copy, the middle one as wide as the narrowest edges."""
     pieces = [(0, 12, 2.2), (18, 30, 2.5), (36, 48, 2.1)]
