@@ -52,6 +52,9 @@ _EVEN_PX, _EVEN = 1.5, 0.3
 _LONGEST_DASH = 1.75
 """Length of a dash at most, in the sheet's usual ones."""
 
+_WHOLE_DASH = 0.6
+"""Length of a whole dash at least, in the sheet's usual ones."""
+
 _JOINED = 3
 """Dashes that crossing strokes join at most."""
 
@@ -136,8 +139,8 @@ def kinds_of_runs(
             group = shape.runs[first:last]
             start, end = _long_short_part([run.run for run in group])
             # Where wide and narrow lines are told apart, a group is of one kind.
-            even = end > start and (weights.limit or _is_even(group[start:end]))
-            if even and not corners.has_end(shape.geometry, group[start:end]):
+            part = group[start:end]
+            if part and (weights.limit or not _is_edge(shape, part, corners)):
                 own[first + start : first + end] = [AnnotationKind.CENTRE_LINE] * (end - start)
         rest.append([run for run, kind in zip(shape.runs, own, strict=True) if kind is None])
     if not weights.limit:
@@ -225,6 +228,11 @@ def _is_regular(runs: Sequence[Run]) -> bool:
     return all(np.ptp(own) <= _UNEVEN * own.mean() for own in families if len(own))
 
 
+def _is_edge(shape: InkedShape, runs: Sequence[InkedRun], corners: Corners) -> bool:
+    """Whether long and short dashes are an edge and hidden lines that go on from it."""
+    return not _is_even(runs) or corners.has_end(shape.geometry, runs)
+
+
 def _is_even(runs: Sequence[InkedRun]) -> bool:
     """Whether the longest dash is no wider than the others: an edge that hidden dashes lead to,
     some of them made longer by a stroke that touches them, is."""
@@ -298,6 +306,8 @@ def _is_dash(runs: Sequence[InkedRun], k: int, rhythm: Rhythm, limit: float) -> 
     longest, wide = _LONGEST_DASH * rhythm.dash, _NOISE * limit
     dashes = [run for run in beside if run.run.length <= longest and not _is_wide(run, wide)]
     if end - start > longest:
+        # The dots of a centre line are shorter than dashes.
+        whole = [run for run in dashes if run.run.length > _WHOLE_DASH * rhythm.dash]
         joined = _JOINED * rhythm.dash + (_JOINED - 1) * rhythm.gap
-        return len(dashes) == 2 and end - start <= _NOISE * joined
+        return len(whole) == 2 and end - start <= _NOISE * joined
     return bool(dashes) or len(beside) == 2

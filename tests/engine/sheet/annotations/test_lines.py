@@ -117,8 +117,9 @@ def test_short_dashes_that_faded(lengths: list[float], expected: bool) -> None:
         (48.0, 12.0, None),
         # An extension line between two dashes is longer.
         (80.0, 12.0, EXTENSION),
-        # At the end of a hidden line it is one.
+        # At the end of a hidden line it is one, and beside the dot of a centre line.
         (30.0, 0.0, EXTENSION),
+        (30.0, 5.0, EXTENSION),
     ],
 )
 def test_dashes_that_a_crossing_joins(
@@ -129,7 +130,7 @@ def test_dashes_that_a_crossing_joins(
         row = row[1:]
     shapes = [_row(row, 6, 2.0), _row([12, 12, 12, 12, 12], 6, 2.0), _solid(90, 3.0)]
     kinds = kinds_of_runs(shapes, Weights(3.0, 2.4), 2.6)[0]
-    assert kinds == [kind if length == middle else None for length in row]
+    assert [kinds[k] for k, length in enumerate(row) if length == middle] == [kind]
 
 
 @pytest.mark.parametrize(("way", "kind"), [((0.0, 1.0), None), ((1.0, 0.0), CENTRE)])
