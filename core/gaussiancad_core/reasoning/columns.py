@@ -5,10 +5,9 @@ one side of each extra body.  A line of sight along an axis crosses the surfaces
 the two other planes, and those of the bodies; between crossings it is in one cell.
 """
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.arrangement import CHAIN, OUTSIDE, Arrangement, distinct
@@ -55,8 +54,7 @@ class Body(Protocol):
         """Convex polygons of a view outside of which the body does not count; None: it does."""
 
 
-@dataclass(frozen=True, slots=True)
-class Crossing:
+class Crossing(NamedTuple):
     """Where a column passes from one cell into another.
 
     Attributes:
@@ -77,6 +75,21 @@ _Step = tuple[float, Vector, Surface, int]
 """(depth, normal, surface, the region of the surface's plane behind it; any for a body)."""
 
 
+def _beside(normal: Axis) -> tuple[tuple[Axis, int], tuple[Axis, int]]:
+    """For each coordinate of a plane the other plane that shows it, and its place there.
+
+    Depth runs along that plane's other coordinate.
+    """
+    found = []
+    for axis in IN_PLANE[normal]:
+        other = next(Axis(i) for i in range(3) if i not in (axis, normal.value))
+        found.append((other, IN_PLANE[other].index(axis)))
+    return found[0], found[1]
+
+
+_BESIDE = {normal: _beside(normal) for normal in Axis}
+
+
 class Space:
     """The cells of a part.
 
@@ -95,6 +108,7 @@ class Space:
         self.values = {axis: self._values(axis) for axis in Axis}
         self._counting = tuple(self._counting_in(axis) for axis in Axis)
         self._columns: dict[tuple[Axis, float, float], tuple[Crossing, ...]] = {}
+        self._steps: dict[tuple[Axis, int, float], tuple[int, tuple[_Step, ...], bool]] = {}
 
     def _values(self, axis: Axis) -> list[float]:
         found = []
@@ -145,6 +159,10 @@ class Space:
                     own[normal] = max(own.get(normal, 0.0), other.depth - one.depth)
         return {cell: min(own.values()) for cell, own in longest.items()}
 
+    def met(self) -> Iterator[tuple[Crossing, ...]]:
+        """The columns that were looked at."""
+        yield from self._columns.values()
+
     def column(self, normal: Axis, a: float, b: float) -> tuple[Crossing, ...]:
         """The crossings of the line through (a, b) of a plane, in ascending depth."""
         key = normal, round(a, 7), round(b, 7)
@@ -160,10 +178,12 @@ class Space:
         regions = [OUTSIDE, OUTSIDE, OUTSIDE]
         regions[normal.value] = own
         steps: list[_Step] = []
-        for axis, coordinate in zip(IN_PLANE[normal], (a, b), strict=True):
-            # The plane in which this coordinate is fixed, and depth runs along the other.
-            other = next(Axis(i) for i in range(3) if i not in (axis, normal.value))
-            steps += self._plane_steps(other, axis, coordinate, regions)
+        chained = False
+        for (plane, place), coordinate in zip(_BESIDE[normal], (a, b), strict=True):
+            first, own_steps, has_chain = self._plane_steps(plane, place, coordinate)
+            regions[plane.value] = first
+            steps += own_steps
+            chained |= has_chain
         bits = 0
         counting = self._counting[normal.value][own]
         for number, body in enumerate(self.bodies):
@@ -171,7 +191,7 @@ class Space:
                 continue
             for depth, direction in body.crossings(normal, a, b):
                 steps.append((depth, direction, (BODY, number), 0))
-        steps = _within_chains(steps)
+        steps = _within_chains(steps) if chained else sorted(steps, key=_depth)
         crossings: list[Crossing] = []
         before = self._cell(regions, bits)
         for depth, direction, surface, region in steps:
@@ -192,22 +212,29 @@ class Space:
         return tuple(c for c in crossings if c.before != c.after)
 
     def _plane_steps(
-        self, plane: Axis, axis: int, coordinate: float, regions: list[int]
-    ) -> list[_Step]:
-        """Steps of a column in one of the planes beside it; sets the region it starts in."""
-        axes = IN_PLANE[plane]
-        trace = self.planes[plane].trace(axes.index(axis), coordinate)
-        regions[plane.value] = trace.regions[0]
-        steps = []
-        for place, (position, flat, support) in enumerate(
-            zip(trace.positions, trace.normals, trace.supports, strict=True)
-        ):
-            direction = [0.0, 0.0, 0.0]
-            direction[axes[0]], direction[axes[1]] = flat
-            steps.append(
-                (position, tuple(direction), (plane.value, support), trace.regions[place + 1])
-            )
-        return steps
+        self, plane: Axis, place: int, coordinate: float
+    ) -> tuple[int, tuple[_Step, ...], bool]:
+        """The region a column starts in in one of the planes beside it, its steps there, and
+        whether one of them is a chain's."""
+        key = plane, place, round(coordinate, 7)
+        found = self._steps.get(key)
+        if found is None:
+            trace = self.planes[plane].trace(place, coordinate)
+            axes = IN_PLANE[plane]
+            steps = []
+            for position, flat, support, region in zip(
+                trace.positions, trace.normals, trace.supports, trace.regions[1:], strict=True
+            ):
+                direction = [0.0, 0.0, 0.0]
+                direction[axes[0]], direction[axes[1]] = flat
+                steps.append((position, tuple(direction), (plane.value, support), region))
+            found = trace.regions[0], tuple(steps), CHAIN in trace.supports
+            self._steps[key] = found
+        return found
+
+
+def _depth(step: _Step) -> float:
+    return step[0]
 
 
 def _within_chains(steps: list[_Step]) -> list[_Step]:
@@ -226,7 +253,7 @@ def _within_chains(steps: list[_Step]) -> list[_Step]:
             elif region == OUTSIDE and at <= depth < at + _ROUGH:
                 depth = at - _FUSED
         moved.append((depth, *step[1:]))
-    return sorted(moved, key=lambda step: step[0])
+    return sorted(moved, key=_depth)
 
 
 def parallel(one: Vector, other: Vector) -> bool:

@@ -55,7 +55,9 @@ def find_bodies(supports: PartSupports, lone: bool = False) -> tuple[RevolvedBod
             exact = 1.5 * supports.tolerance
             ends = ProfileEnds.of(supports.values[axis], concentric, exact)
             by_side = [_merged((ends.met_by(profile) for profile in own), near) for own in drawn]
-            whole = list(_shown_by_all(by_side, near))
+            shown = _shown_by_all(by_side, near)
+            # Lines at equal distances from two axes belong to one of them.
+            whole = [p for p in shown if _meets_circle(p, concentric, near)]
             _add(found, (axis, centre), whole, concentric, near)
             if lone:
                 single = [p for own in by_side for p in own if _is_anchored(p, concentric, near)]
@@ -97,12 +99,26 @@ def _is_anchored(profile: Profile, concentric: list[Support], near: float) -> bo
 
     A fillet passes without an edge into the flat face that it ends at.
     """
-    radii = [support.curve.radius for support in concentric]
-    ends = [
-        any(abs(profile.radius(z) - radius) <= near for radius in radii)
+    ends = _ends_at_circles(profile, concentric, near)
+    return any(ends) if isinstance(profile, ArcProfile) else all(ends)
+
+
+def _meets_circle(profile: Profile, concentric: list[Support], near: float) -> bool:
+    """Whether a circle is drawn where a profile ends, or where it is widest."""
+    if any(_ends_at_circles(profile, concentric, near)):
+        return True
+    if not isinstance(profile, ArcProfile) or not profile.low < profile.z < profile.high:
+        return False
+    widest = profile.radius(profile.z)
+    return any(abs(widest - support.curve.radius) <= near for support in concentric)
+
+
+def _ends_at_circles(profile: Profile, concentric: list[Support], near: float) -> list[bool]:
+    """Of both ends of a profile whether a circle is drawn there."""
+    return [
+        any(abs(profile.radius(z) - support.curve.radius) <= near for support in concentric)
         for z in (profile.low, profile.high)
     ]
-    return any(ends) if isinstance(profile, ArcProfile) else all(ends)
 
 
 def _centres(plane: PlaneSupports, near: float) -> list[tuple[float, float]]:

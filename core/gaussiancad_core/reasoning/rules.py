@@ -132,22 +132,44 @@ def _by_depth(
 
 
 def _group(one: list[Crossing], other: list[Crossing]) -> tuple[Group, bool]:
-    """Partners within a group, and whether different surfaces are partners."""
+    """Partners within a group, and whether different surfaces are partners.
+
+    Where a surface touches another one, as a cone the plane that its outline sweeps, both are met
+    at nearly the same depth: each is its own partner, and the nearer one only where it has none.
+    """
     free = list(range(len(other)))
-    pairs, lone = [], []
-    doubtful = False
+    pairs: list[tuple[Transition, Transition]] = []
+    left = []
     for crossing in one:
+        same = [
+            j
+            for j in free
+            if other[j].surface == crossing.surface and parallel(crossing.normal, other[j].normal)
+        ]
+        if same:
+            best = _nearest(crossing, other, same)
+            free.remove(best)
+            pairs.append((_transition(crossing), _transition(other[best])))
+        else:
+            left.append(crossing)
+    lone = []
+    doubtful = False
+    for crossing in left:
         partners = [j for j in free if parallel(crossing.normal, other[j].normal)]
         if not partners:
             lone.append(_transition(crossing))
             continue
-        best = min(partners, key=lambda j: abs(other[j].depth - crossing.depth))
+        best = _nearest(crossing, other, partners)
         free.remove(best)
         pairs.append((_transition(crossing), _transition(other[best])))
-        doubtful |= crossing.surface != other[best].surface
+        doubtful = True
     lone += [_transition(other[j]) for j in free]
     everything = [_transition(crossing) for crossing in (*one, *other)]
     return Group(tuple(pairs), tuple(lone), tuple(dict.fromkeys(everything))), doubtful
+
+
+def _nearest(crossing: Crossing, others: list[Crossing], places: list[int]) -> int:
+    return min(places, key=lambda j: abs(others[j].depth - crossing.depth))
 
 
 def _transition(crossing: Crossing) -> Transition:

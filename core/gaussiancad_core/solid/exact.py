@@ -23,6 +23,7 @@ from gaussiancad_core.reasoning.labelling import (
 from gaussiancad_core.reasoning.part import PartModel, model_part, with_lone_bodies
 from gaussiancad_core.reasoning.rough_arcs import ROUGHLY, without_rough_arcs
 from gaussiancad_core.reasoning.solvers import Deadline
+from gaussiancad_core.reasoning.unsaid import with_unsaid
 from gaussiancad_core.solid.build import build_solid
 from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.solid.same import same_solid
@@ -271,7 +272,9 @@ def _candidates(work: _Work, labelling: Labelling, limits: Limits) -> tuple[list
 
 def _candidate(work: _Work, labels: Labels) -> tuple[Candidate | None, bool]:
     """The solid of labels, and whether it is certain what they bound."""
-    built = build_solid(LabelledSpace(work.part.space, labels), work.part.supports.scale)
+    part = work.part
+    labels = with_unsaid(part.space, part.rules, labels)
+    built = build_solid(LabelledSpace(part.space, labels), part.supports.scale)
     work.clock.lap("build")
     if built.shape is None:
         return None, built.closed

@@ -2,6 +2,7 @@
 
 import itertools
 from collections.abc import Callable
+from math import pi
 
 import pytest
 from hypothesis import given, settings
@@ -63,6 +64,25 @@ def test_without_a_circle_there_is_no_axis() -> None:
     box = tuple(_chain((0, 0), (40, 0), (40, 40), (0, 40), (0, 0)))
     strokes = {**views.strokes, Role.TOP: box}
     assert find_bodies(find_supports(exact_views(strokes, views.size))) == ()
+
+
+def test_arcs_as_far_from_another_circle_in_both_views_are_not_about_it() -> None:
+    # A dome about (15, 15); a bore about (40, 40) would have a ring as far away in both views.
+    outline = _chain((0, 0), (60, 0), (60, 20), (0, 20), (0, 0))
+    dome = Arc((15.0, 0.0), 5.0, 0.0, pi, Linetype.HIDDEN)
+    rounds = [
+        Arc((at, at), radius, 0.0, TURN, Linetype.HIDDEN)
+        for at, radius in ((15.0, 5.0), (40.0, 4.0))
+    ]
+    top = _chain((0, 0), (60, 0), (60, 60), (0, 60), (0, 0))
+    strokes = {
+        Role.FRONT: [*outline, dome],
+        Role.RIGHT: [*outline, dome],
+        Role.TOP: [*top, *rounds],
+    }
+    supports = find_supports(exact_views(strokes, (60.0, 60.0, 20.0)))
+    (body,) = find_bodies(supports)
+    assert body.centre == pytest.approx((15.0 * supports.scale,) * 2)
 
 
 def _count(views: DrawnViews) -> tuple[int, int, int]:

@@ -5,14 +5,21 @@ from dataclasses import replace
 from itertools import pairwise
 
 import pytest
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
 from OCP.BRepClass3d import BRepClass3d_SolidClassifier
-from OCP.gp import gp_Pnt
+from OCP.BRepPrimAPI import (
+    BRepPrimAPI_MakeBox,
+    BRepPrimAPI_MakeCone,
+    BRepPrimAPI_MakeCylinder,
+)
+from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt
 from OCP.TopAbs import TopAbs_State
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.drawing.hlr import LineDrawing
 from gaussiancad_core.reasoning.columns import Cell
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.reasoning.part import PartModel, model_part
 from gaussiancad_core.reasoning.pieces import find_pieces
 from gaussiancad_core.reasoning.planes import lifted, role_plane
@@ -65,6 +72,22 @@ def test_the_truth_fulfils_every_rule(
     assert told >= {Linetype.VISIBLE, None}
     wrong = [rule for rule in part.rules if drawn_under(rule, labels) is not rule.linetype]
     assert wrong == []
+
+
+def test_a_cone_beside_the_plane_that_its_outline_sweeps_is_its_own_partner() -> None:
+    # A line of the pocket runs a hair beside the bore's mouth, where its chamfer and that plane are
+    # nearly one.
+    solid = BRepPrimAPI_MakeBox(60.0, 40.0, 20.0).Shape()
+    bore = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(20, 20, 0), gp_Dir(0, 0, 1)), 5.0, 20.0)
+    mouth = BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(20, 20, 18), gp_Dir(0, 0, 1)), 5.0, 7.0, 2.0)
+    pocket = BRepPrimAPI_MakeBox(gp_Pnt(40, 0, 12), 20.0, 25.01, 8.0)
+    for tool in (bore, mouth, pocket):
+        solid = BRepAlgoAPI_Cut(solid, tool.Shape()).Shape()
+    drawing = LineDrawing(solid)
+    roles = (Role.FRONT, Role.TOP, Role.RIGHT)
+    part = model_part(exact_views({r: drawing.view(r) for r in roles}, (60.0, 40.0, 20.0)))
+    labels = _truth(part, solid)
+    assert [rule for rule in part.rules if drawn_under(rule, labels) is not rule.linetype] == []
 
 
 def test_pieces_that_say_the_same_are_one_rule(
