@@ -7,6 +7,8 @@ deterministic, so that the same input ends at the same labels.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
+from math import inf
 
 from ortools.sat.python import cp_model
 
@@ -28,7 +30,7 @@ The shortest pieces lie where curves nearly touch; there the point that stands f
 tell what is drawn on it.
 """
 
-_STRATA = (SLIGHT, 8.0 * SLIGHT, float("inf"))
+_STRATA = (SLIGHT, 8.0 * SLIGHT, inf)
 """Weights, in units of line, below which rules may be given up: little is tried first.
 
 Most rules then are clauses that must hold, of which the solver makes far more.
@@ -76,6 +78,30 @@ class Model:
                 escape = [self.model.new_bool_var("")]
                 self.given_up[number] = escape[0]
             self._add(rule, escape)
+
+        self.cost = sum(
+            _SURFACES * _points(rules[number]) * escape for number, escape in self.given_up.items()
+        )
+        self._weights = {number: rules[number].weight for number in self.given_up}
+        self._budget: cp_model.Constraint | None = None
+
+    def allow(self, lightest: float) -> None:
+        """Let only rules of a weight below this be given up."""
+        for number, literal in self.given_up.items():
+            literal.proto.domain[1] = int(self._weights[number] < lightest)
+
+    def spend(self, most: int) -> None:
+        """Let what is given up cost no more."""
+        if self._budget is None:
+            self._budget = self.model.add(self.cost <= most)
+        else:
+            self._budget.proto.linear.domain[1] = most
+
+    def hint(self, labels: Labels) -> None:
+        """Labels to start from."""
+        self.model.clear_hints()
+        for cell, literal in self.cells.items():
+            self.model.add_hint(literal, labels.get(cell, False))
 
     def cell(self, cell: Cell | None) -> cp_model.IntVar:
         """The Boolean of a cell; void for None."""
@@ -207,6 +233,21 @@ class Others:
     complete: bool
 
 
+@dataclass(frozen=True)
+class _Given:
+    """Labels for which rules were given up.
+
+    Attributes:
+        labels: of the cells.
+        cost: of those rules.
+        is_least: whether no others cost less.
+    """
+
+    labels: Labels
+    cost: int
+    is_least: bool
+
+
 class Search:
     """Looks for labels under the rules of one part; the clauses are made once.
 
@@ -242,53 +283,57 @@ class Search:
 
     def least(self, deadline: Deadline = NEVER) -> Labelling:
         """Labels that give up rules of the least weight, or of little where time is over."""
-        found = Labelling(None, (), False)
+        best: _Given | None = None
         for lightest in _STRATA:
             # The clauses alone take seconds.
             if not deadline.left:
                 break
-            better, is_least = self._giving_up(lightest, deadline)
-            if is_least:
-                return better
-            if better.labels is not None:
-                found = better
-        return found
+            found = self._giving_up(lightest, deadline)
+            if found is not None and (best is None or found.cost <= best.cost):
+                best = found
+            if found is not None and found.cost <= _SURFACES * 10.0 * lightest:
+                # No rule that had to hold weighs less, so that there is no better choice.
+                break
+        if best is None:
+            return Labelling(None, (), False)
+        labels = self._simpler(best, deadline)
+        return Labelling(labels, _broken(self._rules, labels), best.is_least)
 
-    def _giving_up(self, lightest: float, deadline: Deadline) -> tuple[Labelling, bool]:
-        """The same, and whether what is given up weighs no more than ``lightest`` altogether.
-
-        Then no rule that had to hold weighs less, so that there is no better choice.
-        """
-        soft = Model(self._rules, lightest=lightest)
-        cost = self._cost(soft)
-        soft.model.minimize(cost)
+    def _giving_up(self, lightest: float, deadline: Deadline) -> "_Given | None":
+        """The least that can be given up of rules below a weight."""
+        soft = self._softly
+        soft.allow(lightest)
+        soft.model.minimize(soft.cost)
         solver = relaxing_solver(self._effort.relaxed, deadline)
         status = solver.solve(soft.model)
         if status not in FOUND:
-            return Labelling(None, (), False), False
-        labels = soft.labels(solver)
-        if solver.objective_value > _SURFACES * 10.0 * lightest:
-            return Labelling(labels, _broken(self._rules, labels), False), False
-        soft.model.add(cost <= int(solver.objective_value) + _SURFACES * _points_of(_TRADED))
-        labels = self._simpler(soft, cost, labels, deadline)
-        return Labelling(labels, _broken(self._rules, labels), status == cp_model.OPTIMAL), True
+            return None
+        cost = round(solver.objective_value)
+        return _Given(
+            soft.labels(solver),
+            cost,
+            status == cp_model.OPTIMAL and cost <= _SURFACES * 10.0 * lightest,
+        )
 
-    def _simpler(
-        self, soft: Model, cost: cp_model.LinearExprT, labels: Labels, deadline: Deadline
-    ) -> Labels:
+    def _simpler(self, found: "_Given", deadline: Deadline) -> Labels:
         """Labels that give up hardly more, with few surfaces."""
-        for cell, literal in soft.cells.items():
-            soft.model.add_hint(literal, labels[cell])
-        soft.model.minimize(cost + sum(soft.surfaces))
+        soft = self._softly
+        soft.spend(found.cost + _SURFACES * _points_of(_TRADED))
+        soft.hint(found.labels)
+        soft.model.minimize(soft.cost + sum(soft.surfaces))
         solver = solver_for(self._effort.simplest, deadline=deadline)
-        return soft.labels(solver) if solver.solve(soft.model) in FOUND else labels
+        return soft.labels(solver) if solver.solve(soft.model) in FOUND else found.labels
+
+    @cached_property
+    def _softly(self) -> Model:
+        """Clauses that may all be given up."""
+        return Model(self._rules, lightest=inf)
 
     def _simplest(self, found: cp_model.CpSolver, deadline: Deadline) -> Labelling:
         """Of all labels under which the rules hold those with the fewest surfaces."""
         model = self._model.model
         first = self._model.labels(found)
-        for cell, literal in self._model.cells.items():
-            model.add_hint(literal, first[cell])
+        self._model.hint(first)
         model.add_assumptions([~escape for escape in self._model.given_up.values()])
         model.minimize(sum(self._model.surfaces))
         solver = solver_for(self._effort.simplest, self._effort.workers, deadline)
@@ -297,12 +342,6 @@ class Search:
         model.clear_hints()
         model.clear_assumptions()
         return Labelling(self._model.labels(solver) if status in FOUND else first, (), True)
-
-    def _cost(self, model: Model) -> cp_model.LinearExprT:
-        return sum(
-            _SURFACES * _points(self._rules[number]) * escape
-            for number, escape in model.given_up.items()
-        )
 
     def others(
         self,
@@ -353,13 +392,14 @@ class Search:
         return self._model
 
     def _within(self, found: Labelling) -> Model:
-        """Clauses that give up little more than the found labels do."""
-        soft = Model(self._rules, lightest=float("inf"))
-        cost = self._cost(soft)
+        """Clauses that give up little more than the found labels do; they can be used once."""
+        soft = self._softly
         given_up = sum(_points(rule) for rule in found.given_up)
         more = max(_MORE * given_up, _points_of(_MORE_UNITS))
-        soft.model.add(cost <= _SURFACES * round(given_up + more))
-        soft.model.minimize(cost)
+        soft.allow(inf)
+        soft.spend(_SURFACES * round(given_up + more))
+        soft.model.clear_hints()
+        soft.model.minimize(soft.cost)
         return soft
 
 

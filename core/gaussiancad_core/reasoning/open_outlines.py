@@ -5,7 +5,7 @@ it runs into the outside, and the lines around it bound nothing any more.
 """
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations, islice
 
 import numpy as np
@@ -61,6 +61,26 @@ def find_gaps(views: DrawnViews) -> tuple[Gap, ...]:
     reach = max(_REACH * views.tolerance, _LEAST_REACH * max(views.size))
     found = ((role, _closing(strokes, reach)) for role, strokes in views.strokes.items())
     return tuple(Gap(role, closing) for role, closing in found if closing)
+
+
+def with_closed_outlines(views: DrawnViews) -> DrawnViews | None:
+    """The views with the likeliest line that closes each gap; None if no outline is open.
+
+    Such a line bounds regions and may be drawn or not: it has no confidence.
+    """
+    gaps = {gap.role: gap.closing[0] for gap in find_gaps(views)}
+    if not gaps:
+        return None
+    strokes = {
+        role: (*own, _undrawn(gaps[role])) if role in gaps else own
+        for role, own in views.strokes.items()
+    }
+    return replace(views, strokes=strokes)
+
+
+def _undrawn(ends: npt.NDArray[np.float64]) -> Segment:
+    start, end = ((float(x), float(y)) for x, y in ends)
+    return Segment(start, end, Linetype.VISIBLE, 0.0)
 
 
 def _closing(strokes: Sequence[Curve], reach: float) -> tuple[npt.NDArray[np.float64], ...]:

@@ -270,7 +270,7 @@ def _snap(
         axes = tuple(Axis(index) for index in IN_PLANE[plane.normal])
         for line in plane.lines:
             along = _parallel_axis(line, tolerance)
-            if along is not None:
+            if along is not None and line.confidence > 0.0:
                 value = (line.start[along] + line.end[along]) / 2.0
                 readings.append(Reading(axes[along], value, line.length * line.confidence))
         circles += [CircleReading(plane.normal, c.circle, c.weight) for c in plane.circles]

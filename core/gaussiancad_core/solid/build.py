@@ -27,20 +27,43 @@ from OCP.Standard import Standard_Failure
 from OCP.TopAbs import TopAbs_Orientation, TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Shape
 
-from gaussiancad_core.drawing.brep import faces_of, subshapes, volume
+from gaussiancad_core.drawing.brep import bounding_box, faces_of, subshapes, volume
 from gaussiancad_core.drawing.surfaces import normal_at
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve
 from gaussiancad_core.reasoning.planes import IN_PLANE, lifted
 from gaussiancad_core.solid.bodies import body_faces
 from gaussiancad_core.solid.labelled import LabelledSpace
-from gaussiancad_core.solid.patches import Patch, PlanePatch, SweptPatch, find_patches
+from gaussiancad_core.solid.patches import NARROW, Patch, PlanePatch, SweptPatch, find_patches
 
-_FUZZY = 1e-6
-_SEWING = 1e-4
 _BESIDE = 5e-5
 """Units from a sub-face at which the labels of its sides are looked up."""
 
 _VECTORS = np.eye(3)
+
+
+@dataclass(frozen=True)
+class _Fit:
+    """How closely faces are taken to be apart, in units.
+
+    Attributes:
+        narrow: depth that a difference of labels has at least to become a patch.
+        fuzzy: within which faces coincide.
+        sewing: within which edges do.
+    """
+
+    narrow: float
+    fuzzy: float
+    sewing: float
+
+
+_FITS = (
+    _Fit(NARROW, 1e-6, 1e-4),
+    _Fit(2e-3, 1e-6, 1e-4),
+    _Fit(2e-3, 1e-3, 2e-3),
+    _Fit(2e-3, 2e-2, 2e-2),
+)
+"""One after the other, until the faces close: misread lines leave slivers of space beside others,
+which have faces of their own, or none."""
 
 
 @dataclass(frozen=True)
@@ -51,11 +74,13 @@ class BuiltSolid:
         shape: the solid in mm; None if the faces did not close.
         bodies: number of separate pieces of material.
         closed: whether the faces closed; if they did not, it is not known what they would bound.
+        largest: the largest of several pieces, in mm.
     """
 
     shape: TopoDS_Shape | None
     bodies: int
     closed: bool = True
+    largest: TopoDS_Shape | None = None
 
 
 def build_solid(space: LabelledSpace, scale: float) -> BuiltSolid:
@@ -65,20 +90,33 @@ def build_solid(space: LabelledSpace, scale: float) -> BuiltSolid:
         space: in units.
         scale: units per mm.
     """
-    faces = [_face(patch) for patch in find_patches(space)]
+    built = BuiltSolid(None, 0)
+    for fit in _FITS:
+        built = _built(space, scale, fit)
+        if built.closed:
+            break
+    return built
+
+
+def _built(space: LabelledSpace, scale: float, fit: _Fit) -> BuiltSolid:
+    faces = [_face(patch) for patch in find_patches(space, fit.narrow)]
     faces += [face for body in space.space.bodies for face in body_faces(body)]
     if not faces:
         return BuiltSolid(None, 0)
     sides = _Sides(space)
     kept = []
-    for face in _fused(faces):
+    for face in _fused(faces, fit.fuzzy):
         material = sides.material(face)
         if material is not None and material[0] != material[1]:
             kept.append(face)
-    solid, count, closed = _sewn(sides, kept)
+    sewn = _sewn(sides, kept, fit.sewing)
+    if sewn is None:
+        return BuiltSolid(None, 0, closed=False)
+    solid, count = sewn
     if solid is None:
-        return BuiltSolid(None, count, closed)
-    return BuiltSolid(_scaled(_simplified(solid), 1.0 / scale), count)
+        return BuiltSolid(None, count)
+    finished = _scaled(_simplified(solid), 1.0 / scale)
+    return BuiltSolid(finished, 1) if count == 1 else BuiltSolid(None, count, largest=finished)
 
 
 def _face(patch: Patch) -> TopoDS_Face:
@@ -117,13 +155,13 @@ def _frame(origin: tuple[float, float, float], normal: np.ndarray, x: np.ndarray
     return gp_Ax3(gp_Pnt(*origin), gp_Dir(*map(float, normal)), gp_Dir(*map(float, x)))
 
 
-def _fused(faces: list[TopoDS_Face]) -> list[TopoDS_Face]:
+def _fused(faces: list[TopoDS_Face], fuzzy: float) -> list[TopoDS_Face]:
     """The faces split along their intersections."""
     builder = BOPAlgo_Builder()
     for face in faces:
         builder.AddArgument(face)
     builder.SetRunParallel(False)
-    builder.SetFuzzyValue(_FUZZY)
+    builder.SetFuzzyValue(fuzzy)
     builder.Perform()
     return faces_of(builder.Shape())
 
@@ -150,24 +188,33 @@ class _Sides:
         return behind, before
 
 
-def _sewn(sides: _Sides, faces: list[TopoDS_Face]) -> tuple[TopoDS_Shape | None, int, bool]:
-    """One solid of all shells, the number of its outer shells, and whether they are closed."""
-    sewing = BRepBuilderAPI_Sewing(_SEWING)
+def _sewn(
+    sides: _Sides, faces: list[TopoDS_Face], within: float
+) -> tuple[TopoDS_Shape | None, int] | None:
+    """The solid, the largest of several, and the number of outer shells; None if open."""
+    sewing = BRepBuilderAPI_Sewing(within)
     for face in faces:
         sewing.Add(face)
     sewing.Perform()
     shells = subshapes(sewing.SewedShape(), TopAbs_ShapeEnum.TopAbs_SHELL)
     if not shells or sewing.NbFreeEdges() > 0:
-        return None, len(shells), False
+        return None
     signed = [_outward(sides, shell) for shell in shells]
-    outer = [shell for size, shell in signed if size > 0.0]
-    if len(outer) != 1:
-        return None, len(outer), True
-    maker = BRepBuilderAPI_MakeSolid(TopoDS.Shell(outer[0]))
+    outer = [(size, shell) for size, shell in signed if size > 0.0]
+    if not outer:
+        return None, 0
+    _, largest = max(outer, key=lambda item: item[0])
+    maker = BRepBuilderAPI_MakeSolid(TopoDS.Shell(largest))
     for size, shell in signed:
-        if size < 0.0:
+        if size < 0.0 and (len(outer) == 1 or _lies_within(shell, largest)):
             maker.Add(TopoDS.Shell(shell))
-    return maker.Solid(), 1, True
+    return maker.Solid(), len(outer)
+
+
+def _lies_within(one: TopoDS_Shape, other: TopoDS_Shape) -> bool:
+    """Whether a shape's box lies in that of another."""
+    inner, outer = bounding_box(one), bounding_box(other)
+    return bool((inner[0] >= outer[0]).all() and (inner[1] <= outer[1]).all())
 
 
 def _outward(sides: _Sides, shell: TopoDS_Shape) -> tuple[float, TopoDS_Shape]:

@@ -19,9 +19,9 @@ Rectangle = tuple[float, float, float, float]
 """Low and high of the first, low and high of the second parameter."""
 
 _SHORT = 1e-3
-_NARROW = 0.1
-"""Units of depth that a difference has at least: beside a plane that touches a cylinder, a narrow
-strip of the cylinder is seen."""
+NARROW = 0.1
+"""Units of depth that a difference usually has at least: beside a plane that touches a cylinder, a
+narrow strip of the cylinder is seen."""
 
 _LOOKS = (0.03, 0.5, 0.97)
 """Shares of a piece at which the columns beside it are compared."""
@@ -62,8 +62,13 @@ class SweptPatch:
 Patch = PlanePatch | SweptPatch
 
 
-def find_patches(space: LabelledSpace) -> list[Patch]:
-    """Patches that cover the part's surface but for that of the bodies."""
+def find_patches(space: LabelledSpace, narrow: float = NARROW) -> list[Patch]:
+    """Patches that cover the part's surface but for that of the bodies.
+
+    Args:
+        space: in units.
+        narrow: units of depth that a difference of labels has at least.
+    """
     flat: dict[tuple[Axis, float], list[Rectangle]] = defaultdict(list)
     exact: dict[tuple[Axis, float], float] = {}
     patches: list[Patch] = []
@@ -72,7 +77,7 @@ def find_patches(space: LabelledSpace) -> list[Patch]:
         swept: dict[int, list[Rectangle]] = defaultdict(list)
         for index, low, high in plane.stretches:
             curve = plane.supports[index].curve
-            for rectangle in _differences(space, normal, curve, (low, high)):
+            for rectangle in _differences(space, normal, curve, (low, high), narrow):
                 if curve.axis is None:
                     swept[index].append(rectangle)
                     continue
@@ -96,7 +101,11 @@ def find_patches(space: LabelledSpace) -> list[Patch]:
 
 
 def _differences(
-    space: LabelledSpace, normal: Axis, curve: PlaneCurve, stretch: tuple[float, float]
+    space: LabelledSpace,
+    normal: Axis,
+    curve: PlaneCurve,
+    stretch: tuple[float, float],
+    narrow: float,
 ) -> Iterator[Rectangle]:
     """Rectangles of a stretch's surface with different labels on its sides."""
     depths = space.space.values[normal]
@@ -108,7 +117,7 @@ def _differences(
             sides = [
                 space.stretches(normal, a + way * da, b + way * db) for way in (-BESIDE, BESIDE)
             ]
-            found += _unlike(*sides)
+            found += _unlike(*sides, narrow)
         for near, far in found:
             # Along the piece the range moves, but never over a value of a corner.
             lowest = max((d for d in depths if d <= near), default=near)
@@ -146,13 +155,13 @@ def _pieces(
 
 
 def _unlike(
-    one: list[tuple[float, float]], other: list[tuple[float, float]]
+    one: list[tuple[float, float]], other: list[tuple[float, float]], narrow: float
 ) -> list[tuple[float, float]]:
     """Ranges that only one of two lists of ranges covers."""
     ends = sorted({end for stretch in (*one, *other) for end in stretch})
     found = []
     for low, high in pairwise(ends):
-        if high - low < _NARROW:
+        if high - low < narrow:
             continue
         middle = (low + high) / 2.0
         if _covers(one, middle) != _covers(other, middle):

@@ -4,6 +4,7 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import pairwise, product
+from math import inf
 
 import pytest
 from hypothesis import given, settings
@@ -275,3 +276,24 @@ def test_what_was_found_until_the_deadline_is_kept(monkeypatch: pytest.MonkeyPat
     assert not found.complete
     assert found.labels == dict.fromkeys(_CELLS[:3], True)
     assert list(found.given_up) == rules[::2]
+
+
+def test_a_worse_answer_of_a_wider_search_is_not_taken(monkeypatch: pytest.MonkeyPatch) -> None:
+    # Rules too heavy for the narrow search to prove what it finds the least.
+    rules = [_edge((None, cell), Linetype.VISIBLE, 5.0) for cell in _CELLS[:3]]
+    rules += [_edge((None, cell), None, 4.0) for cell in _CELLS[:3]]
+    search = Search(rules, replace(_EFFORT, simplest=1e-9))
+    giving_up, weights = search._giving_up, []
+
+    def interrupted(lightest: float, deadline: Deadline) -> object:
+        weights.append(lightest)
+        found = giving_up(lightest, deadline)
+        if lightest < inf or found is None:
+            return found
+        return replace(found, labels=dict.fromkeys(_CELLS[:3], False), cost=found.cost + 1)
+
+    monkeypatch.setattr(search, "_giving_up", interrupted)
+    found = search.least()
+    assert weights[-1] == inf
+    assert found.labels == dict.fromkeys(_CELLS[:3], True)
+    assert list(found.given_up) == rules[3:] and not found.complete

@@ -8,7 +8,7 @@ import pytest
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.open_outlines import find_gaps
+from gaussiancad_core.reasoning.open_outlines import find_gaps, with_closed_outlines
 from gaussiancad_core.views import Arc, Linetype, Segment
 
 _L = [(0.0, 0.0), (40.0, 0.0), (40.0, 12.0), (15.0, 12.0), (15.0, 30.0), (0.0, 30.0)]
@@ -76,3 +76,23 @@ def test_views_of_very_many_lines_are_not_looked_at() -> None:
     inner = [Segment((1.0, 0.1 * k), (14.0, 0.1 * k), Linetype.VISIBLE) for k in range(1, 250)]
     assert len(find_gaps(_views(strokes))) == 1
     assert find_gaps(_views([*strokes, *inner])) == ()
+
+
+@pytest.mark.parametrize("lost", range(6))
+def test_a_line_that_may_be_drawn_or_not_closes_the_outline(lost: int) -> None:
+    strokes = _outline(_L)
+    gone = strokes.pop(lost)
+    views = _views(strokes)
+    closed = with_closed_outlines(views)
+    assert closed is not None and find_gaps(closed) == ()
+    *kept, added = closed.strokes[Role.FRONT]
+    assert kept == strokes and added.confidence == 0.0
+    (gap,) = find_gaps(views)
+    assert {added.start, added.end} == set(map(tuple, gap.closing[0].tolist()))
+    if lost not in (2, 3):
+        # One of the two lines of the step could go on straight as well.
+        assert {added.start, added.end} == {gone.start, gone.end}
+
+
+def test_closed_views_stay_as_they_are() -> None:
+    assert with_closed_outlines(_views(_outline(_L))) is None

@@ -16,8 +16,10 @@ from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.conflict_lines import ConflictLine
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.reasoning.labelling import Effort
+from gaussiancad_core.reasoning.open_outlines import find_gaps
 from gaussiancad_core.solid.contradiction import conflict_reason
 from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
+from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.views import Linetype, Segment
 
 Views = Callable[[str], DrawnViews]
@@ -85,6 +87,32 @@ def test_a_missing_line_is_named(name: str, sample_views: Views) -> None:
         code, sentence = conflict_reason(result.conflict)
         assert code == "lines-contradict"
         assert f"a {lost.linetype.value} line is missing in the {role.value} view" in sentence
+
+
+@pytest.mark.parametrize("name", _NAMES)
+@pytest.mark.parametrize("role", [Role.FRONT, Role.TOP, Role.RIGHT])
+def test_where_an_outline_is_open_the_part_is_found_and_never_verified(
+    name: str,
+    role: Role,
+    sample_views: Views,
+    sample_solid: Callable[[str], TopoDS_Shape],
+) -> None:
+    views = sample_views(name)
+    strokes = list(views.strokes[role])
+    number = next(
+        number
+        for number in range(len(strokes))
+        if find_gaps(_changed(views, role, [*strokes[:number], *strokes[number + 1 :]]))
+    )
+    lost = strokes.pop(number)
+    result = _solved(_changed(views, role, strokes))
+    assert result.status is Status.APPROXIMATE
+    assert result.shape is not None and result.verification is not None
+    assert same_solid(result.shape, sample_solid(name))
+    assert [code for code, _ in result.reasons] == ["lines-unexplained"]
+    assert not any(flaw.missing for flaw in result.verification.flaws)
+    assert sum(flaw.length for flaw in result.verification.flaws) <= lost.length * 1.01
+    assert result.conflict is not None and len(result.conflict.suspects) == 1
 
 
 @pytest.mark.parametrize("name", _NAMES)
