@@ -18,10 +18,11 @@ from ortools.sat.python import cp_model
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.errors import LimitError
+from gaussiancad_core.reasoning.clauses import Labels, Model
 from gaussiancad_core.reasoning.conflict_lines import Conflict, ConflictLine
 from gaussiancad_core.reasoning.curves import Point
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.labelling import SLIGHT, Labels, Model
+from gaussiancad_core.reasoning.labelling import SLIGHT
 from gaussiancad_core.reasoning.open_outlines import find_gaps
 from gaussiancad_core.reasoning.part import PartModel, model_part
 from gaussiancad_core.reasoning.pieces import SHARE, Piece

@@ -12,8 +12,9 @@ from math import inf
 
 from ortools.sat.python import cp_model
 
+from gaussiancad_core.reasoning.clauses import SURFACES, Labels, Model, points, points_of
 from gaussiancad_core.reasoning.columns import Cell
-from gaussiancad_core.reasoning.rules import Group, Rule, Transition, drawn_under
+from gaussiancad_core.reasoning.rules import Rule, drawn_under
 from gaussiancad_core.reasoning.solvers import (
     FOUND,
     NEVER,
@@ -21,7 +22,6 @@ from gaussiancad_core.reasoning.solvers import (
     relaxing_solver,
     solver_for,
 )
-from gaussiancad_core.views import Linetype
 
 SLIGHT = 1.0
 """Units of line below which a rule is given up before anything else is.
@@ -36,9 +36,6 @@ _STRATA = (SLIGHT, 8.0 * SLIGHT, inf)
 Most rules then are clauses that must hold, of which the solver makes far more.
 """
 
-_SURFACES = 10
-"""Surfaces that weigh as much as a tenth of a unit of line that is given up."""
-
 _TRADED = 0.5
 """Units of line that may be given up for fewer surfaces."""
 
@@ -47,144 +44,6 @@ _MORE = 0.1
 
 _MORE_UNITS = 1.0
 """Units of line that they may give up more at least."""
-
-Labels = dict[Cell, bool]
-"""True is material."""
-
-
-class Model:
-    """Rules as clauses over the labels of cells.
-
-    Args:
-        rules: to be fulfilled.
-        lightest: rules of a weight below this get a literal that gives them up.
-
-    Attributes:
-        cells: the Boolean of each cell.
-        given_up: those literals, by the number of the rule.
-    """
-
-    def __init__(self, rules: Sequence[Rule], *, lightest: float = 0.0) -> None:
-        self.model = cp_model.CpModel()
-        self.cells: dict[Cell, cp_model.IntVar] = {}
-        self.given_up: dict[int, cp_model.IntVar] = {}
-        self._false = self.model.new_constant(0)
-        self._different: dict[tuple[int, int], cp_model.IntVar] = {}
-        self.surfaces: list[cp_model.IntVar] = []
-        self._counted: set[tuple[int, int]] = set()
-        for number, rule in enumerate(rules):
-            escape: list[cp_model.IntVar] = []
-            if rule.weight < lightest:
-                escape = [self.model.new_bool_var("")]
-                self.given_up[number] = escape[0]
-            self._add(rule, escape)
-
-        self.cost = sum(
-            _SURFACES * _points(rules[number]) * escape for number, escape in self.given_up.items()
-        )
-        self._weights = {number: rules[number].weight for number in self.given_up}
-        self._budget: cp_model.Constraint | None = None
-
-    def allow(self, lightest: float) -> None:
-        """Let only rules of a weight below this be given up."""
-        for number, literal in self.given_up.items():
-            literal.proto.domain[1] = int(self._weights[number] < lightest)
-
-    def spend(self, most: int) -> None:
-        """Let what is given up cost no more."""
-        if self._budget is None:
-            self._budget = self.model.add(self.cost <= most)
-        else:
-            self._budget.proto.linear.domain[1] = most
-
-    def hint(self, labels: Labels) -> None:
-        """Labels to start from."""
-        self.model.clear_hints()
-        for cell, literal in self.cells.items():
-            self.model.add_hint(literal, labels.get(cell, False))
-
-    def cell(self, cell: Cell | None) -> cp_model.IntVar:
-        """The Boolean of a cell; void for None."""
-        if cell is None:
-            return self._false
-        if cell not in self.cells:
-            self.cells[cell] = self.model.new_bool_var("")
-        return self.cells[cell]
-
-    def _surface(self, transition: Transition) -> cp_model.IntVar:
-        one, other = self.cell(transition[0]), self.cell(transition[1])
-        literal = self._differ(one, other)
-        key = min(one.index, other.index), max(one.index, other.index)
-        if literal is not self._false and key not in self._counted:
-            self._counted.add(key)
-            self.surfaces.append(literal)
-        return literal
-
-    def _differ(self, one: cp_model.IntVar, other: cp_model.IntVar) -> cp_model.IntVar:
-        if one is other:
-            return self._false
-        if one is self._false:
-            return other
-        if other is self._false:
-            return one
-        key = min(one.index, other.index), max(one.index, other.index)
-        if key not in self._different:
-            literal = self.model.new_bool_var("")
-            self.model.add_bool_or([~literal, one, other])
-            self.model.add_bool_or([~literal, ~one, ~other])
-            self.model.add_bool_or([literal, ~one, other])
-            self.model.add_bool_or([literal, one, ~other])
-            self._different[key] = literal
-        return self._different[key]
-
-    def _discrepancies(self, group: Group) -> list[cp_model.IntVar]:
-        found = []
-        for one, other in group.pairs:
-            literal = self._differ(self._surface(one), self._surface(other))
-            if literal is not self._false:
-                found.append(literal)
-        for transition in group.lone:
-            literal = self._surface(transition)
-            if literal is not self._false:
-                found.append(literal)
-        return found
-
-    def _add(self, rule: Rule, escape: list[cp_model.IntVar]) -> None:
-        add = self.model.add_bool_or
-        if rule.linetype is None:
-            for group in rule.groups:
-                for literal in self._discrepancies(group):
-                    add([~literal, *escape])
-            return
-        covering: list[cp_model.IntVar] = []
-        places: list[cp_model.IntVar] = []
-        for group in rule.groups:
-            literals = self._discrepancies(group)
-            if literals:
-                place = self.model.new_bool_var("")
-                add([*literals, ~place])
-                places.append(place)
-                if rule.linetype is Linetype.VISIBLE:
-                    for literal in covering:
-                        self.model.add_implication(place, ~literal)
-                else:
-                    for literal in literals:
-                        add([~literal, *covering, *escape])
-            for transition in group.all:
-                literal = self._surface(transition)
-                if literal is not self._false and literal not in covering:
-                    covering.append(literal)
-        add([*places, *escape] or [self._false])
-
-    def forbid(self, labels: Labels, cells: Sequence[Cell]) -> None:
-        """Ask for labels that differ in at least one of some cells."""
-        self.model.add_bool_or(
-            [~self.cells[cell] if labels[cell] else self.cells[cell] for cell in cells]
-        )
-
-    def labels(self, solver: cp_model.CpSolver) -> Labels:
-        """The labels of a solution."""
-        return {cell: bool(solver.value(literal)) for cell, literal in self.cells.items()}
 
 
 @dataclass(frozen=True)
@@ -281,6 +140,13 @@ class Search:
             return self._simplest(solver, deadline)
         return Labelling(None, (), status == cp_model.INFEASIBLE)
 
+    def contradict(self, but: Sequence[int], deadline: Deadline = NEVER) -> bool:
+        """Whether rules contradict each other for certain, those of some numbers left out."""
+        self._softly.allow_only(but)
+        self._softly.model.clear_objective()
+        solver = solver_for(self._effort.hard, deadline=deadline)
+        return solver.solve(self._softly.model) == cp_model.INFEASIBLE
+
     def least(self, deadline: Deadline = NEVER) -> Labelling:
         """Labels that give up rules of the least weight, or of little where time is over."""
         best: _Given | None = None
@@ -291,7 +157,7 @@ class Search:
             found = self._giving_up(lightest, deadline)
             if found is not None and (best is None or found.cost <= best.cost):
                 best = found
-            if found is not None and found.cost <= _SURFACES * 10.0 * lightest:
+            if found is not None and found.cost <= SURFACES * 10.0 * lightest:
                 # No rule that had to hold weighs less, so that there is no better choice.
                 break
         if best is None:
@@ -312,13 +178,13 @@ class Search:
         return _Given(
             soft.labels(solver),
             cost,
-            status == cp_model.OPTIMAL and cost <= _SURFACES * 10.0 * lightest,
+            status == cp_model.OPTIMAL and cost <= SURFACES * 10.0 * lightest,
         )
 
     def _simpler(self, found: "_Given", deadline: Deadline) -> Labels:
         """Labels that give up hardly more, with few surfaces."""
         soft = self._softly
-        soft.spend(found.cost + _SURFACES * _points_of(_TRADED))
+        soft.spend(found.cost + SURFACES * points_of(_TRADED))
         soft.hint(found.labels)
         soft.model.minimize(soft.cost + sum(soft.surfaces))
         solver = solver_for(self._effort.simplest, deadline=deadline)
@@ -394,21 +260,13 @@ class Search:
     def _within(self, found: Labelling) -> Model:
         """Clauses that give up little more than the found labels do; they can be used once."""
         soft = self._softly
-        given_up = sum(_points(rule) for rule in found.given_up)
-        more = max(_MORE * given_up, _points_of(_MORE_UNITS))
+        given_up = sum(points(rule) for rule in found.given_up)
+        more = max(_MORE * given_up, points_of(_MORE_UNITS))
         soft.allow(inf)
-        soft.spend(_SURFACES * round(given_up + more))
+        soft.spend(SURFACES * round(given_up + more))
         soft.model.clear_hints()
         soft.model.minimize(soft.cost)
         return soft
-
-
-def _points(rule: Rule) -> int:
-    return _points_of(rule.weight)
-
-
-def _points_of(weight: float) -> int:
-    return max(1, round(10.0 * weight))
 
 
 def _broken(rules: Sequence[Rule], labels: Labels) -> tuple[Rule, ...]:

@@ -1,6 +1,6 @@
 """A drawing as cells and rules: what the labelling starts from."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
 
@@ -18,11 +18,12 @@ from gaussiancad_core.reasoning.curves import axis_line
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.incidences import Facet
 from gaussiancad_core.reasoning.oblique import find_half_spaces
-from gaussiancad_core.reasoning.pieces import find_pieces
-from gaussiancad_core.reasoning.planes import IN_PLANE
+from gaussiancad_core.reasoning.pieces import Piece, find_pieces
+from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
 from gaussiancad_core.reasoning.retraced import retraced
 from gaussiancad_core.reasoning.revolved import find_bodies
-from gaussiancad_core.reasoning.rules import Rule, rules_of
+from gaussiancad_core.reasoning.rules import BESIDE, Rule, rules_of
+from gaussiancad_core.reasoning.solvers import NEVER, Deadline
 from gaussiancad_core.reasoning.spans import Span, Support
 from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports, find_supports
 from gaussiancad_core.reasoning.untold import with_untold_lines
@@ -34,7 +35,7 @@ _MOST_STROKES = 900
 _MOST_PIECES = 80_000
 """Pieces of all views, at most: a part of 120 faces has up to 40,000."""
 
-_NEAR = 0.01
+NEAR = 0.01
 """Units within which a computed curve is one that is drawn, at least."""
 
 _MEETING = 0.5
@@ -46,6 +47,8 @@ _GAP = 0.05
 
 _BESIDE = 0.02
 """Units beside a chain at which its sides are looked up, and corners are on it."""
+
+Contradict = Callable[[Sequence[int]], bool]
 
 
 @dataclass(frozen=True)
@@ -63,15 +66,16 @@ class PartModel:
     rules: tuple[Rule, ...]
 
 
-def model_part(views: DrawnViews, near: float = _NEAR) -> PartModel:
+def model_part(views: DrawnViews, near: float = NEAR, deadline: Deadline = NEVER) -> PartModel:
     """Supports, cells and rules of views.
 
     Args:
         views: two to six.
         near: units within which a computed curve is one that is drawn, at least.
+        deadline: by which it has to be done.
 
     Raises:
-        LimitError: ``part-too-complex``.
+        LimitError: ``part-too-complex``, or ``search-unfinished`` after the deadline.
     """
     strokes = max(len(own) for own in views.strokes.values())
     if strokes > _MOST_STROKES:
@@ -88,32 +92,69 @@ def model_part(views: DrawnViews, near: float = _NEAR) -> PartModel:
     for axis in Axis:
         if axis not in planes:
             planes[axis] = _box(axis, supports.size)
-    return _part(supports, Space(planes, (*find_bodies(supports), *half_spaces)), near)
+    return _part(supports, Space(planes, (*find_bodies(supports), *half_spaces)), near, deadline)
 
 
-def with_lone_bodies(part: PartModel) -> PartModel | None:
-    """The part divided as well by bodies of revolution that one view speaks of; None if none does.
+def with_lone_bodies(
+    part: PartModel, contradict: Contradict, deadline: Deadline = NEVER
+) -> PartModel | None:
+    """The part divided as well by bodies of revolution that one view speaks of.
 
     More bodies are more cells: they are left out as long as the part can do without.
 
+    Args:
+        part: without them.
+        contradict: tells whether the part's rules contradict each other, those of some numbers left
+            out.  Where lines of sight miss the bodies, the rules stay the same.
+        deadline: by which it has to be done.
+
+    Returns:
+        None if there are no such bodies, or the lines contradict each other whatever lies in them.
+
     Raises:
-        LimitError: ``part-too-complex``.
+        LimitError: ``part-too-complex``, or ``search-unfinished`` after the deadline.
     """
     bodies = find_bodies(part.supports, lone=True)
     plain = tuple(body for body in part.space.bodies if isinstance(body, RevolvedBody))
     if bodies == plain:
         return None
+    if set(plain) <= set(bodies):
+        added = [body for body in bodies if body not in plain]
+        through = [number for number, rule in enumerate(part.rules) if _looks_into(rule, added)]
+        if contradict(through):
+            return None
     others = part.space.bodies[len(plain) :]
-    return _part(part.supports, Space(part.space.planes, (*bodies, *others)))
+    return _part(part.supports, Space(part.space.planes, (*bodies, *others)), NEAR, deadline)
 
 
-def _part(supports: PartSupports, space: Space, near: float = _NEAR) -> PartModel:
+def _looks_into(rule: Rule, bodies: Sequence[RevolvedBody]) -> bool:
+    """Whether a line of sight beside one of a rule's pieces meets one of the bodies."""
+    return any(
+        body.crossings(role_plane(piece.role).normal, a + way * da, b + way * db)
+        for piece in rule.pieces
+        for (a, b), (da, db) in [(piece.point, piece.across)]
+        for way in (-BESIDE, BESIDE)
+        for body in bodies
+    )
+
+
+def _part(supports: PartSupports, space: Space, near: float, deadline: Deadline) -> PartModel:
     near = max(near, 2.0 * supports.tolerance)
-    found = find_pieces(space, supports.planes, near, supports.tolerance)
+    found = _until(find_pieces(space, supports.planes, near, supports.tolerance), deadline)
     pieces = list(islice(found, _MOST_PIECES + 1))
     if len(pieces) > _MOST_PIECES:
         raise _too_complex(f"its lines divide the views into more than {_MOST_PIECES:,} pieces")
-    return PartModel(supports, space, tuple(rules_of(space, pieces)))
+    return PartModel(supports, space, tuple(rules_of(space, _until(pieces, deadline))))
+
+
+def _until(pieces: Iterable[Piece], deadline: Deadline) -> Iterator[Piece]:
+    for piece in pieces:
+        if not deadline.left:
+            raise LimitError(
+                "search-unfinished",
+                "the drawing's lines were not all understood in time: draw less in one sheet",
+            )
+        yield piece
 
 
 def _too_complex(what: str) -> LimitError:

@@ -31,6 +31,7 @@ from gaussiancad_core.drawing.brep import bounding_box, faces_of, subshapes, vol
 from gaussiancad_core.drawing.surfaces import normal_at
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve
 from gaussiancad_core.reasoning.planes import IN_PLANE, lifted
+from gaussiancad_core.reasoning.solvers import NEVER, Deadline
 from gaussiancad_core.solid.bodies import body_faces
 from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.solid.patches import NARROW, Patch, PlanePatch, SweptPatch, find_patches
@@ -83,17 +84,18 @@ class BuiltSolid:
     largest: TopoDS_Shape | None = None
 
 
-def build_solid(space: LabelledSpace, scale: float) -> BuiltSolid:
+def build_solid(space: LabelledSpace, scale: float, deadline: Deadline = NEVER) -> BuiltSolid:
     """The B-Rep of a labelled space.
 
     Args:
         space: in units.
         scale: units per mm.
+        deadline: after which it is not tried again.
     """
     built = BuiltSolid(None, 0)
     for fit in _FITS:
         built = _built(space, scale, fit)
-        if built.closed:
+        if built.closed or not deadline.left:
             break
     return built
 

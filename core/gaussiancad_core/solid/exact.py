@@ -1,9 +1,8 @@
 """The exact solid of a drawing: reason, build, draw again, look for others."""
 
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from math import inf
 
 from OCP.TopoDS import TopoDS_Shape
 
@@ -21,11 +20,12 @@ from gaussiancad_core.reasoning.labelling import (
     Labels,
     Search,
 )
-from gaussiancad_core.reasoning.part import PartModel, model_part, with_lone_bodies
+from gaussiancad_core.reasoning.open_outlines import with_closed_outlines
+from gaussiancad_core.reasoning.part import NEAR, PartModel, model_part, with_lone_bodies
 from gaussiancad_core.reasoning.rough_arcs import ROUGHLY, without_rough_arcs
 from gaussiancad_core.reasoning.solvers import Deadline
 from gaussiancad_core.reasoning.unsaid import with_unsaid
-from gaussiancad_core.solid.build import build_solid
+from gaussiancad_core.solid.build import BuiltSolid, build_solid
 from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.verify import Verification, verify
@@ -123,7 +123,7 @@ def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
     limits = limits or Limits()
     clock = _Clock()
     try:
-        part = model_part(views)
+        part = model_part(views, deadline=clock.deadline(_OTHERS * limits.seconds))
     except LimitError as error:
         reason = error.code, error.message
         return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
@@ -134,7 +134,7 @@ def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
     explained = result.verification is not None and result.verification.explains
     if explained or not limits.relaxed or clock.total > _PATIENT * limits.seconds:
         return result
-    conflict = find_conflict(work.part, views, limits.conflict)
+    conflict = find_conflict(part, views, limits.conflict)
     clock.lap("conflict")
     return replace(result, conflict=conflict)
 
@@ -143,44 +143,58 @@ def _labelled(
     part: PartModel, views: DrawnViews, limits: Limits, clock: "_Clock"
 ) -> tuple["_Work", Labelling]:
     """Labels of the part, or of the part with more surfaces where all lines are explained then."""
-    search = Search(part.rules, limits.effort)
-    found = search.fulfilled(clock.deadline(_HARD * limits.seconds))
+    work = _Work(part, views, Search(part.rules, limits.effort), clock)
+    found = work.search.fulfilled(clock.deadline(_HARD * limits.seconds))
     if found.labels is not None:
-        return _Work(part, views, search, clock), found
+        return work, found
+    lines = views
+    deadline = clock.deadline(_OTHERWISE * limits.seconds)
+    closed = with_closed_outlines(views) if found.complete else None
+    if closed is not None and (model := _modelled(closed, deadline)) is not None:
+        # Where the outside runs into the part nearly all lines contradict each other.
+        lines, search = closed, Search(model.rules, limits.effort)
+        work = replace(work, part=model, search=search)
+        found = search.fulfilled(clock.deadline(_HARD * limits.seconds))
+        if found.labels is not None:
+            return work, found
     # Another model takes as long as the first: time has to remain for the least contradiction.
-    others = _otherwise(part, views, found.complete)
+    others = _otherwise(work, lines, found.complete, deadline)
     while clock.total + clock.seconds["model"] < _OTHERWISE * limits.seconds:
         if (other := next(others, None)) is None:
             break
         other_search = Search(other.rules, limits.effort)
-        more = other_search.fulfilled(clock.deadline(_OTHERWISE * limits.seconds))
+        more = other_search.fulfilled(deadline)
         if more.labels is not None:
-            return _Work(other, views, other_search, clock), more
+            return replace(work, part=other, search=other_search), more
     if limits.relaxed:
-        found = search.least(clock.deadline(_RELAXED * limits.seconds))
-    return _Work(part, views, search, clock), found
+        found = work.search.least(clock.deadline(_RELAXED * limits.seconds))
+    return work, found
 
 
-def _otherwise(part: PartModel, views: DrawnViews, contradict: bool) -> Iterator[PartModel]:
-    """The part with more surfaces, and, where its lines do ``contradict``, without rough arcs."""
-    if (wider := _wider(part)) is not None:
-        yield wider
-    if contradict and (smoother := _smoother(views)) is not None:
-        yield smoother
-
-
-def _wider(part: PartModel) -> PartModel | None:
+def _modelled(views: DrawnViews, deadline: Deadline, near: float = NEAR) -> PartModel | None:
     try:
-        return with_lone_bodies(part)
+        return model_part(views, near, deadline)
     except LimitError:
         return None
 
 
-def _smoother(views: DrawnViews) -> PartModel | None:
-    """The part without cylinders where arcs may only follow other curves; None if none may."""
-    smooth = without_rough_arcs(views)
+def _otherwise(
+    work: "_Work", lines: DrawnViews, contradict: bool, deadline: Deadline
+) -> Iterator[PartModel]:
+    """The part with more surfaces, and, where its lines do ``contradict``, without rough arcs."""
+    if (wider := _wider(work, deadline)) is not None:
+        yield wider
+    smooth = without_rough_arcs(lines) if contradict else None
+    if smooth is not None and (model := _modelled(smooth, deadline, ROUGHLY)) is not None:
+        yield model
+
+
+def _wider(work: "_Work", deadline: Deadline) -> PartModel | None:
+    def contradict(but: Sequence[int]) -> bool:
+        return work.search.contradict(but, deadline)
+
     try:
-        return None if smooth is None else model_part(smooth, ROUGHLY)
+        return with_lone_bodies(work.part, contradict, deadline)
     except LimitError:
         return None
 
@@ -254,47 +268,47 @@ def _candidates(work: _Work, labelling: Labelling, limits: Limits) -> tuple[list
     """
     thickness = work.part.space.thickness()
     counting: list[Cell] = [cell for cell, units in thickness.items() if units > _COUNTING]
-    first, settled = _candidate(work, labelling.labels)
+    latest = work.clock.deadline(_OTHERS * limits.seconds)
+    built = _build(work, labelling.labels, latest)
+    first, settled = _candidate(work, built)
     candidates = [first] if first is not None else []
     explained = first is not None and first.verification.explains
-    if not explained and (likelier := _likelier(work.part, labelling.labels)) is not None:
-        second, looked_at = _candidate(work, likelier)
-        settled &= looked_at
-        explained = second is not None and second.verification.explains
-        if second is not None and not (first and same_solid(second.shape, first.shape)):
-            candidates.append(second)
     share = 1.0 if explained or not labelling.given_up else _UNLIKELY
-    deadline = work.clock.deadline(_OTHERS * limits.seconds)
-    others = work.search.others(labelling, counting, limits.alternatives, share, deadline)
+    others = work.search.others(labelling, counting, limits.alternatives, share, latest)
     work.clock.lap("others")
     for labels in others.labels:
         if work.clock.total > limits.seconds:
             return candidates, False
-        candidate, looked_at = _candidate(work, labels)
+        candidate, looked_at = _candidate(work, _build(work, labels, latest))
         settled &= looked_at
         if candidate and not any(same_solid(candidate.shape, c.shape) for c in candidates):
             candidates.append(candidate)
+    if not candidates and built.largest is not None:
+        # Where lines are missing or wrong, specks of material may lie beside the part.
+        return [_verified(work, built.largest)], False
     return candidates, settled and others.complete and labelling.complete
 
 
-def _likelier(part: PartModel, labels: Labels) -> Labels | None:
-    """Labels under which the same rules hold and surfaces go on; None if they are the same."""
-    settled = with_unsaid(part.space, part.rules, labels)
-    likelier = with_unsaid(part.space, part.rules, labels, inf)
-    return None if likelier == settled else likelier
-
-
-def _candidate(work: _Work, labels: Labels) -> tuple[Candidate | None, bool]:
-    """The solid of labels, and whether it is certain what they bound."""
+def _build(work: _Work, labels: Labels, deadline: Deadline) -> BuiltSolid:
     part = work.part
     labels = with_unsaid(part.space, part.rules, labels)
-    built = build_solid(LabelledSpace(part.space, labels), part.supports.scale)
+    built = build_solid(LabelledSpace(part.space, labels), part.supports.scale, deadline)
     work.clock.lap("build")
+    return built
+
+
+def _candidate(work: _Work, built: BuiltSolid) -> tuple[Candidate | None, bool]:
+    """What was built, drawn again; and whether it is certain what the labels bound."""
     if built.shape is None:
         return None, built.closed
-    verification = verify(built.shape, work.views)
+    candidate = _verified(work, built.shape)
+    return candidate, candidate.verification.sound
+
+
+def _verified(work: _Work, shape: TopoDS_Shape) -> Candidate:
+    candidate = Candidate(shape, verify(shape, work.views))
     work.clock.lap("verify")
-    return Candidate(built.shape, verification), verification.sound
+    return candidate
 
 
 def _inexact(verification: Verification) -> str:

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.clauses import Labels
 from gaussiancad_core.reasoning.columns import Space, Vector
-from gaussiancad_core.reasoning.labelling import Labels
 
 
 @dataclass(frozen=True)

@@ -297,3 +297,18 @@ def test_a_worse_answer_of_a_wider_search_is_not_taken(monkeypatch: pytest.Monke
     assert weights[-1] == inf
     assert found.labels == dict.fromkeys(_CELLS[:3], True)
     assert list(found.given_up) == rules[3:] and not found.complete
+
+
+def test_rules_that_contradict_each_other_without_some_are_told() -> None:
+    one, two = _CELLS[:2]
+    rules = [
+        _edge((None, one), Linetype.VISIBLE, 3.0),
+        _edge((None, one), None, 2.0),
+        _edge((None, two), Linetype.VISIBLE, 1.0),
+    ]
+    search = Search(rules, _EFFORT)
+    assert search.contradict([]) and search.contradict([2])
+    assert not search.contradict([0]) and not search.contradict([1, 2])
+    assert not search.contradict([], Deadline(0.0))
+    # Afterwards the least is found as ever.
+    assert search.least() == _best(rules)

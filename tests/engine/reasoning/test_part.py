@@ -1,6 +1,9 @@
 """A drawing as cells and rules."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import pairwise
+from math import pi
 
 import numpy as np
 import pytest
@@ -10,8 +13,9 @@ from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.reasoning.arrangement import OUTSIDE
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
-from gaussiancad_core.reasoning.part import model_part
-from gaussiancad_core.views import Linetype, Segment
+from gaussiancad_core.reasoning.part import PartModel, model_part, with_lone_bodies
+from gaussiancad_core.reasoning.solvers import Deadline
+from gaussiancad_core.views import Arc, Linetype, Segment
 
 _NAMES = ("l-bracket", "counterbored-block", "filleted-block", "cross-bored-pin")
 
@@ -61,3 +65,53 @@ def test_too_many_lines_are_told_so_at_once() -> None:
     with pytest.raises(LimitError) as caught:
         model_part(exact_views({Role.FRONT: lines, Role.TOP: lines}, (100.0, 100.0, 100.0)))
     assert caught.value.code == "part-too-complex"
+
+
+def test_a_part_that_is_not_modelled_in_time_says_so(
+    sample_views: Callable[[str], DrawnViews],
+) -> None:
+    with pytest.raises(LimitError) as caught:
+        model_part(sample_views("l-bracket"), deadline=Deadline(0.0))
+    assert caught.value.code == "search-unfinished"
+
+
+@pytest.fixture
+def blunt_cone() -> PartModel:
+    """A cone on a plate; one view lacks its outline."""
+
+    def chain(*points: tuple[float, float]) -> list[Segment]:
+        return [Segment(a, b, Linetype.VISIBLE) for a, b in pairwise(points)]
+
+    def circle(radius: float) -> Arc:
+        return Arc((30.0, 20.0), radius, 0.0, 2.0 * pi, Linetype.VISIBLE)
+
+    plate, side = [(60, 10), (60, 0), (0, 0), (0, 10)], [(0, 0), (40, 0), (40, 40), (0, 40), (0, 0)]
+    front = [*chain(*plate, (60, 10)), *chain((12, 10), (20, 40), (40, 40), (48, 10))]
+    top = [*chain((0, 0), (60, 0), (60, 40), (0, 40), (0, 0)), circle(18.0), circle(10.0)]
+    right = [*chain(*side), *chain((0, 10), (40, 10))]
+    strokes = {Role.FRONT: front, Role.TOP: top, Role.RIGHT: right}
+    return model_part(exact_views(strokes, (60.0, 40.0, 40.0)))
+
+
+def test_bodies_of_one_view_change_only_the_rules_that_look_into_them(
+    blunt_cone: PartModel,
+) -> None:
+    asked: list[Sequence[int]] = []
+    wider = with_lone_bodies(blunt_cone, lambda but: bool(asked.append(but)))
+    assert wider is not None
+    assert len(wider.space.bodies) == len(blunt_cone.space.bodies) + 1
+    (through,) = asked
+    assert 0 < len(through) < len(blunt_cone.rules)
+    found = {replace(rule, weight=0.0) for rule in wider.rules}
+    for number, rule in enumerate(blunt_cone.rules):
+        if number not in through:
+            assert replace(rule, weight=0.0) in found
+
+
+def test_no_bodies_are_added_where_the_other_rules_contradict_each_other(
+    blunt_cone: PartModel,
+) -> None:
+    assert with_lone_bodies(blunt_cone, lambda but: True) is None
+    with pytest.raises(LimitError) as caught:
+        with_lone_bodies(blunt_cone, lambda but: False, Deadline(0.0))
+    assert caught.value.code == "search-unfinished"

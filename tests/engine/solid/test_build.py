@@ -1,6 +1,7 @@
 """Labelled cells as a B-Rep."""
 
 from collections.abc import Callable
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -9,12 +10,15 @@ from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
 from OCP.gp import gp_Pnt
 from OCP.TopoDS import TopoDS_Shape
 
+from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.brep import bounding_box, soundness, volume
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.reasoning.labelling import Effort, Search
 from gaussiancad_core.reasoning.part import PartModel, model_part
+from gaussiancad_core.reasoning.solvers import Deadline
 from gaussiancad_core.solid.build import BuiltSolid, build_solid
 from gaussiancad_core.solid.labelled import LabelledSpace
+from gaussiancad_core.views import Linetype, Segment
 
 Labelled = Callable[[str], tuple[PartModel, LabelledSpace]]
 Draw = Callable[..., DrawnViews]
@@ -98,10 +102,30 @@ def test_stretches_are_the_material_along_a_line(labelled: Labelled) -> None:
                 assert space.is_material(tuple(point))
 
 
-def test_the_lowest_steps_are_built(drawn: Draw) -> None:
-    # Lower than the strips that are seen of cylinders beside planes that touch them.
+def _low_step(height: float) -> tuple[PartModel, LabelledSpace]:
+    """A plate, its left half higher; the front view does not show where the step is."""
+
+    def rectangle(width: float, top: float) -> list[Segment]:
+        corners = [(0.0, 0.0), (width, 0.0), (width, top), (0.0, top), (0.0, 0.0)]
+        return [Segment(a, b, Linetype.VISIBLE) for a, b in pairwise(corners)]
+
+    top = 30.0 + height
+    level = {x: Segment((0.0, 30.0), (x, 30.0), Linetype.VISIBLE) for x in (100.0, 60.0)}
+    strokes = {
+        Role.FRONT: [*rectangle(100.0, top), level[100.0]],
+        Role.TOP: [*rectangle(100.0, 60.0), Segment((50.0, 0.0), (50.0, 60.0), Linetype.VISIBLE)],
+        Role.RIGHT: [*rectangle(60.0, top), level[60.0]],
+    }
+    part = model_part(exact_views(strokes, (100.0, 60.0, top)))
+    places = [(x, 30.0, z) for x in (25.0, 75.0) for z in (15.0, 30.0 + height / 2.0)]
+    labels = {part.space.cell_at(place): place[0] < 50.0 or place[2] < 30.0 for place in places}
+    return part, LabelledSpace(part.space, labels)
+
+
+def test_where_faces_do_not_close_narrower_ones_are_taken_along_if_there_is_time() -> None:
     height = 0.04
-    stepped = BRepAlgoAPI_Fuse(_box(0, 0, 0, 100, 60, 30), _box(0, 0, 30, 50, 60, height)).Shape()
-    built = _built(stepped, drawn)
+    part, space = _low_step(height)
+    assert not build_solid(space, part.supports.scale, Deadline(0.0)).closed
+    built = build_solid(space, part.supports.scale)
     assert built.shape is not None and soundness(built.shape).faces == 8
     assert volume(built.shape) == pytest.approx(60 * (100 * 30 + 50 * height), rel=1e-9)
