@@ -14,7 +14,7 @@ from gaussiancad_core.reasoning.columns import Cell, Space, Surface
 from gaussiancad_core.reasoning.rules import Rule, drawn_under
 
 _SLIM = 0.15
-"""Units of thickness below which a cell that has a label may get another one."""
+"""Units of thickness below which cells make no different solid."""
 
 _ROUNDS = 3
 """Times that slim cells are looked at: the labels of neighbours may change."""
@@ -23,18 +23,22 @@ Neighbours = Mapping[Cell, Sequence[tuple[Cell | None, Surface]]]
 """Of each cell those that columns enter from it, or leave into it, and through which surface."""
 
 
-def with_unsaid(space: Space, rules: Sequence[Rule], labels: Labels) -> Labels:
-    """Labels for all cells; slim ones changed where all rules hold, or not, as before.
+def with_unsaid(
+    space: Space, rules: Sequence[Rule], labels: Labels, thickest: float = _SLIM
+) -> Labels:
+    """Labels for all cells; slim ones changed where all rules hold that held before.
 
     Args:
         space: the cells.
         rules: what the views say about them.
         labels: of the cells that rules speak of.
+        thickest: units of thickness below which a cell that has a label may get another one.
     """
     neighbours = _neighbours(space)
     found = dict(labels)
     left = sorted(cell for cell in neighbours if cell not in found)
-    slim = [cell for cell, units in space.thickness().items() if units < _SLIM and cell in labels]
+    thickness = space.thickness()
+    slim = [cell for cell, units in thickness.items() if units < thickest and cell in labels]
     if not left and not slim:
         return found
     odds = _odds(neighbours, found)

@@ -3,6 +3,7 @@
 import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from math import inf
 
 from OCP.TopoDS import TopoDS_Shape
 
@@ -273,6 +274,12 @@ def _candidates(work: _Work, labelling: Labelling, limits: Limits) -> tuple[list
     first, settled = _candidate(work, built)
     candidates = [first] if first is not None else []
     explained = first is not None and first.verification.explains
+    if not explained and (likelier := _likelier(work.part, labelling.labels)) is not None:
+        second, looked_at = _candidate(work, _build(work, likelier, latest))
+        settled &= looked_at
+        explained = second is not None and second.verification.explains
+        if second is not None and not (first and same_solid(second.shape, first.shape)):
+            candidates.append(second)
     share = 1.0 if explained or not labelling.given_up else _UNLIKELY
     others = work.search.others(labelling, counting, limits.alternatives, share, latest)
     work.clock.lap("others")
@@ -287,6 +294,13 @@ def _candidates(work: _Work, labelling: Labelling, limits: Limits) -> tuple[list
         # Where lines are missing or wrong, specks of material may lie beside the part.
         return [_verified(work, built.largest)], False
     return candidates, settled and others.complete and labelling.complete
+
+
+def _likelier(part: PartModel, labels: Labels) -> Labels | None:
+    """Labels under which the same rules hold and surfaces go on; None if they are the same."""
+    settled = with_unsaid(part.space, part.rules, labels)
+    likelier = with_unsaid(part.space, part.rules, labels, inf)
+    return None if likelier == settled else likelier
 
 
 def _build(work: _Work, labels: Labels, deadline: Deadline) -> BuiltSolid:

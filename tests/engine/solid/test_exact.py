@@ -34,7 +34,7 @@ from gaussiancad_core.drawing.brep import (
 )
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
-from gaussiancad_core.reasoning.labelling import Effort
+from gaussiancad_core.reasoning.labelling import Effort, Labelling, Others, Search
 from gaussiancad_core.reasoning.solvers import Deadline
 from gaussiancad_core.samples.modelling import box, cut, cylinder
 from gaussiancad_core.sheet.files.fitting import circle_through
@@ -335,6 +335,24 @@ def test_what_could_not_be_built_may_be_another_solid(
     result = exact_solid(drawn(_cube_without((0, 0, 1), (0, 2, 2), (2, 2, 1))))
     assert len(built) == 2 and result.alternatives == ()
     assert result.status is Status.APPROXIMATE and _codes(result) == {"search-unfinished"}
+
+
+def test_surfaces_that_would_go_on_are_tried_first(
+    sample_views: Views, sample_solid: Solid, iou: Iou, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # The search leaves one cell wrong, as it does where rules do not tell; no other labels follow.
+    fulfilled = Search.fulfilled
+
+    def but_one(search: Search, deadline: Deadline) -> Labelling:
+        found = fulfilled(search, deadline)
+        cell = max(cell for cell, label in found.labels.items() if label)
+        return replace(found, labels={**found.labels, cell: False})
+
+    monkeypatch.setattr(Search, "fulfilled", but_one)
+    monkeypatch.setattr(Search, "others", lambda *_: Others((), True))
+    result = exact_solid(sample_views("three-axis-block"))
+    assert result.verification.explains
+    assert iou(result.shape, sample_solid("three-axis-block")) == pytest.approx(1.0, abs=1e-6)
 
 
 def test_without_alternatives_nothing_is_verified_that_is_ambiguous(
