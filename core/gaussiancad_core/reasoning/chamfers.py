@@ -22,6 +22,12 @@ from gaussiancad_core.views import Linetype
 _WHOLE = 1.5 * pi
 """Angle of a circle that is drawn at least."""
 
+_WIDEST = 14.0
+"""Tolerances up to which a chamfer may have been lost in all views."""
+
+_STEEP = 2.0
+"""Slope of such a chamfer, or of its counterpart, at most."""
+
 _CHANCE = 12
 """Chamfers of a part that may be lost; where more would be, circles lie together by chance."""
 
@@ -91,27 +97,25 @@ def with_untold_chamfers(supports: PartSupports) -> PartSupports:
 
 
 def _chamfers(supports: PartSupports, axis: Axis) -> Iterator[_Chamfer]:
-    near, least, most = (k * supports.tolerance for k in (SAME, LEAST, MOST))
+    near, least, lost, most = (k * supports.tolerance for k in (SAME, LEAST, _WIDEST, MOST))
     for centre, radii in _round_edges(supports.planes[axis], near):
-        sides = [_side(plane, axis, centre) for plane in supports.planes.values()]
+        sides = [_side(p, axis, centre) for normal, p in supports.planes.items() if normal != axis]
         for small, large in pairwise(radii):
-            if not least < large - small < most:
+            if not least < large - small < lost:
                 continue
             told = {
                 heights
                 for side in sides
-                if side is not None
-                for heights in _heights(side, (small, large), (least, most), near)
+                for heights in _heights(side, (small, large), (least, lost), near)
             }
             for start, end in sorted(told):
                 chamfer = _Chamfer(axis, centre, (small, start), (large, end))
-                if not any(_is_another(chamfer, side, near) for side in sides if side is not None):
+                if not any(_is_another(chamfer, side, near) for side in sides):
                     yield chamfer
         for side in sides:
-            if side is not None:
-                for inner, outer in _shown(side, [0.0, *radii], near):
-                    if hypot(outer[0] - inner[0], outer[1] - inner[1]) < most:
-                        yield _Chamfer(axis, centre, inner, outer)
+            for inner, outer in _shown(side, [0.0, *radii], near):
+                if hypot(outer[0] - inner[0], outer[1] - inner[1]) < most:
+                    yield _Chamfer(axis, centre, inner, outer)
 
 
 def _round_edges(plane: PlaneSupports, near: float) -> Iterator[tuple[Point, list[float]]]:
@@ -129,9 +133,7 @@ def _round_edges(plane: PlaneSupports, near: float) -> Iterator[tuple[Point, lis
         yield (x, y), sorted(circle.radius for circle in own)
 
 
-def _side(plane: PlaneSupports, axis: Axis, centre: Point) -> _Side | None:
-    if plane.normal is axis:
-        return None
+def _side(plane: PlaneSupports, axis: Axis, centre: Point) -> _Side:
     along = IN_PLANE[plane.normal].index(axis.value)
     other = IN_PLANE[plane.normal][1 - along]
     return _Side(plane, along, centre[IN_PLANE[axis].index(other)])
@@ -143,7 +145,8 @@ def _heights(
     """Heights of the smaller and of the larger circle of a chamfer.
 
     The edge across the axis is as long as the one circle is wide; at the other circle a face
-    reaches as far at least.  No line along the axis is there in between, as at a step.
+    reaches as far at least.  No line along the axis is there in between, as at a step: but what one
+    view leaves out may be read as such a line in the other one.
     """
     small, large = radii
     edges = list(side.across())
@@ -151,12 +154,13 @@ def _heights(
         if abs(low + small) > near or abs(high - small) > near:
             continue
         for end, lower, higher in edges:
-            middle = (start + end) / 2.0
+            steepness = abs(end - start) / (large - small)
             if (
                 reach[0] < abs(end - start) < reach[1]
+                and 1.0 / _STEEP <= steepness <= _STEEP
                 and lower <= near - large
                 and higher >= large - near
-                and not any(side.has_along(radius, middle, near) for radius in radii)
+                and not any(side.has_along(r, (start + end) / 2.0, near) for r in radii)
             ):
                 yield start, end
 
@@ -189,9 +193,9 @@ def _shown(side: _Side, radii: list[float], near: float) -> Iterator[tuple[Point
 def _completed(plane: PlaneSupports, found: list[_Chamfer], near: float) -> PlaneSupports:
     supports = list(plane.supports)
     for chamfer in found:
-        side = _side(plane, chamfer.axis, chamfer.centre)
-        if side is None:
+        if plane.normal is chamfer.axis:
             continue
+        side = _side(plane, chamfer.axis, chamfer.centre)
         for way in (-1.0, 1.0):
             start, end = (_placed(side, way * r, z) for r, z in (chamfer.inner, chamfer.outer))
             if not any(shows(support, start, end, near) for support in supports):

@@ -115,3 +115,8 @@ def test_nothing_is_added_where_all_is_drawn() -> None:
 def test_exact_lines_are_all_there() -> None:
     supports = replace(_block(_bore(), _bore()), tolerance=1e-4)
     assert with_untold_chamfers(supports) == supports
+
+
+def test_steep_chamfers_are_another_thing() -> None:
+    assert not _cones(_block(_bore(18.8), _bore(18.8), radii=(_BORE, 4.5)))
+    assert len(_cones(_block(_bore(19.2), _bore(19.2), radii=(_BORE, 4.5)))) == 1
