@@ -288,10 +288,14 @@ def test_a_thousand_strokes_come_to_an_end() -> None:
             lines.append(Segment((a, b), end, Linetype.HIDDEN if k % 3 else Linetype.VISIBLE))
         outline = [Segment(box[k - 1], box[k], Linetype.VISIBLE) for k in range(4)]
         strokes[role] = (*outline, *lines)
-    limits = Limits(Effort(hard=0.5, relaxed=0.4, simplest=0.2), alternatives=1, seconds=5.0)
-    result = exact_solid(exact_views(strokes, (100.0, 100.0, 100.0)), limits)
+    views = exact_views(strokes, (100.0, 100.0, 100.0))
+    limits = Limits(Effort(hard=0.5, relaxed=0.4, simplest=0.2), alternatives=1, seconds=1e6)
+    result = exact_solid(views, limits)
     assert result.status is Status.FAILED and result.shape is None
     assert _codes(result) == {"part-too-complex"}
+    # Without time it is not even counted how complex it is.
+    result = exact_solid(views, replace(limits, seconds=0.0))
+    assert result.status is Status.FAILED and _codes(result) == {"search-unfinished"}
 
 
 def _cube_without(*cells: tuple[int, int, int]) -> TopoDS_Shape:
