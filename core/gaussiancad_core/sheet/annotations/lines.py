@@ -55,6 +55,9 @@ _LONGEST_DASH = 1.75
 _WHOLE_DASH = 0.6
 """Length of a whole dash at least, in the sheet's usual ones."""
 
+_IN_A_ROW = 3
+"""Dashes from which a row is a hidden line."""
+
 _JOINED = 3
 """Dashes that crossing strokes join at most."""
 
@@ -309,5 +312,27 @@ def _is_dash(runs: Sequence[InkedRun], k: int, rhythm: Rhythm, limit: float) -> 
         # The dots of a centre line are shorter than dashes.
         whole = [run for run in dashes if run.run.length > _WHOLE_DASH * rhythm.dash]
         joined = _JOINED * rhythm.dash + (_JOINED - 1) * rhythm.gap
-        return len(whole) == 2 and end - start <= _NOISE * joined
+        if len(whole) == 2:
+            return end - start <= _NOISE * joined
+        # Where a hidden line ends at an edge, another's first dash may go on from its last.
+        row = _row_beside(runs, (first, last), gap, longest, wide)
+        return row >= _IN_A_ROW and end - start <= _NOISE * (2.0 * rhythm.dash + limit)
     return bool(dashes) or len(beside) == 2
+
+
+def _row_beside(
+    runs: Sequence[InkedRun], span: tuple[int, int], gap: float, longest: float, wide: float
+) -> int:
+    """Number of dashes in a row on either side of some runs, the larger one."""
+    first, last = span
+    sides = [runs[k] for k in range(first, -1, -1)], list(runs[last:])
+    counts = []
+    for side in sides:
+        count = 0
+        for near, far in pairwise(side):
+            apart = max(far.run.start - near.run.end, near.run.start - far.run.end)
+            if apart > gap or far.run.length > longest or _is_wide(far, wide):
+                break
+            count += 1
+        counts.append(count)
+    return max(counts)

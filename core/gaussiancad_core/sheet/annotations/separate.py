@@ -20,6 +20,7 @@ from gaussiancad_core.sheet.annotations.inked import (
 from gaussiancad_core.sheet.annotations.letter_boxes import letter_boxes
 from gaussiancad_core.sheet.annotations.line_ends import extension_lines, mark_heads
 from gaussiancad_core.sheet.annotations.lines import Weights, kinds_of_runs, line_weights
+from gaussiancad_core.sheet.annotations.lone_dashes import spare_lone_dashes
 from gaussiancad_core.sheet.annotations.loose import (
     LooseRule,
     arrowheads,
@@ -139,7 +140,7 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
     kinds = kinds_of_runs(shapes, weights, sheet.stroke_width)
     mark_centre_marks(shapes, kinds, sheet.ink, sheet.stroke_width)
     if weights.limit:
-        _tell_line_ends(sheet, ridges, Told(shapes, kinds, unexplained), weights.limit)
+        _tell_line_ends(sheet, ridges, Told(shapes, kinds, unexplained), weights)
     part = sheet
     if letters.marks and not weights.limit:
         told, boxes = _told_by_form(sheet, Told(shapes, kinds, unexplained), letters.marks)
@@ -163,13 +164,15 @@ def _weights(sheet: CleanSheet, shapes: list[InkedShape]) -> Weights:
     return weights if weights.limit else Weights(sheet.stroke_width, 0.0)
 
 
-def _tell_line_ends(sheet: CleanSheet, ridges: RidgePoints, told: Told, limit: float) -> None:
-    """Tell what is left at the ends of dimension lines, in place."""
+def _tell_line_ends(sheet: CleanSheet, ridges: RidgePoints, told: Told, weights: Weights) -> None:
+    """Tell what is left at the ends of dimension lines and of hidden ones, in place."""
     mark_heads(told.shapes, told.kinds, sheet.stroke_width)
     free = ridges, _at(ridges, told.unexplained)
-    more = extension_lines(sheet, free, (told.shapes, told.kinds), limit)
+    more = extension_lines(sheet, free, (told.shapes, told.kinds), weights.limit)
     told.shapes.extend(more)
     told.kinds.extend([AnnotationKind.EXTENSION] for _ in more)
+    left = erased(sheet, told).ink
+    spare_lone_dashes(told.shapes, told.kinds, left, weights, sheet.stroke_width)
 
 
 def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> tuple[Told, Mask]:

@@ -20,6 +20,10 @@ _PARTLY = 0.3
 """Share of its ink from which a lone piece may be the corner of two dashed lines, of which one is
 too short to be known as dashed."""
 
+_LOWER, _TALLER = 0.5, 1.5
+"""Height of a word in a view at least, in that of most words beside the views, and at most, in that
+of the tallest."""
+
 _SPACING = 0.9
 """Gap between the letters of a word at most, in heights of a letter."""
 
@@ -96,7 +100,8 @@ def _not_of_the_part(
     pieces: tuple[set[int], set[int]],
 ) -> list[list[int]]:
     """The words without what may be a small slot or pocket: a lone piece inside a view that no box
-    is drawn around, the corner of dashed lines with the dashes beside it, or a bore with its mark.
+    is drawn around, corners of dashed lines with the dashes beside them, a bore with its mark, or
+    pieces that are taller, or lower, than what is written beside the views.
 
     Where nothing is written beside the views, nothing is written in them.
 
@@ -110,23 +115,29 @@ def _not_of_the_part(
     )
     outside = 1 + int(np.argmax(facts[1:, cv2.CC_STAT_AREA]))
     around = [_paper_around(areas, labels, stats, word) for word in words]
-    if not any(outside in own for own in around):
+    beside = [word for word, own in zip(words, around, strict=True) if outside in own]
+    if not beside:
         return []
+    heights = [int(stats[word, 2:4].max()) for word in beside]
+    least, most = _LOWER * float(np.median(heights)), _TALLER * max(heights)
 
     def is_word(word: list[int], paper: set[int]) -> bool:
         if outside in paper:
             return True
         if len(word) == 1:
             return any(is_boxed(facts[own, :4], stats[word[0], :4], facts[own, 4]) for own in paper)
+        x0, y0, x1, y1 = _box_of(stats, word)
+        # A word is as high as its box, or as wide where it is written upwards.
+        if min(x1 - x0, y1 - y0) < least or stats[word, 2:4].max() > most:
+            return False
         return not _is_corner(word, *pieces) and not _is_concentric(word, stats)
 
     return [word for word, paper in zip(words, around, strict=True) if is_word(word, paper)]
 
 
 def _is_corner(word: list[int], glyphs: set[int], corners: set[int]) -> bool:
-    """Whether the only letter of a word may be the corner of dashed lines."""
-    letters = [piece for piece in word if piece in glyphs]
-    return len(letters) == 1 and letters[0] in corners
+    """Whether all letters of a word may be corners of dashed lines."""
+    return not (glyphs & set(word)) - corners
 
 
 def _is_concentric(word: list[int], stats: npt.NDArray[np.int32]) -> bool:

@@ -144,6 +144,16 @@ def test_a_line_that_ends_in_a_corner_is_no_centre_line(
     assert kinds[0] == [kind] * 3
 
 
+@pytest.mark.parametrize(("dashes", "kind"), [(4, None), (1, EXTENSION)])
+def test_the_last_dash_may_go_on_as_another_lines_first(
+    dashes: int, kind: AnnotationKind | None
+) -> None:
+    """Two hidden lines meet in an edge at a small angle."""
+    shapes = [_row([12.0] * dashes + [24.0], 6, 2.0), _row([12.0] * 5, 6, 2.0), _solid(90, 3.0)]
+    kinds = kinds_of_runs(shapes, Weights(3.0, 2.4), 2.6)[0]
+    assert kinds[-1] == kind
+
+
 def test_a_dash_may_look_a_little_wide() -> None:
     """Three dashes on a copy, the middle one as wide as the narrowest edges."""
     pieces = [(0, 12, 2.2), (18, 30, 2.5), (36, 48, 2.1)]

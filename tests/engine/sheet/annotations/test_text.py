@@ -140,3 +140,25 @@ def test_a_bore_with_its_centre_mark_is_no_word(sketch: Sketch) -> None:
     found = _found((drawn.weight >= 0.5) | _written("125", 500, 200))
     assert len(found.marks) == 1
     assert found.marks[0].box[0] > 420
+
+
+def test_tall_pockets_beside_each_other_are_no_word(sketch: Sketch) -> None:
+    """They are taller than what is written beside the view."""
+    drawn = sketch(WIDTH, HEIGHT).lines((60, 60), (400, 60), (400, 300), (60, 300), (60, 60))
+    for x in (150.0, 194.0):
+        corners = [(x, 200.0), (x + 34.0, 200.0), (x + 34.0, 220.0), (x, 220.0)]
+        for start, end in zip(corners, corners[1:] + corners[:1], strict=True):
+            drawn.line(start, end, 2.0)
+    beside = np.pad(_written("125", 500, 200), 300)
+    found = _found(np.pad(drawn.weight >= 0.5, 300) | beside)
+    assert np.array_equal(found.mask, beside)
+
+
+def test_the_corners_of_a_low_notch_are_no_word(sketch: Sketch) -> None:
+    """They are lower than what is written beside the view."""
+    drawn = sketch(WIDTH, HEIGHT).lines((60, 60), (400, 60), (400, 300), (60, 300), (60, 60))
+    for start, end, leg in ((150.0, 161.0, 151.0), (166.0, 177.0, 176.0)):
+        drawn.line((start, 200.0), (end, 200.0), 2.0).line((leg, 200.0), (leg, 206.0), 2.0)
+    beside = _written("125", 500, 200)
+    found = _found((drawn.weight >= 0.5) | beside)
+    assert np.array_equal(found.mask, beside)

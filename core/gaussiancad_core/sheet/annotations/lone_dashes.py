@@ -1,0 +1,108 @@
+"""Hidden lines so short that one dash of them is seen, as of a bore through a thin plate.
+
+A narrow line that begins at an edge is an extension line, or the first dash of a hidden line.  An
+extension line leads to a dimension line and ends beyond it; a dash ends a gap before the next ink.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+from scipy.spatial import cKDTree
+
+from gaussiancad_core.sheet.annotations.erase import Kinds
+from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape, points_along
+from gaussiancad_core.sheet.annotations.lines import Weights
+from gaussiancad_core.sheet.annotations.marks import Mask
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.runs import Rhythm, learn_rhythm
+
+Floats = npt.NDArray[np.float64]
+
+_LONGEST = 1.3
+"""Length of a dash at most, in the sheet's usual ones: an edge that it meets makes it longer."""
+
+_GAP = 1.4
+"""Gap before the next ink at most, in the sheet's usual ones."""
+
+_MET_PX = 2.5
+"""px between a dash and the axis of an edge that it meets at most, beyond half a stroke."""
+
+_SLACK_PX = 2.0
+"""px by which ink at a run's end may be taken for its own, or not."""
+
+
+def spare_lone_dashes(
+    shapes: Sequence[InkedShape], kinds: Kinds, ink: Mask, weights: Weights, stroke_width: float
+) -> None:
+    """Take back what was told of dashes that have no others beside them, in place.
+
+    Args:
+        shapes: lines and circles of the sheet.
+        kinds: what each run is known to be.
+        ink: (h, w) bool, of the part as far as it is known.
+        weights: of wide and narrow lines.
+        stroke_width: px, the mean over the sheet.
+    """
+    edges = _edge_points(shapes, weights.limit)
+    if not len(edges):
+        return
+    rhythm = _rhythm(shapes, kinds, stroke_width)
+    tree = cKDTree(edges)
+    for shape, own in zip(shapes, kinds, strict=True):
+        if not isinstance(shape.geometry, Line):
+            continue
+        for k, run in enumerate(shape.runs):
+            if own[k] is None or not _is_lone(shape.runs, k, rhythm):
+                continue
+            if _leads_on(shape.geometry, run, ink, tree, (rhythm, stroke_width)):
+                own[k] = None
+
+
+def _edge_points(shapes: Sequence[InkedShape], limit: float) -> Floats:
+    """(n, 2) px on the axes of wide runs."""
+    wide = [
+        points_along(shape.geometry, run.run, 1.0)
+        for shape in shapes
+        for run in shape.runs
+        if run.width is not None and run.width >= limit
+    ]
+    return np.concatenate(wide) if wide else np.empty((0, 2))
+
+
+def _rhythm(shapes: Sequence[InkedShape], kinds: Kinds, stroke_width: float) -> Rhythm:
+    series = [
+        [run.run for run, kind in zip(shape.runs, own, strict=True) if kind is None]
+        for shape, own in zip(shapes, kinds, strict=True)
+    ]
+    return learn_rhythm(series, stroke_width)
+
+
+def _is_lone(runs: Sequence[InkedRun], k: int, rhythm: Rhythm) -> bool:
+    """Whether a run is as short as a dash, and no other of its line is near."""
+    run, near = runs[k].run, 2.0 * _GAP * rhythm.gap
+    before = k > 0 and run.start - runs[k - 1].run.end < near
+    after = k + 1 < len(runs) and runs[k + 1].run.start - run.end < near
+    return run.length <= _LONGEST * rhythm.dash and not before and not after
+
+
+def _leads_on(
+    line: Line, run: InkedRun, ink: Mask, edges: cKDTree, sizes: tuple[Rhythm, float]
+) -> bool:
+    """Whether one end of a run meets an edge, and ahead of the other one is ink, or both do."""
+    rhythm, stroke_width = sizes
+    met = _MET_PX + stroke_width / 2.0
+    ends = [(run.run.start, -1.0), (run.run.end, 1.0)]
+    meets = [edges.query(np.array(line.at(place)))[0] <= met for place, _ in ends]
+    ahead = np.arange(_SLACK_PX, _GAP * rhythm.gap + _SLACK_PX, 0.5)
+    inked = [
+        bool(_inked(np.array([line.at(place + way * step) for step in ahead]), ink))
+        for place, way in ends
+    ]
+    return any(meets) and all(one or other for one, other in zip(meets, inked, strict=True))
+
+
+def _inked(places: Floats, ink: Mask) -> bool:
+    columns, rows = np.rint(places).astype(int).T
+    inside = (columns >= 0) & (rows >= 0) & (columns < ink.shape[1]) & (rows < ink.shape[0])
+    return bool(ink[rows[inside], columns[inside]].any())

@@ -1,0 +1,59 @@
+"""Single dashes between edges are hidden lines; extension lines end free."""
+
+import numpy as np
+import pytest
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
+from gaussiancad_core.sheet.annotations.lines import Weights
+from gaussiancad_core.sheet.annotations.lone_dashes import spare_lone_dashes
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.runs import Run
+
+EXTENSION = AnnotationKind.EXTENSION
+WEIGHTS, WIDTH = Weights(3.0, 2.4), 2.4
+
+
+def _level(y: float, *pieces: tuple[float, float], width: float) -> InkedShape:
+    line = Line((0.0, y), (1.0, 0.0))
+    return InkedShape(line, tuple(InkedRun(Run(a, b), width) for a, b in pieces))
+
+
+def _upright(x: float, *pieces: tuple[float, float]) -> InkedShape:
+    line = Line((x, 0.0), (0.0, 1.0))
+    return InkedShape(line, tuple(InkedRun(Run(a, b), 1.8) for a, b in pieces))
+
+
+DASHES = _level(200.0, *((18.0 * k, 18.0 * k + 12.0) for k in range(8)), width=1.8)
+"""Tells the rhythm: dashes of 12 px at gaps of 6."""
+
+PLATE = [_level(50.0, (20.0, 180.0), width=3.0), _level(71.0, (20.0, 180.0), width=3.0)]
+
+
+@pytest.mark.parametrize(
+    ("pieces", "spared"),
+    [
+        # Through a plate: one dash, a gap, and a stub that is too short to be a run.
+        ([(51.0, 63.0)], True),
+        # It ends before the other edge is near, or begins at none, or is longer than a dash.
+        ([(42.0, 49.0)], False),
+        ([(80.0, 92.0)], False),
+        ([(71.0, 95.0)], False),
+        # Another run is beside it: the rhythm tells.
+        ([(51.0, 60.0), (63.0, 68.0)], False),
+    ],
+    ids=["plate", "beyond", "elsewhere", "long", "row"],
+)
+def test_a_dash_between_two_edges(pieces: list[tuple[float, float]], spared: bool) -> None:
+    shapes = [*PLATE, DASHES, _upright(100.0, *pieces)]
+    kinds = [[None] * len(shape.runs) for shape in shapes[:-1]] + [[EXTENSION] * len(pieces)]
+    ink = np.zeros((220, 220), bool)
+    ink[49:52, 20:180] = ink[70:73, 20:180] = True
+    # The stub at the other edge.
+    ink[68:70, 99:102] = True
+    spare_lone_dashes(shapes, kinds, ink, WEIGHTS, WIDTH)
+    assert kinds[-1] == [None if spared else EXTENSION] * len(pieces)
+    # Without edges nothing is bounded.
+    kinds[-1] = [EXTENSION] * len(pieces)
+    spare_lone_dashes(shapes[2:], kinds[2:], ink, WEIGHTS, WIDTH)
+    assert kinds[-1] == [EXTENSION] * len(pieces)
