@@ -70,6 +70,10 @@ class Explained:
         shape = sheet.ink.shape
         return cls(np.zeros(shape, np.uint8), np.zeros(shape, np.uint8), sheet.stroke_width)
 
+    def copy(self) -> "Explained":
+        """The same at this moment."""
+        return Explained(self.around.copy(), self.upon.copy(), self.stroke_width)
+
     def near(self, close: bool) -> npt.NDArray[np.uint8]:
         """The marks for a shape that runs close beside another, or for any other."""
         return self.upon if close else self.around

@@ -34,6 +34,7 @@ from gaussiancad_core.sheet.special_views.finding import LayoutRequest, find_nam
 from gaussiancad_core.sheet.special_views.symbol import find_symbol
 from gaussiancad_core.sheet.strokes import classify_strokes
 from gaussiancad_core.sheet.through_holes import Extent, ViewEvidence, is_through
+from gaussiancad_core.sheet.twin_lines import with_twins
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet, vector_views
 from gaussiancad_core.sheet.view_shapes import find_shapes, view_pens, view_rhythm
 from gaussiancad_core.views import Linetype, Stroke, ViewSet
@@ -244,6 +245,7 @@ def read_views(
             shapes[role] = find_shapes(sheet, box, finder)
         progress(index / (len(layout.boxes) + 1))
     rhythm = view_rhythm(list(shapes.values()), sheet.stroke_width)
+    shapes = dict(zip(shapes, with_twins(list(shapes.values()), rhythm), strict=True))
     pens = view_pens(list(shapes.values()), rhythm)
     largest = max(max(x1 - x0, y1 - y0) for x0, y0, x1, y1 in layout.boxes.values())
     supersampling = supersampling_for(largest)

@@ -69,16 +69,22 @@ def classify_strokes(
     order = sorted(view.shapes, key=lambda shape: -shape.support)
     # Along the flat sides of ellipses run lines that are none.
     joins = not any(isinstance(shape.geometry, WholeEllipse) for shape in order)
-    for shape in order:
+    known = explained
+    for index, shape in enumerate(order):
+        # Of two that share their ink neither explains the other's.
+        if not shape.twin:
+            known = explained
+        elif known is explained or not order[index - 1].twin:
+            known = explained.copy()
         runs = [(run, None) for run in shape.runs]
         if pens is not None and pens.told:
             runs = told_by_width(view.sheet, shape.geometry, shape.runs, pens)
         fresh = [
             (run, kind)
             for k, (run, kind) in enumerate(runs)
-            if is_new(shape.geometry, run, explained.near(shape.close))
-            or is_next_dash(shape.geometry, runs, k, explained, rhythm)
-            or (joins and joins_arcs(shape.geometry, run, explained.around))
+            if is_new(shape.geometry, run, known.near(shape.close))
+            or is_next_dash(shape.geometry, runs, k, known, rhythm)
+            or (joins and joins_arcs(shape.geometry, run, known.around))
         ]
         if not isinstance(shape.geometry, Line):
             fresh = with_dashes_beside(shape.geometry, runs, fresh, rhythm, view.sheet.stroke_width)

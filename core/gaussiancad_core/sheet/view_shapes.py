@@ -72,12 +72,14 @@ class Shape:
         runs: in order along it.
         support: px of its ink whose centre line it follows, in doubt less than its length.
         close: whether another line is known to run right beside it.
+        twin: whether it is one of two, one after the other, that share their ink.
     """
 
     geometry: Geometry
     runs: tuple[Run, ...]
     support: float
     close: bool = False
+    twin: bool = False
 
 
 @dataclass(frozen=True)
