@@ -28,6 +28,10 @@ _BONUS = {Line: 1.0, Circle: 1.15, WholeEllipse: 1.05}
 """Lines explain an arc in pieces: at nearly the same number of points the arc wins.  Between them
 ellipses: they win where they explain what takes two arcs, not what is one."""
 
+_FLAT_PX, _FLAT = 1.5, 0.87
+"""Sagitta of an arc that is nearly straight; what such arcs count: where a line explains nearly as
+much, it is one, and at its ends it runs into others."""
+
 _BESIDE = 0.5
 """px from the centre line at which a point says nothing for a shape: corners that an arc rounds."""
 
@@ -189,7 +193,7 @@ def _unpacked(
 
 def _chosen(shapes: list[Grown], ridges: RidgePoints, shortest: int) -> list[Grown]:
     """Greedily the shape that follows the most points that no other has taken."""
-    worth = [_BONUS[type(g.geometry)] * _closeness(g, ridges.points) for g in shapes]
+    worth = [_bonus(g, ridges.points) * _closeness(g, ridges.points) for g in shapes]
     queue = [(-float(own.sum()), k) for k, own in enumerate(worth)]
     heapq.heapify(queue)
     free = np.ones(len(ridges.points), dtype=bool)
@@ -212,6 +216,14 @@ def _chosen(shapes: list[Grown], ridges: RidgePoints, shortest: int) -> list[Gro
         free[members] = False
         chosen.append(shapes[k])
     return chosen
+
+
+def _bonus(grown: Grown, points: Floats) -> float:
+    if isinstance(grown.geometry, Circle):
+        chord = float(np.hypot(*np.ptp(points[grown.members], axis=0)))
+        if chord**2 / (8.0 * grown.geometry.radius) < _FLAT_PX:
+            return _FLAT
+    return _BONUS[type(grown.geometry)]
 
 
 def _closeness(grown: Grown, points: Floats) -> Floats:

@@ -296,3 +296,13 @@ def test_a_line_that_an_arrowhead_bends_is_straight(sketch: Sketch) -> None:
     upright = [line for line in lines if abs(line.direction[1]) > 0.99]
     assert len(upright) == 1
     assert _away(upright[0], (80.0, 60.0), (80.0, 70.0)) < 0.3
+
+
+def test_a_dashed_line_that_runs_into_tangents_is_no_arc(sketch: Sketch) -> None:
+    """At both ends round edges bend away to the same side; the true radii are found as well."""
+    drawn = sketch(360, 160).broken((104.0, 120.0), (275.0, 120.0), (12.0, 6.5), 2.0)
+    drawn.arc((70.0, -10.0), 130.0, 2.0, 0.5 * np.pi - 0.4, 0.3)
+    drawn.arc((288.0, -10.0), 130.0, 3.0, 0.5 * np.pi - 0.25, 0.55)
+    lines, circles = _shapes(drawn, 2.2)
+    assert any(_away(line, (120.0, 120.0), (260.0, 120.0)) < 0.5 for line in lines)
+    assert [circle.radius for circle in circles] == pytest.approx([130.0] * len(circles), abs=2.0)
