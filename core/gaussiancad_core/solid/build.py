@@ -92,12 +92,20 @@ def build_solid(space: LabelledSpace, scale: float, deadline: Deadline = NEVER) 
         scale: units per mm.
         deadline: after which it is not tried again.
     """
-    built = BuiltSolid(None, 0)
-    for fit in _FITS:
-        built = _built(space, scale, fit)
+    built = _built(space, scale, _FITS[0])
+    for fit in _FITS[1:]:
         if built.closed or not deadline.left:
             break
+        built = _valid(_built(space, scale, fit))
     return built
+
+
+def _valid(built: BuiltSolid) -> BuiltSolid:
+    """What was built, if it is sound: where faces were forced together, what closed may be none
+    that OpenCASCADE could draw."""
+    shape = built.shape or built.largest
+    sound = shape is None or BRepCheck_Analyzer(shape).IsValid()
+    return built if sound else BuiltSolid(None, built.bodies, closed=False)
 
 
 def _built(space: LabelledSpace, scale: float, fit: _Fit) -> BuiltSolid:
