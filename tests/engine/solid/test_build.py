@@ -6,16 +6,19 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
+from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeSolid, BRepBuilderAPI_Sewing
+from OCP.BRepCheck import BRepCheck_Analyzer
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
 from OCP.gp import gp_Pnt
-from OCP.TopoDS import TopoDS_Shape
+from OCP.TopoDS import TopoDS, TopoDS_Shape
 
 from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import bounding_box, soundness, volume
+from gaussiancad_core.drawing.brep import bounding_box, faces_of, soundness, volume
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.reasoning.labelling import Effort, Search
 from gaussiancad_core.reasoning.part import PartModel, model_part
 from gaussiancad_core.reasoning.solvers import Deadline
+from gaussiancad_core.solid import build
 from gaussiancad_core.solid.build import BuiltSolid, build_solid
 from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.views import Linetype, Segment
@@ -129,3 +132,22 @@ def test_where_faces_do_not_close_narrower_ones_are_taken_along_if_there_is_time
     built = build_solid(space, part.supports.scale)
     assert built.shape is not None and soundness(built.shape).faces == 8
     assert volume(built.shape) == pytest.approx(60 * (100 * 30 + 50 * height), rel=1e-9)
+
+
+@pytest.mark.parametrize("attempt", ["first", "forced"])
+def test_what_was_forced_together_counts_if_it_is_sound(
+    monkeypatch: pytest.MonkeyPatch, attempt: str
+) -> None:
+    """An open box called a solid: as the first attempt gave it, or a coarser one."""
+    faces = faces_of(BRepPrimAPI_MakeBox(10.0, 10.0, 10.0).Shape())[:-1]
+    sewing = BRepBuilderAPI_Sewing()
+    for face in faces:
+        sewing.Add(face)
+    sewing.Perform()
+    broken = BRepBuilderAPI_MakeSolid(TopoDS.Shell(sewing.SewedShape())).Solid()
+    assert not BRepCheck_Analyzer(broken).IsValid()
+    attempts = iter([BuiltSolid(None, 0, closed=False)] if attempt == "forced" else [])
+    monkeypatch.setattr(build, "_built", lambda *_: next(attempts, BuiltSolid(broken, 1)))
+    found = build.build_solid(None, 1.0)
+    assert (found.shape is None) == (attempt == "forced")
+    assert found.closed == (attempt == "first")
