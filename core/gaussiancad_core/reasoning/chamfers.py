@@ -6,9 +6,9 @@ a picture they run into their neighbours.  Or one view shows them, as those of a
 the other one does not.  They are added as lines that may be drawn or not.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import pairwise, permutations
 from math import hypot, pi
 
 from gaussiancad_core.axes import Axis, Role
@@ -27,6 +27,9 @@ _WIDEST = 14.0
 
 _STEEP = 2.0
 """Slope of such a chamfer, or of its counterpart, at most."""
+
+_BLURRED = 2.5
+"""Times the usual distance up to which the end of an edge may be off where a chamfer begins."""
 
 _CHANCE = 12
 """Chamfers of a part that may be lost; where more would be, circles lie together by chance."""
@@ -106,7 +109,7 @@ def _chamfers(supports: PartSupports, axis: Axis) -> Iterator[_Chamfer]:
             told = {
                 heights
                 for side in sides
-                for heights in _heights(side, (small, large), (least, lost), near)
+                for heights in _heights(side, (small, large), radii, (least, lost), near)
             }
             for start, end in sorted(told):
                 chamfer = _Chamfer(axis, centre, (small, start), (large, end))
@@ -140,29 +143,57 @@ def _side(plane: PlaneSupports, axis: Axis, centre: Point) -> _Side:
 
 
 def _heights(
-    side: _Side, radii: tuple[float, float], reach: tuple[float, float], near: float
+    side: _Side,
+    pair: tuple[float, float],
+    radii: Sequence[float],
+    reach: tuple[float, float],
+    near: float,
 ) -> Iterator[tuple[float, float]]:
     """Heights of the smaller and of the larger circle of a chamfer.
 
-    The edge across the axis is as long as the one circle is wide; at the other circle a face
-    reaches as far at least.  No line along the axis is there in between, as at a step: but what one
-    view leaves out may be read as such a line in the other one.
+    The edge across the axis is as long as the one circle is wide, and at the other circle a face
+    reaches as far as the chamfer at least: around the mouth of a bore, or beside the undercut of a
+    shoulder, where it reaches farther.  No line along the axis is there in between, as at a step:
+    but what one view leaves out may be read as such a line in the other one.
+
+    Args:
+        side: the view.
+        pair: radii of the circles.
+        radii: of all circles about the axis.
+        reach: least and most of height between them.
+        near: within which lines are the same.
     """
-    small, large = radii
+    small, large = pair
     edges = list(side.across())
-    for start, low, high in edges:
-        if abs(low + small) > near or abs(high - small) > near:
-            continue
-        for end, lower, higher in edges:
-            steepness = abs(end - start) / (large - small)
-            if (
-                reach[0] < abs(end - start) < reach[1]
-                and 1.0 / _STEEP <= steepness <= _STEEP
-                and lower <= near - large
-                and higher >= large - near
-                and not any(side.has_along(r, (start + end) / 2.0, near) for r in radii)
-            ):
-                yield start, end
+    for (start, *inner), (end, *outer) in permutations(edges, 2):
+        steepness = abs(end - start) / (large - small)
+        if (
+            reach[0] < abs(end - start) < reach[1]
+            and 1.0 / _STEEP <= steepness <= _STEEP
+            and (
+                (_is_across(inner, small, radii, near) and _covers(outer, large - near))
+                or (_is_across(outer, large, radii, near) and _covers(inner, large + near))
+            )
+            and not any(side.has_along(r, (start + end) / 2.0, near) for r in pair)
+        ):
+            yield start, end
+
+
+def _is_across(edge: Sequence[float], radius: float, radii: Sequence[float], near: float) -> bool:
+    """Whether an edge from ``edge[0]`` to ``edge[1]`` is a circle seen from its side.
+
+    A hidden one ends where the dashes of the chamfer begin: nobody can tell them apart.
+    """
+    return all(
+        abs(end - radius) <= _BLURRED * near
+        and radius == min(radii, key=lambda known: abs(known - end))
+        for end in (-edge[0], edge[1])
+    )
+
+
+def _covers(edge: Sequence[float], radius: float) -> bool:
+    """Whether an edge reaches as far as a radius on both sides of the axis."""
+    return edge[0] <= -radius and edge[1] >= radius
 
 
 def _is_another(chamfer: _Chamfer, side: _Side, near: float) -> bool:

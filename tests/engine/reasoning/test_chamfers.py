@@ -120,3 +120,44 @@ def test_exact_lines_are_all_there() -> None:
 def test_steep_chamfers_are_another_thing() -> None:
     assert not _cones(_block(_bore(18.8), _bore(18.8), radii=(_BORE, 4.5)))
     assert len(_cones(_block(_bore(19.2), _bore(19.2), radii=(_BORE, 4.5)))) == 1
+
+
+def _undercut(neck: float, shoulder: float) -> list[Stroke]:
+    """A pin on a block, from its neck's edge on; the face beside the neck is the block's."""
+    left, right = _CENTRE - _BORE, _CENTRE + _BORE
+    lines = [((left, neck), (right, neck)), ((left, neck), (left, 20.0))]
+    lines += [((right, neck), (right, 20.0)), ((left, 20.0), (right, 20.0))]
+    edge = [
+        ((_CENTRE - shoulder, 9.0), (_CENTRE + shoulder, 9.0)),
+        ((0.0, 0.0), (30.0, 0.0)),
+        ((0.0, 0.0), (0.0, 9.0)),
+        ((30.0, 0.0), (30.0, 9.0)),
+    ]
+    return [Segment(start, end, _VISIBLE) for start, end in (*lines, *edge)]
+
+
+@pytest.mark.parametrize(("shoulder", "cones"), [(15.0, 1), (_BORE, 0)])
+def test_the_undercut_between_a_shoulder_and_a_pin_is_a_cone(shoulder: float, cones: int) -> None:
+    circles = [Arc((15.0, 15.0), radius, 0.0, 2.0 * pi, _VISIBLE) for radius in (3.0, _BORE)]
+    side = _undercut(10.0, shoulder)
+    strokes = {Role.FRONT: side, Role.TOP: (*_outline(30.0, 30.0), *circles), Role.RIGHT: side}
+    supports = find_supports(DrawnViews(strokes, (30.0, 30.0, 20.0), 0.1))
+    found = _cones(supports)
+    units = [(cone.low, cone.high, cone.at_low, cone.at_high) for cone in found]
+    told = [9.0, 10.0, 3.0, _BORE]
+    assert len(units) == cones
+    assert all([v / supports.scale for v in own] == pytest.approx(told) for own in units)
+
+
+@pytest.mark.parametrize(("farther", "cones"), [(0.0, 2), (0.3, 2), (0.6, 0)])
+def test_the_ground_of_a_groove_is_told_by_its_circle(farther: float, cones: int) -> None:
+    """A groove like a V around an axis, seen from below: three circles and the edge of its ground.
+
+    The dashes of its slants run on from those of the edge.
+    """
+    reach = 4.0 + farther
+    ground = [Segment((_CENTRE - reach, 1.0), (_CENTRE + reach, 1.0), _HIDDEN)]
+    supports = _block(ground, ground, radii=(3.0, 4.0, 5.0))
+    units = [(cone.low, cone.high, cone.at_low, cone.at_high) for cone in _cones(supports)]
+    told = sorted([round(v / supports.scale, 3) for v in own] for own in units)
+    assert told == [[0.0, 1.0, 3.0, 4.0], [0.0, 1.0, 5.0, 4.0]][:cones]
