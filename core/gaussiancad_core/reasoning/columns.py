@@ -228,13 +228,34 @@ class Space:
                 direction = [0.0, 0.0, 0.0]
                 direction[axes[0]], direction[axes[1]] = flat
                 steps.append((position, tuple(direction), (plane.value, support), region))
-            found = trace.regions[0], tuple(steps), CHAIN in trace.supports
+            found = trace.regions[0], tuple(_without_slivers(steps)), CHAIN in trace.supports
             self._steps[key] = found
         return found
 
 
 def _depth(step: _Step) -> float:
     return step[0]
+
+
+def _without_slivers(steps: list[_Step]) -> list[_Step]:
+    """Steps of a plane, without the outside between a chain and a support right beside it.
+
+    Near the corner in which both end they are nearer to each other than a chain is known.
+    """
+    kept: list[_Step] = []
+    for step in steps:
+        last = kept[-1] if kept else None
+        if (
+            last is not None
+            and last[3] == OUTSIDE
+            and step[0] - last[0] < _ROUGH
+            and (last[2][1] == CHAIN) != (step[2][1] == CHAIN)
+        ):
+            support = step if last[2][1] == CHAIN else last
+            kept[-1] = (*support[:3], step[3])
+        else:
+            kept.append(step)
+    return kept
 
 
 def _within_chains(steps: list[_Step]) -> list[_Step]:

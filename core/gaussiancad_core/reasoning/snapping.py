@@ -160,13 +160,23 @@ def with_lone_values(snap: Snapped, readings: Sequence[Reading]) -> Snapped:
     """
     values, weights = dict(snap.values), dict(snap.weights)
     for axis in Axis:
-        lone = [r for r in readings if r.axis is axis and snap.value(axis, r.value) is None]
-        means = [_mean(cluster) for cluster in _clusters(lone, snap.reach)]
         round_ones = _circle_values(snap, axis)
+        lone = [r for r in readings if r.axis is axis and _is_lone(snap, r, round_ones)]
+        means = [_mean(cluster) for cluster in _clusters(lone, snap.reach)]
         means = [(nearest_value(round_ones, at, _AT_CIRCLE * snap.reach), w) for at, w in means]
         values[axis] = tuple(sorted({*values[axis], *(value for value, _ in means)}))
         weights.update({(axis, value): weight for value, weight in means})
     return replace(snap, values=values, weights=weights)
+
+
+def _is_lone(snap: Snapped, reading: Reading, round_ones: Sequence[float]) -> bool:
+    """Whether no value is near, or only one that is not the circle's which the reading is at."""
+    value = snap.value(reading.axis, reading.value)
+    if value is None:
+        return True
+    near = _AT_CIRCLE * snap.reach
+    at = nearest_value(round_ones, reading.value, near)
+    return at != reading.value and abs(value - at) > snap.reach / 2.0
 
 
 def _circle_values(snap: Snapped, axis: Axis) -> list[float]:

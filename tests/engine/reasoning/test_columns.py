@@ -8,11 +8,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.axes import Axis
+from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.reasoning.arrangement import Arrangement
 from gaussiancad_core.reasoning.columns import BODY, Space, parallel
+from gaussiancad_core.reasoning.curves import axis_line
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.part import model_part
 from gaussiancad_core.reasoning.planes import IN_PLANE, lifted
+from gaussiancad_core.reasoning.spans import Span, Support
+from gaussiancad_core.views import Linetype
 
 _NAMES = ("stepped-block", "counterbored-block", "wedge-block", "countersunk-plate", "ball-knob")
 _SHARE = st.floats(-0.02, 1.02)
@@ -107,6 +111,42 @@ def test_thickness_is_the_longest_stretch_in_the_thinnest_direction(
                     own[normal] = max(own.get(normal, 0.0), length)
     assert longest
     assert fresh.thickness() == {cell: min(own.values()) for cell, own in longest.items()}
+
+
+def _drawn(role: Role, *sides: tuple[int, float, float, float]) -> list[Support]:
+    """Lines on which a coordinate has a value, and between which values of the other one."""
+    return [
+        Support(axis_line(along, value), {role: (Span(low, high, Linetype.VISIBLE, 1.0),)})
+        for along, value, low, high in sides
+    ]
+
+
+def test_beside_the_corner_at_which_a_chain_ends_is_no_sliver_of_the_outside() -> None:
+    # Seen from the right: under a bar the outline is a curve from the bar's lower side to the foot.
+    lines = _drawn(
+        Role.RIGHT,
+        (1, 0.0, 0.0, 10.0),
+        (0, 10.0, 0.0, 15.0),
+        (1, 15.0, 0.0, 10.0),
+        (0, 0.0, 10.0, 15.0),
+        (1, 10.0, 0.0, 2.0),
+    )
+    chain = ((2.0, 10.0), (1.4, 5.0), (0.0, 0.0))
+    box = ((0, 0.0, 0.0, 15.0), (0, 10.0, 0.0, 15.0), (1, 0.0, 0.0, 10.0), (1, 15.0, 0.0, 10.0))
+    square = ((0, 0.0, 0.0, 10.0), (0, 10.0, 0.0, 10.0), (1, 0.0, 0.0, 10.0), (1, 10.0, 0.0, 10.0))
+    space = Space(
+        {
+            Axis.X: Arrangement(lines, [chain]),
+            Axis.Y: Arrangement(_drawn(Role.FRONT, *box)),
+            Axis.Z: Arrangement(_drawn(Role.TOP, *square)),
+        }
+    )
+    inside = space.column(Axis.Z, 5.0, 2.5)
+    beside = space.column(Axis.Z, 5.0, 2.0 - 2e-5)
+    assert [round(crossing.depth, 6) for crossing in inside] == [0.0, 15.0]
+    assert beside[0].depth == pytest.approx(0.0) and beside[-1].depth == pytest.approx(15.0)
+    assert space.cell_at((5.0, 2.0 - 2e-5, 12.0)) in {crossing.after for crossing in beside}
+    assert all(one.after is not None and one.after == two.before for one, two in pairwise(beside))
 
 
 def test_normals_are_parallel_either_way() -> None:

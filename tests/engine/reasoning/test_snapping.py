@@ -153,3 +153,15 @@ def test_ends_of_slants_alone_are_at_centres_and_extremes_of_circles() -> None:
     # Along the axis the circle says nothing, and farther off it is another place.
     assert with_lone_values(snap, [Reading(Axis.Z, 30.01, 1e-3)]).values[Axis.Z] == (30.01,)
     assert with_lone_values(snap, [Reading(Axis.X, 20.15, 1e-3)]).values[Axis.X] == (5.0, 20.15)
+
+
+def test_an_end_at_a_circles_extreme_is_not_at_another_value_close_by() -> None:
+    circles = [_circle(10.0, 20.0, 5.0)]
+    near = 15.0 + 1.8 * _TOLERANCE
+    snap = snapped([Reading(Axis.X, near, 10.0)], circles, _TOLERANCE)
+    found = with_lone_values(snap, [Reading(Axis.X, 15.01, 1e-3)])
+    assert found.values[Axis.X] == pytest.approx((15.0, near))
+    assert found.value(Axis.X, 15.01) == 15.0
+    # An end that is at no circle is at the value.
+    other = with_lone_values(snap, [Reading(Axis.X, 15.0 + 0.9 * _TOLERANCE, 1e-3)])
+    assert other.values[Axis.X] == pytest.approx((near,))
