@@ -18,8 +18,10 @@ from OCP.BRepBuilderAPI import (
     BRepBuilderAPI_Transform,
 )
 from OCP.BRepCheck import BRepCheck_Analyzer
+from OCP.BRepGProp import BRepGProp
 from OCP.BRepTools import BRepTools
 from OCP.gp import gp_Ax3, gp_Cylinder, gp_Dir, gp_Pln, gp_Pnt, gp_Pnt2d, gp_Trsf
+from OCP.GProp import GProp_GProps
 from OCP.IntTools import IntTools_Context
 from OCP.ShapeFix import ShapeFix_Shape
 from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
@@ -38,6 +40,9 @@ from gaussiancad_core.solid.patches import NARROW, Patch, PlanePatch, SweptPatch
 
 _BESIDE = 5e-5
 """Units from a sub-face at which the labels of its sides are looked up."""
+
+_SLIVER = 0.05
+"""Units of width below which a face that splits others in vain is left out."""
 
 _VECTORS = np.eye(3)
 
@@ -114,12 +119,16 @@ def _built(space: LabelledSpace, scale: float, fit: _Fit) -> BuiltSolid:
     if not faces:
         return BuiltSolid(None, 0)
     sides = _Sides(space)
-    kept = []
-    for face in _fused(faces, fit.fuzzy):
-        material = sides.material(face)
-        if material is not None and material[0] != material[1]:
-            kept.append(face)
-    sewn = _sewn(sides, kept, fit.sewing)
+    while True:
+        fused = _fused(faces, fit.fuzzy)
+        kept = [face for face in faces_of(fused.Shape()) if sides.is_border(face)]
+        if (sewn := _sewn(sides, kept, fit.sewing)) is not None:
+            break
+        # Faces that only touch others may have split them where nothing meets.
+        bounding = [face for face in faces if _gives_one_of(kept, face, fused)]
+        if len(bounding) == len(faces):
+            break
+        faces = bounding
     if sewn is None:
         return BuiltSolid(None, 0, closed=False)
     solid, count = sewn
@@ -165,15 +174,35 @@ def _frame(origin: tuple[float, float, float], normal: np.ndarray, x: np.ndarray
     return gp_Ax3(gp_Pnt(*origin), gp_Dir(*map(float, normal)), gp_Dir(*map(float, x)))
 
 
-def _fused(faces: list[TopoDS_Face], fuzzy: float) -> list[TopoDS_Face]:
-    """The faces split along their intersections."""
+def _fused(faces: list[TopoDS_Face], fuzzy: float) -> BOPAlgo_Builder:
+    """What splits the faces along their intersections."""
     builder = BOPAlgo_Builder()
     for face in faces:
         builder.AddArgument(face)
     builder.SetRunParallel(False)
     builder.SetFuzzyValue(fuzzy)
     builder.Perform()
-    return faces_of(builder.Shape())
+    return builder
+
+
+def _gives_one_of(kept: list[TopoDS_Face], face: TopoDS_Face, fused: BOPAlgo_Builder) -> bool:
+    """Whether one of the kept sub-faces is of a face, and no sliver.
+
+    Where surfaces touch, what lies just beside one of them is on the other side of the other one.
+    """
+    if fused.IsDeleted(face):
+        return False
+    parts = fused.Modified(face) if fused.HasModified() else ()
+    own = list(parts) or [face]
+    return any(any(part.IsSame(each) for part in own) and not _is_sliver(each) for each in kept)
+
+
+def _is_sliver(face: TopoDS_Face) -> bool:
+    """Whether a face is so narrow that its sides cannot be told."""
+    inner, around = GProp_GProps(), GProp_GProps()
+    BRepGProp.SurfaceProperties_s(face, inner)
+    BRepGProp.LinearProperties_s(face, around)
+    return inner.Mass() < _SLIVER / 2.0 * around.Mass()
 
 
 class _Sides:
@@ -182,6 +211,11 @@ class _Sides:
     def __init__(self, space: LabelledSpace) -> None:
         self._space = space
         self._context = IntTools_Context()
+
+    def is_border(self, face: TopoDS_Face) -> bool:
+        """Whether there is material on one side of a face only."""
+        material = self.material(face)
+        return material is not None and material[0] != material[1]
 
     def material(self, face: TopoDS_Face) -> tuple[bool, bool] | None:
         """Whether there is material (behind, before) a face; None where it has no inner point."""

@@ -8,11 +8,11 @@ import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeSolid, BRepBuilderAPI_Sewing
 from OCP.BRepCheck import BRepCheck_Analyzer
-from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
-from OCP.gp import gp_Pnt
+from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox, BRepPrimAPI_MakeCylinder, BRepPrimAPI_MakeTorus
+from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt
 from OCP.TopoDS import TopoDS, TopoDS_Shape
 
-from gaussiancad_core.axes import Role
+from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.drawing.brep import bounding_box, faces_of, soundness, volume
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.reasoning.labelling import Effort, Search
@@ -21,6 +21,7 @@ from gaussiancad_core.reasoning.solvers import Deadline
 from gaussiancad_core.solid import build
 from gaussiancad_core.solid.build import BuiltSolid, build_solid
 from gaussiancad_core.solid.labelled import LabelledSpace
+from gaussiancad_core.solid.patches import Patch, PlanePatch, find_patches
 from gaussiancad_core.views import Linetype, Segment
 
 Labelled = Callable[[str], tuple[PartModel, LabelledSpace]]
@@ -151,3 +152,32 @@ def test_what_was_forced_together_counts_if_it_is_sound(
     found = build.build_solid(None, 1.0)
     assert (found.shape is None) == (attempt == "forced")
     assert found.closed == (attempt == "first")
+
+
+def _round_groove(x: float, y: float, radius: float) -> TopoDS_Shape:
+    """A ring 1 mm to both sides of a circle: 1 mm straight up from the ground, then half round."""
+    ground, top = (gp_Ax2(gp_Pnt(x, y, z), gp_Dir(0, 0, 1)) for z in (0.0, 1.0))
+    outer, inner = (
+        BRepPrimAPI_MakeCylinder(ground, radius + way, 1.0).Solid() for way in (1.0, -1.0)
+    )
+    wall = BRepAlgoAPI_Cut(outer, inner).Shape()
+    return BRepAlgoAPI_Fuse(wall, BRepPrimAPI_MakeTorus(top, radius, 1.0).Solid()).Shape()
+
+
+def test_a_face_that_only_touches_others_does_not_keep_them_open(
+    drawn: Draw, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    block = BRepAlgoAPI_Cut(_box(0, 0, 0, 94, 60, 22), _round_groove(38, 30, 15)).Shape()
+    part = model_part(drawn(block))
+    units = part.supports.scale
+    touching = PlanePatch(Axis.Z, 2.0 * units, (36 * units, 39.2 * units, 15 * units, 16 * units))
+
+    def with_touching(space: LabelledSpace, narrow: float) -> list[Patch]:
+        return [*find_patches(space, narrow), touching]
+
+    monkeypatch.setattr(build, "_FITS", build._FITS[:1])
+    monkeypatch.setattr(build, "find_patches", with_touching)
+    built = _built(block, drawn)
+    assert built.shape is not None
+    assert BRepCheck_Analyzer(built.shape).IsValid()
+    assert volume(built.shape) == pytest.approx(volume(block), rel=1e-7)
