@@ -20,6 +20,10 @@ _BENT_PX = 0.1
 
 _ROUNDS = 6
 
+_FLATTER = 320.0
+"""Length of a line in sagittas from which it is no arc: two edges on one line, or an edge and its
+extension line, may be drawn half a pixel apart."""
+
 
 @njit(cache=True)
 def grow_lines(tables, limits, fit):  # noqa: ANN001, ANN201
@@ -59,7 +63,7 @@ def _grow_line(tables, limits, fit, line, scratch):  # noqa: ANN001, ANN202
     """Grow a line in place: whether it is one, and how many points it has."""
     points, own = tables[0], scratch[1]
     reach = 7.0
-    number, before = 0, -1
+    number, before, extent = 0, -1, 0.0
     for _ in range(24):
         number = _along_line(tables, line, reach, limits, scratch)
         if number < 3:
@@ -72,9 +76,10 @@ def _grow_line(tables, limits, fit, line, scratch):  # noqa: ANN001, ANN202
     if number < fit[0]:
         return False, number
     sagitta, rms = _line_quality(points, own, number, line)
-    if sagitta > fit[1] and rms <= fit[2]:
+    flattest = max(fit[1], min(fit[3], 2.0 * extent / _FLATTER))
+    if sagitta > flattest and rms <= fit[2]:
         sagitta = _steady_sagitta(points, own, number, line)
-    return sagitta <= fit[1] and rms <= fit[2], number
+    return sagitta <= flattest and rms <= fit[2], number
 
 
 @njit(cache=True)

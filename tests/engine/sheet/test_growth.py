@@ -306,3 +306,17 @@ def test_a_dashed_line_that_runs_into_tangents_is_no_arc(sketch: Sketch) -> None
     lines, circles = _shapes(drawn, 2.2)
     assert any(_away(line, (120.0, 120.0), (260.0, 120.0)) < 0.5 for line in lines)
     assert [circle.radius for circle in circles] == pytest.approx([130.0] * len(circles), abs=2.0)
+
+
+@pytest.mark.parametrize("step", [0.45, 0.55])
+def test_an_edge_and_its_extension_line_half_a_pixel_apart_are_straight(
+    sketch: Sketch, step: float
+) -> None:
+    drawn = sketch(900, 100).line((20, 50), (700, 50), 5.0)
+    drawn.line((700, 50 + step), (880, 50 + step), 5.0)
+    lines, circles = _shapes(drawn, 5.0)
+    assert not circles
+    assert lines
+    ridges, grown = _grown(drawn, 5.0)
+    on_lines = np.unique(np.concatenate([one.members for one in grown]))
+    assert len(on_lines) > 0.95 * len(ridges.points)

@@ -86,37 +86,59 @@ class LooseRule:
     faded: int = 0
 
 
-def arrowheads(ink: Mask, stroke_width: float) -> npt.NDArray[np.float64]:
-    """(n, 2) px middles of the thick blots that arrowheads have."""
+@dataclass(frozen=True, eq=False)
+class Arrowheads:
+    """The thick blots that arrowheads have.
+
+    Attributes:
+        middles: (n, 2) px.
+        lengths: (n,) px, the longest side of each blot.
+    """
+
+    middles: npt.NDArray[np.float64]
+    lengths: npt.NDArray[np.float64]
+
+
+def arrowheads(ink: Mask, stroke_width: float) -> Arrowheads:
+    """Thick blots no larger than the heads of arrows."""
     inside = cv2.distanceTransform(ink.astype(np.uint8), cv2.DIST_L2, 5)
     core = (inside > _THICK * stroke_width).astype(np.uint8)
     _, _, stats, middles = cv2.connectedComponentsWithStats(core, connectivity=8)
-    sides = stats[1:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1)
-    return middles[1:][sides <= _LARGEST * stroke_width]
+    sides = stats[1:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1).astype(float)
+    small = sides <= _LARGEST * stroke_width
+    return Arrowheads(middles[1:][small], sides[small])
 
 
 def mark_arrows(
-    shapes: Sequence[InkedShape], kinds: Kinds, heads: npt.NDArray[np.float64], stroke_width: float
+    shapes: list[InkedShape], kinds: Kinds, heads: Arrowheads, stroke_width: float
 ) -> None:
     """Mark straight runs with arrowheads on them as dimension lines, in place.
 
-    One alone counts at an end: where a stroke meets an edge, ink that ran makes a blot like it.
+    One alone counts at an end: where a stroke meets an edge, ink that ran makes a blot like it.  A
+    large head has no ridge along its middle, so that its line ends behind it; the run then goes on
+    as far as the middle of the head.
     """
-    if not len(heads):
+    if not len(heads.middles):
         return
-    for shape, own in zip(shapes, kinds, strict=True):
+    for index, (shape, own) in enumerate(zip(shapes, kinds, strict=True)):
         if not isinstance(shape.geometry, Line):
             continue
-        along, across = shape.geometry.coordinates(heads)
-        near = along[np.abs(across) < _BESIDE * stroke_width]
+        along, across = shape.geometry.coordinates(heads.middles)
+        on_line = np.abs(across) < _BESIDE * stroke_width
+        near, half = along[on_line], heads.lengths[on_line] / 2
         slack = 2.0 * stroke_width
+        runs = list(shape.runs)
         for k, run in enumerate(shape.runs):
             low, high = run.run.start - slack, run.run.end + slack
-            on_run = near[(near >= low) & (near <= high)]
+            reached = (near >= low - half) & (near <= high + half)
+            on_run = near[reached]
             from_end = np.minimum(on_run - low, high - on_run)
             at_end = (from_end < _LARGEST * stroke_width).any()
             if own[k] is None and (len(on_run) > 1 or at_end):
                 own[k] = AnnotationKind.DIMENSION
+                whole = Run(min(run.run.start, *on_run), max(run.run.end, *on_run))
+                runs[k] = InkedRun(whole, run.width)
+        shapes[index] = InkedShape(shape.geometry, tuple(runs))
 
 
 def split_loose(
@@ -141,10 +163,15 @@ def split_loose(
             parts = [(run.run, _Side.PARTING)]
             if kind is None and run.run.length > rule.shortest:
                 parts = _parts(shape, run, areas, faded)
-            # A line that runs on over blank paper is no edge, nor is its rest within a view.
+            # A line that runs on over blank paper is no edge, nor is its rest within a view: what
+            # that parts only once gaps are closed lies between it and the next such line.
             over_paper = any(
                 side is _Side.PAPER and part.length > _LEAST_OUT_PX for part, side in parts
             )
+            if faded is not None and over_paper:
+                strict = _parts(shape, run, areas, None)
+                if any(side is _Side.INSIDE for _, side in strict):
+                    parts = strict
             loose = rule.everywhere or (over_paper and _sticks_out(shape, run, ink))
             for part, side in parts:
                 runs.append(InkedRun(part, run.width))

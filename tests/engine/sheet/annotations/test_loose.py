@@ -7,7 +7,12 @@ import pytest
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
-from gaussiancad_core.sheet.annotations.loose import LooseRule, mark_arrows, split_loose
+from gaussiancad_core.sheet.annotations.loose import (
+    Arrowheads,
+    LooseRule,
+    mark_arrows,
+    split_loose,
+)
 from gaussiancad_core.sheet.annotations.separate import separate_annotations
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.geometry import Line
@@ -32,8 +37,20 @@ LONG = InkedShape(LEVEL, (InkedRun(Run(20.0, 180.0), 2.0),))
 )
 def test_arrowheads_tell_dimension_lines(heads: list[tuple[float, float]], marked: bool) -> None:
     kinds: list[list[AnnotationKind | None]] = [[None]]
-    mark_arrows([LONG], kinds, np.array(heads), 2.0)
+    mark_arrows([LONG], kinds, Arrowheads(np.array(heads), np.full(len(heads), 4.0)), 2.0)
     assert kinds == [[AnnotationKind.DIMENSION if marked else None]]
+
+
+def test_the_line_of_a_large_head_ends_behind_it() -> None:
+    """A run goes on as far as the middle of a head that has no ridge."""
+    shapes: list[InkedShape] = [LONG]
+    kinds: list[list[AnnotationKind | None]] = [[None]]
+    mark_arrows(shapes, kinds, Arrowheads(np.array([[188.0, 50.0]]), np.array([20.0])), 2.0)
+    assert kinds == [[AnnotationKind.DIMENSION]]
+    assert shapes[0].runs[0].run == Run(20.0, 188.0)
+    kinds = [[None]]
+    mark_arrows([LONG], kinds, Arrowheads(np.array([[198.0, 50.0]]), np.array([20.0])), 2.0)
+    assert kinds == [[None]]
 
 
 @pytest.mark.parametrize(("gap", "kept"), [(0.0, True), (12.0, True), (30.0, False)])
@@ -56,6 +73,21 @@ def test_a_line_within_one_area_bounds_nothing(sketch: Sketch) -> None:
     rule = LooseRule(16.0, everywhere=True, faded=5)
     _, kinds = split_loose([LONG], [[None]], ink, rule)
     assert set(kinds[0]) == {AnnotationKind.EXTENSION}
+
+
+def test_extension_lines_that_gaps_shut_off_bound_nothing(sketch: Sketch) -> None:
+    """Two that lead into a view, where a bore's edge all but closes what lies between them."""
+    drawn = sketch(400, 400).line((60, 20), (220, 20), 2.0).line((60, 180), (220, 180), 2.0)
+    drawn.line((60, 20), (60, 180), 2.0).line((220, 20), (220, 180), 2.0)
+    drawn.line((10, 70), (140, 70), 2.0).line((10, 100), (140, 100), 2.0)
+    drawn.line((152, 64), (152, 106), 2.0)
+    ink = clean_sheet(drawn.grey).ink
+    rule = LooseRule(16.0, everywhere=True, faded=19)
+    line = InkedShape(Line((0.0, 70.0), (1.0, 0.0)), (InkedRun(Run(10.0, 140.0), 2.0),))
+    shapes, kinds = split_loose([line], [[None]], ink, rule)
+    kept = [own.run for own, kind in zip(shapes[0].runs, kinds[0], strict=True) if kind is None]
+    # Where it crosses the outline, no one knows what is beside it.
+    assert all(run.start > 50.0 and run.end < 70.0 for run in kept)
 
 
 @pytest.mark.parametrize("degrees", [27, 35, 45, 60, 65])
