@@ -1,4 +1,4 @@
-"""What it means that a corner lies on a line, a circle or a face, as an equation.
+"""What it means that a corner lies on a line, circle or face, or that two touch, as an equation.
 
 Corners, circles, and what moves lines and faces, are numbers of one list (see :mod:`.relations`).
 """
@@ -101,6 +101,30 @@ class Touches:
             (self.circle + 2, -self.side * stretch),
             (self.first, turn),
             (self.first + 1, -turn),
+        ]
+
+
+@dataclass(frozen=True)
+class TouchesCircle:
+    """Two circles that touch; ``inside`` if the other one lies in the one."""
+
+    one: int
+    other: int
+    inside: bool
+
+    def at(self, numbers: Numbers) -> tuple[float, Terms]:
+        """See :class:`.relations.Relation`."""
+        x = numbers[self.other] - numbers[self.one]
+        y = numbers[self.other + 1] - numbers[self.one + 1]
+        away = hypot(x, y) or 1.0
+        side = -1.0 if self.inside else 1.0
+        return away - numbers[self.one + 2] - side * numbers[self.other + 2], [
+            (self.other, x / away),
+            (self.other + 1, y / away),
+            (self.one, -x / away),
+            (self.one + 1, -y / away),
+            (self.one + 2, -1.0),
+            (self.other + 2, -side),
         ]
 
 

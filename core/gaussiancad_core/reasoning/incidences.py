@@ -19,13 +19,14 @@ from gaussiancad_core.reasoning.corner_equations import (
     OnSlant,
     Slant,
     Touches,
+    TouchesCircle,
     direction_of,
 )
 from gaussiancad_core.reasoning.curves import CircleCurve, LineCurve, Point, line_through
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.relations import Linear, Numbers, Relation, solved
 from gaussiancad_core.reasoning.snapping import CERTAIN, Snapped, circle_relations
-from gaussiancad_core.reasoning.tangents import touched_circles
+from gaussiancad_core.reasoning.tangents import touched_circles, touching_circles
 
 _ON = 0.5
 """Tolerances within which a corner between well-read values is on a curve."""
@@ -203,7 +204,7 @@ class _Network:
         return circle_relations(self.observed, places, circles, _KNOWN)
 
     def relations(self, plane: PlaneReading) -> Iterator[Relation]:
-        """Corners on the plane's curves, and lines that touch its circles."""
+        """Corners on the plane's curves, and lines and circles that touch its circles."""
         corners = self._corners(plane.normal, plane.ends)
         circles = {
             circle: at
@@ -225,6 +226,8 @@ class _Network:
                 loose = corner.loose or (corner.a, corner.b) in own
                 if within and self._is_on(corner, line, loose=loose):
                     yield OnSlant(corner.a, corner.b, first, slant)
+        for one, other, inside in touching_circles(list(circles), plane.ends, self._snap.reach):
+            yield TouchesCircle(circles[one], circles[other], inside)
         for circle, at in circles.items():
             for corner in corners.values():
                 is_on = self._is_on(corner, circle, loose=corner.loose)

@@ -23,6 +23,7 @@ from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
 from gaussiancad_core.reasoning.retraced import retraced
 from gaussiancad_core.reasoning.revolved import find_bodies
 from gaussiancad_core.reasoning.rules import BESIDE, Rule, rules_of
+from gaussiancad_core.reasoning.smooth_edges import with_smooth_edges
 from gaussiancad_core.reasoning.solvers import NEVER, Deadline
 from gaussiancad_core.reasoning.spans import Span, Support
 from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports, find_supports
@@ -88,6 +89,7 @@ def model_part(views: DrawnViews, near: float = NEAR, deadline: Deadline = NEVER
         supports = find_supports(views, facets)
         half_spaces = find_half_spaces(supports)
     supports = with_untold_chamfers(with_untold_lines(retraced(supports, half_spaces)))
+    supports = with_smooth_edges(supports)
     planes = {axis: _arranged(plane, supports.tolerance) for axis, plane in supports.planes.items()}
     for axis in Axis:
         if axis not in planes:

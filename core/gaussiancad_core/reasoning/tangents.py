@@ -1,6 +1,7 @@
-"""Slanted lines that touch circles."""
+"""Slanted lines, and circles, that touch circles."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import permutations
 from math import hypot
 
 from gaussiancad_core.reasoning.curves import CircleCurve, LineCurve, Point
@@ -37,3 +38,39 @@ def _touched(
         if miss <= reach and near and (best is None or miss < best[0]):
             best = miss, circle
     return best[1] if best else None
+
+
+def touching_circles(
+    circles: Sequence[CircleCurve], ends: Sequence[Point], reach: float
+) -> Iterator[tuple[CircleCurve, CircleCurve, bool]]:
+    """Pairs of circles that pass smoothly into each other where strokes end.
+
+    Args:
+        circles: of one plane.
+        ends: of its strokes.
+        reach: how far a circle may miss another one that it touches.
+
+    Yields:
+        The larger circle, the other one, and whether that lies inside.
+    """
+    for one, other in permutations(circles, 2):
+        if (one.radius, one.centre) < (other.radius, other.centre):
+            continue
+        dx, dy = other.centre[0] - one.centre[0], other.centre[1] - one.centre[1]
+        away = hypot(dx, dy)
+        if away <= _NEAR_END * reach:
+            continue
+        inside = away < one.radius
+        miss = away - one.radius - (-other.radius if inside else other.radius)
+        if abs(miss) > reach:
+            continue
+        share = one.radius / away
+        x, y = one.centre[0] + share * dx, one.centre[1] + share * dy
+        # An error of the circles moves the touching point much more than it moves them.
+        room = max(_NEAR_END * reach, 0.2 * other.radius)
+        if any(
+            hypot(x - end[0], y - end[1]) <= room
+            and max(one.distance(end), other.distance(end)) <= reach
+            for end in ends
+        ):
+            yield one, other, inside

@@ -5,7 +5,7 @@ kept that have material on one side only; sewn they bound the part.
 """
 
 from dataclasses import dataclass
-from math import pi
+from math import cos, pi, sin
 
 import numpy as np
 from OCP.BOPAlgo import BOPAlgo_Builder
@@ -156,11 +156,14 @@ def _swept_face(patch: SweptPatch) -> TopoDS_Face:
         up = np.cross(_VECTORS[first], _VECTORS[second])
         way = float(np.sign(up @ depth))
         origin = lifted(patch.axis, *patch.curve.centre, 0.0)
-        cylinder = gp_Cylinder(_frame(origin, up, _VECTORS[first]), patch.curve.radius)
         low, high = (near, far) if way > 0.0 else (-far, -near)
         if end - start > TURN - 1e-6:
             start, end = 0.0, 2.0 * pi
-        return BRepBuilderAPI_MakeFace(cylinder, start, end, low, high).Face()
+        # The seam lies opposite: intersections that run across it are found less well.
+        seam = (start + end) / 2.0 - pi
+        x = cos(seam) * _VECTORS[first] + sin(seam) * _VECTORS[second]
+        cylinder = gp_Cylinder(_frame(origin, up, x), patch.curve.radius)
+        return BRepBuilderAPI_MakeFace(cylinder, start - seam, end - seam, low, high).Face()
     origin = lifted(patch.axis, *patch.curve.at(start), near)
     along = np.array(lifted(patch.axis, *patch.curve.direction, 0.0))
     normal = np.cross(along, depth)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from gaussiancad_core.axes import Axis
-from gaussiancad_core.reasoning.curves import PlaneCurve, axis_line, meetings
+from gaussiancad_core.reasoning.curves import TURN, CircleCurve, PlaneCurve, axis_line, meetings
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.rules import BESIDE
 from gaussiancad_core.solid.labelled import LabelledSpace
@@ -51,7 +51,7 @@ class SweptPatch:
     Attributes:
         axis: of the sweep.
         curve: in the projection plane of that axis.
-        rectangle: parameters of the curve, and depths.
+        rectangle: parameters of the curve, and depths; on a circle the first one may be negative.
     """
 
     axis: Axis
@@ -92,9 +92,11 @@ def find_patches(space: LabelledSpace, narrow: float = NARROW) -> list[Patch]:
                 flat[key].append((*spans[first], *spans[second]))
         for index, rectangles in swept.items():
             curve = plane.supports[index].curve
-            patches += [
-                SweptPatch(normal, curve, r) for r in united(rectangles, 2.0 * _SHORT / curve.speed)
-            ]
+            gap = 2.0 * _SHORT / curve.speed
+            # Only slants and circles are swept.
+            closed = isinstance(curve, CircleCurve)
+            own = _around(united(rectangles, gap), gap) if closed else united(rectangles, gap)
+            patches += [SweptPatch(normal, curve, rectangle) for rectangle in own]
     for key, rectangles in flat.items():
         patches += [PlanePatch(key[0], exact[key], r) for r in united(rectangles)]
     return patches
@@ -198,6 +200,25 @@ def united(rectangles: Iterable[Rectangle], gap: float = 2.0 * _SHORT) -> list[R
         if len(grown) == len(current):
             return grown
         current = grown
+
+
+def _around(rectangles: list[Rectangle], gap: float) -> list[Rectangle]:
+    """Rectangles of a circle, with those as one that touch where its parameter begins again.
+
+    An intersection that ends at the border of two patches may be found in one of them only.
+    """
+    current = list(rectangles)
+    for last in rectangles:
+        before = (last[0] - TURN, last[1] - TURN, *last[2:])
+        others = [
+            r for r in current if r is not last and before[1] >= -gap and _touch(r, before, gap)
+        ]
+        if last in current and others:
+            first = min(others)
+            current = [r for r in current if r not in (first, last)]
+            ends = min(first[2], last[2]), max(first[3], last[3])
+            current.append((before[0], first[1], *ends))
+    return current
 
 
 def _touch(one: Rectangle, other: Rectangle, gap: float) -> bool:

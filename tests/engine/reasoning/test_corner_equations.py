@@ -4,7 +4,7 @@ from math import cos, hypot, sin
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from gaussiancad_core.reasoning.corner_equations import (
@@ -13,6 +13,7 @@ from gaussiancad_core.reasoning.corner_equations import (
     OnSlant,
     Slant,
     Touches,
+    TouchesCircle,
 )
 from gaussiancad_core.reasoning.relations import Relation
 
@@ -23,6 +24,8 @@ _RELATIONS: list[tuple[Relation, int]] = [
     (OnCircle(0, 1, 2), 5),
     (Touches(0, 3, _SLANT, 1.0), 5),
     (Touches(0, 3, _SLANT, -1.0), 5),
+    (TouchesCircle(0, 3, inside=False), 6),
+    (TouchesCircle(0, 3, inside=True), 6),
     (OnFacet((0, 1, 2), 3, _FRAME, np.array([5.0, 6.0, 7.0])), 6),
 ]
 _SMALL = st.floats(-2.0, 2.0)
@@ -48,6 +51,8 @@ def test_gradients_are_those_of_the_equation(
 
 
 def _is_at_centre(relation: Relation, numbers: np.ndarray) -> bool:
+    if isinstance(relation, TouchesCircle):
+        return hypot(*(numbers[:2] - numbers[3:5])) < 0.1
     return isinstance(relation, OnCircle) and hypot(*(numbers[:2] - numbers[2:4])) < 0.1
 
 
@@ -77,4 +82,15 @@ def test_circles_that_a_line_touches_are_touched(
 def test_points_of_a_circle_lie_on_it(angle: float, radius: float) -> None:
     point = 4.0 + radius * cos(angle), 5.0 + radius * sin(angle)
     value, _ = OnCircle(0, 1, 2).at(np.array([*point, 4.0, 5.0, radius]))
+    assert value == pytest.approx(0.0, abs=1e-9)
+
+
+@given(st.floats(0.0, 6.28), st.floats(0.5, 20.0), st.floats(0.5, 20.0), st.booleans())
+def test_circles_touch_where_they_share_a_point_and_a_tangent(
+    angle: float, one: float, other: float, inside: bool
+) -> None:
+    assume(not inside or one > other)
+    away = one - other if inside else one + other
+    centre = 4.0 + away * cos(angle), 5.0 + away * sin(angle)
+    value, _ = TouchesCircle(0, 3, inside).at(np.array([4.0, 5.0, one, *centre, other]))
     assert value == pytest.approx(0.0, abs=1e-9)

@@ -103,6 +103,24 @@ def test_a_rough_common_tangent_becomes_an_exact_one(
         assert line.distance(circle.centre) == pytest.approx(circle.radius, abs=1e-7)
 
 
+@given(st.tuples(_RADIUS, _RADIUS), _ANGLE, st.booleans(), st.tuples(_ERROR, _ERROR, _ERROR))
+def test_arcs_that_pass_smoothly_into_each_other_touch(
+    radii: tuple[float, float], angle: float, inside: bool, errors: tuple[float, float, float]
+) -> None:
+    first, second = radii
+    assume(not inside or first > second + 4.0)
+    away = (first - second if inside else first + second) + errors[2]
+    one = CircleCurve((5.0, -3.0), first)
+    centre = 5.0 + away * cos(angle) + errors[0], -3.0 + away * sin(angle) + errors[1]
+    circles = [CircleReading(Axis.Y, circle, 10.0) for circle in (one, CircleCurve(centre, second))]
+    plane = PlaneReading(Axis.Y, (), (one.at(angle),))
+    found = adjusted(_snap([], circles), [plane], _TOLERANCE).snap
+    (_, large), (_, small) = found.circles
+    between = hypot(large.centre[0] - small.centre[0], large.centre[1] - small.centre[1])
+    sizes = large.radius, small.radius
+    assert between == pytest.approx(abs(sizes[0] - sizes[1]) if inside else sum(sizes), abs=1e-7)
+
+
 def _touching(
     one: CircleCurve, other: CircleCurve, sides: tuple[float, float]
 ) -> tuple[Point, Point]:

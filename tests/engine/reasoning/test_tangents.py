@@ -6,7 +6,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from gaussiancad_core.reasoning.curves import CircleCurve, Point, line_through
-from gaussiancad_core.reasoning.tangents import touched_circles
+from gaussiancad_core.reasoning.tangents import touched_circles, touching_circles
 
 _ANGLE = st.floats(0.0, 2.0 * pi)
 _RADIUS = st.floats(2.0, 20.0)
@@ -105,3 +105,19 @@ def test_the_nearer_of_two_circles_is_touched() -> None:
 def test_one_circle_is_touched_once() -> None:
     circle, ends = CircleCurve((0.0, 0.0), 10.0), ((-1.0, 10.0), (1.0, 10.0))
     assert touched_circles(line_through(*ends), ends, [circle], _REACH) == (circle, None)
+
+
+@given(_RADIUS, _RADIUS, _ANGLE, st.booleans(), _ERROR)
+def test_circles_touch_where_an_end_lies_on_both(
+    one: float, other: float, angle: float, inside: bool, error: float
+) -> None:
+    assume(not inside or one > other + 3.0)
+    away = (one - other if inside else one + other) + error
+    first = CircleCurve((5.0, -3.0), one)
+    second = CircleCurve((5.0 + away * cos(angle), -3.0 + away * sin(angle)), other)
+    end = first.at(angle)
+    ((larger, smaller, lies_inside),) = touching_circles([first, second], [end], _REACH)
+    assert {larger, smaller} == {first, second} and larger.radius >= smaller.radius
+    assert lies_inside == inside
+    assert not [*touching_circles([first, second], [first.at(angle + pi)], _REACH)]
+    assert not [*touching_circles([first, second], [], _REACH)]

@@ -1,6 +1,7 @@
 """Patches cover the surface of a labelled part."""
 
 from collections.abc import Callable
+from math import pi
 
 import numpy as np
 import pytest
@@ -101,3 +102,13 @@ def test_swept_patches_are_those_of_slants_and_circles(labelled: Labelled) -> No
     assert all(p.curve.axis is None for p in find_patches(plate) if isinstance(p, SweptPatch))
     _, bracket = labelled("stepped-block")
     assert not any(isinstance(p, SweptPatch) for p in find_patches(bracket))
+
+
+def test_a_round_end_is_one_patch_wherever_its_angle_begins_again(labelled: Labelled) -> None:
+    # Both ends of the link are half rounds, one of them across the angle zero.
+    _, link = labelled("slotted-link")
+    patches = [p for p in find_patches(link) if isinstance(p, SweptPatch)]
+    outer = max(p.curve.radius for p in patches)
+    ends = [p.rectangle[:2] for p in patches if p.curve.radius == outer]
+    assert sorted(low for low, _ in ends) == pytest.approx([-pi / 2.0, pi / 2.0])
+    assert [high - low for low, high in ends] == pytest.approx([pi, pi])
