@@ -187,7 +187,9 @@ def _curve_shape(sheet: CleanSheet, field: InkField, curve: Curve) -> Shape | No
         along, residual = angles * curve.radius, radii - curve.radius
     followed = along[np.abs(residual) < 0.6]
     seen = circle_runs(field, curve)
-    shares = [_count_within(followed, run, curve.around) / max(run.length, STEP) for run in seen]
+    # By then a line that touches the curve has left it by half of its ink.
+    touch = float(np.sqrt(radius_of(curve) * sheet.stroke_width))
+    shares = [_share_followed(followed, run, curve.around, touch) for run in seen]
     runs = _followed_runs(seen, shares, curve.around)
     longest = _longest_stretch(runs, GrowthRules.of_width(sheet.stroke_width).gap, curve.around)
     covered = sum(run.length for run in runs) / curve.around
@@ -238,6 +240,16 @@ def radius_of(curve: Curve) -> float:
     return curve.around / FULL_TURN
 
 
-def _count_within(positions: npt.NDArray[np.float64], run: Run, around: float) -> int:
-    relative = (positions - run.start) % around
-    return int((relative <= run.length).sum())
+def _share_followed(
+    followed: npt.NDArray[np.float64], run: Run, around: float, touch: float
+) -> float:
+    """Share of a run at positions that follow the curve; up to ``touch`` px at each of its ends it
+    may run along a tangent."""
+    within = np.sort((followed - run.start) % around)
+    within = within[within <= run.length]
+    if not len(within):
+        return 0.0
+    tangents = min(within[0], touch) + min(run.length - within[-1], touch)
+    # Of dashes nothing is left out: they end anywhere.
+    length = run.length - (tangents if run.length > 4.0 * touch else 0.0)
+    return len(within) / max(length, STEP)

@@ -56,6 +56,9 @@ _REACH = 1.1
 """Distances of the lines over which their area is closed and looked around: one line may be
 missing."""
 
+_BEYOND = 12.0
+"""How far from its other lines hatching may go on beyond a bore, in distances of the lines."""
+
 _STRAY = 5.0
 """Length of a piece that was taken for something else at most, in distances of the lines."""
 
@@ -153,7 +156,8 @@ class _Family:
 
     def with_others(self, pieces: Sequence[_Piece], sheet: CleanSheet) -> "_Family":
         """The family with all pieces that lie beside its own, or beside one of those, and end where
-        another stroke passes by: a chamfer may lie on a line of the hatching by chance."""
+        another stroke passes by: a chamfer may lie on a line of the hatching by chance.  Beyond a
+        bore, its lines go on; there both ends of two of them at least have to be passed."""
         normal = np.array([-self.way[1], self.way[0]])
         ends = np.array([_ends(piece) for piece in pieces])
         spans = np.sort(ends @ self.way, axis=1)
@@ -161,8 +165,14 @@ class _Family:
         fitting = self.on_lines(ends.mean(axis=1))
         known = {piece.key for piece in self.pieces}
         member = np.array([piece.key in known for piece in pieces])
-        for k in np.flatnonzero(fitting & ~member):
-            fitting[k] = _ending([pieces[k]], sheet) > 0.0
+        passed = np.array([_ending([piece], sheet) for piece in pieces])
+        fitting &= member | (passed > 0.0)
+        middles = ends.mean(axis=1)
+        away = middles[:, None] - middles[member]
+        near_by = np.hypot(away[..., 0], away[..., 1]).min(axis=1) < _BEYOND * self.pitch
+        apart = fitting & ~member & near_by & (passed == 1.0)
+        if len(np.unique(np.round(across[apart] / self.pitch))) > 1:
+            member |= apart
         waiting = list(np.flatnonzero(member))
         while waiting:
             k = waiting.pop()

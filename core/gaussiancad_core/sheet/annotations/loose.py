@@ -53,6 +53,15 @@ _AHEAD_PX, _AROUND_PX = 14.0, 4.0
 _BACK_PX = 5.0
 """px back from the end of a line along which another that meets it there comes near."""
 
+_SLANTED = 0.05
+"""Sine of the angle between a slanted line and the sheet's axes at least."""
+
+_LED_PX = 30.0
+"""px over paper from which a slanted line leads in from there."""
+
+_FREE_AHEAD = (0.0, 5.0)
+"""px ahead of a line's end, somewhere in which paper shows if the end is free."""
+
 _LETTERED = 0.12
 """Share of a box that letters fill at least, for it to be one around them."""
 
@@ -159,27 +168,53 @@ def split_loose(
     for shape, own in zip(shapes, kinds, strict=True):
         runs: list[InkedRun] = []
         marks: list[AnnotationKind | None] = []
-        for run, kind in zip(shape.runs, own, strict=True):
-            parts = [(run.run, _Side.PARTING)]
-            if kind is None and run.run.length > rule.shortest:
-                parts = _parts(shape, run, areas, faded)
+        looked_at = [
+            kind is None and run.run.length > rule.shortest
+            for run, kind in zip(shape.runs, own, strict=True)
+        ]
+        found = [
+            _parts(shape, run, areas, faded) if looked else [(run.run, _Side.PARTING)]
+            for run, looked in zip(shape.runs, looked_at, strict=True)
+        ]
+        over = [_is_over_paper(parts) for parts in found]
+        leading = _leading(shape, over, rule.faded / 2)
+        for index, (run, kind) in enumerate(zip(shape.runs, own, strict=True)):
+            parts = found[index]
             # A line that runs on over blank paper is no edge, nor is its rest within a view: what
             # that parts only once gaps are closed lies between it and the next such line.
-            over_paper = any(
-                side is _Side.PAPER and part.length > _LEAST_OUT_PX for part, side in parts
-            )
-            if faded is not None and over_paper:
+            if faded is not None and leading[index] and looked_at[index]:
                 strict = _parts(shape, run, areas, None)
                 if any(side is _Side.INSIDE for _, side in strict):
                     parts = strict
-            loose = rule.everywhere or (over_paper and _sticks_out(shape, run, ink))
-            for part, side in parts:
+            loose = rule.everywhere or (over[index] and _sticks_out(shape, run, ink))
+            led_in = rule.everywhere and looked_at[index] and leading[index]
+            led_in = led_in and _is_led_in(shape, run, over[index], parts, ink)
+            for place, (part, side) in enumerate(parts):
                 runs.append(InkedRun(part, run.width))
-                parting = side is _Side.PARTING or not loose
+                # Nothing is known beside an arrowhead; what an extension line crosses stays.
+                within = 0 < place < len(parts) - 1 and part.length < rule.shortest / 2
+                parting = (side is _Side.PARTING and not within and not led_in) or not loose
                 marks.append(kind if parting else AnnotationKind.EXTENSION)
         cut.append(InkedShape(shape.geometry, tuple(runs)))
         cut_kinds.append(marks)
     return cut, cut_kinds
+
+
+def _is_over_paper(parts: list[tuple[Run, _Side]]) -> bool:
+    return any(side is _Side.PAPER and part.length > _LEAST_OUT_PX for part, side in parts)
+
+
+def _leading(shape: InkedShape, over: list[bool], gap: float) -> list[bool]:
+    """Which runs lead on over paper, or follow one that does after a gap, as where an extension
+    line crosses the outline."""
+    leading = list(over)
+    order = range(1, len(over))
+    for way in (order, reversed(order)):
+        for k in way:
+            apart = shape.runs[k].run.start - shape.runs[k - 1].run.end
+            if apart <= gap and isinstance(shape.geometry, Line):
+                leading[k - 1] = leading[k] = leading[k - 1] or leading[k]
+    return leading
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,6 +237,51 @@ def _areas(ink: Mask, bridge: int) -> _Areas:
     _, labels, facts, _ = cv2.connectedComponentsWithStats(1 - closed, connectivity=4)
     paper = 1 + int(np.argmax(facts[1:, cv2.CC_STAT_AREA])) if len(facts) > 1 else -1
     return _Areas(labels, paper)
+
+
+def _is_led_in(
+    shape: InkedShape,
+    run: InkedRun,
+    over_paper: bool,
+    parts: list[tuple[Run, _Side]],
+    ink: Mask,
+) -> bool:
+    """Whether a straight run that leads in from the paper is an annotation all along: it is slanted
+    and crosses the outline, as leaders do, or ends at nothing within the view."""
+    if not isinstance(shape.geometry, Line):
+        return False
+    slanted = min(map(abs, shape.geometry.direction)) > _SLANTED
+    longest = max((part.length for part, side in parts if side is _Side.PAPER), default=0.0)
+    if slanted and over_paper and longest > _LED_PX:
+        return True
+    return any(
+        _is_free_end(shape.geometry, position, outward, run.width or 2.0, ink)
+        for position, outward in ((run.run.start, -1.0), (run.run.end, 1.0))
+        if not (over_paper and _near_paper(position, parts))
+    )
+
+
+def _near_paper(position: float, parts: list[tuple[Run, _Side]]) -> bool:
+    """Whether an end of a run lies over paper."""
+    return any(
+        side is _Side.PAPER and min(abs(part.start - position), abs(part.end - position)) < 1.0
+        for part, side in parts
+    )
+
+
+def _is_free_end(line: Line, position: float, outward: float, width: float, ink: Mask) -> bool:
+    """Whether paper is right ahead of an end of a run, and no other line meets it there."""
+    direction = np.array(line.direction)
+    normal = np.array([-direction[1], direction[0]])
+    end = np.array(line.at(position))
+    ahead = np.arange(*_FREE_AHEAD)
+    across = np.arange(-width / 2, width / 2 + 1.0)
+    places = end + outward * ahead[:, None, None] * direction + across[:, None] * normal
+    blank = ~_at(ink, places.reshape(-1, 2)).reshape(len(ahead), -1).any(axis=1)
+    back, aside = np.arange(-_BACK_PX, 1.0), width / 2 + np.arange(2.0, _AROUND_PX)
+    flanks = np.concatenate([aside, -aside])
+    beside = end + outward * back[:, None, None] * direction + flanks[:, None] * normal
+    return bool(blank.any()) and not _at(ink, beside.reshape(-1, 2)).any()
 
 
 def _sticks_out(shape: InkedShape, run: InkedRun, ink: Mask) -> bool:

@@ -21,6 +21,7 @@ from gaussiancad_core.sheet.annotations.letter_boxes import letter_boxes
 from gaussiancad_core.sheet.annotations.line_ends import extension_lines, mark_heads
 from gaussiancad_core.sheet.annotations.lines import Weights, kinds_of_runs, line_weights
 from gaussiancad_core.sheet.annotations.lone_dashes import spare_lone_dashes
+from gaussiancad_core.sheet.annotations.lone_marks import mark_lone_marks
 from gaussiancad_core.sheet.annotations.loose import (
     LooseRule,
     arrowheads,
@@ -30,6 +31,7 @@ from gaussiancad_core.sheet.annotations.loose import (
 )
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
 from gaussiancad_core.sheet.annotations.text import find_letters
+from gaussiancad_core.sheet.annotations.virtual_corners import mark_virtual_corners
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Circle
 from gaussiancad_core.sheet.growth import Grown, GrowthRules, grow_shapes
@@ -179,12 +181,14 @@ def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> t
     """Dimensions by their arrowheads, then what bounds nothing, then boxes around letters."""
     heads = arrowheads(sheet.ink, sheet.stroke_width)
     mark_arrows(told.shapes, told.kinds, heads, sheet.stroke_width)
+    mark_lone_marks(told.shapes, told.kinds, sheet.ink, sheet.stroke_width)
     single = letter_boxes(sheet.ink, letters, sheet.stroke_width)
     ink = with_open_sides(erased(sheet, told).ink, told, sheet.stroke_width)
     boxes = lettered_boxes(ink, letters) | single
     faded = 2 * int(_WIDEST_FADED * sheet.stroke_width) + 1
     rule = LooseRule(_LONGEST_DASH * sheet.stroke_width, everywhere=True, faded=faded)
     shapes, kinds = split_loose(told.shapes, told.kinds, ink & ~boxes, rule)
+    mark_virtual_corners(shapes, kinds, sheet.stroke_width)
     rest = Told(shapes, kinds, told.unexplained)
     return rest, boxes | lettered_boxes(erased(sheet, rest).ink, letters)
 

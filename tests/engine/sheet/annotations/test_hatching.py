@@ -116,3 +116,22 @@ def test_three_lines_are_no_hatching(sketch) -> None:  # noqa: ANN001
         drawn.line((40.0 + 20.0 * k, 140.0), (160.0 + 20.0 * k - 40.0, 20.0))
     separated = separate_annotations(clean_sheet(drawn.grey))
     assert AnnotationKind.HATCHING not in {mark.kind for mark in separated.marks}
+
+
+def test_hatching_goes_on_beyond_a_bore(sketch) -> None:  # noqa: ANN001
+    """Two lines below it are as far from the others as these from each other."""
+    drawn = sketch(160, 420).lines((20, 20), (120, 20), (120, 400), (20, 400), (20, 20))
+    drawn.lines((20, 290), (120, 290)).lines((20, 350), (120, 350))
+    for k in range(16):
+        # Lines x + y = 20 (k + 4), cut off at the outline and at the bore.
+        for low, high in ((20.0, 290.0), (350.0, 400.0)):
+            total = 24.0 * k + 64.0
+            first, last = max(20.0, total - high), min(120.0, total - low)
+            if last - first > 8.0:
+                drawn.line((first, total - first), (last, total - last), 2.0)
+    clean = clean_sheet(drawn.grey)
+    separated = separate_annotations(clean)
+    below = separated.part.ink[356:394, 26:114]
+    assert clean.ink[356:394, 26:114].sum() > 100
+    # What is left is where the lines touch the outline.
+    assert below[:, 4:-4].sum() < 10

@@ -13,6 +13,7 @@ from gaussiancad_core.sheet.annotations.loose import (
     mark_arrows,
     split_loose,
 )
+from gaussiancad_core.sheet.annotations.marks import Mask
 from gaussiancad_core.sheet.annotations.separate import separate_annotations
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.geometry import Line
@@ -88,6 +89,53 @@ def test_extension_lines_that_gaps_shut_off_bound_nothing(sketch: Sketch) -> Non
     kept = [own.run for own, kind in zip(shapes[0].runs, kinds[0], strict=True) if kind is None]
     # Where it crosses the outline, no one knows what is beside it.
     assert all(run.start > 50.0 and run.end < 70.0 for run in kept)
+
+
+def _framed(sketch: Sketch) -> Sketch:
+    """A view with closed outlines, on much more paper."""
+    drawn = sketch(400, 400).line((60, 20), (220, 20), 2.0).line((60, 180), (220, 180), 2.0)
+    return drawn.line((60, 20), (60, 180), 2.0).line((220, 20), (220, 180), 2.0)
+
+
+def _kept(shape: InkedShape, ink: Mask) -> list[Run]:
+    """What stays of a shape's runs on a sheet whose lines are of one width."""
+    rule = LooseRule(16.0, everywhere=True, faded=19)
+    shapes, kinds = split_loose([shape], [[None] * len(shape.runs)], ink, rule)
+    pairs = zip(shapes[0].runs, kinds[0], strict=True)
+    return [own.run for own, kind in pairs if kind is None]
+
+
+def test_what_follows_an_extension_line_beyond_the_outline_is_one(sketch: Sketch) -> None:
+    """The outline has cut its run in two, and another one all but closes an area with it."""
+    drawn = _framed(sketch).line((10, 70), (140, 70), 2.0).line((10, 100), (140, 100), 2.0)
+    ink = clean_sheet(drawn.line((152, 64), (152, 106), 2.0).grey).ink
+    runs = (InkedRun(Run(10.0, 55.0), 2.0), InkedRun(Run(63.0, 140.0), 2.0))
+    assert not _kept(InkedShape(Line((0.0, 70.0), (1.0, 0.0)), runs), ink)
+    inner = InkedShape(Line((0.0, 70.0), (1.0, 0.0)), runs[1:])
+    assert _kept(inner, ink)
+
+
+def test_a_leader_across_a_view_bounds_nothing(sketch: Sketch) -> None:
+    """From edge to edge it parts the view in two, as a diameter's line does."""
+    way = np.array([0.8, 0.6])
+    start, end = np.array([20.0, 10.0]), np.array([20.0, 10.0]) + 226.0 * way
+    ink = clean_sheet(_framed(sketch).line(tuple(start), tuple(end), 2.0).grey).ink
+    line = Line((20.0, 10.0), (0.8, 0.6))
+    leader = InkedShape(line, (InkedRun(Run(0.0, 226.0), 2.0),))
+    # Where it crosses the outline, no one knows what is beside it.
+    assert sum(run.length for run in _kept(leader, ink)) < 20.0
+    edge = InkedShape(line, (InkedRun(Run(50.0, 226.0), 2.0),))
+    assert sum(run.length for run in _kept(edge, ink)) > 150.0
+
+
+def test_an_extension_line_that_ends_before_a_pocket_bounds_nothing(sketch: Sketch) -> None:
+    """Its gap is so narrow that it all but closes an area with another one."""
+    drawn = _framed(sketch).line((10, 70), (135, 70), 2.0).line((10, 100), (140, 100), 2.0)
+    ink = clean_sheet(drawn.line((140, 60), (140, 110), 2.0).grey).ink
+    line = InkedShape(Line((0.0, 70.0), (1.0, 0.0)), (InkedRun(Run(10.0, 135.0), 2.0),))
+    assert sum(run.length for run in _kept(line, ink)) < 12.0
+    edge = InkedShape(Line((0.0, 100.0), (1.0, 0.0)), (InkedRun(Run(10.0, 140.0), 2.0),))
+    assert sum(run.length for run in _kept(edge, ink)) > 60.0
 
 
 @pytest.mark.parametrize("degrees", [27, 35, 45, 60, 65])
