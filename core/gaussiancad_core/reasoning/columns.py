@@ -134,11 +134,13 @@ class Space:
         return [always | bits for bits in found]
 
     def _cell(self, regions: list[int], bits: int) -> Cell | None:
-        if OUTSIDE in regions:
+        x, y, z = regions
+        if OUTSIDE in (x, y, z):
             return None
-        for counting, region in zip(self._counting, regions, strict=True):
-            bits &= counting[region]
-        return regions[0], regions[1], regions[2], bits
+        if bits:
+            by_x, by_y, by_z = self._counting
+            bits &= by_x[x] & by_y[y] & by_z[z]
+        return x, y, z, bits
 
     def cell_at(self, point: Vector) -> Cell | None:
         """The cell of a point, or None outside."""

@@ -9,6 +9,7 @@ anything that both columns share, and hidden if each such place lies behind a su
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from math import inf
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.reasoning.columns import Cell, Crossing, Space, parallel
@@ -100,18 +101,47 @@ def _groups(space: Space, piece: Piece) -> tuple[Group, ...] | None:
             if arrangement.locate(*at) != here:
                 return None
     one, other = (space.column(plane.normal, *side) for side in sides)
-    groups = []
-    for members in _by_depth(one, other):
-        group, doubtful = _group(*members)
-        if doubtful and piece.linetype is not None:
-            # Surfaces that pass smoothly into each other: a line may be drawn there or not.
+    pairs = _aligned(one, other)
+    if pairs is not None:
+        # Nearly all columns beside a line that is not drawn are alike.
+        if piece.linetype is None and all(set(own) == set(others) for own, others in pairs):
             return None
-        groups.append(group)
-    if not plane.looks_up:
-        groups.reverse()
-    if piece.linetype is None and all(_is_trivial(group) for group in groups):
+        groups = [Group((pair,), (), tuple(dict.fromkeys(pair))) for pair in pairs]
+    else:
+        groups = []
+        for members in _by_depth(one, other):
+            group, doubtful = _group(*members)
+            if doubtful and piece.linetype is not None:
+                # Surfaces that pass smoothly into each other: a line may be drawn there or not.
+                return None
+            groups.append(group)
+        if piece.linetype is None and all(_is_trivial(group) for group in groups):
+            return None
+    return tuple(groups if plane.looks_up else reversed(groups))
+
+
+def _aligned(
+    one: tuple[Crossing, ...], other: tuple[Crossing, ...]
+) -> list[tuple[Transition, Transition]] | None:
+    """The transitions of both columns, where they cross the same surfaces well apart."""
+    if len(one) != len(other):
         return None
-    return tuple(groups)
+    last = -inf
+    pairs = []
+    for this, that in zip(one, other, strict=True):
+        near, far = this.depth, that.depth
+        if near > far:
+            near, far = far, near
+        if (
+            this.surface != that.surface
+            or far - near > _GROUP
+            or near - last <= _GROUP
+            or not parallel(this.normal, that.normal)
+        ):
+            return None
+        pairs.append(((this.before, this.after), (that.before, that.after)))
+        last = far
+    return pairs
 
 
 def _by_depth(
@@ -137,6 +167,12 @@ def _group(one: list[Crossing], other: list[Crossing]) -> tuple[Group, bool]:
     Where a surface touches another one, as a cone the plane that its outline sweeps, both are met
     at nearly the same depth: each is its own partner, and the nearer one only where it has none.
     """
+    if len(one) == len(other) == 1:
+        (this,), (that,) = one, other
+        # Nearly all groups are of this kind.
+        if this.surface == that.surface and parallel(this.normal, that.normal):
+            pair = _transition(this), _transition(that)
+            return Group((pair,), (), tuple(dict.fromkeys(pair))), False
     free = list(range(len(other)))
     pairs: list[tuple[Transition, Transition]] = []
     left = []

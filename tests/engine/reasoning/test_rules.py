@@ -18,6 +18,7 @@ from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.hlr import LineDrawing
+from gaussiancad_core.reasoning import rules
 from gaussiancad_core.reasoning.columns import Cell
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.reasoning.part import PartModel, model_part
@@ -102,6 +103,15 @@ def test_pieces_that_say_the_same_are_one_rule(
     assert [r.weight for r in twice] == pytest.approx([2.0 * r.weight for r in once])
     doubted = rules_of(part.space, [replace(piece, confidence=0.25) for piece in pieces])
     assert [r.weight for r in doubted] == pytest.approx([0.25 * r.weight for r in once])
+
+
+@pytest.mark.parametrize("name", ["counterbored-block", "countersunk-plate"])
+def test_columns_that_are_alike_say_what_their_groups_say(
+    name: str, sample_views: Callable[[str], DrawnViews], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    part = model_part(sample_views(name))
+    monkeypatch.setattr(rules, "_aligned", lambda *_: None)
+    assert model_part(sample_views(name)).rules == part.rules
 
 
 _ONE: Cell = (1, 1, 1, 0)

@@ -1,5 +1,6 @@
 """The exact solid of exact views, and what becomes of views that are not as they should be."""
 
+import gc
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -382,3 +383,16 @@ def test_same_views_same_solid(sample_views: Views, solved: Solved) -> None:
     again = exact_solid(sample_views("l-bracket"))
     assert again.status is solved("l-bracket").status
     assert volume(again.shape) == volume(solved("l-bracket").shape)
+
+
+def test_garbage_is_looked_for_again_afterwards(
+    sample_views: Views, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(*_: object, **__: object) -> None:
+        assert not gc.isenabled()
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(exact, "model_part", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        exact_solid(sample_views("l-bracket"))
+    assert gc.isenabled()
