@@ -162,7 +162,8 @@ def read_input(
     options = ReadingOptions(projection=projection, length=length)
     image = read_sheet(path)
     clean = upright_sheet(clean_sheet(image.grey, options.median_kernel))
-    by_weight = not (image.vectors is not None and image.vectors.has_one_width)
+    # A picture does not tell of what widths the file's lines are.
+    by_weight = not (vectors and image.vectors is not None and image.vectors.has_one_width)
     separated, layout = find_views(clean, {}, options.projection, by_weight)
     lines = VectorSheet(image.vectors, clean) if vectors and image.vectors is not None else None
     drawn = read_views(separated.part, layout, vectors=lines)

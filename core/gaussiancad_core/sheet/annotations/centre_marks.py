@@ -13,7 +13,12 @@ import numpy as np
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.erase import Kinds
 from gaussiancad_core.sheet.annotations.inked import InkedShape
-from gaussiancad_core.sheet.annotations.mark_forms import FreeMark, learned_form, mark_by_form
+from gaussiancad_core.sheet.annotations.mark_forms import (
+    FreeMark,
+    learned_form,
+    mark_by_form,
+    whole_forms,
+)
 from gaussiancad_core.sheet.annotations.marks import Mask
 from gaussiancad_core.sheet.geometry import Circle, Line
 
@@ -88,8 +93,8 @@ def mark_centre_marks(
                 kinds[ray.shape][ray.run] = AnnotationKind.CENTRE_LINE
             if found:
                 marks.append(_free_mark(circle, found))
-    form = learned_form(marks)
-    if form is not None:
+    armed = learned_form(marks)
+    for form in (*([] if armed is None else [armed]), *whole_forms(marks, circles)):
         mark_by_form(shapes, kinds, ink, form, circles)
 
 

@@ -1,7 +1,8 @@
 """The form of a sheet's centre marks, and those that other strokes touch.
 
 A program draws all marks of a sheet alike: a cross of one size, then a gap, then arms that lead by
-one length beyond the circle.  Marks that stand free tell this form.  Where arms of neighbours run
+one length beyond the circle.  Around small circles cross and arms are one: lines that lead beyond
+the circle by that length.  Marks that stand free tell these forms.  Where arms of neighbours run
 into each other, or an arm ends at an edge, a mark is told by it.
 """
 
@@ -71,6 +72,20 @@ class MarkForm:
     over: float
 
 
+@dataclass(frozen=True)
+class WholeForm:
+    """The form of marks without gaps: crosses that lead beyond their circles.
+
+    Attributes:
+        over: by which they do, px.
+    """
+
+    over: float
+
+
+Form = MarkForm | WholeForm
+
+
 def learned_form(marks: Sequence[FreeMark]) -> MarkForm | None:
     """The form that most free marks with arms have; nothing where they differ, or have none.
 
@@ -87,8 +102,24 @@ def learned_form(marks: Sequence[FreeMark]) -> MarkForm | None:
     return MarkForm(*rows[alike].mean(axis=0).tolist())
 
 
+def whole_forms(marks: Sequence[FreeMark], circles: Sequence[Circle]) -> list[WholeForm]:
+    """The forms that free marks without arms may have.
+
+    Around concentric circles there is one for each that the mark leads beyond.
+    """
+    found: list[WholeForm] = []
+    for mark in marks:
+        centre = np.array(mark.circle.centre)
+        around = [c for c in circles if np.abs(centre - c.centre).max() <= _OFF]
+        for over in sorted(mark.cross - circle.radius for circle in around):
+            known = any(abs(over - form.over) <= _EVEN for form in found)
+            if mark.inner is None and over > _LEAST_ARM and not known:
+                found.append(WholeForm(over))
+    return found
+
+
 def mark_by_form(
-    shapes: list[InkedShape], kinds: Kinds, ink: Mask, form: MarkForm, circles: Sequence[Circle]
+    shapes: list[InkedShape], kinds: Kinds, ink: Mask, form: Form, circles: Sequence[Circle]
 ) -> None:
     """Tell the runs of all marks of a form, in place; runs that go on beyond one are cut there.
 
@@ -114,16 +145,19 @@ def mark_by_form(
                 shapes[k], kinds[k] = _split(shape, kinds[k], covered)
 
 
-def _pieces(circle: Circle, form: MarkForm) -> list[tuple[float, float]]:
+def _pieces(circle: Circle, form: Form) -> list[tuple[float, float]]:
     """From and to where a mark is drawn on each side of the centre, px from it."""
+    if isinstance(form, WholeForm):
+        return [(0.0, circle.radius + form.over)]
     pieces = [(0.0, form.cross)]
     if circle.radius + form.over - form.inner > _LEAST_ARM:
         pieces.append((form.inner, circle.radius + form.over))
     return pieces
 
 
-def _is_drawn(circle: Circle, form: MarkForm, ink: Mask) -> bool:
-    """Whether all of a circle's mark is ink, and on two sides its gap is blank."""
+def _is_drawn(circle: Circle, form: Form, ink: Mask) -> bool:
+    """Whether all of a circle's mark is ink, and on two sides its gap, or what is ahead of it if it
+    has none, is blank."""
     blank = 0
     pieces = _pieces(circle, form)
     for side in _SIDES:
@@ -134,7 +168,11 @@ def _is_drawn(circle: Circle, form: MarkForm, ink: Mask) -> bool:
             gap = end + _EVEN, start - _EVEN
             # The circle itself may pass there.
             blank += gap[1] > gap[0] and _share(circle, side, gap, ink) <= 1.0 - _BLANK
-    return len(pieces) == 1 or blank >= 2
+        if isinstance(form, WholeForm):
+            end = circle.radius + form.over
+            ahead = end + _EVEN, end + 2.0 * _EVEN
+            blank += _share(circle, side, ahead, ink) <= 1.0 - _BLANK
+    return blank >= 2 or (isinstance(form, MarkForm) and len(pieces) == 1)
 
 
 def _share(

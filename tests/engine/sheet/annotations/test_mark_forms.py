@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.sheet.annotations.mark_forms import FreeMark, learned_form
+from gaussiancad_core.sheet.annotations.mark_forms import FreeMark, learned_form, whole_forms
 from gaussiancad_core.sheet.annotations.separate import SeparatedSheet, separate_annotations
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.geometry import Circle
@@ -77,6 +77,45 @@ def test_an_edge_through_the_centre_that_fills_a_gap_stays(sketch: Sketch) -> No
     wanted = _plate(sketch, 430.0).line(*edge).line(*level).weight > 0.5
     separated = separate_annotations(clean_sheet(drawn.line(*edge).line(*level).grey))
     assert _wrong(separated, wanted)[1] < 0.01
+
+
+def _whole(drawn: Sketch, centre: tuple[float, float], end: float) -> Sketch:
+    x, y = centre
+    return drawn.line((x - end, y), (x + end, y)).line((x, y - end), (x, y + end))
+
+
+def test_a_cross_without_gaps_that_ends_at_edges_goes(sketch: Sketch) -> None:
+    # Its right and its upper end lie on the round outline, the others free.
+    x, y = TOUCHED
+    low, high, top = x - 46.0, x + 34.0, y + 4.0
+    plain = sketch(480, 320).arc((x - 6.0, top), 40.0, start=np.pi, sweep=np.pi)
+    plain = plain.lines(
+        (high, top), (high, 260.0), (40.0, 260.0), (40.0, 90.0), (low, 90.0), (low, top)
+    )
+    plain = plain.arc(FREE, 14.0).arc(TOUCHED, 16.0)
+    wanted = plain.weight > 0.5
+    drawn = _whole(_whole(plain, FREE, 14.0 + 18.0), TOUCHED, 16.0 + 18.0)
+    beside, gone = _wrong(separate_annotations(clean_sheet(drawn.grey)), wanted)
+    assert beside <= 160
+    assert gone < 0.01
+
+
+def test_edges_across_a_circle_that_go_on_stay(sketch: Sketch) -> None:
+    sides = [(40.0, 60.0), (440.0, 60.0), (440.0, 260.0), (40.0, 260.0), (40.0, 60.0)]
+    plain = sketch(480, 320).lines(*sides).arc(FREE, 14.0).arc(TOUCHED, 14.0)
+    x, y = TOUCHED
+    plain = plain.line((x, 60.0), (x, 260.0)).line((x - 32.0, y), (x + 32.0, y))
+    wanted = plain.weight > 0.5
+    drawn = _whole(plain, FREE, 32.0)
+    assert _wrong(separate_annotations(clean_sheet(drawn.grey)), wanted)[1] < 0.03
+
+
+def test_whole_marks_lead_beyond_one_of_the_circles_around_their_centre() -> None:
+    inner, outer, wide = (Circle((5.0, 5.0), radius) for radius in (8.0, 14.0, 60.0))
+    marks = [FreeMark(inner, 32.0), FreeMark(Circle((90.0, 5.0), 13.5), 32.0)]
+    overs = [form.over for form in whole_forms(marks, [inner, outer, wide])]
+    assert overs == pytest.approx([18.0, 24.0])
+    assert whole_forms([_free(30.0, 12.0)], [Circle((0.0, 0.0), 30.0)]) == []
 
 
 def _free(radius: float, over: float, cross: float = CROSS) -> FreeMark:
