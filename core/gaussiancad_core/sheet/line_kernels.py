@@ -18,6 +18,12 @@ _BENT_END = 6.0
 _BENT_PX = 0.1
 """px from a parabola at which a point counts by half: the ridge is bent where a stroke crosses."""
 
+_STRAIGHT_PX = 0.08
+"""Sagitta up to which one end of a bent line is a line that runs into an arc, not a piece of one."""
+
+_STRAIGHT_LENGTH = 14.0
+"""px that such an end is long at least."""
+
 _ROUNDS = 6
 
 _FLATTER = 320.0
@@ -79,7 +85,33 @@ def _grow_line(tables, limits, fit, line, scratch):  # noqa: ANN001, ANN202
     flattest = max(fit[1], min(fit[3], 2.0 * extent / _FLATTER))
     if sagitta > flattest and rms <= fit[2]:
         sagitta = _steady_sagitta(points, own, number, line)
-    return sagitta <= flattest and rms <= fit[2], number
+    if sagitta <= flattest and rms <= fit[2]:
+        return True, number
+    return _straight_end(points, own, number, line, fit)
+
+
+@njit(cache=True)
+def _straight_end(points, own, number, line, fit):  # noqa: ANN001, ANN202
+    """Keep the straight one of a bent line's ends in place: whether there is one, and its points.
+
+    Where a line passes into an arc as it touches it, it is followed into the arc.
+    """
+    along = np.empty(number)
+    for k in range(number):
+        along[k] = (points[own[k], 0] - line[0]) * line[2] + (points[own[k], 1] - line[1]) * line[3]
+    order = own[:number][np.argsort(along)]
+    part = np.empty(number, dtype=np.int64)
+    for tenth in range(9, 2, -1):
+        kept = number * tenth // 10
+        for first in (0, number - kept):
+            part[:kept] = order[first : first + kept]
+            if 2.0 * _fit_line(points, part, kept, line) < _STRAIGHT_LENGTH:
+                continue
+            sagitta, rms = _line_quality(points, part, kept, line)
+            if sagitta <= _STRAIGHT_PX and rms <= fit[2] / 2.0:
+                own[:kept] = part[:kept]
+                return True, kept
+    return False, number
 
 
 @njit(cache=True)

@@ -320,3 +320,19 @@ def test_an_edge_and_its_extension_line_half_a_pixel_apart_are_straight(
     ridges, grown = _grown(drawn, 5.0)
     on_lines = np.unique(np.concatenate([one.members for one in grown]))
     assert len(on_lines) > 0.95 * len(ridges.points)
+
+
+@pytest.mark.parametrize(("radius", "length"), [(34.0, 30.0), (82.0, 30.0), (160.0, 41.0)])
+def test_a_short_line_between_a_corner_and_an_arc_that_it_touches_is_found(
+    sketch: Sketch, radius: float, length: float
+) -> None:
+    low, left = 230.0, 30.0
+    middle = left + length, low - radius
+    drawn = sketch(280, 260).line((left, 20.0), (left, low), 2.0)
+    drawn = drawn.line((left, low), (left + length, low), 2.0)
+    drawn = drawn.arc(middle, radius, 2.0, 0.0, np.pi / 2.0)
+    lines, circles = _shapes(drawn, 2.0)
+    beside = [_away(line, (left + 4.0, low), (left + length - 4.0, low)) for line in lines]
+    assert min(beside) < 0.3
+    assert min(abs(circle.radius - radius) for circle in circles) < 0.02 * radius
+    assert len(lines) == 2
