@@ -19,7 +19,7 @@ _BENT_PX = 0.1
 """px from a parabola at which a point counts by half: the ridge is bent where a stroke crosses."""
 
 _STRAIGHT_PX = 0.08
-"""Sagitta up to which one end of a bent line is a line that runs into an arc, not a piece of one."""
+"""Sagitta up to which one end of a bent line is a line that runs into an arc, no piece of one."""
 
 _STRAIGHT_LENGTH = 14.0
 """px that such an end is long at least."""
