@@ -32,9 +32,11 @@ class Model:
         self.cells: dict[Cell, cp_model.IntVar] = {}
         self.given_up: dict[int, cp_model.IntVar] = {}
         self._false = self.model.new_constant(0)
+        # By the identities of literals, which are all kept: their indices take long to look up.
         self._different: dict[tuple[int, int], cp_model.IntVar] = {}
+        self._surfaces: dict[Transition, cp_model.IntVar] = {}
         self.surfaces: list[cp_model.IntVar] = []
-        self._counted: set[tuple[int, int]] = set()
+        self._counted: set[int] = set()
         for number, rule in enumerate(rules):
             escape: list[cp_model.IntVar] = []
             if rule.weight < lightest:
@@ -80,12 +82,13 @@ class Model:
         return self.cells[cell]
 
     def _surface(self, transition: Transition) -> cp_model.IntVar:
-        one, other = self.cell(transition[0]), self.cell(transition[1])
-        literal = self._differ(one, other)
-        key = min(one.index, other.index), max(one.index, other.index)
-        if literal is not self._false and key not in self._counted:
-            self._counted.add(key)
-            self.surfaces.append(literal)
+        literal = self._surfaces.get(transition)
+        if literal is None:
+            literal = self._differ(self.cell(transition[0]), self.cell(transition[1]))
+            self._surfaces[transition] = literal
+            if literal is not self._false and id(literal) not in self._counted:
+                self._counted.add(id(literal))
+                self.surfaces.append(literal)
         return literal
 
     def _differ(self, one: cp_model.IntVar, other: cp_model.IntVar) -> cp_model.IntVar:
@@ -95,15 +98,16 @@ class Model:
             return other
         if other is self._false:
             return one
-        key = min(one.index, other.index), max(one.index, other.index)
-        if key not in self._different:
+        key = id(one), id(other)
+        literal = self._different.get(key)
+        if literal is None:
             literal = self.model.new_bool_var("")
             self.model.add_bool_or([~literal, one, other])
             self.model.add_bool_or([~literal, ~one, ~other])
             self.model.add_bool_or([literal, ~one, other])
             self.model.add_bool_or([literal, one, ~other])
-            self._different[key] = literal
-        return self._different[key]
+            self._different[key] = self._different[key[::-1]] = literal
+        return literal
 
     def _discrepancies(self, group: Group) -> list[cp_model.IntVar]:
         found = []
@@ -124,7 +128,7 @@ class Model:
                 for literal in self._discrepancies(group):
                     add([~literal, *escape])
             return
-        covering: list[cp_model.IntVar] = []
+        covering: dict[int, cp_model.IntVar] = {}
         places: list[cp_model.IntVar] = []
         for group in rule.groups:
             literals = self._discrepancies(group)
@@ -133,15 +137,15 @@ class Model:
                 add([*literals, ~place])
                 places.append(place)
                 if rule.linetype is Linetype.VISIBLE:
-                    for literal in covering:
+                    for literal in covering.values():
                         self.model.add_implication(place, ~literal)
                 else:
                     for literal in literals:
-                        add([~literal, *covering, *escape])
+                        add([~literal, *covering.values(), *escape])
             for transition in group.all:
                 literal = self._surface(transition)
-                if literal is not self._false and literal not in covering:
-                    covering.append(literal)
+                if literal is not self._false:
+                    covering[id(literal)] = literal
         add([*places, *escape] or [self._false])
 
     def forbid(self, labels: Labels, cells: Sequence[Cell]) -> None:

@@ -39,6 +39,12 @@ Most rules then are clauses that must hold, of which the solver makes far more.
 _TRADED = 0.5
 """Units of line that may be given up for fewer surfaces."""
 
+_MUCH = 8.0 * SLIGHT
+"""Units of line from which labels that give them up are wrong in more than a place."""
+
+_IN_VAIN = 0.1
+"""Share of the time in which the simplest of such labels are looked for."""
+
 _MORE = 0.1
 """Share by which other labels may give up more than the best do."""
 
@@ -187,7 +193,9 @@ class Search:
         soft.spend(found.cost + SURFACES * points_of(_TRADED))
         soft.hint(found.labels)
         soft.model.minimize(soft.cost + sum(soft.surfaces))
-        solver = solver_for(self._effort.simplest, deadline=deadline)
+        much = found.cost > SURFACES * points_of(_MUCH)
+        effort = self._effort.simplest * (_IN_VAIN if much else 1.0)
+        solver = solver_for(effort, deadline=deadline)
         return soft.labels(solver) if solver.solve(soft.model) in FOUND else found.labels
 
     @cached_property

@@ -44,8 +44,9 @@ _HARD, _OTHERWISE, _RELAXED, _OTHERS = 0.4, 0.55, 0.8, 0.9
 """Shares of the time at which a step's solvers end: labels for all lines, for all with more
 surfaces, for most lines, others.  Machines that are not busy have done with them long before."""
 
-_UNLIKELY = 0.1
-"""Share of the search for others that is left where neither lines nor labels agree: they may."""
+_UNLIKELY = 0.02
+"""Share of the search for others that is left where neither lines nor labels agree: they may,
+but are found at once or not at all."""
 
 _NONE = "no-solid-fits", "no solid has these lines: they contradict each other"
 _UNBUILT = (

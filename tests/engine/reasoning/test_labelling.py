@@ -23,7 +23,7 @@ from gaussiancad_core.reasoning.labelling import (
 )
 from gaussiancad_core.reasoning.part import model_part
 from gaussiancad_core.reasoning.rules import Group, Rule, Transition, drawn_under
-from gaussiancad_core.reasoning.solvers import Deadline, relaxing_solver
+from gaussiancad_core.reasoning.solvers import Deadline, relaxing_solver, solver_for
 from gaussiancad_core.views import Linetype
 
 _CELLS: tuple[Cell, ...] = tuple((k, 1, 1, 0) for k in range(1, 5))
@@ -312,3 +312,21 @@ def test_rules_that_contradict_each_other_without_some_are_told() -> None:
     assert not search.contradict([], Deadline(0.0))
     # Afterwards the least is found as ever.
     assert search.least() == _best(rules)
+
+
+@pytest.mark.parametrize(("weight", "share"), [(3.0, 1.0), (9.0, 0.1)])
+def test_where_much_is_given_up_the_simplest_labels_are_hardly_looked_for(
+    weight: float, share: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    efforts = []
+
+    def solver(effort: float, *_: object, **__: object) -> object:
+        efforts.append(effort)
+        return solver_for(effort)
+
+    (one,) = _CELLS[:1]
+    rules = [_edge((None, one), Linetype.VISIBLE, 20.0), _edge((None, one), None, weight)]
+    search = Search(rules, _EFFORT)
+    monkeypatch.setattr(labelling, "solver_for", solver)
+    assert search.least().given_up == (rules[1],)
+    assert efforts == [share * _EFFORT.simplest]
