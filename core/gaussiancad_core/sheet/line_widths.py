@@ -143,6 +143,11 @@ def _stretches(widths: Floats, limit: float) -> list[tuple[int, int]]:
 
 def widths_along(sheet: CleanSheet, geometry: Geometry, run: Run) -> Floats:
     """(n,) px of ink across a run, about every px; NaN where it merges with other strokes."""
+    return sides_along(sheet, geometry, run).sum(axis=1)
+
+
+def sides_along(sheet: CleanSheet, geometry: Geometry, run: Run) -> Floats:
+    """(n, 2) px of ink on either side of a run, as :func:`widths_along` tells both together."""
     reach = 1.25 * sheet.stroke_width + 2.5
     half = int(np.ceil(reach * 2))
     offsets = np.arange(-half, half + 1) * 0.5
@@ -164,6 +169,8 @@ def widths_along(sheet: CleanSheet, geometry: Geometry, run: Run) -> Floats:
     double = profile[:, half] < _DIP * highest
     ink = np.where(own, profile, 0.0)
     # Where another stroke leaves at a flat angle, the ink is wider on its side alone.
-    lopsided = np.abs(ink[:, :half].sum(1) - ink[:, half + 1 :].sum(1)) * 0.5
+    sides = np.stack([ink[:, :half].sum(1), ink[:, half + 1 :].sum(1)], axis=1) * 0.5
+    lopsided = np.abs(sides[:, 0] - sides[:, 1])
     unclear = merged | double | ~inked[:, half] | (lopsided > _LOPSIDED * sheet.stroke_width)
-    return np.where(unclear, np.nan, ink.sum(1) * 0.5)
+    sides += 0.25 * ink[:, half : half + 1]
+    return np.where(unclear[:, None], np.nan, sides)

@@ -27,8 +27,9 @@ from gaussiancad_core.sheet.annotations.marks import Mark, Mask
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.runs import Run
 
-_THICK = 0.95
-"""Half width of an arrowhead at least, in widths of a line; where two lines cross it is 0.7."""
+_THICK = 1.4
+"""Half width of an arrowhead's blot at least, in widths of a line; where two lines cross it is 0.7,
+and where three meet at sharp angles about one."""
 
 _LARGEST = 12.0
 """Length of an arrowhead's thick part at most, in widths of a line."""
@@ -61,6 +62,12 @@ _LED_PX = 30.0
 
 _FREE_AHEAD = (0.0, 5.0)
 """px ahead of a line's end, somewhere in which paper shows if the end is free."""
+
+_BEND_PX = 3.0
+"""px beside a line's end in which a rounding goes on."""
+
+_FLANK = 1.0
+"""Distance from a line's middle at which an arrowhead is ink on both sides, in widths of a line."""
 
 _LETTERED = 0.12
 """Share of a box that letters fill at least, for it to be one around them."""
@@ -119,7 +126,7 @@ def arrowheads(ink: Mask, stroke_width: float) -> Arrowheads:
 
 
 def mark_arrows(
-    shapes: list[InkedShape], kinds: Kinds, heads: Arrowheads, stroke_width: float
+    shapes: list[InkedShape], kinds: Kinds, heads: Arrowheads, ink: Mask, stroke_width: float
 ) -> None:
     """Mark straight runs with arrowheads on them as dimension lines, in place.
 
@@ -134,6 +141,7 @@ def mark_arrows(
             continue
         along, across = shape.geometry.coordinates(heads.middles)
         on_line = np.abs(across) < _BESIDE * stroke_width
+        on_line[on_line] = _flanked(shape.geometry, along[on_line], ink, _FLANK * stroke_width)
         near, half = along[on_line], heads.lengths[on_line] / 2
         slack = 2.0 * stroke_width
         runs = list(shape.runs)
@@ -148,6 +156,16 @@ def mark_arrows(
                 whole = Run(min(run.run.start, *on_run), max(run.run.end, *on_run))
                 runs[k] = InkedRun(whole, run.width)
         shapes[index] = InkedShape(shape.geometry, tuple(runs))
+
+
+def _flanked(
+    line: Line, along: npt.NDArray[np.float64], ink: Mask, away: float
+) -> npt.NDArray[np.bool_]:
+    """(n,) whether ink lies on both sides of a line at positions along it."""
+    direction = np.array(line.direction)
+    normal = np.array([-direction[1], direction[0]])
+    places = np.array(line.point) + along[:, None] * direction
+    return _at(ink, places + away * normal) & _at(ink, places - away * normal)
 
 
 def split_loose(
@@ -275,13 +293,14 @@ def _is_free_end(line: Line, position: float, outward: float, width: float, ink:
     normal = np.array([-direction[1], direction[0]])
     end = np.array(line.at(position))
     ahead = np.arange(*_FREE_AHEAD)
-    across = np.arange(-width / 2, width / 2 + 1.0)
+    # A rounding goes on beside the line, and so does what meets its end.
+    across = np.arange(-width / 2 - _BEND_PX, width / 2 + _BEND_PX + 1.0)
     places = end + outward * ahead[:, None, None] * direction + across[:, None] * normal
     blank = ~_at(ink, places.reshape(-1, 2)).reshape(len(ahead), -1).any(axis=1)
     back, aside = np.arange(-_BACK_PX, 1.0), width / 2 + np.arange(2.0, _AROUND_PX)
     flanks = np.concatenate([aside, -aside])
     beside = end + outward * back[:, None, None] * direction + flanks[:, None] * normal
-    return bool(blank.any()) and not _at(ink, beside.reshape(-1, 2)).any()
+    return bool((blank[:-1] & blank[1:]).any()) and not _at(ink, beside.reshape(-1, 2)).any()
 
 
 def _sticks_out(shape: InkedShape, run: InkedRun, ink: Mask) -> bool:

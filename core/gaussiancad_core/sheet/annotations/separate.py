@@ -30,6 +30,7 @@ from gaussiancad_core.sheet.annotations.loose import (
     split_loose,
 )
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
+from gaussiancad_core.sheet.annotations.tapers import mark_tapered
 from gaussiancad_core.sheet.annotations.text import find_letters
 from gaussiancad_core.sheet.annotations.virtual_corners import mark_virtual_corners
 from gaussiancad_core.sheet.clean import CleanSheet
@@ -180,7 +181,8 @@ def _tell_line_ends(sheet: CleanSheet, ridges: RidgePoints, told: Told, weights:
 def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> tuple[Told, Mask]:
     """Dimensions by their arrowheads, then what bounds nothing, then boxes around letters."""
     heads = arrowheads(sheet.ink, sheet.stroke_width)
-    mark_arrows(told.shapes, told.kinds, heads, sheet.stroke_width)
+    mark_arrows(told.shapes, told.kinds, heads, sheet.ink, sheet.stroke_width)
+    mark_tapered(told.shapes, told.kinds, sheet)
     mark_lone_marks(told.shapes, told.kinds, sheet.ink, sheet.stroke_width)
     single = letter_boxes(sheet.ink, letters, sheet.stroke_width)
     ink = with_open_sides(erased(sheet, told).ink, told, sheet.stroke_width)

@@ -38,7 +38,8 @@ LONG = InkedShape(LEVEL, (InkedRun(Run(20.0, 180.0), 2.0),))
 )
 def test_arrowheads_tell_dimension_lines(heads: list[tuple[float, float]], marked: bool) -> None:
     kinds: list[list[AnnotationKind | None]] = [[None]]
-    mark_arrows([LONG], kinds, Arrowheads(np.array(heads), np.full(len(heads), 4.0)), 2.0)
+    told = Arrowheads(np.array(heads), np.full(len(heads), 4.0))
+    mark_arrows([LONG], kinds, told, np.ones((100, 200), dtype=bool), 2.0)
     assert kinds == [[AnnotationKind.DIMENSION if marked else None]]
 
 
@@ -46,11 +47,21 @@ def test_the_line_of_a_large_head_ends_behind_it() -> None:
     """A run goes on as far as the middle of a head that has no ridge."""
     shapes: list[InkedShape] = [LONG]
     kinds: list[list[AnnotationKind | None]] = [[None]]
-    mark_arrows(shapes, kinds, Arrowheads(np.array([[188.0, 50.0]]), np.array([20.0])), 2.0)
+    ink = np.ones((100, 220), dtype=bool)
+    mark_arrows(shapes, kinds, Arrowheads(np.array([[188.0, 50.0]]), np.array([20.0])), ink, 2.0)
     assert kinds == [[AnnotationKind.DIMENSION]]
     assert shapes[0].runs[0].run == Run(20.0, 188.0)
     kinds = [[None]]
-    mark_arrows([LONG], kinds, Arrowheads(np.array([[198.0, 50.0]]), np.array([20.0])), 2.0)
+    mark_arrows([LONG], kinds, Arrowheads(np.array([[198.0, 50.0]]), np.array([20.0])), ink, 2.0)
+    assert kinds == [[None]]
+
+
+def test_a_blot_beside_a_line_is_no_head_of_it() -> None:
+    """A leader's head touches the rounding at the end of an edge."""
+    kinds: list[list[AnnotationKind | None]] = [[None]]
+    ink = np.zeros((100, 220), dtype=bool)
+    ink[49:60, 20:180] = True
+    mark_arrows([LONG], kinds, Arrowheads(np.array([[28.0, 51.0]]), np.array([6.0])), ink, 2.0)
     assert kinds == [[None]]
 
 
@@ -136,6 +147,16 @@ def test_an_extension_line_that_ends_before_a_pocket_bounds_nothing(sketch: Sket
     assert sum(run.length for run in _kept(line, ink)) < 12.0
     edge = InkedShape(Line((0.0, 100.0), (1.0, 0.0)), (InkedRun(Run(10.0, 140.0), 2.0),))
     assert sum(run.length for run in _kept(edge, ink)) > 60.0
+
+
+def test_an_edge_that_ends_in_a_rounding_bounds_the_view(sketch: Sketch) -> None:
+    """An extension line goes on from its other end."""
+    drawn = sketch(400, 400).line((60, 20), (200, 20), 2.0).line((60, 180), (220, 180), 2.0)
+    drawn.line((60, 20), (60, 180), 2.0).line((220, 40), (220, 180), 2.0)
+    ink = clean_sheet(drawn.arc((200, 40), 20.0, 2.0, -np.pi / 2, np.pi / 2).grey).ink
+    ink |= clean_sheet(sketch(400, 400).line((220, 180), (220, 240), 2.0).grey).ink
+    edge = InkedShape(Line((220.0, 0.0), (0.0, 1.0)), (InkedRun(Run(38.0, 240.0), 2.0),))
+    assert sum(run.length for run in _kept(edge, ink)) > 130.0
 
 
 @pytest.mark.parametrize("degrees", [27, 35, 45, 60, 65])
