@@ -159,8 +159,8 @@ def _swept_face(patch: SweptPatch) -> TopoDS_Face:
         low, high = (near, far) if way > 0.0 else (-far, -near)
         if end - start > TURN - 1e-6:
             start, end = 0.0, 2.0 * pi
-        # The seam lies opposite: intersections that run across it are found less well.
-        seam = (start + end) / 2.0 - pi
+        # A seam within the patch is moved opposite: what crosses it is found less well.
+        seam = (start + end) / 2.0 - pi if start < 0.0 else 0.0
         x = cos(seam) * _VECTORS[first] + sin(seam) * _VECTORS[second]
         cylinder = gp_Cylinder(_frame(origin, up, x), patch.curve.radius)
         return BRepBuilderAPI_MakeFace(cylinder, start - seam, end - seam, low, high).Face()
