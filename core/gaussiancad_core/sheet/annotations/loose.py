@@ -27,9 +27,16 @@ from gaussiancad_core.sheet.annotations.marks import Mark, Mask
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.runs import Run
 
-_THICK = 1.4
-"""Half width of an arrowhead's blot at least, in widths of a line; where two lines cross it is 0.7,
-and where three meet at sharp angles about one."""
+_THICK = 0.95
+"""Half width of an arrowhead at least, in widths of a line; where two lines cross it is 0.7."""
+
+_THICKEST = 1.4
+"""Half width of a blot that is an arrowhead wherever it lies on a line; where three lines meet at
+sharp angles it is about one."""
+
+_FROM_TIP = 2.5
+"""Distance of other heads' middles from the end of their line at least, in widths of it; leaders
+have such heads, and level lines blots where two others cross them."""
 
 _LARGEST = 12.0
 """Length of an arrowhead's thick part at most, in widths of a line."""
@@ -109,20 +116,24 @@ class Arrowheads:
     Attributes:
         middles: (n, 2) px.
         lengths: (n,) px, the longest side of each blot.
+        widest: (n,) px, half the width of each blot.
     """
 
     middles: npt.NDArray[np.float64]
     lengths: npt.NDArray[np.float64]
+    widest: npt.NDArray[np.float64]
 
 
 def arrowheads(ink: Mask, stroke_width: float) -> Arrowheads:
     """Thick blots no larger than the heads of arrows."""
     inside = cv2.distanceTransform(ink.astype(np.uint8), cv2.DIST_L2, 5)
     core = (inside > _THICK * stroke_width).astype(np.uint8)
-    _, _, stats, middles = cv2.connectedComponentsWithStats(core, connectivity=8)
+    count, labels, stats, middles = cv2.connectedComponentsWithStats(core, connectivity=8)
     sides = stats[1:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1).astype(float)
+    widest = np.zeros(count)
+    np.maximum.at(widest, labels[core > 0], inside[core > 0])
     small = sides <= _LARGEST * stroke_width
-    return Arrowheads(middles[1:][small], sides[small])
+    return Arrowheads(middles[1:][small], sides[small], widest[1:][small])
 
 
 def mark_arrows(
@@ -143,11 +154,15 @@ def mark_arrows(
         on_line = np.abs(across) < _BESIDE * stroke_width
         on_line[on_line] = _flanked(shape.geometry, along[on_line], ink, _FLANK * stroke_width)
         near, half = along[on_line], heads.lengths[on_line] / 2
+        thick = heads.widest[on_line] >= _THICKEST * stroke_width
+        slanted = min(map(abs, shape.geometry.direction)) > _SLANTED
         slack = 2.0 * stroke_width
         runs = list(shape.runs)
         for k, run in enumerate(shape.runs):
             low, high = run.run.start - slack, run.run.end + slack
             reached = (near >= low - half) & (near <= high + half)
+            inside = np.minimum(near - run.run.start, run.run.end - near)
+            reached &= thick | (slanted & (inside > _FROM_TIP * stroke_width))
             on_run = near[reached]
             from_end = np.minimum(on_run - low, high - on_run)
             at_end = (from_end < _LARGEST * stroke_width).any()
