@@ -23,26 +23,9 @@ from gaussiancad_core.sheet.annotations.inked import (
     normals_along,
     points_along,
 )
-from gaussiancad_core.sheet.annotations.marks import Mark, Mask
+from gaussiancad_core.sheet.annotations.marks import Mark, Mask, values_at
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.runs import Run
-
-_THICK = 0.95
-"""Half width of an arrowhead at least, in widths of a line; where two lines cross it is 0.7."""
-
-_THICKEST = 1.4
-"""Half width of a blot that is an arrowhead wherever it lies on a line; where three lines meet at
-sharp angles it is about one."""
-
-_FROM_TIP = 2.5
-"""Distance of other heads' middles from the end of their line at least, in widths of it; leaders
-have such heads, and level lines blots where two others cross them."""
-
-_LARGEST = 12.0
-"""Length of an arrowhead's thick part at most, in widths of a line."""
-
-_BESIDE = 0.7
-"""Distance of an arrowhead's middle from its line at most, in widths of a line."""
 
 _STEADY = 4
 """px on either side over which the areas beside a line are made steady."""
@@ -72,9 +55,6 @@ _FREE_AHEAD = (0.0, 5.0)
 
 _BEND_PX = 3.0
 """px beside a line's end in which a rounding goes on."""
-
-_FLANK = 1.0
-"""Distance from a line's middle at which an arrowhead is ink on both sides, in widths of a line."""
 
 _LETTERED = 0.12
 """Share of a box that letters fill at least, for it to be one around them."""
@@ -107,80 +87,6 @@ class LooseRule:
     everywhere: bool
     bridge: int = _BRIDGE_PX
     faded: int = 0
-
-
-@dataclass(frozen=True, eq=False)
-class Arrowheads:
-    """The thick blots that arrowheads have.
-
-    Attributes:
-        middles: (n, 2) px.
-        lengths: (n,) px, the longest side of each blot.
-        widest: (n,) px, half the width of each blot.
-    """
-
-    middles: npt.NDArray[np.float64]
-    lengths: npt.NDArray[np.float64]
-    widest: npt.NDArray[np.float64]
-
-
-def arrowheads(ink: Mask, stroke_width: float) -> Arrowheads:
-    """Thick blots no larger than the heads of arrows."""
-    inside = cv2.distanceTransform(ink.astype(np.uint8), cv2.DIST_L2, 5)
-    core = (inside > _THICK * stroke_width).astype(np.uint8)
-    count, labels, stats, middles = cv2.connectedComponentsWithStats(core, connectivity=8)
-    sides = stats[1:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1).astype(float)
-    widest = np.zeros(count)
-    np.maximum.at(widest, labels[core > 0], inside[core > 0])
-    small = sides <= _LARGEST * stroke_width
-    return Arrowheads(middles[1:][small], sides[small], widest[1:][small])
-
-
-def mark_arrows(
-    shapes: list[InkedShape], kinds: Kinds, heads: Arrowheads, ink: Mask, stroke_width: float
-) -> None:
-    """Mark straight runs with arrowheads on them as dimension lines, in place.
-
-    One alone counts at an end: where a stroke meets an edge, ink that ran makes a blot like it.  A
-    large head has no ridge along its middle, so that its line ends behind it; the run then goes on
-    as far as the middle of the head.
-    """
-    if not len(heads.middles):
-        return
-    for index, (shape, own) in enumerate(zip(shapes, kinds, strict=True)):
-        if not isinstance(shape.geometry, Line):
-            continue
-        along, across = shape.geometry.coordinates(heads.middles)
-        on_line = np.abs(across) < _BESIDE * stroke_width
-        on_line[on_line] = _flanked(shape.geometry, along[on_line], ink, _FLANK * stroke_width)
-        near, half = along[on_line], heads.lengths[on_line] / 2
-        thick = heads.widest[on_line] >= _THICKEST * stroke_width
-        slanted = min(map(abs, shape.geometry.direction)) > _SLANTED
-        slack = 2.0 * stroke_width
-        runs = list(shape.runs)
-        for k, run in enumerate(shape.runs):
-            low, high = run.run.start - slack, run.run.end + slack
-            reached = (near >= low - half) & (near <= high + half)
-            inside = np.minimum(near - run.run.start, run.run.end - near)
-            reached &= thick | (slanted & (inside > _FROM_TIP * stroke_width))
-            on_run = near[reached]
-            from_end = np.minimum(on_run - low, high - on_run)
-            at_end = (from_end < _LARGEST * stroke_width).any()
-            if own[k] is None and (len(on_run) > 1 or at_end):
-                own[k] = AnnotationKind.DIMENSION
-                whole = Run(min(run.run.start, *on_run), max(run.run.end, *on_run))
-                runs[k] = InkedRun(whole, run.width)
-        shapes[index] = InkedShape(shape.geometry, tuple(runs))
-
-
-def _flanked(
-    line: Line, along: npt.NDArray[np.float64], ink: Mask, away: float
-) -> npt.NDArray[np.bool_]:
-    """(n,) whether ink lies on both sides of a line at positions along it."""
-    direction = np.array(line.direction)
-    normal = np.array([-direction[1], direction[0]])
-    places = np.array(line.point) + along[:, None] * direction
-    return _at(ink, places + away * normal) & _at(ink, places - away * normal)
 
 
 def split_loose(
@@ -311,11 +217,11 @@ def _is_free_end(line: Line, position: float, outward: float, width: float, ink:
     # A rounding goes on beside the line, and so does what meets its end.
     across = np.arange(-width / 2 - _BEND_PX, width / 2 + _BEND_PX + 1.0)
     places = end + outward * ahead[:, None, None] * direction + across[:, None] * normal
-    blank = ~_at(ink, places.reshape(-1, 2)).reshape(len(ahead), -1).any(axis=1)
+    blank = ~values_at(ink, places.reshape(-1, 2)).reshape(len(ahead), -1).any(axis=1)
     back, aside = np.arange(-_BACK_PX, 1.0), width / 2 + np.arange(2.0, _AROUND_PX)
     flanks = np.concatenate([aside, -aside])
     beside = end + outward * back[:, None, None] * direction + flanks[:, None] * normal
-    return bool((blank[:-1] & blank[1:]).any()) and not _at(ink, beside.reshape(-1, 2)).any()
+    return bool((blank[:-1] & blank[1:]).any()) and not values_at(ink, beside.reshape(-1, 2)).any()
 
 
 def _sticks_out(shape: InkedShape, run: InkedRun, ink: Mask) -> bool:
@@ -333,7 +239,7 @@ def _sticks_out(shape: InkedShape, run: InkedRun, ink: Mask) -> bool:
         end = np.array(shape.geometry.at(position))
         around = ((ahead, across), (here, beside), (here, -beside))
         if not any(
-            _at(
+            values_at(
                 ink,
                 (
                     end + outward * along[:, None, None] * direction + aside[:, None] * normal
@@ -356,7 +262,7 @@ def _parts(
     normals = normals_along(shape.geometry, run.run, 1.0)
     beside = (run.width or 2.0) / 2 + 2.5
     flanks = [points + side * beside * normals for side in (1.0, -1.0)]
-    left, right = (_at(areas.labels, flank) for flank in flanks)
+    left, right = (values_at(areas.labels, flank) for flank in flanks)
     known = np.flatnonzero((left > 0) & (right > 0))
     if len(known) < _SHORTEST_PX:
         return [(run.run, _Side.PARTING)]
@@ -366,7 +272,7 @@ def _parts(
     nearest = np.where(index - behind < ahead - index, behind, ahead)
     same = left == right
     if faded is not None:
-        one, other = (_at(faded, flank) for flank in flanks)
+        one, other = (values_at(faded, flank) for flank in flanks)
         same &= (one == other) | (one == 0) | (other == 0)
     sides = np.where(same & (left == areas.paper), _Side.PAPER, np.where(same, _Side.INSIDE, 0))
     # What lies beside is not known between near lines; what is known far off says nothing there.
@@ -378,13 +284,6 @@ def _parts(
         (Run(run.run.start + first * step, run.run.start + last * step), _Side(int(steady[first])))
         for first, last in pairwise(borders)
     ]
-
-
-def _at(areas: npt.NDArray[np.int32], points: npt.NDArray[np.float64]) -> npt.NDArray[np.int32]:
-    """(n,) the areas at points; 0 on ink, the sheet's border continued."""
-    columns = np.clip(np.rint(points[:, 0]).astype(int), 0, areas.shape[1] - 1)
-    rows = np.clip(np.rint(points[:, 1]).astype(int), 0, areas.shape[0] - 1)
-    return areas[rows, columns]
 
 
 def lettered_boxes(ink: Mask, letters: Sequence[Mark]) -> Mask:

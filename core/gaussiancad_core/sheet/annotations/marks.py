@@ -35,3 +35,12 @@ def line_mark(kind: AnnotationKind, start: tuple[float, float], end: tuple[float
         max(start[1], end[1]),
     )
     return Mark(kind, box, (start, end))
+
+
+def values_at(
+    areas: npt.NDArray[np.generic], points: npt.NDArray[np.float64]
+) -> npt.NDArray[np.generic]:
+    """(n,) what a picture (h, w) has at points (n, 2) px, its border continued."""
+    columns = np.clip(np.rint(points[:, 0]).astype(int), 0, areas.shape[1] - 1)
+    rows = np.clip(np.rint(points[:, 1]).astype(int), 0, areas.shape[0] - 1)
+    return areas[rows, columns]

@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.arrowheads import arrowheads, mark_arrows
 from gaussiancad_core.sheet.annotations.centre_marks import mark_centre_marks
 from gaussiancad_core.sheet.annotations.erase import Told, erased, masked
 from gaussiancad_core.sheet.annotations.frame import find_frame
@@ -24,9 +25,7 @@ from gaussiancad_core.sheet.annotations.lone_dashes import spare_lone_dashes
 from gaussiancad_core.sheet.annotations.lone_marks import mark_lone_marks
 from gaussiancad_core.sheet.annotations.loose import (
     LooseRule,
-    arrowheads,
     lettered_boxes,
-    mark_arrows,
     split_loose,
 )
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark

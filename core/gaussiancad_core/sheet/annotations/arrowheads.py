@@ -1,0 +1,114 @@
+"""Arrowheads that are blots, thicker than any line: they tell dimension lines.
+
+Slim ones, which are no blots, :mod:`gaussiancad_core.sheet.annotations.tapers` tells.
+"""
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.erase import Kinds
+from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
+from gaussiancad_core.sheet.annotations.marks import Mask, values_at
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.runs import Run
+
+_THICK = 0.95
+"""Half width of an arrowhead at least, in widths of a line; where two lines cross it is 0.7."""
+
+_THICKEST = 1.4
+"""Half width of a blot that is an arrowhead wherever it lies on a line; where three lines meet at
+sharp angles it is about one."""
+
+_FROM_TIP = 2.5
+"""Distance of other heads' middles from the end of their line at least, in widths of it; leaders
+have such heads, and level lines blots where two others cross them."""
+
+_LARGEST = 12.0
+"""Length of an arrowhead's thick part at most, in widths of a line."""
+
+_BESIDE = 0.7
+"""Distance of an arrowhead's middle from its line at most, in widths of a line."""
+
+_SLANTED = 0.05
+"""Sine of the angle between a slanted line and the sheet's axes at least."""
+
+_FLANK = 1.0
+"""Distance from a line's middle at which an arrowhead is ink on both sides, in widths of a line."""
+
+
+@dataclass(frozen=True, eq=False)
+class Arrowheads:
+    """The thick blots that arrowheads have.
+
+    Attributes:
+        middles: (n, 2) px.
+        lengths: (n,) px, the longest side of each blot.
+        widest: (n,) px, half the width of each blot.
+    """
+
+    middles: npt.NDArray[np.float64]
+    lengths: npt.NDArray[np.float64]
+    widest: npt.NDArray[np.float64]
+
+
+def arrowheads(ink: Mask, stroke_width: float) -> Arrowheads:
+    """Thick blots no larger than the heads of arrows."""
+    inside = cv2.distanceTransform(ink.astype(np.uint8), cv2.DIST_L2, 5)
+    core = (inside > _THICK * stroke_width).astype(np.uint8)
+    count, labels, stats, middles = cv2.connectedComponentsWithStats(core, connectivity=8)
+    sides = stats[1:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]].max(axis=1).astype(float)
+    widest = np.zeros(count)
+    np.maximum.at(widest, labels[core > 0], inside[core > 0])
+    small = sides <= _LARGEST * stroke_width
+    return Arrowheads(middles[1:][small], sides[small], widest[1:][small])
+
+
+def mark_arrows(
+    shapes: list[InkedShape], kinds: Kinds, heads: Arrowheads, ink: Mask, stroke_width: float
+) -> None:
+    """Mark straight runs with arrowheads on them as dimension lines, in place.
+
+    One alone counts at an end: where a stroke meets an edge, ink that ran makes a blot like it.  A
+    large head has no ridge along its middle, so that its line ends behind it; the run then goes on
+    as far as the middle of the head.
+    """
+    if not len(heads.middles):
+        return
+    for index, (shape, own) in enumerate(zip(shapes, kinds, strict=True)):
+        if not isinstance(shape.geometry, Line):
+            continue
+        along, across = shape.geometry.coordinates(heads.middles)
+        on_line = np.abs(across) < _BESIDE * stroke_width
+        on_line[on_line] = _flanked(shape.geometry, along[on_line], ink, _FLANK * stroke_width)
+        near, half = along[on_line], heads.lengths[on_line] / 2
+        thick = heads.widest[on_line] >= _THICKEST * stroke_width
+        slanted = min(map(abs, shape.geometry.direction)) > _SLANTED
+        slack = 2.0 * stroke_width
+        runs = list(shape.runs)
+        for k, run in enumerate(shape.runs):
+            low, high = run.run.start - slack, run.run.end + slack
+            reached = (near >= low - half) & (near <= high + half)
+            inside = np.minimum(near - run.run.start, run.run.end - near)
+            reached &= thick | (slanted & (inside > _FROM_TIP * stroke_width))
+            on_run = near[reached]
+            from_end = np.minimum(on_run - low, high - on_run)
+            at_end = (from_end < _LARGEST * stroke_width).any()
+            if own[k] is None and (len(on_run) > 1 or at_end):
+                own[k] = AnnotationKind.DIMENSION
+                whole = Run(min(run.run.start, *on_run), max(run.run.end, *on_run))
+                runs[k] = InkedRun(whole, run.width)
+        shapes[index] = InkedShape(shape.geometry, tuple(runs))
+
+
+def _flanked(
+    line: Line, along: npt.NDArray[np.float64], ink: Mask, away: float
+) -> npt.NDArray[np.bool_]:
+    """(n,) whether ink lies on both sides of a line at positions along it."""
+    direction = np.array(line.direction)
+    normal = np.array([-direction[1], direction[0]])
+    places = np.array(line.point) + along[:, None] * direction
+    return values_at(ink, places + away * normal) & values_at(ink, places - away * normal)

@@ -1,0 +1,78 @@
+"""Blots that are arrowheads, and those that are not."""
+
+import numpy as np
+import pytest
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.arrowheads import Arrowheads, mark_arrows
+from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.runs import Run
+
+LEVEL = Line((0.0, 50.0), (1.0, 0.0))
+LONG = InkedShape(LEVEL, (InkedRun(Run(20.0, 180.0), 2.0),))
+
+
+@pytest.mark.parametrize(
+    ("heads", "marked"),
+    [
+        ([(28.0, 50.0)], True),
+        ([(60.0, 50.0), (140.0, 50.0)], True),
+        # A blot where a stroke meets the middle of an edge.
+        ([(100.0, 50.0)], False),
+        ([(100.0, 58.0), (28.0, 58.0)], False),
+    ],
+)
+def test_arrowheads_tell_dimension_lines(heads: list[tuple[float, float]], marked: bool) -> None:
+    kinds: list[list[AnnotationKind | None]] = [[None]]
+    told = Arrowheads(np.array(heads), np.full(len(heads), 4.0), np.full(len(heads), 4.0))
+    mark_arrows([LONG], kinds, told, np.ones((100, 200), dtype=bool), 2.0)
+    assert kinds == [[AnnotationKind.DIMENSION if marked else None]]
+
+
+def _head(x: float, y: float, length: float, half: float) -> Arrowheads:
+    return Arrowheads(np.array([[x, y]]), np.array([length]), np.array([half]))
+
+
+def test_the_line_of_a_large_head_ends_behind_it() -> None:
+    """A run goes on as far as the middle of a head that has no ridge."""
+    shapes: list[InkedShape] = [LONG]
+    kinds: list[list[AnnotationKind | None]] = [[None]]
+    ink = np.ones((100, 220), dtype=bool)
+    mark_arrows(shapes, kinds, _head(188.0, 50.0, 20.0, 4.0), ink, 2.0)
+    assert kinds == [[AnnotationKind.DIMENSION]]
+    assert shapes[0].runs[0].run == Run(20.0, 188.0)
+    kinds = [[None]]
+    mark_arrows([LONG], kinds, _head(198.0, 50.0, 20.0, 4.0), ink, 2.0)
+    assert kinds == [[None]]
+
+
+def test_a_blot_beside_a_line_is_no_head_of_it() -> None:
+    """A leader's head touches the rounding at the end of an edge."""
+    kinds: list[list[AnnotationKind | None]] = [[None]]
+    ink = np.zeros((100, 220), dtype=bool)
+    ink[49:60, 20:180] = True
+    mark_arrows([LONG], kinds, _head(28.0, 51.0, 6.0, 4.0), ink, 2.0)
+    assert kinds == [[None]]
+
+
+@pytest.mark.parametrize(
+    ("place", "half", "way", "told"),
+    [
+        (3.0, 2.2, (0.8, 0.6), False),
+        (3.0, 3.5, (0.8, 0.6), True),
+        (8.0, 2.2, (0.8, 0.6), True),
+        (8.0, 2.2, (1.0, 0.0), False),
+        (8.0, 3.5, (1.0, 0.0), True),
+    ],
+)
+def test_small_blots_are_heads_within_slanted_lines(
+    place: float, half: float, way: tuple[float, float], told: bool
+) -> None:
+    """At their ends, and on level ones, other strokes make them too."""
+    line = Line((20.0, 20.0), way)
+    shape = InkedShape(line, (InkedRun(Run(0.0, 100.0), 2.0),))
+    kinds: list[list[AnnotationKind | None]] = [[None]]
+    head = _head(*line.at(place), 3.0, half)
+    mark_arrows([shape], kinds, head, np.ones((200, 220), dtype=bool), 2.0)
+    assert (kinds == [[AnnotationKind.DIMENSION]]) is told
