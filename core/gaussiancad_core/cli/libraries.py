@@ -5,6 +5,8 @@ import os
 _ENVIRONMENT = {
     # Threads that spin while they wait take the cores from the other library's threads.
     "OMP_WAIT_POLICY": "passive",
+    # OpenBLAS's spin whatever that says; its problems here are small ones.
+    "OPENBLAS_NUM_THREADS": "1",
     # Numba would look for TBB first and warn about versions that it cannot use.
     "NUMBA_THREADING_LAYER_PRIORITY": "omp tbb workqueue",
 }
