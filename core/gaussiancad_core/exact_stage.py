@@ -185,8 +185,12 @@ def with_fallback(model: ExactModel) -> ExactModel:
 def drawn_views(registered: RegisteredSheet) -> DrawnViews:
     """The lines of a sheet's views, with the tolerance of the view that is known least exactly."""
     tolerance = max(TOLERANCE_PX[view.source] for view in registered.drawn)
-    apart = _APART_PX * registered.mm_per_pixel if tolerance >= _ROUGH_PX else None
-    return views_as_read(registered.views, tolerance * registered.mm_per_pixel, apart)
+    pixel = registered.mm_per_pixel
+    if tolerance < _ROUGH_PX:
+        return views_as_read(registered.views, tolerance * pixel)
+    residuals = registered.extents.residuals.values()
+    noise = max((residual.median for residual in residuals), default=0.0)
+    return views_as_read(registered.views, tolerance * pixel, _APART_PX * pixel, noise * pixel)
 
 
 def _solved(reading: Reading, limits: Limits) -> ExactResult:

@@ -7,17 +7,20 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.drawing.brep import soundness
 from gaussiancad_core.exact_stage import (
     ExactModel,
     Reading,
+    drawn_views,
     find_exact,
     find_for_hull,
     with_fallback,
 )
 from gaussiancad_core.modes import Status
 from gaussiancad_core.sheet.reading import RegisteredSheet, StrokesSource
+from gaussiancad_core.sheet.registration import AxisExtents
+from gaussiancad_core.sheet.shared_axes import Residual
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.views import Linetype, Segment, View, ViewSet
 
@@ -49,7 +52,7 @@ def _reading(strokes: Strokes, projection: Projection) -> Reading:
         for role, own in strokes.items()
     )
     drawn = tuple(SimpleNamespace(source=StrokesSource.RASTER) for _ in views)
-    registered = RegisteredSheet(ViewSet(views, _SIZE), {}, drawn, 0.02, None, 0)
+    registered = RegisteredSheet(ViewSet(views, _SIZE), {}, drawn, 0.02, AxisExtents({}, {}), 0)
     return Reading(registered, projection)
 
 
@@ -194,3 +197,13 @@ def test_sheets_of_many_lines_are_not_searched_for_the_hull() -> None:
     many = _block()
     many[Role.FRONT] += [s for k in range(80) for s in _rectangle(1.0 + 0.3 * k, 1.0 + 0.1 * k)]
     assert find_for_hull(_reading(many, Projection.THIRD), None) is None
+
+
+def test_the_noise_of_views_is_that_of_the_axis_on_which_they_differ_most() -> None:
+    third, _ = _both(_wedge())
+    residuals = {Axis.X: Residual(0.01, 0.2), Axis.Z: Residual(0.03, 0.1)}
+    noisy = replace(third.registered, extents=AxisExtents({}, {}, residuals))
+    assert drawn_views(noisy).noise == pytest.approx(0.03 * noisy.mm_per_pixel)
+    assert drawn_views(third.registered).noise == 0.0
+    exact = tuple(SimpleNamespace(source=StrokesSource.VECTOR) for _ in noisy.drawn)
+    assert drawn_views(replace(noisy, drawn=exact)).noise == 0.0

@@ -11,6 +11,7 @@ from gaussiancad_core.exact_stage import Reading, find_exact
 from gaussiancad_core.report import Report
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.reading import RegisteredSheet, StrokesSource
+from gaussiancad_core.sheet.registration import AxisExtents
 from gaussiancad_core.solid_reports import with_solid_facts
 from gaussiancad_core.views import Linetype, Segment, View, ViewSet
 
@@ -33,7 +34,7 @@ def _reading(projection: Projection, strokes: dict[Role, list[Segment]]) -> Read
         View(role, _BOX, tuple(own), mask, colour, (0.0, 0.0), 1.0) for role, own in strokes.items()
     )
     drawn = tuple(SimpleNamespace(source=StrokesSource.VECTOR) for _ in views)
-    registered = RegisteredSheet(ViewSet(views, _SIZE), {}, drawn, 0.02, None, 0)
+    registered = RegisteredSheet(ViewSet(views, _SIZE), {}, drawn, 0.02, AxisExtents({}, {}), 0)
     return Reading(registered, projection)
 
 

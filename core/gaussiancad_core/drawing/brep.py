@@ -285,6 +285,13 @@ def volume(shape: TopoDS_Shape) -> float:
     return float(properties.Mass())
 
 
+def area(shape: TopoDS_Shape) -> float:
+    """Area of all faces in mm2."""
+    properties = GProp_GProps()
+    BRepGProp.SurfaceProperties_s(shape, properties)
+    return float(properties.Mass())
+
+
 def soundness(shape: TopoDS_Shape) -> Soundness:
     """Check a shape as a solid."""
     enclosed = volume(shape)

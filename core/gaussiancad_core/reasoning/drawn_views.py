@@ -20,12 +20,15 @@ class DrawnViews:
             or the rounding of exact lines.
         apart: mm from which coordinates of two lines are different ones; None if the tolerance
             tells.  The reader has made equal what is one.
+        noise: mm by which views contradict each other about a coordinate that they share, at the
+            median, on the axis on which they do most; 0 for exact lines.
     """
 
     strokes: Mapping[Role, tuple[Curve, ...]]
     size: tuple[float, float, float]
     tolerance: float
     apart: float | None = None
+    noise: float = 0.0
 
     @property
     def roles(self) -> tuple[Role, ...]:
@@ -46,7 +49,9 @@ def exact_views(
     )
 
 
-def views_as_read(views: ViewSet, tolerance: float, apart: float | None = None) -> DrawnViews:
-    """Views as they were read from a sheet; ``tolerance`` and ``apart`` in mm."""
+def views_as_read(
+    views: ViewSet, tolerance: float, apart: float | None = None, noise: float = 0.0
+) -> DrawnViews:
+    """Views as they were read from a sheet; ``tolerance``, ``apart`` and ``noise`` in mm."""
     strokes = {view.role: view.strokes for view in views.views}
-    return DrawnViews(strokes, views.size, tolerance, apart)
+    return DrawnViews(strokes, views.size, tolerance, apart, noise)

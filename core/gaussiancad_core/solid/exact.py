@@ -350,7 +350,10 @@ def _verified(work: _Work, shape: TopoDS_Shape) -> Candidate:
 
 def _inexact(verification: Verification) -> str:
     spread, misfit = verification.spread, verification.misfit
-    if misfit > spread:
+    if not verification.off:
+        share = 100.0 * verification.doubt
+        where = f"so thin a part is drawn too small: its volume may be wrong by {share:.1g} %"
+    elif misfit > spread:
         where = f"the views reach up to {misfit:.2g} mm beyond the solid, or less far"
     else:
         where = f"the views' lines lie up to {spread:.2g} mm beside the solid's"

@@ -9,7 +9,7 @@ from OCP.TopoDS import TopoDS_Shape
 from scipy.spatial import cKDTree
 
 from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import bounding_box, soundness
+from gaussiancad_core.drawing.brep import area, bounding_box, soundness, volume
 from gaussiancad_core.drawing.hlr import LineDrawing
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.verification.agreement import MatchedLines, agreeing_share, match_lines
@@ -32,6 +32,13 @@ not tell it: it is one dash at most."""
 _CLOSE = 0.14
 """Share of the matching tolerance within which every line, and every side of the bounding box,
 lies if the measures are right: a third of a pixel."""
+
+_UNSURE = 3.0
+"""Mean distance of the faces of a solid from where they belong, in the median by which the views
+contradict each other; in pictures of parts whose solids are known it was up to four times."""
+
+_LOST = 1e-3
+"""Share of the volume that may be wrong by that."""
 
 _STEADY = 24.0
 """Matching tolerances of length from which a stroke is read that well; a shorter one may be off by
@@ -73,7 +80,9 @@ class Verification:
             are found at all; short lines count less.
         misfit: mm between the solid's bounding box and that of the views, where they differ most.
             The scale is that of the box: if a line sticks out of the part, all measures are off.
-        close: whether both are small enough to rely on the measures.
+        doubt: share of the volume that may be wrong, as far as the views contradict each other: the
+            thinner a part is in px, the more.
+        off: whether lines or box are too far off to rely on the measures.
     """
 
     sound: bool
@@ -81,7 +90,13 @@ class Verification:
     flaws: tuple[Flaw, ...]
     spread: float
     misfit: float
-    close: bool
+    doubt: float
+    off: bool
+
+    @property
+    def close(self) -> bool:
+        """Whether the measures can be relied on."""
+        return not self.off and self.doubt <= _LOST
 
     @property
     def share(self) -> float:
@@ -128,8 +143,9 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
     flaws.sort(key=lambda flaw: -flaw.length)
     sound = facts.valid and facts.closed and facts.solids == 1
     misfit = _misfit(shape, views)
-    close = max(spread, misfit) <= _CLOSE * tolerance
-    return Verification(sound, matched, tuple(flaws), spread, misfit, close)
+    doubt = _UNSURE * views.noise * area(shape) / max(abs(volume(shape)), 1e-12)
+    off = max(spread, misfit) > _CLOSE * tolerance
+    return Verification(sound, matched, tuple(flaws), spread, misfit, doubt, off)
 
 
 def _misfit(shape: TopoDS_Shape, views: DrawnViews) -> float:

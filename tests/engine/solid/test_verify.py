@@ -136,3 +136,18 @@ def test_a_solid_that_does_not_fill_the_views_has_other_measures(
     assert found.spread == pytest.approx(0.0, abs=1e-6)
     assert found.misfit == pytest.approx(beyond * pixel, abs=1e-6)
     assert found.close == close
+
+
+@pytest.mark.parametrize(("thickness", "close"), [(20.0, True), (3.0, True), (0.8, False)])
+def test_the_volume_of_a_thin_part_is_known_less_exactly(
+    thickness: float, close: bool, drawn: Draw
+) -> None:
+    """The views of a picture contradict each other by some thousandths of a millimetre."""
+    solid = _box(0, 0, 0, 40, 30, thickness)
+    views = replace(drawn(solid), tolerance=0.1, noise=2e-4)
+    found = verify(solid, views)
+    assert found.explains and not found.off
+    sides = 40 * 30 + 40 * thickness + 30 * thickness
+    assert found.doubt == pytest.approx(3 * 2e-4 * 2 * sides / (40 * 30 * thickness))
+    assert found.close == found.holds == close
+    assert verify(solid, replace(views, noise=0.0)).doubt == 0.0
