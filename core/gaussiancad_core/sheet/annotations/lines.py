@@ -22,7 +22,7 @@ _SOLID_PX = 20.0
 _CONTRAST = 1.3
 """Least ratio of the widths of wide and narrow lines (ISO 128-2 asks for 2, many take 1.4)."""
 
-_APART = 2.0
+_APART = 2.3
 """Spreads by which the two families of widths differ at least."""
 
 _LEAST_SHARE = 0.1

@@ -244,6 +244,11 @@ def test_the_limit_is_between_the_families(narrow: float, wide: float) -> None:
         [_solid(900, 1.5), _solid(300, 1.6), _solid(30, 3.0)],
         # Of all widths: badly scanned.
         [_solid(100, 2.0 + 0.1 * k) for k in range(15)],
+        # One pen of less than two px, as its lines' places make it wider and narrower.
+        [
+            *(_solid(60, width) for width in (1.2, 1.42, 1.45, 1.54, 1.56)),
+            *(_solid(300, width) for width in (1.77, 1.8, 1.84, 1.96, 1.98, 1.98, 1.98)),
+        ],
         # Nothing long, nothing measured, nothing at all.
         [_solid(12, 1.0), _solid(12, 3.0)],
         [_solid(100, None)],
