@@ -186,9 +186,11 @@ def _circle(row: Floats) -> Circle:
 def _unpacked(
     found: tuple[Floats, npt.NDArray[np.int64], npt.NDArray[np.int64]],
 ) -> Iterator[tuple[Floats, npt.NDArray[np.int64]]]:
+    """Rows with the members of each; what at last has none, as all its points bend, is no shape."""
     rows, splits, members = found
     for k, row in enumerate(rows):
-        yield row, members[splits[k] : splits[k + 1]]
+        if splits[k + 1] > splits[k]:
+            yield row, members[splits[k] : splits[k + 1]]
 
 
 def _chosen(shapes: list[Grown], ridges: RidgePoints, shortest: int) -> list[Grown]:

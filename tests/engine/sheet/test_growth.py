@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from gaussiancad_core.sheet import growth
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.growth import Grown, GrowthRules, grow_shapes, warm_up
 from gaussiancad_core.sheet.ridges import RidgePoints, ridge_points
@@ -336,3 +337,14 @@ def test_a_short_line_between_a_corner_and_an_arc_that_it_touches_is_found(
     assert min(beside) < 0.3
     assert min(abs(circle.radius - radius) for circle in circles) < 0.02 * radius
     assert len(lines) == 2
+
+
+def test_an_arc_that_is_left_without_points_is_none(
+    sketch: Sketch, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """On blurred copies the points of an arc may all be too far off once it is fitted."""
+    found = np.array([[50.0, 50.0, 30.0]]), np.array([0, 0]), np.empty(0, dtype=np.int64)
+    monkeypatch.setattr(growth, "grow_arcs", lambda *_: found)
+    lines, circles = _shapes(sketch().line((20, 50), (180, 50), 3.0))
+    assert len(lines) == 1
+    assert not circles
