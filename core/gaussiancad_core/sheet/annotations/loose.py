@@ -126,8 +126,7 @@ def split_loose(
                 if any(side is _Side.INSIDE for _, side in strict):
                     parts = strict
             loose = rule.everywhere or (over[index] and _sticks_out(shape, run, ink))
-            led_in = rule.everywhere and looked_at[index] and leading[index]
-            led_in = led_in and _is_led_in(shape, run, over[index], parts, ink)
+            led_in = rule.everywhere and over[index] and _is_led_in(shape, run, parts, ink)
             for place, (part, side) in enumerate(parts):
                 runs.append(InkedRun(part, run.width))
                 # Nothing is known beside an arrowhead; what an extension line crosses stays.
@@ -178,25 +177,22 @@ def _areas(ink: Mask, bridge: int) -> _Areas:
     return _Areas(labels, paper)
 
 
-def _is_led_in(
-    shape: InkedShape,
-    run: InkedRun,
-    over_paper: bool,
-    parts: list[tuple[Run, _Side]],
-    ink: Mask,
-) -> bool:
+def _is_led_in(shape: InkedShape, run: InkedRun, parts: list[tuple[Run, _Side]], ink: Mask) -> bool:
     """Whether a straight run that leads in from the paper is an annotation all along: it is slanted
-    and crosses the outline, as leaders do, or ends at nothing within the view."""
+    and crosses the outline, as leaders do, or ends at nothing within the view.
+
+    An edge that an extension line goes on from may have such a gap as well, on a copy.
+    """
     if not isinstance(shape.geometry, Line):
         return False
     slanted = min(map(abs, shape.geometry.direction)) > _SLANTED
     longest = max((part.length for part, side in parts if side is _Side.PAPER), default=0.0)
-    if slanted and over_paper and longest > _LED_PX:
+    if slanted and longest > _LED_PX:
         return True
     return any(
         _is_free_end(shape.geometry, position, outward, run.width or 2.0, ink)
         for position, outward in ((run.run.start, -1.0), (run.run.end, 1.0))
-        if not (over_paper and _near_paper(position, parts))
+        if not _near_paper(position, parts)
     )
 
 

@@ -108,6 +108,19 @@ def test_an_extension_line_that_ends_before_a_pocket_bounds_nothing(sketch: Sket
     assert sum(run.length for run in _kept(edge, ink)) > 60.0
 
 
+def test_an_edge_with_a_gap_in_line_with_an_extension_line_bounds_the_view(
+    sketch: Sketch,
+) -> None:
+    """On a copy: the gap is narrower than what opens an outline."""
+    drawn = sketch(400, 400).line((60, 20), (220, 20), 2.0).line((60, 20), (60, 180), 2.0)
+    drawn.line((220, 20), (220, 180), 2.0).line((60, 180), (70, 180), 2.0)
+    drawn.line((74, 180), (220, 180), 2.0).line((226, 180), (280, 180), 2.0)
+    ink = clean_sheet(drawn.grey).ink
+    runs = (InkedRun(Run(74.0, 220.0), 2.0), InkedRun(Run(226.0, 280.0), 2.0))
+    edge = InkedShape(Line((0.0, 180.0), (1.0, 0.0)), runs)
+    assert sum(run.length for run in _kept(edge, ink)) == pytest.approx(146.0, abs=8.0)
+
+
 def test_an_edge_that_ends_in_a_rounding_bounds_the_view(sketch: Sketch) -> None:
     """An extension line goes on from its other end."""
     drawn = sketch(400, 400).line((60, 20), (200, 20), 2.0).line((60, 180), (220, 180), 2.0)
