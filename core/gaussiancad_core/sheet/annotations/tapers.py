@@ -17,7 +17,7 @@ from gaussiancad_core.sheet.line_widths import sides_along
 
 Floats = npt.NDArray[np.float64]
 
-_WIDER, _WIDER_PX = 1.35, 0.8
+_WIDER, _WIDER_PX = 1.25, 0.8
 """Width of a head at its widest at least, in that of its line, and beyond it in px."""
 
 _PLAIN, _PLAIN_PX = 1.1, 0.2
