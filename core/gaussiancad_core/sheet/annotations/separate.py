@@ -19,6 +19,7 @@ from gaussiancad_core.sheet.annotations.inked import (
     split_by_width,
 )
 from gaussiancad_core.sheet.annotations.letter_boxes import letter_boxes
+from gaussiancad_core.sheet.annotations.lettered_lines import mark_lettered
 from gaussiancad_core.sheet.annotations.line_ends import extension_lines, mark_heads
 from gaussiancad_core.sheet.annotations.lines import Weights, kinds_of_runs, line_weights
 from gaussiancad_core.sheet.annotations.lone_dashes import spare_lone_dashes
@@ -182,6 +183,7 @@ def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> t
     heads = arrowheads(sheet.ink, sheet.stroke_width)
     mark_arrows(told.shapes, told.kinds, heads, sheet.ink, sheet.stroke_width)
     mark_tapered(told.shapes, told.kinds, sheet)
+    mark_lettered(told.shapes, told.kinds, letters, sheet.ink, sheet.stroke_width)
     mark_lone_marks(told.shapes, told.kinds, sheet.ink, sheet.stroke_width)
     single = letter_boxes(sheet.ink, letters, sheet.stroke_width)
     ink = with_open_sides(erased(sheet, told).ink, told, sheet.stroke_width)
