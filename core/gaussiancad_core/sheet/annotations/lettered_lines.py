@@ -22,10 +22,10 @@ _LEVEL = 0.05
 _MIDDLE = 0.15
 """Distance of the number's middle from the line's at most, as a share of the line."""
 
-_ABOVE = 0.8
-"""Distance of the number from the line at most, in heights of the number."""
+_ABOVE = -0.2, 0.8
+"""Distance of the number from the line, in heights of the number: its box may touch it."""
 
-_PASSED = (1.5, 4.0)
+_PASSED = (1.0, 2.6)
 """px beside the ends of the line, beyond half a stroke, at which the extension lines are ink."""
 
 _END_PX = 3.0
@@ -72,7 +72,7 @@ def _is_above(word: Box, line: Line, run: Run) -> bool:
     level, middle = float(ends[:, 1].mean()), float(ends[:, 0].mean())
     return (
         abs((x0 + x1) / 2 - middle) <= _MIDDLE * length
-        and 0.0 <= level - y1 <= _ABOVE * height
+        and _ABOVE[0] * height <= level - y1 <= _ABOVE[1] * height
         and x1 - x0 < length
     )
 
