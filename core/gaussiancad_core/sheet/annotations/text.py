@@ -29,6 +29,12 @@ _SPACING = 0.9
 
 _SMALLEST_PX = 4
 
+_POINT = 0.35
+"""Height of a point or comma at most, in heights of a letter; dashes are longer."""
+
+_HANGING = 0.4
+"""Distance from their word at most, in heights of a letter."""
+
 _CONCENTRIC = 0.12
 """Distance between the centres of pieces, as a share of the largest, up to which they are rings
 and crosses around one centre."""
@@ -81,9 +87,25 @@ def find_letters(ink: Mask, explained: Mask, stroke_width: float) -> Letters:
     chosen = np.zeros(count, dtype=bool)
     marks = []
     for word in words:
-        chosen[word] = True
-        marks.append(Mark(AnnotationKind.TEXT, _box_of(stats, word)))
+        whole = [*word, *_points(stats, word)]
+        chosen[whole] = True
+        marks.append(Mark(AnnotationKind.TEXT, _box_of(stats, whole)))
     return Letters(chosen[labels], tuple(marks))
+
+
+def _points(stats: npt.NDArray[np.int32], word: list[int]) -> list[int]:
+    """The pieces that are points, commas and the like between a word's letters."""
+    heights = stats[word, 2:4].max(axis=1)
+    height = float(np.median(heights))
+    x0, y0, x1, y1 = _box_of(stats, word)
+    # A comma hangs below its line, and words may end at a point.
+    slack = _HANGING * height
+    low, high = stats[:, :2], stats[:, :2] + stats[:, 2:4]
+    near = ((low <= (x1 + slack, y1 + slack)) & (high >= (x0 - slack, y0 - slack))).all(axis=1)
+    middles = (low + high) / 2.0
+    level = ((middles >= (x0, y0)) & (middles <= (x1, y1))).any(axis=1)
+    point = near & level & (stats[:, 2:4].max(axis=1) <= _POINT * height)
+    return [piece for piece in np.flatnonzero(point).tolist() if piece not in word]
 
 
 def _breadth(labels: npt.NDArray[np.int32], stats: npt.NDArray[np.int32], label: int) -> float:
