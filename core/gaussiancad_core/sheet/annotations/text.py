@@ -87,7 +87,9 @@ def find_letters(ink: Mask, explained: Mask, stroke_width: float) -> Letters:
     chosen = np.zeros(count, dtype=bool)
     marks = []
     for word in words:
-        whole = [*word, *_points(stats, word)]
+        # Dots of a centre line beside a word are explained by it.
+        points = [piece for piece in _points(stats, word) if told[piece] < _EXPLAINED]
+        whole = [*word, *points]
         chosen[whole] = True
         marks.append(Mark(AnnotationKind.TEXT, _box_of(stats, whole)))
     return Letters(chosen[labels], tuple(marks))
