@@ -182,9 +182,9 @@ def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> t
     """Dimensions by their arrowheads, then what bounds nothing, then boxes around letters."""
     heads = arrowheads(sheet.ink, sheet.stroke_width)
     mark_arrows(told.shapes, told.kinds, heads, sheet.ink, sheet.stroke_width)
+    mark_lone_marks(told.shapes, told.kinds, sheet.ink, sheet.stroke_width)
     mark_tapered(told.shapes, told.kinds, sheet)
     mark_lettered(told.shapes, told.kinds, letters, sheet.ink, sheet.stroke_width)
-    mark_lone_marks(told.shapes, told.kinds, sheet.ink, sheet.stroke_width)
     single = letter_boxes(sheet.ink, letters, sheet.stroke_width)
     ink = with_open_sides(erased(sheet, told).ink, told, sheet.stroke_width)
     boxes = lettered_boxes(ink, letters) | single
