@@ -109,6 +109,9 @@ def find_exact(own: Reading, other: Reading | None, limits: Limits | None = None
         return ExactModel(own, result, False)
     strict = replace(limits, relaxed=False)
     contrary = _solved(other, strict)
+    if not _holds(contrary) and (result.relaxed or not _holds(result)):
+        # What was given up for the one reading may be given up for the other.
+        contrary = _solved(other, limits)
     if _holds(contrary) and not _holds(result):
         # The reading that was likelier must have no solid either, for this one to be certain.
         if not _is_settled(_solved(own, strict)):

@@ -92,6 +92,19 @@ def _wedge() -> Strokes:
     }
 
 
+def _back_pocket(off: float) -> Strokes:
+    """A pocket in the back; two views have its floor at places that are so many mm apart."""
+
+    def dashes(*points: tuple[float, float]) -> list[Segment]:
+        return _chain(*points, linetype=Linetype.HIDDEN)
+
+    return {
+        Role.FRONT: _rectangle(40, 20) + dashes((10, 5), (25, 5), (25, 12), (10, 12), (10, 5)),
+        Role.TOP: _rectangle(40, 30) + dashes((10, 30), (10, 22), (25, 22), (25, 30)),
+        Role.RIGHT: _rectangle(30, 20) + dashes((30, 5), (22 + off, 5), (22 + off, 12), (30, 12)),
+    }
+
+
 def _block() -> Strokes:
     return {
         Role.FRONT: _rectangle(40, 20),
@@ -116,6 +129,16 @@ def test_the_reading_that_has_a_solid_is_right_whichever_was_assumed(swap: bool)
     assert found.reading is third and found.decided
     assert found.result.status is Status.VERIFIED and found.result.reasons == ()
     assert soundness(found.result.shape).volume_mm3 == pytest.approx(40 * (30 * 8 + 18 * 12))
+
+
+@pytest.mark.parametrize("off", [0.0, 0.007])
+def test_a_reading_is_right_whose_lines_are_not_quite_on_one_coordinate(off: float) -> None:
+    third, first = _both(_back_pocket(off))
+    found = find_exact(first, third)
+    assert found.reading is third and found.decided
+    assert (found.result.status is Status.VERIFIED) == (off == 0.0)
+    volume = 40 * 30 * 20 - 15 * 7 * 8
+    assert soundness(found.result.shape).volume_mm3 == pytest.approx(volume, rel=1e-4)
 
 
 def test_two_readings_with_different_solids_are_ambiguous() -> None:

@@ -104,6 +104,8 @@ class ExactResult:
         agreements: of the alternatives: share of all lines, both ways, that agree, 0 to 1.
         conflict: lines that contradict each other, where no solid has all lines.
         contrary: how many of the alternatives, the last ones, are under the other projection.
+        relaxed: whether rules that the lines make had to be given up: the solid may show them all
+            nevertheless, where coordinates that are meant to be one were read as two.
     """
 
     status: Status
@@ -115,6 +117,7 @@ class ExactResult:
     agreements: tuple[float, ...] = ()
     conflict: Conflict | None = None
     contrary: int = 0
+    relaxed: bool = False
 
 
 def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
@@ -245,6 +248,7 @@ def _searched(work: "_Work", labelling: Labelling, limits: Limits) -> ExactResul
         tuple(reasons),
         clock.seconds,
         tuple(other.verification.share for other in others),
+        relaxed=bool(labelling.given_up),
     )
 
 
