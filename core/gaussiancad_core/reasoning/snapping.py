@@ -76,6 +76,8 @@ class Snapped:
         circles: distinct ones, with the normal of their plane.
         circle_weights: of each.
         reach: how far a reading may lie from its value.
+        step: that the part was designed in, units; None where none is told.
+        nominal: whether all values and circles are multiples of it.
     """
 
     values: dict[Axis, tuple[float, ...]]
@@ -83,6 +85,8 @@ class Snapped:
     circles: tuple[tuple[Axis, CircleCurve], ...]
     circle_weights: tuple[float, ...]
     reach: float
+    step: float | None = None
+    nominal: bool = False
 
     def value(self, axis: Axis, reading: float, reach: float | None = None) -> float | None:
         """The value nearest to a reading, if it is within reach."""
@@ -135,8 +139,10 @@ def snapped(
         own.append((reading.normal, *columns))
     relations = circle_relations(variables.observed, clusters, own, tolerance)
     numbers = solved(variables.observed, variables.weights, relations, _FAR * tolerance)
-    if tolerance > _EXACT:
-        variables, numbers = _rounded(variables, numbers, relations, tolerance)
+    step = _step(numbers, tolerance) if tolerance > _EXACT else None
+    nominal = False
+    if step is not None:
+        variables, numbers, nominal = _rounded(variables, numbers, relations, (step, tolerance))
     values = {
         axis: tuple(sorted({float(numbers[column]) for column in clusters[axis]})) for axis in Axis
     }
@@ -150,7 +156,8 @@ def snapped(
         for normal, x, y, radius in own
     )
     circle_weights = tuple(variables.weights[radius] for *_, radius in own)
-    return Snapped(values, weights, circles_out, circle_weights, 2.0 * tolerance)
+    reach = 2.0 * tolerance
+    return Snapped(values, weights, circles_out, circle_weights, reach, step, nominal)
 
 
 def with_lone_values(snap: Snapped, readings: Sequence[Reading]) -> Snapped:
@@ -158,15 +165,22 @@ def with_lone_values(snap: Snapped, readings: Sequence[Reading]) -> Snapped:
 
     A countersink's slanted lines end at the extremes of its circles, and a drill's at its axis.
     """
-    values, weights = dict(snap.values), dict(snap.weights)
+    values, weights, nominal = dict(snap.values), dict(snap.weights), snap.nominal
     for axis in Axis:
         round_ones = _circle_values(snap, axis)
         lone = [r for r in readings if r.axis is axis and _is_lone(snap, r, round_ones)]
         means = [_mean(cluster) for cluster in _clusters(lone, snap.reach)]
         means = [(nearest_value(round_ones, at, _AT_CIRCLE * snap.reach), w) for at, w in means]
+        if snap.step is not None:
+            multiples = [on_step(at, snap.step, snap.reach / 2.0) for at, _ in means]
+            nominal &= None not in multiples
+            means = [
+                (at if multiple is None else multiple, w)
+                for multiple, (at, w) in zip(multiples, means, strict=True)
+            ]
         values[axis] = tuple(sorted({*values[axis], *(value for value, _ in means)}))
         weights.update({(axis, value): weight for value, weight in means})
-    return replace(snap, values=values, weights=weights)
+    return replace(snap, values=values, weights=weights, nominal=nominal)
 
 
 def _is_lone(snap: Snapped, reading: Reading, round_ones: Sequence[float]) -> bool:
@@ -295,21 +309,27 @@ def circle_relations(
     return relations
 
 
-def _rounded(
-    variables: _Variables, numbers: Numbers, relations: Sequence[Linear], tolerance: float
-) -> tuple[_Variables, Numbers]:
-    """The numbers as multiples of the step that the part was designed in, if they tell one."""
+def _step(numbers: Numbers, tolerance: float) -> float | None:
+    """The step that the part was designed in, if the numbers tell one, units."""
     # What is shown twice is no further evidence.
     distinct = {round(float(number) / tolerance): float(number) for number in numbers}
-    step = nominal_step(list(distinct.values()), tolerance)
-    if step is None:
-        return variables, numbers
+    return nominal_step(list(distinct.values()), tolerance)
+
+
+def _rounded(
+    variables: _Variables,
+    numbers: Numbers,
+    relations: Sequence[Linear],
+    step_and_tolerance: tuple[float, float],
+) -> tuple[_Variables, Numbers, bool]:
+    """The numbers as multiples of the step that the part was designed in, and whether all are."""
+    step, tolerance = step_and_tolerance
     nominal = _Variables()
-    for number, weight in zip(numbers, variables.weights, strict=True):
-        multiple = on_step(float(number), step, tolerance)
+    multiples = [on_step(float(number), step, tolerance) for number in numbers]
+    for number, multiple, weight in zip(numbers, multiples, variables.weights, strict=True):
         if multiple is None:
             nominal.add(float(number), weight)
         else:
             nominal.add(multiple, weight * CERTAIN)
     rounded = solved(nominal.observed, nominal.weights, relations, _FAR * tolerance)
-    return nominal, rounded
+    return nominal, rounded, None not in multiples

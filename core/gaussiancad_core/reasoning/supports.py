@@ -101,6 +101,8 @@ class PartSupports:
         size: (3,) of the part in units.
         scale: units per mm.
         tolerance: units.
+        nominal: whether all values and circles are multiples of the step that the part was designed
+            in: they are known exactly then, however roughly they were read.
     """
 
     planes: dict[Axis, PlaneSupports]
@@ -108,6 +110,7 @@ class PartSupports:
     size: tuple[float, float, float]
     scale: float
     tolerance: float
+    nominal: bool = False
 
 
 @dataclass(frozen=True)
@@ -172,7 +175,7 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
         )
         for axis, plane in planes.items()
     }
-    return PartSupports(found, known.snap.values, size, scale, tolerance)
+    return PartSupports(found, known.snap.values, size, scale, tolerance, known.snap.nominal)
 
 
 def _sorted_strokes(views: DrawnViews, scale: float, tolerance: float) -> dict[Axis, _Plane]:
