@@ -27,6 +27,10 @@ _APART_PX = 0.3
 """px from which the coordinates of such strokes are different ones: lines are read to a twentieth
 of a pixel, and what is one over the views has been made equal."""
 
+_MEAN = 0.15
+"""Least median of how far views contradict each other, as a share of the farthest: programs that
+place lines on a grid of quarter pixels draw most coordinates alike in two views, and wrong alike."""
+
 TOLERANCE_PX = {StrokesSource.RASTER: 1.0, StrokesSource.PLOT: 0.3, StrokesSource.VECTOR: 0.05}
 """px by which lines of a sheet may miss where they belong, by where they come from."""
 
@@ -192,7 +196,7 @@ def drawn_views(registered: RegisteredSheet) -> DrawnViews:
     if tolerance < _ROUGH_PX:
         return views_as_read(registered.views, tolerance * pixel)
     residuals = registered.extents.residuals.values()
-    noise = max((residual.median for residual in residuals), default=0.0)
+    noise = max((max(own.median, _MEAN * own.largest) for own in residuals), default=0.0)
     return views_as_read(registered.views, tolerance * pixel, _APART_PX * pixel, noise * pixel)
 
 

@@ -224,9 +224,13 @@ def test_sheets_of_many_lines_are_not_searched_for_the_hull() -> None:
 
 def test_the_noise_of_views_is_that_of_the_axis_on_which_they_differ_most() -> None:
     third, _ = _both(_wedge())
-    residuals = {Axis.X: Residual(0.01, 0.2), Axis.Z: Residual(0.03, 0.1)}
+    residuals = {Axis.X: Residual(0.01, 0.18), Axis.Z: Residual(0.03, 0.1)}
     noisy = replace(third.registered, extents=AxisExtents({}, {}, residuals))
     assert drawn_views(noisy).noise == pytest.approx(0.03 * noisy.mm_per_pixel)
+    # Nearly all coordinates were rounded alike, but not all.
+    alike = AxisExtents({}, {}, {Axis.X: Residual(0.0, 0.24), Axis.Z: Residual(0.0, 0.0)})
+    rounded = replace(third.registered, extents=alike)
+    assert drawn_views(rounded).noise == pytest.approx(0.036 * noisy.mm_per_pixel)
     assert drawn_views(third.registered).noise == 0.0
     exact = tuple(SimpleNamespace(source=StrokesSource.VECTOR) for _ in noisy.drawn)
     assert drawn_views(replace(noisy, drawn=exact)).noise == 0.0
