@@ -122,7 +122,7 @@ def _built(space: LabelledSpace, scale: float, fit: _Fit) -> BuiltSolid:
     while True:
         fused = _fused(faces, fit.fuzzy)
         kept = [face for face in faces_of(fused.Shape()) if sides.is_border(face)]
-        if (sewn := _sewn(sides, kept, fit.sewing)) is not None:
+        if (sewn := _sewn_best(sides, kept, fit.sewing)) is not None:
             break
         # Faces that only touch others may have split them where nothing meets.
         bounding = [face for face in faces if _gives_one_of(kept, face, fused)]
@@ -200,12 +200,12 @@ def _gives_one_of(kept: list[TopoDS_Face], face: TopoDS_Face, fused: BOPAlgo_Bui
     return any(any(part.IsSame(each) for part in own) and not _is_sliver(each) for each in kept)
 
 
-def _is_sliver(face: TopoDS_Face) -> bool:
+def _is_sliver(face: TopoDS_Face, width: float = _SLIVER) -> bool:
     """Whether a face is so narrow that its sides cannot be told."""
     inner, around = GProp_GProps(), GProp_GProps()
     BRepGProp.SurfaceProperties_s(face, inner)
     BRepGProp.LinearProperties_s(face, around)
-    return inner.Mass() < _SLIVER / 2.0 * around.Mass()
+    return inner.Mass() < width / 2.0 * around.Mass()
 
 
 class _Sides:
@@ -233,6 +233,24 @@ class _Sides:
             self._space.is_material(tuple(at + way * _BESIDE * normal)) for way in (-1.0, 1.0)
         )
         return behind, before
+
+
+def _sewn_best(
+    sides: _Sides, faces: list[TopoDS_Face], within: float
+) -> tuple[TopoDS_Shape | None, int] | None:
+    """The same as :func:`_sewn`, without faces narrower than the seams where that is better.
+
+    Both edges of such a face are sewn to both of its neighbours: what is one body falls apart.
+    """
+    sewn = _sewn(sides, faces, within)
+    if sewn is not None and sewn[1] <= 1:
+        return sewn
+    wide = [face for face in faces if not _is_sliver(face, within)]
+    if len(wide) == len(faces):
+        return sewn
+    other = _sewn(sides, wide, within)
+    is_better = other is not None and (sewn is None or 0 < other[1] < sewn[1])
+    return other if is_better else sewn
 
 
 def _sewn(

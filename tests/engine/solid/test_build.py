@@ -2,15 +2,24 @@
 
 from collections.abc import Callable
 from itertools import pairwise
+from math import asin, pi
 
 import numpy as np
 import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
-from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeSolid, BRepBuilderAPI_Sewing
+from OCP.BRepBuilderAPI import (
+    BRepBuilderAPI_MakeFace,
+    BRepBuilderAPI_MakeSolid,
+    BRepBuilderAPI_Sewing,
+)
 from OCP.BRepCheck import BRepCheck_Analyzer
-from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox, BRepPrimAPI_MakeCylinder, BRepPrimAPI_MakeTorus
-from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt
-from OCP.TopoDS import TopoDS, TopoDS_Shape
+from OCP.BRepPrimAPI import (
+    BRepPrimAPI_MakeBox,
+    BRepPrimAPI_MakeCylinder,
+    BRepPrimAPI_MakeTorus,
+)
+from OCP.gp import gp_Ax2, gp_Ax3, gp_Cylinder, gp_Dir, gp_Pnt, gp_Sphere
+from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Shape
 
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.drawing.brep import bounding_box, faces_of, soundness, volume
@@ -181,3 +190,41 @@ def test_a_face_that_only_touches_others_does_not_keep_them_open(
     assert built.shape is not None
     assert BRepCheck_Analyzer(built.shape).IsValid()
     assert volume(built.shape) == pytest.approx(volume(block), rel=1e-7)
+
+
+class _Rod:
+    """A round rod of radius 10 and height 10 on the ground, with a dome."""
+
+    strip = 2e-5
+
+    def is_material(self, point: tuple[float, float, float]) -> bool:
+        x, y, z = point
+        return z > 0.0 and x * x + y * y + max(0.0, z - 10.0) ** 2 < 100.0
+
+    def faces(self) -> list[TopoDS_Face]:
+        """Where the dome touches the wall, both go on along each other for a strip."""
+        wall = gp_Cylinder(gp_Ax3(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 10.0)
+        dome = gp_Sphere(gp_Ax3(gp_Pnt(0, 0, 10), gp_Dir(0, 0, 1)), 10.0)
+        angle = asin(self.strip / 10.0)
+        (ground,) = (
+            face
+            for face in faces_of(BRepPrimAPI_MakeCylinder(10.0, 10.0).Solid())
+            if bounding_box(face)[1][2] < 1.0
+        )
+        swept = [
+            (wall, 0.0, 10.0),
+            (wall, 10.0, 10.0 + self.strip),
+            (dome, 0.0, angle),
+            (dome, angle, pi / 2.0),
+        ]
+        return [
+            ground,
+            *(BRepBuilderAPI_MakeFace(own, 0.0, 2.0 * pi, *ends).Face() for own, *ends in swept),
+        ]
+
+
+def test_strips_narrower_than_seams_do_not_part_a_body() -> None:
+    rod = _Rod()
+    solid, count = build._sewn_best(build._Sides(rod), rod.faces(), 1e-4)
+    assert count == 1
+    assert volume(solid) == pytest.approx(pi * (1000.0 + 2000.0 / 3.0), rel=1e-4)
