@@ -182,7 +182,7 @@ def crossings_with(
         # 1 px beside the ink.
         (ax, ay), (bx, by) = geometry.direction, other.direction
         sine = max(abs(ax * by - ay * bx), 0.05)
-        reach = min((half + 1.0) / sine - 1.0, 8.0 * half)
+        reach = (half + 1.0) / sine - 1.0
     elif isinstance(geometry, Line) and not isinstance(other, Line):
         points = _line_curve(geometry, other)
         reach = _shared_with_tangent(points, other, half)

@@ -36,6 +36,17 @@ def test_a_line_ends_at_the_centre_lines_of_those_it_meets(seen: tuple) -> None:
     assert found == [(pytest.approx(0.0), pytest.approx(100.0), Linetype.VISIBLE)]
 
 
+@pytest.mark.parametrize("degrees", [6.0, 9.0, 20.0])
+def test_lines_that_meet_at_a_flat_angle_end_at_their_corner(degrees: float) -> None:
+    """Ink and a px beside it are seen as a line's: far beyond a corner that is nearly straight."""
+    angle = np.radians(degrees)
+    slanted = Line((0.0, 0.0), (float(np.cos(angle)), float(np.sin(angle))))
+    beyond = 2.4 / float(np.sin(angle))
+    pieces = [(LEVEL, _visible(-beyond, 100.0)), (slanted, _visible(-100.0, beyond))]
+    assert _of(LEVEL, pieces)[0][0] == pytest.approx(0.0, abs=1e-6)
+    assert _of(slanted, pieces)[0][1] == pytest.approx(0.0, abs=1e-6)
+
+
 def test_a_free_end_stays_where_its_ink_ends() -> None:
     far = [(_upright(200.0), _visible(-50, 50)), (_upright(100.0), _visible(20, 50))]
     assert _of(LEVEL, [(LEVEL, _visible(0, 100)), *far]) == [(0, 100, Linetype.VISIBLE)]
