@@ -46,7 +46,7 @@ _FLATTEST, _STEEPEST = np.radians(25.0), np.radians(155.0)
 _JOINED = 2.5
 """px from a line's end within which another stroke's end takes the corner."""
 
-_AROUND = 3.0
+AROUND = 3.0
 """px beside a stroke's ink that are compared."""
 
 _BETTER = 0.4
@@ -85,8 +85,8 @@ def find_fillets(
         placed: pieces with their ends at junctions; px, pixel centres at integers.
         stroke_width: px.
     """
-    ends = _ends(placed)
-    corners = _corners(ends, placed)
+    ends = straight_ends(placed, Linetype.VISIBLE)
+    corners = open_corners(ends, placed)
     if not corners:
         return []
     straight = [
@@ -95,7 +95,7 @@ def find_fillets(
         if isinstance(geometry, Line) and piece.linetype is Linetype.VISIBLE
     ]
     pen = fit_pen(weight, straight, stroke_width)
-    boxes = _boxes(placed)
+    boxes = boxes_of(placed)
     found: list[Fillet] = []
     pieces = dict(enumerate(piece for _, piece in placed))
     taken: set[tuple[int, bool]] = set()
@@ -103,12 +103,12 @@ def find_fillets(
         keys = {(end.index, end.at_start) for end in (corner.first, corner.second)}
         if keys & taken:
             continue
-        others = _others(corner, placed, boxes, pen.width + 2.0 * _AROUND)
+        others = others_near(corner, placed, boxes, pen.width + 2.0 * AROUND)
         radius = _radius(weight, corner, others, pen)
         if radius is None:
             continue
         taken |= keys
-        fillet = _fillet(corner, radius, placed, pieces)
+        fillet = rounded_at(corner, radius, placed, pieces)
         pieces.update(fillet.pieces)
         found.append(fillet)
     return found
@@ -127,10 +127,11 @@ def is_chord(own: Placed, arc: Placed) -> bool:
     return bool((arc[0].distances(points) < _BESIDE_ARC).mean() > 0.6 and near.all())
 
 
-def _ends(placed: Sequence[Placed]) -> list[End]:
+def straight_ends(placed: Sequence[Placed], linetype: Linetype) -> list[End]:
+    """The ends of the straight pieces of a linetype."""
     ends = []
     for index, (geometry, piece) in enumerate(placed):
-        if not isinstance(geometry, Line) or piece.linetype is not Linetype.VISIBLE:
+        if not isinstance(geometry, Line) or piece.linetype is not linetype:
             continue
         way = np.array(geometry.direction)
         length = piece.end - piece.start
@@ -139,7 +140,7 @@ def _ends(placed: Sequence[Placed]) -> list[End]:
     return ends
 
 
-def _corners(ends: list[End], placed: Sequence[Placed]) -> list[Corner]:
+def open_corners(ends: list[End], placed: Sequence[Placed]) -> list[Corner]:
     """Pairs of ends that may be joined by an arc, the nearest first."""
     others = _other_ends(placed)
     corners = []
@@ -197,7 +198,7 @@ def _radius(
     most = corner.longest * np.tan(corner.half)
     if most <= _SMALLEST_RADIUS:
         return None
-    offsets, ink = _pixels(weight, corner, others, pen)
+    offsets, ink = pixels_around(weight, corner, others, pen)
     if len(ink) < 20:
         return None
 
@@ -211,8 +212,8 @@ def _radius(
     coarse = np.arange(_SMALLEST_RADIUS, most + 0.5, 1.0)
     if sharp < _LEAST_GAIN:
         return None
-    radius = _best(rounded, coarse)
-    radius = _best(rounded, np.arange(radius - 1.0, radius + 1.0 + 1e-9, _FINE))
+    radius = best_of(rounded, coarse)
+    radius = best_of(rounded, np.arange(radius - 1.0, radius + 1.0 + 1e-9, _FINE))
     best = rounded(radius)
     if best > _BETTER * sharp or sharp - best < _LEAST_GAIN or radius < _SMALLEST_RADIUS:
         return None
@@ -221,22 +222,23 @@ def _radius(
     return radius if best < 0.8 * cut else None
 
 
-def _best(function: Callable[[float], float], values: Floats) -> float:
+def best_of(function: Callable[[float], float], values: Floats) -> float:
+    """The value for which a function is least."""
     return float(values[int(np.argmin([function(float(value)) for value in values]))])
 
 
-def _pixels(
+def pixels_around(
     weight: npt.NDArray[np.float32], corner: Corner, others: Sequence[Placed], pen: Pen
 ) -> tuple[Floats, Floats]:
     """(n, 2) px from the corner, and (n,) ink, of the pixels that tell of it: near its strokes and
     between them, away from other strokes."""
-    reach = corner.longest + pen.width / 2 + _AROUND
+    reach = corner.longest + pen.width / 2 + AROUND
     low = np.maximum(np.floor(corner.place - reach), 0).astype(int)
     high = np.minimum(np.ceil(corner.place + reach) + 1, weight.shape[::-1]).astype(int)
     ys, xs = np.mgrid[low[1] : max(high[1], low[1]), low[0] : max(high[0], low[0])]
     pixels = np.stack([xs.ravel(), ys.ravel()], axis=1).astype(np.float64)
     offsets = pixels - corner.place
-    beside = pen.width / 2 + _AROUND
+    beside = pen.width / 2 + AROUND
     near = np.minimum.reduce([from_ray(corner.first, offsets), from_ray(corner.second, offsets)])
     along = [offsets @ end.inward for end in (corner.first, corner.second)]
     inner = near <= beside
@@ -258,13 +260,15 @@ def _pixels(
     return offsets[inner], weight[y, x].astype(np.float64)
 
 
-def _boxes(placed: Sequence[Placed]) -> Floats:
+def boxes_of(placed: Sequence[Placed]) -> Floats:
     """(n, 2, 2) px, the lower and upper corner of each piece's bounding box."""
     points = [geometry.points_at(_samples(piece)) for geometry, piece in placed]
     return np.array([[own.min(0), own.max(0)] for own in points])
 
 
-def _others(corner: Corner, placed: Sequence[Placed], boxes: Floats, margin: float) -> list[Placed]:
+def others_near(
+    corner: Corner, placed: Sequence[Placed], boxes: Floats, margin: float
+) -> list[Placed]:
     """Other pieces that come near a corner, without the chords of an arc that may be there."""
     reach = corner.longest + margin
     near = (boxes[:, 0] <= corner.place + reach) & (boxes[:, 1] >= corner.place - reach)
@@ -280,9 +284,11 @@ def _samples(piece: Piece) -> Floats:
     return np.linspace(piece.start, piece.end, max(2, int(piece.end - piece.start)))
 
 
-def _fillet(
+def rounded_at(
     corner: Corner, radius: float, placed: Sequence[Placed], pieces: dict[int, Piece]
 ) -> Fillet:
+    """A corner with a radius in px; its pieces' numbers are those of ``placed``, what is left of
+    them so far in ``pieces``."""
     begin = radius / np.tan(corner.half)
     cut: list[tuple[int, Piece]] = []
     touching = []
@@ -297,7 +303,8 @@ def _fillet(
     if (high - low) % circle.around > circle.around / 2:
         low, high = high, low
     sure = min(piece.confidence for _, piece in cut)
-    arc = Piece(low, low + (high - low) % circle.around, Linetype.VISIBLE, sure)
+    linetype = cut[0][1].linetype
+    arc = Piece(low, low + (high - low) % circle.around, linetype, sure)
     return Fillet((cut[0], cut[1]), (circle, arc))
 
 

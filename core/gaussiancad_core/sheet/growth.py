@@ -38,7 +38,13 @@ _BESIDE = 0.5
 _FRESH = 0.35
 """Share of a shape's points that no better shape may have taken."""
 
-_ENOUGH = 14
+_FIRM = 0.35
+"""px from an arc's centre line up to which a point is certainly no line's that touches the arc."""
+
+_TOUCHING = 1.2
+"""px by which a line may miss or cut a circle that it touches."""
+
+_ENOUGH = 7
 """Free points that are enough for a line: two circles that it joins take most of a short
 one's."""
 
@@ -200,11 +206,15 @@ def _chosen(shapes: list[Grown], ridges: RidgePoints, shortest: int) -> list[Gro
     heapq.heapify(queue)
     free = np.ones(len(ridges.points), dtype=bool)
     in_circle = np.zeros(len(ridges.points), dtype=bool)
+    loose = np.full(len(ridges.points), -1)
     chosen = []
     while queue:
         score, k = heapq.heappop(queue)
         members = shapes[k].members
         left = free[members]
+        if isinstance(shapes[k].geometry, Line):
+            # A short line between two arcs that it touches has few points that they leave.
+            left = left | _is_touched(shapes[k].geometry, loose[members], shapes)
         enough = _FRESH * len(members)
         if isinstance(shapes[k].geometry, Line) and in_circle[members[~left]].all():
             enough = min(enough, _ENOUGH)
@@ -214,10 +224,26 @@ def _chosen(shapes: list[Grown], ridges: RidgePoints, shortest: int) -> list[Gro
         if current > score:
             heapq.heappush(queue, (current, k))
             continue
-        in_circle[members[left]] = isinstance(shapes[k].geometry, Circle)
+        is_arc = isinstance(shapes[k].geometry, Circle)
+        in_circle[members[left]] = is_arc
+        own = shapes[k].geometry.distances(ridges.points[members]) <= _FIRM
+        loosely = is_arc & ~own & (free | (loose >= 0))[members]
+        loose[members] = np.where(loosely, k, -1)
         free[members] = False
         chosen.append(shapes[k])
     return chosen
+
+
+def _is_touched(
+    line: Line, circles: npt.NDArray[np.int64], shapes: list[Grown]
+) -> npt.NDArray[np.bool_]:
+    """Of (n,) numbers of circles, -1 for none, whether a line touches each."""
+    touched = np.zeros(len(circles), dtype=bool)
+    for k in np.unique(circles[circles >= 0]):
+        circle = shapes[k].geometry
+        away = float(line.distances(np.array([circle.centre]))[0])
+        touched |= (circles == k) & (abs(away - circle.radius) <= _TOUCHING)
+    return touched
 
 
 def _bonus(grown: Grown, points: Floats) -> float:

@@ -149,7 +149,7 @@ def _runs(field: InkField, points: Floats, directions: Floats, along: Floats) ->
     foreign = clear & (agreement <= (2 * _MAX_TURN**2 - 1) * strength)
     own = clear & ~foreign
     runs = []
-    for inked_span in _spans(inked):
+    for inked_span in runs_of_ink(inked):
         span = _own_span(inked_span, own, foreign, field.stroke_width)
         if span is not None:
             runs.append(Run(float(along[span[0]]), float(along[span[1]])))
@@ -201,7 +201,7 @@ def _with_vague_ends(
     return np.arange(first, last + 1)
 
 
-def _spans(flags: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
+def runs_of_ink(flags: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
     """First and last index of each stretch of True."""
     padded = np.concatenate([[False], flags, [False]]).astype(np.int8)
     edges = np.flatnonzero(np.diff(padded))
@@ -355,7 +355,7 @@ def _is_bridged(
     tangents = geometry.tangents_at(along)
     normals = np.stack([-tangents[:, 1], tangents[:, 0]], 1)
     inked = _inked(field, geometry.points_at(along), normals)
-    blank = max(((last - first) * STEP for first, last in _spans(~inked)), default=0.0)
+    blank = max(((last - first) * STEP for first, last in runs_of_ink(~inked)), default=0.0)
     return blank <= widest_gap(rhythm) and bool(inked.mean() > _BRIDGE_INK)
 
 

@@ -24,8 +24,9 @@ from gaussiancad_core.sheet.explained import (
     told_linetypes,
     with_dashes_beside,
 )
-from gaussiancad_core.sheet.fillets import find_fillets, is_chord
+from gaussiancad_core.sheet.fillets import Fillet, find_fillets, is_chord
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
+from gaussiancad_core.sheet.hidden_fillets import find_hidden_fillets
 from gaussiancad_core.sheet.jogs import find_jogs
 from gaussiancad_core.sheet.junctions import (
     FULL_TURN,
@@ -49,6 +50,7 @@ from gaussiancad_core.sheet.shapes import (
     refit_circle,
 )
 from gaussiancad_core.sheet.slanted_dashes import with_slanted_dashes
+from gaussiancad_core.sheet.touching import ended_where_lines_touch, up_to_tangents
 from gaussiancad_core.sheet.tracing import trace_remainder
 from gaussiancad_core.sheet.view_shapes import MIN_SAGITTA, ViewShapes, radius_of
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
@@ -69,6 +71,7 @@ def classify_strokes(
     order = sorted(view.shapes, key=lambda shape: -shape.support)
     # Along the flat sides of ellipses run lines that are none.
     joins = not any(isinstance(shape.geometry, WholeEllipse) for shape in order)
+    lines = [(own.geometry, own.runs) for own in order if isinstance(own.geometry, Line)]
     known = explained
     for index, shape in enumerate(order):
         # Of two that share their ink neither explains the other's.
@@ -77,7 +80,8 @@ def classify_strokes(
         elif known is explained or not order[index - 1].twin:
             known = explained.copy()
         runs = [(run, None) for run in shape.runs]
-        if pens is not None and pens.told:
+        # The ink of twins is as wide as both.
+        if pens is not None and pens.told and not shape.twin:
             runs = told_by_width(view.sheet, shape.geometry, shape.runs, pens)
         fresh = [
             (run, kind)
@@ -100,8 +104,10 @@ def classify_strokes(
             found = _closed(shape.geometry, found, rhythm)
         for piece in found:
             pieces.append((shape.geometry, piece))
-            explained.add(shape.geometry, piece)
+            own = up_to_tangents(shape.geometry, piece, lines, view.sheet.stroke_width)
+            explained.add(shape.geometry, own)
     pieces = without_shadows(pieces, view.sheet.stroke_width)
+    pieces = ended_where_lines_touch(pieces, view.sheet.stroke_width)
     pieces += find_corner_dashes(pieces, view.sheet, rhythm)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     pieces += find_jogs(ended, view.sheet)
@@ -110,7 +116,9 @@ def classify_strokes(
     parted = parted_at_corners(ended, view.sheet, rhythm)
     if len(parted) > len(ended):
         ended = ended_at_junctions(parted, rhythm, view.sheet.stroke_width)
-    ended = _with_fillets(ended, view.sheet, explained)
+    rounded = find_fillets(view.sheet.weight, ended, view.sheet.stroke_width)
+    ended = _with_fillets(ended, rounded, explained)
+    ended = _with_fillets(ended, find_hidden_fillets(ended, view.sheet, rhythm), explained)
     ended = with_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
     ended = with_slanted_dashes(ended, view.sheet, rhythm)
     # Strokes that were drawn out to a junction explain the ink up to there.
@@ -182,11 +190,11 @@ def _refitted(pieces: list[Placed], ended: list[Placed], sheet: CleanSheet) -> l
     ]
 
 
-def _with_fillets(ended: list[Placed], sheet: CleanSheet, explained: Explained) -> list[Placed]:
+def _with_fillets(ended: list[Placed], fillets: list[Fillet], explained: Explained) -> list[Placed]:
     """The pieces with the arcs that round their corners; what was taken for a chord goes."""
     rounded = list(ended)
     arcs: list[Placed] = []
-    for fillet in find_fillets(sheet.weight, ended, sheet.stroke_width):
+    for fillet in fillets:
         for index, piece in fillet.pieces:
             rounded[index] = (rounded[index][0], piece)
         arcs.append(fillet.arc)

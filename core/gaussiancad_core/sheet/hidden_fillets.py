@@ -1,0 +1,183 @@
+"""Small fillets of hidden lines: corners whose dashes lie on an arc, not on the lines.
+
+A hidden arc of a few px shows as a dash or two, too few points to be grown.  As in
+:mod:`gaussiancad_core.sheet.fillets` all is known of it but the radius.  Where the gaps between
+dashes lie is not known, so only ink counts that is drawn off the strokes, and how far these are
+blank at a stretch.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.corner_dashes import longest_blank
+from gaussiancad_core.sheet.corners import Corner, from_cut, from_fillet, from_joins
+from gaussiancad_core.sheet.fillets import (
+    AROUND,
+    Fillet,
+    best_of,
+    boxes_of,
+    open_corners,
+    others_near,
+    pixels_around,
+    rounded_at,
+    straight_ends,
+)
+from gaussiancad_core.sheet.jogs import distance_to
+from gaussiancad_core.sheet.junctions import Placed
+from gaussiancad_core.sheet.leftover import dash_pen
+from gaussiancad_core.sheet.pen import Pen
+from gaussiancad_core.sheet.runs import Rhythm
+from gaussiancad_core.sheet.shapes import radial_profile, sample
+from gaussiancad_core.views import Linetype
+
+Floats = npt.NDArray[np.float64]
+
+_SMALLEST = 2.5
+"""Stroke widths of a radius from which an arc leaves its corner clearly."""
+
+_FOREIGN = 0.1
+"""Ink beyond a stroke's own that is not counted: paper and blur."""
+
+_BETTER, _THAN_OTHER = 0.2, 0.5
+"""Share of a sharp corner's squared error that a round or cut one may have, and of the other's."""
+
+_LEAST_INK = 0.2
+"""Squared ink, in full pixels, off a sharp corner at least: a part of a dash."""
+
+_BLANK, _WITHOUT = 1.35, 1.3
+"""Gaps of the dashes that an arc is blank for at a stretch at most, a sharp corner at least."""
+
+_ROUNDS, _NEAR = 4, 1.2
+"""How often an arc is fitted to the ink, and px from it within which ink is its own."""
+
+_MET = 1.0
+"""px beyond half a stroke within which another stroke has the corner."""
+
+_DARK, _STEP = 0.5, 0.5
+"""Weight from which a place is ink, and px between the places that are looked at."""
+
+
+def find_hidden_fillets(
+    placed: Sequence[Placed], sheet: CleanSheet, rhythm: Rhythm
+) -> list[Fillet]:
+    """The round corners between the ends of hidden straight pieces.
+
+    Args:
+        placed: pieces with their ends at junctions; px, pixel centres at integers.
+        sheet: the ink.
+        rhythm: of its dashes.
+    """
+    ends = straight_ends(placed, Linetype.HIDDEN)
+    corners = [
+        corner
+        for corner in open_corners(ends, placed)
+        if not _is_met(corner, placed, sheet.stroke_width)
+    ]
+    if not corners:
+        return []
+    pen = dash_pen(placed, sheet)
+    boxes = boxes_of(placed)
+    pieces = dict(enumerate(piece for _, piece in placed))
+    found: list[Fillet] = []
+    taken: set[tuple[int, bool]] = set()
+    for corner in corners:
+        keys = {(end.index, end.at_start) for end in (corner.first, corner.second)}
+        if keys & taken:
+            continue
+        others = others_near(corner, placed, boxes, pen.width + 2.0 * AROUND)
+        radius = _radius(corner, others, pen, sheet, rhythm.gap)
+        if radius is None:
+            continue
+        taken |= keys
+        fillet = rounded_at(corner, radius, placed, pieces)
+        pieces.update(fillet.pieces)
+        found.append(fillet)
+    return found
+
+
+def _is_met(corner: Corner, placed: Sequence[Placed], stroke_width: float) -> bool:
+    """Whether another stroke runs through a corner or ends there."""
+    own = (corner.first.index, corner.second.index)
+    near = stroke_width / 2.0 + _MET
+    return any(
+        distance_to(other, corner.place) <= near
+        for index, other in enumerate(placed)
+        if index not in own
+    )
+
+
+def _dark(points: Floats, sheet: CleanSheet) -> npt.NDArray[np.bool_]:
+    return sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > _DARK
+
+
+def _radius(
+    corner: Corner, others: Sequence[Placed], pen: Pen, sheet: CleanSheet, gap: float
+) -> float | None:
+    """The radius whose arc has the ink at a corner, None if it is sharp or cut."""
+    most = corner.longest * float(np.tan(corner.half))
+    least = _SMALLEST * pen.width
+    if most <= least:
+        return None
+    offsets, ink = pixels_around(sheet.weight, corner, others, pen)
+    if not len(ink):
+        return None
+
+    def error(distance: Floats) -> float:
+        return float((np.maximum(ink - pen.ink(distance) - _FOREIGN, 0.0) ** 2).sum())
+
+    def rounded(radius: float) -> float:
+        return error(from_fillet(corner, offsets, radius))
+
+    sharp = min(error(distance) for distance in from_joins(corner, offsets))
+    if sharp < _LEAST_INK:
+        return None
+    radius = best_of(rounded, np.arange(least, most + 0.5, 1.0))
+    best = rounded(radius)
+    cuts = np.arange(1.0, corner.longest, 0.5)
+    cut = min(error(from_cut(corner, offsets, float(length))) for length in cuts)
+    if best > _BETTER * sharp or best > _THAN_OTHER * cut:
+        return None
+    radius = _refined(radius, corner, sheet)
+    if not least <= radius <= most:
+        return None
+    begin = radius / np.tan(corner.half)
+    legs = np.linspace(0.0, begin, max(2, int(np.ceil(begin / _STEP))))[:, None]
+    way = [corner.place + legs * end.inward for end in (corner.first, corner.second)]
+    half = np.pi / 2.0 - corner.half
+    count = max(2, int(np.ceil(2.0 * half * radius / _STEP)))
+    arc = _facing(corner, radius, np.linspace(-half, half, count))
+    blank = [_blank(own, sheet) for own in (np.concatenate([way[0][::-1], way[1]]), arc)]
+    return radius if blank[0] >= _WITHOUT * gap and blank[1] <= _BLANK * gap else None
+
+
+def _facing(corner: Corner, radius: float, angles: Floats) -> Floats:
+    """(n,) angles from a corner's direction -> (n, 2) px on the arc that rounds it."""
+    circle = corner.circle(radius)
+    middle = float(np.arctan2(-corner.bisector[1], -corner.bisector[0]))
+    return circle.points_at(radius * (middle + angles))
+
+
+def _blank(points: Floats, sheet: CleanSheet) -> float:
+    """px without ink at a stretch along a way, at most."""
+    return longest_blank(_dark(points, sheet)) * _STEP
+
+
+def _refined(radius: float, corner: Corner, sheet: CleanSheet) -> float:
+    """The radius whose arc runs through the middle of the dashes, by least squares."""
+    half = np.pi / 2.0 - corner.half
+    for _ in range(_ROUNDS):
+        angles, radii = radial_profile(sheet, corner.circle(radius), sheet.stroke_width / 2 + 1.5)
+        middle = float(np.arctan2(-corner.bisector[1], -corner.bisector[0]))
+        off = np.mod(angles - middle + np.pi, 2.0 * np.pi) - np.pi
+        # By how much a larger radius moves the arc outward there: it touches the lines.
+        outward = 1.0 - np.cos(off) / np.sin(corner.half)
+        residual = radii - radius
+        own = (np.abs(off) < half) & (np.abs(residual) < _NEAR)
+        if not own.any():
+            return radius
+        weight = float((outward[own] ** 2).sum())
+        radius += float((outward[own] * residual[own]).sum()) / max(weight, 1e-9)
+    return radius
