@@ -16,6 +16,7 @@ from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.runs import Rhythm, Run
 from gaussiancad_core.sheet.shapes import sample
+from gaussiancad_core.sheet.uneven_twins import uneven_twins
 from gaussiancad_core.sheet.view_shapes import Shape, ViewShapes
 
 Floats = npt.NDArray[np.float64]
@@ -38,6 +39,9 @@ _EVEN_PX = 0.35
 
 _PARALLEL = 0.99
 """Cosine of the angle between lines that run beside each other, at least."""
+
+_SAME = 0.5
+"""px between two lines that are one."""
 
 _REACH, _BLANK = 1.8, 0.1
 """How far on either side of a line, in stroke widths, only its own ink is; ink of paper."""
@@ -69,16 +73,40 @@ def with_twins(views: Sequence[ViewShapes], rhythm: Rhythm) -> list[ViewShapes]:
         return list(views)
     pen = np.median(known[by_pen], axis=0)
     return [
-        replace(
-            view,
-            shapes=tuple(
-                twin
-                for shape, dashes in zip(view.shapes, of_view, strict=True)
-                for twin in _twins(shape, dashes, pen, view)
-            ),
-        )
-        for view, of_view in zip(views, measured, strict=True)
+        replace(view, shapes=_parted(view, dashes, pen, rhythm))
+        for view, dashes in zip(views, measured, strict=True)
     ]
+
+
+def _parted(
+    view: ViewShapes, measured: Sequence[Floats], pen: Floats, rhythm: Rhythm
+) -> tuple[Shape, ...]:
+    """The shapes of a view with those that are two lines as two."""
+    shapes: list[Shape] = []
+    pairs: list[tuple[Shape, Shape]] = []
+    for shape, dashes in zip(view.shapes, measured, strict=True):
+        for even in _twins(shape, dashes, pen, view):
+            pair = uneven_twins(even, view.sheet, float(pen[0]), rhythm)
+            # Ink that goes to and fro gives several lines, one of which is enough.
+            if pair is None or not any(_is_same(pair, other) for other in pairs):
+                shapes += pair or (even,)
+            if pair is not None:
+                pairs.append(pair)
+    return tuple(shapes)
+
+
+def _is_same(pair: tuple[Shape, Shape], other: tuple[Shape, Shape]) -> bool:
+    """Whether two lines are another two."""
+    return all(
+        any(
+            theirs.geometry.distances(
+                own.geometry.points_at(np.array([own.runs[0].start, own.runs[-1].end]))
+            ).max()
+            < _SAME
+            for theirs in other
+        )
+        for own in pair
+    )
 
 
 def _dashes(view: ViewShapes, shape: Shape, rhythm: Rhythm) -> Floats:

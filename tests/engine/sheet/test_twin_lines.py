@@ -8,7 +8,7 @@ import pytest
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.strokes import classify_strokes
 from gaussiancad_core.sheet.twin_lines import with_twins
-from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
+from gaussiancad_core.sheet.view_shapes import find_shapes, view_pens, view_rhythm
 from gaussiancad_core.views import Linetype
 
 Sketch = Any
@@ -59,3 +59,33 @@ def test_where_pens_differ_no_line_is_two(sketch: Sketch) -> None:
     for k, width in enumerate((1.4, 2.0, 2.8, 3.6)):
         drawn.broken((22, 50 + 40 * k), (298, 50 + 40 * k), RHYTHM, width)
     assert len(_levels(drawn)) == 4
+
+
+@pytest.mark.parametrize("apart", [1.0, 1.4, 1.8])
+@pytest.mark.parametrize("shift", [4.0, 5.0, 9.0, 12.0])
+def test_two_lines_whose_dashes_fill_each_others_gaps(
+    sketch: Sketch, apart: float, shift: float
+) -> None:
+    """The one ends before the other; together their ink has no gaps."""
+    drawn = _plate(sketch).broken((22, 120), (298, 120), RHYTHM)
+    drawn.broken((22 + shift, 120 + apart), (260, 120 + apart), RHYTHM)
+    found = _levels(drawn)
+    assert found == pytest.approx([50.0, 120.0, 120.0 + apart, 190.0], abs=0.25)
+    assert _visible(drawn) == 4
+
+
+def test_a_line_that_is_visible_in_its_middle_is_one(sketch: Sketch) -> None:
+    """A wide pen where it is visible, a narrow one where it is hidden."""
+    drawn = _plate(sketch).broken((22, 120), (298, 120), RHYTHM)
+    drawn.line((94, 120.4), (202, 120.4), 3.0)
+    assert _visible(drawn) == 5
+
+
+def _visible(drawn: Sketch) -> int:
+    """How many visible lines are read."""
+    sheet = clean_sheet(drawn.grey)
+    view = find_shapes(sheet, BOX)
+    rhythm = view_rhythm([view], sheet.stroke_width)
+    views = with_twins([view], rhythm)
+    strokes = classify_strokes(views[0], rhythm, view_pens(views, rhythm))
+    return sum(own.linetype is Linetype.VISIBLE for own in strokes)
