@@ -34,6 +34,9 @@ _ABUTTING = 0.75
 _ROUNDS = 3
 """How often strokes are ended where the others were seen, or last found, to end."""
 
+_BLANK_END = 1.2
+"""Stroke widths of a last dash that is too short to be seen, which a gap goes before."""
+
 _CORNER = 2.0
 """Stroke widths by which a hidden piece ends rather in a corner than in a stroke that runs past."""
 
@@ -86,7 +89,14 @@ def _ended(
             crossings = [
                 crossing
                 for other, stretch in others
-                for crossing in crossings_with(geometry, piece, other, stretch, stroke_width)
+                for crossing in crossings_with(
+                    geometry,
+                    piece,
+                    other,
+                    stretch,
+                    stroke_width,
+                    blank=_blank_end(piece, stretch, rhythm, stroke_width),
+                )
             ]
             ended.append(_end_at(piece, crossings, rhythm))
             ended[-2:] = _parted(ended[-2:], crossings, rhythm)
@@ -96,6 +106,14 @@ def _ended(
             ended[-1], ended[0] = last, _moved(first, -geometry.around)
         moved += [(geometry, piece) for piece in _joined(ended)]
     return moved
+
+
+def _blank_end(piece: Piece, stretch: Piece, rhythm: Rhythm, stroke_width: float) -> float:
+    """px by which the end of a hidden stretch may not be seen where another hidden one ends: many
+    programs start dashes at one end of a line, and leave off at the other wherever they are."""
+    if piece.linetype is stretch.linetype is Linetype.HIDDEN:
+        return rhythm.gap + _BLANK_END * stroke_width
+    return 0.0
 
 
 def is_full_circle(geometry: Geometry, piece: Piece) -> bool:
@@ -171,9 +189,16 @@ def _joined(pieces: list[Piece]) -> list[Piece]:
 
 
 def crossings_with(
-    geometry: Geometry, piece: Piece, other: Geometry, stretch: Piece, stroke_width: float
+    geometry: Geometry,
+    piece: Piece,
+    other: Geometry,
+    stretch: Piece,
+    stroke_width: float,
+    *,
+    blank: float = 0.0,
 ) -> list[Crossing]:
-    """Where along ``geometry`` a stretch of another shape meets it."""
+    """Where along ``geometry`` a stretch of another shape meets it, whose ends may be seen so many
+    px before where they are."""
     half = stroke_width / 2
     reach = half
     if isinstance(geometry, Line) and isinstance(other, Line):
@@ -194,7 +219,7 @@ def crossings_with(
         reach = _shared_by_circles(points, geometry, other, half)
     else:
         return []
-    slack = max(stroke_width, reach) + 2.0
+    slack = max(stroke_width, reach, blank) + 2.0
     found = []
     for point in points:
         place = _position(other, point, stretch)

@@ -40,8 +40,26 @@ _LONGEST_BRIDGE, _BRIDGE_INK = 3.5, 0.35
 """Dashes with their gaps that others may cover in a row, and the share of ink that is there."""
 
 
+_OPEN = 0.4
+"""Share of a circle beside one piece of it at most that others' ink closes."""
+
 _BY_WIDTH = 0.8
 """Confidence of a linetype that the width of a short run tells."""
+
+
+_LONGEST_JOINT = 2.2
+"""Dashes that a run is long at most of which one ends where another begins: where the lines of two
+edges meet, or a circle its own beginning."""
+
+_IN_STEP, _MOST_STEPS = 0.12, 4.3
+"""Share of a dash and its gap by which dashes on both sides may be out of step, and such steps from
+one to the other at most, for what is between to be dashes, too."""
+
+_EVEN_GAP = (0.4, 1.6)
+"""Share of the sheet's gap that such a run has beside it, at least and at most."""
+
+_JOINT = 0.6
+"""Confidence that it is hidden."""
 
 
 @dataclass(frozen=True)
@@ -269,6 +287,8 @@ def classify(
 
     for index, run in enumerate(runs):
         narrow = bool(told) and told[index] is Linetype.HIDDEN
+        wide = bool(told) and told[index] is Linetype.VISIBLE
+        narrow |= not wide and _is_joint(runs, index, rhythm, around)
         if run.length > longest_dash and not narrow:
             close_group()
             sure = min(1.0, 0.5 + (run.length / longest_dash - 1.0))
@@ -283,6 +303,39 @@ def classify(
         group.append(index)
     close_group()
     return _extend_hidden(pieces, 1.8 * rhythm.gap + 1.0, around)
+
+
+def _is_joint(runs: list[Run], index: int, rhythm: Rhythm, around: float) -> bool:
+    """Whether a run is dashes in a row: the last of one edge and the first of the next, as programs
+    begin each edge with a dash, or some whose gaps others fill."""
+    run = runs[index]
+    before, after = _neighbours(runs, index, around)
+    starts = before is not None and _is_dash_beside(before, run.start - before.end, rhythm)
+    ends = after is not None and _is_dash_beside(after, after.start - run.end, rhythm)
+    if starts and ends:
+        turns = (after.start - before.start) / (rhythm.dash + rhythm.gap)
+        in_step = abs(turns - round(turns)) < _IN_STEP and turns < _MOST_STEPS
+        return in_step or run.length <= _LONGEST_JOINT * rhythm.dash
+    # Where a curve goes on as its tangent, so does its last dash.
+    last = (starts and after is None) or (ends and before is None)
+    return last and bool(np.isfinite(around)) and run.length <= 2.0 * rhythm.dash
+
+
+def _is_dash_beside(run: Run, gap: float, rhythm: Rhythm) -> bool:
+    low, high = _EVEN_GAP
+    return run.length <= 1.75 * rhythm.dash and low * rhythm.gap <= gap <= high * rhythm.gap
+
+
+def _neighbours(runs: list[Run], index: int, around: float) -> tuple[Run | None, Run | None]:
+    """The runs before and after one; on a curve those beyond its beginning, if they are near."""
+    before = runs[index - 1] if index else None
+    after = runs[index + 1] if index + 1 < len(runs) else None
+    if np.isfinite(around) and len(runs) > 2:
+        first, last = runs[0], runs[-1]
+        if first.start + around - last.end < around / 4.0:
+            before = before or Run(last.start - around, last.end - around)
+            after = after or Run(first.start + around, first.end + around)
+    return before, after
 
 
 def _is_cut(runs: list[Run], index: int) -> bool:
@@ -321,8 +374,8 @@ def bridged(
     if joined and np.isfinite(geometry.around):
         first, last = joined[0], joined[-1]
         over = replace(first, start=first.start + geometry.around, end=first.end + geometry.around)
-        # One piece that others' ink would close is more than half of what it closes to.
-        most = longest if len(joined) > 1 else min(longest, geometry.around / 2.0)
+        # One piece that others' ink would close is most of what it closes to.
+        most = longest if len(joined) > 1 else min(longest, _OPEN * geometry.around)
         if _is_bridged(field, geometry, (last, over), rhythm, most):
             # One piece that reaches its own beginning goes once around.
             end = over.end if len(joined) > 1 else over.start
@@ -379,7 +432,8 @@ def _extend_hidden(pieces: list[Piece], reach: float, around: float) -> list[Pie
     """Let a dashed piece end where the solid piece beside it starts."""
     extended = list(pieces)
     for index, piece in enumerate(pieces):
-        if piece.linetype is not Linetype.HIDDEN:
+        # On a curve a lone piece is beside itself.
+        if piece.linetype is not Linetype.HIDDEN or len(pieces) < 2:
             continue
         start, end = piece.start, piece.end
         before = pieces[index - 1].end if index else pieces[-1].end - around

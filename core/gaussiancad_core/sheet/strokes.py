@@ -55,6 +55,9 @@ from gaussiancad_core.sheet.tracing import trace_remainder
 from gaussiancad_core.sheet.view_shapes import MIN_SAGITTA, ViewShapes, radius_of
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
+_OPEN = 0.4
+"""Share of a circle that is blank at most: dashes at a corner lie on many small circles."""
+
 
 def classify_strokes(
     view: ViewShapes, rhythm: Rhythm, pens: Pens | None = None
@@ -144,6 +147,7 @@ def _closed(curve: Curve, pieces: list[Piece], rhythm: Rhythm) -> list[Piece]:
     if len(pieces) == 1:
         piece = pieces[0]
         slack = 2.5 * rhythm.gap + 1.0 if piece.linetype is Linetype.HIDDEN else 6.0
+        slack = min(slack, _OPEN * around)
         if around - (piece.end - piece.start) <= slack:
             return [replace(piece, end=piece.start + around)]
     elif len(pieces) == 2 and pieces[0].linetype is pieces[1].linetype is Linetype.HIDDEN:

@@ -147,3 +147,18 @@ def test_arcs_that_touch_end_where_they_touch(off: float) -> None:
     assert found[1] == pytest.approx(60.0)
     (found,) = _of(other, [(one, upper), (other, lower)])
     assert _ends(other, found)[0] == pytest.approx((40.0, 0.0), abs=1e-6)
+
+
+@pytest.mark.parametrize("seen", [(92.0, 8.0), (94.0, 6.0), (100.0, 0.0)])
+def test_hidden_lines_meet_in_a_corner_where_neither_has_ink(seen: tuple[float, float]) -> None:
+    """The gap of one or of both is at their corner, as programs leave it."""
+    level, upright = _hidden(0.0, seen[0]), _hidden(seen[1], 50.0)
+    corner = _upright(100.0)
+    pieces = [(LEVEL, level), (corner, upright)]
+    assert _of(LEVEL, pieces)[0][1] == pytest.approx(100.0)
+    assert _of(corner, pieces)[0][0] == pytest.approx(0.0)
+
+
+def test_a_hidden_line_does_not_reach_a_visible_one_that_ends_far_before_it() -> None:
+    pieces = [(LEVEL, _hidden(0.0, 92.0)), (_upright(100.0), _visible(8.0, 50.0))]
+    assert _of(LEVEL, pieces)[0][1] == pytest.approx(92.0)
