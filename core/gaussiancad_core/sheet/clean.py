@@ -51,6 +51,25 @@ _NOISE = 4.0
 More would be cut off one side of a smooth stroke than off the other, and shift its centre.
 """
 
+_EVEN_PAPER = 2.0
+"""Grey levels of the paper's own darkness up to which a sheet was plotted and not scanned."""
+
+_PALE = 0.7
+"""Share of the ink's darkness up to which all of a stroke is pale; the smooth edges of thin dark
+strokes come in all shades, and now and then as one that is darker."""
+
+_ONE_SHADE = 0.1, 0.8
+"""Share of the ink's darkness by which pale strokes differ, and of their length that does not by
+more, at most and at least."""
+
+_THIN = 0.47
+"""Share of the ink's darkness that a dark stroke of one px has at least, wherever it lies."""
+
+_STRONG, _WIDE_PX = 0.75, 1.6
+"""Weight that a pale stroke is given, and px of width from which its ink bears it."""
+
+_LEAST_PALE_PX = 30
+"""px of pale strokes on a sheet at least."""
 
 Ink = npt.NDArray[np.bool_]
 """(h, w), True where there is ink."""
@@ -155,7 +174,38 @@ def _weight(grey: npt.NDArray[np.uint8], ink: Ink) -> npt.NDArray[np.float32]:
     blank = darkness[cv2.dilate(ink.astype(np.uint8), np.ones((5, 5), np.uint8)) == 0]
     noise = float(np.sqrt(np.mean(np.minimum(blank, 0.25 * full) ** 2))) if len(blank) else 0.0
     darkness[darkness < _NOISE * noise] = 0.0
-    return np.clip(darkness / max(full, 1.0), 0.0, 1.0)
+    weight = np.clip(darkness / max(full, 1.0), 0.0, 1.0)
+    # In the midst of much ink the paper is taken for darker than it is; noise is darker, too.
+    dark = np.clip(blank, 0.0, 0.25 * full)
+    plotted = not len(blank) or float(np.sqrt(np.mean(dark**2))) < _EVEN_PAPER
+    return _with_pale(weight, ink) if plotted else weight
+
+
+def _with_pale(weight: npt.NDArray[np.float32], ink: Ink) -> npt.NDArray[np.float32]:
+    """The weight with strokes of one pale shade as strong ones: many programs plot hidden lines or
+    dimensions in grey or in a light colour.
+
+    They stay a little paler than dark ones, so that their ink is as that of a narrower pen.
+    """
+    around = cv2.dilate(weight, np.ones((5, 5), np.float32))
+    middle = ink & (weight >= cv2.dilate(weight, np.ones((3, 3), np.float32)))
+    shades = weight[middle & (around < 0.5 * (1.0 + _PALE))]
+    if len(shades) < _LEAST_PALE_PX:
+        return weight
+    shade = float(np.median(shades))
+    apart, share = _ONE_SHADE
+    pale = float(np.mean(np.abs(shades - shade) <= apart)) >= share
+    if not pale or float(np.percentile(shades, 97.0)) > _PALE:
+        return weight
+    plateau = (np.abs(weight - shade) <= apart).astype(np.uint8)
+    if shade > _THIN and not cv2.erode(plateau, np.ones((3, 3), np.uint8)).any():
+        return weight
+    # Beside dark strokes the shade of a pixel says nothing.
+    beside = around <= _PALE
+    full = np.where(beside, np.minimum(weight / shade, 1.0), weight)
+    strokes = ink & beside
+    strong = _STRONG if _stroke_width(strokes, full * strokes) > _WIDE_PX else 1.0
+    return np.where(beside, strong * full, full).astype(np.float32)
 
 
 def _paper(grey: npt.NDArray[np.uint8]) -> npt.NDArray[np.float32]:

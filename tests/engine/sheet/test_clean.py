@@ -212,3 +212,45 @@ def test_a_texture_is_refused_before_it_is_read() -> None:
     with pytest.raises(NoModelError) as caught:
         upright_sheet(clean_sheet(image))
     assert caught.value.code == "not-a-line-drawing"
+
+
+@pytest.mark.parametrize(("shade", "width"), [(160, 2.0), (160, 3.0), (125, 4.0), (100, 4.0)])
+def test_pale_strokes_are_strokes(sketch: Sketch, shade: int, width: float) -> None:
+    """Programs plot hidden lines in grey; beside dark ones they are as pale as they were."""
+    dark = sketch(200, 160).lines((20, 20), (180, 20), (180, 140), (20, 140), (20, 20))
+    pale = sketch(200, 160).broken((60.3, 60), (150.3, 60), (10, 5), width)
+    pale.broken((60.3, 100), (150.3, 100), (10, 5), width)
+    grey = np.rint(255.0 - 255.0 * dark.weight - (255.0 - shade) * pale.weight).astype(np.uint8)
+    sheet = clean_sheet(grey)
+    expected = np.maximum(dark.weight, 0.75 * pale.weight)
+    assert np.abs(sheet.weight - expected).max() < 0.13
+    assert sheet.stroke_width == pytest.approx(2.8, abs=0.4)
+
+
+def test_thin_pale_strokes_are_full_ones(sketch: Sketch) -> None:
+    drawn = sketch(200, 160).lines((20, 20), (180, 20), (180, 140), (20, 140), (20, 20))
+    pale = sketch(200, 160).broken((60, 60), (150, 60), (10, 5), 1.0)
+    pale.broken((60, 100.4), (150, 100.4), (10, 5), 1.0)
+    grey = np.rint(255.0 - 255.0 * drawn.weight - 100.0 * pale.weight).astype(np.uint8)
+    weight = clean_sheet(grey).weight
+    assert weight[60, 65] == pytest.approx(1.0, abs=0.1)
+    assert weight[100, 65] > 0.6
+
+
+def test_thin_strokes_are_not_pale_ones(sketch: Sketch) -> None:
+    """A line of one px between two rows of pixels is half as dark as one on a row, and as wide."""
+    drawn = sketch(200, 160).lines((20, 20), (180, 20), (180, 140), (20, 140), (20, 20))
+    for y in (40.5, 60.25, 80.0, 100.5):
+        drawn.line((40, y), (160, y), 1.0)
+    weight = clean_sheet(drawn.grey).weight
+    assert weight[40:42, 100] == pytest.approx([0.5, 0.5], abs=0.1)
+    assert weight[100:102, 100] == pytest.approx([0.5, 0.5], abs=0.1)
+
+
+def test_what_shows_through_a_scan_stays_pale(sketch: Sketch) -> None:
+    dark = sketch(200, 160).lines((20, 20), (180, 20), (180, 140), (20, 140), (20, 20))
+    back = sketch(200, 160).line((50, 80), (150, 80))
+    noise = np.random.default_rng(1).normal(0.0, 6.0, dark.weight.shape)
+    grey = np.clip(250.0 - 250.0 * dark.weight - 60.0 * back.weight + noise, 0, 255)
+    sheet = clean_sheet(np.rint(grey).astype(np.uint8))
+    assert sheet.weight[78:83, 60:140].max() < 0.5
