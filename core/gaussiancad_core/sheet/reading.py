@@ -159,10 +159,7 @@ def _separated_views(
     for way in ways:
         tried = way()
         try:
-            stub = _STUB * tried.part.stroke_width
-            tried, layout = find_named_layout(sheet, tried, LayoutRequest(given, projection, stub))
-            if not given:
-                _require_largest(layout)
+            tried, layout = _named_layout(sheet, tried, given, projection)
         except NoModelError as error:
             first = first or error
             continue
@@ -174,6 +171,32 @@ def _separated_views(
     if best is None:
         raise first
     return best
+
+
+def _named_layout(
+    sheet: CleanSheet,
+    separated: SeparatedSheet,
+    given: dict[Role, Box],
+    projection: Projection | None,
+) -> tuple[SeparatedSheet, Layout]:
+    """The views, without what sticks out of them where that alone makes them belong together."""
+    request = LayoutRequest(given, projection, _STUB * separated.part.stroke_width)
+    failed: NoModelError | None = None
+    found: tuple[SeparatedSheet, Layout] | None = None
+    for figures in (False, True):
+        try:
+            own = find_named_layout(sheet, separated, replace(request, figures=figures))
+            if not given:
+                _require_largest(own[1])
+        except NoModelError as error:
+            failed = failed or error
+            continue
+        if given or _is_whole(own[1]):
+            return own
+        found = found or own
+    if found is None:
+        raise failed
+    return found
 
 
 def _require_largest(layout: Layout) -> None:

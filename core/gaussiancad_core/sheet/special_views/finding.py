@@ -6,7 +6,10 @@ import cv2
 import numpy as np
 
 from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.sheet.annotations.erase import masked
+from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.layout import (
@@ -16,6 +19,7 @@ from gaussiancad_core.sheet.layout import (
     view_clusters,
 )
 from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.silhouettes import beside, without_stickouts
 from gaussiancad_core.sheet.special_views.broken import Break, find_breaks
 from gaussiancad_core.sheet.special_views.halves import Half, completed, find_halves
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
@@ -35,11 +39,13 @@ class LayoutRequest:
         given: boxes that were named, in px of the upright sheet.
         projection: or nothing.
         stub_width: px; single lines up to this width that stick out of a view do not count.
+        figures: whether nothing counts that sticks out of a view's filled figure.
     """
 
     given: dict[Role, Box]
     projection: Projection | None
     stub_width: float = 0.0
+    figures: bool = False
 
 
 def find_named_layout(
@@ -64,6 +70,8 @@ def find_named_layout(
         UsageError: a given box holds no ink.
     """
     clusters = view_clusters(separated.part.ink, request.stub_width)
+    if request.figures:
+        separated, clusters = _figures(separated, clusters)
     breaks = find_breaks(sheet.ink, clusters, sheet.stroke_width)
     for broken in breaks:
         separated = _restored(sheet, separated, broken)
@@ -101,6 +109,22 @@ def find_named_layout(
     special += threads
     rest = [box for box in rest if box not in whole]
     return separated, replace(layout, left_out=tuple(rest), special=tuple(special))
+
+
+def _figures(separated: SeparatedSheet, clusters: list[Box]) -> tuple[SeparatedSheet, list[Box]]:
+    """The sheet without what sticks out of filled figures, and the boxes of these."""
+    part = separated.part
+    figures = without_stickouts(clusters, part.ink, part.stroke_width)
+    marks = list(separated.marks)
+    for cluster, figure in zip(clusters, figures, strict=True):
+        for strip in beside(cluster, figure):
+            x0, y0, x1, y1 = (int(value) for value in strip)
+            kept = np.ones(part.ink.shape, dtype=bool)
+            kept[y0:y1, x0:x1] = False
+            if (part.ink & ~kept).any():
+                part = masked(part, kept)
+                marks.append(Mark(AnnotationKind.DIMENSION, strip))
+    return replace(separated, part=part, marks=tuple(marks)), figures
 
 
 def _completed(
