@@ -29,7 +29,7 @@ of a pixel, and what is one over the views has been made equal."""
 
 _MEAN = 0.15
 """Least median of how far views contradict each other, as a share of the farthest: programs that
-place lines on a grid of quarter pixels draw most coordinates alike in two views, and wrong alike."""
+place lines on quarters of a pixel draw most coordinates alike in two views, and wrong alike."""
 
 TOLERANCE_PX = {StrokesSource.RASTER: 1.0, StrokesSource.PLOT: 0.3, StrokesSource.VECTOR: 0.05}
 """px by which lines of a sheet may miss where they belong, by where they come from."""

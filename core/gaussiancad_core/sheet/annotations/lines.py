@@ -34,6 +34,13 @@ _BREAK = 0.5
 _SHORT = 0.45
 """Length of the short dashes of a centre line, as a share of the long ones, at most."""
 
+_DOT = 3.0
+"""Length of what is a dot and no dash at most, in stroke widths."""
+
+_LONGEST = 12.0
+"""Length of a long dash at most, in the short ones beside it, where these are no dots (ISO 128-2
+has 24 widths beside dots, AutoCAD five times the short dash)."""
+
 _NOISE = 1.1
 """Share of the limit by which the width of something as short as a dash may be off."""
 
@@ -143,7 +150,7 @@ def kinds_of_runs(
             start, end = _long_short_part([run.run for run in group])
             # Where wide and narrow lines are told apart, a group is of one kind.
             part = group[start:end]
-            if part and (weights.limit or not _is_edge(shape, part, corners)):
+            if part and (weights.limit or not _is_edge(shape, part, corners, stroke_width)):
                 own[first + start : first + end] = [AnnotationKind.CENTRE_LINE] * (end - start)
         rest.append([run for run, kind in zip(shape.runs, own, strict=True) if kind is None])
     if not weights.limit:
@@ -231,9 +238,14 @@ def _is_regular(runs: Sequence[Run]) -> bool:
     return all(np.ptp(own) <= _UNEVEN * own.mean() for own in families if len(own))
 
 
-def _is_edge(shape: InkedShape, runs: Sequence[InkedRun], corners: Corners) -> bool:
+def _is_edge(
+    shape: InkedShape, runs: Sequence[InkedRun], corners: Corners, stroke_width: float
+) -> bool:
     """Whether long and short dashes are an edge and hidden lines that go on from it."""
-    return not _is_even(runs) or corners.has_end(shape.geometry, runs)
+    lengths = np.array([own.run.length for own in runs])
+    shortest = float(lengths.min())
+    too_long = shortest > _DOT * stroke_width and float(lengths.max()) > _LONGEST * shortest
+    return too_long or not _is_even(runs) or corners.has_end(shape.geometry, runs)
 
 
 def _is_even(runs: Sequence[InkedRun]) -> bool:

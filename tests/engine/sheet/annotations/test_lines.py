@@ -318,3 +318,14 @@ def test_hidden_dashes_that_lead_to_an_edge_are_no_centre_line() -> None:
     assert own == [None] * 4
     (even,) = kinds_of_runs([_shape(*((a, b, 2.0) for a, b, _ in pieces))], Weights(2.9, 0.0), 2.6)
     assert even == [CENTRE] * 4
+
+
+def test_an_edge_with_extension_lines_at_both_ends_is_no_centre_line() -> None:
+    """One dash between two lines that are far longer than any dash of a centre line."""
+    pieces = [(0.0, 159.0, 2.4), (163.5, 179.0, 2.4), (183.0, 653.0, 2.4)]
+    (own,) = kinds_of_runs([_shape(*pieces)], Weights(2.4, 0.0), 2.4)
+    assert own == [None] * 3
+    # Beside a dot a dash may be as long as standards have it.
+    dotted = [(0.0, 60.0, 2.4), (67.0, 69.0, 2.4), (76.0, 136.0, 2.4)]
+    (own,) = kinds_of_runs([_shape(*dotted)], Weights(2.4, 0.0), 2.4)
+    assert own == [CENTRE] * 3
