@@ -57,6 +57,30 @@ def sample_views(
 
 
 @pytest.fixture(scope="session")
+def pin_as_read(sample_views: "Callable[[str], DrawnViews]") -> "DrawnViews":
+    """The bored pin as read from a picture, 0.1 mm a pixel: the bore's rims in the front view are
+    arcs that nearly follow them, and reach beyond the outline."""
+    from dataclasses import replace
+    from math import pi, radians
+
+    from gaussiancad_core.axes import Role
+    from gaussiancad_core.drawing.strokes import Polyline
+    from gaussiancad_core.views import Arc, Linetype
+
+    views = sample_views("cross-bored-pin")
+    low = Arc((30.0, -17.54), 21.06, radians(55.2), radians(69.6), Linetype.VISIBLE)
+    high = replace(low, centre=(30.0, 61.54), start_angle=low.start_angle + pi)
+    strokes = {
+        role: tuple(
+            stroke for stroke in own if role is not Role.FRONT or not isinstance(stroke, Polyline)
+        )
+        for role, own in views.strokes.items()
+    }
+    strokes[Role.FRONT] += (low, high)
+    return replace(views, strokes=strokes, tolerance=0.1, apart=0.03)
+
+
+@pytest.fixture(scope="session")
 def viewed() -> "Callable[..., ViewSet]":
     """Views of a solid with its exact lines and its own shadows as masks, 0.1 mm a pixel."""
     import numpy as np

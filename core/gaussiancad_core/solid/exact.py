@@ -1,10 +1,9 @@
 """The exact solid of a drawing: reason, build, draw again, look for others."""
 
 import gc
-import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from math import inf
 
 from OCP.TopoDS import TopoDS_Shape
@@ -18,18 +17,18 @@ from gaussiancad_core.reasoning.conflict_lines import Conflict
 from gaussiancad_core.reasoning.conflicts import find_conflict
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.labelling import (
-    Effort,
     Labelling,
     Labels,
-    Search,
 )
-from gaussiancad_core.reasoning.open_outlines import with_closed_outlines
-from gaussiancad_core.reasoning.part import NEAR, PartModel, model_part, with_lone_bodies
-from gaussiancad_core.reasoning.rough_arcs import ROUGHLY, without_rough_arcs
+from gaussiancad_core.reasoning.part import (
+    PartModel,
+    model_part,
+)
 from gaussiancad_core.reasoning.solvers import Deadline
 from gaussiancad_core.reasoning.unsaid import with_unsaid
 from gaussiancad_core.solid.build import BuiltSolid, build_solid
 from gaussiancad_core.solid.labelled import LabelledSpace
+from gaussiancad_core.solid.models import Clock, Limits, Work, labelled
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.verify import Verification, verify
 
@@ -40,9 +39,8 @@ _COUNTING = 0.15
 _PATIENT = 0.25
 """Share of the time after which it is not asked any more which lines contradict each other."""
 
-_HARD, _OTHERWISE, _RELAXED, _OTHERS = 0.4, 0.55, 0.8, 0.9
-"""Shares of the time at which a step's solvers end: labels for all lines, for all with more
-surfaces, for most lines, others.  Machines that are not busy have done with them long before."""
+_OTHERS = 0.9
+"""Share of the time at which the search for others ends."""
 
 _UNLIKELY = 0.02
 """Share of the search for others that is left where neither lines nor labels agree: they may,
@@ -54,26 +52,6 @@ _UNBUILT = (
     "the cells that fit the lines best bound no closed solid: lines are missing or wrong",
 )
 _UNFINISHED = "search-unfinished", "the search for solids with these lines was not completed"
-
-
-@dataclass(frozen=True)
-class Limits:
-    """How far the search goes.
-
-    Attributes:
-        effort: of the labelling, deterministic.
-        alternatives: solids looked at beside the first.
-        relaxed: whether lines may be given up where all together fit no solid.
-        seconds: after which no further alternative is begun, and by which solvers have ended.
-        conflict: deterministic time for telling which lines contradict each other, where no solid
-            has all of them, lines may be given up, and a quarter of ``seconds`` is not over.
-    """
-
-    effort: Effort = field(default_factory=Effort)
-    alternatives: int = 8
-    relaxed: bool = True
-    seconds: float = 60.0
-    conflict: float = 2.0
 
 
 @dataclass(frozen=True)
@@ -148,14 +126,14 @@ def _uncollected() -> Iterator[None]:
 
 
 def _found(views: DrawnViews, limits: Limits) -> ExactResult:
-    clock = _Clock()
+    clock = Clock()
     try:
         part = model_part(views, deadline=clock.deadline(_OTHERS * limits.seconds))
     except LimitError as error:
         reason = error.code, error.message
         return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
     clock.lap("model")
-    work, labelling = _labelled(part, views, limits, clock)
+    work, labelling = labelled(part, views, limits, clock)
     clock.lap("label")
     result = _searched(work, labelling, limits)
     explained = result.verification is not None and result.verification.explains
@@ -166,67 +144,7 @@ def _found(views: DrawnViews, limits: Limits) -> ExactResult:
     return replace(result, conflict=conflict)
 
 
-def _labelled(
-    part: PartModel, views: DrawnViews, limits: Limits, clock: "_Clock"
-) -> tuple["_Work", Labelling]:
-    """Labels of the part, or of the part with more surfaces where all lines are explained then."""
-    work = _Work(part, views, Search(part.rules, limits.effort), clock)
-    found = work.search.fulfilled(clock.deadline(_HARD * limits.seconds))
-    if found.labels is not None:
-        return work, found
-    lines = views
-    deadline = clock.deadline(_OTHERWISE * limits.seconds)
-    closed = with_closed_outlines(views) if found.complete else None
-    if closed is not None and (model := _modelled(closed, deadline)) is not None:
-        # Where the outside runs into the part nearly all lines contradict each other.
-        lines, search = closed, Search(model.rules, limits.effort)
-        work = replace(work, part=model, search=search)
-        found = search.fulfilled(clock.deadline(_HARD * limits.seconds))
-        if found.labels is not None:
-            return work, found
-    # Another model takes as long as the first: time has to remain for the least contradiction.
-    others = _otherwise(work, lines, found.complete, deadline)
-    while clock.total + clock.seconds["model"] < _OTHERWISE * limits.seconds:
-        if (other := next(others, None)) is None:
-            break
-        other_search = Search(other.rules, limits.effort)
-        more = other_search.fulfilled(deadline)
-        if more.labels is not None:
-            return replace(work, part=other, search=other_search), more
-    if limits.relaxed:
-        found = work.search.least(clock.deadline(_RELAXED * limits.seconds))
-    return work, found
-
-
-def _modelled(views: DrawnViews, deadline: Deadline, near: float = NEAR) -> PartModel | None:
-    try:
-        return model_part(views, near, deadline)
-    except LimitError:
-        return None
-
-
-def _otherwise(
-    work: "_Work", lines: DrawnViews, contradict: bool, deadline: Deadline
-) -> Iterator[PartModel]:
-    """The part with more surfaces, and, where its lines do ``contradict``, without rough arcs."""
-    if (wider := _wider(work, deadline)) is not None:
-        yield wider
-    smooth = without_rough_arcs(lines) if contradict else None
-    if smooth is not None and (model := _modelled(smooth, deadline, ROUGHLY)) is not None:
-        yield model
-
-
-def _wider(work: "_Work", deadline: Deadline) -> PartModel | None:
-    def contradict(but: Sequence[int]) -> bool:
-        return work.search.contradict(but, deadline)
-
-    try:
-        return with_lone_bodies(work.part, contradict, deadline)
-    except LimitError:
-        return None
-
-
-def _searched(work: "_Work", labelling: Labelling, limits: Limits) -> ExactResult:
+def _searched(work: Work, labelling: Labelling, limits: Limits) -> ExactResult:
     """The solid of labels, or of others that are as good."""
     clock, views = work.clock, work.views
     if labelling.labels is None:
@@ -257,38 +175,7 @@ def _rank(candidate: Candidate) -> tuple[float, int]:
     return -round(candidate.verification.share, 3), soundness(candidate.shape).faces
 
 
-class _Clock:
-    """Seconds of named steps."""
-
-    def __init__(self) -> None:
-        self.seconds: dict[str, float] = {}
-        self._start = self._last = time.perf_counter()
-
-    def lap(self, name: str) -> None:
-        now = time.perf_counter()
-        self.seconds[name] = self.seconds.get(name, 0.0) + now - self._last
-        self._last = now
-
-    @property
-    def total(self) -> float:
-        return time.perf_counter() - self._start
-
-    def deadline(self, seconds: float) -> Deadline:
-        """So many seconds after the start."""
-        return Deadline(self._start + seconds)
-
-
-@dataclass(frozen=True)
-class _Work:
-    """What candidates are made from."""
-
-    part: PartModel
-    views: DrawnViews
-    search: Search
-    clock: _Clock
-
-
-def _candidates(work: _Work, labelling: Labelling, limits: Limits) -> tuple[list[Candidate], bool]:
+def _candidates(work: Work, labelling: Labelling, limits: Limits) -> tuple[list[Candidate], bool]:
     """Solids of the labels and of others, simplest first; whether all there are were looked at.
 
     Labels whose faces do not close, or bound something unsound, are not looked at: there may be a
@@ -330,7 +217,7 @@ def _likelier(part: PartModel, labels: Labels) -> Labels | None:
     return None if likelier == settled else likelier
 
 
-def _build(work: _Work, labels: Labels, deadline: Deadline) -> BuiltSolid:
+def _build(work: Work, labels: Labels, deadline: Deadline) -> BuiltSolid:
     part = work.part
     labels = with_unsaid(part.space, part.rules, labels)
     built = build_solid(LabelledSpace(part.space, labels), part.supports.scale, deadline)
@@ -338,7 +225,7 @@ def _build(work: _Work, labels: Labels, deadline: Deadline) -> BuiltSolid:
     return built
 
 
-def _candidate(work: _Work, built: BuiltSolid) -> tuple[Candidate | None, bool]:
+def _candidate(work: Work, built: BuiltSolid) -> tuple[Candidate | None, bool]:
     """What was built, drawn again; and whether it is certain what the labels bound."""
     if built.shape is None:
         return None, built.closed
@@ -346,7 +233,7 @@ def _candidate(work: _Work, built: BuiltSolid) -> tuple[Candidate | None, bool]:
     return candidate, candidate.verification.sound
 
 
-def _verified(work: _Work, shape: TopoDS_Shape) -> Candidate:
+def _verified(work: Work, shape: TopoDS_Shape) -> Candidate:
     candidate = Candidate(shape, verify(shape, work.views))
     work.clock.lap("verify")
     return candidate

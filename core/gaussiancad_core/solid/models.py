@@ -1,0 +1,197 @@
+"""The models of a drawing, and the labels that explain most of it.
+
+A drawing has one model as a rule.  Where its rules contradict each other, others are made: with an
+open outline closed, with more surfaces, with curves instead of lines that may only follow them.
+"""
+
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from math import inf
+
+from gaussiancad_core.errors import LimitError
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.followed import with_followed_curves
+from gaussiancad_core.reasoning.labelling import Effort, Labelling, Search
+from gaussiancad_core.reasoning.open_outlines import with_closed_outlines
+from gaussiancad_core.reasoning.part import (
+    NEAR,
+    Contradict,
+    PartModel,
+    model_part,
+    with_lone_bodies,
+)
+from gaussiancad_core.reasoning.rough_arcs import ROUGHLY, without_rough_arcs
+from gaussiancad_core.reasoning.solvers import Deadline
+
+_HARD, _OTHERWISE, _RELAXED = 0.4, 0.55, 0.8
+"""Shares of the time at which a step's solvers end: labels for all lines, for all with more
+surfaces, for most lines.  Machines that are not busy have done with them long before."""
+
+_LITTLE = 1.0
+"""Units of line that labels may give up before another model of the part is asked for better."""
+
+_BETTER = 0.7
+"""Share of what the first model gives up that another one gives up at most to be the better one."""
+
+
+@dataclass(frozen=True)
+class Limits:
+    """How far the search goes.
+
+    Attributes:
+        effort: of the labelling, deterministic.
+        alternatives: solids looked at beside the first.
+        relaxed: whether lines may be given up where all together fit no solid.
+        seconds: after which no further alternative is begun, and by which solvers have ended.
+        conflict: deterministic time for telling which lines contradict each other, where no solid
+            has all of them, lines may be given up, and a quarter of ``seconds`` is not over.
+    """
+
+    effort: Effort = field(default_factory=Effort)
+    alternatives: int = 8
+    relaxed: bool = True
+    seconds: float = 60.0
+    conflict: float = 2.0
+
+
+class Clock:
+    """Seconds of named steps."""
+
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {}
+        self._start = self._last = time.perf_counter()
+
+    def lap(self, name: str) -> None:
+        """Seconds since the last lap belong to the step of that name."""
+        now = time.perf_counter()
+        self.seconds[name] = self.seconds.get(name, 0.0) + now - self._last
+        self._last = now
+
+    @property
+    def total(self) -> float:
+        """Since the start."""
+        return time.perf_counter() - self._start
+
+    def deadline(self, seconds: float) -> Deadline:
+        """So many seconds after the start."""
+        return Deadline(self._start + seconds)
+
+
+@dataclass(frozen=True)
+class Work:
+    """What candidates are made from."""
+
+    part: PartModel
+    views: DrawnViews
+    search: Search
+    clock: Clock
+
+
+def labelled(
+    part: PartModel, views: DrawnViews, limits: Limits, clock: Clock
+) -> tuple[Work, Labelling]:
+    """Labels of the part, or of the part with more surfaces where all lines are explained then."""
+    work = Work(part, views, Search(part.rules, limits.effort), clock)
+    found = work.search.fulfilled(clock.deadline(_HARD * limits.seconds))
+    if found.labels is not None:
+        return work, found
+    lines = views
+    deadline = clock.deadline(_OTHERWISE * limits.seconds)
+    closed = with_closed_outlines(views) if found.complete else None
+    if closed is not None and (model := _modelled(closed, deadline)) is not None:
+        # Where the outside runs into the part nearly all lines contradict each other.
+        lines, search = closed, Search(model.rules, limits.effort)
+        work = replace(work, part=model, search=search)
+        found = search.fulfilled(clock.deadline(_HARD * limits.seconds))
+        if found.labels is not None:
+            return work, found
+    # Another model takes as long as the first: time has to remain for the least contradiction.
+    others = _otherwise(work, lines, found.complete, deadline)
+    least = [work]
+    while clock.total + clock.seconds["model"] < _OTHERWISE * limits.seconds:
+        if (other := next(others, None)) is None:
+            break
+        other_work = replace(work, part=other.part, search=Search(other.part.rules, limits.effort))
+        more = other_work.search.fulfilled(deadline)
+        if more.labels is not None:
+            return other_work, more
+        if other.may_give_up:
+            least.append(other_work)
+    if limits.relaxed:
+        return _least(least, limits)
+    return work, found
+
+
+def _least(works: Sequence[Work], limits: Limits) -> tuple[Work, Labelling]:
+    """The model of the part, and its labels, that give up the least; earlier ones come first."""
+    best: tuple[Work, Labelling] | None = None
+    for work in works:
+        deadline = work.clock.deadline(_RELAXED * limits.seconds)
+        if best is not None and (not deadline.left or _cost(best[1]) <= _LITTLE):
+            break
+        found = work.search.least(deadline)
+        if best is None or _cost(found) < _BETTER * _cost(best[1]):
+            best = work, found
+    return best
+
+
+def _cost(labelling: Labelling) -> float:
+    """Units of line that labels give up."""
+    if labelling.labels is None:
+        return inf
+    return sum(rule.weight for rule in labelling.given_up)
+
+
+def _modelled(views: DrawnViews, deadline: Deadline, near: float = NEAR) -> PartModel | None:
+    try:
+        return model_part(views, near, deadline)
+    except LimitError:
+        return None
+
+
+@dataclass(frozen=True)
+class _Other:
+    """Another model of a part.
+
+    Attributes:
+        part: the model.
+        may_give_up: whether it counts where its rules contradict each other as well.
+    """
+
+    part: PartModel
+    may_give_up: bool = False
+
+
+def _otherwise(
+    work: Work, lines: DrawnViews, contradict: bool, deadline: Deadline
+) -> Iterator[_Other]:
+    """The part with more surfaces, with the curves that strokes may follow instead of these, and,
+    where its lines do ``contradict``, without rough arcs."""
+    if (wider := _wider(work, deadline)) is not None:
+        yield _Other(wider)
+    followed = with_followed_curves(lines, work.part.supports)
+    if followed is not None and (model := _modelled(followed, deadline)) is not None:
+        # What contradicted the lines may be gone.
+        yield _Other(_widened(model, _never, deadline) or model, may_give_up=True)
+    smooth = without_rough_arcs(lines) if contradict else None
+    if smooth is not None and (model := _modelled(smooth, deadline, ROUGHLY)) is not None:
+        yield _Other(model)
+
+
+def _wider(work: Work, deadline: Deadline) -> PartModel | None:
+    def contradict(but: Sequence[int]) -> bool:
+        return work.search.contradict(but, deadline)
+
+    return _widened(work.part, contradict, deadline)
+
+
+def _never(_: Sequence[int]) -> bool:
+    return False
+
+
+def _widened(part: PartModel, contradict: Contradict, deadline: Deadline) -> PartModel | None:
+    try:
+        return with_lone_bodies(part, contradict, deadline)
+    except LimitError:
+        return None

@@ -1,0 +1,63 @@
+"""Strokes that follow the curve in which two surfaces meet are told, and led onto it."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from math import hypot, sqrt
+
+import numpy as np
+import pytest
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.drawing.strokes import Polyline
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.followed import with_followed_curves
+from gaussiancad_core.reasoning.supports import find_supports
+from gaussiancad_core.views import Arc, Linetype, Segment
+
+Views = Callable[[str], DrawnViews]
+
+_PIXEL = 0.1
+"""mm, the tolerance of views that are read from a picture."""
+
+
+def test_arcs_that_follow_a_curve_of_two_cylinders_become_that_curve(
+    pin_as_read: DrawnViews,
+) -> None:
+    views = pin_as_read
+    followed = with_followed_curves(views, find_supports(views))
+    assert followed is not None
+    *others, low, high = followed.strokes[Role.FRONT]
+    assert others == list(views.strokes[Role.FRONT][:-2])
+    assert followed.strokes[Role.RIGHT] == views.strokes[Role.RIGHT]
+    for curve, way in ((low, 1.0), (high, -1.0)):
+        assert isinstance(curve, Polyline) and curve.linetype is Linetype.VISIBLE
+        x, z = np.array(curve.points).T
+        rise = 22.0 - np.sqrt(22.0**2 - 12.0**2 + (x - 30.0) ** 2)
+        assert way * (z - 22.0) + 22.0 == pytest.approx(rise, abs=1e-4)
+        # It ends where the surfaces do, not where the arc was read to.
+        assert sorted((x[0], x[-1])) == pytest.approx([18.0, 42.0], abs=0.5)
+        assert np.abs(x - 30.0).max() <= 12.0 + 1e-9
+
+
+@pytest.mark.parametrize("name", ["wedge-block", "filleted-block", "dovetail-block", "ball-knob"])
+def test_traces_of_planes_cylinders_and_bodies_stay(name: str, sample_views: Views) -> None:
+    views = replace(sample_views(name), tolerance=_PIXEL)
+    followed = with_followed_curves(views, find_supports(views))
+    for role, own in (followed or views).strokes.items():
+        for stroke, drawn in zip(own, views.strokes[role], strict=True):
+            assert stroke == drawn or not isinstance(drawn, Segment | Arc)
+
+
+def test_a_straight_stroke_along_a_bent_curve_is_none_of_a_plane(pin_as_read: DrawnViews) -> None:
+    views = pin_as_read
+    start, middle = (18.6, 22.0 - sqrt(340.0 + 11.4**2)), (24.0, 22.0 - sqrt(340.0 + 6.0**2))
+    chord = Segment(start, middle, Linetype.VISIBLE)
+    front = (*views.strokes[Role.FRONT][:-2], chord)
+    views = replace(views, strokes={**views.strokes, Role.FRONT: front})
+    followed = with_followed_curves(views, find_supports(views))
+    assert followed is not None
+    curve = followed.strokes[Role.FRONT][-1]
+    assert isinstance(curve, Polyline)
+    a, b = curve.points[len(curve.points) // 2]
+    assert b == pytest.approx(22.0 - sqrt(340.0 + (a - 30.0) ** 2), abs=1e-4)
+    assert hypot(a - 21.3, b - 1.58) < 0.3
