@@ -7,7 +7,7 @@ is made equal, as a weighted least-squares problem with linear equations: values
 move as little as possible, and tangencies hold exactly afterwards.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -31,6 +31,12 @@ _FAR = 2.5
 """Tolerances by which anything moves at most; an equation that asks for more is dropped."""
 
 
+_AGREEING = 0.15
+"""Share of the reach within which ends of slanted lines that have one coordinate agree."""
+
+_FEWEST_AGREEING = 3
+"""Such ends, in two planes at least, that tell a value within reach of another one."""
+
 _AT_CIRCLE = 0.25
 """Share of the reach within which an end of a line has the coordinate of a circle's centre or
 extreme: half a tolerance."""
@@ -44,11 +50,13 @@ class Reading:
         axis: of the model.
         value: units.
         weight: how much it counts: the length of the line.
+        normal: of the plane that shows it, where it matters.
     """
 
     axis: Axis
     value: float
     weight: float
+    normal: Axis | None = None
 
 
 @dataclass(frozen=True)
@@ -164,12 +172,17 @@ def with_lone_values(snap: Snapped, readings: Sequence[Reading]) -> Snapped:
     """The values, and those that further readings tell where there are none yet.
 
     A countersink's slanted lines end at the extremes of its circles, and a drill's at its axis.
+    Where a value is near, ends tell another one only if they agree about it in two planes.
     """
     values, weights, nominal = dict(snap.values), dict(snap.weights), snap.nominal
     for axis in Axis:
         round_ones = _circle_values(snap, axis)
-        lone = [r for r in readings if r.axis is axis and _is_lone(snap, r, round_ones)]
+        own = [reading for reading in readings if reading.axis is axis]
+        lone = [reading for reading in own if _is_lone(snap, reading, round_ones)]
         means = [_mean(cluster) for cluster in _clusters(lone, snap.reach)]
+        means += [
+            _mean(cluster) for cluster in _agreeing(snap, axis, own) if cluster[0] not in lone
+        ]
         means = [(nearest_value(round_ones, at, _AT_CIRCLE * snap.reach), w) for at, w in means]
         if snap.step is not None:
             multiples = [on_step(at, snap.step, snap.reach / 2.0) for at, _ in means]
@@ -181,6 +194,17 @@ def with_lone_values(snap: Snapped, readings: Sequence[Reading]) -> Snapped:
         values[axis] = tuple(sorted({*values[axis], *(value for value, _ in means)}))
         weights.update({(axis, value): weight for value, weight in means})
     return replace(snap, values=values, weights=weights, nominal=nominal)
+
+
+def _agreeing(snap: Snapped, axis: Axis, readings: list[Reading]) -> Iterator[list[Reading]]:
+    """Readings of two planes that agree about a coordinate which no value is at."""
+    for cluster in _clusters(readings, _AGREEING * snap.reach):
+        at, _ = _mean(cluster)
+        agree = cluster[-1].value - cluster[0].value <= _AGREEING * snap.reach
+        planes = {reading.normal for reading in cluster}
+        near = snap.value(axis, at, snap.reach / 2.0) is not None
+        if agree and len(cluster) >= _FEWEST_AGREEING and len(planes) > 1 and not near:
+            yield cluster
 
 
 def _is_lone(snap: Snapped, reading: Reading, round_ones: Sequence[float]) -> bool:

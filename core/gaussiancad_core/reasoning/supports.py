@@ -312,7 +312,7 @@ def _slant_ends(plane: PlaneReading, snap: Snapped) -> Iterator[Reading]:
         for end, circle in zip(ends, touched, strict=True):
             if circle is None:
                 for axis, coordinate in zip(axes, end, strict=True):
-                    yield Reading(axis, coordinate, _END_WEIGHT)
+                    yield Reading(axis, coordinate, _END_WEIGHT, plane.normal)
 
 
 def _parallel_axis(line: _Line, tolerance: float) -> int | None:

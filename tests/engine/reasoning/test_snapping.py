@@ -165,3 +165,23 @@ def test_an_end_at_a_circles_extreme_is_not_at_another_value_close_by() -> None:
     # An end that is at no circle is at the value.
     other = with_lone_values(snap, [Reading(Axis.X, 15.0 + 0.9 * _TOLERANCE, 1e-3)])
     assert other.values[Axis.X] == pytest.approx((near,))
+
+
+@pytest.mark.parametrize(
+    ("ends", "apart"),
+    [
+        ([(20.15, Axis.Y), (20.15, Axis.Y), (20.16, Axis.Z)], True),
+        ([(20.15, Axis.Y), (20.15, Axis.Y), (20.16, Axis.Y)], False),
+        ([(20.15, Axis.Y), (20.16, Axis.Z)], False),
+        ([(20.15, Axis.Y), (20.15, Axis.Y), (20.19, Axis.Z)], False),
+        ([(20.09, Axis.Y), (20.09, Axis.Y), (20.09, Axis.Z)], False),
+    ],
+    ids=["agreeing", "of one view", "few", "differing", "near"],
+)
+def test_ends_that_agree_in_two_views_are_at_no_value_close_by(
+    ends: list[tuple[float, Axis]], apart: bool
+) -> None:
+    snap = snapped([Reading(Axis.X, 20.0, 50.0)], [], _TOLERANCE)
+    readings = [Reading(Axis.X, end, 1e-3, normal) for end, normal in ends]
+    values = with_lone_values(snap, readings).values[Axis.X]
+    assert values == (pytest.approx((20.0, 20.153), abs=1e-3) if apart else (20.0,))
