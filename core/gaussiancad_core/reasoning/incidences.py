@@ -22,7 +22,7 @@ from gaussiancad_core.reasoning.corner_equations import (
     TouchesCircle,
     direction_of,
 )
-from gaussiancad_core.reasoning.curves import CircleCurve, LineCurve, Point, line_through
+from gaussiancad_core.reasoning.curves import TURN, CircleCurve, LineCurve, Point, line_through
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.relations import Linear, Numbers, Relation, solved
 from gaussiancad_core.reasoning.snapping import CERTAIN, Snapped, circle_relations
@@ -82,11 +82,14 @@ class PlaneReading:
         normal: of the plane.
         slants: its slanted lines.
         ends: of all its strokes.
+        arcs: circle, first angle and sweep in radians of those that are no lines; a circle none of
+            whose arcs is told counts all around.
     """
 
     normal: Axis
     slants: tuple[Slant, ...]
     ends: tuple[Point, ...]
+    arcs: tuple[tuple[CircleCurve, float, float], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -231,8 +234,25 @@ class _Network:
         for circle, at in circles.items():
             for corner in corners.values():
                 is_on = self._is_on(corner, circle, loose=corner.loose)
-                if is_on and not _is_extreme(circle, corner.point):
+                if (
+                    is_on
+                    and not _is_extreme(circle, corner.point)
+                    and self._is_drawn(plane, circle, corner.point)
+                ):
                     yield OnCircle(corner.a, corner.b, at)
+
+    def _is_drawn(self, plane: PlaneReading, circle: CircleCurve, point: Point) -> bool:
+        """Whether a circle is drawn right beside a point of it."""
+        arcs = [
+            (low, sweep)
+            for read, low, sweep in plane.arcs
+            if self._snap.circle(plane.normal, read) == circle
+        ]
+        room = _READ_NEAR * self._tolerance / circle.radius
+        at = circle.parameter(point)
+        return not arcs or any(
+            (at - low + room) % TURN <= sweep + 2.0 * room for low, sweep in arcs
+        )
 
     def on_facet(self, facet: Facet) -> Iterator[Relation]:
         """Its corners on one plane, as far as their coordinates are values."""

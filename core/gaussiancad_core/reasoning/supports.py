@@ -285,7 +285,8 @@ def _plane_reading(plane: _Plane, tolerance: float) -> PlaneReading:
     for circle in plane.circles:
         ends += [circle.circle.at(circle.low), circle.circle.at(circle.low + circle.sweep)]
     slants = tuple(_slant(group) for group in _collinear(_slanted(plane, tolerance), tolerance))
-    return PlaneReading(plane.normal, slants, tuple(ends))
+    arcs = tuple((circle.circle, circle.low, circle.sweep) for circle in plane.circles)
+    return PlaneReading(plane.normal, slants, tuple(ends), arcs)
 
 
 def _slanted(plane: _Plane, tolerance: float) -> list[_Line]:

@@ -1,5 +1,6 @@
 """Corners read near lines and circles lie on them afterwards."""
 
+from dataclasses import replace
 from math import cos, hypot, pi, sin
 
 import numpy as np
@@ -135,6 +136,20 @@ def _touching(
         (one.centre[0] - first * normal[0], one.centre[1] - first * normal[1]),
         (other.centre[0] - second * normal[0], other.centre[1] - second * normal[1]),
     )
+
+
+def test_a_corner_is_on_a_circle_only_where_it_is_drawn() -> None:
+    """A bore's wall ends where a round end would go on, had the part no flat sides."""
+    circle = CircleCurve((50.0, 50.0), 50.0)
+    x, z = 50.0 - 50.0 * sin(0.7) + 0.3 * _TOLERANCE, 50.0 + 50.0 * cos(0.7)
+    snap = _snap([(Axis.X, x), (Axis.Z, z)], [CircleReading(Axis.Y, circle, 1e4)])
+    low = PlaneReading(Axis.Y, (), ((x, z),), ((circle, pi, pi),))
+    assert adjusted(snap, [low], _TOLERANCE).snap.values == snap.values
+    around = replace(low, arcs=((circle, pi, pi), (circle, 0.0, pi / 2.0 + 0.7)))
+    found = adjusted(snap, [around], _TOLERANCE).snap
+    assert found.values != snap.values
+    ((_, own),) = found.circles
+    assert own.distance((found.values[Axis.X][0], found.values[Axis.Z][0])) < 1e-7
 
 
 def test_a_corner_that_only_passes_by_is_left() -> None:
