@@ -234,7 +234,10 @@ def _candidate(work: Work, built: BuiltSolid) -> tuple[Candidate | None, bool]:
 
 
 def _verified(work: Work, shape: TopoDS_Shape) -> Candidate:
-    candidate = Candidate(shape, verify(shape, work.views))
+    # Rounded to the step of its design, a part is as large as meant however small it is drawn.
+    nominal = work.part.supports.nominal
+    views = replace(work.views, noise=0.0) if nominal else work.views
+    candidate = Candidate(shape, verify(shape, views))
     work.clock.lap("verify")
     return candidate
 

@@ -49,6 +49,7 @@ from gaussiancad_core.views import Arc, Linetype, Segment
 
 Solid = Callable[[str], TopoDS_Shape]
 Views = Callable[[str], DrawnViews]
+Draw = Callable[[TopoDS_Shape], DrawnViews]
 Solved = Callable[[str], ExactResult]
 Iou = Callable[[TopoDS_Shape, TopoDS_Shape], float]
 
@@ -396,3 +397,41 @@ def test_garbage_is_looked_for_again_afterwards(
     with pytest.raises(KeyboardInterrupt):
         exact_solid(sample_views("l-bracket"))
     assert gc.isenabled()
+
+
+@pytest.mark.parametrize(("off", "sure"), [(0.0, True), (0.31, False)])
+def test_a_part_designed_in_steps_is_as_large_as_meant(off: float, sure: bool, drawn: Draw) -> None:
+    """A picture places every line a tenth of a pixel wrong: round measures tell how large the part
+    is, and one that is not round may be anything near."""
+    solid = cut(
+        box((0, 0, 0), (60, 40, 24)),
+        box((0, 0, 16), (22, 40, 24)),
+        box((46, -1, 20), (61, 41, 25)),
+        box((28, 10 + off, 10), (40, 32, 25)),
+        cylinder(Axis.Z, (11, 14), 6, -1, 25),
+        cylinder(Axis.Z, (11, 28), 4, -1, 25),
+    )
+    exact_lines = drawn(solid)
+    random = np.random.default_rng(3)
+
+    def misplaced(stroke: Segment | Arc) -> Segment | Arc:
+        aside = random.normal(0.0, 0.004, 2)
+        if isinstance(stroke, Arc):
+            centre = (stroke.centre[0] + aside[0], stroke.centre[1] + aside[1])
+            return replace(stroke, centre=centre)
+        along = np.subtract(stroke.end, stroke.start)
+        normal = np.array([-along[1], along[0]]) / np.hypot(*along)
+        start, end = np.array([stroke.start, stroke.end]) + aside[0] * normal
+        return replace(stroke, start=tuple(start), end=tuple(end))
+
+    strokes = {
+        role: tuple(misplaced(own) for own in strokes)
+        for role, strokes in exact_lines.strokes.items()
+    }
+    views = replace(exact_lines, strokes=strokes, tolerance=0.05, apart=0.02, noise=0.01)
+    found = exact_solid(views)
+    assert found.verification is not None and found.verification.explains
+    assert found.verification.close == sure
+    assert (found.status is Status.VERIFIED) == sure
+    if sure:
+        assert volume(found.shape) == pytest.approx(volume(solid), rel=1e-6)
