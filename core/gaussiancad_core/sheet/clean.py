@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.sheet.dash_gaps import dash_gap
 from gaussiancad_core.sheet.deskew import Turn, find_turn
 from gaussiancad_core.sheet.growth import GrowthRules, grow_straight
 from gaussiancad_core.sheet.options import MEDIAN_KERNEL
@@ -84,12 +85,14 @@ class CleanSheet:
         weight: (h, w) float32 in 0..1, darkness relative to the ink's; for sub-pixel measuring.
         stroke_width: px, the mean over the sheet.
         turn: by which the sheet was turned back to be upright.
+        dash_gap: px between dashes, of an upright sheet; 0 where they do not tell.
     """
 
     ink: Ink
     weight: npt.NDArray[np.float32]
     stroke_width: float
     turn: Turn
+    dash_gap: float = 0.0
 
     @property
     def picture(self) -> npt.NDArray[np.uint8]:
@@ -127,7 +130,7 @@ def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL)
 
 
 def upright_sheet(sheet: CleanSheet) -> CleanSheet:
-    """The sheet turned so that its lines are level; the sheet itself if they are.
+    """The sheet turned so that its lines are level, with the gaps of its dashes.
 
     Raises:
         NoModelError: ``not-a-line-drawing``, the ink is many pieces and hardly any is a line.
@@ -143,10 +146,10 @@ def upright_sheet(sheet: CleanSheet) -> CleanSheet:
             "the drawing, not a photograph",
         )
     turn = find_turn(shapes, sheet.ink.shape)
-    if not turn.angle:
-        return sheet
-    ink = turn.upright(sheet.ink.astype(np.float32)) > 0.5
-    return replace(sheet, ink=ink, weight=turn.upright(sheet.weight), turn=turn)
+    if turn.angle:
+        ink = turn.upright(sheet.ink.astype(np.float32)) > 0.5
+        sheet = replace(sheet, ink=ink, weight=turn.upright(sheet.weight), turn=turn)
+    return replace(sheet, dash_gap=dash_gap(sheet.ink, sheet.stroke_width))
 
 
 def _without_specks(raw: Ink, filtered: Ink) -> Ink:

@@ -56,6 +56,10 @@ _MIDDLE = 0.7
 """Share of a long line, in its middle, that has to be straight."""
 
 
+_UNEVEN_GAP = 1.3
+"""Gap between dashes at most, in the sheet's usual ones."""
+
+
 @dataclass(frozen=True)
 class GrowthRules:
     """When points belong to a line or circle; px.
@@ -79,9 +83,17 @@ class GrowthRules:
     rms: float = 0.32
 
     @classmethod
-    def of_width(cls, stroke_width: float) -> "GrowthRules":
-        """The rules for strokes of a width in px: wider ones have longer gaps and rougher edges."""
-        return cls(gap=max(14.0, 5.0 * stroke_width), band=max(0.8, 0.2 * stroke_width))
+    def of_width(cls, stroke_width: float, dash_gap: float = 0.0) -> "GrowthRules":
+        """The rules for strokes of a width in px: wider ones have longer gaps and rougher edges.
+
+        Args:
+            stroke_width: px.
+            dash_gap: px, usual between the sheet's dashes; 0 where it is not known.
+        """
+        return cls(
+            gap=max(14.0, 5.0 * stroke_width, _UNEVEN_GAP * dash_gap),
+            band=max(0.8, 0.2 * stroke_width),
+        )
 
 
 @dataclass(frozen=True, eq=False)

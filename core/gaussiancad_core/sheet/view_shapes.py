@@ -131,7 +131,7 @@ def _candidates(sheet: CleanSheet, finder: Finder) -> tuple[list[Geometry], set[
     """Ellipses first, then circles, then lines; and the lines that run right beside others."""
     if finder is Finder.HOUGH:
         return [*find_circles(sheet), *find_lines(sheet, edge_map(sheet))], set()
-    rules = GrowthRules.of_width(sheet.stroke_width)
+    rules = GrowthRules.of_width(sheet.stroke_width, sheet.dash_gap)
     grown = grow_all(ridge_points(sheet.weight, sheet.stroke_width), rules)
     shapes = [shape.geometry for shape in grown]
     ellipses = [shape for shape in shapes if isinstance(shape, WholeEllipse)]
@@ -191,7 +191,8 @@ def _curve_shape(sheet: CleanSheet, field: InkField, curve: Curve) -> Shape | No
     touch = float(np.sqrt(radius_of(curve) * sheet.stroke_width))
     shares = [_share_followed(followed, run, curve.around, touch) for run in seen]
     runs = _followed_runs(seen, shares, curve.around)
-    longest = _longest_stretch(runs, GrowthRules.of_width(sheet.stroke_width).gap, curve.around)
+    rules = GrowthRules.of_width(sheet.stroke_width, sheet.dash_gap)
+    longest = _longest_stretch(runs, rules.gap, curve.around)
     covered = sum(run.length for run in runs) / curve.around
     bowed = longest**2 / (8 * radius_of(curve)) > MIN_SAGITTA + sheet.stroke_width / 2
     # What bends within two line widths is a corner, or two, where fillets are looked for.

@@ -90,7 +90,7 @@ def extension_lines(
     """
     ridges, free = points
     field = ink_field(sheet)
-    rules = GrowthRules.of_width(sheet.stroke_width)
+    rules = GrowthRules.of_width(sheet.stroke_width, sheet.dash_gap)
     rules = GrowthRules(
         _UNBROKEN_PX, rules.band, shortest=int(np.ceil(_SHORTEST * sheet.stroke_width))
     )

@@ -28,6 +28,9 @@ _APART = 2.3
 _LEAST_SHARE = 0.1
 """Share of the lines' length that either family has at least."""
 
+_WIDEST_PX, _WIDEST = 12.0, 5.0
+"""px, and stroke widths, of the gaps in a line of dashes at most."""
+
 _BREAK = 0.5
 """Gap between dashes at least, in the sheet's usual gaps."""
 
@@ -138,14 +141,22 @@ def _valley(widths: np.ndarray, lengths: np.ndarray, least_px: float) -> float:
 
 
 def kinds_of_runs(
-    shapes: Sequence[InkedShape], weights: Weights, stroke_width: float
+    shapes: Sequence[InkedShape], weights: Weights, stroke_width: float, dash_gap: float = 0.0
 ) -> list[list[AnnotationKind | None]]:
-    """For each run of each shape what annotation it is, or nothing where it is the part's."""
+    """For each run of each shape what annotation it is, or nothing where it is the part's.
+
+    Args:
+        shapes: with their runs measured.
+        weights: of the sheet's lines.
+        stroke_width: px.
+        dash_gap: px, usual between the sheet's dashes; 0 where it is not known.
+    """
+    widest = max(_WIDEST_PX, _WIDEST * stroke_width, dash_gap)
     kinds: list[list[AnnotationKind | None]] = [[None] * len(shape.runs) for shape in shapes]
     rest: list[list[InkedRun]] = []
     corners = Corners.of(shapes, stroke_width)
     for shape, own in zip(shapes, kinds, strict=True):
-        for first, last in _groups(shape.runs, stroke_width, weights.limit):
+        for first, last in _groups(shape.runs, widest, weights.limit):
             group = shape.runs[first:last]
             start, end = _long_short_part([run.run for run in group])
             # Where wide and narrow lines are told apart, a group is of one kind.
@@ -275,10 +286,9 @@ def _with_faded(runs: Sequence[Run], short: npt.NDArray[np.bool_]) -> npt.NDArra
     return np.insert(short, np.flatnonzero(empty) + 1, True)
 
 
-def _groups(runs: Sequence[InkedRun], stroke_width: float, limit: float) -> list[tuple[int, int]]:
+def _groups(runs: Sequence[InkedRun], widest: float, limit: float) -> list[tuple[int, int]]:
     """First and one past the last of runs that follow each other at gaps of a dashed line, wide and
     narrow ones apart."""
-    widest = max(12.0, 5.0 * stroke_width)
     groups, first = [], 0
     for k in range(1, len(runs) + 1):
         if k < len(runs):

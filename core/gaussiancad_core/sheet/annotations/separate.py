@@ -115,7 +115,7 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
         sheet = masked(sheet, frame.drawing_area)
         marks += frame.marks
     ridges = ridge_points(sheet.weight, sheet.stroke_width)
-    grown = grow_shapes(ridges, GrowthRules.of_width(sheet.stroke_width))
+    grown = grow_shapes(ridges, GrowthRules.of_width(sheet.stroke_width, sheet.dash_gap))
     letters = find_letters(sheet.ink, _explained(ridges, grown, sheet.ink), sheet.stroke_width)
     marks += letters.marks
     if letters.marks:
@@ -140,7 +140,7 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
     weights = _weights(sheet, shapes) if by_weight else Weights(sheet.stroke_width, 0.0)
     if weights.limit:
         shapes = [split_by_width(sheet, shape, weights.limit) for shape in shapes]
-    kinds = kinds_of_runs(shapes, weights, sheet.stroke_width)
+    kinds = kinds_of_runs(shapes, weights, sheet.stroke_width, 1.2 * sheet.dash_gap)
     mark_centre_marks(shapes, kinds, sheet.ink, sheet.stroke_width)
     if weights.limit:
         _tell_line_ends(sheet, ridges, Told(shapes, kinds, unexplained), weights)
