@@ -7,6 +7,7 @@ longest extent.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from math import comb
 
 import numpy as np
@@ -21,8 +22,9 @@ _FEWEST_STEPS = 4
 _NEAR = 0.12
 """Share of a step by which a number may miss a multiple of it, at most."""
 
-_PRECISE = 0.3
-"""The same in tolerances of the views."""
+_PRECISE = (0.3, 0.6)
+"""The same in tolerances of the views; the larger one where the smaller tells no step: there are
+programs that place lines on whole pixels."""
 
 _SHARE = 0.85
 """Share of the numbers that fit, at least; those of intersections need not."""
@@ -31,8 +33,26 @@ _CHANCE = 1e-7
 """Probability at which so many numbers fit by chance, over all steps that are tried."""
 
 
-def nominal_step(numbers: Sequence[float], tolerance: float) -> float | None:
-    """The longest step that the numbers are multiples of, in units; None where none is told.
+@dataclass(frozen=True)
+class NominalStep:
+    """The step of a design.
+
+    Attributes:
+        length: units.
+        reach: units by which a number may miss a multiple of it.
+    """
+
+    length: float
+    reach: float
+
+    def multiple(self, number: float) -> float | None:
+        """The multiple that a number stands for, or None if it is none."""
+        multiple = self.length * round(number / self.length)
+        return multiple if abs(number - multiple) <= self.reach else None
+
+
+def nominal_step(numbers: Sequence[float], tolerance: float) -> NominalStep | None:
+    """The longest step that the numbers are multiples of; None where none is told.
 
     Args:
         numbers: distinct coordinates and radii, units; the longest extent is ``UNITS``.
@@ -41,19 +61,16 @@ def nominal_step(numbers: Sequence[float], tolerance: float) -> float | None:
     told = np.array([number for number in numbers if _is_told(number, tolerance)])
     if not len(told):
         return None
-    for count in range(_FEWEST_STEPS, _MOST_STEPS + 1):
-        step = UNITS / count
-        reach = min(_NEAR * step, _PRECISE * tolerance)
-        fits = int((np.abs(told - step * np.round(told / step)) <= reach).sum())
-        if fits >= _SHARE * len(told) and _by_chance(fits, len(told), 2.0 * reach / step) < _CHANCE:
-            return step
+    for precise in _PRECISE:
+        for count in range(_FEWEST_STEPS, _MOST_STEPS + 1):
+            length = UNITS / count
+            reach = min(_NEAR * length, precise * tolerance)
+            off = np.abs(told - length * np.round(told / length))
+            fits = int((off <= reach).sum())
+            chance = _by_chance(fits, len(told), 2.0 * reach / length)
+            if fits >= _SHARE * len(told) and chance < _CHANCE:
+                return NominalStep(length, reach)
     return None
-
-
-def on_step(number: float, step: float, tolerance: float) -> float | None:
-    """The multiple of a step that a number stands for, or None if it is none."""
-    multiple = step * round(number / step)
-    return multiple if abs(number - multiple) <= min(_NEAR * step, _PRECISE * tolerance) else None
 
 
 def _is_told(number: float, tolerance: float) -> bool:

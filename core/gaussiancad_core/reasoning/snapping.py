@@ -14,7 +14,7 @@ import numpy as np
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.curves import CircleCurve
-from gaussiancad_core.reasoning.nominal import nominal_step, on_step
+from gaussiancad_core.reasoning.nominal import NominalStep, nominal_step
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.relations import Linear, Numbers, solved
 
@@ -84,7 +84,7 @@ class Snapped:
         circles: distinct ones, with the normal of their plane.
         circle_weights: of each.
         reach: how far a reading may lie from its value.
-        step: that the part was designed in, units; None where none is told.
+        step: that the part was designed in; None where none is told.
         nominal: whether all values and circles are multiples of it.
     """
 
@@ -93,7 +93,7 @@ class Snapped:
     circles: tuple[tuple[Axis, CircleCurve], ...]
     circle_weights: tuple[float, ...]
     reach: float
-    step: float | None = None
+    step: NominalStep | None = None
     nominal: bool = False
 
     def value(self, axis: Axis, reading: float, reach: float | None = None) -> float | None:
@@ -150,7 +150,8 @@ def snapped(
     step = _step(numbers, tolerance) if tolerance > _EXACT else None
     nominal = False
     if step is not None:
-        variables, numbers, nominal = _rounded(variables, numbers, relations, (step, tolerance))
+        far = _FAR * tolerance
+        variables, numbers, nominal = _rounded(variables, numbers, relations, step, far)
     values = {
         axis: tuple(sorted({float(numbers[column]) for column in clusters[axis]})) for axis in Axis
     }
@@ -185,7 +186,7 @@ def with_lone_values(snap: Snapped, readings: Sequence[Reading]) -> Snapped:
         ]
         means = [(nearest_value(round_ones, at, _AT_CIRCLE * snap.reach), w) for at, w in means]
         if snap.step is not None:
-            multiples = [on_step(at, snap.step, snap.reach / 2.0) for at, _ in means]
+            multiples = [snap.step.multiple(at) for at, _ in means]
             nominal &= None not in multiples
             means = [
                 (at if multiple is None else multiple, w)
@@ -333,8 +334,8 @@ def circle_relations(
     return relations
 
 
-def _step(numbers: Numbers, tolerance: float) -> float | None:
-    """The step that the part was designed in, if the numbers tell one, units."""
+def _step(numbers: Numbers, tolerance: float) -> NominalStep | None:
+    """The step that the part was designed in, if the numbers tell one."""
     # What is shown twice is no further evidence.
     distinct = {round(float(number) / tolerance): float(number) for number in numbers}
     return nominal_step(list(distinct.values()), tolerance)
@@ -344,16 +345,16 @@ def _rounded(
     variables: _Variables,
     numbers: Numbers,
     relations: Sequence[Linear],
-    step_and_tolerance: tuple[float, float],
+    step: NominalStep,
+    far: float,
 ) -> tuple[_Variables, Numbers, bool]:
     """The numbers as multiples of the step that the part was designed in, and whether all are."""
-    step, tolerance = step_and_tolerance
     nominal = _Variables()
-    multiples = [on_step(float(number), step, tolerance) for number in numbers]
+    multiples = [step.multiple(float(number)) for number in numbers]
     for number, multiple, weight in zip(numbers, multiples, variables.weights, strict=True):
         if multiple is None:
             nominal.add(float(number), weight)
         else:
             nominal.add(multiple, weight * CERTAIN)
-    rounded = solved(nominal.observed, nominal.weights, relations, _FAR * tolerance)
+    rounded = solved(nominal.observed, nominal.weights, relations, far)
     return nominal, rounded, None not in multiples
