@@ -27,6 +27,10 @@ _FROM_TIP = 2.5
 """Distance of other heads' middles from the end of their line at least, in widths of it; leaders
 have such heads, and level lines blots where two others cross them."""
 
+_ON_OTHER, _OTHER = 0.6, 6.0
+"""Distance of another line from a blot at most, and length of it at least, in widths of a line, for
+the blot to be where both meet: the middle of a head lies before the line that it points to."""
+
 _LARGEST = 12.0
 """Length of an arrowhead's thick part at most, in widths of a line."""
 
@@ -78,6 +82,7 @@ def mark_arrows(
     """
     if not len(heads.middles):
         return
+    crossed = _lines_through(shapes, heads.middles, stroke_width)
     for index, (shape, own) in enumerate(zip(shapes, kinds, strict=True)):
         if not isinstance(shape.geometry, Line):
             continue
@@ -86,6 +91,7 @@ def mark_arrows(
         on_line[on_line] = _flanked(shape.geometry, along[on_line], ink, _FLANK * stroke_width)
         near, half = along[on_line], heads.lengths[on_line] / 2
         thick = heads.widest[on_line] >= _THICKEST * stroke_width
+        free = crossed[on_line] < 2
         slanted = min(map(abs, shape.geometry.direction)) > _SLANTED
         slack = 2.0 * stroke_width
         runs = list(shape.runs)
@@ -93,7 +99,7 @@ def mark_arrows(
             low, high = run.run.start - slack, run.run.end + slack
             reached = (near >= low - half) & (near <= high + half)
             inside = np.minimum(near - run.run.start, run.run.end - near)
-            reached &= thick | (slanted & (inside > _FROM_TIP * stroke_width))
+            reached &= thick | (slanted & free & (inside > _FROM_TIP * stroke_width))
             on_run = near[reached]
             from_end = np.minimum(on_run - low, high - on_run)
             at_end = (from_end < _LARGEST * stroke_width).any()
@@ -102,6 +108,24 @@ def mark_arrows(
                 whole = Run(min(run.run.start, *on_run), max(run.run.end, *on_run))
                 runs[k] = InkedRun(whole, run.width)
         shapes[index] = InkedShape(shape.geometry, tuple(runs))
+
+
+def _lines_through(
+    shapes: list[InkedShape], places: npt.NDArray[np.float64], stroke_width: float
+) -> npt.NDArray[np.int64]:
+    """(n,) how many long lines run through places (n, 2), or end at them."""
+    count = np.zeros(len(places), dtype=int)
+    near = _ON_OTHER * stroke_width
+    for shape in shapes:
+        if not isinstance(shape.geometry, Line):
+            continue
+        along, across = shape.geometry.coordinates(places)
+        reached = np.zeros(len(places), dtype=bool)
+        for own in shape.runs:
+            if own.run.length >= _OTHER * stroke_width:
+                reached |= (along > own.run.start - near) & (along < own.run.end + near)
+        count += reached & (np.abs(across) < near)
+    return count
 
 
 def _flanked(

@@ -76,3 +76,17 @@ def test_small_blots_are_heads_within_slanted_lines(
     head = _head(*line.at(place), 3.0, half)
     mark_arrows([shape], kinds, head, np.ones((200, 220), dtype=bool), 2.0)
     assert (kinds == [[AnnotationKind.DIMENSION]]) is told
+
+
+@pytest.mark.parametrize(("at", "told"), [(0.0, False), (8.0, True)])
+def test_where_edges_meet_at_a_flat_angle_there_is_no_head(at: float, told: bool) -> None:
+    """A slanted edge that passes into an upright one on a level one, or a leader."""
+    way = (0.12, -0.9928)
+    slanted = InkedShape(Line((100.0, 100.0), way), (InkedRun(Run(-10.0, 300.0), 3.0),))
+    level = InkedShape(Line((0.0, 100.0), (1.0, 0.0)), (InkedRun(Run(20.0, 180.0), 3.0),))
+    upright = InkedShape(Line((100.0, 100.0), (0.0, 1.0)), (InkedRun(Run(-4.0, 90.0), 3.0),))
+    kinds: list[list[AnnotationKind | None]] = [[None], [None], [None]]
+    ink = np.ones((220, 220), dtype=bool)
+    head = _head(100.0 + at * way[0], 100.0 + at * way[1], 2.0, 3.0)
+    mark_arrows([slanted, level, upright], kinds, head, ink, 3.0)
+    assert kinds == [[AnnotationKind.DIMENSION if told else None], [None], [None]]
