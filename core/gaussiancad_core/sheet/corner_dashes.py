@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.fillets import boxes_of
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.jogs import distance_to
 from gaussiancad_core.sheet.parted import wide_gaps
@@ -68,8 +69,13 @@ def find_corner_dashes(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhyt
     found: list[Placed] = []
     if len(pieces) > _MOST:
         return found
+    boxes = boxes_of(pieces)
+    reach = _LONGEST * (rhythm.dash + rhythm.gap) + sheet.stroke_width + _CLEAR
     for corner in _corners(pieces, sheet, rhythm):
-        leg = _leg(corner, [*pieces, *found], sheet, rhythm)
+        near = (boxes[:, 0] <= corner.place + reach) & (boxes[:, 1] >= corner.place - reach)
+        near[corner.index] = False
+        around = [pieces[k] for k in np.flatnonzero(near.all(axis=1))]
+        leg = _leg(corner, [*around, *found], sheet, rhythm)
         if leg is not None:
             found.append(leg)
     return found
@@ -93,11 +99,10 @@ def _corners(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhythm) -> Ite
 
 
 def _leg(
-    corner: _Corner, pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhythm
+    corner: _Corner, others: Sequence[Placed], sheet: CleanSheet, rhythm: Rhythm
 ) -> Placed | None:
     """The leg that leaves a corner; None if no ink does, or it is another stroke's."""
     width = sheet.stroke_width
-    others = [own for k, own in enumerate(pieces) if k != corner.index]
     places = np.arange(0.0, _LONGEST * (rhythm.dash + rhythm.gap), _STEP)
     points = corner.place + places[:, None] * corner.aside
     dark = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > _DARK

@@ -71,15 +71,15 @@ def find_hidden_fillets(
         rhythm: of its dashes.
     """
     ends = straight_ends(placed, Linetype.HIDDEN)
+    boxes = boxes_of(placed)
     corners = [
         corner
         for corner in open_corners(ends, placed)
-        if not _is_met(corner, placed, sheet.stroke_width)
+        if not _is_met(corner, placed, boxes, sheet.stroke_width)
     ]
     if not corners:
         return []
     pen = dash_pen(placed, sheet)
-    boxes = boxes_of(placed)
     pieces = dict(enumerate(piece for _, piece in placed))
     found: list[Fillet] = []
     taken: set[tuple[int, bool]] = set()
@@ -98,14 +98,13 @@ def find_hidden_fillets(
     return found
 
 
-def _is_met(corner: Corner, placed: Sequence[Placed], stroke_width: float) -> bool:
+def _is_met(corner: Corner, placed: Sequence[Placed], boxes: Floats, stroke_width: float) -> bool:
     """Whether another stroke runs through a corner or ends there."""
-    own = (corner.first.index, corner.second.index)
     near = stroke_width / 2.0 + _MET
+    around = (boxes[:, 0] <= corner.place + near) & (boxes[:, 1] >= corner.place - near)
+    around[[corner.first.index, corner.second.index]] = False
     return any(
-        distance_to(other, corner.place) <= near
-        for index, other in enumerate(placed)
-        if index not in own
+        distance_to(placed[k], corner.place) <= near for k in np.flatnonzero(around.all(axis=1))
     )
 
 
