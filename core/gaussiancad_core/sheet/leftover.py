@@ -25,6 +25,9 @@ Floats = npt.NDArray[np.float64]
 _BLANK = 0.1
 """Weight up to which a pixel has no ink that could be left."""
 
+_WITHIN, _MOSTLY = 1.2, 0.6
+"""Line widths beside a way in which ink counts, and the share of it, squared, on the way."""
+
 _BESIDE = 3.0
 """px beyond half a pen's width in which a stroke has ink, at most."""
 
@@ -46,6 +49,22 @@ class Leftover:
 
     expected: npt.NDArray[np.float32]
     ink: npt.NDArray[np.float32]
+
+    def is_mostly_on(self, start: Floats, end: Floats, width: float) -> bool:
+        """Whether most of what is left beside a straight way is that of a stroke from (2,) px to
+        (2,) px, ``width`` px wide."""
+        length = float(np.hypot(*(end - start)))
+        way = (end - start) / length
+        low = np.maximum(np.floor(np.minimum(start, end) - width), 0).astype(int)
+        high = np.ceil(np.maximum(start, end) + width).astype(int) + 1
+        part = self.ink[low[1] : high[1], low[0] : high[0]]
+        rows, columns = np.nonzero(part > _BLANK)
+        offsets = np.stack([columns, rows], axis=1) + low - start
+        along, across = offsets @ way, np.abs(offsets @ np.array([-way[1], way[0]]))
+        ink = part[rows, columns] ** 2
+        beside = (along > -width) & (along < length + width) & (across <= _WITHIN * width)
+        own = (along > -width / 2.0) & (along < length + width / 2.0) & (across <= width / 2.0)
+        return float(ink[own].sum()) >= _MOSTLY * float(ink[beside].sum())
 
 
 def leftover_ink(placed: Sequence[Placed], sheet: CleanSheet) -> Leftover:

@@ -49,6 +49,8 @@ from gaussiancad_core.sheet.shadows import without_shadows
 from gaussiancad_core.sheet.shapes import (
     refit_circle,
 )
+from gaussiancad_core.sheet.short_legs import with_short_legs
+from gaussiancad_core.sheet.short_strokes import find_short_strokes
 from gaussiancad_core.sheet.slanted_dashes import with_slanted_dashes
 from gaussiancad_core.sheet.touching import ended_where_lines_touch, up_to_tangents
 from gaussiancad_core.sheet.tracing import trace_remainder
@@ -70,6 +72,44 @@ def classify_strokes(
         pens: what widths tell; nothing if left out.
     """
     explained = Explained.blank(view.sheet)
+    pieces = _seen_pieces(view, rhythm, pens, explained)
+    pieces = without_shadows(pieces, view.sheet.stroke_width)
+    pieces = ended_where_lines_touch(pieces, view.sheet.stroke_width)
+    pieces += find_corner_dashes(pieces, view.sheet, rhythm)
+    ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
+    pieces += find_jogs(ended, view.sheet)
+    pieces = _refitted(pieces, ended, view.sheet)
+    ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
+    parted = parted_at_corners(ended, view.sheet, rhythm)
+    if len(parted) > len(ended):
+        ended = ended_at_junctions(parted, rhythm, view.sheet.stroke_width)
+    rounded = find_fillets(view.sheet.weight, ended, view.sheet.stroke_width)
+    ended = _with_fillets(ended, rounded, explained)
+    ended = _with_fillets(ended, find_hidden_fillets(ended, view.sheet, rhythm), explained)
+    ended = with_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
+    ended = with_slanted_dashes(ended, view.sheet, rhythm)
+    ended = with_short_legs(ended, view.sheet, rhythm)
+    # Strokes that were drawn out to a junction explain the ink up to there.
+    for geometry, piece in ended:
+        explained.add(geometry, piece)
+    remainder = view.sheet.ink & (explained.around == 0)
+    short = find_short_strokes(remainder, ended, view.sheet, rhythm, pens)
+    for geometry, piece in short:
+        explained.add(geometry, piece)
+    ended += short
+    remainder &= explained.around == 0
+    ended = with_met_ends(ended, remainder, view.sheet.stroke_width)
+    strokes = [_stroke(geometry, piece) for geometry, piece in ended]
+    strokes += trace_remainder(remainder, view.sheet.stroke_width, rhythm.dash)
+    shift = np.array(view.offset) + 0.5
+    return tuple(_shifted(stroke, shift) for stroke in strokes if stroke.length > 1.5)
+
+
+def _seen_pieces(
+    view: ViewShapes, rhythm: Rhythm, pens: Pens | None, explained: Explained
+) -> list[Placed]:
+    """The pieces of all shapes where their ink is seen, those with most ink first; ``explained``
+    has their ink at last."""
     pieces: list[Placed] = []
     order = sorted(view.shapes, key=lambda shape: -shape.support)
     # Along the flat sides of ellipses run lines that are none.
@@ -109,30 +149,7 @@ def classify_strokes(
             pieces.append((shape.geometry, piece))
             own = up_to_tangents(shape.geometry, piece, lines, view.sheet.stroke_width)
             explained.add(shape.geometry, own)
-    pieces = without_shadows(pieces, view.sheet.stroke_width)
-    pieces = ended_where_lines_touch(pieces, view.sheet.stroke_width)
-    pieces += find_corner_dashes(pieces, view.sheet, rhythm)
-    ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
-    pieces += find_jogs(ended, view.sheet)
-    pieces = _refitted(pieces, ended, view.sheet)
-    ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
-    parted = parted_at_corners(ended, view.sheet, rhythm)
-    if len(parted) > len(ended):
-        ended = ended_at_junctions(parted, rhythm, view.sheet.stroke_width)
-    rounded = find_fillets(view.sheet.weight, ended, view.sheet.stroke_width)
-    ended = _with_fillets(ended, rounded, explained)
-    ended = _with_fillets(ended, find_hidden_fillets(ended, view.sheet, rhythm), explained)
-    ended = with_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
-    ended = with_slanted_dashes(ended, view.sheet, rhythm)
-    # Strokes that were drawn out to a junction explain the ink up to there.
-    for geometry, piece in ended:
-        explained.add(geometry, piece)
-    remainder = view.sheet.ink & (explained.around == 0)
-    ended = with_met_ends(ended, remainder, view.sheet.stroke_width)
-    strokes = [_stroke(geometry, piece) for geometry, piece in ended]
-    strokes += trace_remainder(remainder, view.sheet.stroke_width, rhythm.dash)
-    shift = np.array(view.offset) + 0.5
-    return tuple(_shifted(stroke, shift) for stroke in strokes if stroke.length > 1.5)
+    return pieces
 
 
 def _is_curved(curve: Curve, piece: Piece, sheet: CleanSheet) -> bool:
