@@ -66,6 +66,10 @@ more, at most and at least."""
 _THIN = 0.47
 """Share of the ink's darkness that a dark stroke of one px has at least, wherever it lies."""
 
+_MANY_PALE_PX, _SPREAD = 300, 0.04
+"""px of thin pale strokes, and the standard deviation of their shades, from which some of them lie
+on a row of pixels."""
+
 _STRONG, _WIDE_PX = 0.75, 1.6
 """Weight that a pale stroke is given, and px of width from which its ink bears it."""
 
@@ -149,7 +153,8 @@ def upright_sheet(sheet: CleanSheet) -> CleanSheet:
     if turn.angle:
         ink = turn.upright(sheet.ink.astype(np.float32)) > 0.5
         sheet = replace(sheet, ink=ink, weight=turn.upright(sheet.weight), turn=turn)
-    return replace(sheet, dash_gap=dash_gap(sheet.ink, sheet.stroke_width))
+    gap = dash_gap(sheet.ink, sheet.stroke_width)
+    return replace(sheet, dash_gap=gap) if gap else sheet
 
 
 def _without_specks(raw: Ink, filtered: Ink) -> Ink:
@@ -195,13 +200,8 @@ def _with_pale(weight: npt.NDArray[np.float32], ink: Ink) -> npt.NDArray[np.floa
     shades = weight[middle & (around < 0.5 * (1.0 + _PALE))]
     if len(shades) < _LEAST_PALE_PX:
         return weight
-    shade = float(np.median(shades))
-    apart, share = _ONE_SHADE
-    pale = float(np.mean(np.abs(shades - shade) <= apart)) >= share
-    if not pale or float(np.percentile(shades, 97.0)) > _PALE:
-        return weight
-    plateau = (np.abs(weight - shade) <= apart).astype(np.uint8)
-    if shade > _THIN and not cv2.erode(plateau, np.ones((3, 3), np.uint8)).any():
+    shade = _pale_shade(weight, shades)
+    if shade is None:
         return weight
     # Beside dark strokes the shade of a pixel says nothing.
     beside = around <= _PALE
@@ -209,6 +209,22 @@ def _with_pale(weight: npt.NDArray[np.float32], ink: Ink) -> npt.NDArray[np.floa
     strokes = ink & beside
     strong = _STRONG if _stroke_width(strokes, full * strokes) > _WIDE_PX else 1.0
     return np.where(beside, strong * full, full).astype(np.float32)
+
+
+def _pale_shade(weight: npt.NDArray[np.float32], shades: npt.NDArray[np.float32]) -> float | None:
+    """The weight of the middles (n,) of pale strokes; None if they may be thin dark ones."""
+    darkest = float(np.percentile(shades, 97.0))
+    if darkest > _PALE:
+        return None
+    shade = float(np.median(shades))
+    apart, share = _ONE_SHADE
+    if float(np.mean(np.abs(shades - shade) <= apart)) >= share:
+        plateau = (np.abs(weight - shade) <= apart).astype(np.uint8)
+        if shade <= _THIN or cv2.erode(plateau, np.ones((3, 3), np.uint8)).any():
+            return shade
+    # Thin strokes are as dark as their ink where they lie on a row of pixels: some do.
+    many = len(shades) >= _MANY_PALE_PX and float(np.std(shades)) >= _SPREAD
+    return darkest if many else None
 
 
 def _paper(grey: npt.NDArray[np.uint8]) -> npt.NDArray[np.float32]:

@@ -237,6 +237,17 @@ def test_thin_pale_strokes_are_full_ones(sketch: Sketch) -> None:
     assert weight[100, 65] > 0.6
 
 
+def test_thin_strokes_of_a_dark_grey_are_full_ones(sketch: Sketch) -> None:
+    drawn = sketch(300, 160).lines((20, 20), (280, 20), (280, 140), (20, 140), (20, 20))
+    pale = sketch(300, 160)
+    for y in (40.0, 50.0, 60.2, 70.3, 80.4, 90.5, 100.5):
+        pale.broken((40, y), (260, y), (10, 5), 1.0)
+    grey = np.rint(255.0 - 255.0 * drawn.weight - 165.0 * pale.weight).astype(np.uint8)
+    weight = clean_sheet(grey).weight
+    assert weight[40, 45] > 0.9
+    assert weight[100:102, 45].min() > 0.45
+
+
 def test_thin_strokes_are_not_pale_ones(sketch: Sketch) -> None:
     """A line of one px between two rows of pixels is half as dark as one on a row, and as wide."""
     drawn = sketch(200, 160).lines((20, 20), (180, 20), (180, 140), (20, 140), (20, 20))
