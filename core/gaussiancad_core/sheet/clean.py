@@ -73,6 +73,9 @@ on a row of pixels."""
 _STRONG, _WIDE_PX = 0.75, 1.6
 """Weight that a pale stroke is given, and px of width from which its ink bears it."""
 
+_EQUAL = 0.01
+"""Share of the ink's darkness by which the pixels along a stroke differ."""
+
 _LEAST_PALE_PX = 30
 """px of pale strokes on a sheet at least."""
 
@@ -196,7 +199,7 @@ def _with_pale(weight: npt.NDArray[np.float32], ink: Ink) -> npt.NDArray[np.floa
     They stay a little paler than dark ones, so that their ink is as that of a narrower pen.
     """
     around = cv2.dilate(weight, np.ones((5, 5), np.float32))
-    middle = ink & (weight >= cv2.dilate(weight, np.ones((3, 3), np.float32)))
+    middle = ink & (weight >= cv2.dilate(weight, np.ones((3, 3), np.float32)) - _EQUAL)
     shades = weight[middle & (around < 0.5 * (1.0 + _PALE))]
     if len(shades) < _LEAST_PALE_PX:
         return weight
