@@ -18,6 +18,7 @@ from gaussiancad_core.reasoning.curves import axis_line
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.incidences import Facet
 from gaussiancad_core.reasoning.oblique import find_half_spaces
+from gaussiancad_core.reasoning.open_ends import with_open_ends
 from gaussiancad_core.reasoning.pieces import Piece, find_pieces
 from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
 from gaussiancad_core.reasoning.retraced import retraced
@@ -67,13 +68,16 @@ class PartModel:
     rules: tuple[Rule, ...]
 
 
-def model_part(views: DrawnViews, near: float = NEAR, deadline: Deadline = NEVER) -> PartModel:
+def model_part(
+    views: DrawnViews, near: float = NEAR, deadline: Deadline = NEVER, *, open_ends: bool = False
+) -> PartModel:
     """Supports, cells and rules of views.
 
     Args:
         views: two to six.
         near: units within which a computed curve is one that is drawn, at least.
         deadline: by which it has to be done.
+        open_ends: whether strokes may go on beyond their ends.
 
     Raises:
         LimitError: ``part-too-complex``, or ``search-unfinished`` after the deadline.
@@ -90,6 +94,8 @@ def model_part(views: DrawnViews, near: float = NEAR, deadline: Deadline = NEVER
         half_spaces = find_half_spaces(supports)
     supports = with_untold_chamfers(with_untold_lines(retraced(supports, half_spaces)))
     supports = with_smooth_edges(supports)
+    if open_ends:
+        supports = with_open_ends(supports)
     planes = {axis: _arranged(plane, supports.tolerance) for axis, plane in supports.planes.items()}
     for axis in Axis:
         if axis not in planes:

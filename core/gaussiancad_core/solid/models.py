@@ -31,6 +31,10 @@ surfaces, for most lines.  Machines that are not busy have done with them long b
 _LITTLE = 1.0
 """Units of line that labels may give up before another model of the part is asked for better."""
 
+_MANY = 4000
+"""Rules of a part up to which it is modelled again with ends of strokes left open: labels for more
+of them take long, and the more lines there are the more of them are close by."""
+
 _BETTER = 0.7
 """Share of what the first model gives up that another one gives up at most to be the better one."""
 
@@ -143,9 +147,11 @@ def _cost(labelling: Labelling) -> float:
     return sum(rule.weight for rule in labelling.given_up)
 
 
-def _modelled(views: DrawnViews, deadline: Deadline, near: float = NEAR) -> PartModel | None:
+def _modelled(
+    views: DrawnViews, deadline: Deadline, near: float = NEAR, *, open_ends: bool = False
+) -> PartModel | None:
     try:
-        return model_part(views, near, deadline)
+        return model_part(views, near, deadline, open_ends=open_ends)
     except LimitError:
         return None
 
@@ -174,6 +180,11 @@ def _otherwise(
     if followed is not None and (model := _modelled(followed, deadline)) is not None:
         # What contradicted the lines may be gone.
         yield _Other(_widened(model, _never, deadline) or model, may_give_up=True)
+    if len(work.part.rules) <= _MANY and lines.apart is not None:
+        # What was read from a picture may be off by some pixels.
+        for loose in (lines, replace(lines, apart=None)):
+            if (model := _modelled(loose, deadline, open_ends=True)) is not None:
+                yield _Other(model, may_give_up=True)
     smooth = without_rough_arcs(lines) if contradict else None
     if smooth is not None and (model := _modelled(smooth, deadline, ROUGHLY)) is not None:
         yield _Other(model)
