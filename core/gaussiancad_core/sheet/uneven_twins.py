@@ -59,6 +59,9 @@ _ROUNDS = 2
 _EDGE = 0.35
 """px inside of the outer edge of a line's ink where it is looked for."""
 
+_LIKE_A_DASH = 0.5, 1.5
+"""Length of a dash with which a line goes on, in the sheet's dashes, at least and at most."""
+
 _SHORTEST_RUN = 2.0
 """px of a dash at least: what is left of one at a crossing."""
 
@@ -101,7 +104,7 @@ def uneven_twins(
     for present, side in zip(seen, (-1.0, 1.0), strict=True):
         across = profile.middle + side * half
         own = _fitted(line, profile.along[present], across[present])
-        runs = _runs(own, profile.along, sheet, side * (pen / 2.0 - _EDGE))
+        runs = _runs(own, profile.along, sheet, side * (pen / 2.0 - _EDGE), rhythm)
         found.append(replace(shape, geometry=own, runs=runs, close=True, twin=True))
     return (found[0], found[1]) if all(own.runs for own in found) else None
 
@@ -190,12 +193,35 @@ def _fitted(line: Line, along: Floats, across: Floats) -> Line:
     return Line((float(point[0]), float(point[1])), (float(way[0]), float(way[1])))
 
 
-def _runs(line: Line, along: Floats, sheet: CleanSheet, outward: float) -> tuple[Run, ...]:
-    """Where a line has ink, looked for beside it, where the other line has none."""
-    points, (dx, dy) = line.points_at(along), line.direction
+def _runs(
+    line: Line, along: Floats, sheet: CleanSheet, outward: float, rhythm: Rhythm
+) -> tuple[Run, ...]:
+    """Where a line has ink, looked for beside it, where the other line has none.
+
+    The dashes may go on beyond the places that were looked at, in ink that no line followed.
+    """
+    reach = float(sum(sheet.weight.shape))
+    places = np.arange(along[0] - reach, along[-1] + reach, _STEP)
+    points, (dx, dy) = line.points_at(places), line.direction
     dark = sample(sheet.weight, points[:, :1] - dy * outward, points[:, 1:] + dx * outward)
     runs = [
-        Run(float(along[first]), float(along[last]))
+        Run(float(places[first]), float(places[last]))
         for first, last in runs_of_ink(dark[:, 0] > 0.5)
+        if (last - first) * _STEP >= _SHORTEST_RUN
     ]
-    return tuple(run for run in runs if run.length >= _SHORTEST_RUN)
+    kept = [run for run in runs if run.end >= along[0] and run.start <= along[-1]]
+    if not kept:
+        return ()
+    first, last = runs.index(kept[0]), runs.index(kept[-1])
+    while first > 0 and _goes_on(runs[first - 1], runs[first], rhythm):
+        first -= 1
+    while last < len(runs) - 1 and _goes_on(runs[last + 1], runs[last], rhythm):
+        last += 1
+    return tuple(runs[first : last + 1])
+
+
+def _goes_on(dash: Run, run: Run, rhythm: Rhythm) -> bool:
+    """Whether a run beside another is a dash of the same line."""
+    low, high = _LIKE_A_DASH
+    gap = max(dash.start - run.end, run.start - dash.end)
+    return low <= dash.length / rhythm.dash <= high and gap <= widest_gap(rhythm)

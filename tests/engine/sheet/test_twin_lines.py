@@ -6,9 +6,12 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.sheet.clean import clean_sheet
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.runs import Run
 from gaussiancad_core.sheet.strokes import classify_strokes
 from gaussiancad_core.sheet.twin_lines import with_twins
-from gaussiancad_core.sheet.view_shapes import find_shapes, view_pens, view_rhythm
+from gaussiancad_core.sheet.uneven_twins import uneven_twins
+from gaussiancad_core.sheet.view_shapes import Shape, find_shapes, view_pens, view_rhythm
 from gaussiancad_core.views import Linetype
 
 Sketch = Any
@@ -72,6 +75,21 @@ def test_two_lines_whose_dashes_fill_each_others_gaps(
     found = _levels(drawn)
     assert found == pytest.approx([50.0, 120.0, 120.0 + apart, 190.0], abs=0.25)
     assert _visible(drawn) == 4
+
+
+def test_their_dashes_go_on_where_no_line_was_followed(sketch: Sketch) -> None:
+    """Of a line that was found along a part of both the twins reach to where the dashes end."""
+    drawn = _plate(sketch).broken((22, 120), (298, 120), RHYTHM)
+    drawn.broken((27, 121.5), (298, 121.5), RHYTHM)
+    sheet = clean_sheet(drawn.grey)
+    view = find_shapes(sheet, BOX)
+    rhythm = view_rhythm([view], sheet.stroke_width)
+    line = Line((22.0 - view.offset[0], 120.75 - view.offset[1]), (1.0, 0.0))
+    cut = Shape(line, (Run(0.0, 150.0),), 100.0)
+    one, other = uneven_twins(cut, view.sheet, 2.0, rhythm)
+    for twin, end in ((one, 286.0), (other, 291.0)):
+        last = twin.geometry.points_at(np.array([twin.runs[0].start, twin.runs[-1].end]))[:, 0]
+        assert float(last.max()) + view.offset[0] == pytest.approx(end, abs=2.0)
 
 
 def test_a_line_that_is_visible_in_its_middle_is_one(sketch: Sketch) -> None:
