@@ -1,10 +1,16 @@
 """The models of a drawing: which one explains the most."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import pytest
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
+from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace, BRepBuilderAPI_MakePolygon
+from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox, BRepPrimAPI_MakePrism
+from OCP.gp import gp_Pnt, gp_Vec
 from OCP.TopoDS import TopoDS_Shape
 
+from gaussiancad_core.axes import Role
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.labelling import Labelling, Search
@@ -12,6 +18,7 @@ from gaussiancad_core.reasoning.part import model_part
 from gaussiancad_core.solid import models
 from gaussiancad_core.solid.exact import exact_solid
 from gaussiancad_core.solid.models import Clock, Limits, labelled
+from gaussiancad_core.views import Segment
 
 
 def test_arcs_that_follow_a_curve_are_taken_for_it(
@@ -42,3 +49,41 @@ def test_another_model_is_taken_only_where_it_gives_up_clearly_less(
     monkeypatch.setattr(models, "_LITTLE", 1e9)
     assert not chosen()
     assert models._cost(Labelling(None, (), False)) == float("inf")
+
+
+def _sloped_block() -> TopoDS_Shape:
+    """A block with a sloping face at its back that ends 1 mm beside the corner of a notch."""
+    slope = BRepBuilderAPI_MakePolygon()
+    for x, z in ((0.0, 20.0), (70.0, 50.0), (0.0, 50.0)):
+        slope.Add(gp_Pnt(x, 20.0, z))
+    slope.Close()
+    wedge = BRepPrimAPI_MakePrism(
+        BRepBuilderAPI_MakeFace(slope.Wire()).Face(), gp_Vec(0.0, 40.0, 0.0)
+    )
+    notch = BRepPrimAPI_MakeBox(gp_Pnt(69.0, 0.0, 0.0), 31.0, 15.0, 50.0)
+    block = BRepPrimAPI_MakeBox(100.0, 60.0, 50.0)
+    sloped = BRepAlgoAPI_Cut(block.Shape(), wedge.Shape()).Shape()
+    return BRepAlgoAPI_Cut(sloped, notch.Shape()).Shape()
+
+
+def test_an_end_that_was_led_to_the_line_before_is_found(
+    drawn: Callable[[TopoDS_Shape], DrawnViews], iou: Callable[[TopoDS_Shape, TopoDS_Shape], float]
+) -> None:
+    block = _sloped_block()
+    views = drawn(block)
+    before = 69.0, 20.0 + 69.0 * 30.0 / 70.0
+
+    def cut(stroke: Segment) -> Segment:
+        ends = [
+            before if x == pytest.approx(70.0) else (x, z) for x, z in (stroke.start, stroke.end)
+        ]
+        return replace(stroke, start=ends[0], end=ends[1])
+
+    front = tuple(
+        cut(s) if 20.0 < abs(s.start[1] - s.end[1]) < 40.0 else s for s in views.strokes[Role.FRONT]
+    )
+    assert front != views.strokes[Role.FRONT]
+    read = replace(views, strokes={**views.strokes, Role.FRONT: front}, tolerance=0.15, apart=0.05)
+    result = exact_solid(read)
+    assert (result.status, result.reasons) == (Status.VERIFIED, ())
+    assert iou(result.shape, block) > 0.9999
