@@ -3,6 +3,7 @@
 Slim ones, which are no blots, :mod:`gaussiancad_core.sheet.annotations.tapers` tells.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -11,8 +12,8 @@ import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.erase import Kinds
-from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
-from gaussiancad_core.sheet.annotations.marks import Mask, values_at
+from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape, points_along
+from gaussiancad_core.sheet.annotations.marks import Mark, Mask, values_at
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.runs import Run
 
@@ -30,6 +31,9 @@ have such heads, and level lines blots where two others cross them."""
 _ON_OTHER, _OTHER = 0.6, 6.0
 """Distance of another line from a blot at most, and length of it at least, in widths of a line, for
 the blot to be where both meet: the middle of a head lies before the line that it points to."""
+
+_WRITING = 5.0
+"""Distance of a line with one head from its writing at most, in heights of letters."""
 
 _LARGEST = 12.0
 """Length of an arrowhead's thick part at most, in widths of a line."""
@@ -72,16 +76,31 @@ def arrowheads(ink: Mask, stroke_width: float) -> Arrowheads:
 
 
 def mark_arrows(
-    shapes: list[InkedShape], kinds: Kinds, heads: Arrowheads, ink: Mask, stroke_width: float
+    shapes: list[InkedShape],
+    kinds: Kinds,
+    heads: Arrowheads,
+    ink: Mask,
+    stroke_width: float,
+    *,
+    letters: Sequence[Mark],
 ) -> None:
     """Mark straight runs with arrowheads on them as dimension lines, in place.
 
-    One alone counts at an end: where a stroke meets an edge, ink that ran makes a blot like it.  A
-    large head has no ridge along its middle, so that its line ends behind it; the run then goes on
-    as far as the middle of the head.
+    One alone counts at an end, where writing is near: where a stroke meets an edge, ink that ran
+    makes a blot like it.  A large head has no ridge along its middle, so that its line ends behind
+    it; the run then goes on as far as the middle of the head.
+
+    Args:
+        shapes: lines and circles of a sheet.
+        kinds: what each run is known to be.
+        heads: the sheet's thick blots.
+        ink: (h, w) bool.
+        stroke_width: px.
+        letters: the sheet's writing.
     """
     if not len(heads.middles):
         return
+    near_writing = _NearWriting(letters)
     crossed = _lines_through(shapes, heads.middles, stroke_width)
     for index, (shape, own) in enumerate(zip(shapes, kinds, strict=True)):
         if not isinstance(shape.geometry, Line):
@@ -103,11 +122,29 @@ def mark_arrows(
             on_run = near[reached]
             from_end = np.minimum(on_run - low, high - on_run)
             at_end = (from_end < _LARGEST * stroke_width).any()
+            at_end = at_end and near_writing(shape, run)
             if own[k] is None and (len(on_run) > 1 or at_end):
                 own[k] = AnnotationKind.DIMENSION
                 whole = Run(min(run.run.start, *on_run), max(run.run.end, *on_run))
                 runs[k] = InkedRun(whole, run.width)
         shapes[index] = InkedShape(shape.geometry, tuple(runs))
+
+
+class _NearWriting:
+    """Whether a run has writing near it, as far as a leader's is from its line."""
+
+    def __init__(self, letters: Sequence[Mark]) -> None:
+        boxes = np.array([mark.box for mark in letters], float).reshape(-1, 4)
+        self._low, self._high = boxes[:, :2], boxes[:, 2:]
+        sides = (self._high - self._low).min(axis=1)
+        self._reach = _WRITING * float(np.median(sides)) if len(boxes) else 0.0
+
+    def __call__(self, shape: InkedShape, run: InkedRun) -> bool:
+        if not len(self._low):
+            return False
+        points = points_along(shape.geometry, run.run, 1.0)[:, None]
+        beside = np.maximum(np.maximum(self._low - points, points - self._high), 0.0)
+        return bool(np.hypot(beside[..., 0], beside[..., 1]).min() <= self._reach)
 
 
 def _lines_through(

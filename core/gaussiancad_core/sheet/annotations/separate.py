@@ -181,7 +181,8 @@ def _tell_line_ends(sheet: CleanSheet, ridges: RidgePoints, told: Told, weights:
 def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> tuple[Told, Mask]:
     """Dimensions by their arrowheads, then what bounds nothing, then boxes around letters."""
     heads = arrowheads(sheet.ink, sheet.stroke_width)
-    mark_arrows(told.shapes, told.kinds, heads, sheet.ink, sheet.stroke_width)
+    width = sheet.stroke_width
+    mark_arrows(told.shapes, told.kinds, heads, sheet.ink, width, letters=letters)
     mark_lone_marks(told.shapes, told.kinds, sheet.ink, sheet.stroke_width)
     mark_tapered(told.shapes, told.kinds, sheet)
     mark_lettered(told.shapes, told.kinds, letters, sheet.ink, sheet.stroke_width)

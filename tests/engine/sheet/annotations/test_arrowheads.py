@@ -6,10 +6,12 @@ import pytest
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.arrowheads import Arrowheads, mark_arrows
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
+from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.runs import Run
 
 LEVEL = Line((0.0, 50.0), (1.0, 0.0))
+WRITING = [Mark(AnnotationKind.TEXT, (90.0, 30.0, 120.0, 44.0))]
 LONG = InkedShape(LEVEL, (InkedRun(Run(20.0, 180.0), 2.0),))
 
 
@@ -26,7 +28,7 @@ LONG = InkedShape(LEVEL, (InkedRun(Run(20.0, 180.0), 2.0),))
 def test_arrowheads_tell_dimension_lines(heads: list[tuple[float, float]], marked: bool) -> None:
     kinds: list[list[AnnotationKind | None]] = [[None]]
     told = Arrowheads(np.array(heads), np.full(len(heads), 4.0), np.full(len(heads), 4.0))
-    mark_arrows([LONG], kinds, told, np.ones((100, 200), dtype=bool), 2.0)
+    mark_arrows([LONG], kinds, told, np.ones((100, 200), dtype=bool), 2.0, letters=WRITING)
     assert kinds == [[AnnotationKind.DIMENSION if marked else None]]
 
 
@@ -39,11 +41,11 @@ def test_the_line_of_a_large_head_ends_behind_it() -> None:
     shapes: list[InkedShape] = [LONG]
     kinds: list[list[AnnotationKind | None]] = [[None]]
     ink = np.ones((100, 220), dtype=bool)
-    mark_arrows(shapes, kinds, _head(188.0, 50.0, 20.0, 4.0), ink, 2.0)
+    mark_arrows(shapes, kinds, _head(188.0, 50.0, 20.0, 4.0), ink, 2.0, letters=WRITING)
     assert kinds == [[AnnotationKind.DIMENSION]]
     assert shapes[0].runs[0].run == Run(20.0, 188.0)
     kinds = [[None]]
-    mark_arrows([LONG], kinds, _head(198.0, 50.0, 20.0, 4.0), ink, 2.0)
+    mark_arrows([LONG], kinds, _head(198.0, 50.0, 20.0, 4.0), ink, 2.0, letters=WRITING)
     assert kinds == [[None]]
 
 
@@ -52,7 +54,7 @@ def test_a_blot_beside_a_line_is_no_head_of_it() -> None:
     kinds: list[list[AnnotationKind | None]] = [[None]]
     ink = np.zeros((100, 220), dtype=bool)
     ink[49:60, 20:180] = True
-    mark_arrows([LONG], kinds, _head(28.0, 51.0, 6.0, 4.0), ink, 2.0)
+    mark_arrows([LONG], kinds, _head(28.0, 51.0, 6.0, 4.0), ink, 2.0, letters=WRITING)
     assert kinds == [[None]]
 
 
@@ -74,7 +76,7 @@ def test_small_blots_are_heads_within_slanted_lines(
     shape = InkedShape(line, (InkedRun(Run(0.0, 100.0), 2.0),))
     kinds: list[list[AnnotationKind | None]] = [[None]]
     head = _head(*line.at(place), 3.0, half)
-    mark_arrows([shape], kinds, head, np.ones((200, 220), dtype=bool), 2.0)
+    mark_arrows([shape], kinds, head, np.ones((200, 220), dtype=bool), 2.0, letters=WRITING)
     assert (kinds == [[AnnotationKind.DIMENSION]]) is told
 
 
@@ -88,5 +90,24 @@ def test_where_edges_meet_at_a_flat_angle_there_is_no_head(at: float, told: bool
     kinds: list[list[AnnotationKind | None]] = [[None], [None], [None]]
     ink = np.ones((220, 220), dtype=bool)
     head = _head(100.0 + at * way[0], 100.0 + at * way[1], 2.0, 3.0)
-    mark_arrows([slanted, level, upright], kinds, head, ink, 3.0)
+    mark_arrows([slanted, level, upright], kinds, head, ink, 3.0, letters=WRITING)
     assert kinds == [[AnnotationKind.DIMENSION if told else None], [None], [None]]
+
+
+@pytest.mark.parametrize(
+    ("writing", "heads", "told"),
+    [
+        (WRITING, 1, True),
+        ([], 1, False),
+        ([Mark(AnnotationKind.TEXT, (80.0, 300.0, 120.0, 314.0))], 1, False),
+        ([], 2, True),
+    ],
+)
+def test_one_head_alone_has_writing_near_its_line(
+    writing: list[Mark], heads: int, told: bool
+) -> None:
+    middles = np.array([(28.0, 50.0), (172.0, 50.0)])[:heads]
+    found = Arrowheads(middles, np.full(heads, 4.0), np.full(heads, 4.0))
+    kinds: list[list[AnnotationKind | None]] = [[None]]
+    mark_arrows([LONG], kinds, found, np.ones((100, 200), dtype=bool), 2.0, letters=writing)
+    assert kinds == [[AnnotationKind.DIMENSION if told else None]]
