@@ -126,10 +126,10 @@ class Search:
         self._effort = effort
         self._model = Model(rules, lightest=SLIGHT)
 
-    def best(self, *, relaxed: bool = True) -> Labelling:
+    def best(self, deadline: Deadline = NEVER, *, relaxed: bool = True) -> Labelling:
         """Labels under which all rules hold, or, if ``relaxed``, all but the least."""
-        found = self.fulfilled()
-        return self.least() if found.labels is None and relaxed else found
+        found = self.fulfilled(deadline)
+        return self.least(deadline) if found.labels is None and relaxed else found
 
     def fulfilled(self, deadline: Deadline = NEVER) -> Labelling:
         """Labels under which all rules hold; the simplest of them.

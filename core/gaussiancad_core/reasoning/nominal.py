@@ -32,6 +32,9 @@ _SHARE = 0.85
 _CHANCE = 1e-7
 """Probability at which so many numbers fit by chance, over all steps that are tried."""
 
+_ROUND_MM, _ROUND_CHANCE = (10.0, 5.0, 2.0, 1.0, 0.5), 1e-6
+"""Steps that most parts are designed in, and the same probability for these alone."""
+
 
 @dataclass(frozen=True)
 class NominalStep:
@@ -51,25 +54,36 @@ class NominalStep:
         return multiple if abs(number - multiple) <= self.reach else None
 
 
-def nominal_step(numbers: Sequence[float], tolerance: float) -> NominalStep | None:
+def nominal_step(
+    numbers: Sequence[float], tolerance: float, millimetre: float
+) -> NominalStep | None:
     """The longest step that the numbers are multiples of; None where none is told.
 
     Args:
         numbers: distinct coordinates and radii, units; the longest extent is ``UNITS``.
         tolerance: units by which a number may be off.
+        millimetre: units, as far as the scale is known: a round step needs fewer numbers to tell. 0
+            where it is not.
     """
     told = np.array([number for number in numbers if _is_told(number, tolerance)])
     if not len(told):
         return None
+    any_step = [UNITS / count for count in range(_FEWEST_STEPS, _MOST_STEPS + 1)]
+    round_steps = [length * millimetre for length in _ROUND_MM] if millimetre else []
     for precise in _PRECISE:
-        for count in range(_FEWEST_STEPS, _MOST_STEPS + 1):
-            length = UNITS / count
-            reach = min(_NEAR * length, precise * tolerance)
-            off = np.abs(told - length * np.round(told / length))
-            fits = int((off <= reach).sum())
-            chance = _by_chance(fits, len(told), 2.0 * reach / length)
-            if fits >= _SHARE * len(told) and chance < _CHANCE:
-                return NominalStep(length, reach)
+        for lengths, chance in (
+            (any_step, _CHANCE),
+            (round_steps, _ROUND_CHANCE),
+        ):
+            for length in lengths:
+                reach = min(_NEAR * length, precise * tolerance)
+                off = np.abs(told - length * np.round(told / length))
+                fits = int((off <= reach).sum())
+                share = 2.0 * reach / length
+                if fits >= _SHARE * len(told) and (
+                    _by_chance(fits, len(told), share) * len(lengths) < chance
+                ):
+                    return NominalStep(length, reach)
     return None
 
 
@@ -79,8 +93,7 @@ def _is_told(number: float, tolerance: float) -> bool:
 
 
 def _by_chance(fits: int, count: int, share: float) -> float:
-    """Probability that at least so many of a count of random numbers fit one of all steps."""
-    tail = sum(
+    """Probability that at least so many of a count of random numbers fit a step."""
+    return sum(
         comb(count, k) * share**k * (1.0 - share) ** (count - k) for k in range(fits, count + 1)
     )
-    return tail * _MOST_STEPS

@@ -120,6 +120,7 @@ def snapped(
     circles: Sequence[CircleReading],
     tolerance: float,
     apart: float | None = None,
+    millimetre: float = 0.0,
 ) -> Snapped:
     """Make readings that belong together equal.
 
@@ -128,6 +129,7 @@ def snapped(
         circles: of all planes.
         tolerance: units by which a reading may be off.
         apart: units from which values are different ones; the tolerance if it is None.
+        millimetre: units, as far as the scale is known; 0 where it is not.
     """
     apart = tolerance if apart is None else apart
     variables = _Variables()
@@ -147,7 +149,7 @@ def snapped(
         own.append((reading.normal, *columns))
     relations = circle_relations(variables.observed, clusters, own, tolerance)
     numbers = solved(variables.observed, variables.weights, relations, _FAR * tolerance)
-    step = _step(numbers, tolerance) if tolerance > _EXACT else None
+    step = _step(numbers, tolerance, millimetre) if tolerance > _EXACT else None
     nominal = False
     if step is not None:
         far = _FAR * tolerance
@@ -334,11 +336,11 @@ def circle_relations(
     return relations
 
 
-def _step(numbers: Numbers, tolerance: float) -> NominalStep | None:
+def _step(numbers: Numbers, tolerance: float, millimetre: float) -> NominalStep | None:
     """The step that the part was designed in, if the numbers tell one."""
     # What is shown twice is no further evidence.
     distinct = {round(float(number) / tolerance): float(number) for number in numbers}
-    return nominal_step(list(distinct.values()), tolerance)
+    return nominal_step(list(distinct.values()), tolerance, millimetre)
 
 
 def _rounded(

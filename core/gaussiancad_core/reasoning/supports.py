@@ -165,7 +165,7 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
     planes = _sorted_strokes(views, scale, tolerance)
     size = tuple(extent * scale for extent in views.size)
     apart = None if views.apart is None else views.apart * scale
-    snap = _snap(planes, size, tolerance, apart)
+    snap = _snap(planes, size, scale, tolerance, apart)
     shown = [_plane_reading(plane, tolerance) for plane in planes.values()]
     lone = [reading for plane in shown for reading in _slant_ends(plane, snap)]
     known = adjusted(with_lone_values(snap, lone), shown, tolerance, facets)
@@ -260,6 +260,7 @@ def _circle(arc: Arc, role: Role, scale: float) -> _Circle:
 def _snap(
     planes: dict[Axis, _Plane],
     size: tuple[float, float, float],
+    scale: float,
     tolerance: float,
     apart: float | None,
 ) -> Snapped:
@@ -277,7 +278,7 @@ def _snap(
                 value = (line.start[along] + line.end[along]) / 2.0
                 readings.append(Reading(axes[along], value, line.length * line.confidence))
         circles += [CircleReading(plane.normal, c.circle, c.weight) for c in plane.circles]
-    return snapped(readings, circles, tolerance, apart)
+    return snapped(readings, circles, tolerance, apart, scale)
 
 
 def _plane_reading(plane: _Plane, tolerance: float) -> PlaneReading:
