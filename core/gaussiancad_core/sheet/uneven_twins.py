@@ -53,6 +53,10 @@ _AROUND = 1.5
 _LONG_DASH = 1.3
 """Dashes that the ink of both goes on for at a stretch at most."""
 
+_MOSTLY_DASH, _STEPS = 0.7, 3
+"""Length of a dash that counts, in the sheet's dashes, and dashes of one line and of both, at
+least, where both keep step."""
+
 _ROUNDS = 2
 """How often the line is laid parallel to both."""
 
@@ -115,6 +119,9 @@ def _told_apart(profile: _Profile, pen: float, rhythm: Rhythm) -> tuple[Flags, F
     both = profile.ink >= pen + _WIDER
     if min(single.sum(), both.sum()) * _STEP < _LEAST or _is_solid(both, rhythm):
         return None
+    alone = _one_alone(profile, single, both, pen, rhythm)
+    if alone is not None:
+        return alone
     reach = round(_AROUND * (rhythm.dash + rhythm.gap) / _STEP)
     single &= maximum_filter1d(both.astype(np.uint8), 2 * reach + 1) > 0
     level, apart = profile, 0.0
@@ -128,6 +135,32 @@ def _told_apart(profile: _Profile, pen: float, rhythm: Rhythm) -> tuple[Flags, F
     if not _NEAREST <= apart <= _FARTHEST * pen or abs(wider - apart) > 2.0 * _TIGHT:
         return None
     return parted[0] | both, parted[1] | both
+
+
+def _one_alone(
+    profile: _Profile, single: Flags, both: Flags, pen: float, rhythm: Rhythm
+) -> tuple[Flags, Flags] | None:
+    """The same where the dashes of both keep step for as long as the shorter line goes on: beyond,
+    those of the other are as wide as one, and lie at one edge of the ink."""
+    shortest = _MOSTLY_DASH * rhythm.dash / _STEP
+    stretches = [(a, b) for a, b in runs_of_ink(both) if b - a >= shortest]
+    lone = [(a, b) for a, b in runs_of_ink(single) if b - a >= shortest]
+    if min(len(stretches), len(lone)) < _STEPS:
+        return None
+    widths = np.array([np.median(profile.ink[a : b + 1]) for a, b in stretches])
+    apart = float(np.median(widths)) - pen
+    if np.abs(widths - pen - apart).max() > _TIGHT or not _NEAREST <= apart <= _FARTHEST * pen:
+        return None
+    seen = np.zeros(len(single), dtype=bool)
+    wide = seen.copy()
+    for flags, own in ((seen, lone), (wide, stretches)):
+        for a, b in own:
+            flags[a : b + 1] = True
+    seen, wide = seen & single, wide & both
+    shift = _levelled(profile, seen, wide)[1]
+    if abs(2.0 * abs(shift) - apart) > 2.0 * _TIGHT:
+        return None
+    return (seen | wide, wide) if shift > 0.0 else (wide, seen | wide)
 
 
 def _is_solid(both: Flags, rhythm: Rhythm) -> bool:
@@ -209,6 +242,10 @@ def _runs(
         for first, last in runs_of_ink(dark[:, 0] > 0.5)
         if (last - first) * _STEP >= _SHORTEST_RUN
     ]
+    dashes = [run for run in runs if run.length >= _LIKE_A_DASH[0] * rhythm.dash]
+    # Strokes that cross the line far from its dashes are none of it.
+    gap = widest_gap(rhythm)
+    runs = [run for run in runs if any(_between(run, dash) <= gap for dash in dashes)]
     kept = [run for run in runs if run.end >= along[0] and run.start <= along[-1]]
     if not kept:
         return ()
@@ -223,5 +260,10 @@ def _runs(
 def _goes_on(dash: Run, run: Run, rhythm: Rhythm) -> bool:
     """Whether a run beside another is a dash of the same line."""
     low, high = _LIKE_A_DASH
-    gap = max(dash.start - run.end, run.start - dash.end)
-    return low <= dash.length / rhythm.dash <= high and gap <= widest_gap(rhythm)
+    like = low <= dash.length / rhythm.dash <= high
+    return like and _between(dash, run) <= widest_gap(rhythm)
+
+
+def _between(one: Run, other: Run) -> float:
+    """px between two runs, less than 0 where they overlap."""
+    return max(one.start - other.end, other.start - one.end)

@@ -77,6 +77,25 @@ def test_two_lines_whose_dashes_fill_each_others_gaps(
     assert _visible(drawn) == 4
 
 
+@pytest.mark.parametrize("apart", [1.2, 1.6, 2.0])
+@pytest.mark.parametrize("step", [0.0, 1.5])
+def test_two_lines_in_step_one_of_which_is_shorter(
+    sketch: Sketch, apart: float, step: float
+) -> None:
+    """Where both are, all dashes are wider, and those beyond lie at one edge of them."""
+    drawn = _plate(sketch).broken((22, 120), (298, 120), RHYTHM)
+    drawn.broken((112 + step, 120 + apart), (300, 120 + apart), RHYTHM)
+    sheet = clean_sheet(drawn.grey)
+    view = find_shapes(sheet, BOX)
+    (parted,) = with_twins([view], view_rhythm([view], sheet.stroke_width))
+    line, shorter = (own for own in parted.shapes if own.twin)
+    for own, y, start in ((line, 120.0, 22.0), (shorter, 120.0 + apart, 112.0)):
+        ends = np.array([own.runs[0].start, own.runs[-1].end])
+        points = own.geometry.points_at(ends) + np.array(view.offset)
+        assert points[:, 1] == pytest.approx(y, abs=0.4)
+        assert points[:, 0] == pytest.approx((start, 286.0), abs=3.5)
+
+
 def test_their_dashes_go_on_where_no_line_was_followed(sketch: Sketch) -> None:
     """Of a line that was found along a part of both the twins reach to where the dashes end."""
     drawn = _plate(sketch).broken((22, 120), (298, 120), RHYTHM)
