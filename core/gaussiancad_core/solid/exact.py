@@ -39,8 +39,9 @@ _COUNTING = 0.15
 _PATIENT = 0.25
 """Share of the time after which it is not asked any more which lines contradict each other."""
 
-_OTHERS = 0.9
-"""Share of the time at which the search for others ends."""
+_FIRST, _OTHERS = 0.6, 0.9
+"""Shares of the time at which building, and the search for others, end: of the first model's labels
+and of others'."""
 
 _UNLIKELY = 0.02
 """Share of the search for others that is left where neither lines nor labels agree: they may,
@@ -133,24 +134,43 @@ def _found(views: DrawnViews, limits: Limits) -> ExactResult:
         reason = error.code, error.message
         return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
     clock.lap("model")
-    work, labelling = labelled(part, views, limits, clock)
+    result: ExactResult | None = None
+    for work, labelling in labelled(part, views, limits, clock):
+        clock.lap("label")
+        # Other models may be the better ones: time has to remain for them.
+        latest = clock.deadline((_OTHERS if result else _FIRST) * limits.seconds)
+        found = _searched(work, labelling, limits, latest)
+        if result is None or _worth(found) > _worth(result):
+            result = found
+        if _explains(found):
+            break
     clock.lap("label")
-    result = _searched(work, labelling, limits)
-    explained = result.verification is not None and result.verification.explains
-    if explained or not limits.relaxed or clock.total > _PATIENT * limits.seconds:
+    if _explains(result) or not limits.relaxed or clock.total > _PATIENT * limits.seconds:
         return result
     conflict = find_conflict(part, views, limits.conflict)
     clock.lap("conflict")
     return replace(result, conflict=conflict)
 
 
-def _searched(work: Work, labelling: Labelling, limits: Limits) -> ExactResult:
+def _explains(result: ExactResult) -> bool:
+    return result.verification is not None and result.verification.explains
+
+
+def _worth(result: ExactResult) -> tuple[bool, bool, float]:
+    """What solids of several models are ranked by."""
+    verification = result.verification
+    if verification is None:
+        return False, False, 0.0
+    return verification.explains, verification.sound, verification.share
+
+
+def _searched(work: Work, labelling: Labelling, limits: Limits, latest: Deadline) -> ExactResult:
     """The solid of labels, or of others that are as good."""
     clock, views = work.clock, work.views
     if labelling.labels is None:
         reason = _NONE if labelling.complete else _UNFINISHED
         return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
-    candidates, complete = _candidates(work, labelling, limits)
+    candidates, complete = _candidates(work, labelling, limits, latest)
     if not candidates:
         reason = _NONE if complete else _UNBUILT
         return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
@@ -175,7 +195,9 @@ def _rank(candidate: Candidate) -> tuple[float, int]:
     return -round(candidate.verification.share, 3), soundness(candidate.shape).faces
 
 
-def _candidates(work: Work, labelling: Labelling, limits: Limits) -> tuple[list[Candidate], bool]:
+def _candidates(
+    work: Work, labelling: Labelling, limits: Limits, latest: Deadline
+) -> tuple[list[Candidate], bool]:
     """Solids of the labels and of others, simplest first; whether all there are were looked at.
 
     Labels whose faces do not close, or bound something unsound, are not looked at: there may be a
@@ -183,7 +205,6 @@ def _candidates(work: Work, labelling: Labelling, limits: Limits) -> tuple[list[
     """
     thickness = work.part.space.thickness()
     counting: list[Cell] = [cell for cell, units in thickness.items() if units > _COUNTING]
-    latest = work.clock.deadline(_OTHERS * limits.seconds)
     built = _build(work, labelling.labels, latest)
     first, settled = _candidate(work, built)
     candidates = [first] if first is not None else []

@@ -28,12 +28,12 @@ _HARD, _OTHERWISE, _RELAXED = 0.4, 0.55, 0.8
 """Shares of the time at which a step's solvers end: labels for all lines, for all with more
 surfaces, for most lines.  Machines that are not busy have done with them long before."""
 
-_LITTLE = 1.0
-"""Units of line that labels may give up before another model of the part is asked for better."""
-
 _MANY = 4000
 """Rules of a part up to which it is modelled again with ends of strokes left open: labels for more
 of them take long, and the more lines there are the more of them are close by."""
+
+_LITTLE = 3.0
+"""Units of line that labels give up at least for other models to be asked for better ones."""
 
 _BETTER = 0.7
 """Share of what the first model gives up that another one gives up at most to be the better one."""
@@ -94,50 +94,59 @@ class Work:
 
 def labelled(
     part: PartModel, views: DrawnViews, limits: Limits, clock: Clock
-) -> tuple[Work, Labelling]:
-    """Labels of the part, or of the part with more surfaces where all lines are explained then."""
+) -> Iterator[tuple[Work, Labelling]]:
+    """Labels of the part, and then of other models of it that explain more, likeliest first.
+
+    Where there are labels for all lines, they are the only ones.
+    """
     work = Work(part, views, Search(part.rules, limits.effort), clock)
     found = work.search.fulfilled(clock.deadline(_HARD * limits.seconds))
     if found.labels is not None:
-        return work, found
+        yield work, found
+        return
     lines = views
     deadline = clock.deadline(_OTHERWISE * limits.seconds)
     closed = with_closed_outlines(views) if found.complete else None
     if closed is not None and (model := _modelled(closed, deadline)) is not None:
         # Where the outside runs into the part nearly all lines contradict each other.
-        lines, search = closed, Search(model.rules, limits.effort)
-        work = replace(work, part=model, search=search)
-        found = search.fulfilled(clock.deadline(_HARD * limits.seconds))
+        lines, work = closed, _remodelled(work, model, limits)
+        found = work.search.fulfilled(clock.deadline(_HARD * limits.seconds))
         if found.labels is not None:
-            return work, found
+            yield work, found
+            return
     # Another model takes as long as the first: time has to remain for the least contradiction.
-    others = _otherwise(work, lines, found.complete, deadline)
-    least = [work]
-    while clock.total + clock.seconds["model"] < _OTHERWISE * limits.seconds:
-        if (other := next(others, None)) is None:
-            break
-        other_work = replace(work, part=other.part, search=Search(other.part.rules, limits.effort))
-        more = other_work.search.fulfilled(deadline)
+    others = _until(_otherwise(work, lines, found.complete, deadline), limits, clock)
+    for model in others:
+        other = _remodelled(work, model, limits)
+        more = other.search.fulfilled(deadline)
         if more.labels is not None:
-            return other_work, more
-        if other.may_give_up:
-            least.append(other_work)
-    if limits.relaxed:
-        return _least(least, limits)
-    return work, found
+            yield other, more
+            return
+    if not limits.relaxed:
+        yield work, found
+        return
+    latest = clock.deadline(_RELAXED * limits.seconds)
+    least = work.search.least(latest)
+    yield work, least
+    if _cost(least) < _LITTLE:
+        return
+    for model in _until(_misread(work, lines, deadline), limits, clock):
+        other = _remodelled(work, model, limits)
+        more = other.search.best(latest)
+        if _cost(more) < _BETTER * _cost(least):
+            yield other, more
 
 
-def _least(works: Sequence[Work], limits: Limits) -> tuple[Work, Labelling]:
-    """The model of the part, and its labels, that give up the least; earlier ones come first."""
-    best: tuple[Work, Labelling] | None = None
-    for work in works:
-        deadline = work.clock.deadline(_RELAXED * limits.seconds)
-        if best is not None and (not deadline.left or _cost(best[1]) <= _LITTLE):
-            break
-        found = work.search.least(deadline)
-        if best is None or _cost(found) < _BETTER * _cost(best[1]):
-            best = work, found
-    return best
+def _remodelled(work: Work, model: PartModel, limits: Limits) -> Work:
+    return replace(work, part=model, search=Search(model.rules, limits.effort))
+
+
+def _until(models: Iterator[PartModel], limits: Limits, clock: Clock) -> Iterator[PartModel]:
+    """Models as long as there is time for another one."""
+    while clock.total + clock.seconds["model"] < _OTHERWISE * limits.seconds:
+        if (model := next(models, None)) is None:
+            return
+        yield model
 
 
 def _cost(labelling: Labelling) -> float:
@@ -156,38 +165,31 @@ def _modelled(
         return None
 
 
-@dataclass(frozen=True)
-class _Other:
-    """Another model of a part.
-
-    Attributes:
-        part: the model.
-        may_give_up: whether it counts where its rules contradict each other as well.
-    """
-
-    part: PartModel
-    may_give_up: bool = False
-
-
 def _otherwise(
     work: Work, lines: DrawnViews, contradict: bool, deadline: Deadline
-) -> Iterator[_Other]:
-    """The part with more surfaces, with the curves that strokes may follow instead of these, and,
-    where its lines do ``contradict``, without rough arcs."""
+) -> Iterator[PartModel]:
+    """The part with more surfaces, and, where its lines do ``contradict``, without rough arcs."""
     if (wider := _wider(work, deadline)) is not None:
-        yield _Other(wider)
+        yield wider
+    smooth = without_rough_arcs(lines) if contradict else None
+    if smooth is not None and (model := _modelled(smooth, deadline, ROUGHLY)) is not None:
+        yield model
+
+
+def _misread(work: Work, lines: DrawnViews, deadline: Deadline) -> Iterator[PartModel]:
+    """The part as it may be if strokes were misread by some pixels.
+
+    With the curves that strokes may follow instead of these; with ends of strokes left open; and
+    with values as one that are less than a pixel apart.
+    """
     followed = with_followed_curves(lines, work.part.supports)
     if followed is not None and (model := _modelled(followed, deadline)) is not None:
         # What contradicted the lines may be gone.
-        yield _Other(_widened(model, _never, deadline) or model, may_give_up=True)
+        yield _widened(model, _never, deadline) or model
     if len(work.part.rules) <= _MANY and lines.apart is not None:
-        # What was read from a picture may be off by some pixels.
         for loose in (lines, replace(lines, apart=None)):
             if (model := _modelled(loose, deadline, open_ends=True)) is not None:
-                yield _Other(model, may_give_up=True)
-    smooth = without_rough_arcs(lines) if contradict else None
-    if smooth is not None and (model := _modelled(smooth, deadline, ROUGHLY)) is not None:
-        yield _Other(model)
+                yield model
 
 
 def _wider(work: Work, deadline: Deadline) -> PartModel | None:

@@ -13,7 +13,7 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.axes import Role
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.labelling import Labelling, Search
+from gaussiancad_core.reasoning.labelling import Labelling
 from gaussiancad_core.reasoning.part import model_part
 from gaussiancad_core.solid import models
 from gaussiancad_core.solid.exact import exact_solid
@@ -31,23 +31,23 @@ def test_arcs_that_follow_a_curve_are_taken_for_it(
     assert iou(result.shape, sample_solid("cross-bored-pin")) > 0.9999
 
 
-def test_another_model_is_taken_only_where_it_gives_up_clearly_less(
+def test_other_models_follow_where_they_give_up_clearly_less(
     pin_as_read: DrawnViews, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     part = model_part(pin_as_read)
 
-    def chosen() -> bool:
-        """Whether the model with curves is."""
+    def costs() -> list[float]:
+        """Of the models, in their order."""
         clock = Clock()
         clock.lap("model")
-        return labelled(part, pin_as_read, Limits(), clock)[0].part is not part
+        found = [*labelled(part, pin_as_read, Limits(), clock)]
+        assert found[0][0].part is part
+        return [models._cost(labelling) for _, labelling in found]
 
-    assert chosen()
-    # Where the curve leads to labels for all lines nothing is compared.
-    monkeypatch.setattr(Search, "fulfilled", lambda *_: Labelling(None, (), True))
-    assert chosen()
-    monkeypatch.setattr(models, "_LITTLE", 1e9)
-    assert not chosen()
+    first, *others = costs()
+    assert others and all(cost < models._BETTER * first for cost in others)
+    monkeypatch.setattr(models, "_BETTER", 0.0)
+    assert costs() == [first]
     assert models._cost(Labelling(None, (), False)) == float("inf")
 
 
