@@ -37,6 +37,9 @@ _BREAK = 0.5
 _SHORT = 0.45
 """Length of the short dashes of a centre line, as a share of the long ones, at most."""
 
+_LONE = 3
+"""Dashes of which one is between two at most."""
+
 _DOT = 3.0
 """Length of what is a dot and no dash at most, in stroke widths."""
 
@@ -255,7 +258,9 @@ def _is_edge(
     """Whether long and short dashes are an edge and hidden lines that go on from it."""
     lengths = np.array([own.run.length for own in runs])
     shortest = float(lengths.min())
-    too_long = shortest > _DOT * stroke_width and float(lengths.max()) > _LONGEST * shortest
+    # A row of them is a centre line, though others' ink joins some.
+    lone = len(runs) <= _LONE and shortest > _DOT * stroke_width
+    too_long = lone and float(lengths.max()) > _LONGEST * shortest
     return too_long or not _is_even(runs) or corners.has_end(shape.geometry, runs)
 
 
