@@ -31,6 +31,9 @@ _MEAN = 0.15
 """Least median of how far views contradict each other, as a share of the farthest: programs that
 place lines on quarters of a pixel draw most coordinates alike in two views, and wrong alike."""
 
+_LEAST_NOISE_PX = 0.015
+"""The same in px at least: what two views round alike is seen in neither."""
+
 TOLERANCE_PX = {StrokesSource.RASTER: 1.0, StrokesSource.PLOT: 0.3, StrokesSource.VECTOR: 0.05}
 """px by which lines of a sheet may miss where they belong, by where they come from."""
 
@@ -196,7 +199,8 @@ def drawn_views(registered: RegisteredSheet) -> DrawnViews:
     if tolerance < _ROUGH_PX:
         return views_as_read(registered.views, tolerance * pixel)
     residuals = registered.extents.residuals.values()
-    noise = max((max(own.median, _MEAN * own.largest) for own in residuals), default=0.0)
+    seen = [max(own.median, _MEAN * own.largest) for own in residuals]
+    noise = max([_LEAST_NOISE_PX, *seen])
     return views_as_read(registered.views, tolerance * pixel, _APART_PX * pixel, noise * pixel)
 
 

@@ -32,7 +32,7 @@ _SHARE = 0.85
 _CHANCE = 1e-7
 """Probability at which so many numbers fit by chance, over all steps that are tried."""
 
-_ROUND_MM, _ROUND_CHANCE = (10.0, 5.0, 2.0, 1.0, 0.5), 1e-6
+_ROUND_MM, _ROUND_CHANCE = (10.0, 5.0, 2.0, 1.0, 0.5), 1e-5
 """Steps that most parts are designed in, and the same probability for these alone."""
 
 
