@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 from exact_cases import Case
 from exact_perturbations import jittered, missing_and_spurious, of_wrong_length
+from foreign_sheets import Conventions, foreign_sheet
 from OCP.TopoDS import TopoDS_Shape
 
 import gaussiancad_core
@@ -41,6 +42,7 @@ class InputKind(Enum):
     CLEAN = "clean"
     SCAN = "scan"
     DIMENSIONED = "dimensioned"
+    FOREIGN = "foreign"
     DXF_RASTER = "dxf-raster"
     DXF_VECTORS = "dxf-vectors"
 
@@ -133,13 +135,19 @@ def _size(lines: PartLines) -> tuple[float, float, float]:
 
 def _drawn_and_read(case: Case, lines: PartLines, kind: InputKind) -> Input:
     """Through a sheet's file; its scale is told as a user would, by the longest extent."""
+    longest = int(np.argmax(lines.size))
+    length = Axis(longest), float(lines.size[longest])
+    if kind is InputKind.FOREIGN:
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "sheet.png"
+            path.write_bytes(foreign_sheet(lines, Conventions.drawn_by_lot(case.seed)))
+            return read_input(path, length)
     style = parse_style(kind.value)
     sheet = compose_sheet(lines, Projection.THIRD, style, case.seed, title=case.name.upper())
-    longest = int(np.argmax(lines.size))
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / ("sheet.png" if style.jpeg_quality >= 95 else "sheet.jpg")
         write_image(sheet.image, path, style.jpeg_quality, sheet.dpi)
-        return read_input(path, (Axis(longest), float(lines.size[longest])))
+        return read_input(path, length)
 
 
 def read_input(
