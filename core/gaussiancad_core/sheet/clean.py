@@ -59,6 +59,9 @@ _PALE = 0.7
 """Share of the ink's darkness up to which all of a stroke is pale; the smooth edges of thin dark
 strokes come in all shades, and now and then as one that is darker."""
 
+_DARKER = 0.2
+"""Share of what is not fully dark that is darker, at most: the edges of dark strokes."""
+
 _ONE_SHADE = 0.1, 0.8
 """Share of the ink's darkness by which pale strokes differ, and of their length that does not by
 more, at most and at least."""
@@ -216,9 +219,10 @@ def _with_pale(weight: npt.NDArray[np.float32], ink: Ink) -> npt.NDArray[np.floa
 
 def _pale_shade(weight: npt.NDArray[np.float32], shades: npt.NDArray[np.float32]) -> float | None:
     """The weight of the middles (n,) of pale strokes; None if they may be thin dark ones."""
-    darkest = float(np.percentile(shades, 97.0))
-    if darkest > _PALE:
+    if float(np.mean(shades > _PALE)) > _DARKER:
         return None
+    shades = shades[shades <= _PALE]
+    darkest = float(np.percentile(shades, 97.0))
     shade = float(np.median(shades))
     apart, share = _ONE_SHADE
     if float(np.mean(np.abs(shades - shade) <= apart)) >= share:

@@ -37,6 +37,9 @@ _ROUNDS = 3
 _BLANK_END = 1.2
 """Stroke widths of a last dash that is too short to be seen, which a gap goes before."""
 
+_ROW = 1.75
+"""Dashes from which a hidden piece is more than one of them."""
+
 _CORNER = 2.0
 """Stroke widths by which a hidden piece ends rather in a corner than in a stroke that runs past."""
 
@@ -111,7 +114,8 @@ def _ended(
 def _blank_end(piece: Piece, stretch: Piece, rhythm: Rhythm, stroke_width: float) -> float:
     """px by which the end of a hidden stretch may not be seen where another hidden one ends: many
     programs start dashes at one end of a line, and leave off at the other wherever they are."""
-    if piece.linetype is stretch.linetype is Linetype.HIDDEN:
+    shortest = min(piece.end - piece.start, stretch.end - stretch.start)
+    if piece.linetype is stretch.linetype is Linetype.HIDDEN and shortest > _ROW * rhythm.dash:
         return rhythm.gap + _BLANK_END * stroke_width
     return 0.0
 

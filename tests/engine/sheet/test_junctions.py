@@ -162,3 +162,9 @@ def test_hidden_lines_meet_in_a_corner_where_neither_has_ink(seen: tuple[float, 
 def test_a_hidden_line_does_not_reach_a_visible_one_that_ends_far_before_it() -> None:
     pieces = [(LEVEL, _hidden(0.0, 92.0)), (_upright(100.0), _visible(8.0, 50.0))]
     assert _of(LEVEL, pieces)[0][1] == pytest.approx(92.0)
+
+
+def test_single_dashes_are_not_led_to_a_corner() -> None:
+    """Two dashes of a circle look like lines; their corner lies outside of it."""
+    pieces = [(LEVEL, _hidden(80.0, 92.0)), (_upright(100.0), _hidden(8.0, 20.0))]
+    assert _of(LEVEL, pieces)[0][:2] == pytest.approx((80.0, 92.0))
