@@ -34,6 +34,10 @@ place lines on quarters of a pixel draw most coordinates alike in two views, and
 _LEAST_NOISE_PX = 0.015
 """The same in px at least: what two views round alike is seen in neither."""
 
+_FINE_PX, _FINE_COORDINATES = 0.02, 5
+"""px that so many coordinates differ by at most which one view shows along rows and another along
+columns of the sheet: then nothing is rounded."""
+
 TOLERANCE_PX = {StrokesSource.RASTER: 1.0, StrokesSource.PLOT: 0.3, StrokesSource.VECTOR: 0.05}
 """px by which lines of a sheet may miss where they belong, by where they come from."""
 
@@ -200,8 +204,18 @@ def drawn_views(registered: RegisteredSheet) -> DrawnViews:
         return views_as_read(registered.views, tolerance * pixel)
     residuals = registered.extents.residuals.values()
     seen = [max(own.median, _MEAN * own.largest) for own in residuals]
-    noise = max([_LEAST_NOISE_PX, *seen])
+    noise = max([0.0 if _is_fine(registered) else _LEAST_NOISE_PX, *seen])
     return views_as_read(registered.views, tolerance * pixel, _APART_PX * pixel, noise * pixel)
+
+
+def _is_fine(registered: RegisteredSheet) -> bool:
+    """Whether views that would be rounded each in its own way agree."""
+    frames = [role.frame for role in registered.views.roles]
+    turned = {own.right_axis[0] for own in frames} & {own.up_axis[0] for own in frames}
+    told = [own for axis, own in registered.extents.residuals.items() if axis in turned]
+    return any(
+        own.coordinates >= _FINE_COORDINATES and own.largest <= _FINE_PX for own in told
+    ) and all(own.largest <= _FINE_PX for own in told)
 
 
 def _solved(reading: Reading, limits: Limits) -> ExactResult:

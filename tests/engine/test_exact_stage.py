@@ -18,9 +18,9 @@ from gaussiancad_core.exact_stage import (
     with_fallback,
 )
 from gaussiancad_core.modes import Status
+from gaussiancad_core.sheet.axis_residuals import Residual
 from gaussiancad_core.sheet.reading import RegisteredSheet, StrokesSource
 from gaussiancad_core.sheet.registration import AxisExtents
-from gaussiancad_core.sheet.shared_axes import Residual
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.views import Linetype, Segment, View, ViewSet
 
@@ -232,5 +232,12 @@ def test_the_noise_of_views_is_that_of_the_axis_on_which_they_differ_most() -> N
     rounded = replace(third.registered, extents=alike)
     assert drawn_views(rounded).noise == pytest.approx(0.036 * noisy.mm_per_pixel)
     assert drawn_views(third.registered).noise == pytest.approx(0.015 * noisy.mm_per_pixel)
+    # The depth runs along rows of one view and along columns of another: nothing is rounded here.
+    fine = AxisExtents({}, {}, {Axis.Y: Residual(0.001, 0.01, 6), Axis.Z: Residual(0.002, 0.01, 4)})
+    agreed = replace(third.registered, extents=fine)
+    assert drawn_views(agreed).noise == pytest.approx(0.002 * noisy.mm_per_pixel)
+    few = AxisExtents({}, {}, {Axis.Y: Residual(0.001, 0.01, 3), Axis.Z: Residual(0.002, 0.01, 9)})
+    unsure = drawn_views(replace(third.registered, extents=few))
+    assert unsure.noise == pytest.approx(0.015 * noisy.mm_per_pixel)
     exact = tuple(SimpleNamespace(source=StrokesSource.VECTOR) for _ in noisy.drawn)
     assert drawn_views(replace(noisy, drawn=exact)).noise == 0.0

@@ -15,9 +15,10 @@ import numpy.typing as npt
 
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.sheet.axis_residuals import Residual
 from gaussiancad_core.sheet.masks import Outline
 from gaussiancad_core.sheet.options import Box
-from gaussiancad_core.sheet.shared_axes import Residual, ViewMap
+from gaussiancad_core.sheet.shared_axes import ViewMap
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke, View
 
 DEFAULT_LONGEST_MM = 100.0

@@ -21,6 +21,7 @@ from gaussiancad_core.sheet.axis_clusters import (
     averages,
     clustered,
 )
+from gaussiancad_core.sheet.axis_residuals import Residual, axis_residual
 from gaussiancad_core.sheet.circle_ties import Estimates, Tie, tied
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.seen_coordinates import CoordinateSource, PlaneView, SeenByViews
@@ -45,14 +46,6 @@ _UNSURE_REACH = 2.0
 
 _SURELY = 4.0
 """Standard deviations by which a value is wrong at most."""
-
-
-@dataclass(frozen=True)
-class Residual:
-    """Distances in px of what the views show from the shared coordinates."""
-
-    median: float
-    largest: float
 
 
 @dataclass(frozen=True)
@@ -113,7 +106,7 @@ def share_axes(views: Sequence[PlaneView]) -> SharedAxes:
     residuals = {
         axis: found
         for axis in Axis
-        if (found := _residual(seen.on(axis), fits[axis], levels[axis], unknowns.zero[axis]))
+        if (found := axis_residual(seen.on(axis), fits[axis], levels[axis], unknowns.zero[axis]))
     }
     extents = {axis: float(levels[axis][-1]) for axis in Axis}
     return SharedAxes(strokes, shifted, extents, residuals)
@@ -126,19 +119,6 @@ def _map(seen: SeenByViews, index: int, fits: dict[Axis, AxisFit]) -> ViewMap:
         gain.append(float(fits[axis].gain[place]))
         shift.append(float(fits[axis].shift[place]))
     return ViewMap((gain[0], gain[1]), (shift[0], shift[1]))
-
-
-def _residual(seen: SeenCoordinates, fit: AxisFit, levels: Floats, zero: float) -> Residual | None:
-    """How far the views are from the coordinates that they share; None if they share none."""
-    common = fit.common(seen) - zero
-    away = []
-    for cluster, level in enumerate(levels):
-        own = fit.cluster == cluster
-        views = np.unique(seen.view[own])
-        for view in views if len(views) > 1 else ():
-            of = own & (seen.view == view)
-            away.append(abs(float(np.average(common[of], weights=seen.weight[of])) - level))
-    return Residual(float(np.median(away)), float(max(away))) if away else None
 
 
 class _Unknowns:
