@@ -39,6 +39,10 @@ _CONCENTRIC = 0.12
 """Distance between the centres of pieces, as a share of the largest, up to which they are rings
 and crosses around one centre."""
 
+_BESIDE_LINE, _NEXT_ROW = 0.4, 0.5
+"""Distance of a letter's middle from the line of its word at most, and from that of the next row at
+least, in heights of a letter."""
+
 _STRAIGHT = 1.35
 """Ink of a straight piece at most, in stroke widths times its diagonal."""
 
@@ -154,7 +158,9 @@ def _not_of_the_part(
         # A word is as high as its box, or as wide where it is written upwards.
         if min(x1 - x0, y1 - y0) < least or stats[word, 2:4].max() > most:
             return False
-        return not _is_corner(word, *pieces) and not _is_concentric(word, stats)
+        if _is_corner(word, *pieces) or _is_concentric(word, stats):
+            return False
+        return _is_in_line(stats[word, :4].astype(float), [piece in pieces[0] for piece in word])
 
     return [word for word, paper in zip(words, around, strict=True) if is_word(word, paper)]
 
@@ -162,6 +168,38 @@ def _not_of_the_part(
 def _is_corner(word: list[int], glyphs: set[int], corners: set[int]) -> bool:
     """Whether all letters of a word may be corners of dashed lines."""
     return not (glyphs & set(word)) - corners
+
+
+def _is_in_line(boxes: npt.NDArray[np.float64], letters: list[bool]) -> bool:
+    """Whether pieces stand in a row, or in a few below each other with two letters each at least;
+    dashes stand around what they bound.
+
+    Args:
+        boxes: (n, 4) x, y, width, height.
+        letters: whether each is a letter by itself.
+    """
+    centres = boxes[:, :2] + boxes[:, 2:] / 2.0
+    height = float(np.median(boxes[:, 2:].max(axis=1)))
+    if _beside_line(centres) <= _BESIDE_LINE * height:
+        return True
+    own = np.array(letters)
+    for axis in (1, 0):
+        order = np.argsort(centres[:, axis])
+        borders = np.flatnonzero(np.diff(centres[order, axis]) > _NEXT_ROW * height) + 1
+        rows = np.split(order, borders)
+        if len(rows) > 1 and all(
+            own[row].sum() >= 2 and _beside_line(centres[row]) <= _BESIDE_LINE * height
+            for row in rows
+        ):
+            return True
+    return False
+
+
+def _beside_line(points: npt.NDArray[np.float64]) -> float:
+    """px by which points (n, 2) lie beside the line through them at most."""
+    off = points - points.mean(axis=0)
+    normal = np.linalg.svd(off, full_matrices=False)[2][-1]
+    return float(np.abs(off @ normal).max()) if len(points) > 2 else 0.0
 
 
 def _is_concentric(word: list[int], stats: npt.NDArray[np.int32]) -> bool:

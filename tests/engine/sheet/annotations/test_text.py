@@ -174,3 +174,24 @@ def test_dots_and_dashes_beside_a_word_are_no_points_of_it(sketch: Sketch) -> No
     letters = _found(word | beside)
     assert not (letters.mask & beside).any()
     assert (word & ~letters.mask).sum() == 0
+
+
+def test_a_dashed_hole_with_its_drill_tip_is_no_word(sketch: Sketch) -> None:
+    """Corners that lines do not explain, around what they bound, as tall as the writing beside."""
+    drawn = sketch(WIDTH, HEIGHT).lines((60, 60), (400, 60), (400, 300), (60, 300), (60, 60))
+    ink = (drawn.weight >= 0.5) | _written("FRONT VIEW", 230, 340)
+    hole = sketch(WIDTH, HEIGHT)
+    hole.lines((200, 188), (200, 204), (207, 204), width=2.0)
+    hole.lines((219, 204), (226, 204), (226, 188), width=2.0)
+    hole.lines((205, 209), (213, 215), (221, 209), width=2.0)
+    letters = _found(ink | (hole.weight >= 0.5), drawn.weight >= 0.5)
+    assert not (letters.mask & (hole.weight >= 0.5)).any()
+    assert letters.mask[325:355].any()
+
+
+def test_two_lines_of_writing_in_a_view_are_found(sketch: Sketch) -> None:
+    drawn = sketch(WIDTH, HEIGHT).lines((60, 60), (400, 60), (400, 300), (60, 300), (60, 60))
+    inside = _written("R8 4x", 230, 160) | _written("TYP 2", 230, 184)
+    ink = (drawn.weight >= 0.5) | inside | _written("125", 230, 340)
+    letters = _found(ink, drawn.weight >= 0.5)
+    assert (letters.mask & inside).sum() == inside.sum()
