@@ -288,7 +288,7 @@ def classify(
     for index, run in enumerate(runs):
         narrow = bool(told) and told[index] is Linetype.HIDDEN
         wide = bool(told) and told[index] is Linetype.VISIBLE
-        narrow |= not wide and _is_joint(runs, index, rhythm, around)
+        narrow |= not wide and _is_joint(runs, index, rhythm, around, touches[index])
         if run.length > longest_dash and not narrow:
             close_group()
             sure = min(1.0, 0.5 + (run.length / longest_dash - 1.0))
@@ -305,7 +305,9 @@ def classify(
     return _extend_hidden(pieces, 1.8 * rhythm.gap + 1.0, around)
 
 
-def _is_joint(runs: list[Run], index: int, rhythm: Rhythm, around: float) -> bool:
+def _is_joint(
+    runs: list[Run], index: int, rhythm: Rhythm, around: float, touches: tuple[bool, bool]
+) -> bool:
     """Whether a run is dashes in a row: the last of one edge and the first of the next, as programs
     begin each edge with a dash, or some whose gaps others fill."""
     run = runs[index]
@@ -316,9 +318,11 @@ def _is_joint(runs: list[Run], index: int, rhythm: Rhythm, around: float) -> boo
         turns = (after.start - before.start) / (rhythm.dash + rhythm.gap)
         in_step = abs(turns - round(turns)) < _IN_STEP and turns < _MOST_STEPS
         return in_step or run.length <= _LONGEST_JOINT * rhythm.dash
-    # Where a curve goes on as its tangent, so does its last dash.
-    last = (starts and after is None) or (ends and before is None)
-    return last and bool(np.isfinite(around)) and run.length <= 2.0 * rhythm.dash
+    # Where a curve goes on as its tangent, so does its last dash; an edge ends at another stroke.
+    last = (starts and after is None and (np.isfinite(around) or not touches[1])) or (
+        ends and before is None and (np.isfinite(around) or not touches[0])
+    )
+    return bool(last) and run.length <= 2.0 * rhythm.dash
 
 
 def _is_dash_beside(run: Run, gap: float, rhythm: Rhythm) -> bool:

@@ -40,7 +40,7 @@ def _row(*lengths: float) -> list[Run]:
         ((12, 6, 12, 6, 26, 6, 12, 6, 12), True),
         ((12, 6, 12, 6, 40, 6, 12, 6, 12), False),
         ((12, 6, 12, 1, 24, 1, 12, 6, 12), False),
-        ((24, 6, 12, 6, 12), False),
+        ((27, 6, 12, 6, 12), False),
         # A gap that another stroke fills: the dashes beyond are in step.
         ((12, 6, 12, 6, 30, 6, 12, 6, 12), True),
         ((12, 6, 12, 6, 34, 6, 12, 6, 12), False),
@@ -66,3 +66,14 @@ def test_a_lone_piece_of_a_small_circle_stays_as_short_as_it_is() -> None:
     run = Run(2.0, 18.0)
     (found,) = classify([run], Rhythm(19.0, 10.0), [(False, True)], 31.8)
     assert (found.start, found.end) == (2.0, 18.0)
+
+
+@pytest.mark.parametrize(("touches", "hidden"), [(False, True), (True, False)])
+def test_an_edge_ends_at_another_stroke_and_dashes_of_a_tangent_do_not(
+    touches: bool, hidden: bool
+) -> None:
+    """A hidden line begins with a dash where the last one of its rounding ends."""
+    runs = _row(23, 6, 12, 6, 12, 6, 12)
+    found = classify(runs, Rhythm(12.0, 6.0), [(touches, False)] + [(False, False)] * 3)
+    assert (found[0].linetype is Linetype.HIDDEN) == hidden
+    assert (found[0].end == 77.0) == hidden

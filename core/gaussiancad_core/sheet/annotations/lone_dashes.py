@@ -2,18 +2,21 @@
 
 A narrow line that begins at an edge is an extension line, or the first dash of a hidden line.  An
 extension line leads to a dimension line and ends beyond it; a dash ends a gap before the next ink.
+Dashes of two edges that go on as each other are as long as extension lines, but touch nothing.
 """
 
 from collections.abc import Sequence
 
+import cv2
 import numpy as np
 import numpy.typing as npt
 from scipy.spatial import cKDTree
 
+from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.erase import Kinds
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape, points_along
 from gaussiancad_core.sheet.annotations.lines import Weights
-from gaussiancad_core.sheet.annotations.marks import Mask
+from gaussiancad_core.sheet.annotations.marks import Mask, values_at
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.runs import Rhythm, learn_rhythm
 
@@ -21,6 +24,9 @@ Floats = npt.NDArray[np.float64]
 
 _LONGEST = 1.3
 """Length of a dash at most, in the sheet's usual ones: an edge that it meets makes it longer."""
+
+_TWO = 2.2
+"""Dashes that a piece of ink is long at most of which one goes on as another."""
 
 _GAP = 1.4
 """Gap before the next ink at most, in the sheet's usual ones."""
@@ -56,6 +62,33 @@ def spare_lone_dashes(
             if own[k] is None or not _is_lone(shape.runs, k, rhythm):
                 continue
             if _leads_on(shape.geometry, run, ink, tree, (rhythm, stroke_width)):
+                own[k] = None
+
+
+def spare_free_dashes(
+    shapes: Sequence[InkedShape], kinds: Kinds, ink: Mask, stroke_width: float
+) -> None:
+    """Take back what was told of pieces of ink that touch nothing, in place.
+
+    They are two dashes long at most: the last one of an edge and the first of the next, or of a
+    circle where it closes.  An extension line has a dimension line across it.
+
+    Args:
+        shapes: lines and circles of a sheet with dashes.
+        kinds: what each run is known to be.
+        ink: (h, w) bool, of all that is drawn.
+        stroke_width: px, the mean over the sheet.
+    """
+    longest = _TWO * _rhythm(shapes, kinds, stroke_width).dash
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(ink.astype(np.uint8), connectivity=8)
+    for shape, own in zip(shapes, kinds, strict=True):
+        for k, run in enumerate(shape.runs):
+            if own[k] is not AnnotationKind.EXTENSION or run.run.length > longest:
+                continue
+            points = points_along(shape.geometry, run.run, 1.0)
+            whole = stats[int(values_at(labels, points[len(points) // 2][None])[0])]
+            size = float(np.hypot(whole[cv2.CC_STAT_WIDTH], whole[cv2.CC_STAT_HEIGHT]))
+            if size <= run.run.length + 2.0 * stroke_width + _SLACK_PX:
                 own[k] = None
 
 

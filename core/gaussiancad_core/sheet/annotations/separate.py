@@ -22,7 +22,7 @@ from gaussiancad_core.sheet.annotations.letter_boxes import letter_boxes
 from gaussiancad_core.sheet.annotations.lettered_lines import mark_lettered
 from gaussiancad_core.sheet.annotations.line_ends import extension_lines, mark_heads
 from gaussiancad_core.sheet.annotations.lines import Weights, kinds_of_runs, line_weights
-from gaussiancad_core.sheet.annotations.lone_dashes import spare_lone_dashes
+from gaussiancad_core.sheet.annotations.lone_dashes import spare_free_dashes, spare_lone_dashes
 from gaussiancad_core.sheet.annotations.lone_marks import mark_lone_marks
 from gaussiancad_core.sheet.annotations.loose import (
     LooseRule,
@@ -176,6 +176,8 @@ def _tell_line_ends(sheet: CleanSheet, ridges: RidgePoints, told: Told, weights:
     told.kinds.extend([AnnotationKind.EXTENSION] for _ in more)
     left = erased(sheet, told).ink
     spare_lone_dashes(told.shapes, told.kinds, left, weights, sheet.stroke_width)
+    if sheet.dash_gap:
+        spare_free_dashes(told.shapes, told.kinds, sheet.ink, sheet.stroke_width)
 
 
 def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> tuple[Told, Mask]:
@@ -193,6 +195,8 @@ def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> t
     rule = LooseRule(_LONGEST_DASH * sheet.stroke_width, everywhere=True, faded=faded)
     shapes, kinds = split_loose(told.shapes, told.kinds, ink & ~boxes, rule)
     mark_virtual_corners(shapes, kinds, sheet.stroke_width)
+    if sheet.dash_gap:
+        spare_free_dashes(shapes, kinds, sheet.ink, sheet.stroke_width)
     rest = Told(shapes, kinds, told.unexplained)
     return rest, boxes | lettered_boxes(erased(sheet, rest).ink, letters)
 

@@ -6,7 +6,7 @@ import pytest
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
 from gaussiancad_core.sheet.annotations.lines import Weights
-from gaussiancad_core.sheet.annotations.lone_dashes import spare_lone_dashes
+from gaussiancad_core.sheet.annotations.lone_dashes import spare_free_dashes, spare_lone_dashes
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.runs import Run
 
@@ -57,3 +57,21 @@ def test_a_dash_between_two_edges(pieces: list[tuple[float, float]], spared: boo
     kinds[-1] = [EXTENSION] * len(pieces)
     spare_lone_dashes(shapes[2:], kinds[2:], ink, WEIGHTS, WIDTH)
     assert kinds[-1] == [EXTENSION] * len(pieces)
+
+
+@pytest.mark.parametrize(
+    ("length", "crossed", "spared"),
+    [(22.0, False, True), (22.0, True, False), (40.0, False, False)],
+)
+def test_a_piece_of_ink_that_touches_nothing_is_two_dashes(
+    length: float, crossed: bool, spared: bool
+) -> None:
+    """Where a dashed circle closes its last dash goes on as its first."""
+    shapes = [DASHES, _upright(100.0, (60.0, 60.0 + length))]
+    kinds: list[list[AnnotationKind | None]] = [[None] * len(DASHES.runs), [EXTENSION]]
+    ink = np.zeros((220, 220), bool)
+    ink[60 : 61 + int(length), 99:102] = True
+    if crossed:
+        ink[64:66, 80:180] = True
+    spare_free_dashes(shapes, kinds, ink, 1.8)
+    assert kinds[1] == [None if spared else EXTENSION]
