@@ -35,6 +35,7 @@ from gaussiancad_core.sheet.junctions import (
     is_full_circle,
 )
 from gaussiancad_core.sheet.line_widths import Pens, told_by_width
+from gaussiancad_core.sheet.linetypes import classify
 from gaussiancad_core.sheet.parted import parted_at_corners
 from gaussiancad_core.sheet.runs import (
     InkField,
@@ -42,7 +43,6 @@ from gaussiancad_core.sheet.runs import (
     Rhythm,
     Run,
     bridged,
-    classify,
     is_mostly_dashed,
 )
 from gaussiancad_core.sheet.shadows import without_shadows

@@ -8,7 +8,8 @@ import pytest
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.line_widths import Pens, learn_pens, told_by_width, widths_along
-from gaussiancad_core.sheet.runs import Rhythm, Run, classify
+from gaussiancad_core.sheet.linetypes import classify
+from gaussiancad_core.sheet.runs import Rhythm, Run
 from gaussiancad_core.views import Linetype
 
 Sketch = Any

@@ -13,7 +13,8 @@ import numpy as np
 from gaussiancad_core.ellipses import WholeEllipse
 from gaussiancad_core.sheet.files.vectors import Chain, StrokeRole, VectorStroke
 from gaussiancad_core.sheet.geometry import Geometry, Line
-from gaussiancad_core.sheet.runs import Piece, Rhythm, Run, classify, learn_rhythm
+from gaussiancad_core.sheet.linetypes import classify
+from gaussiancad_core.sheet.runs import Piece, Rhythm, Run, learn_rhythm
 from gaussiancad_core.sheet.vector_views.free_curves import free_curve
 from gaussiancad_core.sheet.vector_views.spans import Span, united, without
 from gaussiancad_core.sheet.vector_views.tracks import EXACT, PLOTTED, Track, tracks_of
