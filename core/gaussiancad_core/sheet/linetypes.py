@@ -99,10 +99,8 @@ def _is_joint(
 
 
 def _is_dash_beside(run: Run, gap: float, rhythm: Rhythm) -> bool:
-    low, high = _EVEN_GAP
-    return (
-        run.length <= _LONGEST_DASH * rhythm.dash and low * rhythm.gap <= gap <= high * rhythm.gap
-    )
+    low, high = (share * rhythm.gap for share in _EVEN_GAP)
+    return run.length <= _LONGEST_DASH * rhythm.dash and low <= gap <= high
 
 
 def _neighbours(runs: list[Run], index: int, around: float) -> tuple[Run | None, Run | None]:

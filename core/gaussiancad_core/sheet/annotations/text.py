@@ -29,6 +29,9 @@ _SPACING = 0.9
 
 _SMALLEST_PX = 4
 
+_SLIM = 0.4
+"""Breadth of a dash, a one or an I at most, in its height."""
+
 _POINT = 0.35
 """Height of a point or comma at most, in heights of a letter; dashes are longer."""
 
@@ -252,13 +255,16 @@ def _joins(
     """Put a piece into the word that it fits, in place, and make one of those that it stands
     between; whether there is any.
 
-    A slim piece must stand beside a letter: dashes would join one after the other.
+    A slim piece must stand beside a letter, or between two broad pieces of a word, as an I does
+    among letters of straight strokes: dashes would join one after the other.
     """
     heights = np.maximum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT])
-    slim = min(stats[other, 2:4]) < 0.4 * max(stats[other, 2:4])
+    slim = _is_slim(stats[other])
     fitting = []
     for word in words:
         near = [o for o in word if o in letters] if slim else word
+        if slim and _stands_between(stats, word, other):
+            near = [o for o in word if not _is_slim(stats[o])]
         beside = [o for o in near if _gap(stats, other, o) <= 0.6 * heights[o]]
         least = 0.25 if slim and len(word) >= 2 else 0.7
         if any(least < heights[other] / heights[o] < 1.4 for o in beside):
@@ -268,6 +274,21 @@ def _joins(
     words[:] = [word for word in words if word not in fitting]
     words.append([other] + [member for word in fitting for member in word])
     return True
+
+
+def _is_slim(stat: npt.NDArray[np.int32]) -> bool:
+    return bool(min(stat[2:4]) < _SLIM * max(stat[2:4]))
+
+
+def _stands_between(stats: npt.NDArray[np.int32], word: list[int], other: int) -> bool:
+    """Whether an upright piece has broad pieces of a word close by on its left and on its right, or
+    a level one above and below, where writing goes upwards."""
+    x, y, width, height = (int(value) for value in stats[other, :4])
+    axis, reach = (0, 0.6 * height) if height > width else (1, 0.6 * width)
+    middle = (x, y)[axis] + (width, height)[axis] / 2.0
+    broad = [o for o in word if not _is_slim(stats[o]) and _gap(stats, o, other) <= reach]
+    middles = [stats[o, axis] + stats[o, 2 + axis] / 2.0 for o in broad]
+    return any(at < middle for at in middles) and any(at > middle for at in middles)
 
 
 def _gap(stats: npt.NDArray[np.int32], one: int, other: int) -> float:

@@ -195,3 +195,13 @@ def test_two_lines_of_writing_in_a_view_are_found(sketch: Sketch) -> None:
     ink = (drawn.weight >= 0.5) | inside | _written("125", 230, 340)
     letters = _found(ink, drawn.weight >= 0.5)
     assert (letters.mask & inside).sum() == inside.sum()
+
+
+def test_an_i_between_letters_of_straight_strokes_is_one(sketch: Sketch) -> None:
+    """Lines explain V and E, so that W alone is a letter by itself."""
+    ink = _written("VIEW", 320, 200)
+    columns = np.flatnonzero(ink.any(axis=0))
+    straight = ink.copy()
+    straight[:, columns.min() + int(0.72 * np.ptp(columns)) :] = False
+    letters = _found(ink, straight)
+    assert (ink & ~letters.mask).sum() == 0
