@@ -43,6 +43,7 @@ class InputKind(Enum):
     SCAN = "scan"
     DIMENSIONED = "dimensioned"
     FOREIGN = "foreign"
+    FOREIGN_DIMENSIONED = "foreign-dimensioned"
     DXF_RASTER = "dxf-raster"
     DXF_VECTORS = "dxf-vectors"
 
@@ -137,16 +138,17 @@ def _drawn_and_read(case: Case, lines: PartLines, kind: InputKind) -> Input:
     """Through a sheet's file; its scale is told as a user would, by the longest extent."""
     longest = int(np.argmax(lines.size))
     length = Axis(longest), float(lines.size[longest])
-    if kind is InputKind.FOREIGN:
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "sheet.png"
-            path.write_bytes(foreign_sheet(lines, Conventions.drawn_by_lot(case.seed)))
-            return read_input(path, length)
-    style = parse_style(kind.value)
-    sheet = compose_sheet(lines, Projection.THIRD, style, case.seed, title=case.name.upper())
+    quality = 95
+    if kind in (InputKind.FOREIGN, InputKind.FOREIGN_DIMENSIONED):
+        dimensioned = kind is InputKind.FOREIGN_DIMENSIONED
+        sheet = foreign_sheet(lines, Conventions.drawn_by_lot(case.seed, dimensioned=dimensioned))
+    else:
+        style = parse_style(kind.value)
+        quality = style.jpeg_quality
+        sheet = compose_sheet(lines, Projection.THIRD, style, case.seed, title=case.name.upper())
     with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / ("sheet.png" if style.jpeg_quality >= 95 else "sheet.jpg")
-        write_image(sheet.image, path, style.jpeg_quality, sheet.dpi)
+        path = Path(folder) / ("sheet.png" if quality >= 95 else "sheet.jpg")
+        write_image(sheet.image, path, quality, sheet.dpi)
         return read_input(path, length)
 
 

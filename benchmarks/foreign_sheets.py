@@ -11,13 +11,16 @@ from html import escape
 from io import BytesIO
 
 import numpy as np
-import numpy.typing as npt
 import resvg_py
+from foreign_dimensions import DimensionLook, view_dimensions
 from PIL import Image
 
-from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.sheet import PartLines
-from gaussiancad_core.drawing.strokes import DrawnStroke, extent
+from gaussiancad_core.axes import Projection
+from gaussiancad_core.drawing.drawn_view import DrawnView, drawn_view
+from gaussiancad_core.drawing.layout import place_views
+from gaussiancad_core.drawing.sheet import PartLines, Sheet
+from gaussiancad_core.drawing.strokes import DrawnStroke
+from gaussiancad_core.drawing.style import SheetStyle
 from gaussiancad_core.views import Linetype, Segment
 
 _WIDTHS = (1200, 1600, 2000, 2800)
@@ -36,7 +39,11 @@ _CHORDS = 200
 
 _TEXT_PX = 22.0
 
-Floats = npt.NDArray[np.float64]
+_ROWS = 3
+"""Most dimension lines on a side of a view."""
+
+_CLOSER = 0.2
+"""Factor on the gap between views that have dimensions, beside the room of these."""
 
 
 @dataclass(frozen=True)
@@ -52,6 +59,7 @@ class Conventions:
         gap: between views, as a share of the part's longest extent.
         captions: whether the views' names stand below them.
         frame: whether there is a border.
+        dimensions: how these look, None without any.
     """
 
     width: int
@@ -64,9 +72,10 @@ class Conventions:
     gap: float
     captions: bool
     frame: bool
+    dimensions: DimensionLook | None = None
 
     @classmethod
-    def drawn_by_lot(cls, seed: int) -> "Conventions":
+    def drawn_by_lot(cls, seed: int, *, dimensioned: bool = False) -> "Conventions":
         """Those of some program."""
         lot = np.random.default_rng(seed)
         width = int(lot.choice(_WIDTHS))
@@ -84,36 +93,33 @@ class Conventions:
             gap=float(lot.choice([0.12, 0.2, 0.35])),
             captions=bool(lot.random() < 0.5),
             frame=bool(lot.random() < 0.5),
+            dimensions=DimensionLook.drawn_by_lot(seed, visible, width) if dimensioned else None,
         )
 
 
-def foreign_sheet(lines: PartLines, how: Conventions) -> bytes:
-    """A PNG of the front, top and right view of a part, in third angle.
+def foreign_sheet(
+    lines: PartLines, how: Conventions, projection: Projection = Projection.THIRD
+) -> Sheet:
+    """The views of a part.
 
     Args:
-        lines: of these views at least.
+        lines: of the views.
         how: it looks.
+        projection: decides where the views stand.
     """
-    x, y, z = (float(value) for value in lines.size)
-    gap = how.gap * max(x, y, z)
-    scale = _USED * min(how.width / (x + gap + y), how.height / (z + gap + y))
-    left = (how.width - scale * (x + gap + y)) / 2.0
-    top = (how.height - scale * (z + gap + y)) / 2.0
-    below, beside = top + scale * (y + gap), left + scale * (x + gap)
-    places = {
-        Role.TOP: (left, top, x, y),
-        Role.FRONT: (left, below, x, z),
-        Role.RIGHT: (beside, below, y, z),
-    }
-    body: list[str] = []
-    for role, (left_px, top_px, wide, high) in places.items():
-        strokes = lines.views[role]
-        low = extent(strokes)[0]
-        origin = np.array([left_px, top_px + scale * high])
-        body += _paths(strokes, low, (origin, scale), how)
-        if how.captions:
-            middle = left_px + scale * wide / 2.0
-            body.append(_caption(f"{role.value.upper()} VIEW", middle, origin[1] + 1.7 * _TEXT_PX))
+    views, scale = _placed(lines, how, projection)
+    # What is drawn later lies above: the hidden lines of all views come first.
+    body = [_path(stroke, how) for view in views for stroke in _hidden_first(view.strokes)]
+    if how.dimensions is not None:
+        for view in views:
+            sides = _outer_sides(view, views)
+            body += view_dimensions(view, how.dimensions, 1.0 / scale, sides, _ROWS)
+    if how.captions:
+        for view in views:
+            x, y = 0.5 * (view.box[0] + view.box[2]), view.box[3] + 1.7 * _TEXT_PX
+            if how.dimensions is not None:
+                y += how.dimensions.reach(_ROWS)
+            body.append(_caption(f"{view.role.value.upper()} VIEW", x, y))
     if how.frame:
         body.append(
             f'<rect x="12" y="12" width="{how.width - 24}" height="{how.height - 24}" '
@@ -124,34 +130,67 @@ def foreign_sheet(lines: PartLines, how: Conventions) -> bytes:
         f'<rect width="{how.width}" height="{how.height}" fill="white"/>{"".join(body)}</svg>'
     )
     drawn = Image.open(BytesIO(bytes(resvg_py.svg_to_bytes(svg_string=picture))))
-    png = BytesIO()
-    drawn.convert("L").save(png, "PNG")
-    return png.getvalue()
+    return Sheet(np.asarray(drawn.convert("RGB")), 1.0 / scale, projection, views)
 
 
-def _paths(
-    strokes: Sequence[DrawnStroke], low: Floats, place: tuple[Floats, float], how: Conventions
-) -> list[str]:
-    """SVG of a view's strokes, the hidden ones below the others."""
-    origin, scale = place
-    found = []
-    for stroke in sorted(strokes, key=lambda own: own.linetype is not Linetype.HIDDEN):
-        points = (
-            np.array([stroke.start, stroke.end])
-            if isinstance(stroke, Segment)
-            else stroke.sample(stroke.length / _CHORDS)
+def _placed(
+    lines: PartLines, how: Conventions, projection: Projection
+) -> tuple[tuple[DrawnView, ...], float]:
+    """The views on the sheet, and px per mm."""
+    roles = tuple(lines.views)
+    slots = {role: role.slot(projection) for role in roles}
+    wide = {slots[role][0]: float(lines.size[role.frame.right_axis[0].value]) for role in roles}
+    high = {slots[role][1]: float(lines.size[role.frame.up_axis[0].value]) for role in roles}
+    gap = how.gap * float(max(lines.size))
+    room = margin = 0.0
+    if how.dimensions is not None:
+        margin = how.dimensions.reach(_ROWS)
+        room = margin + _TEXT_PX + (2.0 * _TEXT_PX if how.captions else 0.0)
+        gap *= _CLOSER
+    # px per mm: columns, or rows, with a gap in mm and room in px between them fill the sheet.
+    scale = min(
+        (_USED * side - 2.0 * margin - (len(extents) - 1) * room)
+        / (sum(extents.values()) + (len(extents) - 1) * gap)
+        for side, extents in ((how.width, wide), (how.height, high))
+    )
+    style = SheetStyle(
+        width=how.width,
+        height=how.height,
+        margin=0.0,
+        view_gap=scale * gap + room,
+        mm_per_pixel=1.0 / scale,
+    )
+    places = place_views(lines.size, roles, projection, style)
+    return tuple(drawn_view(place, lines.views[place.role]) for place in places), scale
+
+
+def _outer_sides(view: DrawnView, views: Sequence[DrawnView]) -> tuple[int, int]:
+    """Where a view's level and upright dimensions stand: 1 for below and right, -1 else."""
+    lowest = all(view.box[3] >= other.box[3] - 1.0 for other in views)
+    rightmost = all(view.box[2] >= other.box[2] - 1.0 for other in views)
+    return (1 if lowest else -1), (1 if rightmost else -1)
+
+
+def _hidden_first(strokes: Sequence[DrawnStroke]) -> list[DrawnStroke]:
+    return sorted(strokes, key=lambda own: own.linetype is not Linetype.HIDDEN)
+
+
+def _path(stroke: DrawnStroke, how: Conventions) -> str:
+    """SVG of a stroke."""
+    points = (
+        np.array([stroke.start, stroke.end])
+        if isinstance(stroke, Segment)
+        else stroke.sample(stroke.length / _CHORDS)
+    )
+    chain = " ".join(f"{x:.2f},{y:.2f}" for x, y in points)
+    look = f'stroke="black" stroke-width="{how.visible}" stroke-linecap="{how.cap}"'
+    if stroke.linetype is Linetype.HIDDEN:
+        grey, (dash, gap) = how.grey, how.dash
+        look = (
+            f'stroke="rgb({grey},{grey},{grey})" stroke-width="{how.hidden}" '
+            f'stroke-dasharray="{dash:.1f},{gap:.1f}"'
         )
-        x, y = (scale * (points - low) * (1.0, -1.0) + origin).T
-        chain = " ".join(f"{a:.2f},{b:.2f}" for a, b in zip(x, y, strict=True))
-        look = f'stroke="black" stroke-width="{how.visible}" stroke-linecap="{how.cap}"'
-        if stroke.linetype is Linetype.HIDDEN:
-            grey, (dash, gap) = how.grey, how.dash
-            look = (
-                f'stroke="rgb({grey},{grey},{grey})" stroke-width="{how.hidden}" '
-                f'stroke-dasharray="{dash:.1f},{gap:.1f}"'
-            )
-        found.append(f'<polyline fill="none" {look} points="{chain}"/>')
-    return found
+    return f'<polyline fill="none" {look} points="{chain}"/>'
 
 
 def _caption(text: str, x: float, y: float) -> str:

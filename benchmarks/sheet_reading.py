@@ -4,6 +4,7 @@ Parts (the samples and parts by chance) are drawn in every style, with roles and
 from part to part, written to files, and read with nothing told.
 
     .venv/bin/python benchmarks/sheet_reading.py [--parts N] [--skip N] [--styles NAME ...]
+    .venv/bin/python benchmarks/sheet_reading.py --styles foreign foreign-dimensioned
     .venv/bin/python benchmarks/sheet_reading.py --finder hough --median 5
     .venv/bin/python benchmarks/sheet_reading.py --data DIR [--keep DIR]
 
@@ -15,6 +16,8 @@ is the share of true strokes' ends with a vertex of the views on their shared ax
 at least, and no other vertex or parallel stroke is within 4 px.  ``box px`` is the largest error of
 a corner in nine of ten sheets.  ``views`` is the share of views with their right names, ``proj``
 of sheets with the right projection, ``or`` of those where it was at least kept as an alternative.
+
+The styles ``foreign`` and ``foreign-dimensioned`` are sheets as other programs draw them.
 
 With ``--data`` other sheets are read.  PDF, SVG and DXF files are read directly and as pictures,
 and the lines of the picture are matched with those of the file.
@@ -36,6 +39,7 @@ from pathlib import Path
 
 import cv2
 import numpy as np
+from foreign_sheets import Conventions, foreign_sheet
 from reading_folder import read_folder
 from reading_found import Found, drawn_over, read
 from stroke_matching import Marks, Matched, corners_of, ends_of, match, nearness, overlap
@@ -55,6 +59,9 @@ STYLES = (
     "iso", "ansi", "even",
 )  # fmt: skip
 """The last three have line weights and rhythms that nothing was tuned on."""
+
+FOREIGN = {"foreign": False, "foreign-dimensioned": True}
+"""Styles of other programs, and whether these have dimensions."""
 
 ARRANGEMENTS = (
     ((Role.FRONT, Role.TOP, Role.RIGHT), Projection.THIRD),
@@ -96,12 +103,14 @@ class Result:
 
 
 def compare(
-    sheet: Sheet, style: SheetStyle, found: Found, about: tuple[str, str, float]
+    sheet: Sheet, covered: float, found: Found, about: tuple[str, str, float]
 ) -> tuple[Result, "Marks"]:
-    """A sheet's figures, and what to mark on its picture."""
+    """A sheet's figures, and what to mark on its picture.
+
+    Hidden lines within ``covered`` px of a visible one's centre line do not show.
+    """
     drawn = [stroke for view in sheet.views for stroke in view.strokes]
     seen = list(chain.from_iterable(found.strokes.values()))
-    covered = 0.5 * style.visible_width
     matched, errors, marks = match(drawn, seen, covered)
     ends, corners = ends_of(drawn, covered), corners_of(drawn, covered)
     near = nearness(corners, found.vertices)
@@ -158,8 +167,31 @@ class Job:
         roles, projection = ARRANGEMENTS[self.arrangement % len(ARRANGEMENTS)]
         known = {part.name for part in SAMPLES}
         shape = sample(self.name).build() if self.name in known else random_part(self.seed)
-        picture = any(parse_style(text).picture for text in self.styles)
+        picture = any(_own_style(text).picture for text in self.styles)
         return part_lines(shape, roles, picture=picture), projection
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A sheet, the quality of its file and half the width of its visible lines."""
+
+    sheet: Sheet
+    quality: int
+    covered: float
+
+
+def _own_style(text: str) -> SheetStyle:
+    """The style of that name; for sheets of other programs one that asks for nothing."""
+    return SheetStyle() if text in FOREIGN else parse_style(text)
+
+
+def _drawn(lines: PartLines, projection: Projection, text: str, job: Job) -> Drawn:
+    if text in FOREIGN:
+        how = Conventions.drawn_by_lot(job.seed, dimensioned=FOREIGN[text])
+        return Drawn(foreign_sheet(lines, how, projection), 95, 0.5 * how.visible)
+    style = parse_style(text)
+    sheet = compose_sheet(lines, projection, style, job.seed, title=job.name.upper())
+    return Drawn(sheet, style.jpeg_quality, 0.5 * style.visible_width)
 
 
 def run(job: Job) -> list[Result]:
@@ -167,13 +199,12 @@ def run(job: Job) -> list[Result]:
     lines, projection = job.lines()
     results = []
     for text in job.styles:
-        style = parse_style(text)
-        sheet = compose_sheet(lines, projection, style, job.seed, title=job.name.upper())
-        suffix = "png" if style.jpeg_quality >= 95 else "jpg"
+        drawn = _drawn(lines, projection, text, job)
+        sheet, suffix = drawn.sheet, "png" if drawn.quality >= 95 else "jpg"
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / f"{job.name}-{text.replace(',', '-').replace('=', '')}.{suffix}"
-            write_image(sheet.image, path, style.jpeg_quality, sheet.dpi)
-            result, marks, found = _read_and_compare(path, sheet, style, job, text)
+            write_image(sheet.image, path, drawn.quality, sheet.dpi)
+            result, marks, found = _read_and_compare(path, drawn, job, text)
             results.append(result)
             if job.keep is not None and (result.failure or result.score < job.keep_below):
                 job.keep.mkdir(parents=True, exist_ok=True)
@@ -184,28 +215,28 @@ def run(job: Job) -> list[Result]:
 
 
 def _read_and_compare(
-    path: Path, sheet: Sheet, style: SheetStyle, job: Job, text: str
+    path: Path, drawn: Drawn, job: Job, text: str
 ) -> tuple[Result, Marks, Found | None]:
-    names = (job.name, text)
+    names, sheet, covered = (job.name, text), drawn.sheet, drawn.covered
     started = time.perf_counter()
     try:
         found = read(path, job.reading)
     except GaussianCadError as error:
-        drawn = [stroke for view in sheet.views for stroke in view.strokes]
-        lost, _, _ = match(drawn, [], 0.5 * style.visible_width)
+        strokes = [stroke for view in sheet.views for stroke in view.strokes]
+        lost, _, _ = match(strokes, [], covered)
         result = Result(
             *names,
             time.perf_counter() - started,
             lost[Linetype.VISIBLE],
             lost[Linetype.HIDDEN],
-            ends=len(ends_of(drawn, 0.5 * style.visible_width)),
-            vertices=len(corners_of(drawn, 0.5 * style.visible_width)),
+            ends=len(ends_of(strokes, covered)),
+            vertices=len(corners_of(strokes, covered)),
             box_error=float("inf"),
             views=len(sheet.views),
             failure=error.code,
         )
         return result, Marks(), None
-    result, marks = compare(sheet, style, found, (*names, time.perf_counter() - started))
+    result, marks = compare(sheet, covered, found, (*names, time.perf_counter() - started))
     return result, marks, found
 
 
