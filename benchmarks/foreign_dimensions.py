@@ -253,7 +253,7 @@ def _diameters(
             tip = np.array(circle.centre) + circle.radius * way
             knee = tip + away * look.text * way
             right = 1.0 if way[0] > 0.0 else -1.0
-            middle = knee + np.array([right * half, -0.7 * look.text])
+            middle = knee + np.array([right * half, -0.85 * look.text - 0.5 * look.width])
             free = np.abs(ink - middle) > (half + 3.0, 0.75 * look.text + 3.0)
             if not free.any(axis=1).all():
                 continue

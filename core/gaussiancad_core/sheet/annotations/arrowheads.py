@@ -86,9 +86,10 @@ def mark_arrows(
 ) -> None:
     """Mark straight runs with arrowheads on them as dimension lines, in place.
 
-    One alone counts at an end, where writing is near: where a stroke meets an edge, ink that ran
-    makes a blot like it.  A large head has no ridge along its middle, so that its line ends behind
-    it; the run then goes on as far as the middle of the head.
+    One alone counts at an end where writing is near, and so do two that are no thicker than where
+    three strokes meet on a slanted edge: ink that ran makes blots like them.  A large head has no
+    ridge along its middle, so that its line ends behind it; the run then goes on as far as the
+    middle of the head.
 
     Args:
         shapes: lines and circles of a sheet.
@@ -121,9 +122,9 @@ def mark_arrows(
             reached &= thick | (slanted & free & (inside > _FROM_TIP * stroke_width))
             on_run = near[reached]
             from_end = np.minimum(on_run - low, high - on_run)
-            at_end = (from_end < _LARGEST * stroke_width).any()
-            at_end = at_end and near_writing(shape, run)
-            if own[k] is None and (len(on_run) > 1 or at_end):
+            sure = int((reached & thick).sum()) > 1
+            at_end = len(on_run) > 1 or (from_end < _LARGEST * stroke_width).any()
+            if own[k] is None and (sure or (at_end and near_writing(shape, run))):
                 own[k] = AnnotationKind.DIMENSION
                 whole = Run(min(run.run.start, *on_run), max(run.run.end, *on_run))
                 runs[k] = InkedRun(whole, run.width)

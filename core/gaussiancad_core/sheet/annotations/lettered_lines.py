@@ -1,10 +1,13 @@
-"""Dimension lines told by their number, where a copy blurred their heads.
+"""Dimension lines told by their number, where a copy blurred their heads, or where these are none:
+strokes across the ends, or dots.
 
-The number stands above the middle of its line, along it, and extension lines go on beyond both of
-the line's ends (ISO 129-1).  An edge ends at others: at a corner they are on one side of it.
+The number stands above the middle of its line, along it (ISO 129-1), or where the line is broken
+for it (ASME Y14.5), and extension lines go on beyond both of the line's ends.  An edge ends at
+others: at a corner they are on one side of it.
 """
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 
@@ -25,6 +28,12 @@ _MIDDLE = 0.15
 _ABOVE = -0.2, 0.8
 """Distance of the number from the line, in heights of the number: its box may touch it."""
 
+_WITHIN = 0.4
+"""Distance of the number's middle from the line that is broken for it, in heights of the number."""
+
+_BLANK = 1.2
+"""Paper on either side of such a number at most, in heights of it."""
+
 _PASSED = (1.0, 2.6)
 """px beside the ends of the line, beyond half a stroke, at which the extension lines are ink."""
 
@@ -39,7 +48,7 @@ def mark_lettered(
     ink: Mask,
     stroke_width: float,
 ) -> None:
-    """Mark straight runs with a number above their middle as dimension lines, in place.
+    """Mark straight runs with a number above or in their middle as dimension lines, in place.
 
     Args:
         shapes: lines and circles of a sheet.
@@ -57,6 +66,26 @@ def mark_lettered(
             numbered = own[k] is None and any(_is_above(word, line, run.run) for word in words)
             if numbered and _is_passed(line, run.run, ink, stroke_width):
                 own[k] = AnnotationKind.DIMENSION
+        for k, (before, after) in enumerate(pairwise([run.run for run in shape.runs])):
+            whole = Run(before.start, after.end)
+            broken = any(_is_broken_for(word, line, before.end, after.start) for word in words)
+            if broken and _is_passed(line, whole, ink, stroke_width):
+                own[k] = own[k + 1] = AnnotationKind.DIMENSION
+
+
+def _is_broken_for(word: Box, line: Line, start: float, end: float) -> bool:
+    """Whether a word fills the blank between two positions on a level or upright line."""
+    upright = int(abs(line.direction[1]) > abs(line.direction[0]))
+    ends = sorted((line.at(start)[upright], line.at(end)[upright]))
+    low, high = word[upright], word[upright + 2]
+    height = min(word[2] - word[0], word[3] - word[1])
+    middle = (word[1 - upright] + word[3 - upright]) / 2
+    blank = low - ends[0], ends[1] - high
+    return (
+        abs(line.at(start)[1 - upright] - middle) <= _WITHIN * height
+        and min(blank) > -_END_PX
+        and max(blank) <= _BLANK * height
+    )
 
 
 def _is_above(word: Box, line: Line, run: Run) -> bool:

@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.dash_rows import are_dashes
 from gaussiancad_core.sheet.annotations.letter_boxes import is_boxed
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask
 
@@ -49,6 +50,10 @@ least, in heights of a letter."""
 _STRAIGHT = 1.35
 """Ink of a straight piece at most, in stroke widths times its diagonal."""
 
+_THIN, _STRAIGHT_THIN = 0.8, 1.2
+"""Share of the stroke width under which a piece is thinner than lines, as letters may be, and what
+its ink then is at most, in its own width times its diagonal."""
+
 
 @dataclass(frozen=True, eq=False)
 class Letters:
@@ -81,7 +86,9 @@ def find_letters(ink: Mask, explained: Mask, stroke_width: float) -> Letters:
     small[0] = False
     # A straight piece is a dash or a one: only its neighbours can tell.  Its area says so quickly,
     # but not where a threshold made it a pixel wider.
-    straight = sizes < _STRAIGHT * stroke_width * np.hypot(stats[:, 2], stats[:, 3])
+    own = _own_width(ink, labels, sizes)
+    widths = np.where(own < _THIN * stroke_width, _STRAIGHT_THIN * own, _STRAIGHT * stroke_width)
+    straight = sizes < widths * np.hypot(stats[:, 2], stats[:, 3])
     seeds = small & (told < _EXPLAINED) & ~straight
     for label in np.flatnonzero(seeds):
         seeds[label] = _breadth(labels, stats, label) > _STRAIGHT * stroke_width
@@ -100,6 +107,17 @@ def find_letters(ink: Mask, explained: Mask, stroke_width: float) -> Letters:
         chosen[whole] = True
         marks.append(Mark(AnnotationKind.TEXT, _box_of(stats, whole)))
     return Letters(chosen[labels], tuple(marks))
+
+
+def _own_width(
+    ink: Mask, labels: npt.NDArray[np.int32], sizes: npt.NDArray[np.float64]
+) -> npt.NDArray[np.float64]:
+    """(n,) px, the mean width of each piece's strokes: across one, the distances to its sides are
+    half of it at most, and half of that in the mean."""
+    inside = cv2.distanceTransform(ink.astype(np.uint8), cv2.DIST_L2, 3)
+    total = np.bincount(labels[ink], weights=inside[ink], minlength=len(sizes))
+    # The distance of a pixel's centre to the side is half a pixel less.
+    return 4.0 * (total / np.maximum(sizes, 1.0) - 0.5)
 
 
 def _points(stats: npt.NDArray[np.int32], word: list[int]) -> list[int]:
@@ -163,7 +181,8 @@ def _not_of_the_part(
             return False
         if _is_corner(word, *pieces) or _is_concentric(word, stats):
             return False
-        return _is_in_line(stats[word, :4].astype(float), [piece in pieces[0] for piece in word])
+        boxes = stats[word, :4].astype(float)
+        return _is_in_line(boxes, [piece in pieces[0] for piece in word]) and not are_dashes(boxes)
 
     return [word for word, paper in zip(words, around, strict=True) if is_word(word, paper)]
 

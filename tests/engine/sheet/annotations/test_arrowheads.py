@@ -111,3 +111,17 @@ def test_one_head_alone_has_writing_near_its_line(
     kinds: list[list[AnnotationKind | None]] = [[None]]
     mark_arrows([LONG], kinds, found, np.ones((100, 200), dtype=bool), 2.0, letters=writing)
     assert kinds == [[AnnotationKind.DIMENSION if told else None]]
+
+
+@pytest.mark.parametrize(("near", "told"), [(True, True), (False, False)])
+def test_two_small_blots_have_writing_near_their_line(near: bool, told: bool) -> None:
+    """Three strokes that meet on a slanted edge make such blots, on sheets without dimensions."""
+    line = Line((20.0, 20.0), (0.8, 0.6))
+    shape = InkedShape(line, (InkedRun(Run(0.0, 100.0), 2.0),))
+    blots = Arrowheads(
+        np.array([line.at(30.0), line.at(70.0)]), np.array([2.0, 2.0]), np.array([2.2, 2.2])
+    )
+    writing = [Mark(AnnotationKind.TEXT, (60.0, 20.0, 90.0, 34.0) if near else (0.0, 180, 30, 194))]
+    kinds: list[list[AnnotationKind | None]] = [[None]]
+    mark_arrows([shape], kinds, blots, np.ones((200, 220), dtype=bool), 2.0, letters=writing)
+    assert kinds == [[AnnotationKind.DIMENSION if told else None]]

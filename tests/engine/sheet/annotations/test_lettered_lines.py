@@ -63,3 +63,48 @@ def test_an_upright_line_has_its_number_on_the_left(sketch: Sketch) -> None:
         kinds: list[list[AnnotationKind | None]] = [[None]]
         mark_lettered([shape], kinds, [Mark(AnnotationKind.TEXT, word)], ink, 3.0)
         assert (kinds == [[AnnotationKind.DIMENSION]]) is told
+
+
+@pytest.mark.parametrize("upright", [False, True])
+@pytest.mark.parametrize(
+    ("word", "told"),
+    [
+        ((87.0, 53.0, 113.0, 67.0), True),
+        # Right above the line, at one of its pieces, far too small for the blank.
+        ((87.0, 40.0, 113.0, 54.0), False),
+        ((50.0, 53.0, 76.0, 67.0), False),
+        ((99.0, 59.0, 101.0, 61.0), False),
+    ],
+)
+def test_a_line_broken_for_its_number_is_a_dimension_line(
+    sketch: Sketch, word: Box, told: bool, upright: bool
+) -> None:
+    """Without any heads, or with strokes across its ends."""
+    ends = (
+        ((40, 60), (82, 60)),
+        ((118, 60), (160, 60)),
+        ((40, 52), (40, 100)),
+        ((160, 52), (160, 90)),
+    )
+    drawn = sketch()
+    for start, end in ends:
+        drawn.line(*((start[::-1], end[::-1]) if upright else (start, end)), 3.0)
+    line = Line((60.0, 0.0), (0.0, 1.0)) if upright else Line((0.0, 60.0), (1.0, 0.0))
+    runs = InkedRun(Run(40.0, 82.0), 3.0), InkedRun(Run(118.0, 160.0), 3.0)
+    kinds: list[list[AnnotationKind | None]] = [[None, None]]
+    box = (word[1], word[0], word[3], word[2]) if upright else word
+    text = [Mark(AnnotationKind.TEXT, box)]
+    mark_lettered([InkedShape(line, runs)], kinds, text, clean_sheet(drawn.grey).ink, 3.0)
+    assert kinds == [[AnnotationKind.DIMENSION] * 2 if told else [None, None]]
+
+
+def test_an_edge_behind_writing_ends_at_corners(sketch: Sketch) -> None:
+    """A program that leaves paper around a note breaks the edge that runs behind it."""
+    drawn = sketch().line((40, 60), (82, 60), 3.0).line((118, 60), (160, 60), 3.0)
+    drawn.line((40, 60), (40, 100), 3.0).line((160, 60), (160, 100), 3.0)
+    runs = InkedRun(Run(40.0, 82.0), 3.0), InkedRun(Run(118.0, 160.0), 3.0)
+    shape = InkedShape(Line((0.0, 60.0), (1.0, 0.0)), runs)
+    kinds: list[list[AnnotationKind | None]] = [[None, None]]
+    text = [Mark(AnnotationKind.TEXT, (87.0, 53.0, 113.0, 67.0))]
+    mark_lettered([shape], kinds, text, clean_sheet(drawn.grey).ink, 3.0)
+    assert kinds == [[None, None]]

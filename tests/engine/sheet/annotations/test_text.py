@@ -205,3 +205,27 @@ def test_an_i_between_letters_of_straight_strokes_is_one(sketch: Sketch) -> None
     straight[:, columns.min() + int(0.72 * np.ptp(columns)) :] = False
     letters = _found(ink, straight)
     assert (ink & ~letters.mask).sum() == 0
+
+
+@pytest.mark.parametrize("text", ["52", "94", "26", "78"])
+def test_letters_much_thinner_than_lines_are_found(text: str) -> None:
+    """Small digits have little more ink than a line of the sheet's width as long as they."""
+    words = label(text, (320, 200), 13.0, 0.0)
+    annotation = Annotation(AnnotationKind.TEXT, 0, label=words)
+    ink = ink_annotations((annotation,), SheetStyle(width=WIDTH, height=HEIGHT)) >= 0.5
+    letters = find_letters(ink, np.zeros_like(ink), 4.0)
+    assert (ink & ~letters.mask).sum() == 0
+
+
+def test_close_hidden_lines_are_no_writing(sketch: Sketch) -> None:
+    """Dashes whose ink joins, as high as the words beside the view."""
+    view = sketch(WIDTH, HEIGHT).lines((60, 60), (400, 60), (400, 300), (60, 300), (60, 60))
+    outline = view.weight >= 0.5
+    dashes = sketch(WIDTH, HEIGHT)
+    for x in (200, 203, 206, 212):
+        dashes.broken((x, 64), (x, 296), (18, 10), 3.0)
+    hidden = dashes.weight >= 0.5
+    words = _written("FRONT VIEW", 230, 340)
+    letters = _found(outline | hidden | words, outline)
+    assert not (letters.mask & hidden).any()
+    assert (words & ~letters.mask).sum() == 0
