@@ -6,6 +6,7 @@ is what programs differ in: arrowheads, widths, greys, gaps, the place of the nu
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
@@ -26,7 +27,18 @@ _EDGES, _CIRCLES = 2, 2
 _LETTER = 0.62
 """Width of a digit per height of the letters."""
 
+_STEP = 2.0
+"""px between the points that tell where ink is."""
+
 Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class _Piece:
+    """SVG of a line, an arrowhead or a number, and points (n, 2) px about where its ink is."""
+
+    svg: str
+    points: Floats
 
 
 @dataclass(frozen=True)
@@ -105,17 +117,21 @@ def view_dimensions(
         sides: 1 or -1: level dimensions below or above, upright ones right or left of the view.
         rows: of dimension lines that have room on a side.
     """
-    for direction, side in enumerate(sides):
-        yield from _along(view, (direction, side), look, mm_per_pixel, rows)
+    pieces = [
+        piece
+        for direction, side in enumerate(sides)
+        for piece in _along(view, (direction, side), look, mm_per_pixel, rows)
+    ]
     whole = [stroke for stroke in _arcs(view) if abs(stroke.sweep) > 6.28]
-    for circle in whole:
-        yield from _centre(circle, look)
-    yield from _diameters(view, whole, look, mm_per_pixel)
+    ink = np.concatenate([piece.points for piece in pieces] + [_points(s) for s in view.strokes])
+    pieces += _diameters(whole, ink, look, mm_per_pixel)
+    pieces += [piece for circle in whole for piece in _centre(circle, look)]
+    yield from (piece.svg for piece in pieces)
 
 
 def _along(
     view: DrawnView, beside: tuple[int, int], look: DimensionLook, scale: float, rows: int
-) -> Iterator[str]:
+) -> Iterator[_Piece]:
     """Dimensions in a direction (0 level, 1 upright) on a side, the shorter ones nearer to it."""
     direction, side = beside
     low, high = view.box[direction], view.box[direction + 2]
@@ -147,7 +163,7 @@ def _edges(view: DrawnView, direction: int, side: int) -> Iterator[tuple[float, 
 
 def _dimension(
     ends: tuple[float, float], line: float, direction: int, look: DimensionLook, text: str
-) -> Iterator[str]:
+) -> Iterator[_Piece]:
     """A dimension line with its arrowheads and number."""
     first, last = ends
     middle, wide = 0.5 * (first + last), (len(text) * _LETTER + 0.6) * look.text
@@ -156,12 +172,11 @@ def _dimension(
     inside = last - first > wide + 4.0 * look.size
     away = 0.0 if inside else 2.0 * look.size
     if not inside:
-        # Too narrow: arrowheads from outside, the number beyond the second one.
+        # Too narrow: arrowheads from outside, the number on the second one's line or behind it.
+        shoulder = 0.5 * look.text if taken else wide
         yield _chain([(first - away, line), (first, line)], direction, look)
-        yield _chain([(last, line), (last + away + wide, line)], direction, look)
-        middle = last + away + 0.5 * wide
-        if taken:
-            middle += 0.5 * wide
+        yield _chain([(last, line), (last + away + shoulder, line)], direction, look)
+        middle = last + away + 0.5 * wide + (shoulder if taken else 0.0)
     elif taken:
         yield _chain([(first, line), (middle - 0.5 * taken, line)], direction, look)
         yield _chain([(middle + 0.5 * taken, line), (last, line)], direction, look)
@@ -176,29 +191,36 @@ def _dimension(
 
 def _number(
     text: str, place: tuple[float, float], direction: int, look: DimensionLook, level: bool
-) -> str:
+) -> _Piece:
     along, across = place
     x, y = (along, across) if direction == 0 else (across, along)
-    turn = f' transform="rotate(-90 {x:.2f} {y:.2f})"' if direction == 1 and not level else ""
+    upright = direction == 1 and not level
+    turn = f' transform="rotate(-90 {x:.2f} {y:.2f})"' if upright else ""
     if level:
         y += 0.36 * look.text
     size = look.text / 0.73
-    return (
+    svg = (
         f'<text x="{x:.2f}" y="{y:.2f}" font-size="{size:.1f}" text-anchor="middle" '
         f'fill="rgb({look.level},{look.level},{look.level})" '
         f'font-family="{look.font}, sans-serif"{turn}>{text}</text>'
     )
+    half, up = 0.5 * _LETTER * len(text) * look.text, np.linspace(0.0, look.text, 4)
+    box = np.stack(np.meshgrid(np.linspace(-half, half, 8), -up), axis=2).reshape(-1, 2)
+    return _Piece(svg, np.array([x, y]) + (box[:, ::-1] * (1.0, -1.0) if upright else box))
 
 
-def _chain(points: Sequence[tuple[float, float]], direction: int, look: DimensionLook) -> str:
-    placed = points if direction == 0 else [(y, x) for x, y in points]
+def _chain(
+    points: Sequence[tuple[float, float]], direction: int, look: DimensionLook, rhythm: str = ""
+) -> _Piece:
+    placed = np.array(points if direction == 0 else [(y, x) for x, y in points])
     chain = " ".join(f"{x:.2f},{y:.2f}" for x, y in placed)
-    return f'<polyline {look.pen} points="{chain}"/>'
+    ink = [np.linspace(a, b, 2 + int(np.hypot(*(b - a)) / _STEP)) for a, b in pairwise(placed)]
+    return _Piece(f'<polyline {look.pen}{rhythm} points="{chain}"/>', np.concatenate(ink))
 
 
 def _head(
     tip: tuple[float, float], inwards: tuple[float, float], direction: int, look: DimensionLook
-) -> str:
+) -> _Piece:
     """An arrowhead at a tip, for a line that goes on to another point."""
     end, on = np.array(tip), np.array(inwards)
     along = (on - end) / np.hypot(*(on - end))
@@ -209,14 +231,15 @@ def _head(
     grey = f"rgb({look.level},{look.level},{look.level})"
     if look.arrow == "dot":
         x, y = end if direction == 0 else end[::-1]
-        return f'<circle cx="{x:.2f}" cy="{y:.2f}" r="{0.25 * look.size:.2f}" fill="{grey}"/>'
+        dot = f'<circle cx="{x:.2f}" cy="{y:.2f}" r="{0.25 * look.size:.2f}" fill="{grey}"/>'
+        return _Piece(dot, np.array([[x, y]]))
     half = 0.3 if look.arrow == "wide" else 0.17
     wings = [end + look.size * (along + way * half * aside) for way in (1.0, -1.0)]
     if look.arrow == "open":
         return _chain([tuple(wings[0]), tip, tuple(wings[1])], direction, look)
     corners = [end, *wings] if direction == 0 else [point[::-1] for point in (end, *wings)]
     chain = " ".join(f"{x:.2f},{y:.2f}" for x, y in corners)
-    return f'<polygon fill="{grey}" points="{chain}"/>'
+    return _Piece(f'<polygon fill="{grey}" points="{chain}"/>', np.array(corners))
 
 
 def _arcs(view: DrawnView) -> list[Arc]:
@@ -224,7 +247,7 @@ def _arcs(view: DrawnView) -> list[Arc]:
     return [stroke for stroke in visible if isinstance(stroke, Arc)]
 
 
-def _centre(circle: Arc, look: DimensionLook) -> Iterator[str]:
+def _centre(circle: Arc, look: DimensionLook) -> Iterator[_Piece]:
     """A circle's centre mark."""
     x, y = circle.centre
     if look.marks == "none":
@@ -233,15 +256,13 @@ def _centre(circle: Arc, look: DimensionLook) -> Iterator[str]:
     long = 1.6 * look.text
     rhythm = f' stroke-dasharray="{long:.1f},{0.2 * long:.1f},{0.2 * long:.1f},{0.2 * long:.1f}"'
     for one, other in (((x - reach, y), (x + reach, y)), ((x, y - reach), (x, y + reach))):
-        line = _chain([one, other], 0, look)
-        yield line if look.marks == "cross" else line.replace("/>", f"{rhythm}/>")
+        yield _chain([one, other], 0, look, rhythm if look.marks == "lines" else "")
 
 
 def _diameters(
-    view: DrawnView, circles: Sequence[Arc], look: DimensionLook, scale: float
-) -> Iterator[str]:
-    """Leaders to circles, their numbers where no line of the view is."""
-    ink = np.concatenate([_points(stroke) for stroke in view.strokes])
+    circles: Sequence[Arc], ink: Floats, look: DimensionLook, scale: float
+) -> Iterator[_Piece]:
+    """Leaders to circles, their numbers where no ink is, given as points (n, 2) px."""
     said: list[float] = []
     for circle in sorted(circles, key=lambda circle: circle.radius):
         text = f"\u00d8{2.0 * circle.radius * scale:.4g}"
@@ -254,16 +275,18 @@ def _diameters(
             knee = tip + away * look.text * way
             right = 1.0 if way[0] > 0.0 else -1.0
             middle = knee + np.array([right * half, -0.85 * look.text - 0.5 * look.width])
-            free = np.abs(ink - middle) > (half + 3.0, 0.75 * look.text + 3.0)
+            free = np.abs(ink - middle) > (half + 3.0, look.text + 3.0)
             if not free.any(axis=1).all():
                 continue
             end = knee + np.array([2.0 * right * half, 0.0])
             yield _chain([tuple(tip), tuple(knee), tuple(end)], 0, look)
             yield _head((tip[0], tip[1]), (knee[0], knee[1]), 0, look)
-            yield _number(text, (middle[0], middle[1] + 0.36 * look.text), 0, look, True)
+            number = _number(text, (middle[0], middle[1]), 0, look, True)
+            yield number
+            ink = np.concatenate([ink, number.points])
             said.append(circle.radius)
             break
 
 
 def _points(stroke: DrawnStroke) -> Floats:
-    return np.asarray(stroke.sample(2.0))
+    return np.asarray(stroke.sample(_STEP))
