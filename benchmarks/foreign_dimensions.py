@@ -5,7 +5,7 @@ is what programs differ in: arrowheads, widths, greys, gaps, the place of the nu
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -55,7 +55,7 @@ class DimensionLook:
         inline: whether the line is broken for its number, which else stands above it.
         level_text: whether the numbers of upright dimensions are level too.
         first, pitch: from the view to the nearest dimension line, and from line to line.
-        off, over: from an edge to its extension line, and from the last dimension line to its end.
+        off, over: from the middle of an edge to its extension line, and from the last dimension line to its end.
         marks: "none", "cross" or "lines": what the centre of a circle has.
     """
 
@@ -78,7 +78,7 @@ class DimensionLook:
         """That of some program, for sheets with visible lines and a width of so many px."""
         lot = np.random.default_rng((seed, 1))
         text = float(round(width * lot.uniform(0.009, 0.013)))
-        return cls(
+        look = cls(
             arrow=str(lot.choice(_ARROWS, p=[0.4, 0.15, 0.2, 0.15, 0.1])),
             size=text * float(lot.uniform(0.6, 1.0)),
             width=float(lot.choice([visible, max(1.0, 0.5 * visible), max(1.0, visible - 1.0)])),
@@ -93,6 +93,9 @@ class DimensionLook:
             over=float(lot.uniform(0.2, 0.5)) * text,
             marks=str(lot.choice(["none", "cross", "lines"])),
         )
+        # Where all lines are of one width, an extension line without a gap would be its edge.
+        least = 0.15 * text if look.width == visible else 0.0
+        return replace(look, off=max(look.off, least) + 0.5 * visible)
 
     def reach(self, rows: int) -> float:
         """px beside a view that so many rows of dimensions take."""
