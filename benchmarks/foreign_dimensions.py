@@ -55,7 +55,8 @@ class DimensionLook:
         inline: whether the line is broken for its number, which else stands above it.
         level_text: whether the numbers of upright dimensions are level too.
         first, pitch: from the view to the nearest dimension line, and from line to line.
-        off, over: from the middle of an edge to its extension line, and from the last dimension line to its end.
+        off: from the middle of an edge to its extension line.
+        over: from a dimension line to the ends of its extension lines.
         marks: "none", "cross" or "lines": what the centre of a circle has.
     """
 
