@@ -3,7 +3,8 @@ strokes across the ends, or dots.
 
 The number stands above the middle of its line, along it (ISO 129-1), or where the line is broken
 for it (ASME Y14.5), and extension lines go on beyond both of the line's ends.  An edge ends at
-others: at a corner they are on one side of it.
+others: at a corner they are on one side of it.  What a leader says stands on its shoulder, a line
+of its length, of which one end is free.
 """
 
 from collections.abc import Sequence
@@ -14,6 +15,7 @@ import numpy as np
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.erase import Kinds
 from gaussiancad_core.sheet.annotations.inked import InkedShape
+from gaussiancad_core.sheet.annotations.loose import is_free_end
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask, values_at
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.options import Box
@@ -34,6 +36,10 @@ _WITHIN = 0.4
 _BLANK = 1.2
 """Paper on either side of such a number at most, in heights of it."""
 
+_OVER, _UNDER = 0.8, 2.5
+"""Share of a word that the shoulder below it spans at least, and heights of the word by which the
+shoulder is longer at most."""
+
 _PASSED = (1.0, 2.6)
 """px beside the ends of the line, beyond half a stroke, at which the extension lines are ink."""
 
@@ -48,7 +54,8 @@ def mark_lettered(
     ink: Mask,
     stroke_width: float,
 ) -> None:
-    """Mark straight runs with a number above or in their middle as dimension lines, in place.
+    """Mark straight runs with a number above or in their middle as dimension lines, and shoulders
+    of leaders, in place.
 
     Args:
         shapes: lines and circles of a sheet.
@@ -66,11 +73,30 @@ def mark_lettered(
             numbered = own[k] is None and any(_is_above(word, line, run.run) for word in words)
             if numbered and _is_passed(line, run.run, ink, stroke_width):
                 own[k] = AnnotationKind.DIMENSION
+            elif own[k] is None and any(_is_under(word, line, run.run) for word in words):
+                width = run.width or stroke_width
+                ends = (run.run.start, -1.0), (run.run.end, 1.0)
+                if any(is_free_end(line, place, way, width, ink) for place, way in ends):
+                    own[k] = AnnotationKind.LEADER
         for k, (before, after) in enumerate(pairwise([run.run for run in shape.runs])):
             whole = Run(before.start, after.end)
             broken = any(_is_broken_for(word, line, before.end, after.start) for word in words)
             if broken and _is_passed(line, whole, ink, stroke_width):
                 own[k] = own[k + 1] = AnnotationKind.DIMENSION
+
+
+def _is_under(word: Box, line: Line, run: Run) -> bool:
+    """Whether a level run is the shoulder that a word stands on."""
+    if abs(line.direction[1]) > abs(line.direction[0]):
+        return False
+    height, width = word[3] - word[1], word[2] - word[0]
+    (first, level), (last, _) = sorted((line.at(run.start), line.at(run.end)))
+    shared = min(last, word[2]) - max(first, word[0])
+    return (
+        shared >= _OVER * width
+        and last - first <= width + _UNDER * height
+        and _ABOVE[0] * height <= level - word[3] <= _ABOVE[1] * height
+    )
 
 
 def _is_broken_for(word: Box, line: Line, start: float, end: float) -> bool:

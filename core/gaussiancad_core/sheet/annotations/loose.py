@@ -190,7 +190,7 @@ def _is_led_in(shape: InkedShape, run: InkedRun, parts: list[tuple[Run, _Side]],
     if slanted and longest > _LED_PX:
         return True
     return any(
-        _is_free_end(shape.geometry, position, outward, run.width or 2.0, ink)
+        is_free_end(shape.geometry, position, outward, run.width or 2.0, ink)
         for position, outward in ((run.run.start, -1.0), (run.run.end, 1.0))
         if not _near_paper(position, parts)
     )
@@ -204,7 +204,7 @@ def _near_paper(position: float, parts: list[tuple[Run, _Side]]) -> bool:
     )
 
 
-def _is_free_end(line: Line, position: float, outward: float, width: float, ink: Mask) -> bool:
+def is_free_end(line: Line, position: float, outward: float, width: float, ink: Mask) -> bool:
     """Whether paper is right ahead of an end of a run, and no other line meets it there."""
     direction = np.array(line.direction)
     normal = np.array([-direction[1], direction[0]])

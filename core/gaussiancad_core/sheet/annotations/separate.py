@@ -18,6 +18,7 @@ from gaussiancad_core.sheet.annotations.inked import (
     points_along,
     split_by_width,
 )
+from gaussiancad_core.sheet.annotations.led_out import mark_led_out
 from gaussiancad_core.sheet.annotations.letter_boxes import letter_boxes
 from gaussiancad_core.sheet.annotations.lettered_lines import mark_lettered
 from gaussiancad_core.sheet.annotations.line_ends import extension_lines, mark_heads
@@ -194,6 +195,7 @@ def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> t
     faded = 2 * int(_WIDEST_FADED * sheet.stroke_width) + 1
     rule = LooseRule(_LONGEST_DASH * sheet.stroke_width, everywhere=True, faded=faded)
     shapes, kinds = split_loose(told.shapes, told.kinds, ink & ~boxes, rule)
+    mark_led_out(shapes, kinds, sheet.weight, sheet.stroke_width)
     mark_virtual_corners(shapes, kinds, sheet.stroke_width)
     if sheet.dash_gap:
         spare_free_dashes(shapes, kinds, sheet.ink, sheet.stroke_width)

@@ -108,3 +108,26 @@ def test_an_edge_behind_writing_ends_at_corners(sketch: Sketch) -> None:
     text = [Mark(AnnotationKind.TEXT, (87.0, 53.0, 113.0, 67.0))]
     mark_lettered([shape], kinds, text, clean_sheet(drawn.grey).ink, 3.0)
     assert kinds == [[None, None]]
+
+
+@pytest.mark.parametrize(
+    ("corner", "word", "told"),
+    [
+        (False, (85.0, 40.0, 115.0, 54.0), True),
+        # Both ends meet other edges; the word is far above, or elsewhere.
+        (True, (85.0, 40.0, 115.0, 54.0), False),
+        (False, (85.0, 20.0, 115.0, 34.0), False),
+        (False, (150.0, 40.0, 180.0, 54.0), False),
+    ],
+)
+def test_the_shoulder_of_a_leader_ends_free(
+    sketch: Sketch, corner: bool, word: Box, told: bool
+) -> None:
+    drawn = sketch().line((82, 60), (118, 60), 2.0).line((82, 60), (50, 100), 2.0)
+    if corner:
+        drawn.line((118, 60), (118, 100), 2.0)
+    shape = InkedShape(Line((0.0, 60.0), (1.0, 0.0)), (InkedRun(Run(82.0, 118.0), 2.0),))
+    kinds: list[list[AnnotationKind | None]] = [[None]]
+    text = [Mark(AnnotationKind.TEXT, word)]
+    mark_lettered([shape], kinds, text, clean_sheet(drawn.grey).ink, 2.0)
+    assert kinds == [[AnnotationKind.LEADER if told else None]]

@@ -1,0 +1,143 @@
+"""Extension lines that come out of a view, on sheets whose lines are all of one width.
+
+An extension line begins a little off its edge (ISO 129-1).  Where it belongs to the outline it has
+that gap there; one that runs across the outline without a gap comes from an edge inside the view,
+and lies over the view as far as the gap before that edge.  There it may shut off areas with other
+lines, as an edge does.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+from scipy.ndimage import map_coordinates
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.erase import Kinds
+from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.runs import Run
+
+_WIDEST = 8.0
+"""Gap between an edge and its extension line at most, in stroke widths."""
+
+_LEAST_PX = 1.0
+"""px of paper that are a gap at least."""
+
+_LEAST = 3
+"""Extension lines with a gap that are a sheet's habit at least."""
+
+_ALIKE = 0.5, 1.6
+"""A gap in its sheet's usual one, from and to."""
+
+_SHORTEST = 3.0
+"""Length of an extension line beside a view at least, in stroke widths."""
+
+_PAPER = 0.35
+"""Weight of ink under which it is paper."""
+
+_STEP = 0.25
+"""px between the places that are looked at."""
+
+Weight = npt.NDArray[np.float32]
+
+
+def mark_led_out(
+    shapes: list[InkedShape], kinds: Kinds, weight: Weight, stroke_width: float
+) -> None:
+    """Mark what lies between an extension line that crosses the outline and its edge, in place.
+
+    Args:
+        shapes: lines and circles of a sheet.
+        kinds: what each run is; extension lines are known where they lie over paper.
+        weight: (h, w) darkness of the ink.
+        stroke_width: px.
+    """
+    usual = _usual_gap(shapes, kinds, weight, stroke_width)
+    if not usual:
+        return
+    for index, (shape, own) in enumerate(zip(shapes, kinds, strict=True)):
+        if not isinstance(shape.geometry, Line) or AnnotationKind.EXTENSION not in own:
+            continue
+        runs, marks = list(shape.runs), list(own)
+        for way in (1, -1):
+            _follow_in(shape.geometry, (runs, marks), way, (weight, usual, stroke_width))
+        shapes[index], kinds[index] = InkedShape(shape.geometry, tuple(runs)), marks
+
+
+def _follow_in(
+    line: Line,
+    told: tuple[list[InkedRun], list[AnnotationKind | None]],
+    way: int,
+    sizes: tuple[Weight, float, float],
+) -> None:
+    """Mark the runs, or parts of them, that extension lines go on as, one way along the line."""
+    runs, marks = told
+    weight, usual, stroke_width = sizes
+    k = 0 if way > 0 else len(runs) - 1
+    while 0 <= k + way < len(runs):
+        outer, inner = runs[k].run, runs[k + way].run
+        if (
+            marks[k] is AnnotationKind.EXTENSION
+            and marks[k + way] is None
+            and outer.length >= _SHORTEST * stroke_width
+            and _apart(outer, inner) < _LEAST_PX
+        ):
+            begin, end = (inner.start, inner.end) if way > 0 else (inner.end, inner.start)
+            gap = _first_gap(line, begin, end + way * (usual * _ALIKE[1] + stroke_width), weight)
+            if gap is not None and _ALIKE[0] * usual <= gap[1] <= _ALIKE[1] * usual:
+                width, at = runs[k + way].width, gap[0]
+                beyond = at + way * gap[1]
+                if (end - at) * way <= stroke_width:
+                    marks[k + way] = AnnotationKind.EXTENSION
+                else:
+                    near, far = Run(*sorted((begin, at))), Run(*sorted((beyond, end)))
+                    parts = [InkedRun(near, width), InkedRun(far, width)]
+                    both = [AnnotationKind.EXTENSION, None]
+                    runs[k + way : k + way + 1] = parts if way > 0 else parts[::-1]
+                    marks[k + way : k + way + 1] = both if way > 0 else both[::-1]
+        k += way
+
+
+def _usual_gap(
+    shapes: Sequence[InkedShape], kinds: Kinds, weight: Weight, stroke_width: float
+) -> float:
+    """px between edges and the extension lines that begin at them; 0 where none is usual."""
+    gaps = []
+    for shape, own in zip(shapes, kinds, strict=True):
+        if not isinstance(shape.geometry, Line):
+            continue
+        for k, run in enumerate(shape.runs):
+            if own[k] is not AnnotationKind.EXTENSION or run.run.length < _SHORTEST * stroke_width:
+                continue
+            for end, way in ((run.run.start, -1.0), (run.run.end, 1.0)):
+                inside = end - way * stroke_width
+                ahead = end + way * _WIDEST * stroke_width
+                gap = _first_gap(shape.geometry, inside, ahead, weight)
+                if gap is not None:
+                    gaps.append(gap[1])
+    if len(gaps) < _LEAST:
+        return 0.0
+    usual = float(np.median(gaps))
+    alike = [gap for gap in gaps if _ALIKE[0] * usual <= gap <= _ALIKE[1] * usual]
+    return usual if len(alike) >= max(_LEAST, 0.7 * len(gaps)) else 0.0
+
+
+def _first_gap(line: Line, begin: float, end: float, weight: Weight) -> tuple[float, float] | None:
+    """Where the first gap between ink on the way from one position on a line to another begins, and
+    how many px of paper it has; nothing where there is none."""
+    count = max(2, round(abs(end - begin) / _STEP) + 1)
+    at = np.linspace(begin, end, count)
+    places = np.array(line.point) + at[:, None] * np.array(line.direction)
+    blank = map_coordinates(weight, places[:, ::-1].T, order=1, mode="nearest") < _PAPER
+    first = int(np.argmax(~blank))
+    step = abs(end - begin) / (count - 1)
+    borders = np.flatnonzero(np.diff(blank[first:].astype(np.int8))) + 1 + first
+    for start, stop in zip(borders[::2], borders[1::2], strict=False):
+        if (stop - start) * step >= _LEAST_PX:
+            return float(at[start]), float((stop - start) * step)
+    return None
+
+
+def _apart(one: Run, other: Run) -> float:
+    return max(other.start - one.end, one.start - other.end)

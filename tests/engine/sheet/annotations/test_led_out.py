@@ -1,0 +1,85 @@
+"""Extension lines that come out of a view, by the gaps before their edges."""
+
+from typing import Any
+
+import pytest
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
+from gaussiancad_core.sheet.annotations.led_out import Weight, mark_led_out
+from gaussiancad_core.sheet.clean import clean_sheet
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.runs import Run
+
+Sketch = Any
+"""The class that the fixture gives."""
+
+WIDTH = 2.0
+
+Told = list[tuple[float, float, AnnotationKind | None]]
+
+
+def _upright(x: float, *parts: tuple[float, float, bool]) -> tuple[InkedShape, list]:
+    runs = tuple(InkedRun(Run(start, end), WIDTH) for start, end, _ in parts)
+    kinds = [AnnotationKind.EXTENSION if told else None for _, _, told in parts]
+    return InkedShape(Line((x, 0.0), (0.0, 1.0)), runs), kinds
+
+
+def _sheet(sketch: Sketch, gap: float, off: float) -> Weight:
+    """A view from (60, 60) to (240, 240) with an edge at y = 140 and its left half lower, and
+    extension lines above it: three off the outline, one that runs in as far as that edge."""
+    drawn = sketch(300, 300).lines((60, 60), (240, 60), (240, 240), (60, 240), (60, 60))
+    drawn.line((60, 140), (240, 140), WIDTH)
+    for x in (60, 100, 240):
+        drawn.line((x, 20), (x, 60 - off), WIDTH)
+    drawn.line((160, 20), (160, 140 - gap), WIDTH)
+    drawn.line((160, 140), (160, 240), WIDTH)
+    return clean_sheet(drawn.grey).weight
+
+
+def _told(weight: Weight, end: float, way: bool) -> Told:
+    """What is told of the line that runs in, its own run ended at a place."""
+    off = [_upright(x, (20.0, 54.0, True)) for x in (60.0, 100.0, 240.0)]
+    inner = _upright(160.0, (20.0, 60.0, True), (60.0, end, False))
+    shapes = [shape for shape, _ in (*off, inner)]
+    kinds = [own for _, own in (*off, inner)]
+    if way:
+        # The same line, told from its other end.
+        runs = tuple(InkedRun(Run(-r.run.end, -r.run.start), r.width) for r in shapes[-1].runs)
+        shapes[-1] = InkedShape(Line((160.0, 0.0), (0.0, -1.0)), runs[::-1])
+        kinds[-1] = kinds[-1][::-1]
+    mark_led_out(shapes, kinds, weight, WIDTH)
+    sign = -1.0 if way else 1.0
+    told = [
+        (*sorted((sign * run.run.start, sign * run.run.end)), kind)
+        for run, kind in zip(shapes[-1].runs, kinds[-1], strict=True)
+    ]
+    return sorted(told, key=lambda own: own[0])
+
+
+@pytest.mark.parametrize("way", [False, True])
+def test_it_is_followed_to_the_gap_before_its_edge(sketch: Sketch, way: bool) -> None:
+    weight = _sheet(sketch, gap=6.0, off=6.0)
+    told = _told(weight, 134.0, way)
+    assert [kind for _, _, kind in told] == [AnnotationKind.EXTENSION] * 2
+    # The run goes on as the edge beyond the gap: there it is cut.
+    told = _told(weight, 240.0, way)
+    assert [kind for _, _, kind in told] == [AnnotationKind.EXTENSION] * 2 + [None]
+    assert told[1][1] == pytest.approx(135.0, abs=1.5)
+    assert told[2][0] == pytest.approx(139.0, abs=1.5)
+
+
+@pytest.mark.parametrize(
+    ("gap", "off"),
+    [
+        # No gap inside: it cannot be told where the edge begins.
+        (0.0, 6.0),
+        # No habit on this sheet.
+        (6.0, 0.0),
+        # A gap of a dashed line, far wider than the habit.
+        (14.0, 4.0),
+    ],
+)
+def test_without_the_sheets_gap_it_stays(sketch: Sketch, gap: float, off: float) -> None:
+    told = _told(_sheet(sketch, gap, off), 240.0, False)
+    assert [kind for _, _, kind in told] == [AnnotationKind.EXTENSION, None]
