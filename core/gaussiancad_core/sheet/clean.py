@@ -6,6 +6,7 @@ which pieces of ink are noise: those of which it leaves nothing, unless they are
 """
 
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import cv2
 import numpy as np
@@ -65,6 +66,13 @@ _DARKER = 0.2
 _ONE_SHADE = 0.1, 0.8
 """Share of the ink's darkness by which pale strokes differ, and of their length that does not by
 more, at most and at least."""
+
+_TWO_SHADES = 0.15
+"""Share of the ink's darkness by which two pale pens differ at least: the strokes of one differ a
+little with their places."""
+
+_HALF = 0.55
+"""Weight of the darker of two pale pens at least, above half of the ink's darkness."""
 
 _THIN = 0.47
 """Share of the ink's darkness that a dark stroke of one px has at least, wherever it lies."""
@@ -206,12 +214,16 @@ def _with_pale(weight: npt.NDArray[np.float32], ink: Ink) -> npt.NDArray[np.floa
     shades = weight[middle & (around < 0.5 * (1.0 + _PALE))]
     if len(shades) < _LEAST_PALE_PX:
         return weight
-    shade = _pale_shade(weight, shades)
-    if shade is None:
-        return weight
+    pens = _pale_pens(weight, shades)
+    if not pens:
+        shade = _pale_shade(weight, shades)
+        if shade is None:
+            return weight
+        pens = [shade]
     # Beside dark strokes the shade of a pixel says nothing.
     beside = around <= _PALE
-    full = np.where(beside, np.minimum(weight / shade, 1.0), weight)
+    own = np.array(pens)[np.searchsorted(_between(pens), around)]
+    full = np.where(beside, np.minimum(weight / own, 1.0), weight)
     strokes = ink & beside
     strong = _STRONG if _stroke_width(strokes, full * strokes) > _WIDE_PX else 1.0
     return np.where(beside, strong * full, full).astype(np.float32)
@@ -232,6 +244,33 @@ def _pale_shade(weight: npt.NDArray[np.float32], shades: npt.NDArray[np.float32]
     # Thin strokes are as dark as their ink where they lie on a row of pixels: some do.
     many = len(shades) >= _MANY_PALE_PX and float(np.std(shades)) >= _SPREAD
     return darkest if many else None
+
+
+def _pale_pens(weight: npt.NDArray[np.float32], shades: npt.NDArray[np.float32]) -> list[float]:
+    """The weights of two pale pens, that of the paler one first, or of one beside a darker one;
+    nothing where the middles (n,) of strokes are of other shades."""
+    order = np.sort(shades)
+    cut = float(order[1 + int(np.argmax(np.diff(order)))])
+    apart, share = _ONE_SHADE
+    pens = []
+    for group in (order[order < cut], order[order >= cut]):
+        if len(group) < _LEAST_PALE_PX:
+            return []
+        shade = float(np.median(group))
+        if float(np.mean(np.abs(group - shade) <= 0.5 * apart)) < share:
+            return []
+        pens.append(shade)
+    # A thin dark stroke between two rows of pixels has less than half of its ink in one of them.
+    darker = (np.abs(weight - pens[1]) <= 0.5 * apart).astype(np.uint8)
+    wide = int(cv2.erode(darker, np.ones((2, 2), np.uint8)).sum()) >= _LEAST_PALE_PX
+    if pens[1] - pens[0] < _TWO_SHADES or pens[1] < _HALF or not wide:
+        return []
+    return [shade for shade in pens if shade <= _PALE]
+
+
+def _between(pens: list[float]) -> list[float]:
+    """The weights half way from each pen to the next."""
+    return [0.5 * (one + other) for one, other in pairwise(pens)]
 
 
 def _paper(grey: npt.NDArray[np.uint8]) -> npt.NDArray[np.float32]:

@@ -265,3 +265,18 @@ def test_what_shows_through_a_scan_stays_pale(sketch: Sketch) -> None:
     grey = np.clip(250.0 - 250.0 * dark.weight - 60.0 * back.weight + noise, 0, 255)
     sheet = clean_sheet(np.rint(grey).astype(np.uint8))
     assert sheet.weight[78:83, 60:140].max() < 0.5
+
+
+def test_two_pale_pens_are_told_apart(sketch: Sketch) -> None:
+    """Dimensions in dark grey do not keep hidden lines in light grey from being seen."""
+    dark = sketch(240, 200).lines((20, 20), (220, 20), (220, 180), (20, 180), (20, 20), width=3.0)
+    grey = sketch(240, 200)
+    for x in (180, 190, 200):
+        grey.line((x, 40), (x, 160), 3.0)
+    light = sketch(240, 200).broken((60, 60), (150, 60), (12, 6), 3.0)
+    light.broken((60, 100), (150, 100), (12, 6), 3.0)
+    shade = 255.0 - 255.0 * dark.weight - 175.0 * grey.weight - 115.0 * light.weight
+    weight = clean_sheet(np.rint(shade).astype(np.uint8), 0).weight
+    for pale in (grey, light):
+        assert weight[pale.weight == 1.0] == pytest.approx(0.75, abs=0.03)
+    assert weight[dark.weight == 1.0] == pytest.approx(1.0, abs=0.01)
