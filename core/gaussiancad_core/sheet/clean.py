@@ -249,11 +249,11 @@ def _pale_shade(weight: npt.NDArray[np.float32], shades: npt.NDArray[np.float32]
 def _pale_pens(weight: npt.NDArray[np.float32], shades: npt.NDArray[np.float32]) -> list[float]:
     """The weights of two pale pens, that of the paler one first, or of one beside a darker one;
     nothing where the middles (n,) of strokes are of other shades."""
-    order = np.sort(shades)
-    cut = float(order[1 + int(np.argmax(np.diff(order)))])
+    levels = np.rint(255.0 * shades).astype(np.uint8)
+    cut, _ = cv2.threshold(levels, 0, 255, cv2.THRESH_BINARY + cv2.THRESH_OTSU)
     apart, share = _ONE_SHADE
     pens = []
-    for group in (order[order < cut], order[order >= cut]):
+    for group in (shades[levels <= cut], shades[levels > cut]):
         if len(group) < _LEAST_PALE_PX:
             return []
         shade = float(np.median(group))
@@ -261,7 +261,7 @@ def _pale_pens(weight: npt.NDArray[np.float32], shades: npt.NDArray[np.float32])
             return []
         pens.append(shade)
     # A thin dark stroke between two rows of pixels has less than half of its ink in one of them.
-    darker = (np.abs(weight - pens[1]) <= 0.5 * apart).astype(np.uint8)
+    darker = (np.abs(weight - pens[1]) <= _TWO_SHADES).astype(np.uint8)
     wide = int(cv2.erode(darker, np.ones((2, 2), np.uint8)).sum()) >= _LEAST_PALE_PX
     if pens[1] - pens[0] < _TWO_SHADES or pens[1] < _HALF or not wide:
         return []

@@ -28,6 +28,12 @@ _LONGEST = 1.3
 _TWO = 2.2
 """Dashes that a piece of ink is long at most of which one goes on as another."""
 
+_DOT = 0.6
+"""Length of a dash at least, in the sheet's usual ones: the dots of centre marks are shorter."""
+
+_LEAN = 1.5
+"""Ink of a straight piece at most, in stroke widths times its length."""
+
 _GAP = 1.4
 """Gap before the next ink at most, in the sheet's usual ones."""
 
@@ -79,16 +85,19 @@ def spare_free_dashes(
         ink: (h, w) bool, of all that is drawn.
         stroke_width: px, the mean over the sheet.
     """
-    longest = _TWO * _rhythm(shapes, kinds, stroke_width).dash
+    dash = _rhythm(shapes, kinds, stroke_width).dash
     _, labels, stats, _ = cv2.connectedComponentsWithStats(ink.astype(np.uint8), connectivity=8)
     for shape, own in zip(shapes, kinds, strict=True):
         for k, run in enumerate(shape.runs):
-            if own[k] is not AnnotationKind.EXTENSION or run.run.length > longest:
+            length = run.run.length
+            if own[k] is not AnnotationKind.EXTENSION or not _DOT * dash < length <= _TWO * dash:
                 continue
             points = points_along(shape.geometry, run.run, 1.0)
             whole = stats[int(values_at(labels, points[len(points) // 2][None])[0])]
             size = float(np.hypot(whole[cv2.CC_STAT_WIDTH], whole[cv2.CC_STAT_HEIGHT]))
-            if size <= run.run.length + 2.0 * stroke_width + _SLACK_PX:
+            # Centre marks are crosses, which have twice the ink of either stroke.
+            lean = whole[cv2.CC_STAT_AREA] <= _LEAN * stroke_width * length
+            if lean and size <= length + 2.0 * stroke_width + _SLACK_PX:
                 own[k] = None
 
 

@@ -70,8 +70,21 @@ def test_a_piece_of_ink_that_touches_nothing_is_two_dashes(
     shapes = [DASHES, _upright(100.0, (60.0, 60.0 + length))]
     kinds: list[list[AnnotationKind | None]] = [[None] * len(DASHES.runs), [EXTENSION]]
     ink = np.zeros((220, 220), bool)
-    ink[60 : 61 + int(length), 99:102] = True
+    ink[60 : 61 + int(length), 99:101] = True
     if crossed:
         ink[64:66, 80:180] = True
     spare_free_dashes(shapes, kinds, ink, 1.8)
     assert kinds[1] == [None if spared else EXTENSION]
+
+
+@pytest.mark.parametrize(("length", "cross"), [(5.0, False), (10.0, True)])
+def test_the_dots_and_the_cross_of_a_centre_mark_are_no_dashes(length: float, cross: bool) -> None:
+    """They touch nothing within a circle that is larger than they."""
+    shapes = [DASHES, _upright(100.0, (60.0, 60.0 + length))]
+    kinds: list[list[AnnotationKind | None]] = [[None] * len(DASHES.runs), [EXTENSION]]
+    ink = np.zeros((220, 220), bool)
+    ink[60 : 61 + int(length), 99:102] = True
+    if cross:
+        ink[64:67, 95:106] = True
+    spare_free_dashes(shapes, kinds, ink, 1.8)
+    assert kinds[1] == [EXTENSION]
