@@ -72,6 +72,9 @@ def _met(
     )
     if unexplained[beside].any():
         return at
+    way = 1.0 if at > (piece.start + piece.end) / 2.0 else -1.0
+    # Short strokes are seen to end as soon as others' ink is beside them.
+    short: list[float] = []
     near: list[float] = []
     for other, stretch in others:
         if _is_far(line, at, other, stretch):
@@ -79,11 +82,13 @@ def _met(
         longer = replace(stretch, start=stretch.start - _REACH, end=stretch.end + _REACH)
         for crossing in crossings_with(line, piece, other, stretch, stroke_width):
             if abs(crossing.at - at) <= crossing.reach + _MET:
-                return at
+                if stretch.linetype is not Linetype.VISIBLE or way * (crossing.at - at) <= _MET:
+                    return at
+                short.append(crossing.at)
         if stretch.linetype is Linetype.VISIBLE:
             found = crossings_with(line, piece, other, longer, stroke_width)
             near += [own.at for own in found if abs(own.at - at) <= _REACH]
-    return min(near, key=lambda place: abs(place - at), default=at)
+    return min(short or near, key=lambda place: abs(place - at), default=at)
 
 
 def _is_far(line: Line, at: float, other: Geometry, stretch: Piece) -> bool:

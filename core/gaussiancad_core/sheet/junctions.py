@@ -89,8 +89,8 @@ def _ended(
             if is_full_circle(geometry, piece):
                 ended.append(piece)
                 continue
-            crossings = [
-                crossing
+            met = [
+                (other, stretch, crossing)
                 for other, stretch in others
                 for crossing in crossings_with(
                     geometry,
@@ -101,6 +101,7 @@ def _ended(
                     blank=_blank_end(piece, stretch, rhythm, stroke_width),
                 )
             ]
+            crossings = [own[2] for own in met if not _is_beyond(geometry, piece, own, met)]
             ended.append(_end_at(piece, crossings, rhythm))
             ended[-2:] = _parted(ended[-2:], crossings, rhythm)
         if len(ended) > 1 and np.isfinite(geometry.around):
@@ -109,6 +110,46 @@ def _ended(
             ended[-1], ended[0] = last, _moved(first, -geometry.around)
         moved += [(geometry, piece) for piece in _joined(ended)]
     return moved
+
+
+_Met = tuple[Geometry, Piece, Crossing]
+"""What a piece meets, and where."""
+
+
+def _is_beyond(geometry: Geometry, piece: Piece, own: _Met, met: Sequence[_Met]) -> bool:
+    """Whether another line would be met just beyond a visible one that ends them both.
+
+    Where two lines meet a third one at flat angles, a few px from each other, all their ink is its.
+    """
+    other, stretch, crossing = own
+    if not isinstance(geometry, Line) or not isinstance(other, Line):
+        return False
+    way = 1.0 if crossing.at > (piece.start + piece.end) / 2.0 else -1.0
+    seen = piece.end if way > 0.0 else piece.start
+    if abs(crossing.at - seen) > crossing.reach + _SEEN_BEYOND:
+        return False
+    tip = geometry.at(crossing.at)
+    middles = [
+        line.at((own.start + own.end) / 2.0) for line, own in ((geometry, piece), (other, stretch))
+    ]
+    for third, limits, first in met:
+        before = way * (crossing.at - first.at)
+        if (
+            not isinstance(third, Line)
+            or limits.linetype is not Linetype.VISIBLE
+            or not 0.0 < before <= first.reach + _SEEN_BEYOND
+        ):
+            continue
+        along, across = third.coordinates(np.array([tip, *middles]))
+        if (across[0] * across[1:] >= 0.0).any():
+            continue
+        feet = along[0] + (along[1:] - along[0]) * across[0] / (across[0] - across[1:])
+        ends_both = (feet > limits.start).all() and (feet < limits.end).all()
+        # Beyond a corner the ink of its other line goes on.
+        off, off_tip = (abs(way * (seen - place.at) - place.reach) for place in (first, crossing))
+        if ends_both and off < off_tip:
+            return True
+    return False
 
 
 def _blank_end(piece: Piece, stretch: Piece, rhythm: Rhythm, stroke_width: float) -> float:

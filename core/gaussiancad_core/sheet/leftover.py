@@ -45,10 +45,12 @@ class Leftover:
     Attributes:
         expected: (h, w) float32 ink of the strokes, their gaps filled.
         ink: (h, w) float32 beyond that.
+        pen: of visible lines.
     """
 
     expected: npt.NDArray[np.float32]
     ink: npt.NDArray[np.float32]
+    pen: Pen
 
     def is_mostly_on(self, start: Floats, end: Floats, width: float) -> bool:
         """Whether most of what is left beside a straight way is that of a stroke from (2,) px to
@@ -87,7 +89,7 @@ def leftover_ink(placed: Sequence[Placed], sheet: CleanSheet) -> Leftover:
         expected[near] = np.maximum(expected[near], pen.ink(distances_to(own, pixels[near])))
     there = np.zeros(sheet.weight.shape, dtype=np.float32)
     there[rows, columns] = expected
-    return Leftover(there, np.clip(sheet.weight - there, 0.0, None))
+    return Leftover(there, np.clip(sheet.weight - there, 0.0, None), pens[Linetype.VISIBLE])
 
 
 def dash_pen(placed: Sequence[Placed], sheet: CleanSheet) -> Pen:

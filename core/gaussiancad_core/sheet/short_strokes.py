@@ -13,7 +13,9 @@ import numpy.typing as npt
 
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Circle, Line
+from gaussiancad_core.sheet.jogs import distances_to
 from gaussiancad_core.sheet.junctions import crossings_with
+from gaussiancad_core.sheet.leftover import Leftover, leftover_ink
 from gaussiancad_core.sheet.line_widths import Pens, run_width
 from gaussiancad_core.sheet.runs import Piece, Rhythm, Run
 from gaussiancad_core.sheet.shapes import cross_profile, refit_line, sample
@@ -42,6 +44,15 @@ _DARK, _STEP = 0.5, 0.5
 
 _CONFIDENCE = 0.6
 
+_EXPLAINED = 0.6
+"""Share of the squared error without a stroke that is left with it, at most."""
+
+_FIRST = ((0.0, 0.0), (0.5, 0.0), (0.0, 0.5))
+"""px across by which the ends of a line are moved at first, to fit it."""
+
+_FIT = {"xatol": 0.02, "fatol": 0.01, "maxiter": 60, "initial_simplex": _FIRST}
+"""How exactly, in px and ink, it is fitted."""
+
 _LONG_DASH = 1.75
 """Dashes from which a stroke is no dash."""
 
@@ -63,14 +74,18 @@ def find_short_strokes(
         pens: what widths tell; nothing if left out.
     """
     found: list[Placed] = []
+    left: Leftover | None = None
     for pixels in _strips(remainder):
-        seen = _seen(pixels, sheet)
-        if seen is None:
+        shown = [
+            (geometry, ends)
+            for geometry, span in _seen(pixels, sheet)
+            if (ends := _ends(geometry, span, placed, sheet)) is not None
+        ]
+        left = left or leftover_ink(placed, sheet)
+        best = _likeliest(shown, left, sheet) if shown else None
+        if best is None:
             continue
-        geometry, span = seen
-        ends = _ends(geometry, span, placed, sheet)
-        if ends is None:
-            continue
+        geometry, ends = best
         kind = Linetype.VISIBLE
         if ends[1] - ends[0] <= _LONG_DASH * rhythm.dash and pens is not None and pens.told:
             kind = pens.kind(run_width(sheet, geometry, Run(*ends))) or kind
@@ -90,27 +105,76 @@ def _strips(remainder: npt.NDArray[np.bool_]) -> Iterator[Floats]:
             yield np.stack([columns + x, rows + y], axis=1).astype(np.float64)
 
 
-def _seen(pixels: Floats, sheet: CleanSheet) -> tuple[Line | Circle, tuple[float, float]] | None:
-    """The line through the middle of some ink, or the arc if it is bent, and from where to where
-    on it the ink is seen; None if it is straight to no px."""
+_Shown = tuple[Line | Circle, tuple[float, float]]
+"""A shape, and from where to where on it there is ink."""
+
+
+def _seen(pixels: Floats, sheet: CleanSheet) -> list[_Shown]:
+    """The line through the middle of some ink, and the arc if it seems bent, with where on them the
+    ink is seen; nothing if it is straight to no px."""
     middle = pixels.mean(0)
     _, vectors = np.linalg.eigh((pixels - middle).T @ (pixels - middle))
     way = vectors[:, 1]
     line = Line((float(middle[0]), float(middle[1])), (float(way[0]), float(way[1])))
     along, across = line.coordinates(pixels)
     if np.ptp(along) < _SHORTEST or np.abs(across).max() > sheet.stroke_width / 2.0 + _BESIDE:
-        return None
+        return []
     span = float(along.min()), float(along.max())
     line = refit_line(sheet, line, [span])
     at, beside = cross_profile(sheet, line, [span])
-    if len(at) < _SHORTEST or np.abs(beside).max() > _STRAIGHT:
-        return None
+    if np.abs(beside).max(initial=0.0) > _STRAIGHT:
+        return []
+    if len(at) < _SHORTEST:
+        # Nearly all of its ink is beside others'.
+        return [(line, span)]
     bend, slope, shift = np.polyfit(at, beside, 2)
     # Its ends are in others' ink.
     half = 0.5 * (span[1] - span[0]) + sheet.stroke_width + 2.0
     if abs(bend) * half**2 < _BENT:
-        return line, span
-    return _arc_along(line, span, (bend, slope, shift))
+        return [(line, span)]
+    return [(line, span), _arc_along(line, span, (bend, slope, shift))]
+
+
+def _likeliest(shown: Sequence[_Shown], left: Leftover, sheet: CleanSheet) -> _Shown | None:
+    """The line, or the arc where there is one: what has more of the sheet's ink with all others.
+
+    Where a short stroke ends in others, their ink leads the middle of its own astray.  None if
+    there is little less ink missing with either.
+    """
+    from scipy.optimize import minimize
+
+    points = np.concatenate([own.points_at(np.arange(*ends, 1.0)) for own, ends in shown])
+    margin = np.ceil(sheet.stroke_width) + 1.0
+    low = np.maximum(np.floor(points.min(0) - margin), 0).astype(int)
+    high = np.ceil(points.max(0) + margin).astype(int) + 1
+    part = slice(low[1], high[1]), slice(low[0], high[0])
+    ink, others = sheet.weight[part], left.expected[part]
+    rows, columns = np.indices(ink.shape)
+    places = np.stack([columns.ravel(), rows.ravel()], axis=1) + low.astype(np.float64)
+
+    def missed(own: _Shown) -> float:
+        piece = Piece(*own[1], Linetype.VISIBLE, _CONFIDENCE)
+        drawn = left.pen.ink(distances_to((own[0], piece), places)).reshape(ink.shape)
+        return float(((np.maximum(drawn, others) - ink) ** 2).sum())
+
+    def moved(off: Floats) -> _Shown:
+        return _line_between(shown[0], off)
+
+    fit = minimize(lambda off: missed(moved(off)), np.zeros(2), method="Nelder-Mead", options=_FIT)
+    found = [(missed(own), own) for own in (moved(fit.x), *shown[1:])]
+    least, best = min(found, key=lambda own: own[0])
+    return best if least < _EXPLAINED * float(((others - ink) ** 2).sum()) else None
+
+
+def _line_between(shown: _Shown, off: Floats) -> _Shown:
+    """A stretch of a line with its ends moved so many px across."""
+    line, (start, end) = shown
+    points = line.points_at(np.array([start, end]))
+    way = line.tangents_at(np.array([start]))[0]
+    first, last = points + off[:, None] * np.array([-way[1], way[0]])
+    length = float(np.hypot(*(last - first)))
+    x, y = ((last - first) / length).tolist()
+    return Line((float(first[0]), float(first[1])), (x, y)), (0.0, length)
 
 
 def _arc_along(

@@ -47,6 +47,37 @@ def test_lines_that_meet_at_a_flat_angle_end_at_their_corner(degrees: float) -> 
     assert _of(slanted, pieces)[0][1] == pytest.approx(0.0, abs=1e-6)
 
 
+@pytest.mark.parametrize("apart", [10.0, 12.0, 16.0])
+def test_lines_that_meet_beyond_a_line_end_on_it(apart: float) -> None:
+    """At flat angles all ink of both beyond it is its own."""
+    slope = np.radians(18.4)
+    left = Line((100.0, 0.0), (float(np.cos(slope)), float(-np.sin(slope))))
+    right = Line((100.0 + apart, 0.0), (float(np.cos(slope)), float(np.sin(slope))))
+    beyond = 2.5 / float(np.sin(slope)) - 0.5
+    pieces = [
+        (LEVEL, _visible(0.0, 200.0)),
+        (left, _visible(-60.0, beyond)),
+        (right, _visible(-beyond, 60.0)),
+    ]
+    assert _of(left, pieces) == [(-60.0, pytest.approx(0.0, abs=1e-6), Linetype.VISIBLE)]
+    assert _of(right, pieces) == [(pytest.approx(0.0, abs=1e-6), 60.0, Linetype.VISIBLE)]
+
+
+def test_lines_that_are_seen_to_meet_beyond_a_line_do() -> None:
+    slope = np.radians(25.0)
+    tip = (100.0, -2.0)
+    one = Line(tip, (float(np.cos(slope)), float(np.sin(slope))))
+    other = Line(tip, (float(np.cos(slope)), float(-np.sin(slope))))
+    beyond = 2.5 / float(np.sin(2.0 * slope)) - 0.5
+    pieces = [
+        (LEVEL, _visible(0.0, 200.0)),
+        (one, _visible(-beyond, 60.0)),
+        (other, _visible(-60.0, beyond)),
+    ]
+    assert _of(one, pieces)[0][0] == pytest.approx(0.0, abs=1e-6)
+    assert _of(other, pieces)[0][1] == pytest.approx(0.0, abs=1e-6)
+
+
 def test_a_free_end_stays_where_its_ink_ends() -> None:
     far = [(_upright(200.0), _visible(-50, 50)), (_upright(100.0), _visible(20, 50))]
     assert _of(LEVEL, [(LEVEL, _visible(0, 100)), *far]) == [(0, 100, Linetype.VISIBLE)]

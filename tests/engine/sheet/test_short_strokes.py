@@ -8,7 +8,7 @@ import pytest
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.strokes import classify_strokes
 from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
-from gaussiancad_core.views import Linetype, Stroke
+from gaussiancad_core.views import Linetype, Segment, Stroke
 
 Sketch = Any
 """The class that the fixture gives."""
@@ -18,15 +18,18 @@ ABOVE, BELOW = 80.0, 97.0
 
 def _between(drawn: Sketch) -> list[Stroke]:
     """The visible strokes with both ends on the two level lines."""
+    return [
+        own
+        for own in _visible(drawn)
+        if np.ptp(own.sample(0.5)[:, 1]) == pytest.approx(BELOW - ABOVE, abs=1.0)
+    ]
+
+
+def _visible(drawn: Sketch) -> list[Stroke]:
     sheet = clean_sheet(drawn.grey)
     view = find_shapes(sheet, (10.0, 10.0, 250.0, 170.0))
     strokes = classify_strokes(view, view_rhythm([view], sheet.stroke_width))
-    return [
-        own
-        for own in strokes
-        if own.linetype is Linetype.VISIBLE
-        and np.ptp(own.sample(0.5)[:, 1]) == pytest.approx(BELOW - ABOVE, abs=1.0)
-    ]
+    return [own for own in strokes if own.linetype is Linetype.VISIBLE]
 
 
 def _frame(sketch: Sketch) -> Sketch:
@@ -50,6 +53,18 @@ def test_a_flat_arc_from_edge_to_edge(sketch: Sketch, turn: float, radius: float
     assert away.max() < 0.8
     assert points[:, 1].min() == pytest.approx(ABOVE, abs=0.5)
     assert points[:, 1].max() == pytest.approx(BELOW, abs=0.5)
+
+
+@pytest.mark.parametrize("leg", [10.25, 11.5, 12.75, 14.0])
+def test_a_cut_beside_a_corner_is_straight(sketch: Sketch, leg: float) -> None:
+    """The ink of the corner's lines draws both of its ends to one side."""
+    drawn = _frame(sketch).line((12.0, ABOVE + leg), (12.0 + leg, ABOVE), 2.8)
+    cut = [own for own in _visible(drawn) if 0.8 * leg < np.ptp(own.sample(0.5)[:, 0]) < 1.2 * leg]
+    points = np.concatenate([own.sample(0.5) for own in cut]) - 0.5
+    away = np.abs(points.sum(axis=1) - 12.0 - leg - ABOVE) / np.sqrt(2.0)
+    assert isinstance(cut[0], Segment)
+    assert len(cut) == 1
+    assert away.max() < 0.4
 
 
 def test_a_blot_between_edges_is_none(sketch: Sketch) -> None:
