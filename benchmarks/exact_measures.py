@@ -10,7 +10,9 @@ from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
 from OCP.gp import gp_Trsf
 from OCP.Standard import Standard_Failure
 from OCP.TopoDS import TopoDS_Shape
+from scipy.spatial import cKDTree
 
+from gaussiancad_core.comparison.sampling import random_streams, sample_surface
 from gaussiancad_core.drawing.brep import (
     bounding_box,
     faces_of,
@@ -32,6 +34,9 @@ _AGREE = 3e-3
 
 _SAME_BOX = 0.02
 """Share of the longest extent by which boxes may differ to be compared at all."""
+
+_SURFACE_POINTS = 4000
+"""Points on each of two surfaces that are compared where a mesh bounds no solid."""
 
 Floats = npt.NDArray[np.float64]
 Size = tuple[float, float, float]
@@ -110,6 +115,16 @@ def mesh_iou(one: TriangleMesh, other: TriangleMesh) -> float | None:
     return float((solids[0] ^ solids[1]).volume() / united) if united > 0.0 else None
 
 
+def surface_gap(one: TriangleMesh, other: TriangleMesh) -> float:
+    """Mean distance in mm between points on two surfaces, both ways."""
+    first, second = (
+        sample_surface(mesh, _SURFACE_POINTS, random)
+        for mesh, random in zip((one, other), random_streams(0, 2), strict=True)
+    )
+    there, back = cKDTree(second).query(first)[0], cKDTree(first).query(second)[0]
+    return float(there.mean() + back.mean()) / 2.0
+
+
 def mirrored_alike(shape: TopoDS_Shape, truth: TopoDS_Shape) -> str:
     """The axis along which the truth has to be mirrored to be the solid; empty if none."""
     mesh = fine_mesh(shape)
@@ -162,9 +177,12 @@ def registered(mesh: TriangleMesh, truth: TopoDS_Shape, size: Size) -> tuple[Top
         if np.abs(turned - np.array(size)).max() > _SAME_BOX * max(size):
             continue
         points = scale * coarse.vertices @ matrix.T
-        iou = mesh_iou(mesh, make_mesh(points - points.min(axis=0), coarse.triangles))
-        if iou is not None and iou > best:
-            best, best_matrix = iou, matrix
+        moved = make_mesh(points - points.min(axis=0), coarse.triangles)
+        likeness = mesh_iou(mesh, moved)
+        # Faces that touch along a line leave a mesh that bounds no solid: its surface tells.
+        likeness = 1.0 / (1.0 + surface_gap(mesh, moved)) if likeness is None else likeness
+        if likeness > best:
+            best, best_matrix = likeness, matrix
     return placed(truth, best_matrix, scale), f"{_name(best_matrix)} x{scale:.4g}"
 
 

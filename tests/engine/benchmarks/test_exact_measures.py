@@ -14,6 +14,7 @@ from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.brep import bounding_box, volume
+from gaussiancad_core.meshes import make_mesh
 from gaussiancad_core.samples.modelling import box, cut, cylinder
 
 
@@ -82,3 +83,12 @@ def test_the_truth_is_turned_and_scaled_to_fit(bracket: TopoDS_Shape) -> None:
     back, name = registered(fine_mesh(bracket), small, (60.0, 40.0, 30.0))
     assert closeness(back, bracket).exact
     assert name == "-y-z+x x33.33"
+
+
+def test_a_surface_that_bounds_no_solid_is_turned_to_fit(bracket: TopoDS_Shape) -> None:
+    turn = np.array([[0.0, 0.0, 1.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]])
+    whole = fine_mesh(bracket)
+    mesh = make_mesh(whole.vertices, whole.triangles[1:])
+    assert mesh_iou(mesh, whole) is None
+    back, _ = registered(mesh, placed(bracket, turn, 0.03), (60.0, 40.0, 30.0))
+    assert closeness(back, bracket).exact
