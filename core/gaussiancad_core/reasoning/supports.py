@@ -54,8 +54,9 @@ _ALONG = 0.05
 _SHORT = 1.0
 """Tolerances that a stroke is long at least to be taken at all."""
 
-_SHORT_SLANT = 0.5
-"""Units that a slanted segment is long at least to tell a plane; shorter ones are boundaries."""
+_SHORT_SLANT, _SHORT_SLANT_READ = 0.2, 2.5
+"""Units and tolerances that a slanted segment is long at least to tell a plane; shorter ones are
+boundaries."""
 
 _CHAIN_LINKS = 128
 """Links of a chain."""
@@ -228,7 +229,8 @@ def _line(stroke: Segment, role: Role, scale: float) -> _Line:
 
 
 def _tells_line(line: _Line, tolerance: float) -> bool:
-    return line.length >= _SHORT_SLANT or _parallel_axis(line, tolerance) is not None
+    least = max(_SHORT_SLANT, _SHORT_SLANT_READ * tolerance)
+    return line.length >= least or _parallel_axis(line, tolerance) is not None
 
 
 def _tells_circle(arc: Arc, scale: float, tolerance: float) -> bool:

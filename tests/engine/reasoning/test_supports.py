@@ -72,6 +72,15 @@ def test_a_rectangle_is_four_supports_drawn_from_corner_to_corner() -> None:
     assert ends == {frozenset((corners[k - 1], corners[k])) for k in range(4)}
 
 
+@pytest.mark.parametrize(("tolerance", "tells"), [(None, True), (0.05, True), (0.1, False)])
+def test_a_slant_of_a_few_pixels_is_a_line(tolerance: float | None, tells: bool) -> None:
+    """A chamfer of 1 mm on a shaft of 300 mm is a third of a unit long, as exact as any line."""
+    cut = _chain((0, 0), (50, 0), (50, 20), (0.12, 20), (0, 19.88), (0, 0))
+    plane = _front(cut, tolerance)
+    slants = [s for s in plane.supports if s.curve.axis is None]
+    assert (len(slants), len(plane.chains)) == ((1, 0) if tells else (0, 1))
+
+
 @given(st.permutations(range(5)), st.lists(st.booleans(), min_size=5, max_size=5))
 def test_collinear_strokes_are_one_support_in_any_order(
     order: list[int], flips: list[bool]
@@ -213,7 +222,7 @@ def test_a_slant_that_touches_circles_is_their_tangent() -> None:
 def test_other_curves_are_chains_and_specks_are_nothing() -> None:
     ellipse = Ellipse((25.0, 10.0), 8.0, 3.0, 0.4, 0.0, 2.0, _HIDDEN)
     speck = Segment((5.0, 5.0), (5.00005, 5.00005), _VISIBLE)
-    short = Segment((8.0, 8.0), (8.1, 8.1), _VISIBLE)
+    short = Segment((8.0, 8.0), (8.05, 8.05), _VISIBLE)
     plane = _front([*_box(50, 20), ellipse, speck, short])
     assert len(plane.supports) == 4
     assert [(role, linetype) for role, _, linetype in plane.chains] == [
