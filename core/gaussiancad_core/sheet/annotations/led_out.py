@@ -3,7 +3,7 @@
 An extension line begins a little off its edge (ISO 129-1).  Where it belongs to the outline it has
 that gap there; one that runs across the outline without a gap comes from an edge inside the view,
 and lies over the view as far as the gap before that edge.  There it may shut off areas with other
-lines, as an edge does.
+lines, as an edge does.  Where the edge is one side of a slot, the slot's end fills the gap.
 """
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ from scipy.ndimage import map_coordinates
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.erase import Kinds
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
-from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.runs import Run
 
 _WIDEST = 8.0
@@ -33,6 +33,9 @@ _ALIKE = 0.5, 1.6
 _SHORTEST = 3.0
 """Length of an extension line beside a view at least, in stroke widths."""
 
+_OFF = 0.4
+"""Distance of a line from a circle that it touches at most, in stroke widths."""
+
 _PAPER = 0.35
 """Weight of ink under which it is paper."""
 
@@ -40,6 +43,7 @@ _STEP = 0.25
 """px between the places that are looked at."""
 
 Weight = npt.NDArray[np.float32]
+Floats = npt.NDArray[np.float64]
 
 
 def mark_led_out(
@@ -56,12 +60,15 @@ def mark_led_out(
     usual = _usual_gap(shapes, kinds, weight, stroke_width)
     if not usual:
         return
+    circles = [shape.geometry for shape in shapes if isinstance(shape.geometry, Circle)]
     for index, (shape, own) in enumerate(zip(shapes, kinds, strict=True)):
         if not isinstance(shape.geometry, Line) or AnnotationKind.EXTENSION not in own:
             continue
         runs, marks = list(shape.runs), list(own)
+        touched = _touched(shape.geometry, circles, stroke_width)
         for way in (1, -1):
-            _follow_in(shape.geometry, (runs, marks), way, (weight, usual, stroke_width))
+            sizes = weight, usual, stroke_width
+            _follow_in(shape.geometry, (runs, marks), way, touched, sizes)
         shapes[index], kinds[index] = InkedShape(shape.geometry, tuple(runs)), marks
 
 
@@ -69,9 +76,11 @@ def _follow_in(
     line: Line,
     told: tuple[list[InkedRun], list[AnnotationKind | None]],
     way: int,
+    touched: Floats,
     sizes: tuple[Weight, float, float],
 ) -> None:
-    """Mark the runs, or parts of them, that extension lines go on as, one way along the line."""
+    """Mark the runs, or parts of them, that extension lines go on as, one way along the line, which
+    touches circles at some positions."""
     runs, marks = told
     weight, usual, stroke_width = sizes
     k = 0 if way > 0 else len(runs) - 1
@@ -85,6 +94,10 @@ def _follow_in(
         ):
             begin, end = (inner.start, inner.end) if way > 0 else (inner.end, inner.start)
             gap = _first_gap(line, begin, end + way * (usual * _ALIKE[1] + stroke_width), weight)
+            ahead = way * (touched - begin)
+            ahead = ahead[(ahead > usual + stroke_width) & (ahead < way * (end - begin))]
+            if gap is None and len(ahead):
+                gap = begin + way * (float(ahead.min()) - usual), usual
             if gap is not None and _ALIKE[0] * usual <= gap[1] <= _ALIKE[1] * usual:
                 width, at = runs[k + way].width, gap[0]
                 beyond = at + way * gap[1]
@@ -97,6 +110,15 @@ def _follow_in(
                     runs[k + way : k + way + 1] = parts if way > 0 else parts[::-1]
                     marks[k + way : k + way + 1] = both if way > 0 else both[::-1]
         k += way
+
+
+def _touched(line: Line, circles: Sequence[Circle], stroke_width: float) -> Floats:
+    """(n,) positions along a line at which it touches circles."""
+    if not circles:
+        return np.empty(0)
+    along, across = line.coordinates(np.array([circle.centre for circle in circles]))
+    radii = np.array([circle.radius for circle in circles])
+    return along[np.abs(np.abs(across) - radii) <= _OFF * stroke_width]
 
 
 def _usual_gap(

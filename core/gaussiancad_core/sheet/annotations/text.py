@@ -10,6 +10,7 @@ from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.dash_rows import are_dashes
 from gaussiancad_core.sheet.annotations.letter_boxes import is_boxed
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask
+from gaussiancad_core.sheet.annotations.pockets import are_pockets
 
 _TALLEST = 0.04
 """Height of a letter at most, as a share of the sheet's longest side."""
@@ -97,6 +98,7 @@ def find_letters(ink: Mask, explained: Mask, stroke_width: float) -> Letters:
         return Letters(np.zeros_like(ink), ())
     words = _words(stats, glyphs, np.flatnonzero(small & ~seeds))
     corners = set(glyphs[told[glyphs] > _PARTLY].tolist())
+    words = [word for word in words if not are_pockets(labels, stats, word, stroke_width)]
     words = _not_of_the_part(words, labels, stats, (set(glyphs.tolist()), corners))
     chosen = np.zeros(count, dtype=bool)
     marks = []

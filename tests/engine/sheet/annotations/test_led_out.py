@@ -8,7 +8,7 @@ from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
 from gaussiancad_core.sheet.annotations.led_out import Weight, mark_led_out
 from gaussiancad_core.sheet.clean import clean_sheet
-from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.runs import Run
 
 Sketch = Any
@@ -83,3 +83,25 @@ def test_it_is_followed_to_the_gap_before_its_edge(sketch: Sketch, way: bool) ->
 def test_without_the_sheets_gap_it_stays(sketch: Sketch, gap: float, off: float) -> None:
     told = _told(_sheet(sketch, gap, off), 240.0, False)
     assert [kind for _, _, kind in told] == [AnnotationKind.EXTENSION, None]
+
+
+def test_beside_a_slot_it_ends_before_the_slots_round_end(sketch: Sketch) -> None:
+    """The side of a slot begins where its end touches it: there is ink all the way."""
+    drawn = sketch(300, 300).lines((60, 60), (240, 60), (240, 240), (60, 240), (60, 60))
+    for x in (60, 100, 240):
+        drawn.line((x, 20), (x, 54), WIDTH)
+    drawn.line((160, 20), (160, 144), WIDTH).line((160, 150), (160, 200), WIDTH)
+    drawn.arc((176, 150), 16.0, WIDTH).arc((176, 200), 16.0, WIDTH)
+    off = [_upright(x, (20.0, 54.0, True)) for x in (60.0, 100.0, 240.0)]
+    inner = _upright(160.0, (20.0, 60.0, True), (60.0, 200.0, False))
+    ends = [
+        (InkedShape(Circle((176.0, y), 16.0), (InkedRun(Run(0.0, 100.0), WIDTH),)), [None])
+        for y in (150.0, 200.0)
+    ]
+    shapes = [shape for shape, _ in (*off, inner, *ends)]
+    kinds = [own for _, own in (*off, inner, *ends)]
+    # The round end fills the gap: at 144 to 150 px it is less than a pixel beside the line.
+    mark_led_out(shapes, kinds, clean_sheet(drawn.grey).weight, WIDTH)
+    assert kinds[3] == [AnnotationKind.EXTENSION, AnnotationKind.EXTENSION, None]
+    assert shapes[3].runs[1].run.end == pytest.approx(144.0, abs=2.0)
+    assert shapes[3].runs[2].run.start == pytest.approx(150.0, abs=1.0)

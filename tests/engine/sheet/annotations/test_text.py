@@ -229,3 +229,16 @@ def test_close_hidden_lines_are_no_writing(sketch: Sketch) -> None:
     letters = _found(outline | hidden | words, outline)
     assert not (letters.mask & hidden).any()
     assert (words & ~letters.mask).sum() == 0
+
+
+def test_pockets_above_each_other_are_no_word(sketch: Sketch) -> None:
+    """As high as the numbers beside the view, and no further apart than letters are."""
+    view = sketch(WIDTH, HEIGHT).lines((60, 60), (400, 60), (400, 300), (60, 300), (60, 60))
+    pockets = sketch(WIDTH, HEIGHT)
+    for y in (150, 182):
+        pockets.lines((200, y), (213, y), (213, y + 20), (200, y + 20), (200, y))
+    inside = pockets.weight >= 0.5
+    ink = (view.weight >= 0.5) | inside | _written("125", 230, 340)
+    letters = _found(ink, view.weight >= 0.5)
+    assert not (letters.mask & inside).any()
+    assert letters.mask[325:355].any()
