@@ -15,8 +15,9 @@ from gaussiancad_core.views import Linetype
 _BY_WIDTH = 0.8
 """Confidence of a linetype that the width of a short run tells."""
 
-_LONGEST_JOINT = 2.2
-"""Dashes that a run is long at most of which one ends where another begins: where the lines of two
+_LONGEST_JOINT = 2.35
+"""Dashes that a run is long at most of which one ends where another begins, a little of ink beyond
+either end included: where the lines of two
 edges meet, or a circle its own beginning."""
 
 _IN_STEP, _MOST_STEPS = 0.12, 4.3

@@ -44,6 +44,13 @@ def test_a_dashed_circle_may_end_on_its_first_dash() -> None:
     assert {piece.linetype for piece in found} == {Linetype.HIDDEN}
 
 
+def test_where_a_dashed_circle_closes_its_ends_blur() -> None:
+    """Two whole dashes and the ink beyond their ends; the next gap is short, the rhythm out."""
+    runs = [Run(24.0 * k, 24.0 * k + 15.5) for k in range(8)] + [Run(192.0, 226.5)]
+    found = classify(runs, Rhythm(15.5, 8.5), [(False, False)] * len(runs), 232.0)
+    assert {piece.linetype for piece in found} == {Linetype.HIDDEN}
+
+
 def test_a_lone_piece_of_a_small_circle_stays_as_short_as_it_is() -> None:
     run = Run(2.0, 18.0)
     (found,) = classify([run], Rhythm(19.0, 10.0), [(False, True)], 31.8)

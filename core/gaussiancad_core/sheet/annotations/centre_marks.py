@@ -6,7 +6,7 @@ angles, their middles at the circle's centre, and all their ends free.  Edges en
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import numpy as np
 
@@ -33,6 +33,9 @@ _SQUARE = 0.02
 
 _DRAWN = 0.2
 """Share of a circle that is drawn at least, for it to have a mark."""
+
+_BEYOND = 1.5
+"""Distance by which the ends of an uneven mark are beyond its circle at least, in stroke widths."""
 
 _AHEAD = (1.5, 5.0)
 """px ahead of a line's ink where there is nothing if its end is free."""
@@ -87,6 +90,9 @@ def mark_centre_marks(
             for ray in rays
             if _is_free(ray, ink, stroke_width) and not _ends_at(ray, circle, stroke_width)
         }
+        for ray in _beyond(circle, rays, ink, stroke_width):
+            kinds[ray.shape][ray.run] = AnnotationKind.CENTRE_LINE
+        rays = [ray for ray in rays if kinds[ray.shape][ray.run] is None]
         for one, other in combinations([ray for ray in rays if _is_even(ray, ray)], 2):
             found = _mark(one, other, rays, free)
             for ray in found:
@@ -125,6 +131,36 @@ def _mark(one: _Ray, other: _Ray, rays: Sequence[_Ray], free: set[_Ray]) -> list
         return [one, other, *both[0], *both[1]]
     if one in free and other in free:
         return [one, other, *(arm for own in arms for arm in own if arm in free)]
+    return []
+
+
+def _beyond(circle: Circle, rays: Sequence[_Ray], ink: Mask, stroke_width: float) -> list[_Ray]:
+    """The runs of a mark whose lines end freely beyond the circle, equally far on all four sides,
+    however they are dashed in between."""
+    least = circle.radius + _BEYOND * stroke_width
+    crossing = []
+    for shape in dict.fromkeys(ray.shape for ray in rays):
+        own = sorted((ray for ray in rays if ray.shape == shape), key=lambda ray: ray.start)
+        spans = [
+            (first, last)
+            for first in range(len(own))
+            for last in range(first, len(own))
+            if own[first].start < -least
+            and own[last].end > least
+            and abs(own[first].start + own[last].end) <= _EVEN
+        ]
+        for first, last in spans:
+            inner = own[first : last + 1]
+            if (
+                all(two.start - one.end <= circle.radius for one, two in pairwise(inner))
+                and _end_is_free(inner[0], inner[0].start, -1.0, ink, stroke_width)
+                and _end_is_free(inner[-1], inner[-1].end, 1.0, ink, stroke_width)
+            ):
+                crossing.append(inner)
+    for one, other in combinations(crossing, 2):
+        square = abs(float(np.dot(one[0].line.direction, other[0].line.direction))) <= _SQUARE
+        if square and abs(one[-1].end - other[-1].end) <= _EVEN:
+            return [*one, *other]
     return []
 
 
@@ -182,15 +218,20 @@ def _ends_at(ray: _Ray, circle: Circle, stroke_width: float) -> bool:
 
 def _is_free(ray: _Ray, ink: Mask, stroke_width: float) -> bool:
     """Whether nothing is ahead of either end of a run."""
+    ends = (ray.start, -1.0), (ray.end, 1.0)
+    return all(_end_is_free(ray, place, way, ink, stroke_width) for place, way in ends)
+
+
+def _end_is_free(
+    ray: _Ray, position: float, outward: float, ink: Mask, stroke_width: float
+) -> bool:
+    """Whether nothing is ahead of an end of a run."""
     way = np.array(ray.line.direction)
     normal = np.array([-way[1], way[0]])
     ahead = np.arange(*_AHEAD) + stroke_width / 2
     beside = np.arange(-_BESIDE, _BESIDE + 1.0)
-    for position, outward in ((ray.start, -1.0), (ray.end, 1.0)):
-        end = np.array(ray.line.at(ray.zero + position))
-        places = end + outward * ahead[:, None, None] * way + beside[:, None] * normal
-        columns, rows = np.rint(places.reshape(-1, 2)).astype(int).T
-        inside = (columns >= 0) & (rows >= 0) & (columns < ink.shape[1]) & (rows < ink.shape[0])
-        if ink[rows[inside], columns[inside]].any():
-            return False
-    return True
+    end = np.array(ray.line.at(ray.zero + position))
+    places = end + outward * ahead[:, None, None] * way + beside[:, None] * normal
+    columns, rows = np.rint(places.reshape(-1, 2)).astype(int).T
+    inside = (columns >= 0) & (rows >= 0) & (columns < ink.shape[1]) & (rows < ink.shape[0])
+    return not bool(ink[rows[inside], columns[inside]].any())

@@ -70,3 +70,23 @@ def test_edges_stay(sketch: Sketch, edge: str) -> None:
     separated = separate_annotations(sheet)
     assert separated.marks == ()
     assert np.array_equal(separated.part.weight, sheet.weight)
+
+
+DASHES = ((-56.0, -10.0), (20.0, 56.0))
+"""px from the centre: dashes that begin at one end of a mark, the short one among other ink."""
+
+
+@pytest.mark.parametrize("ends", ["free", "shorter", "at an edge"])
+def test_an_uneven_mark_ends_alike_on_all_sides(sketch: Sketch, ends: str) -> None:
+    """It runs beyond its circle, and nothing but its ends is even."""
+    drawn = _plate(sketch).arc(CENTRE, 40.0)
+    for turn in (0.0, 1.0):
+        for near, far in DASHES:
+            longest = 46.0 if ends == "shorter" and turn else 56.0
+            if abs(near) < longest:
+                _arm(drawn, turn, max(near, -longest), min(far, longest))
+    if ends == "at an edge":
+        drawn.line((256.0, 100.0), (256.0, 220.0))
+    separated = separate_annotations(clean_sheet(drawn.grey))
+    own = [mark for mark in separated.marks if mark.kind is AnnotationKind.CENTRE_LINE]
+    assert len(own) == (4 if ends == "free" else 0)
