@@ -6,7 +6,7 @@ angles, their middles at the circle's centre, and all their ends free.  Edges en
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations, pairwise
+from itertools import combinations, pairwise, product
 
 import numpy as np
 
@@ -139,29 +139,50 @@ def _beyond(circle: Circle, rays: Sequence[_Ray], ink: Mask, stroke_width: float
     however they are dashed in between."""
     least = circle.radius + _BEYOND * stroke_width
     crossing = []
-    for shape in dict.fromkeys(ray.shape for ray in rays):
-        own = sorted((ray for ray in rays if ray.shape == shape), key=lambda ray: ray.start)
-        spans = [
-            (first, last)
-            for first in range(len(own))
-            for last in range(first, len(own))
-            if own[first].start < -least
-            and own[last].end > least
-            and abs(own[first].start + own[last].end) <= _EVEN
-        ]
-        for first, last in spans:
+    for own in _families(rays):
+        firsts = [k for k, (start, _, _) in enumerate(own) if start < -least]
+        lasts = [k for k, (_, end, _) in enumerate(own) if end > least]
+        for first, last in product(firsts, lasts):
             inner = own[first : last + 1]
             if (
-                all(two.start - one.end <= circle.radius for one, two in pairwise(inner))
-                and _end_is_free(inner[0], inner[0].start, -1.0, ink, stroke_width)
-                and _end_is_free(inner[-1], inner[-1].end, 1.0, ink, stroke_width)
+                last >= first
+                and abs(inner[0][0] + inner[-1][1]) <= _EVEN
+                and all(two[0] - one[1] <= circle.radius for one, two in pairwise(inner))
+                and _leaves_freely(inner[0], -1.0, ink, stroke_width)
+                and _leaves_freely(inner[-1], 1.0, ink, stroke_width)
             ):
                 crossing.append(inner)
     for one, other in combinations(crossing, 2):
-        square = abs(float(np.dot(one[0].line.direction, other[0].line.direction))) <= _SQUARE
-        if square and abs(one[-1].end - other[-1].end) <= _EVEN:
-            return [*one, *other]
+        ways = one[0][2].line.direction, other[0][2].line.direction
+        if abs(float(np.dot(*ways))) <= _SQUARE and abs(one[-1][1] - other[-1][1]) <= _EVEN:
+            return [ray for _, _, ray in (*one, *other)]
     return []
+
+
+def _families(rays: Sequence[_Ray]) -> list[list[tuple[float, float, _Ray]]]:
+    """Runs of one line, or of parallel ones through the centre, in order: px from the centre of
+    both ends along the first one's line, and the run."""
+    families: list[list[tuple[float, float, _Ray]]] = []
+    for ray in rays:
+        for own in families:
+            way = float(np.dot(own[0][2].line.direction, ray.line.direction))
+            if abs(way) > 1.0 - _SQUARE:
+                forwards = ray.start, ray.end, ray
+                own.append(forwards if way > 0.0 else (-ray.end, -ray.start, ray))
+                break
+        else:
+            families.append([(ray.start, ray.end, ray)])
+    return [sorted(own, key=lambda told: told[:2]) for own in families]
+
+
+def _leaves_freely(
+    told: tuple[float, float, _Ray], outward: float, ink: Mask, stroke_width: float
+) -> bool:
+    """Whether nothing is ahead of the outer end of a family's first run, or of its last one."""
+    start, end, ray = told
+    at, way = (start, -1.0) if outward < 0.0 else (end, 1.0)
+    same = abs(ray.start - start) < 1e-9
+    return _end_is_free(ray, at if same else -at, way if same else -way, ink, stroke_width)
 
 
 def _rays(circle: Circle, shapes: Sequence[InkedShape]) -> Iterator[_Ray]:

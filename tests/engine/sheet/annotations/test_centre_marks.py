@@ -83,7 +83,7 @@ def test_an_uneven_mark_ends_alike_on_all_sides(sketch: Sketch, ends: str) -> No
     for turn in (0.0, 1.0):
         for near, far in DASHES:
             longest = 46.0 if ends == "shorter" and turn else 56.0
-            if abs(near) < longest:
+            if near < longest:
                 _arm(drawn, turn, max(near, -longest), min(far, longest))
     if ends == "at an edge":
         drawn.line((256.0, 100.0), (256.0, 220.0))
