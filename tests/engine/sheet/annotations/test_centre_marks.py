@@ -86,7 +86,7 @@ def test_an_uneven_mark_ends_alike_on_all_sides(sketch: Sketch, ends: str) -> No
             if near < longest:
                 _arm(drawn, turn, max(near, -longest), min(far, longest))
     if ends == "at an edge":
-        drawn.line((256.0, 100.0), (256.0, 220.0))
+        drawn.line((260.0, 100.0), (260.0, 220.0))
     separated = separate_annotations(clean_sheet(drawn.grey))
     own = [mark for mark in separated.marks if mark.kind is AnnotationKind.CENTRE_LINE]
     assert len(own) == (4 if ends == "free" else 0)
