@@ -23,6 +23,9 @@ Floats = npt.NDArray[np.float64]
 _CLEAR = 0.2
 """Ink across a stroke under which the stroke has ended."""
 
+_EDGE = 2
+"""Half px beyond that in which its edge falls off."""
+
 _DIP = 0.8
 """Ink on the centre line, as a share of the most across it, under which there are two lines."""
 
@@ -97,9 +100,12 @@ def learn_pens(runs: Sequence[tuple[Run, float]], rhythm: Rhythm) -> Pens:
     return pens if apart and narrow < _NARROWER * wide else Pens()
 
 
-def run_width(sheet: CleanSheet, geometry: Geometry, run: Run) -> float:
-    """px, the median width of a run's ink where no other stroke is beside it; else NaN."""
-    widths = widths_along(sheet, geometry, run)
+def run_width(sheet: CleanSheet, geometry: Geometry, run: Run, edges: bool = False) -> float:
+    """px, the median width of a run's ink where no other stroke is beside it; else NaN.
+
+    With ``edges`` its palest ink counts, too: see :func:`sides_along`.
+    """
+    widths = widths_along(sheet, geometry, run, edges)
     known = np.isfinite(widths)
     return float(np.median(widths[known])) if known.any() else float("nan")
 
@@ -110,7 +116,8 @@ def told_by_width(
     """The runs of a shape, cut where the pen changes, with what their widths tell."""
     found: list[tuple[Run, Linetype | None]] = []
     for run in runs:
-        widths = widths_along(sheet, geometry, run)
+        cut: list[tuple[Run, Linetype | None]] = []
+        widths = widths_along(sheet, geometry, run, edges=True)
         for first, last in _stretches(widths, 0.5 * (pens.hidden + pens.visible)):
             step = run.length / (len(widths) - 1)
             own = widths[first : last + 1]
@@ -118,8 +125,21 @@ def told_by_width(
             width = float(np.median(own)) if len(own) * step >= 0.5 * _SHORTEST else float("nan")
             start = run.start if first == 0 else run.start + (first - 0.5) * step
             end = run.end if last == len(widths) - 1 else run.start + (last + 0.5) * step
-            found.append((Run(start, end), pens.kind(width)))
+            cut.append((Run(start, end), pens.kind(width)))
+        found += _joined(cut)
     return found
+
+
+def _joined(cut: list[tuple[Run, Linetype | None]]) -> list[tuple[Run, Linetype | None]]:
+    """The stretches of a run, without the cuts beside which no pen is told to change."""
+    joined = cut[:1]
+    for run, kind in cut[1:]:
+        before, known = joined[-1]
+        if known is kind or Linetype.HIDDEN not in (known, kind):
+            joined[-1] = (Run(before.start, run.end), known or kind)
+        else:
+            joined.append((run, kind))
+    return joined
 
 
 def _stretches(widths: Floats, limit: float) -> list[tuple[int, int]]:
@@ -141,13 +161,35 @@ def _stretches(widths: Floats, limit: float) -> list[tuple[int, int]]:
     return [(start, end - 1) for start, end in pairwise([*kept, last + 1])]
 
 
-def widths_along(sheet: CleanSheet, geometry: Geometry, run: Run) -> Floats:
+def widths_along(sheet: CleanSheet, geometry: Geometry, run: Run, edges: bool = False) -> Floats:
     """(n,) px of ink across a run, about every px; NaN where it merges with other strokes."""
-    return sides_along(sheet, geometry, run).sum(axis=1)
+    return sides_along(sheet, geometry, run, edges).sum(axis=1)
 
 
-def sides_along(sheet: CleanSheet, geometry: Geometry, run: Run) -> Floats:
-    """(n, 2) px of ink on either side of a run, as :func:`widths_along` tells both together."""
+def _with_edges(own: npt.NDArray[np.bool_], profile: Floats) -> npt.NDArray[np.bool_]:
+    """(n, k) places across a stroke that are its own, with the pale ones where it falls off.
+
+    A stroke that lies between two rows of pixels has a fourth of its ink in paler ones.
+    """
+    wider = own
+    for _ in range(_EDGE):
+        outward = np.zeros_like(own)
+        outward[:, 1:] |= wider[:, :-1] & (profile[:, 1:] < profile[:, :-1])
+        outward[:, :-1] |= wider[:, 1:] & (profile[:, :-1] < profile[:, 1:])
+        wider = wider | outward
+    return wider
+
+
+def sides_along(sheet: CleanSheet, geometry: Geometry, run: Run, edges: bool = False) -> Floats:
+    """(n, 2) px of ink on either side of a run, as :func:`widths_along` tells both together.
+
+    Args:
+        sheet: the ink.
+        geometry: the shape along which it runs.
+        run: a piece of it.
+        edges: whether its palest ink counts, too: it makes up for where a stroke lies between
+            rows of pixels, but shows less how the width changes along it.
+    """
     reach = 1.25 * sheet.stroke_width + 2.5
     half = int(np.ceil(reach * 2))
     offsets = np.arange(-half, half + 1) * 0.5
@@ -167,7 +209,7 @@ def sides_along(sheet: CleanSheet, geometry: Geometry, run: Run) -> Floats:
     # Between two lines that touch, the centre is paler than both.
     highest = np.where(own, profile, 0.0).max(1)
     double = profile[:, half] < _DIP * highest
-    ink = np.where(own, profile, 0.0)
+    ink = np.where(_with_edges(own, profile) if edges else own, profile, 0.0)
     # Where another stroke leaves at a flat angle, the ink is wider on its side alone.
     sides = np.stack([ink[:, :half].sum(1), ink[:, half + 1 :].sum(1)], axis=1) * 0.5
     lopsided = np.abs(sides[:, 0] - sides[:, 1])

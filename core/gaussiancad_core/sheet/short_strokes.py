@@ -88,7 +88,7 @@ def find_short_strokes(
         geometry, ends = best
         kind = Linetype.VISIBLE
         if ends[1] - ends[0] <= _LONG_DASH * rhythm.dash and pens is not None and pens.told:
-            kind = pens.kind(run_width(sheet, geometry, Run(*ends))) or kind
+            kind = pens.kind(run_width(sheet, geometry, Run(*ends), edges=True)) or kind
         found.append((geometry, Piece(*ends, kind, _CONFIDENCE)))
     return found
 

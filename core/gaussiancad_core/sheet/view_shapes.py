@@ -159,7 +159,7 @@ def view_rhythm(views: list[ViewShapes], stroke_width: float) -> Rhythm:
 def view_pens(views: list[ViewShapes], rhythm: Rhythm) -> Pens:
     """What the widths of a sheet's lines tell of their linetypes, learnt from all its views."""
     runs = [
-        (run, run_width(view.sheet, shape.geometry, run))
+        (run, run_width(view.sheet, shape.geometry, run, edges=True))
         for view in views
         for shape in view.shapes
         for run in shape.runs

@@ -7,7 +7,13 @@ import pytest
 
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.geometry import Line
-from gaussiancad_core.sheet.line_widths import Pens, learn_pens, told_by_width, widths_along
+from gaussiancad_core.sheet.line_widths import (
+    Pens,
+    learn_pens,
+    run_width,
+    told_by_width,
+    widths_along,
+)
 from gaussiancad_core.sheet.linetypes import classify
 from gaussiancad_core.sheet.runs import Rhythm, Run
 from gaussiancad_core.views import Linetype
@@ -68,6 +74,26 @@ def test_crossings_do_not_cut(sketch: Sketch) -> None:
     widths = widths_along(sheet, LEVEL, run)
     assert len(widths) == 126
     assert np.nanmedian(widths) == pytest.approx(2.0, abs=0.2)
+
+
+@pytest.mark.parametrize("shares", [(1.0, 1.0), (0.25, 1.0, 0.5), (0.5, 1.0, 0.5), (0.15, 1, 0.85)])
+def test_the_palest_ink_counts_where_a_pen_is_told(shares: tuple[float, ...]) -> None:
+    """Shares of ink of the rows of pixels that a line lies on, as renderers leave them."""
+    grey = np.full((120, 200), 255, np.uint8)
+    for row, share in enumerate(shares, start=60):
+        grey[row, 20:150] = round(255 * (1.0 - share))
+    middle = 60.0 + float(np.dot(np.arange(len(shares)), shares)) / sum(shares)
+    line, run = Line((0.0, middle), (1.0, 0.0)), Run(25.0, 145.0)
+    width = run_width(clean_sheet(grey), line, run, edges=True)
+    assert width == pytest.approx(sum(shares), abs=0.06)
+
+
+def test_nothing_is_cut_where_no_pen_is_told_to_change(sketch: Sketch) -> None:
+    """Wider by what two slanted lines leave beside it, and in between neither pen's."""
+    drawn = sketch().line((20, 60), (150, 60), 2.5).line((50, 60), (80, 130), 2.5)
+    sheet = clean_sheet(drawn.line((120, 60), (90, 130), 2.5).line((60, 60), (100, 60), 3.0).grey)
+    run = Run(22.0, 147.0)
+    assert told_by_width(sheet, LEVEL, [run], PENS) == [(run, VISIBLE)]
 
 
 def test_the_pen_tells_what_dashes_do_not() -> None:
