@@ -24,6 +24,9 @@ _APART = 1.2
 _EDGES, _CIRCLES = 2, 2
 """Most of them that a view and direction, or a view, has."""
 
+_CLEAR = 0.2
+"""Distance of a number from other ink at least, in heights of the letters."""
+
 _LETTER = 0.62
 """Width of a digit per height of the letters."""
 
@@ -146,13 +149,30 @@ def _along(
         if apart > _APART * look.text and len(ends) < _EDGES + 2:
             ends[at] = across
     first, *others = sorted(ends)
-    for row, at in enumerate(others[max(0, len(others) - rows) :]):
+    # From outside in: no number stands on an extension line that leads past it.
+    ink = [_points(stroke) for stroke in view.strokes]
+    rows_of = list(enumerate(others[max(0, len(others) - rows) :]))
+    for row, at in reversed(rows_of):
         line = border + side * (look.first + row * look.pitch)
-        both = (first, ends[first]), (at, ends[at])
-        for place, across in both:
+        pieces = []
+        for place, across in ((first, ends[first]), (at, ends[at])):
             start = across + side * look.off
-            yield _chain([(place, start), (place, line + side * look.over)], direction, look)
-        yield from _dimension((first, at), line, direction, look, f"{(at - first) * scale:.4g}")
+            pieces.append(
+                _chain([(place, start), (place, line + side * look.over)], direction, look)
+            )
+        told = f"{(at - first) * scale:.4g}"
+        *lines, number = _dimension((first, at), line, direction, look, told)
+        if at == others[-1] or _is_clear(number, ink, look):
+            yield from (*pieces, *lines, number)
+            ink += [piece.points for piece in (*pieces, *lines, number)]
+
+
+def _is_clear(number: _Piece, ink: Sequence[Floats], look: DimensionLook) -> bool:
+    """Whether a number is where no ink is."""
+    low, high = number.points.min(axis=0), number.points.max(axis=0)
+    near = np.concatenate(ink)
+    apart = np.maximum(np.maximum(low - near, near - high), 0.0)
+    return bool(np.hypot(*apart.T).min() > _CLEAR * look.text)
 
 
 def _edges(view: DrawnView, direction: int, side: int) -> Iterator[tuple[float, float]]:

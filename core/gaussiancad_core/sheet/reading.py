@@ -48,6 +48,9 @@ _LARGEST_LEFT_OUT = 10.0
 _STUB = 1.8
 """Width of a line that sticks out of a view at most, in stroke widths."""
 
+_LIKE_A_VIEW = 0.5
+"""Area of a figure that may be a view at least, as a share of the smallest one."""
+
 _MUCH_LARGER = 2.0
 """Factor by which other views must be larger to be preferred."""
 
@@ -191,12 +194,25 @@ def _named_layout(
         except NoModelError as error:
             failed = failed or error
             continue
-        if given or _is_whole(own[1]):
+        whole = _is_whole(own[1])
+        if given or (whole and not _leaves_views(own[1])):
             return own
-        found = found or own
+        if found is None or (whole and _has_more(own[1], found[1])):
+            found = own
     if found is None:
         raise failed
     return found
+
+
+def _has_more(whole: Layout, other: Layout) -> bool:
+    """Whether a whole layout is more than another one."""
+    return not _is_whole(other) or len(whole.boxes) > len(other.boxes)
+
+
+def _leaves_views(layout: Layout) -> bool:
+    """Whether a figure was left out that is as large as a view."""
+    least = min(_area(box) for box in layout.boxes.values())
+    return any(_area(box) >= _LIKE_A_VIEW * least for box in layout.left_out)
 
 
 def _require_largest(layout: Layout) -> None:
@@ -212,8 +228,12 @@ def _require_largest(layout: Layout) -> None:
 
 
 def _is_better(layout: Layout, other: Layout) -> bool:
-    """Whether views are much larger than others, and belong together unless those do not either."""
-    larger = _size(layout) > _MUCH_LARGER * _size(other)
+    """Whether views are much larger than others, and belong together unless those do not either;
+    or are larger and whole, and those are not."""
+    size = _size(other)
+    if _is_whole(layout) and not _is_whole(other) and _size(layout) > size:
+        return True
+    larger = _size(layout) > _MUCH_LARGER * size
     return larger and (_belong_together(layout) or not _belong_together(other))
 
 
