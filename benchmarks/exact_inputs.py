@@ -25,8 +25,9 @@ from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.sheet.reading import find_views, read_views, register_views
+from gaussiancad_core.sheet.reading import read_views, register_views
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
+from gaussiancad_core.sheet.view_search import find_views
 from gaussiancad_core.views import ViewSet
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)

@@ -21,7 +21,8 @@ from gaussiancad_core.drawing.style import PRESETS
 from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
-from gaussiancad_core.sheet.reading import ReadView, find_views, read_views
+from gaussiancad_core.sheet.reading import ReadView, read_views
+from gaussiancad_core.sheet.view_search import find_views
 from gaussiancad_core.views import Linetype, Segment, Stroke
 
 Image = npt.NDArray[np.uint8]

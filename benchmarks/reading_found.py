@@ -16,13 +16,9 @@ from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.sheet.reading import (
-    RegisteredSheet,
-    find_views,
-    read_views,
-    register_views,
-)
+from gaussiancad_core.sheet.reading import RegisteredSheet, read_views, register_views
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
+from gaussiancad_core.sheet.view_search import find_views
 from gaussiancad_core.views import Linetype
 
 

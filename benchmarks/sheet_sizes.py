@@ -65,7 +65,8 @@ def read(connection: Connection, path: Path) -> None:
     from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
     from gaussiancad_core.sheet.options import ReadingOptions
     from gaussiancad_core.sheet.read import read_sheet
-    from gaussiancad_core.sheet.reading import find_views, read_views, register_views
+    from gaussiancad_core.sheet.reading import read_views, register_views
+    from gaussiancad_core.sheet.view_search import find_views
 
     cv2.setNumThreads(1)
     marks = [time.perf_counter()]

@@ -15,17 +15,12 @@ from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
 from gaussiancad_core.sheet.read import SheetImage
-from gaussiancad_core.sheet.reading import (
-    ReadView,
-    RegisteredSheet,
-    find_views,
-    read_views,
-    register_views,
-)
+from gaussiancad_core.sheet.reading import ReadView, RegisteredSheet, read_views, register_views
 from gaussiancad_core.sheet.scale.find import ScaleSource, find_scale
 from gaussiancad_core.sheet.special_views.kinds import SpecialView
 from gaussiancad_core.sheet.special_views.telling import tellings
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
+from gaussiancad_core.sheet.view_search import find_views
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,12 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Axis, Projection, Role
+from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.sheet.annotations.separate import separate_annotations
-from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.options import ReadingOptions
-from gaussiancad_core.sheet.reading import find_views, register_views
+from gaussiancad_core.sheet.reading import register_views
 
 THROUGH_HOLES = {
     "l-bracket": 2,
@@ -97,36 +95,3 @@ def test_small_disagreement_is_averaged(read) -> None:  # noqa: ANN001
     assert registered.extents.disagreeing == (Axis.Z,)
     assert registered.extents.spread[Axis.Z] == pytest.approx(6.0, abs=0.1)
     assert registered.extents.extents[Axis.Z] == pytest.approx(y1 - y0 + 3.0, abs=0.1)
-
-
-def test_outlines_narrower_than_what_is_inside_are_outlines_still(sketch) -> None:  # noqa: ANN001
-    drawn = sketch(640, 460)
-    views = {
-        Role.TOP: (50.0, 40.0, 250.0, 190.0),
-        Role.FRONT: (50.0, 250.0, 250.0, 400.0),
-        Role.RIGHT: (350.0, 250.0, 500.0, 400.0),
-    }
-    for x0, y0, x1, y1 in views.values():
-        drawn.lines((x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0), width=2.0)
-    # Lines that lie beside each other look like one wide line.
-    for x0, x1 in ((80.0, 200.0), (380.0, 450.0)):
-        drawn.lines((x0, 280.0), (x1, 280.0), (x1, 370.0), (x0, 370.0), (x0, 280.0), width=3.4)
-    sheet = clean_sheet(drawn.grey)
-    assert separate_annotations(sheet).by_weight
-    _, layout = find_views(sheet, {}, Projection.THIRD)
-    assert set(layout.boxes) == set(views)
-    for role, box in views.items():
-        assert layout.boxes[role] == pytest.approx(box, abs=3.0)
-
-
-def test_slivers_beside_a_large_figure_are_no_views(sketch) -> None:  # noqa: ANN001
-    drawn = sketch(900, 600).lines((90, 140), (420, 140), (420, 460), (90, 460), (90, 140))
-    for top, bottom in ((180, 240), (300, 400)):
-        drawn.lines((700, top), (714, top), (714, bottom), (700, bottom), (700, top))
-    sheet = clean_sheet(drawn.grey)
-    with pytest.raises(NoModelError, match="largest figure") as caught:
-        find_views(sheet, {}, None)
-    assert caught.value.code == "views-not-aligned"
-    named = {Role.FRONT: (698.0, 298.0, 717.0, 403.0), Role.TOP: (698.0, 178.0, 717.0, 243.0)}
-    _, layout = find_views(sheet, named, None)
-    assert set(layout.boxes) == {Role.FRONT, Role.TOP}

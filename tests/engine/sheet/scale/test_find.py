@@ -19,10 +19,11 @@ from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.files.vectors import VectorDrawing, VectorText
 from gaussiancad_core.sheet.read import SheetImage
-from gaussiancad_core.sheet.reading import ReadView, find_views, read_views
+from gaussiancad_core.sheet.reading import ReadView, read_views
 from gaussiancad_core.sheet.scale import find
 from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale, find_scale
 from gaussiancad_core.sheet.scale.ocr import ocr_problem
+from gaussiancad_core.sheet.view_search import find_views
 
 Grey = npt.NDArray[np.uint8]
 

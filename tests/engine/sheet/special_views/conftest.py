@@ -14,7 +14,7 @@ from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.layout import Layout
-from gaussiancad_core.sheet.reading import find_views
+from gaussiancad_core.sheet.view_search import find_views
 
 
 @dataclass(frozen=True)

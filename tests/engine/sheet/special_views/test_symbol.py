@@ -15,8 +15,8 @@ from gaussiancad_core.drawing.sheet import PartLines, compose_sheet, part_lines
 from gaussiancad_core.drawing.style import SheetStyle, parse_style
 from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
-from gaussiancad_core.sheet.reading import find_views
 from gaussiancad_core.sheet.special_views.symbol import find_symbol
+from gaussiancad_core.sheet.view_search import find_views
 
 
 @cache
