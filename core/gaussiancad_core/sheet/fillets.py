@@ -104,6 +104,8 @@ def find_fillets(
         if keys & taken:
             continue
         others = others_near(corner, placed, boxes, pen.width + 2.0 * AROUND)
+        if _lies_beyond(corner, others):
+            continue
         radius = _radius(weight, corner, others, pen)
         if radius is None:
             continue
@@ -112,6 +114,20 @@ def find_fillets(
         pieces.update(fillet.pieces)
         found.append(fillet)
     return found
+
+
+def _lies_beyond(corner: Corner, others: Sequence[Placed]) -> bool:
+    """Whether both strokes end on one line that runs past them, and would meet beyond it."""
+    points = np.array([corner.first.place, corner.second.place, corner.place])
+    for line, piece in others:
+        if isinstance(line, Line) and piece.linetype is Linetype.VISIBLE:
+            along, across = line.coordinates(points)
+            on = (
+                (np.abs(across[:2]) < _JOINED) & (along[:2] > piece.start) & (along[:2] < piece.end)
+            )
+            if on.all() and abs(across[2]) > _JOINED:
+                return True
+    return False
 
 
 def is_chord(own: Placed, arc: Placed) -> bool:

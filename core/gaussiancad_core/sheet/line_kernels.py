@@ -87,14 +87,16 @@ def _grow_line(tables, limits, fit, line, scratch):  # noqa: ANN001, ANN202
         sagitta = _steady_sagitta(points, own, number, line)
     if sagitta <= flattest and rms <= fit[2]:
         return True, number
-    return _straight_end(points, own, number, line, fit)
+    return _straight_part(points, own, number, line, fit)
 
 
 @njit(cache=True)
-def _straight_end(points, own, number, line, fit):  # noqa: ANN001, ANN202
-    """Keep the straight one of a bent line's ends in place: whether there is one, and its points.
+def _straight_part(points, own, number, line, fit):  # noqa: ANN001, ANN202
+    """Keep a straight end of a bent line, or its middle, in place: whether there is one, and its
+    points.
 
-    Where a line passes into an arc as it touches it, it is followed into the arc.
+    Where a line passes into an arc as it touches it, it is followed into the arc; where it meets
+    others at flat angles at both ends, into these.
     """
     along = np.empty(number)
     for k in range(number):
@@ -103,7 +105,8 @@ def _straight_end(points, own, number, line, fit):  # noqa: ANN001, ANN202
     part = np.empty(number, dtype=np.int64)
     for tenth in range(9, 2, -1):
         kept = number * tenth // 10
-        for first in (0, number - kept):
+        for quarter in (0, 4, 2, 1, 3):
+            first = (number - kept) * quarter // 4
             part[:kept] = order[first : first + kept]
             if 2.0 * _fit_line(points, part, kept, line) < _STRAIGHT_LENGTH:
                 continue

@@ -29,6 +29,9 @@ _LEAST, _LEAST_AT_END = 10.0, 3.0
 _AT_END = 2.0
 """px from the end of a run within which a stretch ends there."""
 
+_SHORT, _TILTED = 30.0, 0.9
+"""px that a run across another's dash is long at most; by which the dash leaves it at its ends."""
+
 _MOST_OF = 0.6
 """Share of a stretch in which the centre of the ink is known to be another's, at least."""
 
@@ -36,7 +39,8 @@ _MOST_OF = 0.6
 def without_offset_ink(
     sheet: CleanSheet, line: Line, runs: Sequence[Run], others: Sequence[Line]
 ) -> list[Run]:
-    """The runs of a line without the stretches whose ink follows another line beside it.
+    """The runs of a line without what has another line's ink: stretches that follow one beside it,
+    and short runs across one at a small angle.
 
     Args:
         sheet: the ink.
@@ -44,10 +48,27 @@ def without_offset_ink(
         runs: in order along it.
         others: lines of the same view.
     """
+    runs = [run for run in runs if not _is_across(sheet, line, run, others)]
     beside = [other for other in others if other != line and _is_beside(line, other, runs, sheet)]
     if not beside:
         return list(runs)
     return [part for run in runs for part in _parts(sheet, line, run, beside)]
+
+
+def _is_across(sheet: CleanSheet, line: Line, run: Run, others: Sequence[Line]) -> bool:
+    """Whether a run no longer than a dash or two is where a line crosses the dash of another."""
+    if run.length > _SHORT or run.length < _LEAST_AT_END:
+        return False
+    at, off = cross_profile(sheet, line, [(run.start, run.end)])
+    if len(at) < _MOST_OF * run.length:
+        return False
+    slope, shift = np.polyfit(at, off, 1)
+    straight = np.abs(off - slope * at - shift).max() < _UPON
+    if abs(slope) * run.length / 2.0 < _TILTED or not straight:
+        return False
+    normal = np.array([-line.direction[1], line.direction[0]])
+    centres = line.points_at(at) + off[:, None] * normal
+    return any(other != line and other.distances(centres).max() < _UPON for other in others)
 
 
 def _is_beside(line: Line, other: Line, runs: Sequence[Run], sheet: CleanSheet) -> bool:

@@ -34,6 +34,7 @@ from gaussiancad_core.sheet.junctions import (
     ended_at_junctions,
     is_full_circle,
 )
+from gaussiancad_core.sheet.led_on import with_corners_reached
 from gaussiancad_core.sheet.line_widths import Pens, told_by_width
 from gaussiancad_core.sheet.linetypes import classify
 from gaussiancad_core.sheet.parted import parted_at_corners
@@ -89,6 +90,7 @@ def classify_strokes(
     ended = with_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
     ended = with_slanted_dashes(ended, view.sheet, rhythm)
     ended = with_short_legs(ended, view.sheet, rhythm)
+    ended = with_corners_reached(ended, rhythm)
     # Strokes that were drawn out to a junction explain the ink up to there.
     for geometry, piece in ended:
         explained.add(geometry, piece)

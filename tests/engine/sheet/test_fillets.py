@@ -1,6 +1,7 @@
 """Round corners down to a few px are arcs; sharp and cut corners stay what they are."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -127,3 +128,21 @@ def test_the_pen_is_as_wide_as_it_was(sketch, width: float) -> None:  # noqa: AN
     across = np.linspace(0.0, 6.0, 200)
     assert 2.0 * np.trapezoid(pen.ink(across), across) == pytest.approx(width, rel=0.02)
     assert fit_pen(drawn.weight, [], 3.0) == Pen(3.0, 0.5, 1.0)
+
+
+@pytest.mark.parametrize("apart", [20.0, 25.0, 30.0])
+def test_lines_that_end_apart_on_a_line_are_not_joined(apart: float) -> None:
+    """They would meet beyond it, and the line is where an arc between them would be."""
+    frame = [(60.3, 50.6), (340.4, 50.6), (340.4, 220.2), (60.3, 220.2), (60.3, 50.6)]
+    sides = [Segment(a, b, V) for a, b in pairwise(frame)]
+    left, right = 200.0 - apart / 2.0, 200.0 + apart / 2.0
+    slants = [((left - 60.0, 74.6), (left, 50.6)), ((right, 50.6), (right + 60.0, 74.6))]
+    found = _read([*sides, *(Segment(a, b, V) for a, b in slants)], _style("clean", 2.6))
+    assert not [stroke for stroke in found if isinstance(stroke, Arc)]
+    ends = sorted(
+        float(x)
+        for stroke in found
+        for x, y in stroke.sample(500.0)[[0, -1]]
+        if 100.0 < x < 300.0 and abs(y - 50.6) < 1.0
+    )
+    assert ends == pytest.approx([left, right], abs=1.0)

@@ -348,3 +348,16 @@ def test_an_arc_that_is_left_without_points_is_none(
     lines, circles = _shapes(sketch().line((20, 50), (180, 50), 3.0))
     assert len(lines) == 1
     assert not circles
+
+
+@pytest.mark.parametrize("off", [0.0, 0.25, 0.5, 0.75])
+def test_a_line_between_flat_meetings_is_found(sketch: Sketch, off: float) -> None:
+    """It is followed into a level line at one end and into a steeper one at the other."""
+    low, high, corner = (20.0, 120.0 + off), (120.0, 107.5 + off), (220.0, 120.0 + off)
+    drawn = sketch(260, 140).lines(low, high, corner, low, width=2.6)
+    drawn.line(corner, (corner[0], 20.0), 2.6).lines(
+        (33.0, 70.0 + off), high, (207.0, 70.0 + off), corner, width=2.6
+    )
+    lines, _ = _shapes(drawn, 2.6)
+    for end in (low, corner):
+        assert [_away(line, end, high) < 0.8 for line in lines].count(True) == 1

@@ -6,6 +6,9 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.sheet.clean import clean_sheet
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.offset_lines import without_offset_ink
+from gaussiancad_core.sheet.runs import Run
 from gaussiancad_core.sheet.strokes import classify_strokes
 from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
 from gaussiancad_core.views import Segment
@@ -40,3 +43,16 @@ def test_a_small_step_parts_an_edge(sketch: Sketch, step: float, inwards: bool) 
     assert [own[0] for own in found] == pytest.approx([x for x, _, _ in expected], abs=0.35)
     ends = [end for own in found for end in own[1:]]
     assert ends == pytest.approx([end for own in expected for end in own[1:]], abs=2.5)
+
+
+@pytest.mark.parametrize("turn", [10.0, 13.0])
+def test_a_line_across_a_dash_has_no_ink_of_it(sketch: Sketch, turn: float) -> None:
+    """At a small angle most of the dash lies below the line, but it runs its own way."""
+    way = (float(np.sin(np.radians(turn))), float(np.cos(np.radians(turn))))
+    dash, slant = Line((60.0, 60.0), (0.0, 1.0)), Line((60.0, 60.0), way)
+    drawn = sketch(120, 240).line((60, 52), (60, 68), 2.2)
+    drawn.line(slant.at(60.0), slant.at(150.0), 2.6)
+    sheet = clean_sheet(drawn.grey)
+    runs = [Run(-7.0, 7.0), Run(60.0, 150.0)]
+    assert without_offset_ink(sheet, slant, runs, [dash, slant]) == runs[1:]
+    assert without_offset_ink(sheet, dash, [Run(-8.0, 8.0)], [dash, slant]) == [Run(-8.0, 8.0)]
