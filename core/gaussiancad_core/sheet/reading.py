@@ -12,6 +12,7 @@ from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.masks import Outline, Region, find_outline, supersampling_for
 from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
+from gaussiancad_core.sheet.outside import without_outside
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.registration import (
     DEFAULT_LONGEST_MM,
@@ -138,6 +139,8 @@ def read_views(
                 "the outline of the {} view at ({:.0f}, {:.0f})-({:.0f}, {:.0f}) px is not "
                 "closed: draw its visible edges without gaps".format(role.value, *box),
             )
+        if source is StrokesSource.RASTER:
+            strokes = without_outside(strokes, outline)
         region = cut_region(layout, box)
         if region is not None:
             strokes = with_hidden_inside(strokes, outline, region)
