@@ -2,6 +2,7 @@
 
 Where all lines of a sheet are of one width, only their places tell them: two equal lines at right
 angles, their middles at the circle's centre, and all their ends free.  Edges end at other edges.
+Where they are drawn with the narrow pen of hidden lines, without its gaps, they may end anywhere.
 """
 
 from collections.abc import Iterator, Sequence
@@ -20,7 +21,9 @@ from gaussiancad_core.sheet.annotations.mark_forms import (
     whole_forms,
 )
 from gaussiancad_core.sheet.annotations.marks import Mask
+from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Circle, Line
+from gaussiancad_core.sheet.line_widths import run_width
 
 _OFF = 1.0
 """px by which a mark may miss its circle's centre."""
@@ -36,6 +39,12 @@ _DRAWN = 0.2
 
 _BEYOND = 1.5
 """Distance by which the ends of an uneven mark are beyond its circle at least, in stroke widths."""
+
+_NARROW = 0.82
+"""Width of a mark's lines at most, in that of its circle, for their pen to tell them."""
+
+_UNBROKEN = 9.0
+"""Length of these lines at least, in stroke widths: no dash is as long."""
 
 _AHEAD = (1.5, 5.0)
 """px ahead of a line's ink where there is nothing if its end is free."""
@@ -63,9 +72,7 @@ class _Ray:
     zero: float
 
 
-def mark_centre_marks(
-    shapes: list[InkedShape], kinds: Kinds, ink: Mask, stroke_width: float
-) -> None:
+def mark_centre_marks(shapes: list[InkedShape], kinds: Kinds, sheet: CleanSheet) -> None:
     """Mark the runs of centre marks as centre lines, in place.
 
     Those that stand free tell the form of the others.
@@ -73,9 +80,9 @@ def mark_centre_marks(
     Args:
         shapes: lines and circles of the sheet.
         kinds: what each run is known to be.
-        ink: (h, w) bool.
-        stroke_width: px.
+        sheet: their ink.
     """
+    ink, stroke_width = sheet.ink, sheet.stroke_width
     circles = [
         shape.geometry
         for shape in shapes
@@ -90,7 +97,8 @@ def mark_centre_marks(
             for ray in rays
             if _is_free(ray, ink, stroke_width) and not _ends_at(ray, circle, stroke_width)
         }
-        for ray in _beyond(circle, rays, ink, stroke_width):
+        narrow = _narrow(rays, circle, shapes, sheet)
+        for ray in (*_beyond(circle, rays, ink, stroke_width), *narrow):
             kinds[ray.shape][ray.run] = AnnotationKind.CENTRE_LINE
         rays = [ray for ray in rays if kinds[ray.shape][ray.run] is None]
         for one, other in combinations([ray for ray in rays if _is_even(ray, ray)], 2):
@@ -131,6 +139,35 @@ def _mark(one: _Ray, other: _Ray, rays: Sequence[_Ray], free: set[_Ray]) -> list
         return [one, other, *both[0], *both[1]]
     if one in free and other in free:
         return [one, other, *(arm for own in arms for arm in own if arm in free)]
+    return []
+
+
+def _narrow(
+    rays: Sequence[_Ray], circle: Circle, shapes: Sequence[InkedShape], sheet: CleanSheet
+) -> list[_Ray]:
+    """The runs of a cross that its pen tells, with its arms: too long for dashes, and narrower than
+    its circle, which is no dashes either."""
+    longest = _UNBROKEN * sheet.stroke_width
+    around = [
+        run_width(sheet, circle, own.run, edges=True)
+        for shape in shapes
+        if shape.geometry == circle
+        for own in shape.runs
+        if own.run.length > longest
+    ]
+    widest = _NARROW * min((width for width in around if np.isfinite(width)), default=0.0)
+    # Where it ends at its circle, the ink of that may be counted as its own.
+    even = _EVEN + sheet.stroke_width
+    lines = []
+    for ray in rays:
+        run = shapes[ray.shape].runs[ray.run].run
+        if ray.start < 0.0 < ray.end and run.length > longest and abs(ray.start + ray.end) <= even:
+            width = run_width(sheet, ray.line, run, edges=True)
+            lines += [ray] if width <= widest else []
+    for one, other in combinations(lines, 2):
+        square = abs(float(np.dot(one.line.direction, other.line.direction))) <= _SQUARE
+        if square and abs(one.end - one.start - other.end + other.start) <= even:
+            return [one, other, *_arms(one, rays), *_arms(other, rays)]
     return []
 
 

@@ -142,7 +142,7 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
     if weights.limit:
         shapes = [split_by_width(sheet, shape, weights.limit) for shape in shapes]
     kinds = kinds_of_runs(shapes, weights, sheet.stroke_width, 1.2 * sheet.dash_gap)
-    mark_centre_marks(shapes, kinds, sheet.ink, sheet.stroke_width)
+    mark_centre_marks(shapes, kinds, sheet)
     if weights.limit:
         _tell_line_ends(sheet, ridges, Told(shapes, kinds, unexplained), weights)
     part = sheet

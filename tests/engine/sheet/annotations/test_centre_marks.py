@@ -55,6 +55,23 @@ def test_a_cross_as_large_as_its_circle_is_told_by_its_arms(sketch: Sketch) -> N
     assert [mark.kind for mark in separated.marks] == [AnnotationKind.CENTRE_LINE] * 6
 
 
+@pytest.mark.parametrize("width", [2.0, 3.0])
+@pytest.mark.parametrize("reach", [39.0, 60.0])
+def test_a_narrow_cross_may_end_anywhere(sketch: Sketch, width: float, reach: float) -> None:
+    """At its circle, or beside an edge; hidden lines on the sheet are as narrow, and broken."""
+    drawn = _plate(sketch).line((268.0, 90.0), (268.0, 230.0))
+    if reach > 40.0:
+        drawn.line((200.0 - reach - 3.0, 90.0), (200.0 - reach - 3.0, 230.0))
+    for turn in (0.0, 1.0):
+        way = reach * np.array([np.cos(turn * np.pi / 2), np.sin(turn * np.pi / 2)])
+        drawn.line(tuple(CENTRE - way), tuple(CENTRE + way), width)
+    for y in (104.0, 216.0):
+        drawn.broken((130.0, y), (256.0, y), (12.0, 6.0), 2.0)
+    marks = separate_annotations(clean_sheet(drawn.grey), by_weight=False).marks
+    kinds = [mark.kind for mark in marks]
+    assert kinds == [AnnotationKind.CENTRE_LINE] * (2 if width < 3.0 else 0)
+
+
 @pytest.mark.parametrize("edge", ["to the circle", "off the centre", "alone", "uneven"])
 def test_edges_stay(sketch: Sketch, edge: str) -> None:
     drawn = _plate(sketch)
