@@ -28,6 +28,9 @@ _TOLERANCE = 2.5
 _CLEAR = 0.02
 """Difference of the two agreements from which one reading is better."""
 
+_TELLING = 0.5
+"""Agreement of the better one at least: less is due to the few lines that any hull has."""
+
 
 @dataclass(frozen=True)
 class Choice:
@@ -76,7 +79,7 @@ def choose_projection(
     except NoModelError:
         return Choice(registered, None, assumed, True, (1.0, 0.0))
     scores = _agreement(registered), _agreement(other)
-    clear = abs(scores[0] - scores[1]) > _CLEAR
+    clear = abs(scores[0] - scores[1]) > _CLEAR and max(scores) >= _TELLING
     if clear and scores[1] > scores[0]:
         return Choice(other, registered, assumed.other, True, scores)
     return Choice(registered, other, assumed, clear, scores)
