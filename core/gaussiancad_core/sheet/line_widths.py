@@ -56,6 +56,9 @@ _STEADY = 3
 _SHORTEST = 6.0
 """px of a stretch that is told by its width at least."""
 
+_KNOWN = 0.15
+"""Share of a stretch whose width is known at least for that to tell its pen."""
+
 
 @dataclass(frozen=True)
 class Pens:
@@ -122,7 +125,8 @@ def told_by_width(
             step = run.length / (len(widths) - 1)
             own = widths[first : last + 1]
             own = own[np.isfinite(own)]
-            width = float(np.median(own)) if len(own) * step >= 0.5 * _SHORTEST else float("nan")
+            least = max(0.5 * _SHORTEST, _KNOWN * (last - first) * step)
+            width = float(np.median(own)) if len(own) * step >= least else float("nan")
             start = run.start if first == 0 else run.start + (first - 0.5) * step
             end = run.end if last == len(widths) - 1 else run.start + (last + 0.5) * step
             cut.append((Run(start, end), pens.kind(width)))

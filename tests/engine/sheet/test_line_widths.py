@@ -88,6 +88,14 @@ def test_the_palest_ink_counts_where_a_pen_is_told(shares: tuple[float, ...]) ->
     assert width == pytest.approx(sum(shares), abs=0.06)
 
 
+def test_the_last_pixels_do_not_tell_a_long_run(sketch: Sketch) -> None:
+    """All but its end merges with what lies beside it."""
+    drawn = sketch().line((20, 60), (144, 60), 3.0).line((144, 60), (150, 60), 2.0)
+    drawn.line((20, 63), (146, 63), 3.0)
+    run = Run(20.0, 150.0)
+    assert told_by_width(clean_sheet(drawn.grey), LEVEL, [run], PENS) == [(run, None)]
+
+
 def test_nothing_is_cut_where_no_pen_is_told_to_change(sketch: Sketch) -> None:
     """Wider by what two slanted lines leave beside it, and in between neither pen's."""
     drawn = sketch().line((20, 60), (150, 60), 2.5).line((50, 60), (80, 130), 2.5)
