@@ -192,7 +192,8 @@ class Arrangement:
             curve = self.supports[index].curve
             if isinstance(curve, LineCurve):
                 start, end = curve.at(low), curve.at(high)
-                if curve.axis == 0:
+                if start[0] == end[0]:
+                    # Upright, or slanted and so short that it is no wider than a rounding error.
                     bottom, top = sorted((start[1], end[1]))
                     uprights.append((start[0], bottom, top, index))
                 else:

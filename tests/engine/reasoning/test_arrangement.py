@@ -320,3 +320,11 @@ def test_steep_walls_keep_the_outside_out(lean: float) -> None:
 def test_distinct_values_are_clusters_means(values: list[int], spread: float) -> None:
     found = distinct([v + s for v in values for s in (0.0, spread)])
     assert found == pytest.approx(sorted(v + spread / 2.0 for v in set(values)), abs=1e-9)
+
+
+def test_a_slant_no_wider_than_a_rounding_error_is_upright() -> None:
+    """Its ends have one first coordinate, as exact as numbers are."""
+    steep = line_through((4.0, 2.0), (4.0 + 1e-5, 9.0), 0.0)
+    speck = _support(steep, (1.0, 1.0 + 1e-11))
+    plane = Arrangement([*_ring((0, 0), (10, 0), (10, 10), (0, 10)), speck])
+    assert plane.regions == 2
