@@ -97,16 +97,17 @@ def mark_centre_marks(shapes: list[InkedShape], kinds: Kinds, sheet: CleanSheet)
             for ray in rays
             if _is_free(ray, ink, stroke_width) and not _ends_at(ray, circle, stroke_width)
         }
-        narrow = _narrow(rays, circle, shapes, sheet)
-        for ray in (*_beyond(circle, rays, ink, stroke_width), *narrow):
-            kinds[ray.shape][ray.run] = AnnotationKind.CENTRE_LINE
-        rays = [ray for ray in rays if kinds[ray.shape][ray.run] is None]
         for one, other in combinations([ray for ray in rays if _is_even(ray, ray)], 2):
             found = _mark(one, other, rays, free)
             for ray in found:
                 kinds[ray.shape][ray.run] = AnnotationKind.CENTRE_LINE
             if found:
                 marks.append(_free_mark(circle, found))
+        # Last, so that those that stand free tell the form.
+        rays = [ray for ray in rays if kinds[ray.shape][ray.run] is None]
+        beyond = _beyond(circle, rays, ink, stroke_width)
+        for ray in (*beyond, *_narrow(rays, circle, shapes, sheet)):
+            kinds[ray.shape][ray.run] = AnnotationKind.CENTRE_LINE
     armed = learned_form(marks)
     for form in (*([] if armed is None else [armed]), *whole_forms(marks, circles)):
         mark_by_form(shapes, kinds, ink, form, circles)
