@@ -28,7 +28,7 @@ _TOLERANCE = 2.5
 _CLEAR = 0.02
 """Difference of the two agreements from which one reading is better."""
 
-_TELLING = 0.5
+_TELLING = 0.4
 """Agreement of the better one at least: less is due to the few lines that any hull has."""
 
 

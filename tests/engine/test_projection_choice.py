@@ -14,6 +14,8 @@ from gaussiancad_core.sheet.options import ReadingOptions
         ((0.90, 0.80), Projection.THIRD, True),
         ((0.80, 0.90), Projection.FIRST, True),
         ((0.90, 0.91), Projection.THIRD, False),
+        # Most sheets with many hidden lines agree no better with the hull, and tell all the same.
+        ((0.41, 0.46), Projection.FIRST, True),
         # What hardly fits is no better for fitting a little less badly.
         ((0.33, 0.36), Projection.THIRD, False),
         ((0.36, 0.33), Projection.THIRD, False),
