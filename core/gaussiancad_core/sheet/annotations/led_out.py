@@ -14,7 +14,14 @@ from scipy.ndimage import map_coordinates
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.erase import Kinds
-from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
+from gaussiancad_core.sheet.annotations.inked import (
+    InkedRun,
+    InkedShape,
+    normals_along,
+    points_along,
+)
+from gaussiancad_core.sheet.annotations.loose import BlankAreas, blank_areas
+from gaussiancad_core.sheet.annotations.marks import Mask, values_at
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.runs import Run
 
@@ -36,6 +43,16 @@ _SHORTEST = 3.0
 _OFF = 0.4
 """Distance of a line from a circle that it touches at most, in stroke widths."""
 
+_BRIDGE_PX = 7
+"""px; closes gaps of an outline of fewer."""
+
+_BESIDE_PX = 2.5
+"""px beside a line, beyond half of it, at which its areas lie."""
+
+_OUTSIDE = 0.15
+"""Share of a stretch beside which the paper around the view may lie, where it crosses the
+outline."""
+
 _PAPER = 0.35
 """Weight of ink under which it is paper."""
 
@@ -47,7 +64,7 @@ Floats = npt.NDArray[np.float64]
 
 
 def mark_led_out(
-    shapes: list[InkedShape], kinds: Kinds, weight: Weight, stroke_width: float
+    shapes: list[InkedShape], kinds: Kinds, weight: Weight, left: Mask, stroke_width: float
 ) -> None:
     """Mark what lies between an extension line that crosses the outline and its edge, in place.
 
@@ -55,11 +72,14 @@ def mark_led_out(
         shapes: lines and circles of a sheet.
         kinds: what each run is; extension lines are known where they lie over paper.
         weight: (h, w) darkness of the ink.
+        left: (h, w) bool, the ink without what was marked.
         stroke_width: px.
     """
     usual = _usual_gap(shapes, kinds, weight, stroke_width)
     if not usual:
         return
+    sizes = weight, usual, stroke_width
+    areas = blank_areas(left, _BRIDGE_PX)
     circles = [shape.geometry for shape in shapes if isinstance(shape.geometry, Circle)]
     for index, (shape, own) in enumerate(zip(shapes, kinds, strict=True)):
         if not isinstance(shape.geometry, Line) or AnnotationKind.EXTENSION not in own:
@@ -67,8 +87,7 @@ def mark_led_out(
         runs, marks = list(shape.runs), list(own)
         touched = _touched(shape.geometry, circles, stroke_width)
         for way in (1, -1):
-            sizes = weight, usual, stroke_width
-            _follow_in(shape.geometry, (runs, marks), way, touched, sizes)
+            _follow_in(shape.geometry, (runs, marks), way, (touched, areas), sizes)
         shapes[index], kinds[index] = InkedShape(shape.geometry, tuple(runs)), marks
 
 
@@ -76,11 +95,12 @@ def _follow_in(
     line: Line,
     told: tuple[list[InkedRun], list[AnnotationKind | None]],
     way: int,
-    touched: Floats,
+    around: tuple[Floats, BlankAreas],
     sizes: tuple[Weight, float, float],
 ) -> None:
     """Mark the runs, or parts of them, that extension lines go on as, one way along the line, which
-    touches circles at some positions."""
+    touches circles at some positions, and never along the outline."""
+    touched, areas = around
     runs, marks = told
     weight, usual, stroke_width = sizes
     k = 0 if way > 0 else len(runs) - 1
@@ -98,7 +118,8 @@ def _follow_in(
             ahead = ahead[(ahead > usual + stroke_width) & (ahead < way * (end - begin))]
             if gap is None and len(ahead):
                 gap = begin + way * (float(ahead.min()) - usual), usual
-            if gap is not None and _ALIKE[0] * usual <= gap[1] <= _ALIKE[1] * usual:
+            inside = gap is not None and _is_inside(line, begin, gap[0], areas, stroke_width)
+            if gap is not None and inside and _ALIKE[0] * usual <= gap[1] <= _ALIKE[1] * usual:
                 width, at = runs[k + way].width, gap[0]
                 beyond = at + way * gap[1]
                 if (end - at) * way <= stroke_width:
@@ -110,6 +131,20 @@ def _follow_in(
                     runs[k + way : k + way + 1] = parts if way > 0 else parts[::-1]
                     marks[k + way : k + way + 1] = both if way > 0 else both[::-1]
         k += way
+
+
+def _is_inside(
+    line: Line, begin: float, end: float, areas: BlankAreas, stroke_width: float
+) -> bool:
+    """Whether the paper around the views is on neither side of a stretch of a line."""
+    run = Run(*sorted((begin, end)))
+    points, normals = points_along(line, run, 1.0), normals_along(line, run, 1.0)
+    beside = stroke_width / 2 + _BESIDE_PX
+    out = [
+        values_at(areas.labels, points + way * beside * normals) == areas.paper
+        for way in (-1.0, 1.0)
+    ]
+    return float((out[0] | out[1]).mean()) <= _OUTSIDE
 
 
 def _touched(line: Line, circles: Sequence[Circle], stroke_width: float) -> Floats:

@@ -100,8 +100,8 @@ def split_loose(
         rule: which of the runs that part nothing are marked.
     """
     # An outline that faded somewhere still parts the view from the paper.
-    areas = _areas(ink, rule.bridge)
-    faded = _areas(ink, rule.faded).labels if rule.faded else None
+    areas = blank_areas(ink, rule.bridge)
+    faded = blank_areas(ink, rule.faded).labels if rule.faded else None
     cut: list[InkedShape] = []
     cut_kinds: Kinds = []
     for shape, own in zip(shapes, kinds, strict=True):
@@ -156,7 +156,7 @@ def _leading(shape: InkedShape, over: list[bool], gap: float) -> list[bool]:
 
 
 @dataclass(frozen=True, eq=False)
-class _Areas:
+class BlankAreas:
     """The blank areas of a sheet.
 
     Attributes:
@@ -168,13 +168,13 @@ class _Areas:
     paper: int
 
 
-def _areas(ink: Mask, bridge: int) -> _Areas:
+def blank_areas(ink: Mask, bridge: int) -> BlankAreas:
     """The areas that ink parts, gaps of fewer px than ``bridge`` closed."""
     kernel = np.ones((bridge, bridge), np.uint8)
     closed = cv2.morphologyEx(ink.astype(np.uint8), cv2.MORPH_CLOSE, kernel)
     _, labels, facts, _ = cv2.connectedComponentsWithStats(1 - closed, connectivity=4)
     paper = 1 + int(np.argmax(facts[1:, cv2.CC_STAT_AREA])) if len(facts) > 1 else -1
-    return _Areas(labels, paper)
+    return BlankAreas(labels, paper)
 
 
 def _is_led_in(shape: InkedShape, run: InkedRun, parts: list[tuple[Run, _Side]], ink: Mask) -> bool:
@@ -250,7 +250,7 @@ def _sticks_out(shape: InkedShape, run: InkedRun, ink: Mask) -> bool:
 def _parts(
     shape: InkedShape,
     run: InkedRun,
-    areas: _Areas,
+    areas: BlankAreas,
     faded: npt.NDArray[np.int32] | None,
 ) -> list[tuple[Run, _Side]]:
     """Stretches of a run, and what lies on both sides of each."""

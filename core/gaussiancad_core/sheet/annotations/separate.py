@@ -195,7 +195,7 @@ def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> t
     faded = 2 * int(_WIDEST_FADED * sheet.stroke_width) + 1
     rule = LooseRule(_LONGEST_DASH * sheet.stroke_width, everywhere=True, faded=faded)
     shapes, kinds = split_loose(told.shapes, told.kinds, ink & ~boxes, rule)
-    mark_led_out(shapes, kinds, sheet.weight, sheet.stroke_width)
+    mark_led_out(shapes, kinds, sheet.weight, ink & ~boxes, sheet.stroke_width)
     mark_virtual_corners(shapes, kinds, sheet.stroke_width)
     if sheet.dash_gap:
         spare_free_dashes(shapes, kinds, sheet.ink, sheet.stroke_width)

@@ -48,7 +48,7 @@ def _told(weight: Weight, end: float, way: bool) -> Told:
         runs = tuple(InkedRun(Run(-r.run.end, -r.run.start), r.width) for r in shapes[-1].runs)
         shapes[-1] = InkedShape(Line((160.0, 0.0), (0.0, -1.0)), runs[::-1])
         kinds[-1] = kinds[-1][::-1]
-    mark_led_out(shapes, kinds, weight, WIDTH)
+    mark_led_out(shapes, kinds, weight, weight > 0.5, WIDTH)
     sign = -1.0 if way else 1.0
     told = [
         (*sorted((sign * run.run.start, sign * run.run.end)), kind)
@@ -101,7 +101,24 @@ def test_beside_a_slot_it_ends_before_the_slots_round_end(sketch: Sketch) -> Non
     shapes = [shape for shape, _ in (*off, inner, *ends)]
     kinds = [own for _, own in (*off, inner, *ends)]
     # The round end fills the gap: at 144 to 150 px it is less than a pixel beside the line.
-    mark_led_out(shapes, kinds, clean_sheet(drawn.grey).weight, WIDTH)
+    weight = clean_sheet(drawn.grey).weight
+    mark_led_out(shapes, kinds, weight, weight > 0.5, WIDTH)
     assert kinds[3] == [AnnotationKind.EXTENSION, AnnotationKind.EXTENSION, None]
     assert shapes[3].runs[1].run.end == pytest.approx(144.0, abs=2.0)
     assert shapes[3].runs[2].run.start == pytest.approx(150.0, abs=1.0)
+
+
+def test_an_outline_is_never_followed(sketch: Sketch) -> None:
+    """A copy closed the gap between an edge of the outline and its extension line."""
+    drawn = sketch(300, 300).line((60, 60), (240, 60)).line((240, 60), (240, 240))
+    drawn.line((60, 60), (60, 144)).line((60, 150), (60, 240)).line((60, 240), (240, 240))
+    for x in (100, 160, 240):
+        drawn.line((x, 20), (x, 54), WIDTH)
+    drawn.line((60, 20), (60, 60), WIDTH)
+    off = [_upright(x, (20.0, 54.0, True)) for x in (100.0, 160.0, 240.0)]
+    edge = _upright(60.0, (20.0, 60.0, True), (60.0, 144.0, False), (150.0, 240.0, False))
+    shapes = [shape for shape, _ in (*off, edge)]
+    kinds = [own for _, own in (*off, edge)]
+    weight = clean_sheet(drawn.grey).weight
+    mark_led_out(shapes, kinds, weight, weight > 0.5, WIDTH)
+    assert kinds[-1] == [AnnotationKind.EXTENSION, None, None]
