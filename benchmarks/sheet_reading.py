@@ -326,6 +326,11 @@ def main() -> None:
     parser.add_argument("--median", type=int, choices=(0, 3, 5, 7), default=MEDIAN_KERNEL)
     parser.add_argument("--data", type=Path, help="folder of other sheets, read without a truth")
     options = parser.parse_args()
+    try:
+        for text in options.styles:
+            _own_style(text)
+    except GaussianCadError as error:
+        parser.error(f"{error}, {' or '.join(FOREIGN)}")
     cv2.setNumThreads(1)
     if options.data is not None:
         read_folder(options.data, _reading(options), options.keep)
