@@ -12,6 +12,7 @@ from OCP.Standard import Standard_Failure
 from OCP.TopoDS import TopoDS_Shape
 from scipy.spatial import cKDTree
 
+from gaussiancad_core.axes import Role
 from gaussiancad_core.comparison.sampling import random_streams, sample_surface
 from gaussiancad_core.drawing.brep import (
     bounding_box,
@@ -21,6 +22,7 @@ from gaussiancad_core.drawing.brep import (
     tessellate,
     volume,
 )
+from gaussiancad_core.drawing.rays import SightLines
 from gaussiancad_core.meshes import TriangleMesh, make_mesh
 
 EXACT_IOU = 0.999
@@ -35,6 +37,12 @@ _AGREE = 3e-3
 _SAME_BOX = 0.02
 """Share of the longest extent by which boxes may differ to be compared at all."""
 
+_SIGHT_LINES = 150
+"""Lines of sight along each side of a box through which a volume is measured."""
+
+_OFF_MIDDLE = 0.4567
+"""Where they lie in their squares: not where edges of round measures do."""
+
 _SURFACE_POINTS = 4000
 """Points on each of two surfaces that are compared where a mesh bounds no solid."""
 
@@ -48,7 +56,8 @@ class Closeness:
 
     Attributes:
         valid: one valid closed solid of positive volume.
-        iou: of volumes, by OpenCASCADE; by meshes where its Boolean is not plausible.
+        iou: of volumes, by OpenCASCADE; by meshes where its Boolean is not plausible, or by lines
+            of sight where a mesh bounds no solid.
         mesh_iou: by manifold3d; None where a mesh bounds no solid.
         faces, true_faces: numbers.
         placing: how the truth was turned, scaled or mirrored; empty where it was not.
@@ -73,10 +82,10 @@ def closeness(shape: TopoDS_Shape, truth: TopoDS_Shape, placing: str = "") -> Cl
     valid = facts.valid and facts.closed and facts.solids == 1
     by_mesh = mesh_iou(fine_mesh(shape), fine_mesh(truth))
     by_solids = solid_iou(shape, truth) if facts.volume_mm3 > 0.0 else None
-    doubtful = by_mesh is not None and by_solids is not None and abs(by_solids - by_mesh) > _AGREE
-    iou = by_mesh if by_solids is None or doubtful else by_solids
+    beside = sight_iou(shape, truth) if by_mesh is None else by_mesh
+    iou = beside if by_solids is None or abs(by_solids - beside) > _AGREE else by_solids
     true_faces = len(faces_of(truth))
-    return Closeness(valid, iou or 0.0, by_mesh, facts.faces, true_faces, placing)
+    return Closeness(valid, iou, by_mesh, facts.faces, true_faces, placing)
 
 
 def solid_iou(one: TopoDS_Shape, other: TopoDS_Shape) -> float | None:
@@ -113,6 +122,39 @@ def mesh_iou(one: TriangleMesh, other: TriangleMesh) -> float | None:
         solids.append(solid)
     united = (solids[0] + solids[1]).volume()
     return float((solids[0] ^ solids[1]).volume() / united) if united > 0.0 else None
+
+
+def sight_iou(one: TopoDS_Shape, other: TopoDS_Shape) -> float:
+    """Common volume by united volume along lines of sight, which ask for no Boolean.
+
+    Where a surface touches itself, a mesh bounds no solid, and Booleans with a solid that is
+    nearly the same find nothing in common.
+    """
+    frame = Role.TOP.frame
+    boxes = np.array([bounding_box(one), bounding_box(other)])
+    low, high = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
+    steps = (np.arange(_SIGHT_LINES) + _OFF_MIDDLE) / _SIGHT_LINES
+    points = (
+        low[:2] + np.stack(np.meshgrid(steps, steps), axis=-1).reshape(-1, 2) * (high - low)[:2]
+    )
+    tolerance = _FINE * float((high - low).max())
+    columns = [SightLines(shape, frame, tolerance).columns(points) for shape in (one, other)]
+    common = united = 0.0
+    for first, second in zip(*columns, strict=True):
+        if first.sound and second.sound:
+            depths = np.concatenate([first.depth, second.depth])
+            entering = np.concatenate([_alternating(first.depth), _alternating(second.depth)])
+            order = np.argsort(depths, kind="stable")
+            inside = np.cumsum(entering[order])[:-1]
+            lengths = np.diff(depths[order])
+            common += float(lengths[inside == 2].sum())
+            united += float(lengths[inside >= 1].sum())
+    return common / united if united > 0.0 else 0.0
+
+
+def _alternating(depths: Floats) -> npt.NDArray[np.int64]:
+    """(k,) 1 where a line of sight enters, -1 where it leaves."""
+    return 1 - 2 * (np.arange(len(depths)) % 2)
 
 
 def surface_gap(one: TriangleMesh, other: TriangleMesh) -> float:

@@ -8,6 +8,7 @@ from exact_measures import (
     placed,
     registered,
     rotations,
+    sight_iou,
     solid_iou,
 )
 from OCP.TopoDS import TopoDS_Shape
@@ -40,6 +41,22 @@ def test_both_booleans_measure_volumes() -> None:
     expected = 1.0 - 0.09 * np.pi
     assert solid_iou(one, bored) == pytest.approx(expected)
     assert mesh_iou(fine_mesh(one), fine_mesh(bored)) == pytest.approx(expected, abs=1e-3)
+
+
+def test_lines_of_sight_measure_volumes_like_booleans() -> None:
+    one = box((0, 0, 0), (10, 10, 10))
+    bored = cut(one, cylinder(Axis.X, (5, 5), 3, -1, 11))
+    assert sight_iou(one, box((5, 0, 0), (15, 10, 10))) == pytest.approx(1.0 / 3.0, abs=2e-3)
+    assert sight_iou(one, bored) == pytest.approx(1.0 - 0.09 * np.pi, abs=2e-3)
+
+
+def test_a_solid_that_touches_itself_is_measured_where_booleans_find_nothing() -> None:
+    """A wide bore touches two walls: the corner between hangs on lines."""
+    bores = (cylinder(Axis.Z, (10, 10), 9, 4, 11), cylinder(Axis.Z, (10, 10), 10, 7, 11))
+    touching = cut(box((0, 0, 0), (20, 30, 10)), *bores)
+    nearly = placed(touching, np.eye(3), 0.999999)
+    assert solid_iou(touching, nearly) == 0.0
+    assert closeness(touching, nearly).iou == pytest.approx(1.0, abs=1e-4)
 
 
 def test_a_solid_turned_inside_out_is_not_valid(bracket: TopoDS_Shape) -> None:
