@@ -18,6 +18,7 @@ from gaussiancad_core.sheet.annotations.inked import (
     points_along,
     split_by_width,
 )
+from gaussiancad_core.sheet.annotations.leader_tips import with_clear_tips
 from gaussiancad_core.sheet.annotations.led_out import mark_led_out
 from gaussiancad_core.sheet.annotations.letter_boxes import letter_boxes
 from gaussiancad_core.sheet.annotations.lettered_lines import mark_lettered
@@ -157,6 +158,7 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
         left = with_open_sides(erased(sheet, known).ink, known, sheet.stroke_width)
         told = Told(*split_loose(shapes, kinds, left, rule), unexplained)
     if any(kind for own in told.kinds for kind in own):
+        told = with_clear_tips(told, sheet.ink, sheet.stroke_width)
         marks += _line_marks(told)
         part = replace(erased(part, told), stroke_width=weights.visible)
     hatched = hatching.area if hatching.marks else None
