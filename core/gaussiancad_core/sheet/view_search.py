@@ -29,6 +29,9 @@ _STUB = 1.8
 _LIKE_A_VIEW = 0.5
 """Area of a figure that may be a view at least, as a share of the smallest one."""
 
+_LEAST_WHOLE = 0.4
+"""Size of views along all three axes, as a share of that of two views, at least."""
+
 _MUCH_LARGER = 2.0
 """Factor by which other views must be larger to be preferred."""
 
@@ -152,9 +155,11 @@ def _require_largest(layout: Layout) -> None:
 
 def _is_better(layout: Layout, other: Layout) -> bool:
     """Whether views are much larger than others, and belong together unless those do not either;
-    or are larger and whole, and those are not."""
+    or are whole and larger than those that are not.  Where those lack a view, they may be larger:
+    dimensions that stayed lose one, and add to the others."""
     size = _size(other)
-    if _is_whole(layout) and not _is_whole(other) and _size(layout) > size:
+    least = size if mutually_orthogonal(tuple(other.boxes)) else _LEAST_WHOLE * size
+    if _is_whole(layout) and not _is_whole(other) and _size(layout) > least:
         return True
     larger = _size(layout) > _MUCH_LARGER * size
     return larger and (_belong_together(layout) or not _belong_together(other))

@@ -25,6 +25,8 @@ FRONT, TOP, RIGHT = (
 )
 TWO = {Role.FRONT: FRONT, Role.TOP: TOP}
 THREE = {**TWO, Role.RIGHT: RIGHT}
+WIDE = {Role.FRONT: (0.0, 160.0, 160.0, 270.0), Role.TOP: (0.0, 0.0, 160.0, 120.0)}
+"""Larger than all three."""
 LONG = {**THREE, Role.RIGHT: (150.0, 100.0, 240.0, 160.0)}
 """A right view that is deeper than the top view."""
 
@@ -69,6 +71,8 @@ def test_slivers_beside_a_large_figure_are_no_views(sketch) -> None:  # noqa: AN
         (TWO, THREE, THREE),
         (LONG, THREE, LONG),
         (THREE, TWO, THREE),
+        # Two views, each with dimensions on two sides.
+        (WIDE, THREE, THREE),
     ],
 )
 def test_whole_views_are_preferred_where_they_are_larger(
