@@ -29,6 +29,9 @@ of the tallest."""
 _SPACING = 0.9
 """Gap between the letters of a word at most, in heights of a letter."""
 
+_SHARED = 0.3
+"""Share of their height, or breadth, in which letters of a word are level with each other."""
+
 _SMALLEST_PX = 4
 
 _SLIM = 0.4
@@ -258,7 +261,11 @@ def _words(
     words: list[list[int]] = []
     for glyph in sorted(glyphs, key=lambda g: -int(heights[g])):
         reach = _SPACING * float(heights[glyph])
-        near = [word for word in words if any(_gap(stats, glyph, o) <= reach for o in word)]
+        near = [
+            word
+            for word in words
+            if any(_gap(stats, glyph, o) <= reach and _is_level(stats, glyph, o) for o in word)
+        ]
         merged = [int(glyph)] + [member for word in near for member in word]
         words = [word for word in words if word not in near] + [merged]
     letters = {int(glyph) for glyph in glyphs}
@@ -319,6 +326,15 @@ def _gap(stats: npt.NDArray[np.int32], one: int, other: int) -> float:
     dx = max(ax - bx - bw, bx - ax - aw, 0)
     dy = max(ay - by - bh, by - ay - ah, 0)
     return float(np.hypot(dx, dy))
+
+
+def _is_level(stats: npt.NDArray[np.int32], one: int, other: int) -> bool:
+    """Whether two pieces are beside each other or one below the other, and not corner to corner, as
+    numbers of two dimensions are."""
+    low = np.maximum(stats[one, :2], stats[other, :2])
+    high = np.minimum(*(stats[piece, :2] + stats[piece, 2:4] for piece in (one, other)))
+    least = _SHARED * np.minimum(stats[one, 2:4], stats[other, 2:4])
+    return bool((high - low >= least).any())
 
 
 def _box_of(stats: npt.NDArray[np.int32], members: list[int]) -> tuple[float, float, float, float]:

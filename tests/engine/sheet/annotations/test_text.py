@@ -242,3 +242,11 @@ def test_pockets_above_each_other_are_no_word(sketch: Sketch) -> None:
     letters = _found(ink, view.weight >= 0.5)
     assert not (letters.mask & inside).any()
     assert letters.mask[325:355].any()
+
+
+def test_numbers_corner_to_corner_are_two_words() -> None:
+    ink = _written("98", 200, 150) | _written("80", 200 + 1.9 * TALL, 150 - 1.2 * TALL)
+    assert len(_found(ink).marks) == 2
+    # Below each other they are a note of two lines.
+    ink = _written("98", 200, 150) | _written("80", 200, 150 - 1.5 * TALL)
+    assert len(_found(ink).marks) == 1
