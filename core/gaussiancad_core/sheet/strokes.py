@@ -46,6 +46,7 @@ from gaussiancad_core.sheet.runs import (
     bridged,
     is_mostly_dashed,
 )
+from gaussiancad_core.sheet.rungs import find_rungs
 from gaussiancad_core.sheet.shadows import without_shadows
 from gaussiancad_core.sheet.shapes import (
     refit_circle,
@@ -78,7 +79,8 @@ def classify_strokes(
     pieces = ended_where_lines_touch(pieces, view.sheet.stroke_width)
     pieces += find_corner_dashes(pieces, view.sheet, rhythm)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
-    pieces += find_jogs(ended, view.sheet)
+    jogs = find_jogs(ended, view.sheet)
+    pieces += [*jogs, *find_rungs([*ended, *jogs], view.sheet, pens)]
     pieces = _refitted(pieces, ended, view.sheet)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     parted = parted_at_corners(ended, view.sheet, rhythm)
