@@ -24,8 +24,9 @@ _WIDE = 1.5
 _STEP = 0.5
 """px between the places that are looked at."""
 
-_DARK = 0.5
-"""Weight from which a pixel is ink."""
+_DARK = 0.35
+"""Weight from which a place is ink: between two columns of pixels a thin grey line has half of its
+own in each."""
 
 _MEETING = 1.0
 """px beyond half a stroke by which one may miss the end of the ink that it meets."""
