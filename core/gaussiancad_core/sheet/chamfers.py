@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.jogs import distances_to, visible_leg
 from gaussiancad_core.sheet.pen import Pen, fit_pen
 from gaussiancad_core.sheet.stubs import Placed
@@ -20,6 +20,9 @@ from gaussiancad_core.views import Linetype
 
 _LONGEST, _LEAST_LONGEST = 6.0, 20.0
 """Line widths that a chamfer is long at most, and px at least: longer ones are found as lines."""
+
+_LONGER = 2.0
+"""Times that length up to which an arc may be a chamfer's with a part of what it joins."""
 
 _SHORTEST, _SEEN = 1.3, 0.8
 """Line widths that it is long at least, and from one seen end to the other."""
@@ -95,28 +98,75 @@ def with_chamfers(
 ) -> list[Placed]:
     """The pieces and the chamfers between their ends, which then end there.
 
+    The ink of a chamfer and of what it joins is about as bent as that of an arc: where one was
+    taken for it, what leaves less of the ink stays.
+
     Args:
         weight: (h, w) ink.
         placed: pieces with their ends at junctions; px, pixel centres at integers.
         stroke_width: px.
     """
-    ends = list(_visible_ends(placed, stroke_width))
-    free = [end for end in ends if end.free]
-    pieces = list(placed)
-    if not free or len(free) > _MOST:
-        return pieces
     straight = [
         (geometry, piece.start, piece.end)
         for geometry, piece in placed
         if isinstance(geometry, Line) and piece.linetype is Linetype.VISIBLE
     ]
     pen = fit_pen(weight, straight, stroke_width)
+    pieces = _chamfered(weight, placed, stroke_width, pen)
+    for arc in placed:
+        if _is_short_arc(arc, stroke_width):
+            others = [own for own in pieces if own is not arc]
+            without = _chamfered(weight, others, stroke_width, pen, arc)
+            if _left(weight, without, arc, pen) < _left(weight, pieces, arc, pen):
+                pieces = without
+    return pieces
+
+
+def _is_short_arc(placed: Placed, width: float) -> bool:
+    """Whether an arc is no longer than a chamfer and a part of what it joins."""
+    geometry, piece = placed
+    return (
+        isinstance(geometry, Circle)
+        and piece.linetype is Linetype.VISIBLE
+        and piece.end - piece.start <= _LONGER * max(_LEAST_LONGEST, _LONGEST * width)
+    )
+
+
+def _left(
+    weight: npt.NDArray[np.float32], pieces: Sequence[Placed], arc: Placed, pen: Pen
+) -> float:
+    """The squared error of the ink around an arc."""
+    ends = arc[0].points_at(np.array([arc[1].start, arc[1].end]))
+    pixels = _pixels_beside(weight.shape, ends, arc, pieces, pen)
+    columns, rows = pixels.astype(int).T
+    return float(((pen.ink(_nearest(pieces, pixels)) - weight[rows, columns]) ** 2).sum())
+
+
+def _chamfered(
+    weight: npt.NDArray[np.float32],
+    placed: Sequence[Placed],
+    stroke_width: float,
+    pen: Pen,
+    instead: Placed | None = None,
+) -> list[Placed]:
+    """The pieces with chamfers; with those ``instead`` of an arc alone where one is given."""
+    ends = list(_visible_ends(placed, stroke_width))
+    free = [end for end in ends if end.free]
+    ahead = _ON * pen.width
+    if instead is not None and free:
+        away = distances_to(instead, np.array([end.place for end in free]))
+        free = [end for end, far in zip(free, away, strict=True) if far <= _ON * stroke_width]
+        # What an arc touched goes on below it.
+        ahead = (instead[1].end - instead[1].start) / 2.0
+    pieces = list(placed)
+    if not free or len(free) > _MOST:
+        return pieces
     taken: set[tuple[int, bool]] = set()
     for first, second in _pairs(free, ends, stroke_width):
         keys = {(end.index, end.at_start) for end in (first, second) if end.free}
         if keys & taken:
             continue
-        cut = _best_cut(weight, first, second, pieces, pen)
+        cut = _best_cut(weight, (first, second), pieces, pen, ahead)
         if cut is None:
             continue
         taken |= keys
@@ -167,9 +217,14 @@ def _pairs(free: Sequence[_End], ends: Sequence[_End], width: float) -> Iterator
 
 
 def _best_cut(
-    weight: npt.NDArray[np.float32], first: _End, second: _End, pieces: Sequence[Placed], pen: Pen
+    weight: npt.NDArray[np.float32],
+    pair: tuple[_End, _End],
+    pieces: Sequence[Placed],
+    pen: Pen,
+    ahead: float,
 ) -> _Cut | None:
-    """The chamfer between two ends, if the ink has one."""
+    """The chamfer between two ends, up to so many px ahead of them, if the ink has one."""
+    first, second = pair
     pixels = _pixels_around(weight.shape, first, second, pieces, pen)
     if len(pixels) < _FEWEST:
         return None
@@ -194,7 +249,7 @@ def _best_cut(
         return float(((pen.ink(distance) - ink) ** 2).sum())
 
     shifts = (0.0, 0.0)
-    reach = np.arange(-_BACK * pen.width, _ON * pen.width + _COARSE, _COARSE)
+    reach = np.arange(-_BACK * pen.width, ahead + _COARSE, _COARSE)
     step = _COARSE
     while step >= _FINE:
         tried = [
@@ -221,14 +276,21 @@ def _pixels_around(
     shape: tuple[int, ...], first: _End, second: _End, pieces: Sequence[Placed], pen: Pen
 ) -> Floats:
     """(n, 2) px near a chamfer and the ends before it, away from dashes."""
-    beside = pen.width / 2.0 + _AROUND
     corners = np.array([first.place, second.place])
+    return _pixels_beside(shape, corners, visible_leg(*corners), pieces, pen)
+
+
+def _pixels_beside(
+    shape: tuple[int, ...], corners: Floats, own: Placed, pieces: Sequence[Placed], pen: Pen
+) -> Floats:
+    """(n, 2) px near a piece with (2, 2) px as its ends, away from dashes."""
+    beside = pen.width / 2.0 + _AROUND
     low = np.maximum(np.floor(corners.min(0) - 2.0 * beside), 0).astype(int)
     high = np.minimum(np.ceil(corners.max(0) + 2.0 * beside) + 1, shape[::-1]).astype(int)
     ys, xs = np.mgrid[low[1] : max(high[1], low[1]), low[0] : max(high[0], low[0])]
     pixels = np.stack([xs.ravel(), ys.ravel()], axis=1).astype(np.float64)
-    near = distances_to(visible_leg(first.place, second.place), pixels) <= beside
-    dashed = [own for own in pieces if own[1].linetype is Linetype.HIDDEN]
+    near = distances_to(own, pixels) <= beside
+    dashed = [other for other in pieces if other[1].linetype is Linetype.HIDDEN]
     return pixels[near & (_nearest(dashed, pixels) > beside)]
 
 

@@ -79,3 +79,16 @@ def test_sharp_corners_and_steps_are_no_chamfers(sketch) -> None:  # noqa: ANN00
     assert len(found) == 6
     assert _slanted(found) == []
     assert all(stroke.linetype is Linetype.VISIBLE for stroke in found)
+
+
+def test_a_chamfer_beside_its_edge_is_no_arc_as_well(sketch) -> None:  # noqa: ANN001
+    """The ink of the chamfer and of what it joins is bent like that of an arc."""
+    end, edge, size = 60.34, 69.1, 8.76
+    drawing = sketch(380, 290).lines(
+        (_RIGHT, _TOP), (edge, _TOP), (end, _TOP + size), (end, _BOTTOM - size),
+        (edge, _BOTTOM), (_RIGHT, _BOTTOM), (_RIGHT, _TOP), width=2.6,
+    )  # fmt: skip
+    drawing.line((edge, _TOP), (edge, _BOTTOM), 2.6)
+    found = _strokes(drawing)
+    assert all(isinstance(stroke, Segment) for stroke in found)
+    assert len(found) == 7
