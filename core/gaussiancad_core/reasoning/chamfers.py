@@ -89,14 +89,31 @@ def with_untold_chamfers(supports: PartSupports) -> PartSupports:
     """The supports with the lines of chamfers that may be drawn; they have no confidence."""
     if len(supports.planes) < len(Axis):
         return supports
-    found = [chamfer for axis in Axis for chamfer in _chamfers(supports, axis)]
-    if not found or len(found) > _CHANCE:
-        return supports
-    planes = {
-        normal: _completed(plane, found, SAME * supports.tolerance)
-        for normal, plane in supports.planes.items()
-    }
-    return replace(supports, planes=planes)
+    near = SAME * supports.tolerance
+    found: list[_Chamfer] = []
+    for axis in Axis:
+        for chamfer in _chamfers(supports, axis):
+            # Both views may tell it, and a line of one of them once more.
+            if not any(_is_same(chamfer, other, near) for other in found):
+                found.append(chamfer)
+    planes, added = dict(supports.planes), 0
+    for chamfer in found:
+        completed = {normal: _completed(plane, chamfer, near) for normal, plane in planes.items()}
+        added += completed != planes
+        planes = completed
+    return replace(supports, planes=planes) if 0 < added <= _CHANCE else supports
+
+
+def _is_same(one: _Chamfer, other: _Chamfer, near: float) -> bool:
+    """Whether two chamfers are one."""
+    if one.axis is not other.axis:
+        return False
+    numbers = zip(
+        (*one.centre, *one.inner, *one.outer),
+        (*other.centre, *other.inner, *other.outer),
+        strict=True,
+    )
+    return all(abs(a - b) <= near for a, b in numbers)
 
 
 def _chamfers(supports: PartSupports, axis: Axis) -> Iterator[_Chamfer]:
@@ -221,21 +238,23 @@ def _shown(side: _Side, radii: list[float], near: float) -> Iterator[tuple[Point
             yield ends[0], ends[1]
 
 
-def _completed(plane: PlaneSupports, found: list[_Chamfer], near: float) -> PlaneSupports:
+def _completed(plane: PlaneSupports, chamfer: _Chamfer, near: float) -> PlaneSupports:
+    """The plane with those lines of a chamfer that it does not show yet."""
+    if plane.normal is chamfer.axis:
+        return plane
     supports = list(plane.supports)
-    for chamfer in found:
-        if plane.normal is chamfer.axis:
-            continue
-        side = _side(plane, chamfer.axis, chamfer.centre)
-        for way in (-1.0, 1.0):
-            start, end = (_placed(side, way * r, z) for r, z in (chamfer.inner, chamfer.outer))
-            if not any(shows(support, start, end, near) for support in supports):
-                line = line_through(start, end)
-                low, high = sorted((line.parameter(start), line.parameter(end)))
-                span = Span(low, high, Linetype.HIDDEN, 0.0)
-                spans: dict[Role, tuple[Span, ...]] = {role: (span,) for role in plane.roles}
-                supports.append(Support(line, spans))
-    return replace(plane, supports=tuple(supports))
+    side = _side(plane, chamfer.axis, chamfer.centre)
+    for way in (-1.0, 1.0):
+        start, end = (_placed(side, way * r, z) for r, z in (chamfer.inner, chamfer.outer))
+        if not any(shows(support, start, end, near) for support in supports):
+            line = line_through(start, end)
+            low, high = sorted((line.parameter(start), line.parameter(end)))
+            span = Span(low, high, Linetype.HIDDEN, 0.0)
+            spans: dict[Role, tuple[Span, ...]] = {role: (span,) for role in plane.roles}
+            supports.append(Support(line, spans))
+    return (
+        plane if len(supports) == len(plane.supports) else replace(plane, supports=tuple(supports))
+    )
 
 
 def _placed(side: _Side, off: float, height: float) -> Point:

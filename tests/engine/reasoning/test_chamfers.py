@@ -112,6 +112,32 @@ def test_nothing_is_added_where_all_is_drawn() -> None:
     assert with_untold_chamfers(supports) == supports
 
 
+def test_chamfers_that_are_drawn_do_not_count_among_those_that_may_be_lost() -> None:
+    """Seven countersinks are shown by both views, and told twice; the mouth of a bore is not."""
+    size = (130.0, 40.0, 20.0)
+    bores = [_CENTRE + 14.0 * number for number in range(8)]
+    circles = [
+        Arc((x, _CENTRE), radius, 0.0, 2.0 * pi, _VISIBLE)
+        for x in bores
+        for radius in (_BORE, _MOUTH)
+    ]
+    sinks = [
+        Segment((x + way * _BORE, 19.0), (x + way * _MOUTH, 20.0), _HIDDEN)
+        for x in bores[1:]
+        for way in (-1.0, 1.0)
+    ]
+    strokes = {
+        Role.FRONT: (*_outline(130.0, 20.0), *_bore(), *sinks),
+        Role.TOP: (*_outline(130.0, 40.0), *circles),
+        Role.RIGHT: (*_outline(40.0, 20.0), *_bore(), *_chamfer()),
+    }
+    supports = find_supports(DrawnViews(strokes, size, 0.1))
+    cones = [body.centre[0] / supports.scale for body in find_bodies(supports)]
+    completed = find_bodies(with_untold_chamfers(supports))
+    assert sorted(cones) == pytest.approx(bores[1:])
+    assert sorted(body.centre[0] / supports.scale for body in completed) == pytest.approx(bores)
+
+
 def test_exact_lines_are_all_there() -> None:
     supports = replace(_block(_bore(), _bore()), tolerance=1e-4)
     assert with_untold_chamfers(supports) == supports
