@@ -38,6 +38,7 @@ from gaussiancad_core.sheet.led_on import with_corners_reached
 from gaussiancad_core.sheet.line_widths import Pens, told_by_width
 from gaussiancad_core.sheet.linetypes import classify
 from gaussiancad_core.sheet.parted import parted_at_corners
+from gaussiancad_core.sheet.rungs import find_rungs
 from gaussiancad_core.sheet.runs import (
     InkField,
     Piece,
@@ -46,7 +47,6 @@ from gaussiancad_core.sheet.runs import (
     bridged,
     is_mostly_dashed,
 )
-from gaussiancad_core.sheet.rungs import find_rungs
 from gaussiancad_core.sheet.shadows import without_shadows
 from gaussiancad_core.sheet.shapes import (
     refit_circle,
