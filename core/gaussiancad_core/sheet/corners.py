@@ -37,12 +37,16 @@ class Corner:
         first, second: the ends that meet.
         place: (2,) px of the lines' crossing.
         longest: px from there to where an arc may begin.
+        passes: whether the second stroke is a side of one that runs past the corner.
+        instead: numbers of arcs that begin where the first stroke ends and miss the second.
     """
 
     first: End
     second: End
     place: Floats
     longest: float
+    passes: bool = False
+    instead: tuple[int, ...] = ()
 
     @property
     def half(self) -> float:
@@ -77,9 +81,24 @@ def from_ray(end: End, offsets: Floats, begin: float = 0.0) -> Floats:
     return np.where(along >= 0.0, np.abs(across), np.hypot(along, across))
 
 
+def from_passing(corner: Corner, offsets: Floats) -> Floats:
+    """(n,) px from the line that runs past a corner; infinite where none does."""
+    if not corner.passes:
+        return np.full(len(offsets), np.inf)
+    x, y = corner.second.inward
+    return np.abs(offsets[:, 0] * y - offsets[:, 1] * x)
+
+
 def from_joins(corner: Corner, offsets: Floats) -> list[Floats]:
-    """Distances from a sharp corner: round, pointed, and with square ends that leave a notch."""
+    """Distances from a sharp corner: round, pointed, and with square ends that leave a notch.
+
+    Where a line runs past, those from a stroke that reaches it, and from one that does not.
+    """
     rays = [from_ray(end, offsets) for end in (corner.first, corner.second)]
+    if corner.passes:
+        short = max(float((corner.first.place - corner.place) @ corner.first.inward), 0.0)
+        ends = [rays[0], from_ray(corner.first, offsets, short)]
+        return [np.minimum(end, from_passing(corner, offsets)) for end in ends]
     round_join = np.minimum(*rays)
     along = [offsets @ end.inward for end in (corner.first, corner.second)]
     across = [
@@ -102,7 +121,7 @@ def from_fillet(corner: Corner, offsets: Floats, radius: float) -> Floats:
     distance = np.hypot(*around.T)
     facing = -(around @ corner.bisector) >= distance * np.sin(corner.half)
     arc = np.where(facing, np.abs(distance - radius), np.inf)
-    return np.minimum(np.minimum(*rays), arc)
+    return np.minimum.reduce([*rays, arc, from_passing(corner, offsets)])
 
 
 def from_cut(corner: Corner, offsets: Floats, begin: float) -> Floats:
@@ -111,4 +130,5 @@ def from_cut(corner: Corner, offsets: Floats, begin: float) -> Floats:
     start = begin * corner.first.inward
     way = begin * corner.second.inward - start
     share = np.clip((offsets - start) @ way / (way @ way), 0.0, 1.0)
-    return np.minimum(np.minimum(*rays), np.hypot(*(offsets - start - share[:, None] * way).T))
+    cut = np.hypot(*(offsets - start - share[:, None] * way).T)
+    return np.minimum.reduce([*rays, cut, from_passing(corner, offsets)])

@@ -25,11 +25,13 @@ from gaussiancad_core.sheet.corners import (
 )
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.junctions import Placed
+from gaussiancad_core.sheet.passing_corners import passing_corners
 from gaussiancad_core.sheet.pen import Pen, fit_pen
 from gaussiancad_core.sheet.runs import Piece
 from gaussiancad_core.views import Linetype
 
 Floats = npt.NDArray[np.float64]
+Key = tuple[int, bool, bool]
 
 _LONGEST_TANGENT = 26.0
 """px from the corner to where an arc begins, at most: larger fillets are grown."""
@@ -67,12 +69,14 @@ class Fillet:
     """A corner that is round.
 
     Attributes:
-        pieces: of the two straight pieces, their number and what is left of them.
+        pieces: of the straight pieces that end at it, their number and what is left of them.
         arc: between them.
+        instead: numbers of the arcs that were there before.
     """
 
-    pieces: tuple[tuple[int, Piece], tuple[int, Piece]]
+    pieces: tuple[tuple[int, Piece], ...]
     arc: Placed
+    instead: tuple[int, ...] = ()
 
 
 def find_fillets(
@@ -86,7 +90,7 @@ def find_fillets(
         stroke_width: px.
     """
     ends = straight_ends(placed, Linetype.VISIBLE)
-    corners = open_corners(ends, placed)
+    corners = open_corners(ends, placed) + passing_corners(ends, placed, {Linetype.VISIBLE})
     if not corners:
         return []
     straight = [
@@ -98,13 +102,14 @@ def find_fillets(
     boxes = boxes_of(placed)
     found: list[Fillet] = []
     pieces = dict(enumerate(piece for _, piece in placed))
-    taken: set[tuple[int, bool]] = set()
+    taken: set[Key] = set()
     for corner in corners:
-        keys = {(end.index, end.at_start) for end in (corner.first, corner.second)}
+        keys = keys_of(corner)
         if keys & taken:
             continue
         others = others_near(corner, placed, boxes, pen.width + 2.0 * AROUND)
-        if _lies_beyond(corner, others):
+        on_arc = any(is_chord(placed[corner.first.index], fillet.arc) for fillet in found)
+        if on_arc or _lies_beyond(corner, others):
             continue
         radius = _radius(weight, corner, others, pen)
         if radius is None:
@@ -114,6 +119,15 @@ def find_fillets(
         pieces.update(fillet.pieces)
         found.append(fillet)
     return found
+
+
+def keys_of(corner: Corner) -> set[Key]:
+    """The sides of ends that a fillet takes: two may end where one stroke does, on either side."""
+    u, v = corner.first.inward, corner.second.inward
+    if corner.passes:
+        return {(corner.first.index, corner.first.at_start, bool(u[0] * v[1] > u[1] * v[0]))}
+    ends = corner.first, corner.second
+    return {(end.index, end.at_start, side) for end in ends for side in (False, True)}
 
 
 def _lies_beyond(corner: Corner, others: Sequence[Placed]) -> bool:
@@ -261,6 +275,9 @@ def pixels_around(
     # The triangle in which arcs run.
     a, b = corner.shares(offsets)
     inner |= (a >= 0.0) & (b >= 0.0) & (a + b <= corner.longest)
+    if corner.passes:
+        # On the other side may be another arc.
+        inner &= b >= 0.0
     inner &= np.maximum(*along) <= corner.longest + 1.0
     for geometry, piece in others:
         away = geometry.distances(pixels)
@@ -292,7 +309,8 @@ def others_near(
     return [
         placed[index]
         for index in np.flatnonzero(near.all(1))
-        if not _is_within(placed[index][0].points_at(_samples(placed[index][1])), corner)
+        if index not in corner.instead
+        and not _is_within(placed[index][0].points_at(_samples(placed[index][1])), corner)
     ]
 
 
@@ -307,10 +325,10 @@ def rounded_at(
     them so far in ``pieces``."""
     begin = radius / np.tan(corner.half)
     cut: list[tuple[int, Piece]] = []
-    touching = []
-    for end in (corner.first, corner.second):
-        place = corner.place + begin * end.inward
-        touching.append(place)
+    touching = [corner.place + begin * end.inward for end in (corner.first, corner.second)]
+    for end, place in zip((corner.first, corner.second), touching, strict=True):
+        if corner.passes and end is corner.second:
+            continue
         at = float(placed[end.index][0].positions(place[None])[0])
         piece = pieces[end.index]
         cut.append((end.index, replace(piece, **{"start" if end.at_start else "end": at})))
@@ -321,7 +339,7 @@ def rounded_at(
     sure = min(piece.confidence for _, piece in cut)
     linetype = cut[0][1].linetype
     arc = Piece(low, low + (high - low) % circle.around, linetype, sure)
-    return Fillet((cut[0], cut[1]), (circle, arc))
+    return Fillet(tuple(cut), (circle, arc), corner.instead)
 
 
 def _is_within(points: Floats, corner: Corner) -> bool:

@@ -13,12 +13,20 @@ import numpy.typing as npt
 
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.corner_dashes import longest_blank
-from gaussiancad_core.sheet.corners import Corner, from_cut, from_fillet, from_joins
+from gaussiancad_core.sheet.corners import (
+    Corner,
+    from_cut,
+    from_fillet,
+    from_joins,
+    from_passing,
+)
 from gaussiancad_core.sheet.fillets import (
     AROUND,
     Fillet,
+    Key,
     best_of,
     boxes_of,
+    keys_of,
     open_corners,
     others_near,
     pixels_around,
@@ -28,6 +36,7 @@ from gaussiancad_core.sheet.fillets import (
 from gaussiancad_core.sheet.jogs import distance_to
 from gaussiancad_core.sheet.junctions import Placed
 from gaussiancad_core.sheet.leftover import dash_pen
+from gaussiancad_core.sheet.passing_corners import passing_corners
 from gaussiancad_core.sheet.pen import Pen
 from gaussiancad_core.sheet.runs import Rhythm
 from gaussiancad_core.sheet.shapes import radial_profile, sample
@@ -48,7 +57,8 @@ _LEAST_INK = 0.2
 """Squared ink, in full pixels, off a sharp corner at least: a part of a dash."""
 
 _BLANK, _WITHOUT = 1.35, 1.3
-"""Gaps of the dashes that an arc is blank for at a stretch at most, a sharp corner at least."""
+"""Gaps of the dashes that an arc is blank for at a stretch at most, a sharp corner at least; one
+where a line runs past, which leaves but one leg."""
 
 _ROUNDS, _NEAR = 4, 1.2
 """How often an arc is fitted to the ink, and px from it within which ink is its own."""
@@ -74,7 +84,7 @@ def find_hidden_fillets(
     boxes = boxes_of(placed)
     corners = [
         corner
-        for corner in open_corners(ends, placed)
+        for corner in open_corners(ends, placed) + passing_corners(ends, placed, set(Linetype))
         if not _is_met(corner, placed, boxes, sheet.stroke_width)
     ]
     if not corners:
@@ -82,9 +92,9 @@ def find_hidden_fillets(
     pen = dash_pen(placed, sheet)
     pieces = dict(enumerate(piece for _, piece in placed))
     found: list[Fillet] = []
-    taken: set[tuple[int, bool]] = set()
+    taken: set[Key] = set()
     for corner in corners:
-        keys = {(end.index, end.at_start) for end in (corner.first, corner.second)}
+        keys = keys_of(corner)
         if keys & taken:
             continue
         others = others_near(corner, placed, boxes, pen.width + 2.0 * AROUND)
@@ -121,6 +131,9 @@ def _radius(
     if most <= least:
         return None
     offsets, ink = pixels_around(sheet.weight, corner, others, pen)
+    # A line that runs past may be thicker than the dashes.
+    free = from_passing(corner, offsets) > sheet.stroke_width / 2.0 + _MET
+    offsets, ink = offsets[free], ink[free]
     if not len(ink):
         return None
 
@@ -137,7 +150,8 @@ def _radius(
     best = rounded(radius)
     cuts = np.arange(1.0, corner.longest, 0.5)
     cut = min(error(from_cut(corner, offsets, float(length))) for length in cuts)
-    if best > _BETTER * sharp or best > _THAN_OTHER * cut:
+    # Beside a line that runs past, a chamfer is as likely: it must leave some of the ink.
+    if best > _BETTER * sharp or best > _THAN_OTHER * cut - _LEAST_INK * corner.passes:
         return None
     radius = _refined(radius, corner, sheet)
     if not least <= radius <= most:
@@ -148,8 +162,9 @@ def _radius(
     half = np.pi / 2.0 - corner.half
     count = max(2, int(np.ceil(2.0 * half * radius / _STEP)))
     arc = _facing(corner, radius, np.linspace(-half, half, count))
-    blank = [_blank(own, sheet) for own in (np.concatenate([way[0][::-1], way[1]]), arc)]
-    return radius if blank[0] >= _WITHOUT * gap and blank[1] <= _BLANK * gap else None
+    sharp_way = way[0] if corner.passes else np.concatenate([way[0][::-1], way[1]])
+    told = _blank(sharp_way, sheet) >= (1.0 if corner.passes else _WITHOUT) * gap
+    return radius if told and _blank(arc, sheet) <= _BLANK * gap else None
 
 
 def _facing(corner: Corner, radius: float, angles: Floats) -> Floats:

@@ -224,7 +224,9 @@ def _with_fillets(ended: list[Placed], fillets: list[Fillet], explained: Explain
             rounded[index] = (rounded[index][0], piece)
         arcs.append(fillet.arc)
         explained.add(*fillet.arc)
-    return [own for own in rounded if not any(is_chord(own, arc) for arc in arcs)] + arcs
+    gone = {index for fillet in fillets for index in fillet.instead}
+    left = [own for index, own in enumerate(rounded) if index not in gone]
+    return [own for own in left if not any(is_chord(own, arc) for arc in arcs)] + arcs
 
 
 def _scaled(piece: Piece, factor: float) -> Piece:
