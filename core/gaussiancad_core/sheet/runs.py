@@ -219,7 +219,13 @@ def _close_gaps(runs: list[Run], gap: float) -> list[Run]:
 
 
 def learn_rhythm(series: Sequence[list[Run]], stroke_width: float) -> Rhythm:
-    """Dash and gap of a sheet from the runs of all its shapes.
+    """Dash and gap of a sheet from the runs of all its shapes, or usual ones."""
+    usual = Rhythm(4.0 * stroke_width + 2.0, 2.0 * stroke_width + 1.0)
+    return told_rhythm(series, stroke_width) or usual
+
+
+def told_rhythm(series: Sequence[list[Run]], stroke_width: float) -> Rhythm | None:
+    """Dash and gap of a sheet as the runs of its shapes tell them, if they do.
 
     A shape counts if it has three runs or more in a row whose inner ones are of one length.
     """
@@ -233,7 +239,7 @@ def learn_rhythm(series: Sequence[list[Run]], stroke_width: float) -> Rhythm:
                 dashes.append(run.length)
                 gaps.extend(spaces)
     if len(dashes) < 3:
-        return Rhythm(4.0 * stroke_width + 2.0, 2.0 * stroke_width + 1.0)
+        return None
     # Solid strokes between two others look like dashes too, but seldom of one length.
     typical = float(np.median(dashes))
     return Rhythm(typical, float(np.median(gaps)))

@@ -13,6 +13,7 @@ import numpy.typing as npt
 from gaussiancad_core.ellipses import WholeEllipse
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.close_lines import with_close_lines
+from gaussiancad_core.sheet.dash_pairs import paired_rhythm
 from gaussiancad_core.sheet.ellipse_fits import ellipse_profile, refit_ellipse
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
 from gaussiancad_core.sheet.growth import GrowthRules, grow_all
@@ -31,6 +32,7 @@ from gaussiancad_core.sheet.runs import (
     learn_rhythm,
     line_runs,
     runs_spans,
+    told_rhythm,
 )
 from gaussiancad_core.sheet.shapes import (
     edge_map,
@@ -42,6 +44,7 @@ from gaussiancad_core.sheet.shapes import (
     radial_profile,
     refit_line,
 )
+from gaussiancad_core.sheet.tangent_runs import without_tangents
 
 MIN_SAGITTA = 1.2
 """Height in px of the flattest arc that is told from a straight line, beyond half a stroke."""
@@ -107,8 +110,6 @@ def find_shapes(
     field = ink_field(crop)
     height, width = crop.ink.shape
     candidates, close = _candidates(crop, finder)
-    curves = [curve for curve in candidates if not isinstance(curve, Line)]
-    shapes = [shape for curve in curves if (shape := _curve_shape(crop, field, curve))]
     straight = [line for line in candidates if isinstance(line, Line)]
     corners = np.array([[0, 0], [width, 0], [0, height], [width, height]], dtype=np.float64)
     found = []
@@ -119,6 +120,9 @@ def find_shapes(
         if runs:
             refitted = refit_line(crop, line, runs_spans(runs))
             found.append((refitted, line_runs(field, refitted, *reach), line in close))
+    curves = [curve for curve in candidates if not isinstance(curve, Line)]
+    drawn = [(line, runs) for line, runs, _ in found]
+    shapes = [shape for curve in curves if (shape := _curve_shape(crop, field, curve, drawn))]
     lines = [line for line, _, _ in found]
     for line, runs, beside in found:
         own = without_offset_ink(crop, line, runs, lines)
@@ -153,7 +157,10 @@ def _better_fit(sheet: CleanSheet, circle: Circle) -> Circle:
 def view_rhythm(views: list[ViewShapes], stroke_width: float) -> Rhythm:
     """The rhythm of dashes of a sheet, learnt from all its views."""
     series = [list(shape.runs) for view in views for shape in view.shapes]
-    return learn_rhythm(series, stroke_width)
+    if told := told_rhythm(series, stroke_width):
+        return told
+    drawn = [(view.field, shape.geometry, shape.runs) for view in views for shape in view.shapes]
+    return paired_rhythm(drawn, stroke_width) or learn_rhythm(series, stroke_width)
 
 
 def view_pens(views: list[ViewShapes], rhythm: Rhythm) -> Pens:
@@ -177,7 +184,12 @@ def _crop(
     return part, (x0, y0)
 
 
-def _curve_shape(sheet: CleanSheet, field: InkField, curve: Curve) -> Shape | None:
+def _curve_shape(
+    sheet: CleanSheet,
+    field: InkField,
+    curve: Curve,
+    lines: Sequence[tuple[Line, Sequence[Run]]],
+) -> Shape | None:
     """The curve with its runs, if the ink follows it and not a tangent or a polygon."""
     if isinstance(curve, WholeEllipse):
         curve = refit_ellipse(sheet, curve, runs_spans(circle_runs(field, curve)))
@@ -190,7 +202,7 @@ def _curve_shape(sheet: CleanSheet, field: InkField, curve: Curve) -> Shape | No
     # By then a line that touches the curve has left it by half of its ink.
     touch = float(np.sqrt(radius_of(curve) * sheet.stroke_width))
     shares = [_share_followed(followed, run, curve.around, touch) for run in seen]
-    runs = _followed_runs(seen, shares, curve.around)
+    runs = without_tangents(curve, _followed_runs(seen, shares, curve.around), lines)
     rules = GrowthRules.of_width(sheet.stroke_width, sheet.dash_gap)
     longest = _longest_stretch(runs, rules.gap, curve.around)
     covered = sum(run.length for run in runs) / curve.around
