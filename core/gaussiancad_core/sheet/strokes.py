@@ -14,6 +14,7 @@ from gaussiancad_core.ellipses import WholeEllipse
 from gaussiancad_core.sheet.chamfers import with_chamfers
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.corner_dashes import find_corner_dashes
+from gaussiancad_core.sheet.curved_corners import find_curved_fillets
 from gaussiancad_core.sheet.dangling import with_met_ends
 from gaussiancad_core.sheet.explained import (
     Explained,
@@ -88,6 +89,7 @@ def classify_strokes(
         ended = ended_at_junctions(parted, rhythm, view.sheet.stroke_width)
     rounded = find_fillets(view.sheet.weight, ended, view.sheet.stroke_width)
     ended = _with_fillets(ended, rounded, explained)
+    ended = _with_curved_fillets(ended, view.sheet, explained)
     ended = _with_fillets(ended, find_hidden_fillets(ended, view.sheet, rhythm), explained)
     ended = with_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
     ended = with_slanted_dashes(ended, view.sheet, rhythm)
@@ -227,6 +229,18 @@ def _with_fillets(ended: list[Placed], fillets: list[Fillet], explained: Explain
     gone = {index for fillet in fillets for index in fillet.instead}
     left = [own for index, own in enumerate(rounded) if index not in gone]
     return [own for own in left if not any(is_chord(own, arc) for arc in arcs)] + arcs
+
+
+def _with_curved_fillets(
+    ended: list[Placed], sheet: CleanSheet, explained: Explained
+) -> list[Placed]:
+    """The pieces with the arcs between lines and arcs, which are fitted again without them."""
+    first = find_curved_fillets(sheet.weight, ended, sheet.stroke_width)
+    if not first:
+        return ended
+    better = _refitted(ended, _with_fillets(ended, first, explained.copy()), sheet)
+    fillets = find_curved_fillets(sheet.weight, better, sheet.stroke_width)
+    return _with_fillets(better, fillets, explained)
 
 
 def _scaled(piece: Piece, factor: float) -> Piece:
