@@ -38,6 +38,9 @@ _ACROSS, _LEAN = 5, 0.8
 """px across a stroke over which its ink is summed up, and px of dark ink that it has at most where
 it is pale: a dark one of a px has one."""
 
+_FULL_PX = 1.2
+"""px of dark ink across a stroke from which it is as strong as a dark one."""
+
 _MANY_PALE_PX, _SPREAD = 300, 0.04
 """px of thin pale strokes, and the standard deviation of their shades, from which some of them lie
 on a row of pixels."""
@@ -64,10 +67,12 @@ def with_pale(weight: npt.NDArray[np.float32], ink: Mask) -> npt.NDArray[np.floa
     if len(shades) < _LEAST_PALE_PX:
         return weight
     pens = _pale_pens(weight, shades)
-    if not pens:
-        shade = _pale_shade(weight, shades)
-        if shade is None:
-            return _with_faint(weight, ink)
+    shade = None if pens else _pale_shade(weight, shades)
+    if not pens and shade is None:
+        # Thin strokes are as dark as their ink where they lie on a row of pixels: some do.
+        shade = _darkest_thin(shades)
+        return _with_faint(weight if shade is None else _as_inked(weight, ink, shade), ink)
+    if shade is not None:
         pens = [shade]
     # Beside dark strokes the shade of a pixel says nothing.
     beside = around <= _PALE
@@ -83,6 +88,26 @@ def _around(weight: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
     return cv2.dilate(weight, np.ones((5, 5), np.float32))
 
 
+def _across(weight: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
+    """(h, w) px of dark ink across the stroke at each pixel."""
+    return np.minimum(
+        cv2.boxFilter(weight, -1, (_ACROSS, 1), normalize=False),
+        cv2.boxFilter(weight, -1, (1, _ACROSS), normalize=False),
+    )
+
+
+def _as_inked(weight: npt.NDArray[np.float32], ink: Mask, shade: float) -> npt.NDArray[np.float32]:
+    """The weight with thin strokes of a shade at most as strong as about a px of ink makes them.
+
+    Dark ones that lie between two rows of pixels have as much already: they stay as wide as they
+    are, which is what tells dimensions.
+    """
+    around = _around(weight)
+    most = _around(_across(weight) * ink)
+    factor = np.clip(_FULL_PX / np.maximum(most, shade), 1.0, 1.0 / shade)
+    return np.where(around <= _PALE, np.minimum(weight * factor, 1.0), weight).astype(np.float32)
+
+
 def _with_faint(weight: npt.NDArray[np.float32], ink: Mask) -> npt.NDArray[np.float32]:
     """The weight with what has less ink than any dark stroke of a px as strong as that may be.
 
@@ -90,10 +115,7 @@ def _with_faint(weight: npt.NDArray[np.float32], ink: Mask) -> npt.NDArray[np.fl
     own.
     """
     around = _around(weight)
-    across = np.minimum(
-        cv2.boxFilter(weight, -1, (_ACROSS, 1), normalize=False),
-        cv2.boxFilter(weight, -1, (1, _ACROSS), normalize=False),
-    )
+    across = _across(weight)
     lean = (_around(across) <= _LEAN) & (around <= _PALE)
     faint = ink & (lean | (around <= _THIN))
     if int(faint.sum()) < _LEAST_PALE_PX:
@@ -106,20 +128,26 @@ def _with_faint(weight: npt.NDArray[np.float32], ink: Mask) -> npt.NDArray[np.fl
 
 
 def _pale_shade(weight: npt.NDArray[np.float32], shades: npt.NDArray[np.float32]) -> float | None:
-    """The weight of the middles (n,) of pale strokes; None if they may be thin dark ones."""
+    """The weight of the middles (n,) of pale strokes; None if they may be thin ones."""
     if float(np.mean(shades > _PALE)) > _DARKER:
         return None
     shades = shades[shades <= _PALE]
-    darkest = float(np.percentile(shades, 97.0))
     shade = float(np.median(shades))
     apart, share = _ONE_SHADE
     if float(np.mean(np.abs(shades - shade) <= apart)) >= share:
         plateau = (np.abs(weight - shade) <= apart).astype(np.uint8)
         if shade <= _THIN or cv2.erode(plateau, np.ones((3, 3), np.uint8)).any():
             return shade
-    # Thin strokes are as dark as their ink where they lie on a row of pixels: some do.
-    many = len(shades) >= _MANY_PALE_PX and float(np.std(shades)) >= _SPREAD
-    return darkest if many else None
+    return None
+
+
+def _darkest_thin(shades: npt.NDArray[np.float32]) -> float | None:
+    """The weight of the middles (n,) of thin pale strokes where they lie on a row of pixels."""
+    if float(np.mean(shades > _PALE)) > _DARKER:
+        return None
+    shades = shades[shades <= _PALE]
+    spread = len(shades) >= _MANY_PALE_PX and float(np.std(shades)) >= _SPREAD
+    return float(np.percentile(shades, 97.0)) if spread else None
 
 
 def _pale_pens(weight: npt.NDArray[np.float32], shades: npt.NDArray[np.float32]) -> list[float]:

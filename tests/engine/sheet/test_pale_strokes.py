@@ -46,6 +46,22 @@ def test_thin_strokes_of_a_dark_grey_are_full_ones(sketch: Sketch) -> None:
     assert weight[100:102, 45].min() > 0.45
 
 
+def test_thin_dark_strokes_beside_grey_ones_stay_thin(sketch: Sketch) -> None:
+    """Between two rows of pixels they are as pale as grey ones on a row, and have as much ink as
+    they should."""
+    drawn = sketch(400, 160).lines((20, 20), (380, 20), (380, 140), (20, 140), (20, 20))
+    grey = np.rint(255.0 - 255.0 * drawn.weight)
+    # As renderers have it that smooth nothing but what a stroke covers of a pixel.
+    for y in (30, 40, 50, 60):
+        for x in range(40, 360, 15):
+            grey[y, x : x + 10] = 112.0
+    for y in (80, 95, 110, 125):
+        grey[y : y + 2, 40:360] = 140.0
+    weight = clean_sheet(grey.astype(np.uint8)).weight
+    assert weight[80:82, 200].sum() < 1.3
+    assert weight[40, 45] > 0.9
+
+
 def test_thin_strokes_are_not_pale_ones(sketch: Sketch) -> None:
     """A line of one px between two rows of pixels is half as dark as one on a row, and as wide."""
     drawn = sketch(200, 160).lines((20, 20), (180, 20), (180, 140), (20, 140), (20, 20))

@@ -28,6 +28,9 @@ _APART = 2.3
 _LEAST_SHARE = 0.1
 """Share of the lines' length that either family has at least."""
 
+_BLOT = 1.25
+"""Width up to which what is wider counts, in that which a tenth of the lines' length exceeds."""
+
 _WIDEST_PX, _WIDEST = 12.0, 5.0
 """px, and stroke widths, of the gaps in a line of dashes at most."""
 
@@ -121,6 +124,9 @@ def line_weights(
 def _valley(widths: np.ndarray, lengths: np.ndarray, least_px: float) -> float:
     """The width between two families of widths (Otsu 1979), or 0 where there is but one."""
     total = lengths.sum()
+    # Heads of arrows and dots are runs, too, several times as wide as any line.
+    usual = np.searchsorted(np.cumsum(lengths), (1.0 - _LEAST_SHARE) * total)
+    widths = np.minimum(widths, _BLOT * widths[min(usual, len(widths) - 1)])
     below = np.cumsum(lengths)[:-1]
     sums = np.cumsum(lengths * widths)[:-1]
     distinct = np.diff(widths) > 1e-6

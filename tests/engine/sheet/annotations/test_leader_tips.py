@@ -25,7 +25,11 @@ AWAY = np.array([0.6, -0.8])
 
 
 def _sheet(sketch: Sketch, *more: tuple[tuple[float, float], tuple[float, float]]) -> CleanSheet:
-    drawn = sketch(320, 320).arc(tuple(CENTRE), OUTER, width=WIDTH).arc(tuple(CENTRE), INNER, width=WIDTH)
+    drawn = (
+        sketch(320, 320)
+        .arc(tuple(CENTRE), OUTER, width=WIDTH)
+        .arc(tuple(CENTRE), INNER, width=WIDTH)
+    )
     drawn.line(tuple(CENTRE + INNER * AWAY), tuple(CENTRE + 150 * AWAY), WIDTH)
     for start, end in more:
         drawn.line(start, end, WIDTH)

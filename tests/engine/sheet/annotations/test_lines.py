@@ -259,6 +259,14 @@ def test_one_family_has_no_limit(shapes: list[InkedShape]) -> None:
     assert line_weights(shapes, 3.0).limit == 0.0
 
 
+def test_heads_of_arrows_are_no_wide_lines() -> None:
+    lines = [_solid(2300, 0.9), _solid(2300, 1.2), _solid(4000, 1.8), _solid(4000, 2.0)]
+    heads = [_solid(27, width) for width in (3.2, 3.6, 4.0, 5.5, 6.0, 6.2) for _ in range(5)]
+    weights = line_weights([*lines, *heads], 2.0)
+    assert 1.2 < weights.limit < 1.8
+    assert weights.visible == pytest.approx(2.0)
+
+
 def test_nothing_measured_is_as_wide_as_the_sheet() -> None:
     assert line_weights([_solid(12, 1.0)], 2.7) == Weights(2.7, 0.0)
 
