@@ -8,7 +8,8 @@ show meet on every line of sight along a stroke, the stroke may be their curve.
 from collections.abc import Container, Sequence
 from dataclasses import replace
 from itertools import pairwise
-from math import pi
+from math import inf, pi
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -54,6 +55,9 @@ _STRAIGHT = 0.1
 """Tolerances by which the curve that a straight stroke follows bends, at least: what is straight
 may be an edge of a face that is edge-on."""
 
+_ROUNDED = 1e-6
+"""Units by which a coordinate may be off."""
+
 _STEPS = 4
 """Steps in which a point is led onto the curve."""
 
@@ -62,6 +66,25 @@ Points = npt.NDArray[np.float64]
 
 _Key = tuple[int, int, int]
 """A surface, and which of its meetings with a line of sight."""
+
+
+class _Surface(NamedTuple):
+    """A plane or cylinder that another plane shows edge-on.
+
+    Attributes:
+        coordinate: of the view, that the other plane shows as well.
+        place: of that coordinate in the other plane.
+        key: (normal of the plane, support).
+        curve, drawn: there, and the stretches of it that are drawn.
+        reach: (low, high) of the coordinate, where it is drawn.
+    """
+
+    coordinate: int
+    place: int
+    key: tuple[int, int]
+    curve: PlaneCurve
+    drawn: list[tuple[float, float]]
+    reach: tuple[float, float]
 
 
 def with_followed_curves(views: DrawnViews, supports: PartSupports) -> DrawnViews | None:
@@ -105,7 +128,14 @@ class _Sights:
         reach = _REACH * supports.tolerance
         self._offsets = np.linspace(-reach, reach, _LOOKS)
         self._surfaces = [
-            (coordinate, place, (axis.value, number), support.curve, support.drawn(self._tolerance))
+            _Surface(
+                coordinate,
+                place,
+                (axis.value, number),
+                support.curve,
+                support.drawn(self._tolerance),
+                _reach(support.curve, support.drawn(self._tolerance), place),
+            )
             for coordinate, index in enumerate(IN_PLANE[self._normal])
             for axis, plane in supports.planes.items()
             if axis is not self._normal and index in IN_PLANE[axis]
@@ -113,6 +143,10 @@ class _Sights:
             for number, support in enumerate(plane.supports)
             if support.curve.axis != place
         ]
+
+        # Planes meet in straight lines.
+        curved = any(isinstance(own.curve, CircleCurve) for own in self._surfaces)
+        self._any_round = curved or bool(bodies)
 
     def curve(self, stroke: Curve) -> Polyline | None:
         """The curve that a stroke follows, if there is one that it may stand for."""
@@ -142,6 +176,8 @@ class _Sights:
         if isinstance(stroke, Arc):
             return stroke.sweep <= _ROUND
         if isinstance(stroke, Segment):
+            if not self._any_round:
+                return False
             rise = np.abs(np.subtract(stroke.end, stroke.start)).min() * self._scale
             return bool(rise > _LEVEL * self._tolerance)
         return True
@@ -230,20 +266,34 @@ class _Sights:
         """Depths at which a line of sight meets surfaces."""
         found: dict[_Key, float] = {}
         at = a, b
-        for coordinate, place, surface, curve, drawn in self._surfaces:
+        for own in self._surfaces:
+            # Most surfaces are somewhere else.
+            if not own.reach[0] <= at[own.coordinate] <= own.reach[1]:
+                continue
+            curve, place = own.curve, own.place
             hits = sorted(
                 point[1 - place]
-                for point in meetings(curve, axis_line(place, at[coordinate]))
-                if _is_on(curve, point, drawn)
+                for point in meetings(curve, axis_line(place, at[own.coordinate]))
+                if _is_on(curve, point, own.drawn)
             )
             for depth in hits:
                 upper = isinstance(curve, CircleCurve) and depth > curve.centre[1 - place]
-                found[(*surface, int(upper))] = depth
+                found[(*own.key, int(upper))] = depth
         for index, body in enumerate(self._bodies):
             hits = sorted(depth for depth, _ in body.crossings(self._normal, a, b))
             for number, depth in enumerate(hits):
                 found[(BODY, index, number)] = depth
         return found
+
+
+def _reach(
+    curve: PlaneCurve, drawn: Sequence[tuple[float, float]], place: int
+) -> tuple[float, float]:
+    """The least and the most of a coordinate that stretches of a curve have."""
+    if isinstance(curve, CircleCurve):
+        return curve.centre[place] - curve.radius, curve.centre[place] + curve.radius
+    ends = [curve.at(at)[place] for stretch in drawn for at in stretch]
+    return min(ends, default=inf) - _ROUNDED, max(ends, default=-inf) + _ROUNDED
 
 
 def _is_on(curve: PlaneCurve, point: tuple[float, float], drawn: Sequence[tuple]) -> bool:

@@ -6,7 +6,7 @@ deterministic, so that the same input ends at the same labels.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from math import inf
 
@@ -78,11 +78,13 @@ class Labelling:
         given_up: rules that do not hold.
         complete: whether the search proved what it found: that the rules hold, or that no less can
             be given up.
+        effort: deterministic time that telling which rules to give up took.
     """
 
     labels: Labels | None
     given_up: tuple[Rule, ...]
     complete: bool
+    effort: float = field(default=0.0, compare=False)
 
 
 @dataclass(frozen=True)
@@ -106,11 +108,13 @@ class _Given:
         labels: of the cells.
         cost: of those rules.
         is_least: whether no others cost less.
+        is_proved: whether no others cost less that give up rules as light as these.
     """
 
     labels: Labels
     cost: int
     is_least: bool
+    is_proved: bool
 
 
 class Search:
@@ -156,36 +160,41 @@ class Search:
     def least(self, deadline: Deadline = NEVER) -> Labelling:
         """Labels that give up rules of the least weight, or of little where time is over."""
         best: _Given | None = None
+        effort = 0.0
         for lightest in _STRATA:
             # The clauses alone take seconds.
             if not deadline.left:
                 break
-            found = self._giving_up(lightest, deadline)
+            found, spent = self._giving_up(lightest, deadline)
+            effort += spent
             if found is not None and (best is None or found.cost <= best.cost):
                 best = found
             if found is not None and found.cost <= SURFACES * 10.0 * lightest:
                 # No rule that had to hold weighs less, so that there is no better choice.
                 break
+            if found is not None and not found.is_proved:
+                # The more rules may be given up the longer it takes, and this took too long.
+                break
         if best is None:
-            return Labelling(None, (), False)
+            return Labelling(None, (), False, effort)
         labels = self._simpler(best, deadline)
-        return Labelling(labels, _broken(self._rules, labels), best.is_least)
+        return Labelling(labels, _broken(self._rules, labels), best.is_least, effort)
 
-    def _giving_up(self, lightest: float, deadline: Deadline) -> "_Given | None":
-        """The least that can be given up of rules below a weight."""
+    def _giving_up(self, lightest: float, deadline: Deadline) -> "tuple[_Given | None, float]":
+        """The least that can be given up of rules below a weight, and the deterministic time that
+        it took."""
         soft = self._softly
         soft.allow(lightest)
         soft.model.minimize(soft.cost)
         solver = relaxing_solver(self._effort.relaxed, deadline)
         status = solver.solve(soft.model)
+        effort = float(solver.response_proto.deterministic_time)
         if status not in FOUND:
-            return None
+            return None, effort
         cost = round(solver.objective_value)
-        return _Given(
-            soft.labels(solver),
-            cost,
-            status == cp_model.OPTIMAL and cost <= SURFACES * 10.0 * lightest,
-        )
+        is_proved = status == cp_model.OPTIMAL
+        is_least = is_proved and cost <= SURFACES * 10.0 * lightest
+        return _Given(soft.labels(solver), cost, is_least, is_proved), effort
 
     def _simpler(self, found: "_Given", deadline: Deadline) -> Labels:
         """Labels that give up hardly more, with few surfaces."""

@@ -37,6 +37,10 @@ _MOST_STROKES = 900
 _MOST_PIECES = 80_000
 """Pieces of all views, at most: a part of 120 faces has up to 40,000."""
 
+_MOST_READ, _EXACT = 40_000, 0.02
+"""The same of pictures, whose views are known to more than so many units: where they are read that
+wrongly, no labels are found in time."""
+
 NEAR = 0.01
 """Units within which a computed curve is one that is drawn, at least."""
 
@@ -149,9 +153,10 @@ def _looks_into(rule: Rule, bodies: Sequence[RevolvedBody]) -> bool:
 def _part(supports: PartSupports, space: Space, near: float, deadline: Deadline) -> PartModel:
     near = max(near, 2.0 * supports.tolerance)
     found = _until(find_pieces(space, supports.planes, near, supports.tolerance), deadline)
-    pieces = list(islice(found, _MOST_PIECES + 1))
-    if len(pieces) > _MOST_PIECES:
-        raise _too_complex(f"its lines divide the views into more than {_MOST_PIECES:,} pieces")
+    most = _MOST_PIECES if supports.tolerance <= _EXACT else _MOST_READ
+    pieces = list(islice(found, most + 1))
+    if len(pieces) > most:
+        raise _too_complex(f"its lines divide the views into more than {most:,} pieces")
     return PartModel(supports, space, tuple(rules_of(space, _until(pieces, deadline))))
 
 

@@ -11,6 +11,7 @@ from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
+from scipy.linalg import lstsq
 
 Numbers = npt.NDArray[np.float64]
 
@@ -22,6 +23,9 @@ _ROUNDS = 8
 
 _HOLDS = 1e-9
 """Units within which an equation holds."""
+
+_STAYS = 0.9
+"""Share of what was left of the equations from which another linearisation is in vain."""
 
 
 class Relation(Protocol):
@@ -89,16 +93,20 @@ def _adjusted(
     numbers = start
     rows = np.zeros((len(relations), len(start)))
     left = np.zeros(len(relations))
+    before = np.inf
     for _ in range(_ROUNDS):
         rows[:] = 0.0
         for row, relation in enumerate(relations):
             left[row], terms = relation.at(numbers)
             for column, factor in terms:
                 rows[row, column] += factor
-        if np.abs(left).max(initial=0.0) <= _HOLDS:
+        most = np.abs(left).max(initial=0.0)
+        # What contradicts each other stays so.
+        if most <= _HOLDS or most > _STAYS * before:
             break
+        before = most
         wanted = left + rows @ (start - numbers)
         gram = (rows * spread) @ rows.T
-        multipliers = np.linalg.lstsq(gram, wanted, rcond=1e-12)[0]
+        multipliers = lstsq(gram, wanted, cond=1e-12, lapack_driver="gelsy")[0]
         numbers = start - spread * (rows.T @ multipliers)
     return numbers, rows, left

@@ -97,11 +97,11 @@ def build_solid(space: LabelledSpace, scale: float, deadline: Deadline = NEVER) 
         scale: units per mm.
         deadline: after which it is not tried again.
     """
-    built = _built(space, scale, _FITS[0])
+    built = _built(space, scale, _FITS[0], deadline)
     for fit in _FITS[1:]:
         if built.closed or not deadline.left:
             break
-        built = _valid(_built(space, scale, fit))
+        built = _valid(_built(space, scale, fit, deadline))
     return built
 
 
@@ -113,7 +113,7 @@ def _valid(built: BuiltSolid) -> BuiltSolid:
     return built if sound else BuiltSolid(None, built.bodies, closed=False)
 
 
-def _built(space: LabelledSpace, scale: float, fit: _Fit) -> BuiltSolid:
+def _built(space: LabelledSpace, scale: float, fit: _Fit, deadline: Deadline) -> BuiltSolid:
     faces = [_face(patch) for patch in find_patches(space, fit.narrow)]
     faces += [face for body in space.space.bodies for face in body_faces(body)]
     if not faces:
@@ -126,7 +126,7 @@ def _built(space: LabelledSpace, scale: float, fit: _Fit) -> BuiltSolid:
             break
         # Faces that only touch others may have split them where nothing meets.
         bounding = [face for face in faces if _gives_one_of(kept, face, fused)]
-        if len(bounding) == len(faces):
+        if len(bounding) == len(faces) or not deadline.left:
             break
         faces = bounding
     if sewn is None:

@@ -35,6 +35,10 @@ of them take long, and the more lines there are the more of them are close by.""
 _LITTLE = 3.0
 """Units of line that labels give up at least for other models to be asked for better ones."""
 
+_LONG = 3.0
+"""Deterministic time of telling which rules to give up from which no other model is tried: each
+would take as long again, and strokes misread by some pixels contradict each other more simply."""
+
 _BETTER = 0.7
 """Share of what the first model gives up that another one gives up at most to be the better one."""
 
@@ -128,7 +132,7 @@ def labelled(
     latest = clock.deadline(_RELAXED * limits.seconds)
     least = work.search.least(latest)
     yield work, least
-    if _cost(least) < _LITTLE:
+    if _cost(least) < _LITTLE or least.effort > _LONG:
         return
     for model in _until(_misread(work, lines, deadline), limits, clock):
         other = _remodelled(work, model, limits)
@@ -171,7 +175,9 @@ def _otherwise(
     """The part with more surfaces, and, where its lines do ``contradict``, without rough arcs."""
     if (wider := _wider(work, deadline)) is not None:
         yield wider
-    smooth = without_rough_arcs(lines) if contradict else None
+    # Arcs that only follow curves are what files have; what is read may have some as well.
+    few = lines.apart is None or len(work.part.rules) <= _MANY
+    smooth = without_rough_arcs(lines) if contradict and few else None
     if smooth is not None and (model := _modelled(smooth, deadline, ROUGHLY)) is not None:
         yield model
 
@@ -187,9 +193,13 @@ def _misread(work: Work, lines: DrawnViews, deadline: Deadline) -> Iterator[Part
         # What contradicted the lines may be gone.
         yield _widened(model, _never, deadline) or model
     if len(work.part.rules) <= _MANY and lines.apart is not None:
+        earlier: PartModel | None = None
         for loose in (lines, replace(lines, apart=None)):
-            if (model := _modelled(loose, deadline, open_ends=True)) is not None:
+            model = _modelled(loose, deadline, open_ends=True)
+            # Mostly no values are that close.
+            if model is not None and (earlier is None or model.rules != earlier.rules):
                 yield model
+            earlier = model
 
 
 def _wider(work: Work, deadline: Deadline) -> PartModel | None:

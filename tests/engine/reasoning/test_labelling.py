@@ -287,15 +287,36 @@ def test_a_worse_answer_of_a_wider_search_is_not_taken(monkeypatch: pytest.Monke
 
     def interrupted(lightest: float, deadline: Deadline) -> object:
         weights.append(lightest)
-        found = giving_up(lightest, deadline)
-        if lightest < inf or found is None:
-            return found
-        return replace(found, labels=dict.fromkeys(_CELLS[:3], False), cost=found.cost + 1)
+        found, effort = giving_up(lightest, deadline)
+        if lightest == inf and found is not None:
+            worse = dict.fromkeys(_CELLS[:3], False)
+            found = replace(found, labels=worse, cost=found.cost + 1)
+        return found, effort
 
     monkeypatch.setattr(search, "_giving_up", interrupted)
     found = search.least()
     assert weights[-1] == inf
     assert found.labels == dict.fromkeys(_CELLS[:3], True)
+    assert list(found.given_up) == rules[3:] and not found.complete
+
+
+def test_what_takes_too_long_with_light_rules_is_not_tried_with_heavy_ones(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    rules = [_edge((None, cell), Linetype.VISIBLE, 5.0) for cell in _CELLS[:3]]
+    rules += [_edge((None, cell), None, 4.0) for cell in _CELLS[:3]]
+    search = Search(rules, _EFFORT)
+    giving_up, weights = search._giving_up, []
+
+    def unproved(lightest: float, deadline: Deadline) -> object:
+        weights.append(lightest)
+        found, _ = giving_up(lightest, deadline)
+        return (None if found is None else replace(found, is_least=False, is_proved=False)), 2.0
+
+    monkeypatch.setattr(search, "_giving_up", unproved)
+    found = search.least()
+    assert len(weights) == 2 and weights[-1] < inf
+    assert found.effort == 2.0 * len(weights)
     assert list(found.given_up) == rules[3:] and not found.complete
 
 

@@ -11,6 +11,7 @@ from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.errors import LimitError
+from gaussiancad_core.reasoning import part as reasoning_part
 from gaussiancad_core.reasoning.arrangement import OUTSIDE
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.reasoning.part import PartModel, model_part, with_lone_bodies
@@ -64,6 +65,17 @@ def test_too_many_lines_are_told_so_at_once() -> None:
     lines = [Segment((a, b), (c, d), Linetype.VISIBLE) for a, b, c, d in rows]
     with pytest.raises(LimitError) as caught:
         model_part(exact_views({Role.FRONT: lines, Role.TOP: lines}, (100.0, 100.0, 100.0)))
+    assert caught.value.code == "part-too-complex"
+
+
+def test_pictures_have_fewer_pieces(
+    sample_views: Callable[[str], DrawnViews], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(reasoning_part, "_MOST_READ", 20)
+    views = sample_views("l-bracket")
+    assert len(model_part(views).rules) > 0
+    with pytest.raises(LimitError) as caught:
+        model_part(replace(views, tolerance=0.1))
     assert caught.value.code == "part-too-complex"
 
 

@@ -13,11 +13,12 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.axes import Role
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.labelling import Labelling
-from gaussiancad_core.reasoning.part import model_part
+from gaussiancad_core.reasoning.labelling import Labelling, Search
+from gaussiancad_core.reasoning.part import PartModel, model_part
+from gaussiancad_core.reasoning.solvers import NEVER
 from gaussiancad_core.solid import models
 from gaussiancad_core.solid.exact import exact_solid
-from gaussiancad_core.solid.models import Clock, Limits, labelled
+from gaussiancad_core.solid.models import Clock, Limits, Work, labelled
 from gaussiancad_core.views import Segment
 
 
@@ -49,6 +50,35 @@ def test_other_models_follow_where_they_give_up_clearly_less(
     monkeypatch.setattr(models, "_BETTER", 0.0)
     assert costs() == [first]
     assert models._cost(Labelling(None, (), False)) == float("inf")
+
+
+def test_no_other_models_follow_where_telling_what_to_give_up_took_long(
+    pin_as_read: DrawnViews, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    part = model_part(pin_as_read)
+    clock = Clock()
+    clock.lap("model")
+    monkeypatch.setattr(models, "_LONG", 0.0)
+    ((work, found),) = labelled(part, pin_as_read, Limits(), clock)
+    assert work.part is part and found.effort > 0.0
+
+
+def test_values_far_apart_make_no_further_model(
+    sample_views: Callable[[str], DrawnViews], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The same lines with values closer together as one are the same model again."""
+    views = replace(sample_views("l-bracket"), tolerance=0.2, apart=0.05)
+    modelled: list[bool] = []
+
+    def counted(lines: DrawnViews, *more: object, **options: bool) -> PartModel:
+        modelled.append(lines.apart is None)
+        return model_part(lines, open_ends=options.get("open_ends", False))
+
+    monkeypatch.setattr(models, "_modelled", counted)
+    limits, clock = Limits(), Clock()
+    work = Work(model_part(views), views, Search((), limits.effort), clock)
+    found = [*models._misread(work, views, NEVER)]
+    assert modelled == [False, True] and len(found) == 1
 
 
 def _sloped_block() -> TopoDS_Shape:
