@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.ellipses import WholeEllipse
+from gaussiancad_core.sheet.bows import with_bows
 from gaussiancad_core.sheet.chamfers import with_chamfers
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.corner_dashes import find_corner_dashes
@@ -94,7 +95,7 @@ def classify_strokes(
     ended = with_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
     ended = with_slanted_dashes(ended, view.sheet, rhythm)
     ended = with_short_legs(ended, view.sheet, rhythm)
-    ended = with_corners_reached(ended, rhythm)
+    ended = with_bows(with_corners_reached(ended, rhythm), view.sheet)
     # Strokes that were drawn out to a junction explain the ink up to there.
     for geometry, piece in ended:
         explained.add(geometry, piece)
