@@ -120,10 +120,11 @@ def _bows(
             # The ink of what ends there is in that of the bow's ends.
             bend, slope, shift = np.polyfit(places[even], beside[even], 2)
             even = np.abs(np.polyval((bend, slope, shift), places) - beside) <= _EVEN
-        fits = even.mean() >= _SEEN
+        if even.mean() < _SEEN or bend == 0.0:
+            continue
         top = -slope / (2.0 * bend)
         height = shift - bend * top**2
-        if not fits or not _LEAST <= abs(height) <= _MOST or bend * height >= 0.0:
+        if not _LEAST <= abs(height) <= _MOST or bend * height >= 0.0:
             continue
         half = float(np.sqrt(-height / bend))
         ends = [_foot(line, float(top) + way * half, others) for way in (-1.0, 1.0)]
