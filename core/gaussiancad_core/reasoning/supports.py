@@ -34,6 +34,7 @@ from gaussiancad_core.reasoning.incidences import (
     adjusted,
 )
 from gaussiancad_core.reasoning.planes import IN_PLANE, UNITS, plane_points, role_plane
+from gaussiancad_core.reasoning.roundings import is_rounding
 from gaussiancad_core.reasoning.snapping import (
     CircleReading,
     Reading,
@@ -202,7 +203,10 @@ def _sorted_strokes(views: DrawnViews, scale: float, tolerance: float) -> dict[A
             line = _line(stroke, role, scale) if isinstance(stroke, Segment) else None
             if line is not None and _tells_line(line, tolerance):
                 plane.lines.append(line)
-            elif isinstance(stroke, Arc) and _tells_circle(stroke, scale, tolerance):
+            elif isinstance(stroke, Arc) and (
+                _tells_circle(stroke, scale, tolerance)
+                or is_rounding(stroke, strokes, views.tolerance)
+            ):
                 plane.circles.append(_circle(stroke, role, scale))
             else:
                 points = plane_points(stroke.sample(stroke.length / _CHAIN_LINKS), role, scale)
