@@ -105,7 +105,6 @@ class PartSupports:
         tolerance: units.
         nominal: whether all values and circles are multiples of the step that the part was designed
             in: they are known exactly then, however roughly they were read.
-        step: mm, that step; None where none is told.
     """
 
     planes: dict[Axis, PlaneSupports]
@@ -114,7 +113,6 @@ class PartSupports:
     scale: float
     tolerance: float
     nominal: bool = False
-    step: float | None = None
 
 
 @dataclass(frozen=True)
@@ -179,9 +177,7 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
         )
         for axis, plane in planes.items()
     }
-    snap = known.snap
-    step = None if snap.step is None else snap.step.length / scale
-    return PartSupports(found, snap.values, size, scale, tolerance, snap.nominal, step)
+    return PartSupports(found, known.snap.values, size, scale, tolerance, known.snap.nominal)
 
 
 def _sorted_strokes(views: DrawnViews, scale: float, tolerance: float) -> dict[Axis, _Plane]:

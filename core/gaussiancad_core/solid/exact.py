@@ -256,9 +256,9 @@ def _candidate(work: Work, built: BuiltSolid) -> tuple[Candidate | None, bool]:
 
 def _verified(work: Work, shape: TopoDS_Shape) -> Candidate:
     # Rounded to the step of its design, a part is as large as meant however small it is drawn.
-    supports = work.part.supports
-    views = replace(work.views, noise=0.0) if supports.nominal else work.views
-    candidate = Candidate(shape, verify(shape, views, supports.step))
+    nominal = work.part.supports.nominal
+    views = replace(work.views, noise=0.0) if nominal else work.views
+    candidate = Candidate(shape, verify(shape, views))
     work.clock.lap("verify")
     return candidate
 

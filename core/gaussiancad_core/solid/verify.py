@@ -12,7 +12,6 @@ from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.brep import area, bounding_box, soundness, volume
 from gaussiancad_core.drawing.hlr import LineDrawing
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.solid.lattice import area_in_doubt
 from gaussiancad_core.verification.agreement import MatchedLines, agreeing_share, match_lines
 from gaussiancad_core.verification.lines import Curve, LinePoints, Lines, lines_of_strokes
 from gaussiancad_core.views import Linetype
@@ -82,7 +81,7 @@ class Verification:
         misfit: mm between the solid's bounding box and that of the views, where they differ most.
             The scale is that of the box: if a line sticks out of the part, all measures are off.
         doubt: share of the volume that may be wrong, as far as the views contradict each other: the
-            thinner a part is in px, the more.  Faces that follow from round measures are certain.
+            thinner a part is in px, the more.
         off: whether lines or box are too far off to rely on the measures.
     """
 
@@ -120,15 +119,8 @@ def matching_tolerance(views: DrawnViews) -> float:
     return max(LOOSE * views.tolerance, _LEAST * max(views.size))
 
 
-def verify(shape: TopoDS_Shape, views: DrawnViews, step: float | None = None) -> Verification:
-    """Draw a solid in the views' directions and match the lines both ways.
-
-    Args:
-        shape: mm, in the model's axes.
-        views: that it was made from.
-        step: mm that its measures were rounded to, as far as they are multiples; None where they
-            were not.
-    """
+def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
+    """Draw a solid in the views' directions and match the lines both ways."""
     facts = soundness(shape)
     tolerance = matching_tolerance(views)
     least = max(_FLAW * tolerance, _SMALLEST_FLAW * max(views.size))
@@ -151,10 +143,7 @@ def verify(shape: TopoDS_Shape, views: DrawnViews, step: float | None = None) ->
     flaws.sort(key=lambda flaw: -flaw.length)
     sound = facts.valid and facts.closed and facts.solids == 1
     misfit = _misfit(shape, views)
-    doubtful = 0.0
-    if views.noise > 0.0:
-        doubtful = area(shape) if step is None else area_in_doubt(shape, step)
-    doubt = _UNSURE * views.noise * doubtful / max(abs(volume(shape)), 1e-12)
+    doubt = _UNSURE * views.noise * area(shape) / max(abs(volume(shape)), 1e-12)
     off = max(spread, misfit) > _CLOSE * tolerance
     return Verification(sound, matched, tuple(flaws), spread, misfit, doubt, off)
 

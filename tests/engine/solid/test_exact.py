@@ -399,22 +399,17 @@ def test_garbage_is_looked_for_again_afterwards(
     assert gc.isenabled()
 
 
-@pytest.mark.parametrize(
-    ("pocket", "top", "sure"), [(0.0, 0.0, True), (0.31, 0.0, True), (0.0, 0.31, False)]
-)
-def test_a_part_designed_in_steps_is_as_large_as_meant(
-    pocket: float, top: float, sure: bool, drawn: Draw
-) -> None:
+@pytest.mark.parametrize(("off", "sure"), [(0.0, True), (0.31, False)])
+def test_a_part_designed_in_steps_is_as_large_as_meant(off: float, sure: bool, drawn: Draw) -> None:
     """A picture places every line a tenth of a pixel wrong: round measures tell how large the part
-    is, and one that is not round may be anything near, as far as it matters."""
-    height = 24.0 + top
+    is, and one that is not round may be anything near."""
     solid = cut(
-        box((0, 0, 0), (60, 40, height)),
-        box((0, 0, 16), (12, 40, 25)),
+        box((0, 0, 0), (60, 40, 24)),
+        box((0, 0, 16), (22, 40, 24)),
         box((46, -1, 20), (61, 41, 25)),
-        box((28, 10 + pocket, 10), (40, 32, 25)),
-        cylinder(Axis.Z, (6, 14), 3, -1, 25),
-        cylinder(Axis.Z, (6, 28), 2, -1, 25),
+        box((28, 10 + off, 10), (40, 32, 25)),
+        cylinder(Axis.Z, (11, 14), 6, -1, 25),
+        cylinder(Axis.Z, (11, 28), 4, -1, 25),
     )
     exact_lines = drawn(solid)
     random = np.random.default_rng(3)
@@ -433,10 +428,10 @@ def test_a_part_designed_in_steps_is_as_large_as_meant(
         role: tuple(misplaced(own) for own in strokes)
         for role, strokes in exact_lines.strokes.items()
     }
-    views = replace(exact_lines, strokes=strokes, tolerance=0.05, apart=0.02, noise=0.015)
+    views = replace(exact_lines, strokes=strokes, tolerance=0.05, apart=0.02, noise=0.01)
     found = exact_solid(views)
     assert found.verification is not None and found.verification.explains
     assert found.verification.close == sure
     assert (found.status is Status.VERIFIED) == sure
     if sure:
-        assert volume(found.shape) == pytest.approx(volume(solid), rel=1e-4 if pocket else 1e-6)
+        assert volume(found.shape) == pytest.approx(volume(solid), rel=1e-6)
