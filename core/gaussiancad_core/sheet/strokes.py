@@ -56,6 +56,7 @@ from gaussiancad_core.sheet.shapes import (
 from gaussiancad_core.sheet.short_legs import with_short_legs
 from gaussiancad_core.sheet.short_strokes import find_short_strokes
 from gaussiancad_core.sheet.slanted_dashes import with_slanted_dashes
+from gaussiancad_core.sheet.straight_ends import with_straight_ends
 from gaussiancad_core.sheet.touching import ended_where_lines_touch, up_to_tangents
 from gaussiancad_core.sheet.tracing import trace_remainder
 from gaussiancad_core.sheet.view_shapes import MIN_SAGITTA, ViewShapes, radius_of
@@ -78,6 +79,7 @@ def classify_strokes(
     explained = Explained.blank(view.sheet)
     pieces = _seen_pieces(view, rhythm, pens, explained)
     pieces = without_shadows(pieces, view.sheet.stroke_width)
+    pieces = with_straight_ends(pieces, view.sheet)
     pieces = ended_where_lines_touch(pieces, view.sheet.stroke_width)
     pieces += find_corner_dashes(pieces, view.sheet, rhythm)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
