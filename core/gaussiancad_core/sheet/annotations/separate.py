@@ -45,6 +45,9 @@ from gaussiancad_core.sheet.special_views.halves import with_open_sides
 _LETTER_SHARE = 0.04
 """Shapes longer than this share of the sheet's longest side are no parts of letters."""
 
+_DIMENSIONS = AnnotationKind.DIMENSION, AnnotationKind.LEADER
+"""What extension lines and leaders come with."""
+
 _WHOLE = 0.85
 """Share of a circle that is drawn at least, for it to be one by itself."""
 
@@ -195,7 +198,9 @@ def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> t
     ink = with_open_sides(erased(sheet, told).ink, told, sheet.stroke_width)
     boxes = lettered_boxes(ink, letters) | single
     faded = 2 * int(_WIDEST_FADED * sheet.stroke_width) + 1
-    rule = LooseRule(_LONGEST_DASH * sheet.stroke_width, everywhere=True, faded=faded)
+    # Without dimensions there are no extension lines; a crossing with none is an edge's.
+    dimensioned = any(kind in _DIMENSIONS for own in told.kinds for kind in own)
+    rule = LooseRule(_LONGEST_DASH * sheet.stroke_width, everywhere=dimensioned, faded=faded)
     shapes, kinds = split_loose(told.shapes, told.kinds, ink & ~boxes, rule)
     mark_led_out(shapes, kinds, sheet.weight, ink & ~boxes, sheet.stroke_width)
     mark_virtual_corners(shapes, kinds, sheet.stroke_width)

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind
 from gaussiancad_core.drawing.inking import ink_annotations
+from gaussiancad_core.drawing.lettering import label
 from gaussiancad_core.drawing.raster import rasterise
 from gaussiancad_core.drawing.sheet import PartLines, Sheet, compose_sheet, part_lines
 from gaussiancad_core.drawing.style import PRESETS, SheetStyle
@@ -172,3 +173,18 @@ def test_twice_is_once() -> None:
     again = separate_annotations(case.separated.part).part.ink
     lost = case.separated.part.ink & ~again
     assert lost.sum() < 0.02 * case.separated.part.ink.sum()
+
+
+def test_captions_alone_make_no_extension_lines(sketch) -> None:  # noqa: ANN001
+    """Dashes longer than most part nothing; where no dimension is they are the part's."""
+    drawn = sketch(700, 400).lines((60, 60), (460, 60), (460, 300), (60, 300), (60, 60), width=2)
+    for y in (120.0, 180.0):
+        drawn.broken((60, y), (460, y), (30, 12), 2.0)
+    words = Annotation(AnnotationKind.TEXT, 0, label=label("FRONT VIEW", (180, 340), 18.0, 0.0))
+    written = ink_annotations((words,), SheetStyle(width=700, height=400))
+    grey = np.minimum(drawn.grey, np.rint(255.0 * (1.0 - written)).astype(np.uint8))
+    sheet = clean_sheet(grey)
+    separated = separate_annotations(sheet, by_weight=False)
+    assert {mark.kind for mark in separated.marks} == {Kind.TEXT}
+    rows = [119, 120, 121, 179, 180, 181]
+    assert (separated.part.ink[rows, 60:460] == sheet.ink[rows, 60:460]).all()
