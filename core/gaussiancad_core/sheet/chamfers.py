@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.jogs import distances_to, visible_leg
-from gaussiancad_core.sheet.pen import Pen, fit_pen
+from gaussiancad_core.sheet.pen import Pen, visible_pen
 from gaussiancad_core.sheet.stubs import Placed
 from gaussiancad_core.views import Linetype
 
@@ -106,12 +106,7 @@ def with_chamfers(
         placed: pieces with their ends at junctions; px, pixel centres at integers.
         stroke_width: px.
     """
-    straight = [
-        (geometry, piece.start, piece.end)
-        for geometry, piece in placed
-        if isinstance(geometry, Line) and piece.linetype is Linetype.VISIBLE
-    ]
-    pen = fit_pen(weight, straight, stroke_width)
+    pen = visible_pen(weight, placed, stroke_width)
     pieces = _chamfered(weight, placed, stroke_width, pen)
     for arc in placed:
         if _is_short_arc(arc, stroke_width):

@@ -16,7 +16,7 @@ from gaussiancad_core.sheet.fillets import AROUND, Fillet, best_of, boxes_of, is
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.jogs import distances_to, visible_leg
 from gaussiancad_core.sheet.junctions import Placed
-from gaussiancad_core.sheet.pen import Pen, fit_pen
+from gaussiancad_core.sheet.pen import Pen, visible_pen
 from gaussiancad_core.sheet.runs import Piece
 from gaussiancad_core.views import Linetype
 
@@ -130,12 +130,7 @@ def find_curved_fillets(
     corners = _corners(placed)
     if not corners:
         return []
-    straight = [
-        (geometry, piece.start, piece.end)
-        for geometry, piece in placed
-        if isinstance(geometry, Line) and piece.linetype is Linetype.VISIBLE
-    ]
-    pen = fit_pen(weight, straight, stroke_width)
+    pen = visible_pen(weight, placed, stroke_width)
     boxes = boxes_of(placed)
     pieces = dict(enumerate(piece for _, piece in placed))
     taken: set[tuple[int, bool]] = set()

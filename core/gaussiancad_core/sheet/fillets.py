@@ -26,7 +26,7 @@ from gaussiancad_core.sheet.corners import (
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.junctions import Placed
 from gaussiancad_core.sheet.passing_corners import passing_corners
-from gaussiancad_core.sheet.pen import Pen, fit_pen
+from gaussiancad_core.sheet.pen import Pen, visible_pen
 from gaussiancad_core.sheet.runs import Piece
 from gaussiancad_core.views import Linetype
 
@@ -93,12 +93,7 @@ def find_fillets(
     corners = open_corners(ends, placed) + passing_corners(ends, placed, {Linetype.VISIBLE})
     if not corners:
         return []
-    straight = [
-        (geometry, piece.start, piece.end)
-        for geometry, piece in placed
-        if isinstance(geometry, Line) and piece.linetype is Linetype.VISIBLE
-    ]
-    pen = fit_pen(weight, straight, stroke_width)
+    pen = visible_pen(weight, placed, stroke_width)
     boxes = boxes_of(placed)
     found: list[Fillet] = []
     pieces = dict(enumerate(piece for _, piece in placed))

@@ -14,7 +14,7 @@ import numpy.typing as npt
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.jogs import distances_to
-from gaussiancad_core.sheet.pen import Pen, fit_pen
+from gaussiancad_core.sheet.pen import Pen, fit_pen, visible_pen
 from gaussiancad_core.sheet.runs import runs_of_ink
 from gaussiancad_core.sheet.shapes import sample
 from gaussiancad_core.sheet.stubs import Placed
@@ -72,7 +72,7 @@ class Leftover:
 def leftover_ink(placed: Sequence[Placed], sheet: CleanSheet) -> Leftover:
     """The ink of a view that pieces with their ends at junctions leave."""
     pens = {
-        Linetype.VISIBLE: _line_pen(placed, sheet),
+        Linetype.VISIBLE: visible_pen(sheet.weight, placed, sheet.stroke_width),
         Linetype.HIDDEN: dash_pen(placed, sheet),
     }
     rows, columns = np.nonzero(sheet.weight > _BLANK)
@@ -104,12 +104,3 @@ def dash_pen(placed: Sequence[Placed], sheet: CleanSheet) -> Pen:
                 start, end = float(along[first]) - _LONGER, float(along[last]) + _LONGER
                 dashes.append((geometry, start, end))
     return fit_pen(sheet.weight, dashes, sheet.stroke_width)
-
-
-def _line_pen(placed: Sequence[Placed], sheet: CleanSheet) -> Pen:
-    straight = [
-        (geometry, piece.start, piece.end)
-        for geometry, piece in placed
-        if isinstance(geometry, Line) and piece.linetype is Linetype.VISIBLE
-    ]
-    return fit_pen(sheet.weight, straight, sheet.stroke_width)

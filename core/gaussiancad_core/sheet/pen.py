@@ -8,6 +8,8 @@ import numpy.typing as npt
 from scipy.special import ndtr
 
 from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.stubs import Placed
+from gaussiancad_core.views import Linetype
 
 Floats = npt.NDArray[np.float64]
 
@@ -46,6 +48,18 @@ class Pen:
         half = self.width / 2
         far, near = -(half + distance) / self.blur, (half - distance) / self.blur
         return self.gain * (ndtr(near) - ndtr(far))
+
+
+def visible_pen(
+    weight: npt.NDArray[np.float32], placed: Sequence[Placed], stroke_width: float
+) -> Pen:
+    """Fit a pen to the ink of visible lines among the pieces of a view; see :func:`fit_pen`."""
+    straight = [
+        (geometry, piece.start, piece.end)
+        for geometry, piece in placed
+        if isinstance(geometry, Line) and piece.linetype is Linetype.VISIBLE
+    ]
+    return fit_pen(weight, straight, stroke_width)
 
 
 def fit_pen(
