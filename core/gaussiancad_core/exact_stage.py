@@ -13,6 +13,7 @@ from gaussiancad_core.axes import Projection
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, views_as_read
 from gaussiancad_core.reasoning.labelling import Effort
+from gaussiancad_core.sheet.pixel_grids import Rounding, seen_rounding
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
@@ -33,6 +34,14 @@ place lines on quarters of a pixel draw most coordinates alike in two views, and
 
 _LEAST_NOISE_PX = 0.015
 """The same in px at least: what two views round alike is seen in neither."""
+
+_ROUNDED_NOISE_PX = 0.021
+"""The same where lines are rounded, mostly to quarters of a pixel: three times that is how far such
+lines are from where they belong, at the mean."""
+
+_FREE_NOISE_PX = 0.0075
+"""px of noise of pictures in which nothing is rounded, at least: neighbours and corners move lines
+alike in all views."""
 
 _FINE_PX, _FINE_COORDINATES = 0.02, 5
 """px that so many coordinates differ by at most which one view shows along rows and another along
@@ -202,10 +211,24 @@ def drawn_views(registered: RegisteredSheet) -> DrawnViews:
     pixel = registered.mm_per_pixel
     if tolerance < _ROUGH_PX:
         return views_as_read(registered.views, tolerance * pixel)
-    residuals = registered.extents.residuals.values()
-    seen = [max(own.median, _MEAN * own.largest) for own in residuals]
-    noise = max([0.0 if _is_fine(registered) else _LEAST_NOISE_PX, *seen])
+    noise = _noise_px(registered)
     return views_as_read(registered.views, tolerance * pixel, _APART_PX * pixel, noise * pixel)
+
+
+def _noise_px(registered: RegisteredSheet) -> float:
+    """px by which lines of a picture may miss where they belong, as far as it tells."""
+    residuals = registered.extents.residuals.values()
+    seen = max((max(own.median, _MEAN * own.largest) for own in residuals), default=0.0)
+    rounding = seen_rounding(view.strokes for view in registered.drawn)
+    # Where lines are read less exactly than that, a fine step would not show.
+    is_free = rounding is Rounding.NONE and seen <= _FREE_NOISE_PX
+    if rounding is Rounding.TOLD:
+        least = _ROUNDED_NOISE_PX
+    elif is_free or _is_fine(registered):
+        least = _FREE_NOISE_PX
+    else:
+        least = _LEAST_NOISE_PX
+    return max(least, seen)
 
 
 def _is_fine(registered: RegisteredSheet) -> bool:

@@ -51,7 +51,7 @@ def _reading(strokes: Strokes, projection: Projection) -> Reading:
         )
         for role, own in strokes.items()
     )
-    drawn = tuple(SimpleNamespace(source=StrokesSource.RASTER) for _ in views)
+    drawn = tuple(SimpleNamespace(source=StrokesSource.RASTER, strokes=()) for _ in views)
     registered = RegisteredSheet(ViewSet(views, _SIZE), {}, drawn, 0.02, AxisExtents({}, {}), 0)
     return Reading(registered, projection)
 
@@ -235,9 +235,33 @@ def test_the_noise_of_views_is_that_of_the_axis_on_which_they_differ_most() -> N
     # The depth runs along rows of one view and along columns of another: nothing is rounded here.
     fine = AxisExtents({}, {}, {Axis.Y: Residual(0.001, 0.01, 6), Axis.Z: Residual(0.002, 0.01, 4)})
     agreed = replace(third.registered, extents=fine)
-    assert drawn_views(agreed).noise == pytest.approx(0.002 * noisy.mm_per_pixel)
+    assert drawn_views(agreed).noise == pytest.approx(0.0075 * noisy.mm_per_pixel)
     few = AxisExtents({}, {}, {Axis.Y: Residual(0.001, 0.01, 3), Axis.Z: Residual(0.002, 0.01, 9)})
     unsure = drawn_views(replace(third.registered, extents=few))
     assert unsure.noise == pytest.approx(0.015 * noisy.mm_per_pixel)
     exact = tuple(SimpleNamespace(source=StrokesSource.VECTOR) for _ in noisy.drawn)
     assert drawn_views(replace(noisy, drawn=exact)).noise == 0.0
+
+
+@pytest.mark.parametrize(
+    ("seen", "rounded", "noise"),
+    [(0.002, False, 0.0075), (0.01, False, 0.015), (0.002, True, 0.021)],
+)
+def test_what_views_round_alike_is_told_by_their_places(
+    seen: float, rounded: bool, noise: float
+) -> None:
+    third, _ = _both(_block())
+    lines = []
+    for at in np.random.default_rng(4).uniform(40.0, 600.0, 20):
+        place = round(4.0 * at) / 4.0 if rounded else at
+        lines.append(Segment((place, 40.0), (place, 90.0), Linetype.VISIBLE))
+        lines.append(Segment((40.0, place), (90.0, place), Linetype.VISIBLE))
+    # All views agree, and even the one that shows the depth along the other side of the sheet.
+    agreed = AxisExtents({}, {}, {axis: Residual(seen, seen, 6) for axis in (Axis.X, Axis.Z)})
+    if rounded:
+        agreed.residuals[Axis.Y] = Residual(seen, seen, 6)
+    drawn = tuple(
+        SimpleNamespace(source=StrokesSource.RASTER, strokes=lines) for _ in third.registered.drawn
+    )
+    views = drawn_views(replace(third.registered, extents=agreed, drawn=drawn))
+    assert views.noise == pytest.approx(noise * third.registered.mm_per_pixel)
