@@ -31,6 +31,10 @@ _FAR = 2.5
 """Tolerances by which anything moves at most; an equation that asks for more is dropped."""
 
 
+_HALFWAY = 1e-5
+"""Share of the step within which a centre or a radius is the middle of two multiples: equations do
+that, while what was only read is there by chance once in fifty thousand times."""
+
 _AGREEING = 0.15
 """Share of the reach within which ends of slanted lines that have one coordinate agree."""
 
@@ -85,7 +89,7 @@ class Snapped:
         circle_weights: of each.
         reach: how far a reading may lie from its value.
         step: that the part was designed in; None where none is told.
-        nominal: whether all values and circles are multiples of it.
+        nominal: whether all values and circles are multiples of it, or follow from such.
     """
 
     values: dict[Axis, tuple[float, ...]]
@@ -350,7 +354,8 @@ def _rounded(
     step: NominalStep,
     far: float,
 ) -> tuple[_Variables, Numbers, bool]:
-    """The numbers as multiples of the step that the part was designed in, and whether all are."""
+    """The numbers as multiples of the step that the part was designed in, and whether all are
+    known: those of circles between two multiples are."""
     nominal = _Variables()
     multiples = [step.multiple(float(number)) for number in numbers]
     for number, multiple, weight in zip(numbers, multiples, variables.weights, strict=True):
@@ -359,4 +364,13 @@ def _rounded(
         else:
             nominal.add(multiple, weight * CERTAIN)
     rounded = solved(nominal.observed, nominal.weights, relations, far)
-    return nominal, rounded, None not in multiples
+    known = all(
+        multiple is not None or _is_halfway(float(number), step.length)
+        for multiple, number in zip(multiples, rounded, strict=True)
+    )
+    return nominal, rounded, known
+
+
+def _is_halfway(number: float, step: float) -> bool:
+    """Whether a number lies in the middle between two multiples of a step: it follows from them."""
+    return abs(number / step % 1.0 - 0.5) <= _HALFWAY

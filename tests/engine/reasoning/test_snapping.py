@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.curves import CircleCurve
+from gaussiancad_core.reasoning.planes import UNITS
 from gaussiancad_core.reasoning.snapping import CircleReading, Reading, snapped, with_lone_values
 
 _TOLERANCE = 0.1
@@ -185,3 +186,26 @@ def test_ends_that_agree_in_two_views_are_at_no_value_close_by(
     readings = [Reading(Axis.X, end, 1e-3, normal) for end, normal in ends]
     values = with_lone_values(snap, readings).values[Axis.X]
     assert values == (pytest.approx((20.0, 20.153), abs=1e-3) if apart else (20.0,))
+
+
+@pytest.mark.parametrize(("sides", "known"), [(True, True), (False, False)])
+def test_circles_between_two_multiples_of_the_step_are_known(sides: bool, known: bool) -> None:
+    """A hole of 9 between sides at 12 and 30, in a part of even numbers: its centre is 21."""
+    random = np.random.default_rng(5)
+    step = UNITS / 60.0
+
+    def read(number: float) -> float:
+        return number * step / 2.0 + float(random.uniform(-0.01, 0.01))
+
+    even = (0, 8, 14, 22, 36, 44, 52, 66, 74, 88, 94, 102, 110, 116, 120)
+    readings = [Reading(Axis.X, read(number), 100.0) for number in even]
+    readings += [Reading(Axis.Z, read(number + 4), 100.0) for number in even[:-1]]
+    if sides:
+        readings += [Reading(axis, read(at), 50.0) for axis in (Axis.X, Axis.Z) for at in (12, 30)]
+    circle = CircleReading(Axis.Y, CircleCurve((read(21), read(21)), read(9)), 50.0)
+    snap = snapped(readings, [circle], _TOLERANCE)
+    assert snap.step is not None and snap.step.length == pytest.approx(step)
+    assert snap.nominal == known
+    ((_, found),) = snap.circles
+    exact = (*found.centre, found.radius) == pytest.approx([10.5 * step, 10.5 * step, 4.5 * step])
+    assert exact == known
