@@ -20,6 +20,7 @@ from gaussiancad_core.sheet.annotations.inked import (
 )
 from gaussiancad_core.sheet.annotations.leader_tips import with_clear_tips
 from gaussiancad_core.sheet.annotations.led_out import mark_led_out
+from gaussiancad_core.sheet.annotations.left_heads import without_heads
 from gaussiancad_core.sheet.annotations.letter_boxes import letter_boxes
 from gaussiancad_core.sheet.annotations.lettered_lines import mark_lettered
 from gaussiancad_core.sheet.annotations.line_ends import extension_lines, mark_heads
@@ -164,6 +165,7 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
         told = with_clear_tips(told, sheet.ink, sheet.stroke_width)
         marks += _line_marks(told)
         part = replace(erased(part, told), stroke_width=weights.visible)
+        part = without_heads(part, told, weights.visible)
     hatched = hatching.area if hatching.marks else None
     return SeparatedSheet(part, tuple(marks), bool(weights.limit), hatched, told)
 
