@@ -35,9 +35,9 @@ place lines on quarters of a pixel draw most coordinates alike in two views, and
 _LEAST_NOISE_PX = 0.015
 """The same in px at least: what two views round alike is seen in neither."""
 
-_ROUNDED_NOISE_PX = 0.021
-"""The same where lines are rounded, mostly to quarters of a pixel: three times that is how far such
-lines are from where they belong, at the mean."""
+_ROUNDED_NOISE_PX = 0.03
+"""The same where lines are rounded, mostly to quarters of a pixel: they are off by a sixteenth of a
+pixel at the mean, and all faces together by up to a thirteenth, of parts whose solids are known."""
 
 _FREE_NOISE_PX = 0.0075
 """px of noise of pictures in which nothing is rounded, at least: neighbours and corners move lines
@@ -219,12 +219,12 @@ def _noise_px(registered: RegisteredSheet) -> float:
     """px by which lines of a picture may miss where they belong, as far as it tells."""
     residuals = registered.extents.residuals.values()
     seen = max((max(own.median, _MEAN * own.largest) for own in residuals), default=0.0)
-    rounding = seen_rounding(view.strokes for view in registered.drawn)
-    # Where lines are read less exactly than that, a fine step would not show.
-    is_free = rounding is Rounding.NONE and seen <= _FREE_NOISE_PX
+    rounding = seen_rounding(
+        (view.strokes for view in registered.drawn), well_read=seen <= _FREE_NOISE_PX
+    )
     if rounding is Rounding.TOLD:
         least = _ROUNDED_NOISE_PX
-    elif is_free or _is_fine(registered):
+    elif rounding is Rounding.NONE or _is_fine(registered):
         least = _FREE_NOISE_PX
     else:
         least = _LEAST_NOISE_PX

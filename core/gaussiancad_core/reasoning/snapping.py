@@ -31,9 +31,12 @@ _FAR = 2.5
 """Tolerances by which anything moves at most; an equation that asks for more is dropped."""
 
 
-_HALFWAY = 1e-5
-"""Share of the step within which a centre or a radius is the middle of two multiples: equations do
-that, while what was only read is there by chance once in fifty thousand times."""
+_FOLLOWING = 1e-5
+"""Share of the step within which a centre or a radius is a multiple, or the middle of two, because
+equations make it so: what was only read is there by chance once in twenty thousand times."""
+
+_ODD = 1e-4
+"""Share of the step from which a number is no multiple of it."""
 
 _AGREEING = 0.15
 """Share of the reach within which ends of slanted lines that have one coordinate agree."""
@@ -108,6 +111,16 @@ class Snapped:
         nearest = min(values, key=lambda value: abs(value - reading))
         within = self.reach if reach is None else reach
         return nearest if abs(nearest - reading) <= within else None
+
+    @property
+    def odd_numbers(self) -> int:
+        """How many values, centres and radii are no multiples of the step."""
+        if self.step is None:
+            return 0
+        length = self.step.length
+        numbers = [value for own in self.values.values() for value in own]
+        numbers += [n for _, circle in self.circles for n in (*circle.centre, circle.radius)]
+        return sum(abs(n - length * round(n / length)) > _ODD * length for n in numbers)
 
     def circle(self, normal: Axis, reading: CircleCurve) -> CircleCurve | None:
         """The circle that a reading is one of."""
@@ -365,12 +378,13 @@ def _rounded(
             nominal.add(multiple, weight * CERTAIN)
     rounded = solved(nominal.observed, nominal.weights, relations, far)
     known = all(
-        multiple is not None or _is_halfway(float(number), step.length)
+        multiple is not None or _follows(float(number), step.length)
         for multiple, number in zip(multiples, rounded, strict=True)
     )
     return nominal, rounded, known
 
 
-def _is_halfway(number: float, step: float) -> bool:
-    """Whether a number lies in the middle between two multiples of a step: it follows from them."""
-    return abs(number / step % 1.0 - 0.5) <= _HALFWAY
+def _follows(number: float, step: float) -> bool:
+    """Whether a number is a multiple of a step, or halfway between two, because they make it so."""
+    halves = 2.0 * number / step
+    return abs(halves - round(halves)) <= 2.0 * _FOLLOWING

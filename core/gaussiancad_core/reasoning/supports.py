@@ -33,6 +33,7 @@ from gaussiancad_core.reasoning.incidences import (
     PlaneReading,
     adjusted,
 )
+from gaussiancad_core.reasoning.nominal import NominalStep
 from gaussiancad_core.reasoning.planes import IN_PLANE, UNITS, plane_points, role_plane
 from gaussiancad_core.reasoning.roundings import is_rounding
 from gaussiancad_core.reasoning.snapping import (
@@ -105,6 +106,8 @@ class PartSupports:
         tolerance: units.
         nominal: whether all values and circles are multiples of the step that the part was designed
             in: they are known exactly then, however roughly they were read.
+        step: that step; None where none is told.
+        odd: how many values, and numbers of circles, are no multiples of it.
     """
 
     planes: dict[Axis, PlaneSupports]
@@ -113,6 +116,8 @@ class PartSupports:
     scale: float
     tolerance: float
     nominal: bool = False
+    step: NominalStep | None = None
+    odd: int = 0
 
 
 @dataclass(frozen=True)
@@ -177,7 +182,10 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
         )
         for axis, plane in planes.items()
     }
-    return PartSupports(found, known.snap.values, size, scale, tolerance, known.snap.nominal)
+    own = known.snap
+    return PartSupports(
+        found, own.values, size, scale, tolerance, own.nominal, own.step, own.odd_numbers
+    )
 
 
 def _sorted_strokes(views: DrawnViews, scale: float, tolerance: float) -> dict[Axis, _Plane]:

@@ -30,13 +30,13 @@ _SAME = 0.1
 _FEWEST, _FEWEST_ALONG = 8, 3
 """Places that tell anything: in both directions of the sheet together, and in each."""
 
-_SURELY = 12
-"""Places from which multiples of a step are none by chance."""
+_ROUNDED, _ROUNDED_WELL, _CHANCE = 0.75, 0.95, 1e-4
+"""Length of the mean of unit vectors that stand for places in their steps from which these are
+multiples of it, the same where lines are read well, and how likely that may be by chance: then it
+is about one over the root of their number."""
 
-_ROUNDED = 0.85
-"""Length of the mean of unit vectors that stand for places in their steps from which they are
-multiples of it.  It is .97 and more for quarters of a pixel, and for places by chance about as
-small as one over the root of their number."""
+_LEAST_ROUNDED = 1.0 / 8.0
+"""px of steps by which lines are misplaced more than they may be in any picture."""
 
 _FREE, _FREE_ALONG = 0.8, 0.9
 """The same up to which they are none: of all places, and of those in one direction, which some
@@ -51,11 +51,13 @@ class Rounding(Enum):
     UNTOLD = "untold"
 
 
-def seen_rounding(views: Iterable[Sequence[Stroke]]) -> Rounding:
+def seen_rounding(views: Iterable[Sequence[Stroke]], *, well_read: bool) -> Rounding:
     """Whether the lines of views are rounded, as far as their places tell.
 
     Args:
         views: strokes in px of the sheet, as they were fitted to its ink.
+        well_read: whether their places are known to a hundredth of a pixel: else it is never
+            certain that they are not rounded.
     """
     lines = [
         stroke
@@ -65,9 +67,10 @@ def seen_rounding(views: Iterable[Sequence[Stroke]]) -> Rounding:
     ]
     columns, rows = (_places(lines, direction) for direction in (0, 1))
     both = np.concatenate([columns, rows])
-    if len(both) >= _SURELY and any(_concentration(both, step) >= _ROUNDED for step in _STEPS):
+    least = _ROUNDED_WELL if well_read else _ROUNDED
+    if any(_is_rounded(both, step, least) for step in _STEPS if step >= _LEAST_ROUNDED):
         return Rounding.TOLD
-    spread = all(
+    spread = well_read and all(
         len(own) >= fewest and all(_concentration(own, step) <= most for step in _STEPS)
         for own, fewest, most in (
             (both, _FEWEST, _FREE),
@@ -83,6 +86,12 @@ def _places(lines: Sequence[Segment], direction: int) -> npt.NDArray[np.float64]
     ends = np.array([(line.start[direction], line.end[direction]) for line in lines]).reshape(-1, 2)
     level = np.sort(ends[np.abs(ends[:, 1] - ends[:, 0]) <= _LEVEL].mean(axis=1))
     return level[np.diff(level, prepend=-np.inf) > _SAME]
+
+
+def _is_rounded(places: npt.NDArray[np.float64], step: float, least: float) -> bool:
+    """Whether places are multiples of a step, and not by chance (Rayleigh's test)."""
+    told = _concentration(places, step) if len(places) else 0.0
+    return told >= least and np.exp(-len(places) * told**2) <= _CHANCE
 
 
 def _concentration(places: npt.NDArray[np.float64], step: float) -> float:

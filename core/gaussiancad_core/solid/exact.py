@@ -29,6 +29,7 @@ from gaussiancad_core.reasoning.unsaid import with_unsaid
 from gaussiancad_core.solid.build import BuiltSolid, build_solid
 from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.solid.models import Clock, Limits, Work, labelled
+from gaussiancad_core.solid.round_measures import RoundMeasures
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.verify import Verification, verify
 
@@ -256,9 +257,13 @@ def _candidate(work: Work, built: BuiltSolid) -> tuple[Candidate | None, bool]:
 
 def _verified(work: Work, shape: TopoDS_Shape) -> Candidate:
     # Rounded to the step of its design, a part is as large as meant however small it is drawn.
-    nominal = work.part.supports.nominal
-    views = replace(work.views, noise=0.0) if nominal else work.views
-    candidate = Candidate(shape, verify(shape, views))
+    supports = work.part.supports
+    views = replace(work.views, noise=0.0) if supports.nominal else work.views
+    measures = None
+    if supports.step is not None:
+        step, reach = (own / supports.scale for own in (supports.step.length, supports.step.reach))
+        measures = RoundMeasures(step, reach, supports.odd)
+    candidate = Candidate(shape, verify(shape, views, measures))
     work.clock.lap("verify")
     return candidate
 

@@ -12,6 +12,7 @@ from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.brep import area, bounding_box, soundness, volume
 from gaussiancad_core.drawing.hlr import LineDrawing
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.solid.round_measures import RoundMeasures, volume_in_doubt
 from gaussiancad_core.verification.agreement import MatchedLines, agreeing_share, match_lines
 from gaussiancad_core.verification.lines import Curve, LinePoints, Lines, lines_of_strokes
 from gaussiancad_core.views import Linetype
@@ -81,7 +82,8 @@ class Verification:
         misfit: mm between the solid's bounding box and that of the views, where they differ most.
             The scale is that of the box: if a line sticks out of the part, all measures are off.
         doubt: share of the volume that may be wrong, as far as the views contradict each other: the
-            thinner a part is in px, the more.
+            thinner a part is in px, the more.  Faces that follow from round measures are certain,
+            but for one.
         off: whether lines or box are too far off to rely on the measures.
     """
 
@@ -119,8 +121,16 @@ def matching_tolerance(views: DrawnViews) -> float:
     return max(LOOSE * views.tolerance, _LEAST * max(views.size))
 
 
-def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
-    """Draw a solid in the views' directions and match the lines both ways."""
+def verify(
+    shape: TopoDS_Shape, views: DrawnViews, measures: RoundMeasures | None = None
+) -> Verification:
+    """Draw a solid in the views' directions and match the lines both ways.
+
+    Args:
+        shape: mm, in the model's axes.
+        views: that it was made from.
+        measures: of a part most of whose measures are round.
+    """
     facts = soundness(shape)
     tolerance = matching_tolerance(views)
     least = max(_FLAW * tolerance, _SMALLEST_FLAW * max(views.size))
@@ -143,7 +153,10 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
     flaws.sort(key=lambda flaw: -flaw.length)
     sound = facts.valid and facts.closed and facts.solids == 1
     misfit = _misfit(shape, views)
-    doubt = _UNSURE * views.noise * area(shape) / max(abs(volume(shape)), 1e-12)
+    doubtful = _UNSURE * views.noise * area(shape)
+    if measures is not None and doubtful > _LOST * abs(volume(shape)):
+        doubtful = min(doubtful, volume_in_doubt(shape, measures))
+    doubt = doubtful / max(abs(volume(shape)), 1e-12)
     off = max(spread, misfit) > _CLOSE * tolerance
     return Verification(sound, matched, tuple(flaws), spread, misfit, doubt, off)
 

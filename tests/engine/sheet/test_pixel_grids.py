@@ -30,18 +30,41 @@ def _places(seed: int, count: int) -> np.ndarray:
     return np.sort(np.random.default_rng(seed).uniform(50.0, 600.0, count))
 
 
-@pytest.mark.parametrize("parts", [1, 2, 4, 5, 8, 10])
+def _told(views: list[list[Segment]], *, well_read: bool = True) -> Rounding:
+    return seen_rounding(views, well_read=well_read)
+
+
+@pytest.mark.parametrize("parts", [1, 2, 4, 5, 8])
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_rounded_lines_are_told(parts: int, seed: int) -> None:
     columns, rows = (np.round(_places(seed + k, 8) * parts) / parts for k in (0, 10))
-    assert seen_rounding(_views(columns, rows)) is Rounding.TOLD
+    assert _told(_views(columns, rows)) is Rounding.TOLD
     # Between the rows of a raster as well.
     half = 0.5 / parts
-    assert seen_rounding(_views(columns + half, rows + half)) is Rounding.TOLD
+    assert _told(_views(columns + half, rows + half)) is Rounding.TOLD
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_lines_on_finer_steps_are_never_free(seed: int) -> None:
+    columns, rows = (np.round(_places(seed + k, 9) * 10.0) / 10.0 for k in (0, 50))
+    assert _told(_views(columns, rows)) is not Rounding.NONE
+
+
+def test_some_lines_that_were_read_badly_change_nothing() -> None:
+    columns, rows = (np.round(_places(k, 12) * 4.0) / 4.0 for k in (1, 2))
+    columns[:3] += 0.1
+    assert _told(_views(columns, rows), well_read=False) is Rounding.TOLD
+    assert _told(_views(columns, rows)) is Rounding.UNTOLD
+
+
+def test_what_is_read_badly_is_never_free() -> None:
+    views = _views(_places(1, 20), _places(2, 20))
+    assert _told(views) is Rounding.NONE
+    assert _told(views, well_read=False) is Rounding.UNTOLD
 
 
 def test_lines_anywhere_are_not_rounded() -> None:
-    told = [seen_rounding(_views(_places(k, 9), _places(k + 50, 9))) for k in range(40)]
+    told = [_told(_views(_places(k, 9), _places(k + 50, 9))) for k in range(40)]
     assert Rounding.TOLD not in told
     assert told.count(Rounding.NONE) >= 30
 
@@ -49,17 +72,17 @@ def test_lines_anywhere_are_not_rounded() -> None:
 @pytest.mark.parametrize("seed", range(10))
 def test_lines_that_one_direction_alone_rounds_are_never_free(seed: int) -> None:
     columns, rows = _places(seed, 9), np.round(4.0 * _places(seed + 50, 9)) / 4.0
-    assert seen_rounding(_views(columns, rows)) is not Rounding.NONE
-    assert seen_rounding(_views(rows, columns)) is not Rounding.NONE
+    assert _told(_views(columns, rows)) is not Rounding.NONE
+    assert _told(_views(rows, columns)) is not Rounding.NONE
 
 
 def test_one_coordinate_in_two_views_tells_no_more_than_in_one() -> None:
     few = _views(_places(1, 4), _places(2, 3))
     assert sum(map(len, few)) > 10
-    assert seen_rounding(few) is Rounding.UNTOLD
+    assert _told(few) is Rounding.UNTOLD
     short = _views(_places(1, 9), _places(2, 9), length=20.0)
-    assert seen_rounding(short) is Rounding.UNTOLD
-    assert seen_rounding([]) is Rounding.UNTOLD
+    assert _told(short) is Rounding.UNTOLD
+    assert _told([]) is Rounding.UNTOLD
 
 
 def test_slanted_lines_have_no_place() -> None:
@@ -67,4 +90,4 @@ def test_slanted_lines_have_no_place() -> None:
         Segment((x, 40.0), (x + 3.0, 100.0), Linetype.VISIBLE)
         for x in np.round(_places(1, 20) * 4) / 4
     ]
-    assert seen_rounding([lines]) is Rounding.UNTOLD
+    assert _told([lines]) is Rounding.UNTOLD
