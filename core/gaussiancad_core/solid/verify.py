@@ -38,6 +38,10 @@ _UNSURE = 3.0
 """Mean distance of the faces of a solid from where they belong, in the median by which the views
 contradict each other; in pictures of parts whose solids are known it was up to four times."""
 
+_BESIDE = 12.0
+"""Part of how far the worst stroke lies beside the solid that its faces may be off in the mean, at
+that factor: slanted lines are read less exactly than what views share."""
+
 _LOST = 1e-3
 """Share of the volume that may be wrong by that."""
 
@@ -81,9 +85,9 @@ class Verification:
             are found at all; short lines count less.
         misfit: mm between the solid's bounding box and that of the views, where they differ most.
             The scale is that of the box: if a line sticks out of the part, all measures are off.
-        doubt: share of the volume that may be wrong, as far as the views contradict each other: the
-            thinner a part is in px, the more.  Faces that follow from round measures are certain,
-            but for one.
+        doubt: share of the volume that may be wrong, as far as the views contradict each other or
+            the solid: the thinner a part is in px, the more.  Faces that follow from round measures
+            are certain, but for one.
         off: whether lines or box are too far off to rely on the measures.
     """
 
@@ -153,7 +157,8 @@ def verify(
     flaws.sort(key=lambda flaw: -flaw.length)
     sound = facts.valid and facts.closed and facts.solids == 1
     misfit = _misfit(shape, views)
-    doubtful = _UNSURE * views.noise * area(shape)
+    noise = max(views.noise, spread / _BESIDE) if views.noise else 0.0
+    doubtful = _UNSURE * noise * area(shape)
     if measures is not None and doubtful > _LOST * abs(volume(shape)):
         doubtful = min(doubtful, volume_in_doubt(shape, measures))
     doubt = doubtful / max(abs(volume(shape)), 1e-12)

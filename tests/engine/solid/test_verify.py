@@ -151,3 +151,23 @@ def test_the_volume_of_a_thin_part_is_known_less_exactly(
     assert found.doubt == pytest.approx(3 * 2e-4 * 2 * sides / (40 * 30 * thickness))
     assert found.close == found.holds == close
     assert verify(solid, replace(views, noise=0.0)).doubt == 0.0
+
+
+@pytest.mark.parametrize("beside", [0.0, 0.005, 0.024])
+def test_a_line_beside_the_solid_tells_of_its_faces(beside: float, drawn: Draw) -> None:
+    solid = _slotted(10)
+    exact = drawn(solid)
+    longest = max(exact.strokes[Role.TOP], key=lambda own: own.length)
+    moved = replace(
+        longest,
+        start=(longest.start[0], longest.start[1] + beside),
+        end=(longest.end[0], longest.end[1] + beside),
+    )
+    top = tuple(moved if own is longest else own for own in exact.strokes[Role.TOP])
+    strokes = {**exact.strokes, Role.TOP: top}
+    views = replace(exact, strokes=strokes, tolerance=0.1, noise=5e-4)
+    plain, found = verify(solid, replace(exact, tolerance=0.1, noise=5e-4)), verify(solid, views)
+    assert found.spread == pytest.approx(beside, abs=1e-6) and not found.off
+    assert found.doubt == pytest.approx(plain.doubt * max(1.0, beside / 12.0 / 5e-4))
+    # Where all measures are round nothing is asked.
+    assert verify(solid, replace(views, noise=0.0)).doubt == 0.0
