@@ -101,7 +101,7 @@ def mark_arrows(
     """
     if not len(heads.middles):
         return
-    near_writing = _NearWriting(letters)
+    near_writing = NearWriting(letters)
     crossed = _lines_through(shapes, heads.middles, stroke_width)
     for index, (shape, own) in enumerate(zip(shapes, kinds, strict=True)):
         if not isinstance(shape.geometry, Line):
@@ -131,7 +131,7 @@ def mark_arrows(
         shapes[index] = InkedShape(shape.geometry, tuple(runs))
 
 
-class _NearWriting:
+class NearWriting:
     """Whether a run has writing near it, as far as a leader's is from its line."""
 
     def __init__(self, letters: Sequence[Mark]) -> None:
@@ -141,6 +141,7 @@ class _NearWriting:
         self._reach = _WRITING * float(np.median(sides)) if len(boxes) else 0.0
 
     def __call__(self, shape: InkedShape, run: InkedRun) -> bool:
+        """Whether some writing is near a run of a shape."""
         if not len(self._low):
             return False
         points = points_along(shape.geometry, run.run, 1.0)[:, None]

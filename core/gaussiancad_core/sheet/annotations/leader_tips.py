@@ -5,7 +5,7 @@ is no blot but barbs or a stroke across, these hang on the arc once the line is 
 the line's last piece between the barbs, or between two circles around one centre.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import cv2
@@ -13,13 +13,15 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.sheet.annotations.erase import Told
+from gaussiancad_core.sheet.annotations.arrowheads import NearWriting
+from gaussiancad_core.sheet.annotations.erase import Kinds, Told
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape, points_along
-from gaussiancad_core.sheet.annotations.marks import Mask, values_at
+from gaussiancad_core.sheet.annotations.marks import Mark, Mask, values_at
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.runs import Run
 
 Point = npt.NDArray[np.float64]
+Kind = list[AnnotationKind | None]
 
 _HEAD = 14.0
 """Length of an arrowhead at most, in stroke widths."""
@@ -47,11 +49,65 @@ _ON = 4.0
 _DASHES = 3
 """Runs from which a line may be dashed: all of them stay."""
 
+_WHOLE = 0.6
+"""Share of a circle that is drawn at least, for it to be no contour of a head."""
+
 _ACROSS = 1.5
 """Width of what stays around a stroke, in widths of it."""
 
 _TIP = 4.0
 """Distance from the tip within which a head begins, in stroke widths."""
+
+
+_FROM_SHOULDER = 2.5
+"""Distance of a leader's end from that of its shoulder at most, in stroke widths."""
+
+
+def mark_leaders(
+    shapes: list[InkedShape],
+    kinds: Kinds,
+    letters: Sequence[Mark],
+    ink: Mask,
+    stroke_width: float,
+) -> None:
+    """Mark lines from the end of a known line under writing to a circle as leaders, in place.
+
+    A short one with a blot of a head on it, across another circle, is as wide as an edge.
+
+    Args:
+        shapes: lines and circles of a sheet.
+        kinds: what each run is known to be.
+        letters: the sheet's writing.
+        ink: (h, w) bool.
+        stroke_width: px.
+    """
+    near_writing = NearWriting(letters)
+    ends = [
+        place
+        for shape, own in zip(shapes, kinds, strict=True)
+        if isinstance(shape.geometry, Line) and min(map(abs, shape.geometry.direction)) < _SLANTED
+        for run, kind in zip(shape.runs, own, strict=True)
+        if kind is not None and near_writing(shape, run)
+        for place in points_along(shape.geometry, run.run, 1e9)[[0, -1]]
+    ]
+    if not ends:
+        return
+    shoulders = np.array(ends)
+    arcs = _arcs(shapes, kinds)
+    for shape, own in zip(shapes, kinds, strict=True):
+        line = shape.geometry
+        if not isinstance(line, Line) or min(map(abs, line.direction)) < _SLANTED:
+            continue
+        for k, run in enumerate(shape.runs):
+            if own[k] is not None or run.run.length < _LEAST * stroke_width:
+                continue
+            forth, back = (run.run.start, run.run.end, 1.0), (run.run.end, run.run.start, -1.0)
+            for start, end, way in (forth, back):
+                away = np.hypot(*(shoulders - line.at(start)).T)
+                if away.min() < _FROM_SHOULDER * stroke_width and _reached(
+                    line, (end, way), arcs, ink, stroke_width
+                ):
+                    own[k] = AnnotationKind.LEADER
 
 
 def with_clear_tips(told: Told, ink: Mask, stroke_width: float) -> Told:
@@ -93,11 +149,7 @@ def _tips(
 ) -> Iterator[tuple[int, Run, AnnotationKind, Point]]:
     """Of each line that points at a circle: its number, the run from its last known piece to the
     circle, its kind, and its tip."""
-    arcs = [
-        (shape, own)
-        for shape, own in zip(told.shapes, told.kinds, strict=True)
-        if isinstance(shape.geometry, Circle) and None in own
-    ]
+    arcs = _arcs(told.shapes, told.kinds)
     for index, (shape, own) in enumerate(zip(told.shapes, told.kinds, strict=True)):
         line = shape.geometry
         if not isinstance(line, Line) or min(map(abs, line.direction)) < _SLANTED:
@@ -106,22 +158,42 @@ def _tips(
             if kind is None or run.run.length < _LEAST * stroke_width:
                 continue
             for end, way in ((run.run.start, -1.0), (run.run.end, 1.0)):
-                reached = [
-                    place
-                    for arc, marks in arcs
-                    for place in _on_arc(line, arc, marks, stroke_width)
-                    if -_BEYOND * stroke_width < way * (place - end) < _BEFORE * stroke_width
-                    and _is_inked(line, end, place, ink)
-                ]
+                reached = _reached(line, (end, way), arcs, ink, stroke_width)
                 if reached:
                     tip = max(reached, key=lambda place: way * place)
                     last = Run(min(end, tip), max(end, tip))
                     yield index, last, kind, np.array(line.at(tip))
 
 
-def _on_arc(
-    line: Line, arc: InkedShape, kinds: list[AnnotationKind | None], stroke_width: float
+def _arcs(shapes: list[InkedShape], kinds: Kinds) -> list[tuple[InkedShape, Kind]]:
+    """Circles of the part, or of nothing that is known."""
+    return [
+        (shape, own)
+        for shape, own in zip(shapes, kinds, strict=True)
+        if isinstance(shape.geometry, Circle) and None in own
+    ]
+
+
+def _reached(
+    line: Line,
+    end: tuple[float, float],
+    arcs: list[tuple[InkedShape, Kind]],
+    ink: Mask,
+    stroke_width: float,
 ) -> list[float]:
+    """Positions at which a line that points at arcs' centres meets these, from an end and the way
+    (1 or -1) in which it goes on there."""
+    start, way = end
+    return [
+        place
+        for arc, marks in arcs
+        for place in _on_arc(line, arc, marks, stroke_width)
+        if -_BEYOND * stroke_width < way * (place - start) < _BEFORE * stroke_width
+        and _is_inked(line, start, place, ink)
+    ]
+
+
+def _on_arc(line: Line, arc: InkedShape, kinds: Kind, stroke_width: float) -> list[float]:
     """Positions at which a line that points at an arc's centre crosses what is drawn of it."""
     circle = arc.geometry
     centre = np.array(circle.centre)[None]
@@ -152,12 +224,13 @@ def _heads(told: Told, ink: Mask, tips: list[Point], stroke_width: float) -> Mas
     for shape, own in zip(told.shapes, told.kinds, strict=True):
         kept = [run for run, kind in zip(shape.runs, own, strict=True) if kind is None]
         total = sum(run.run.length for run in kept)
+        whole = isinstance(shape.geometry, Circle) and total >= _WHOLE * shape.geometry.around
         for run, kind in zip(shape.runs, own, strict=True):
             path = np.rint(points_along(shape.geometry, run.run, 1.0) * 8).astype(np.int32)
             wide = int(np.ceil(_ACROSS * (run.width or stroke_width))) + 1
             if kind is not None:
                 cv2.polylines(lines, [path], False, 1, wide, shift=3)
-            elif len(kept) >= _DASHES or total >= _HEAD * stroke_width:
+            elif whole or len(kept) >= _DASHES or total >= _HEAD * stroke_width:
                 cv2.polylines(strokes, [path], False, 1, wide, shift=3)
     curves = cv2.dilate(told.unexplained.astype(np.uint8), np.ones((3, 3), np.uint8))
     _, labels, facts, _ = cv2.connectedComponentsWithStats(curves, connectivity=8)

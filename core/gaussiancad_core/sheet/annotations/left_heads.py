@@ -8,10 +8,13 @@ from collections.abc import Iterator
 
 import cv2
 import numpy as np
+import numpy.typing as npt
 
 from gaussiancad_core.sheet.annotations.erase import Told, masked
+from gaussiancad_core.sheet.annotations.inked import points_along
+from gaussiancad_core.sheet.annotations.marks import values_at
 from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.geometry import Circle, Line
 
 _LARGEST = 24.0
 """Length of an arrowhead at most, in widths of a visible line."""
@@ -21,6 +24,12 @@ _THICK = 0.95
 
 _BESIDE = 0.7
 """Distance of an arrowhead's middle from its line at most, in widths of a visible line."""
+
+_SOLID = 0.5
+"""Share of its convex hull that an arrowhead fills at least; circles and corners do not."""
+
+_WHOLE = 0.6
+"""Share of a circle that is drawn at least, for it to be a small bore and no contour of a head."""
 
 _APART = 2.0
 """Ink between an arrowhead and the end of its line that went with the line, in the same widths."""
@@ -42,13 +51,38 @@ def without_heads(part: CleanSheet, told: Told, stroke_width: float) -> CleanShe
     np.maximum.at(thickest, labels, inside)
     blots = (sides <= _LARGEST * stroke_width) & (thickest > _THICK * stroke_width)
     blots[0] = False
+    for points in _circles(told):
+        blots[values_at(labels, points)] = False
     heads = np.zeros(count, dtype=bool)
     for line, start, end in _told_lines(told):
         along, across = line.coordinates(middles)
         reach = sides / 2 + _APART * stroke_width
         at_end = np.minimum(np.abs(along - start), np.abs(along - end)) <= reach
         heads |= blots & at_end & (np.abs(across) <= _BESIDE * stroke_width)
+    for number in np.flatnonzero(heads):
+        heads[number] = _is_solid(labels, boxes[number], int(number))
     return masked(part, ~heads[labels]) if heads.any() else part
+
+
+def _is_solid(labels: npt.NDArray[np.int32], box: npt.NDArray[np.int32], number: int) -> bool:
+    """Whether a piece of ink fills most of its convex hull."""
+    left, top, width, height, area = box.tolist()
+    rows, columns = np.nonzero(labels[top : top + height, left : left + width] == number)
+    # Corners of the pixels, for hulls of their centres are smaller than the ink.
+    corners = [np.stack([columns + x, rows + y], axis=1) for x in (0, 1) for y in (0, 1)]
+    hull = cv2.convexHull(np.concatenate(corners).astype(np.int32))
+    return area >= _SOLID * cv2.contourArea(hull)
+
+
+def _circles(told: Told) -> Iterator[npt.NDArray[np.float64]]:
+    """(n, 2) px along each circle of the part that is most of one."""
+    for shape, own in zip(told.shapes, told.kinds, strict=True):
+        kept = [run.run for run, kind in zip(shape.runs, own, strict=True) if kind is None]
+        if isinstance(shape.geometry, Circle):
+            around = sum(run.length for run in kept)
+            if around >= _WHOLE * shape.geometry.around:
+                for run in kept:
+                    yield points_along(shape.geometry, run, 1.0)
 
 
 def _told_lines(told: Told) -> Iterator[tuple[Line, float, float]]:

@@ -18,7 +18,7 @@ from gaussiancad_core.sheet.annotations.inked import (
     points_along,
     split_by_width,
 )
-from gaussiancad_core.sheet.annotations.leader_tips import with_clear_tips
+from gaussiancad_core.sheet.annotations.leader_tips import mark_leaders, with_clear_tips
 from gaussiancad_core.sheet.annotations.led_out import mark_led_out
 from gaussiancad_core.sheet.annotations.left_heads import without_heads
 from gaussiancad_core.sheet.annotations.letter_boxes import letter_boxes
@@ -149,7 +149,7 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
     kinds = kinds_of_runs(shapes, weights, sheet.stroke_width, 1.2 * sheet.dash_gap)
     mark_centre_marks(shapes, kinds, sheet)
     if weights.limit:
-        _tell_line_ends(sheet, ridges, Told(shapes, kinds, unexplained), weights)
+        _tell_line_ends(sheet, ridges, Told(shapes, kinds, unexplained), weights, letters.marks)
     part = sheet
     if letters.marks and not weights.limit:
         told, boxes = _told_by_form(sheet, Told(shapes, kinds, unexplained), letters.marks)
@@ -175,8 +175,15 @@ def _weights(sheet: CleanSheet, shapes: list[InkedShape]) -> Weights:
     return weights if weights.limit else Weights(sheet.stroke_width, 0.0)
 
 
-def _tell_line_ends(sheet: CleanSheet, ridges: RidgePoints, told: Told, weights: Weights) -> None:
+def _tell_line_ends(
+    sheet: CleanSheet,
+    ridges: RidgePoints,
+    told: Told,
+    weights: Weights,
+    letters: tuple[Mark, ...],
+) -> None:
     """Tell what is left at the ends of dimension lines and of hidden ones, in place."""
+    mark_leaders(told.shapes, told.kinds, letters, sheet.ink, sheet.stroke_width)
     mark_heads(told.shapes, told.kinds, sheet.stroke_width)
     free = ridges, _at(ridges, told.unexplained)
     more = extension_lines(sheet, free, (told.shapes, told.kinds), weights.limit)

@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.sheet.annotations.erase import Told, erased
+from gaussiancad_core.sheet.annotations.erase import Kinds, Told, erased
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
-from gaussiancad_core.sheet.annotations.leader_tips import with_clear_tips
+from gaussiancad_core.sheet.annotations.leader_tips import mark_leaders, with_clear_tips
+from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.runs import Run
@@ -123,3 +124,30 @@ def test_edges_in_line_with_level_ones_stay(sketch: Sketch) -> None:
     told = _told(sheet, OUTER)
     told.shapes[2] = InkedShape(Line(tuple(CENTRE), (1.0, 0.0)), told.shapes[2].runs)
     assert with_clear_tips(told, sheet.ink, sheet.stroke_width) is told
+
+
+WRITING = Mark(AnnotationKind.TEXT, (245.0, 60.0, 290.0, 78.0))
+"""Above the shoulder of the leader below."""
+
+
+@pytest.mark.parametrize(
+    ("letters", "aside", "kind"),
+    [((WRITING,), 0.0, AnnotationKind.LEADER), ((), 0.0, None), ((WRITING,), 9.0, None)],
+)
+def test_a_line_from_a_shoulder_under_writing_to_a_circle_is_a_leader(
+    sketch: Sketch, letters: tuple[Mark, ...], aside: float, kind: AnnotationKind | None
+) -> None:
+    """Across a circle, and as wide as an edge by its head; not if it passes the centre by."""
+    aims_at = CENTRE + aside * np.array([0.8, 0.6])
+    knee, tip = aims_at + 88.0 * AWAY, aims_at + INNER * AWAY
+    drawn = sketch(320, 320).arc(tuple(CENTRE), OUTER, width=WIDTH)
+    drawn.arc(tuple(CENTRE), INNER, width=WIDTH).line(tuple(knee), tuple(tip), WIDTH)
+    sheet = clean_sheet(drawn.line(tuple(knee), (300.0, knee[1]), 2.0).grey)
+    circles = [Circle(tuple(CENTRE), radius) for radius in (OUTER, INNER)]
+    shoulder = Line((0.0, float(knee[1])), (1.0, 0.0)), Run(float(knee[0]), 300.0), 2.0
+    leader = Line(tuple(aims_at), tuple(AWAY)), Run(INNER, 88.0), WIDTH
+    whole = [(circle, Run(0.0, circle.around), WIDTH) for circle in circles]
+    shapes = [InkedShape(at, (InkedRun(run, w),)) for at, run, w in (*whole, shoulder, leader)]
+    kinds: Kinds = [[None], [None], [AnnotationKind.EXTENSION], [None]]
+    mark_leaders(shapes, kinds, letters, sheet.ink, WIDTH)
+    assert kinds == [[None], [None], [AnnotationKind.EXTENSION], [kind]]

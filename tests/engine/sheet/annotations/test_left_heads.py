@@ -64,6 +64,14 @@ def test_blots_beside_a_told_line_stay(sketch: Sketch) -> None:
     assert _pieces(without_heads(sheet, told, WIDTH)) == 4
 
 
+def test_a_bore_with_a_blot_on_it_stays_where_a_leader_points_at_it(sketch: Sketch) -> None:
+    grey = sketch(400, 300).arc((200.0, 150.0), 25.0, width=WIDTH).grey
+    cv2.circle(grey, (175, 150), 4, 0, -1)
+    sheet = clean_sheet(grey)
+    part = without_heads(sheet, _told(80.0, 172.0, 150.0, AnnotationKind.LEADER), WIDTH)
+    assert part.ink.sum() == sheet.ink.sum()
+
+
 def test_no_heads_stay_where_narrow_lines_are_told_by_width(sketch: Sketch) -> None:
     """Each head is longer and wider than what goes with a line of its own width."""
     drawn = sketch(700, 500)
