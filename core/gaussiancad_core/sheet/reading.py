@@ -8,6 +8,7 @@ import numpy as np
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.dash_blocks import with_dash_blocks
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.masks import Outline, Region, find_outline, supersampling_for
@@ -121,7 +122,8 @@ def read_views(
             shapes[role] = find_shapes(sheet, box, finder)
         progress(index / (len(layout.boxes) + 1))
     rhythm = view_rhythm(list(shapes.values()), sheet.stroke_width)
-    shapes = dict(zip(shapes, with_twins(list(shapes.values()), rhythm), strict=True))
+    lines = with_twins(with_dash_blocks(list(shapes.values()), rhythm), rhythm)
+    shapes = dict(zip(shapes, lines, strict=True))
     pens = view_pens(list(shapes.values()), rhythm)
     largest = max(max(x1 - x0, y1 - y0) for x0, y0, x1, y1 in layout.boxes.values())
     supersampling = supersampling_for(largest)
