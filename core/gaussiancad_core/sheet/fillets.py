@@ -90,7 +90,8 @@ def find_fillets(
         stroke_width: px.
     """
     ends = straight_ends(placed, Linetype.VISIBLE)
-    corners = open_corners(ends, placed) + passing_corners(ends, placed, {Linetype.VISIBLE})
+    corners = _chords_last(open_corners(ends, placed), placed)
+    corners += passing_corners(ends, placed, {Linetype.VISIBLE})
     if not corners:
         return []
     pen = visible_pen(weight, placed, stroke_width)
@@ -178,6 +179,31 @@ def open_corners(ends: list[End], placed: Sequence[Placed]) -> list[Corner]:
         if corner is not None and not _is_taken(corner, others):
             corners.append(corner)
     return sorted(corners, key=lambda c: float(np.hypot(*(c.first.place - c.second.place))))
+
+
+def _chords_last(corners: list[Corner], placed: Sequence[Placed]) -> list[Corner]:
+    """The corners in their order, but first those between whose lines a piece lies that may be a
+    chord of their arc: with an end of the chord one of them has a corner as well, and a nearer one.
+    """
+    points = {
+        end.index: placed[end.index][0].points_at(_samples(placed[end.index][1]))
+        for own in corners
+        for end in (own.first, own.second)
+        if end.length <= 2.0 * _LONGEST_TANGENT
+    }
+    chords = set()
+    for index, own in points.items():
+        middle = own.mean(axis=0)
+        chords |= {
+            index
+            for corner in corners
+            if index not in (corner.first.index, corner.second.index)
+            and np.abs(middle - corner.place).max() <= corner.longest
+            and _is_within(own, corner)
+        }
+    return sorted(
+        corners, key=lambda own: not chords.isdisjoint((own.first.index, own.second.index))
+    )
 
 
 def _corner(first: End, second: End) -> Corner | None:

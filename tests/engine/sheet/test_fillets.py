@@ -6,13 +6,18 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.degrade import finished
 from gaussiancad_core.drawing.raster import rasterise
+from gaussiancad_core.drawing.sheet import compose_sheet, part_lines
 from gaussiancad_core.drawing.style import PRESETS, SheetStyle
-from gaussiancad_core.sheet.clean import clean_sheet
+from gaussiancad_core.samples.classed import PartClass, classed_part
+from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.pen import Pen, fit_pen
+from gaussiancad_core.sheet.reading import read_views
 from gaussiancad_core.sheet.strokes import classify_strokes
+from gaussiancad_core.sheet.view_search import find_views
 from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
 from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
 
@@ -146,3 +151,19 @@ def test_lines_that_end_apart_on_a_line_are_not_joined(apart: float) -> None:
         if 100.0 < x < 300.0 and abs(y - 50.6) < 1.0
     )
     assert ends == pytest.approx([left, right], abs=1.0)
+
+
+def test_a_line_that_was_seen_in_an_arc_has_no_fillet_of_its_own() -> None:
+    """The top view has two quarters of 15 px; in one of them eight px were taken for straight."""
+    solid = classed_part(PartClass.FILLETS, 4004, 0)
+    lines = part_lines(solid, (Role.FRONT, Role.TOP, Role.RIGHT))
+    title = "FILLETS-4004"
+    drawn = compose_sheet(lines, Projection.THIRD, PRESETS["clean"], 4004, title=title)
+    grey = drawn.image.mean(axis=2) if drawn.image.ndim == 3 else drawn.image
+    sheet = upright_sheet(clean_sheet(grey.astype(np.uint8)))
+    separated, layout = find_views(sheet, {}, Projection.THIRD)
+    views = {view.role: view.strokes for view in read_views(separated.part, layout)}
+    arcs = [stroke for stroke in views[Role.TOP] if isinstance(stroke, Arc)]
+    assert [arc.radius for arc in arcs] == pytest.approx([15.09, 15.09], abs=0.15)
+    assert [arc.sweep for arc in arcs] == pytest.approx([np.pi / 2] * 2, abs=0.02)
+    assert min(stroke.length for stroke in views[Role.TOP]) > 20.0
