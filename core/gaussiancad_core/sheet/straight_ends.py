@@ -78,13 +78,14 @@ def with_straight_ends(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Plac
     for geometry, piece in pieces:
         fit = _fit(geometry, piece, sheet) if isinstance(geometry, Circle) else None
         parts = [] if fit is None else list(_parts(geometry, piece, fit, sheet))
-        ends = parts[:-1]
-        # Where a line is known there, the arc ends where that touches it.
-        if not ends or any(_shares_ink(own, end, _EVEN, 1.0) for own in pieces for end in ends):
-            found.append((geometry, piece))
-        else:
-            straight += ends
-            found.append(parts[-1])
+        # Where a line is known there, it has the ink.
+        ends = [
+            end
+            for end in parts[:-1]
+            if not any(_shares_ink(own, end, _EVEN, 1.0) for own in pieces)
+        ]
+        straight += ends
+        found.append(parts[-1] if ends else (geometry, piece))
     if not straight:
         return found
     bent = [any(_shares_ink(own, end, _PARALLEL, _EVEN) for end in straight) for own in found]
@@ -108,14 +109,20 @@ def _fit(circle: Circle, piece: Piece, sheet: CleanSheet) -> _Fit | None:
         for count in range(1, len(ways) + 1)
         for chosen in combinations(ways, count)
     ]
-    best = min(fits, key=lambda own: own.error)
-    beyond = (points - np.array(best.circle.centre)) @ np.array(best.ways).T
-    straight = (beyond > 0.0).any(axis=1)
-    if best.error >= plain.error or (beyond.max(axis=0) < _LEAST_PX).any():
+    # An end of which too little is straight may be drawn out a little by the fit.
+    fits = [own for own in fits if (_beyond(points, own).max(axis=0) >= _LEAST_PX).all()]
+    best = min(fits, key=lambda own: own.error, default=plain)
+    if best.error >= plain.error:
         return None
+    straight = (_beyond(points, best) > 0.0).any(axis=1)
     left = np.abs(_distances(_values(best.circle), points, best.ways))
     better = np.mean(left[straight] ** 2) <= _BETTER**2 * np.mean(off[straight] ** 2)
     return best if better and off[straight].max() >= _OFF_PX else None
+
+
+def _beyond(points: Floats, fit: _Fit) -> Floats:
+    """(n, ways) px by which points lie beyond where an arc goes on straight."""
+    return (points - np.array(fit.circle.centre)) @ np.array(fit.ways).T
 
 
 def _ways(circle: Circle, piece: Piece) -> list[tuple[float, float]]:

@@ -71,3 +71,24 @@ def test_arcs_stay_arcs(sketch: Sketch, sweep: float) -> None:
     circle = Circle((150.3, 99.8), RADIUS)
     piece = Piece(0.4 * RADIUS, (0.4 + sweep) * RADIUS, Linetype.VISIBLE, 1.0)
     assert with_straight_ends([(circle, piece)], sheet) == [(circle, piece)]
+
+
+@pytest.mark.parametrize("short", [6.5, 7.5, 9.0])
+@pytest.mark.parametrize("place", [(150.0, 90.0), (150.3, 90.6)])
+def test_an_arc_that_is_known_to_end_in_one_line_goes_on_straight_at_its_other_end(
+    sketch: Sketch, place: tuple[float, float], short: float
+) -> None:
+    """A shoulder a few px wider than the fillet in it, at the foot of a long side."""
+    x, y = place
+    radius = 21.0
+    drawn = sketch(300, 200).lines((x, y), (x, 20), (20, 20), (20, 180), width=2.2)
+    drawn.arc((x - radius, y), radius, 2.2, 0.0, np.pi / 2)
+    end = x - radius - short
+    drawn.lines((x - radius, y + radius), (end, y + radius), (end, 180), (20, 180), width=2.2)
+    strokes = _read(drawn)
+    (arc,) = [stroke for stroke in strokes if isinstance(stroke, Arc)]
+    assert arc.radius == pytest.approx(radius, abs=0.2)
+    assert arc.sweep == pytest.approx(np.pi / 2, abs=0.03)
+    assert len(strokes) == 7
+    shortest = min(strokes, key=lambda own: own.length)
+    assert shortest.length == pytest.approx(short, abs=0.6)
