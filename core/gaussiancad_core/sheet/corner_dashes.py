@@ -15,7 +15,7 @@ from gaussiancad_core.sheet.fillets import boxes_of
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.jogs import distance_to
 from gaussiancad_core.sheet.parted import wide_gaps
-from gaussiancad_core.sheet.runs import Piece, Rhythm, widest_gap
+from gaussiancad_core.sheet.runs import Piece, Rhythm, runs_of_ink, widest_gap
 from gaussiancad_core.sheet.shapes import sample
 from gaussiancad_core.sheet.stubs import Placed
 from gaussiancad_core.views import Linetype
@@ -25,6 +25,9 @@ _LONGEST = 2.0
 
 _TICK = 2.0
 """px of ink beside the line at least that its dash goes on with."""
+
+_LONGEST_TICK = 1.3
+"""Length of ink beyond a gap that is a dash at most, in dashes."""
 
 _MOST = 600
 """Pieces of a view up to which legs are looked for: of more each would cost too much."""
@@ -43,6 +46,9 @@ _WITHIN = (0.25, 0.5)
 
 _CLEAR = 1.0
 """px beyond a stroke's ink from which ink is not its own."""
+
+_ALONG = 0.99
+"""Cosine of the angle between a leg and a line that it is a dash of."""
 
 _CONFIDENCE = 0.6
 
@@ -90,12 +96,33 @@ def _corners(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhythm) -> Ite
         ends = [(piece.start, -1.0), (piece.end, 1.0)]
         for low, high in wide_gaps(geometry, piece, sheet, rhythm):
             ends += [(low, 1.0), (high, -1.0)]
+        for at, way in [(piece.start, -1.0), (piece.end, 1.0)]:
+            beyond = _next_dash_end(geometry, at, way, sheet, rhythm)
+            if beyond is not None:
+                ends.append((beyond, way))
         for at, way in ends:
             # Hidden lines may be as wide as others or half of that.
             places = [np.array(geometry.at(at - way * sheet.stroke_width * w)) for w in _WITHIN]
             for side in (-1.0, 1.0):
                 for place in places:
                     yield _Corner(index, place, side * np.array([-dy, dx]))
+
+
+def _next_dash_end(
+    line: Line, at: float, way: float, sheet: CleanSheet, rhythm: Rhythm
+) -> float | None:
+    """Where the ink ends that follows a line's end after a gap, if it is a dash or a part of one:
+    so short beside its corner that no ridge runs along it."""
+    away = np.arange(1.0, widest_gap(rhythm) + _LONGEST_TICK * rhythm.dash + 2.0, _STEP)
+    points = line.points_at(at + way * away)
+    dark = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > _DARK
+    stretches = runs_of_ink(dark)
+    if not stretches:
+        return None
+    first, last = stretches[0]
+    long_enough = sheet.stroke_width <= away[last] - away[first] <= _LONGEST_TICK * rhythm.dash
+    gap = 1.0 < away[first] <= widest_gap(rhythm) + 1.0
+    return at + way * float(away[last]) if gap and long_enough and last < len(away) - 1 else None
 
 
 def _leg(
@@ -112,7 +139,7 @@ def _leg(
         return None
     ends = (k for k in np.flatnonzero(places > 2.0 * width) if _is_taken(points[k], others, 0.0))
     end = next(ends, None)
-    if end is None:
+    if end is None or _is_led_on(corner.aside, points[end], others):
         return None
     inked = dark[: end + 1]
     blank = longest_blank(inked) * _STEP
@@ -121,6 +148,16 @@ def _leg(
         return None
     line = Line(tuple(map(float, corner.place)), tuple(map(float, corner.aside)))
     return line, Piece(0.0, float(places[end]), Linetype.HIDDEN, _CONFIDENCE)
+
+
+def _is_led_on(way: Floats, point: Floats, others: Sequence[Placed]) -> bool:
+    """Whether a line along a way ends at a point: what leads there is a dash of its own."""
+    return any(
+        isinstance(own[0], Line)
+        and abs(float(np.dot(own[0].direction, way))) > _ALONG
+        and distance_to(own, point) <= _CLEAR
+        for own in others
+    )
 
 
 def _is_taken(point: Floats, others: Sequence[Placed], width: float) -> bool:

@@ -17,6 +17,7 @@ from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.corner_dashes import find_corner_dashes
 from gaussiancad_core.sheet.curved_corners import find_curved_fillets
 from gaussiancad_core.sheet.dangling import with_met_ends
+from gaussiancad_core.sheet.dash_corners import is_dash_corner
 from gaussiancad_core.sheet.explained import (
     Explained,
     is_new,
@@ -151,6 +152,9 @@ def _seen_pieces(
             curved = [piece for piece in found if _is_curved(shape.geometry, piece, view.sheet)]
             # Of a circle that is drawn all around short parts between crossings count as well.
             found = found if is_mostly_dashed(shape.geometry, curved) else curved
+        if isinstance(shape.geometry, Circle):
+            circle = shape.geometry
+            found = [own for own in found if not is_dash_corner(circle, own, view.sheet, rhythm)]
         found = bridged(view.field, shape.geometry, found, rhythm)
         if not isinstance(shape.geometry, Line):
             found = _closed(shape.geometry, found, rhythm)
