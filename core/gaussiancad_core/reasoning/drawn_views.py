@@ -22,6 +22,7 @@ class DrawnViews:
             tells.  The reader has made equal what is one.
         noise: mm by which views contradict each other about a coordinate that they share, at the
             median, on the axis on which they do most; 0 for exact lines.
+        likely: whether measures become round ones where they most likely are.
     """
 
     strokes: Mapping[Role, tuple[Curve, ...]]
@@ -29,6 +30,7 @@ class DrawnViews:
     tolerance: float
     apart: float | None = None
     noise: float = 0.0
+    likely: bool = False
 
     @property
     def roles(self) -> tuple[Role, ...]:

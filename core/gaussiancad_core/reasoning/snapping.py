@@ -14,6 +14,7 @@ import numpy as np
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.curves import CircleCurve
+from gaussiancad_core.reasoning.lattice import Roughness, likely_numbers
 from gaussiancad_core.reasoning.nominal import NominalStep, nominal_step
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.relations import Linear, Numbers, solved
@@ -29,7 +30,6 @@ CERTAIN = 1e6
 
 _FAR = 2.5
 """Tolerances by which anything moves at most; an equation that asks for more is dropped."""
-
 
 _FOLLOWING = 1e-5
 """Share of the step within which a centre or a radius is a multiple, or the middle of two, because
@@ -93,6 +93,7 @@ class Snapped:
         reach: how far a reading may lie from its value.
         step: that the part was designed in; None where none is told.
         nominal: whether all values and circles are multiples of it, or follow from such.
+        moved: units by which those moved, at the mean, that most likely are multiples of a step.
     """
 
     values: dict[Axis, tuple[float, ...]]
@@ -102,6 +103,7 @@ class Snapped:
     reach: float
     step: NominalStep | None = None
     nominal: bool = False
+    moved: float = 0.0
 
     def value(self, axis: Axis, reading: float, reach: float | None = None) -> float | None:
         """The value nearest to a reading, if it is within reach."""
@@ -138,6 +140,8 @@ def snapped(
     tolerance: float,
     apart: float | None = None,
     millimetre: float = 0.0,
+    *,
+    noise: float = 0.0,
 ) -> Snapped:
     """Make readings that belong together equal.
 
@@ -147,6 +151,7 @@ def snapped(
         tolerance: units by which a reading may be off.
         apart: units from which values are different ones; the tolerance if it is None.
         millimetre: units, as far as the scale is known; 0 where it is not.
+        noise: units by which readings are off; 0 where only sure measures become round.
     """
     apart = tolerance if apart is None else apart
     variables = _Variables()
@@ -167,10 +172,15 @@ def snapped(
     relations = circle_relations(variables.observed, clusters, own, tolerance)
     numbers = solved(variables.observed, variables.weights, relations, _FAR * tolerance)
     step = _step(numbers, tolerance, millimetre) if tolerance > _EXACT else None
-    nominal = False
+    nominal, moved, far = False, 0.0, _FAR * tolerance
     if step is not None:
-        far = _FAR * tolerance
         variables, numbers, nominal = _rounded(variables, numbers, relations, step, far)
+    elif noise:
+        likely = likely_numbers(numbers, clusters, own, Roughness(tolerance, noise))
+        if likely is not None:
+            variables.observed, moved = likely.numbers, likely.moved
+            variables.weights = (likely.factors * variables.weights).tolist()
+            numbers = solved(variables.observed, variables.weights, relations, far)
     values = {
         axis: tuple(sorted({float(numbers[column]) for column in clusters[axis]})) for axis in Axis
     }
@@ -185,7 +195,7 @@ def snapped(
     )
     circle_weights = tuple(variables.weights[radius] for *_, radius in own)
     reach = 2.0 * tolerance
-    return Snapped(values, weights, circles_out, circle_weights, reach, step, nominal)
+    return Snapped(values, weights, circles_out, circle_weights, reach, step, nominal, moved)
 
 
 def with_lone_values(snap: Snapped, readings: Sequence[Reading]) -> Snapped:

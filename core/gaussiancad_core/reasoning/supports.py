@@ -108,6 +108,7 @@ class PartSupports:
             in: they are known exactly then, however roughly they were read.
         step: that step; None where none is told.
         odd: how many values, and numbers of circles, are no multiples of it.
+        moved: units by which values moved, at the mean, that most likely are round but not surely.
     """
 
     planes: dict[Axis, PlaneSupports]
@@ -118,6 +119,7 @@ class PartSupports:
     nominal: bool = False
     step: NominalStep | None = None
     odd: int = 0
+    moved: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -172,7 +174,8 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
     planes = _sorted_strokes(views, scale, tolerance)
     size = tuple(extent * scale for extent in views.size)
     apart = None if views.apart is None else views.apart * scale
-    snap = _snap(planes, size, scale, tolerance, apart)
+    noise = views.noise * scale if views.likely else 0.0
+    snap = _snap(planes, size, scale, tolerance, apart, noise=noise)
     shown = [_plane_reading(plane, tolerance) for plane in planes.values()]
     lone = [reading for plane in shown for reading in _slant_ends(plane, snap)]
     known = adjusted(with_lone_values(snap, lone), shown, tolerance, facets)
@@ -184,7 +187,7 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
     }
     own = known.snap
     return PartSupports(
-        found, own.values, size, scale, tolerance, own.nominal, own.step, own.odd_numbers
+        found, own.values, size, scale, tolerance, own.nominal, own.step, own.odd_numbers, own.moved
     )
 
 
@@ -277,6 +280,8 @@ def _snap(
     scale: float,
     tolerance: float,
     apart: float | None,
+    *,
+    noise: float,
 ) -> Snapped:
     """Values and circles, with what lies together made equal."""
     readings = []
@@ -292,7 +297,7 @@ def _snap(
                 value = (line.start[along] + line.end[along]) / 2.0
                 readings.append(Reading(axes[along], value, line.length * line.confidence))
         circles += [CircleReading(plane.normal, c.circle, c.weight) for c in plane.circles]
-    return snapped(readings, circles, tolerance, apart, scale)
+    return snapped(readings, circles, tolerance, apart, scale, noise=noise)
 
 
 def _plane_reading(plane: _Plane, tolerance: float) -> PlaneReading:

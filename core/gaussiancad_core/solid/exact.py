@@ -25,6 +25,7 @@ from gaussiancad_core.reasoning.part import (
     model_part,
 )
 from gaussiancad_core.reasoning.solvers import Deadline
+from gaussiancad_core.reasoning.supports import find_supports
 from gaussiancad_core.reasoning.unsaid import with_unsaid
 from gaussiancad_core.solid.build import BuiltSolid, build_solid
 from gaussiancad_core.solid.labelled import LabelledSpace
@@ -54,6 +55,13 @@ _UNBUILT = (
     "the cells that fit the lines best bound no closed solid: lines are missing or wrong",
 )
 _UNFINISHED = "search-unfinished", "the search for solids with these lines was not completed"
+
+
+_QUICK = 0.25
+"""Share of the time that a search took at most for another one, with likely measures."""
+
+_LESS = 0.002
+"""Share of the lines that a solid may show less then."""
 
 
 @dataclass(frozen=True)
@@ -107,8 +115,9 @@ def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
         views: two to six.
         limits: of the search.
     """
+    limits = limits or Limits()
     with _uncollected():
-        return _found(views, limits or Limits())
+        return _with_likely_measures(_found(views, limits), views, limits)
 
 
 @contextmanager
@@ -151,6 +160,34 @@ def _found(views: DrawnViews, limits: Limits) -> ExactResult:
     conflict = find_conflict(part, views, limits.conflict)
     clock.lap("conflict")
     return replace(result, conflict=conflict)
+
+
+def _with_likely_measures(found: ExactResult, views: DrawnViews, limits: Limits) -> ExactResult:
+    """The same solid with measures that most likely are round, where a picture leaves some open.
+
+    They stay in doubt, and so does the solid: only its shape changes.
+    """
+    own = found.verification
+    if own is None or not own.sound or own.close:
+        return found
+    if sum(found.seconds.values()) > _QUICK * limits.seconds:
+        return found
+    likely = replace(views, likely=True)
+    if not find_supports(likely).moved:
+        return found
+    other = _found(likely, replace(limits, seconds=_QUICK * limits.seconds))
+    if not _is_as_good(other, found):
+        return found
+    return replace(found, shape=other.shape, verification=other.verification)
+
+
+def _is_as_good(other: ExactResult, found: ExactResult) -> bool:
+    """Whether a solid is sound, shows the lines as well, and has no more faces."""
+    new, old = other.verification, found.verification
+    if new is None or old is None or not new.sound or new.share < old.share - _LESS:
+        return False
+    same_lines = len(new.flaws) <= len(old.flaws)
+    return same_lines and soundness(other.shape).faces <= soundness(found.shape).faces
 
 
 def _explains(result: ExactResult) -> bool:
