@@ -399,10 +399,16 @@ def test_garbage_is_looked_for_again_afterwards(
     assert gc.isenabled()
 
 
-@pytest.mark.parametrize(("off", "sure"), [(0.0, True), (0.31, False)])
-def test_a_part_designed_in_steps_is_as_large_as_meant(off: float, sure: bool, drawn: Draw) -> None:
+@pytest.mark.parametrize(
+    ("off", "pixel", "sure"),
+    [(0.0, 0.05, True), (0.31, 0.05, True), (0.0, 0.12, True), (0.31, 0.12, False)],
+)
+def test_a_part_designed_in_steps_is_as_large_as_meant(
+    off: float, pixel: float, sure: bool, drawn: Draw
+) -> None:
     """A picture places every line a tenth of a pixel wrong: round measures tell how large the part
-    is, and one that is not round may be anything near."""
+    is.  Where one is not round, another may be near a round one by chance, which has to be little.
+    """
     solid = cut(
         box((0, 0, 0), (60, 40, 24)),
         box((0, 0, 16), (22, 40, 24)),
@@ -428,10 +434,11 @@ def test_a_part_designed_in_steps_is_as_large_as_meant(off: float, sure: bool, d
         role: tuple(misplaced(own) for own in strokes)
         for role, strokes in exact_lines.strokes.items()
     }
-    views = replace(exact_lines, strokes=strokes, tolerance=0.05, apart=0.02, noise=0.01)
+    views = replace(exact_lines, strokes=strokes, tolerance=pixel, apart=0.02, noise=0.01)
     found = exact_solid(views)
     assert found.verification is not None and found.verification.explains
     assert found.verification.close == sure
     assert (found.status is Status.VERIFIED) == sure
     if sure:
-        assert volume(found.shape) == pytest.approx(volume(solid), rel=1e-6)
+        within = 1e-3 if off else 1e-6
+        assert volume(found.shape) == pytest.approx(volume(solid), rel=within)
