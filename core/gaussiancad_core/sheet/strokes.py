@@ -30,6 +30,7 @@ from gaussiancad_core.sheet.explained import (
 from gaussiancad_core.sheet.fillets import Fillet, find_fillets, is_chord
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
 from gaussiancad_core.sheet.hidden_fillets import find_hidden_fillets
+from gaussiancad_core.sheet.hidden_rungs import with_hidden_rungs
 from gaussiancad_core.sheet.jogs import find_jogs
 from gaussiancad_core.sheet.junctions import (
     FULL_TURN,
@@ -97,7 +98,7 @@ def classify_strokes(
     ended = _with_fillets(ended, find_hidden_fillets(ended, view.sheet, rhythm), explained)
     ended = with_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
     ended = with_slanted_dashes(ended, view.sheet, rhythm)
-    ended = with_short_legs(ended, view.sheet, rhythm)
+    ended = with_hidden_rungs(with_short_legs(ended, view.sheet, rhythm), view.sheet, rhythm)
     ended = with_bows(with_corners_reached(ended, rhythm), view.sheet)
     # Strokes that were drawn out to a junction explain the ink up to there.
     for geometry, piece in ended:
