@@ -62,7 +62,7 @@ def runs_of_its_own(
     sheet: CleanSheet, line: Line, runs: Sequence[Run], others: Sequence[Line]
 ) -> list[Run]:
     """The runs that a line is fitted to: not those whose ink another line beside it follows more
-    closely, as of a second slant a px from the course of the first.  All of them if none is left.
+    closely, as of a second slant a px from the course of the first, if most of the ink is such.
 
     Args:
         sheet: the ink.
@@ -73,7 +73,10 @@ def runs_of_its_own(
     beside = [other for other in others if other != line and _is_beside(line, other, runs, sheet)]
     if len(runs) < _FEWEST_RUNS or not beside:
         return list(runs)
-    return [run for run in runs if not _is_anothers(sheet, line, run, beside)] or list(runs)
+    kept = [run for run in runs if not _is_anothers(sheet, line, run, beside)]
+    # Where most of the ink is its own, what is not pulls the line nowhere.
+    length = sum(run.length for run in kept)
+    return kept if 0.0 < length < sum(run.length for run in runs) / 2.0 else list(runs)
 
 
 def _is_anothers(sheet: CleanSheet, line: Line, run: Run, beside: Sequence[Line]) -> bool:
