@@ -27,8 +27,9 @@ _LONGEST = 2.0
 _PARALLEL = 0.9998
 """Cosine of the angle between the two lines at least."""
 
-_TICK = 1.5
-"""px beyond half a line's width where a tick has ink."""
+_TICK = 2.5
+"""px beyond half a line's width where a tick has ink: where a centre line was taken off that
+crossed both lines, up to two are left of it."""
 
 _WIDER = 2.0
 """px by which a tick is wider than a line at most, along it."""
@@ -59,14 +60,14 @@ def with_hidden_rungs(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhyth
     lines = [
         (geometry, piece)
         for geometry, piece in pieces
-        if isinstance(geometry, Line) and piece.end - piece.start > rhythm.dash
+        if isinstance(geometry, Line)
+        and piece.linetype is Linetype.HIDDEN
+        and piece.end - piece.start > rhythm.dash
     ]
     if len(lines) > _MOST or rhythm.dash <= 0.0:
         return list(pieces)
     found = list(pieces)
     for one, other in combinations(lines, 2):
-        if Linetype.HIDDEN not in (one[1].linetype, other[1].linetype):
-            continue
         for rung in _between(one, other, sheet, rhythm):
             middle = np.array(rung[0].at(0.5 * (rung[1].start + rung[1].end)))
             if not any(distance_to(own, middle) <= _TAKEN for own in found):
