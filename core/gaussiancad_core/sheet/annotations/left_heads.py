@@ -19,8 +19,9 @@ from gaussiancad_core.sheet.geometry import Circle, Line
 _LARGEST = 24.0
 """Length of an arrowhead at most, in widths of a visible line."""
 
-_THICK = 0.95
-"""Half width of an arrowhead at least, in widths of a visible line; where two cross it is 0.7."""
+_THICK = 1.4
+"""Half width of an arrowhead at least, in widths of a visible line; where two cross it is about one
+at most, and what was a crossing of a dash with an annotation is by itself, too."""
 
 _BESIDE = 0.7
 """Distance of an arrowhead's middle from its line at most, in widths of a visible line."""

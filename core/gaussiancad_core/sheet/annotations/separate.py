@@ -165,7 +165,7 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
         told = with_clear_tips(told, sheet.ink, sheet.stroke_width)
         marks += _line_marks(told)
         part = replace(erased(part, told), stroke_width=weights.visible)
-        part = without_heads(part, told, weights.visible)
+        part = without_heads(part, told, weights.visible) if weights.limit else part
     hatched = hatching.area if hatching.marks else None
     return SeparatedSheet(part, tuple(marks), bool(weights.limit), hatched, told)
 

@@ -64,6 +64,15 @@ def test_blots_beside_a_told_line_stay(sketch: Sketch) -> None:
     assert _pieces(without_heads(sheet, told, WIDTH)) == 4
 
 
+def test_a_dash_that_an_annotation_crossed_stays(sketch: Sketch) -> None:
+    """With what is left of the crossing it is thicker than a line."""
+    drawn = sketch(400, 300).line((60.0, 40.0), (60.0, 200.0), 3.8)
+    drawn.line((200.0, 144.0), (200.0, 156.0), 3.8).line((196.5, 150.0), (203.5, 150.0), 3.8)
+    sheet = clean_sheet(drawn.grey)
+    part = without_heads(sheet, _told(80.0, 196.0, 150.0, AnnotationKind.CENTRE_LINE), 2.6)
+    assert part.ink.sum() == sheet.ink.sum()
+
+
 def test_a_bore_with_a_blot_on_it_stays_where_a_leader_points_at_it(sketch: Sketch) -> None:
     grey = sketch(400, 300).arc((200.0, 150.0), 25.0, width=WIDTH).grey
     cv2.circle(grey, (175, 150), 4, 0, -1)
