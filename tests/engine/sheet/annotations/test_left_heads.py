@@ -66,10 +66,10 @@ def test_blots_beside_a_told_line_stay(sketch: Sketch) -> None:
 
 def test_a_dash_that_an_annotation_crossed_stays(sketch: Sketch) -> None:
     """With what is left of the crossing it is thicker than a line."""
-    drawn = sketch(400, 300).line((60.0, 40.0), (60.0, 200.0), 3.8)
-    drawn.line((200.0, 144.0), (200.0, 156.0), 3.8).line((196.5, 150.0), (203.5, 150.0), 3.8)
+    drawn = sketch(400, 300).line((60.0, 40.0), (60.0, 200.0), 3.4)
+    drawn.line((200.0, 144.0), (200.0, 156.0), 3.4).line((196.5, 150.0), (203.5, 150.0), 3.4)
     sheet = clean_sheet(drawn.grey)
-    part = without_heads(sheet, _told(80.0, 196.0, 150.0, AnnotationKind.CENTRE_LINE), 2.6)
+    part = without_heads(sheet, _told(80.0, 196.0, 150.0, AnnotationKind.CENTRE_LINE), 2.5)
     assert part.ink.sum() == sheet.ink.sum()
 
 
