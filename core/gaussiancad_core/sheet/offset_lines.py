@@ -26,9 +26,6 @@ _UPON = 0.5
 _LEAST, _LEAST_AT_END = 10.0, 3.0
 """px along which it is another's, at least, and at the end of a run."""
 
-_FEWEST_RUNS = 2
-"""Runs of a line from which one may be another's."""
-
 _AT_END = 2.0
 """px from the end of a run within which a stretch ends there."""
 
@@ -56,37 +53,6 @@ def without_offset_ink(
     if not beside:
         return list(runs)
     return [part for run in runs for part in _parts(sheet, line, run, beside)]
-
-
-def runs_of_its_own(
-    sheet: CleanSheet, line: Line, runs: Sequence[Run], others: Sequence[Line]
-) -> list[Run]:
-    """The runs that a line is fitted to: not those whose ink another line beside it follows more
-    closely, as of a second slant a px from the course of the first, if most of the ink is such.
-
-    Args:
-        sheet: the ink.
-        line: px, a fit to a part of its ink.
-        runs: in order along it.
-        others: lines of the same view.
-    """
-    beside = [other for other in others if other != line and _is_beside(line, other, runs, sheet)]
-    if len(runs) < _FEWEST_RUNS or not beside:
-        return list(runs)
-    kept = [run for run in runs if not _is_anothers(sheet, line, run, beside)]
-    # Where most of the ink is its own, what is not pulls the line nowhere.
-    length = sum(run.length for run in kept)
-    return kept if 0.0 < length < sum(run.length for run in runs) / 2.0 else list(runs)
-
-
-def _is_anothers(sheet: CleanSheet, line: Line, run: Run, beside: Sequence[Line]) -> bool:
-    at, off = cross_profile(sheet, line, [(run.start, run.end)])
-    own = float(np.median(np.abs(off))) if len(off) else 0.0
-    if own < _UPON or len(at) < _LEAST:
-        return False
-    normal = np.array([-line.direction[1], line.direction[0]])
-    centres = line.points_at(at) + off[:, None] * normal
-    return any(float(np.median(other.distances(centres))) < own / 2.0 for other in beside)
 
 
 def _is_across(sheet: CleanSheet, line: Line, run: Run, others: Sequence[Line]) -> bool:

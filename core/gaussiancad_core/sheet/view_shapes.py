@@ -19,7 +19,7 @@ from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
 from gaussiancad_core.sheet.growth import GrowthRules, grow_all
 from gaussiancad_core.sheet.junctions import FULL_TURN
 from gaussiancad_core.sheet.line_widths import Pens, learn_pens, run_width
-from gaussiancad_core.sheet.offset_lines import runs_of_its_own, without_offset_ink
+from gaussiancad_core.sheet.offset_lines import without_offset_ink
 from gaussiancad_core.sheet.options import Finder
 from gaussiancad_core.sheet.ridges import ridge_points
 from gaussiancad_core.sheet.runs import (
@@ -118,8 +118,7 @@ def find_shapes(
         reach = float(along.min()), float(along.max())
         runs = line_runs(field, line, *reach)
         if runs:
-            own = runs_of_its_own(crop, line, runs, straight)
-            refitted = refit_line(crop, line, runs_spans(own))
+            refitted = refit_line(crop, line, runs_spans(runs))
             found.append((refitted, line_runs(field, refitted, *reach), line in close))
     curves = [curve for curve in candidates if not isinstance(curve, Line)]
     drawn = [(line, runs) for line, runs, _ in found]

@@ -56,25 +56,3 @@ def test_a_line_across_a_dash_has_no_ink_of_it(sketch: Sketch, turn: float) -> N
     runs = [Run(-7.0, 7.0), Run(60.0, 150.0)]
     assert without_offset_ink(sheet, slant, runs, [dash, slant]) == runs[1:]
     assert without_offset_ink(sheet, dash, [Run(-8.0, 8.0)], [dash, slant]) == [Run(-8.0, 8.0)]
-
-
-@pytest.mark.parametrize("apart", [0.9, 1.2, 1.6])
-@pytest.mark.parametrize("degrees", [45.0, 30.0])
-def test_two_slants_a_px_off_one_course_are_both_where_they_are(
-    sketch: Sketch, apart: float, degrees: float
-) -> None:
-    """The longer one does not pull the other's line to its own."""
-    way = np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees))])
-    normal = np.array([-way[1], way[0]])
-    origin = np.array([30.3, 40.2])
-    drawn = sketch(420, 420)
-    spans = [(0.0, 90.0, 0.0), (220.0, 275.0, apart)]
-    for start, end, off in spans:
-        first, last = (origin + at * way + off * normal for at in (start, end))
-        drawn.line(tuple(first), tuple(last), 2.6)
-    view = find_shapes(clean_sheet(drawn.grey), (20.0, 20.0, 400.0, 400.0))
-    offset = np.array(view.offset)
-    for start, end, off in spans:
-        middle = origin + (start + end) / 2.0 * way + off * normal - offset
-        lines = [shape.geometry for shape in view.shapes if isinstance(shape.geometry, Line)]
-        assert min(float(line.distances(middle[None])[0]) for line in lines) < 0.1
