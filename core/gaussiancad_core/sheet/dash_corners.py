@@ -32,15 +32,13 @@ def is_dash_corner(circle: Circle, piece: Piece, sheet: CleanSheet, rhythm: Rhyt
         return False
     (place,) = circle.points_at(np.array([0.5 * (piece.start + piece.end)]))
     column, row = np.rint(place).astype(int)
+    if not (0 <= row < sheet.ink.shape[0] and 0 <= column < sheet.ink.shape[1]):
+        return False
     reach = int(np.ceil(longest)) + 2
     top, left = max(row - reach, 0), max(column - reach, 0)
     window = sheet.ink[top : row + reach + 1, left : column + reach + 1]
-    if not (0 <= row < sheet.ink.shape[0] and 0 <= column < sheet.ink.shape[1]):
-        return False
     _, labels, stats, _ = cv2.connectedComponentsWithStats(window.astype(np.uint8), connectivity=8)
-    number = int(
-        labels[min(row - top, window.shape[0] - 1), min(column - left, window.shape[1] - 1)]
-    )
+    number = int(labels[row - top, column - left])
     if not number:
         return False
     x, y, width, height = stats[number, :4].tolist()

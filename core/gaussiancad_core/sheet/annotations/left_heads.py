@@ -12,9 +12,10 @@ import numpy.typing as npt
 
 from gaussiancad_core.sheet.annotations.erase import Told, masked
 from gaussiancad_core.sheet.annotations.inked import points_along
+from gaussiancad_core.sheet.annotations.line_ends import told_lines
 from gaussiancad_core.sheet.annotations.marks import values_at
 from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.geometry import Circle, Line
+from gaussiancad_core.sheet.geometry import Circle
 
 _LARGEST = 24.0
 """Length of an arrowhead at most, in widths of a visible line."""
@@ -55,10 +56,10 @@ def without_heads(part: CleanSheet, told: Told, stroke_width: float) -> CleanShe
     for points in _circles(told):
         blots[values_at(labels, points)] = False
     heads = np.zeros(count, dtype=bool)
-    for line, start, end in _told_lines(told):
+    for line, own, _ in told_lines(told.shapes, told.kinds):
         along, across = line.coordinates(middles)
         reach = sides / 2 + _APART * stroke_width
-        at_end = np.minimum(np.abs(along - start), np.abs(along - end)) <= reach
+        at_end = np.minimum(np.abs(along - own.run.start), np.abs(along - own.run.end)) <= reach
         heads |= blots & at_end & (np.abs(across) <= _BESIDE * stroke_width)
     for number in np.flatnonzero(heads):
         heads[number] = _is_solid(labels, boxes[number], int(number))
@@ -84,11 +85,3 @@ def _circles(told: Told) -> Iterator[npt.NDArray[np.float64]]:
             if around >= _WHOLE * shape.geometry.around:
                 for run in kept:
                     yield points_along(shape.geometry, run, 1.0)
-
-
-def _told_lines(told: Told) -> Iterator[tuple[Line, float, float]]:
-    for shape, own in zip(told.shapes, told.kinds, strict=True):
-        if isinstance(shape.geometry, Line):
-            for run, kind in zip(shape.runs, own, strict=True):
-                if kind is not None:
-                    yield shape.geometry, run.run.start, run.run.end

@@ -44,7 +44,7 @@ def mark_heads(shapes: Sequence[InkedShape], kinds: Kinds, stroke_width: float) 
         kinds: what each run is known to be.
         stroke_width: px.
     """
-    lines = list(_told_lines(shapes, kinds))
+    lines = list(told_lines(shapes, kinds))
     for shape, own in zip(shapes, kinds, strict=True):
         if not isinstance(shape.geometry, Circle):
             continue
@@ -58,9 +58,10 @@ def mark_heads(shapes: Sequence[InkedShape], kinds: Kinds, stroke_width: float) 
             own[k] = next(within, None)
 
 
-def _told_lines(
+def told_lines(
     shapes: Sequence[InkedShape], kinds: Kinds
 ) -> Iterator[tuple[Line, InkedRun, AnnotationKind]]:
+    """The straight runs that are annotations, and what each is."""
     for shape, own in zip(shapes, kinds, strict=True):
         if isinstance(shape.geometry, Line):
             for run, kind in zip(shape.runs, own, strict=True):
@@ -96,7 +97,7 @@ def extension_lines(
     )
     ends = [
         (points[k], line.direction)
-        for line, run, _ in _told_lines(*told)
+        for line, run, _ in told_lines(*told)
         for points in [points_along(line, run.run, run.run.length)]
         for k in (0, -1)
     ]
