@@ -135,7 +135,8 @@ def find_outline(
         filled = np.zeros_like(ink)
         contours, _ = cv2.findContours(closed, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
         cv2.drawContours(filled, contours, -1, 1, cv2.FILLED)
-        half = _outline_width(closed, filled) / 2 if contours else 0.0
+        # By the ink as it is: closing fills what is between two edges close beside each other.
+        half = _outline_width(ink, filled) / 2 if contours else 0.0
         # Distances count from the first pixel outside, half a pixel beyond the edge.
         inside = cv2.distanceTransform(filled, cv2.DIST_L2, 5) - 0.5
         outside = cv2.distanceTransform(1 - filled, cv2.DIST_L2, 5) - 0.5

@@ -1,5 +1,7 @@
 """Outlines that faded somewhere are closed, those with a side missing are not."""
 
+from typing import Any
+
 import cv2
 import numpy as np
 import pytest
@@ -29,3 +31,12 @@ def test_a_faded_outline_is_closed(gap: int) -> None:
 
 def test_an_outline_without_a_side_stays_open() -> None:
     assert find_outline(clean_sheet(_rectangle(60)), BOX, 2) is None
+
+
+@pytest.mark.parametrize("apart", [4.0, 4.5, 5.0, 8.0])
+def test_an_edge_close_inside_an_outline_leaves_it_where_it_is(sketch: Any, apart: float) -> None:
+    """As a narrow chamfer around a shaft; closed gaps must not make one wide line of both."""
+    drawn = sketch(300, 300).arc((150, 150), 100, width=2.7).arc((150, 150), 100 - apart, width=2.7)
+    outline = find_outline(clean_sheet(drawn.grey), (48.0, 48.0, 253.0, 253.0), 3)
+    assert outline is not None
+    assert outline.box == pytest.approx((50.5, 50.5, 250.5, 250.5), abs=0.6)
