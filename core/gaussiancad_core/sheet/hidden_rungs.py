@@ -38,7 +38,7 @@ _FACING = 0.8
 """px by which two ticks that face each other are out of line at most."""
 
 _TAKEN = 1.5
-"""px from the middle of a rung within which no other stroke runs."""
+"""px from the middle of a rung, and from its ticks, within which no other stroke runs."""
 
 _STEP, _DARK = 0.5, 0.5
 """px between the places that are looked at, and weight from which one is ink."""
@@ -69,10 +69,19 @@ def with_hidden_rungs(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhyth
     found = list(pieces)
     for one, other in combinations(lines, 2):
         for rung in _between(one, other, sheet, rhythm):
-            middle = np.array(rung[0].at(0.5 * (rung[1].start + rung[1].end)))
-            if not any(distance_to(own, middle) <= _TAKEN for own in found):
+            beside = [own for own in found if own is not one and own is not other]
+            if not _is_taken(rung, beside, 0.5 * sheet.stroke_width + _TICK):
                 found.append(rung)
     return found
+
+
+def _is_taken(rung: Placed, others: Sequence[Placed], tick: float) -> bool:
+    """Whether other strokes run through the middle of a rung, or through one of its ticks, which
+    then is ink of theirs: dashes of a circle between two tangents face each other as well."""
+    line, piece = rung
+    length = piece.end - piece.start
+    places = [np.array(line.at(piece.start + at)) for at in (tick, 0.5 * length, length - tick)]
+    return any(distance_to(own, place) <= _TAKEN for own in others for place in places)
 
 
 def _between(

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.sheet.clean import clean_sheet
-from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.hidden_rungs import with_hidden_rungs
 from gaussiancad_core.sheet.runs import Piece, Rhythm
 from gaussiancad_core.sheet.strokes import classify_strokes
@@ -72,3 +72,22 @@ def test_ticks_that_do_not_face_each_other_are_none(
 def test_a_hidden_line_across_both_stays_one(sketch: Sketch) -> None:
     drawn = _pair(sketch).broken((100.4, 22), (100.4, 218), DASHES, PEN)
     assert _upright(drawn) == []
+
+
+def test_dashes_of_a_circle_that_touches_both_lines_are_no_ticks(sketch: Sketch) -> None:
+    radius = 12.5
+    lines = [
+        (Line((0.0, y), (1.0, 0.0)), Piece(22.0, 298.0, Linetype.HIDDEN, 1.0))
+        for y in (100.3, 100.3 + 2.0 * radius)
+    ]
+    drawn = sketch(320, 240).lines((20, 20), (300, 20), (300, 220), (20, 220), (20, 20))
+    middle = np.array([100.4, 100.3 + radius])
+    for side in (-1.0, 1.0):
+        angles = np.radians(np.linspace(20.0, 70.0, 9))
+        arc = middle + radius * np.stack([np.cos(angles), side * np.sin(angles)], 1)
+        drawn.lines(*[(float(x), float(y)) for x, y in arc], width=PEN)
+    sheet = clean_sheet(drawn.grey)
+    assert len(with_hidden_rungs(lines, sheet, Rhythm(*DASHES))) > 2
+    circle = Circle((float(middle[0]), float(middle[1])), radius)
+    around = (circle, Piece(0.0, circle.around, Linetype.HIDDEN, 1.0))
+    assert with_hidden_rungs([*lines, around], sheet, Rhythm(*DASHES)) == [*lines, around]
