@@ -75,7 +75,7 @@ def test_a_hidden_line_across_both_stays_one(sketch: Sketch) -> None:
 
 
 def test_dashes_of_a_circle_that_touches_both_lines_are_no_ticks(sketch: Sketch) -> None:
-    radius = 12.5
+    radius = 11.0
     lines = [
         (Line((0.0, y), (1.0, 0.0)), Piece(22.0, 298.0, Linetype.HIDDEN, 1.0))
         for y in (100.3, 100.3 + 2.0 * radius)
