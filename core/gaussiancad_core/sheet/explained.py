@@ -78,19 +78,20 @@ class Explained:
         """The marks for a shape that runs close beside another, or for any other."""
         return self.upon if close else self.around
 
-    def add(self, geometry: Geometry, piece: Piece) -> None:
-        """Mark the ink of a piece, in place, a little longer than the stroke."""
+    def add(self, geometry: Geometry, piece: Piece, close: bool = False) -> None:
+        """Mark the ink of a piece, in place, a little longer than the stroke; where others run
+        close beside it no wider than the stroke."""
         reach = self.stroke_width / 2
         points = path_points(geometry, piece.start - reach, piece.end + reach)
         # Ten chords to a radian.
         straight = isinstance(geometry, Line)
         chord = len(points) - 1 if straight else max(1, int(geometry.around / (20.0 * np.pi)))
-        width = int(np.ceil(self.stroke_width))
+        width, beside = int(np.ceil(self.stroke_width)), 0 if close else 2
         for first in range(0, len(points) - 1, chord):
             part = points[first : first + chord + 1]
             mark = int(_direction_marks(part[-1:] - part[:1])[0])
             path = np.rint(part * 8).astype(np.int32)
-            cv2.polylines(self.around, [path], False, mark, width + 2, shift=3)
+            cv2.polylines(self.around, [path], False, mark, width + beside, shift=3)
             cv2.polylines(self.upon, [path], False, mark, width, shift=3)
 
 

@@ -32,6 +32,10 @@ _AT_END = 2.0
 _SHORT, _TILTED = 30.0, 0.9
 """px that a run across another's dash is long at most; by which the dash leaves it at its ends."""
 
+_FEWEST, _SHOWN = 5, 0.3
+"""Places of such a run at which the centre of the ink is known, at least; share of its px: where it
+leaves the line the ink reaches out of what is looked at, and at its ends others meet it."""
+
 _MOST_OF = 0.6
 """Share of a stretch in which the centre of the ink is known to be another's, at least."""
 
@@ -55,20 +59,55 @@ def without_offset_ink(
     return [part for run in runs for part in _parts(sheet, line, run, beside)]
 
 
+def lines_across(
+    sheet: CleanSheet, line: Line, runs: Sequence[Run], others: Sequence[Line]
+) -> list[Line]:
+    """Lines that a line crosses at a small angle, and that none of the others is: a line through
+    the place where a slant meets an edge takes the edge's ink for its own.
+
+    Args:
+        sheet: the ink.
+        line: px.
+        runs: in order along it.
+        others: lines of the same view.
+    """
+    found = []
+    for run in runs:
+        crossed = _crossed(sheet, line, run)
+        if crossed is None or any(_is_upon(other, crossed) for other in others):
+            continue
+        middle = crossed.mean(axis=0)
+        way = np.linalg.svd(crossed - middle)[2][0]
+        found.append(Line((float(middle[0]), float(middle[1])), (float(way[0]), float(way[1]))))
+    return found
+
+
 def _is_across(sheet: CleanSheet, line: Line, run: Run, others: Sequence[Line]) -> bool:
     """Whether a run no longer than a dash or two is where a line crosses the dash of another."""
+    crossed = _crossed(sheet, line, run)
+    return crossed is not None and any(
+        other != line and _is_upon(other, crossed) for other in others
+    )
+
+
+def _crossed(sheet: CleanSheet, line: Line, run: Run) -> npt.NDArray[np.float64] | None:
+    """(n, 2) px of the ink's centre where a short run is straight across the line, if it is."""
     if run.length > _SHORT or run.length < _LEAST_AT_END:
-        return False
+        return None
     at, off = cross_profile(sheet, line, [(run.start, run.end)])
-    if len(at) < _MOST_OF * run.length:
-        return False
+    if len(at) < max(_FEWEST, _SHOWN * run.length):
+        return None
     slope, shift = np.polyfit(at, off, 1)
     straight = np.abs(off - slope * at - shift).max() < _UPON
     if abs(slope) * run.length / 2.0 < _TILTED or not straight:
-        return False
+        return None
     normal = np.array([-line.direction[1], line.direction[0]])
-    centres = line.points_at(at) + off[:, None] * normal
-    return any(other != line and other.distances(centres).max() < _UPON for other in others)
+    return line.points_at(at) + off[:, None] * normal
+
+
+def _is_upon(line: Line, points: npt.NDArray[np.float64]) -> bool:
+    """Whether all of (n, 2) points are on a line."""
+    return float(line.distances(points).max()) < _UPON
 
 
 def _is_beside(line: Line, other: Line, runs: Sequence[Run], sheet: CleanSheet) -> bool:

@@ -28,6 +28,7 @@ from gaussiancad_core.sheet.registration import (
     strokes_in_plane,
     view_box,
 )
+from gaussiancad_core.sheet.rings import with_rings
 from gaussiancad_core.sheet.seen_coordinates import PlaneView
 from gaussiancad_core.sheet.shared_axes import share_axes
 from gaussiancad_core.sheet.special_views.cut_views import cut_region, with_hidden_inside
@@ -37,6 +38,9 @@ from gaussiancad_core.sheet.twin_lines import with_twins
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet, vector_views
 from gaussiancad_core.sheet.view_shapes import find_shapes, view_pens, view_rhythm
 from gaussiancad_core.views import Linetype, Stroke, ViewSet
+
+_ALONE = 0.6
+"""Gaps by which a line may be longer than its only dash: lines at its ends cover the rest."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +53,8 @@ class ReadView:
         strokes: visible and hidden.
         outline: its filled contour and blank regions.
         source: where its strokes come from.
+        dash: px up to which a hidden stroke may be one dash, as solid as a visible one; None where
+            the pens or the file tell linetypes.
     """
 
     role: Role
@@ -56,6 +62,7 @@ class ReadView:
     strokes: tuple[Stroke, ...]
     outline: Outline
     source: StrokesSource = StrokesSource.RASTER
+    dash: float | None = None
 
     def stored_box(self, turn: Turn) -> Box:
         """The view's box in px of the sheet as stored, before it was turned."""
@@ -121,6 +128,7 @@ def read_views(
         if role not in exact:
             shapes[role] = find_shapes(sheet, box, finder)
         progress(index / (len(layout.boxes) + 1))
+    shapes = dict(zip(shapes, with_rings(shapes, layout.boxes), strict=True))
     rhythm = view_rhythm(list(shapes.values()), sheet.stroke_width)
     lines = with_twins(with_dash_blocks(list(shapes.values()), rhythm), rhythm)
     shapes = dict(zip(shapes, lines, strict=True))
@@ -147,7 +155,9 @@ def read_views(
         if region is not None:
             strokes = with_hidden_inside(strokes, outline, region)
         own = view_box(strokes, outline, exact=source is StrokesSource.VECTOR)
-        drawn.append(ReadView(role, own, strokes, outline, source))
+        told = pens.told or source is not StrokesSource.RASTER
+        dash = None if told else rhythm.dash + _ALONE * rhythm.gap
+        drawn.append(ReadView(role, own, strokes, outline, source, dash))
     return tuple(drawn)
 
 

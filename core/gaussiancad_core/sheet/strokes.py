@@ -40,6 +40,7 @@ from gaussiancad_core.sheet.junctions import (
 )
 from gaussiancad_core.sheet.led_on import with_corners_reached
 from gaussiancad_core.sheet.line_widths import Pens, told_by_width
+from gaussiancad_core.sheet.linetype_changes import with_changes_at_junctions
 from gaussiancad_core.sheet.linetypes import classify
 from gaussiancad_core.sheet.parted import parted_at_corners
 from gaussiancad_core.sheet.rungs import find_rungs
@@ -110,6 +111,8 @@ def classify_strokes(
     ended += short
     remainder &= explained.around == 0
     ended = with_met_ends(ended, remainder, view.sheet.stroke_width)
+    if pens is None or not pens.told:
+        ended = with_changes_at_junctions(ended, rhythm, view.sheet.stroke_width)
     strokes = [_stroke(geometry, piece) for geometry, piece in ended]
     strokes += trace_remainder(remainder, view.sheet.stroke_width, rhythm.dash)
     shift = np.array(view.offset) + 0.5
@@ -127,7 +130,14 @@ def _seen_pieces(
     joins = not any(isinstance(shape.geometry, WholeEllipse) for shape in order)
     lines = [(own.geometry, own.runs) for own in order if isinstance(own.geometry, Line)]
     known = explained
+    for shape in order:
+        if shape.told is not None:
+            whole = Piece(0.0, shape.geometry.around, shape.told, 1.0)
+            pieces.append((shape.geometry, whole))
+            explained.add(shape.geometry, whole, close=True)
     for index, shape in enumerate(order):
+        if shape.told is not None:
+            continue
         # Of two that share their ink neither explains the other's.
         if not shape.twin:
             known = explained

@@ -19,7 +19,7 @@ from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
 from gaussiancad_core.sheet.growth import GrowthRules, grow_all
 from gaussiancad_core.sheet.junctions import FULL_TURN
 from gaussiancad_core.sheet.line_widths import Pens, learn_pens, run_width
-from gaussiancad_core.sheet.offset_lines import without_offset_ink
+from gaussiancad_core.sheet.offset_lines import lines_across, without_offset_ink
 from gaussiancad_core.sheet.options import Finder
 from gaussiancad_core.sheet.ridges import ridge_points
 from gaussiancad_core.sheet.runs import (
@@ -45,6 +45,7 @@ from gaussiancad_core.sheet.shapes import (
     refit_line,
 )
 from gaussiancad_core.sheet.tangent_runs import without_tangents
+from gaussiancad_core.views import Linetype
 
 MIN_SAGITTA = 1.2
 """Height in px of the flattest arc that is told from a straight line, beyond half a stroke."""
@@ -76,6 +77,7 @@ class Shape:
         support: px of its ink whose centre line it follows, in doubt less than its length.
         close: whether another line is known to run right beside it.
         twin: whether it is one of two, one after the other, that share their ink.
+        told: the linetype that all of a closed curve is known to have.
     """
 
     geometry: Geometry
@@ -83,6 +85,7 @@ class Shape:
     support: float
     close: bool = False
     twin: bool = False
+    told: Linetype | None = None
 
 
 @dataclass(frozen=True)
@@ -120,6 +123,10 @@ def find_shapes(
         if runs:
             refitted = refit_line(crop, line, runs_spans(runs))
             found.append((refitted, line_runs(field, refitted, *reach), line in close))
+    for line, runs, _ in list(found):
+        for other in lines_across(crop, line, runs, [own for own, _, _ in found]):
+            along, _ = other.coordinates(corners)
+            found.append((other, line_runs(field, other, along.min(), along.max()), False))
     curves = [curve for curve in candidates if not isinstance(curve, Line)]
     drawn = [(line, runs) for line, runs, _ in found]
     shapes = [shape for curve in curves if (shape := _curve_shape(crop, field, curve, drawn))]

@@ -56,3 +56,28 @@ def test_a_line_across_a_dash_has_no_ink_of_it(sketch: Sketch, turn: float) -> N
     runs = [Run(-7.0, 7.0), Run(60.0, 150.0)]
     assert without_offset_ink(sheet, slant, runs, [dash, slant]) == runs[1:]
     assert without_offset_ink(sheet, dash, [Run(-8.0, 8.0)], [dash, slant]) == [Run(-8.0, 8.0)]
+
+
+@pytest.mark.parametrize("rightwards", [True, False])
+def test_an_edge_on_the_course_of_a_slant_is_upright(sketch: Sketch, rightwards: bool) -> None:
+    """A cone's outline, drawn on, runs through the short edge of the shoulder above it."""
+    drawn = sketch(340, 290)
+
+    def x(at: float) -> float:
+        return at if rightwards else 340.0 - at
+
+    drawn.lines((x(20), 137), (x(303.0), 137), (x(303.0), 160), (x(297.2), 166), width=2.5)
+    drawn.lines((x(20), 160), (x(303.0), 160), width=2.5)
+    drawn.lines((x(20), 250), (x(326.5), 250), (x(305.5), 166), (x(20), 166), width=2.5)
+    drawn.line((x(20), 137), (x(20), 250), 2.5)
+    sheet = clean_sheet(drawn.grey)
+    view = find_shapes(sheet, (5.0, 125.0, 335.0, 260.0))
+    strokes = classify_strokes(view, view_rhythm([view], sheet.stroke_width))
+    edges = [
+        points
+        for points in (own.sample(1.0)[[0, -1]] - 0.5 for own in strokes)
+        if np.ptp(points[:, 1]) > 15.0 and np.abs(points[:, 0] - x(303.0)).max() < 2.0
+    ]
+    assert len(edges) == 1
+    assert edges[0][:, 0] == pytest.approx(x(303.0), abs=0.2)
+    assert sorted(edges[0][:, 1]) == pytest.approx([137.0, 160.0], abs=0.5)

@@ -9,6 +9,9 @@ import pytest
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.masks import find_outline
 
+Sketch = Any
+"""The class that the fixture gives."""
+
 BOX = (100.0, 80.0, 401.0, 281.0)
 
 
@@ -34,7 +37,9 @@ def test_an_outline_without_a_side_stays_open() -> None:
 
 
 @pytest.mark.parametrize("apart", [4.0, 4.5, 5.0, 8.0])
-def test_an_edge_close_inside_an_outline_leaves_it_where_it_is(sketch: Any, apart: float) -> None:
+def test_an_edge_close_inside_an_outline_leaves_it_where_it_is(
+    sketch: Sketch, apart: float
+) -> None:
     """As a narrow chamfer around a shaft; closed gaps must not make one wide line of both."""
     drawn = sketch(300, 300).arc((150, 150), 100, width=2.7).arc((150, 150), 100 - apart, width=2.7)
     outline = find_outline(clean_sheet(drawn.grey), (48.0, 48.0, 253.0, 253.0), 3)
