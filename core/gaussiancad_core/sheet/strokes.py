@@ -50,7 +50,7 @@ from gaussiancad_core.sheet.runs import (
     Rhythm,
     Run,
     bridged,
-    is_mostly_dashed,
+    with_dashes_between,
 )
 from gaussiancad_core.sheet.shadows import without_shadows
 from gaussiancad_core.sheet.shapes import (
@@ -161,8 +161,7 @@ def _seen_pieces(
         found = classify([run for run, _ in fresh], rhythm, touches, shape.geometry.around, told)
         if not isinstance(shape.geometry, Line):
             curved = [piece for piece in found if _is_curved(shape.geometry, piece, view.sheet)]
-            # Of a circle that is drawn all around short parts between crossings count as well.
-            found = found if is_mostly_dashed(shape.geometry, curved) else curved
+            found = with_dashes_between(shape.geometry, found, curved, rhythm)
         if isinstance(shape.geometry, Circle):
             circle = shape.geometry
             found = [own for own in found if not is_dash_corner(circle, own, view.sheet, rhythm)]
