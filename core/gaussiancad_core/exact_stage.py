@@ -212,7 +212,14 @@ def drawn_views(registered: RegisteredSheet) -> DrawnViews:
     if tolerance < _ROUGH_PX:
         return views_as_read(registered.views, tolerance * pixel)
     noise = _noise_px(registered)
-    return views_as_read(registered.views, tolerance * pixel, _APART_PX * pixel, noise * pixel)
+    dashes = [view.dash * pixel for view in registered.drawn if view.dash is not None]
+    return views_as_read(
+        registered.views,
+        tolerance * pixel,
+        _APART_PX * pixel,
+        noise * pixel,
+        max(dashes, default=None),
+    )
 
 
 def _noise_px(registered: RegisteredSheet) -> float:

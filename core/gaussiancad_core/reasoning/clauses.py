@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from ortools.sat.python import cp_model
 
 from gaussiancad_core.reasoning.columns import Cell
-from gaussiancad_core.reasoning.rules import Group, Rule, Transition
+from gaussiancad_core.reasoning.rules import Group, Rule, Says, Transition
 from gaussiancad_core.views import Linetype
 
 SURFACES = 10
@@ -127,6 +127,10 @@ class Model:
             for group in rule.groups:
                 for literal in self._discrepancies(group):
                     add([~literal, *escape])
+            return
+        if rule.says is Says.DRAWN:
+            either = [d for group in rule.groups for d in self._discrepancies(group)]
+            add([*either, *escape] or [self._false])
             return
         covering: dict[int, cp_model.IntVar] = {}
         places: list[cp_model.IntVar] = []

@@ -23,6 +23,8 @@ class DrawnViews:
         noise: mm by which views contradict each other about a coordinate that they share, at the
             median, on the axis on which they do most; 0 for exact lines.
         likely: whether measures become round ones where they most likely are.
+        dash: mm up to which a hidden line may be one dash, as solid as a visible one; None where
+            all linetypes are known.
     """
 
     strokes: Mapping[Role, tuple[Curve, ...]]
@@ -31,6 +33,7 @@ class DrawnViews:
     apart: float | None = None
     noise: float = 0.0
     likely: bool = False
+    dash: float | None = None
 
     @property
     def roles(self) -> tuple[Role, ...]:
@@ -52,8 +55,12 @@ def exact_views(
 
 
 def views_as_read(
-    views: ViewSet, tolerance: float, apart: float | None = None, noise: float = 0.0
+    views: ViewSet,
+    tolerance: float,
+    apart: float | None = None,
+    noise: float = 0.0,
+    dash: float | None = None,
 ) -> DrawnViews:
-    """Views as they were read from a sheet; ``tolerance``, ``apart`` and ``noise`` in mm."""
+    """Views as they were read from a sheet; ``tolerance``, ``apart``, ``noise``, ``dash`` in mm."""
     strokes = {view.role: view.strokes for view in views.views}
-    return DrawnViews(strokes, views.size, tolerance, apart, noise)
+    return DrawnViews(strokes, views.size, tolerance, apart, noise, dash=dash)

@@ -14,7 +14,7 @@ from ortools.sat.python import cp_model
 
 from gaussiancad_core.reasoning.clauses import SURFACES, Labels, Model, points, points_of
 from gaussiancad_core.reasoning.columns import Cell
-from gaussiancad_core.reasoning.rules import Rule, drawn_under
+from gaussiancad_core.reasoning.rules import Rule, Says, holds
 from gaussiancad_core.reasoning.solvers import (
     FOUND,
     NEVER,
@@ -150,6 +150,35 @@ class Search:
             return self._simplest(solver, deadline)
         return Labelling(None, (), status == cp_model.INFEASIBLE)
 
+    def retold(self, deadline: Deadline = NEVER) -> Labelling:
+        """Labels under which all rules hold but for linetypes that nothing tells; as few of these
+        as possible become the other one."""
+        kinds = self._kinds
+        if not kinds:
+            return Labelling(None, (), False)
+        held, model = self._model, self._model.model
+        model.add_assumptions([~e for n, e in held.given_up.items() if n not in kinds])
+        solver = solver_for(self._effort.hard, self._effort.workers, deadline)
+        if solver.solve(model) not in FOUND:
+            model.clear_assumptions()
+            return Labelling(None, (), False)
+        first = held.labels(solver)
+        held.hint(first)
+        given_up = sum(points(self._rules[n]) * held.given_up[n] for n in kinds)
+        model.minimize(SURFACES * given_up + sum(held.surfaces))
+        solver = solver_for(self._effort.hard, self._effort.workers, deadline)
+        status = solver.solve(model)
+        model.clear_objective()
+        model.clear_hints()
+        model.clear_assumptions()
+        labels = held.labels(solver) if status in FOUND else first
+        return Labelling(labels, _broken(self._rules, labels), status == cp_model.OPTIMAL)
+
+    @cached_property
+    def _kinds(self) -> frozenset[int]:
+        """Numbers of the rules that say of which linetype a line most likely is."""
+        return frozenset(n for n, rule in enumerate(self._rules) if rule.says is Says.KIND)
+
     def contradict(self, but: Sequence[int], deadline: Deadline = NEVER) -> bool:
         """Whether rules contradict each other for certain, those of some numbers left out."""
         self._softly.allow_only(but)
@@ -245,7 +274,9 @@ class Search:
         """
         if found.labels is None or not deadline.left:
             return Others((), False)
-        if found.given_up:
+        if found.given_up and all(rule.says is Says.KIND for rule in found.given_up):
+            held, solver_of = self._retelling(found), solver_for
+        elif found.given_up:
             held, solver_of = self._within(found), relaxing_solver
         else:
             held, solver_of = self._strict(), solver_for
@@ -274,6 +305,19 @@ class Search:
             self._model.model.add(escape == 0)
         return self._model
 
+    def _retelling(self, found: Labelling) -> Model:
+        """The clauses of all rules but linetypes that nothing tells, of which hardly more may be
+        other ones than of the found labels; they can be used once."""
+        held = self._model
+        given_up = sum(points(rule) for rule in found.given_up)
+        more = max(_MORE * given_up, points_of(_MORE_UNITS))
+        for number, escape in held.given_up.items():
+            if number not in self._kinds:
+                held.model.add(escape == 0)
+        spent = sum(points(self._rules[n]) * held.given_up[n] for n in self._kinds)
+        held.model.add(spent <= round(given_up + more))
+        return held
+
     def _within(self, found: Labelling) -> Model:
         """Clauses that give up little more than the found labels do; they can be used once."""
         soft = self._softly
@@ -287,4 +331,4 @@ class Search:
 
 
 def _broken(rules: Sequence[Rule], labels: Labels) -> tuple[Rule, ...]:
-    return tuple(rule for rule in rules if drawn_under(rule, labels) is not rule.linetype)
+    return tuple(rule for rule in rules if not holds(rule, labels))

@@ -375,7 +375,8 @@ class _DrawnNear:
                 at = support.curve.parameter(point)
                 a, b = support.curve.normal(at)
                 if abs(a * across[0] + b * across[1]) > _ALONG:
-                    (found if away < _ON else beside).add(support.linetype_at(role, at))
+                    known = away < _ON and not support.is_unsure_at(role, at)
+                    (found if known else beside).add(support.linetype_at(role, at))
                     if support.is_open_at(role, at):
                         beside.add(Linetype.HIDDEN)
         for other, drawn, linetype in self._chains:

@@ -9,6 +9,7 @@ anything that both columns share, and hidden if each such place lies behind a su
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from enum import Enum
 from math import inf
 
 from gaussiancad_core.axes import Role
@@ -16,6 +17,7 @@ from gaussiancad_core.reasoning.columns import Cell, Crossing, Space, parallel
 from gaussiancad_core.reasoning.curves import Point
 from gaussiancad_core.reasoning.pieces import Piece
 from gaussiancad_core.reasoning.planes import role_plane
+from gaussiancad_core.reasoning.unsure_kinds import is_unsure
 from gaussiancad_core.views import Linetype
 
 BESIDE = 2e-5
@@ -26,6 +28,10 @@ _GROUP = 0.06
 
 _CLEAR = 2e-3
 """Units around a piece's point within which nothing else may run."""
+
+_KIND = 0.03
+_MOST_KIND = 0.9
+"""Weight of the linetype of a line that may be of either, as a share of the line's and at most."""
 
 Transition = tuple[Cell | None, Cell | None]
 """From one cell into another; None is void by itself."""
@@ -46,6 +52,15 @@ class Group:
     all: tuple[Transition, ...]
 
 
+class Says(Enum):
+    """What a rule says of its pieces: how they look; that a line is there; of which linetype it
+    most likely is."""
+
+    ALL = "all"
+    DRAWN = "drawn"
+    KIND = "kind"
+
+
 @dataclass(frozen=True)
 class Rule:
     """What has to hold for one or more pieces to look as they do.
@@ -56,6 +71,7 @@ class Rule:
         weight: length of the pieces, in units, by confidence.
         role, point: of one of the pieces.
         pieces: all of them.
+        says: what of it.
     """
 
     groups: tuple[Group, ...]
@@ -64,26 +80,29 @@ class Rule:
     role: Role
     point: Point
     pieces: tuple[Piece, ...] = field(default=(), compare=False, repr=False)
+    says: Says = Says.ALL
 
 
 def rules_of(space: Space, pieces: Iterable[Piece]) -> list[Rule]:
     """Rules of pieces; those that say the same become one."""
-    found: dict[tuple[tuple[Group, ...], Linetype | None], list[Piece]] = {}
+    found: dict[tuple[tuple[Group, ...], Linetype | None, bool], list[Piece]] = {}
     for piece in pieces:
         groups = _groups(space, piece)
         if groups is not None:
-            found.setdefault((groups, piece.linetype), []).append(piece)
-    return [
-        Rule(
-            groups,
-            linetype,
-            sum(piece.length * piece.confidence for piece in own),
-            own[0].role,
-            own[0].point,
-            tuple(own),
-        )
-        for (groups, linetype), own in found.items()
-    ]
+            unsure = piece.linetype is not None and is_unsure(piece)
+            found.setdefault((groups, piece.linetype, unsure), []).append(piece)
+    rules = []
+    for (groups, linetype, unsure), own in found.items():
+        place = own[0].role, own[0].point, tuple(own)
+        if unsure:
+            length = sum(piece.length for piece in own)
+            kind = min(_MOST_KIND, _KIND * length)
+            rules.append(Rule(groups, linetype, length, *place, Says.DRAWN))
+            rules.append(Rule(groups, linetype, kind, *place, Says.KIND))
+        else:
+            weight = sum(piece.length * piece.confidence for piece in own)
+            rules.append(Rule(groups, linetype, weight, *place))
+    return rules
 
 
 def _groups(space: Space, piece: Piece) -> tuple[Group, ...] | None:
@@ -233,3 +252,9 @@ def drawn_under(rule: Rule, labels: dict[Cell, bool]) -> Linetype | None:
             return Linetype.HIDDEN if covered else Linetype.VISIBLE
         covered |= any(surface(transition) for transition in group.all)
     return None
+
+
+def holds(rule: Rule, labels: dict[Cell, bool]) -> bool:
+    """Whether labels fulfil a rule."""
+    drawn = drawn_under(rule, labels)
+    return drawn is not None if rule.says is Says.DRAWN else drawn is rule.linetype

@@ -14,6 +14,7 @@ import numpy as np
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.reasoning.curves import TURN, LineCurve, PlaneCurve, Point, meetings
+from gaussiancad_core.reasoning.unsure_kinds import UNSURE
 from gaussiancad_core.views import Linetype
 
 _DROPPED = 0.03
@@ -79,6 +80,16 @@ class Support:
             span.confidence == 0.0 and span.low - slack <= parameter <= span.high + slack
             for span in self.spans.get(role, ())
         )
+
+    def is_unsure_at(self, role: Role, parameter: float, reach: float = 1e-4) -> bool:
+        """Whether a view draws the support at a parameter without telling its linetype."""
+        slack = reach / self.curve.speed
+        found = [
+            span.confidence
+            for span in self.spans.get(role, ())
+            if span.low - slack <= parameter <= span.high + slack
+        ]
+        return 0.0 < max(found, default=0.0) <= UNSURE
 
 
 def merged_stretches(

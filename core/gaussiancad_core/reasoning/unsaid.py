@@ -11,7 +11,7 @@ from math import log
 
 from gaussiancad_core.reasoning.clauses import Labels
 from gaussiancad_core.reasoning.columns import Cell, Space, Surface
-from gaussiancad_core.reasoning.rules import Rule, drawn_under
+from gaussiancad_core.reasoning.rules import Rule, holds
 
 _SLIM = 0.15
 """Units of thickness below which cells make no different solid."""
@@ -105,8 +105,4 @@ def _evidence(
 def _may_be(cell: Cell, label: bool, labels: Labels, rules: Sequence[Rule]) -> bool:
     """Whether no rule about a cell that holds would be broken by its other label."""
     changed = {**labels, cell: label}
-    return all(
-        drawn_under(rule, changed) is rule.linetype
-        or drawn_under(rule, labels) is not rule.linetype
-        for rule in rules
-    )
+    return all(holds(rule, changed) or not holds(rule, labels) for rule in rules)

@@ -54,6 +54,11 @@ _UNBUILT = (
     "no-valid-solid",
     "the cells that fit the lines best bound no closed solid: lines are missing or wrong",
 )
+_RETOLD = (
+    "linetypes-retold",
+    "hidden lines no longer than a dash look like visible ones: some are taken for the other kind, "
+    "as the other views have it",
+)
 _UNFINISHED = "search-unfinished", "the search for solids with these lines was not completed"
 
 
@@ -340,6 +345,8 @@ def _reasons(
                 f"{worst.place[1]:.1f}) mm{more}",
             )
         )
+    if best.verification.retold:
+        reasons.append(_RETOLD)
     if not best.verification.close:
         reasons.append(("lines-inexact", _inexact(best.verification)))
     if len(agreeing) > 1:

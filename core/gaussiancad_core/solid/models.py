@@ -23,6 +23,7 @@ from gaussiancad_core.reasoning.part import (
 )
 from gaussiancad_core.reasoning.rough_arcs import ROUGHLY, without_rough_arcs
 from gaussiancad_core.reasoning.solvers import Deadline
+from gaussiancad_core.reasoning.unsure_kinds import with_unsure_kinds
 
 _HARD, _OTHERWISE, _RELAXED = 0.4, 0.55, 0.8
 """Shares of the time at which a step's solvers end: labels for all lines, for all with more
@@ -110,7 +111,15 @@ def labelled(
         return
     lines = views
     deadline = clock.deadline(_OTHERWISE * limits.seconds)
-    closed = with_closed_outlines(views) if found.complete else None
+    unsure = with_unsure_kinds(views)
+    if unsure is not None and (model := _modelled(unsure, deadline)) is not None:
+        other = _remodelled(replace(work, views=unsure), model, limits)
+        retold = other.search.retold(deadline)
+        if retold.labels is not None:
+            yield other, retold
+        # What is given up may be linetypes as well.
+        work, lines = other, unsure
+    closed = with_closed_outlines(lines) if found.complete else None
     if closed is not None and (model := _modelled(closed, deadline)) is not None:
         # Where the outside runs into the part nearly all lines contradict each other.
         lines, work = closed, _remodelled(work, model, limits)

@@ -12,6 +12,7 @@ from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.brep import area, bounding_box, soundness, volume
 from gaussiancad_core.drawing.hlr import LineDrawing
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.unsure_kinds import as_drawn, with_unsure_kinds
 from gaussiancad_core.solid.round_measures import RoundMeasures, volume_in_doubt
 from gaussiancad_core.verification.agreement import MatchedLines, agreeing_share, match_lines
 from gaussiancad_core.verification.lines import Curve, LinePoints, Lines, lines_of_strokes
@@ -89,6 +90,7 @@ class Verification:
             the solid: the thinner a part is in px, the more.  Faces that follow from round measures
             are certain, but for one.
         off: whether lines or box are too far off to rely on the measures.
+        retold: whether strokes whose linetype nothing tells are of the other one.
     """
 
     sound: bool
@@ -98,6 +100,7 @@ class Verification:
     misfit: float
     doubt: float
     off: bool
+    retold: bool = False
 
     @property
     def close(self) -> bool:
@@ -140,10 +143,13 @@ def verify(
     least = max(_FLAW * tolerance, _SMALLEST_FLAW * max(views.size))
     drawing = LineDrawing(shape)
     matched, flaws, spread = {}, [], 0.0
+    told, retold = with_unsure_kinds(views) or views, False
     for role in views.roles:
         lines = lines_of_strokes(drawing.view(role), tolerance / 8.0)
-        found = matched[role] = match_lines(views.strokes[role], lines, tolerance)
-        spread = max(spread, _spread(views.strokes[role], lines, tolerance, _TELLING * tolerance))
+        strokes = as_drawn(told.strokes[role], lines, tolerance)
+        retold |= strokes != tuple(told.strokes[role])
+        found = matched[role] = match_lines(strokes, lines, tolerance)
+        spread = max(spread, _spread(strokes, lines, tolerance, _TELLING * tolerance))
         unread = max(least, _UNREAD * views.tolerance)
         for points, agree, missing, shortest in (
             (found.sheet.visible, found.visible_found, True, least),
@@ -163,7 +169,7 @@ def verify(
         doubtful = min(doubtful, volume_in_doubt(shape, measures))
     doubt = doubtful / max(abs(volume(shape)), 1e-12)
     off = max(spread, misfit) > _CLOSE * tolerance
-    return Verification(sound, matched, tuple(flaws), spread, misfit, doubt, off)
+    return Verification(sound, matched, tuple(flaws), spread, misfit, doubt, off, retold)
 
 
 def _misfit(shape: TopoDS_Shape, views: DrawnViews) -> float:

@@ -101,8 +101,8 @@ def test_pieces_that_say_the_same_are_one_rule(
     twice = rules_of(part.space, [*pieces, *pieces])
     assert [(r.groups, r.linetype) for r in twice] == [(r.groups, r.linetype) for r in once]
     assert [r.weight for r in twice] == pytest.approx([2.0 * r.weight for r in once])
-    doubted = rules_of(part.space, [replace(piece, confidence=0.25) for piece in pieces])
-    assert [r.weight for r in doubted] == pytest.approx([0.25 * r.weight for r in once])
+    doubted = rules_of(part.space, [replace(piece, confidence=0.5) for piece in pieces])
+    assert [r.weight for r in doubted] == pytest.approx([0.5 * r.weight for r in once])
 
 
 @pytest.mark.parametrize("name", ["counterbored-block", "countersunk-plate"])
