@@ -51,7 +51,9 @@ def _reading(strokes: Strokes, projection: Projection) -> Reading:
         )
         for role, own in strokes.items()
     )
-    drawn = tuple(SimpleNamespace(source=StrokesSource.RASTER, strokes=()) for _ in views)
+    drawn = tuple(
+        SimpleNamespace(dash=None, source=StrokesSource.RASTER, strokes=()) for _ in views
+    )
     registered = RegisteredSheet(ViewSet(views, _SIZE), {}, drawn, 0.02, AxisExtents({}, {}), 0)
     return Reading(registered, projection)
 
@@ -239,7 +241,7 @@ def test_the_noise_of_views_is_that_of_the_axis_on_which_they_differ_most() -> N
     few = AxisExtents({}, {}, {Axis.Y: Residual(0.001, 0.01, 3), Axis.Z: Residual(0.002, 0.01, 9)})
     unsure = drawn_views(replace(third.registered, extents=few))
     assert unsure.noise == pytest.approx(0.015 * noisy.mm_per_pixel)
-    exact = tuple(SimpleNamespace(source=StrokesSource.VECTOR) for _ in noisy.drawn)
+    exact = tuple(SimpleNamespace(dash=None, source=StrokesSource.VECTOR) for _ in noisy.drawn)
     assert drawn_views(replace(noisy, drawn=exact)).noise == 0.0
 
 
@@ -261,7 +263,8 @@ def test_what_views_round_alike_is_told_by_their_places(
     if rounded:
         agreed.residuals[Axis.Y] = Residual(seen, seen, 6)
     drawn = tuple(
-        SimpleNamespace(source=StrokesSource.RASTER, strokes=lines) for _ in third.registered.drawn
+        SimpleNamespace(dash=None, source=StrokesSource.RASTER, strokes=lines)
+        for _ in third.registered.drawn
     )
     views = drawn_views(replace(third.registered, extents=agreed, drawn=drawn))
     assert views.noise == pytest.approx(noise * third.registered.mm_per_pixel)
