@@ -17,7 +17,7 @@ from math import hypot, pi, sin, sqrt
 
 from gaussiancad_core.reasoning.chains import Chain, crossings_with_chain, crossings_with_curves
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve, LineCurve, Point, meetings
-from gaussiancad_core.reasoning.spans import Support
+from gaussiancad_core.reasoning.spans import Support, merged_stretches
 
 _SAME = 3e-6
 """Coordinates closer than this are one."""
@@ -121,21 +121,27 @@ class Arrangement:
     Args:
         supports: with what is drawn on them.
         chains: boundaries that are no supports.
+        lost: (support, low, high) that bound regions as well, though nothing is drawn there.
 
     Attributes:
         supports: as given.
-        stretches: (support, low, high) that are drawn.
+        stretches: (support, low, high) that bound regions: all that are drawn.
         corners: points where something ends, meets or turns.
         regions: how many there are, the outside included.
     """
 
-    def __init__(self, supports: Sequence[Support], chains: Sequence[Chain] = ()) -> None:
+    def __init__(
+        self,
+        supports: Sequence[Support],
+        chains: Sequence[Chain] = (),
+        lost: Sequence[tuple[int, float, float]] = (),
+    ) -> None:
         self.supports = tuple(supports)
         self._chain_ends: list[float] = []
         self.stretches = tuple(
             (index, low, high)
             for index, support in enumerate(supports)
-            for low, high in support.drawn()
+            for low, high in _bounding(support, [own[1:] for own in lost if own[0] == index])
         )
         self.corners = self._corners()
         self._pieces, self._uprights = self._monotone()
@@ -366,6 +372,11 @@ class _Sets:
 
     def join(self, one: int, other: int) -> None:
         self._parent[self.root(one)] = self.root(other)
+
+
+def _bounding(support: Support, lost: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    drawn = support.drawn()
+    return merged_stretches([*drawn, *lost], 1e-4 / support.curve.speed) if lost else drawn
 
 
 def distinct(values: Sequence[float], same: float = _SAME) -> list[float]:

@@ -17,6 +17,7 @@ from gaussiancad_core.reasoning.columns import Space
 from gaussiancad_core.reasoning.curves import axis_line
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.incidences import Facet
+from gaussiancad_core.reasoning.lost_lines import with_lost_lines
 from gaussiancad_core.reasoning.oblique import find_half_spaces
 from gaussiancad_core.reasoning.open_ends import with_open_ends
 from gaussiancad_core.reasoning.pieces import Piece, find_pieces
@@ -73,7 +74,12 @@ class PartModel:
 
 
 def model_part(
-    views: DrawnViews, near: float = NEAR, deadline: Deadline = NEVER, *, open_ends: bool = False
+    views: DrawnViews,
+    near: float = NEAR,
+    deadline: Deadline = NEVER,
+    *,
+    open_ends: bool = False,
+    lost_lines: bool = False,
 ) -> PartModel:
     """Supports, cells and rules of views.
 
@@ -82,6 +88,7 @@ def model_part(
         near: units within which a computed curve is one that is drawn, at least.
         deadline: by which it has to be done.
         open_ends: whether strokes may go on beyond their ends.
+        lost_lines: whether regions are divided as well where a view may lack a line.
 
     Raises:
         LimitError: ``part-too-complex``, or ``search-unfinished`` after the deadline.
@@ -100,6 +107,8 @@ def model_part(
     supports = with_smooth_edges(supports)
     if open_ends:
         supports = with_open_ends(supports)
+    if lost_lines:
+        supports = with_lost_lines(supports)
     planes = {axis: _arranged(plane, supports.tolerance) for axis, plane in supports.planes.items()}
     for axis in Axis:
         if axis not in planes:
@@ -179,7 +188,7 @@ def _too_complex(what: str) -> LimitError:
 
 def _arranged(plane: PlaneSupports, tolerance: float) -> Arrangement:
     """The plane's regions; chains become boundaries where the outline is open without them."""
-    plain = Arrangement(plane.supports)
+    plain = Arrangement(plane.supports, lost=plane.lost)
     chains = [chain for _, chain, _ in plane.chains]
     leaking = [chain for chain in chains if _lies_outside(plain, chain)]
     reach = max(_GAP, 1.5 * tolerance)
@@ -187,7 +196,7 @@ def _arranged(plane: PlaneSupports, tolerance: float) -> Arrangement:
     closing = bridges(plain, attached, reach)
     if not attached and not closing:
         return plain
-    return Arrangement(plane.supports, [*attached, *closing])
+    return Arrangement(plane.supports, [*attached, *closing], plane.lost)
 
 
 def _lies_outside(arrangement: Arrangement, chain: Chain) -> bool:

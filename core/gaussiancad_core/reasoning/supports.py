@@ -1,8 +1,7 @@
 """Supports: the lines and circles that the strokes of a plane's views lie on.
 
 Collinear strokes share one support, strokes on one circle too.  A support is the trace of a surface
-that is seen edge-on: a plane for a line, a cylinder for a circle.  Where strokes end is computed
-again from the supports that they end at; the ends as read are not used but to choose among those.
+that is seen edge-on: a plane for a line, a cylinder for a circle.
 """
 
 from collections.abc import Iterator, Sequence
@@ -86,12 +85,14 @@ class PlaneSupports:
         supports: lines and circles.
         chains: drawn curves that are neither: projections of intersection curves and silhouettes;
             (role, points, linetype).
+        lost: (number of the support, low, high) of stretches that no view draws and one may lack.
     """
 
     normal: Axis
     roles: tuple[Role, ...]
     supports: tuple[Support, ...]
     chains: tuple[tuple[Role, Chain, Linetype], ...]
+    lost: tuple[tuple[int, float, float], ...] = ()
 
 
 @dataclass(frozen=True)

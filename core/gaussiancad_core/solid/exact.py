@@ -49,6 +49,9 @@ _UNLIKELY = 0.02
 """Share of the search for others that is left where neither lines nor labels agree: they may,
 but are found at once or not at all."""
 
+_WHOLE = 0.08
+"""Share of the longest extent from which lines that are wrong, or lacking, count alike."""
+
 _NONE = "no-solid-fits", "no solid has these lines: they contradict each other"
 _UNBUILT = (
     "no-valid-solid",
@@ -155,9 +158,9 @@ def _found(views: DrawnViews, limits: Limits) -> ExactResult:
         # Other models may be the better ones: time has to remain for them.
         latest = clock.deadline((_OTHERS if result else _FIRST) * limits.seconds)
         found = _searched(work, labelling, limits, latest)
-        if result is None or _worth(found) > _worth(result):
+        if result is None or _worth(found, views) > _worth(result, views):
             result = found
-        if _explains(found):
+        if _explains(found) or (work.fewest and labelling.complete and _is_sound(found)):
             break
     clock.lap("label")
     if _explains(result) or not limits.relaxed or clock.total > _PATIENT * limits.seconds:
@@ -199,12 +202,20 @@ def _explains(result: ExactResult) -> bool:
     return result.verification is not None and result.verification.explains
 
 
-def _worth(result: ExactResult) -> tuple[bool, bool, float]:
-    """What solids of several models are ranked by."""
+def _is_sound(result: ExactResult) -> bool:
+    return result.verification is not None and result.verification.sound
+
+
+def _worth(result: ExactResult, views: DrawnViews) -> tuple[bool, bool, float]:
+    """What solids of several models are ranked by: exact lines are right or wrong as a whole."""
     verification = result.verification
     if verification is None:
-        return False, False, 0.0
-    return verification.explains, verification.sound, verification.share
+        return False, False, -inf
+    if views.apart is not None:
+        return verification.explains, verification.sound, verification.share
+    most = _WHOLE * max(views.size)
+    wrong = sum(min(flaw.length, most) for flaw in verification.flaws)
+    return verification.explains, verification.sound, -wrong
 
 
 def _searched(work: Work, labelling: Labelling, limits: Limits, latest: Deadline) -> ExactResult:

@@ -11,6 +11,7 @@ from math import inf
 
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.fewest_strokes import fewest_strokes
 from gaussiancad_core.reasoning.followed import with_followed_curves
 from gaussiancad_core.reasoning.labelling import Effort, Labelling, Search
 from gaussiancad_core.reasoning.open_outlines import with_closed_outlines
@@ -39,6 +40,9 @@ _LITTLE = 3.0
 _LONG = 3.0
 """Deterministic time of telling which rules to give up from which no other model is tried: each
 would take as long again, and strokes misread by some pixels contradict each other more simply."""
+
+_FINER = 4.0
+"""Times as long as the first model that the one takes in which views may lack lines."""
 
 _BETTER = 0.7
 """Share of what the first model gives up that another one gives up at most to be the better one."""
@@ -89,12 +93,20 @@ class Clock:
 
 @dataclass(frozen=True)
 class Work:
-    """What candidates are made from."""
+    """What candidates are made from.
+
+    Attributes:
+        part, views: that are explained.
+        search: for labels of the part.
+        clock: of all that is done.
+        fewest: whether the labels are those by which the fewest strokes are wrong or lacking.
+    """
 
     part: PartModel
     views: DrawnViews
     search: Search
     clock: Clock
+    fewest: bool = False
 
 
 def labelled(
@@ -139,6 +151,9 @@ def labelled(
         yield work, found
         return
     latest = clock.deadline(_RELAXED * limits.seconds)
+    # Where readers lead ends to the wrong lines nearly all strokes are a little wrong.
+    if views.apart is None and (lacking := _lacking(work, views, limits, latest)) is not None:
+        yield lacking
     least = work.search.least(latest)
     yield work, least
     if _cost(least) < _LITTLE or least.effort > _LONG:
@@ -148,6 +163,20 @@ def labelled(
         more = other.search.best(latest)
         if _cost(more) < _BETTER * _cost(least):
             yield other, more
+
+
+def _lacking(
+    work: Work, views: DrawnViews, limits: Limits, latest: Deadline
+) -> tuple[Work, Labelling] | None:
+    """The part with the lines that views may lack, and labels for all but the fewest strokes."""
+    if work.clock.total + _FINER * work.clock.seconds["model"] > _OTHERWISE * limits.seconds:
+        return None
+    deadline = work.clock.deadline(_OTHERWISE * limits.seconds)
+    model = _modelled(views, deadline, lost_lines=True)
+    if model is None:
+        return None
+    other = replace(_remodelled(work, model, limits), fewest=True)
+    return other, fewest_strokes(model, limits.effort, latest)
 
 
 def _remodelled(work: Work, model: PartModel, limits: Limits) -> Work:
@@ -170,10 +199,10 @@ def _cost(labelling: Labelling) -> float:
 
 
 def _modelled(
-    views: DrawnViews, deadline: Deadline, near: float = NEAR, *, open_ends: bool = False
+    views: DrawnViews, deadline: Deadline, near: float = NEAR, **more: bool
 ) -> PartModel | None:
     try:
-        return model_part(views, near, deadline, open_ends=open_ends)
+        return model_part(views, near, deadline, **more)
     except LimitError:
         return None
 

@@ -1,0 +1,152 @@
+"""Lines that a view may lack: where two others show an edge, and where strokes end in the open.
+
+Without one line of a view, what lies on both sides of a face is one region, and no labels have all
+lines that are there.  An edge parallel to an axis is a line in two views and a corner of lines in
+the third; if one of these lines is missing, the other two views tell where it was.  So do strokes
+whose end nothing else meets.  Such lines bound regions and are not drawn: that nothing is seen
+there is still a rule, and the labels decide which of these rules are wrong.
+"""
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import chain
+
+from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.arrangement import Arrangement
+from gaussiancad_core.reasoning.curves import (
+    CircleCurve,
+    LineCurve,
+    PlaneCurve,
+    Point,
+    axis_line,
+)
+from gaussiancad_core.reasoning.lost_curves import lost_circles
+from gaussiancad_core.reasoning.open_corners import joining
+from gaussiancad_core.reasoning.planes import IN_PLANE
+from gaussiancad_core.reasoning.spans import Support, merged_stretches
+from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports
+
+NEAR = 1e-3
+"""Units within which coordinates are one, at least."""
+
+Stretch = tuple[PlaneCurve, float, float]
+"""A curve and its parameters from a low to a high one."""
+
+
+def with_lost_lines(supports: PartSupports) -> PartSupports:
+    """The supports with stretches that views may lack; only of three planes these are known."""
+    if len(supports.planes) < len(Axis):
+        return supports
+    near = max(NEAR, supports.tolerance)
+    corners = {axis: Arrangement(plane.supports).corners for axis, plane in supports.planes.items()}
+    planes = {}
+    for axis, plane in supports.planes.items():
+        edges = _edges(supports, corners, axis, near)
+        found = chain(edges, lost_circles(supports, axis, near), joining(supports, axis, near))
+        planes[axis] = _divided(plane, found)
+    return replace(supports, planes=planes)
+
+
+@dataclass(frozen=True)
+class _Beside:
+    """How one of the other planes shows a coordinate of a plane, and its depth.
+
+    Attributes:
+        plane: that plane.
+        along: place of the coordinate among the plane's.
+    """
+
+    plane: PlaneSupports
+    along: int
+
+    @property
+    def depth(self) -> int:
+        """Place of the depth."""
+        return 1 - self.along
+
+
+def _edges(
+    supports: PartSupports, corners: dict[Axis, tuple[Point, ...]], normal: Axis, near: float
+) -> Iterator[Stretch]:
+    """Lines parallel to an axis that show an edge which both other planes show."""
+    for coordinate, index in enumerate(IN_PLANE[normal]):
+        other = Axis(IN_PLANE[normal][1 - coordinate])
+        # The plane in which such an edge is a point, and the one in which it is a line.
+        point = _Beside(supports.planes[other], IN_PLANE[other].index(index))
+        line_plane = supports.planes[Axis(index)]
+        line = _Beside(line_plane, IN_PLANE[Axis(index)].index(other.value))
+        drawn = _lines_by_depth(line, near)
+        for value in supports.values[Axis(index)]:
+            depths = _depths_at(point, corners[other], value, near)
+            own = [stretch for depth in depths for stretch in _at(drawn, depth, near)]
+            curve = axis_line(coordinate, value)
+            for low, high in merged_stretches(own, near):
+                yield curve, low, high
+
+
+def _lines_by_depth(beside: _Beside, near: float) -> dict[int, list[tuple[float, float]]]:
+    """Where lines of one depth are drawn, by multiples of ``near``."""
+    found: dict[int, list[tuple[float, float]]] = defaultdict(list)
+    for support in beside.plane.supports:
+        curve = support.curve
+        if isinstance(curve, LineCurve) and curve.axis == beside.depth:
+            start = curve.point[beside.along]
+            at = round(curve.point[beside.depth] / near)
+            found[at] += [(start + low, start + high) for low, high in support.drawn()]
+    return found
+
+
+def _at(
+    drawn: dict[int, list[tuple[float, float]]], depth: float, near: float
+) -> Iterator[tuple[float, float]]:
+    middle = round(depth / near)
+    for key in (middle - 1, middle, middle + 1):
+        yield from drawn.get(key, ())
+
+
+def _depths_at(
+    beside: _Beside, corners: Sequence[Point], value: float, near: float
+) -> Iterator[float]:
+    """Depths of the corners at a value, and of the sides of circles whose extreme lies there."""
+    found = {
+        round(corner[beside.depth], 6)
+        for corner in corners
+        if abs(corner[beside.along] - value) <= near
+    }
+    for support in beside.plane.supports:
+        curve = support.curve
+        if isinstance(curve, CircleCurve):
+            away = abs(curve.centre[beside.along] - value)
+            if abs(away - curve.radius) <= near:
+                # The edge of a cylinder's outline is no line of the view across, its sides are.
+                centre = curve.centre[beside.depth]
+                found |= {centre - curve.radius, centre + curve.radius}
+    return iter(sorted(found))
+
+
+def _divided(plane: PlaneSupports, found: Iterable[Stretch]) -> PlaneSupports:
+    """The plane with stretches on its supports, or on new ones, where nothing is drawn yet."""
+    supports = list(plane.supports)
+    lost: list[tuple[int, float, float]] = []
+    for curve, low, high in found:
+        number = next((n for n, own in enumerate(supports) if _same(own.curve, curve)), None)
+        if number is None:
+            supports.append(Support(curve, {}))
+            number = len(supports) - 1
+        own = supports[number].curve
+        ends = (low, high)
+        if isinstance(own, LineCurve) and isinstance(curve, LineCurve):
+            first, last = sorted(own.parameter(curve.at(end)) for end in (low, high))
+            ends = first, last
+        slack = NEAR / own.speed
+        drawn = supports[number].drawn()
+        if not any(a - slack <= ends[0] and ends[1] <= b + slack for a, b in drawn):
+            lost.append((number, *ends))
+    return replace(plane, supports=tuple(supports), lost=tuple(lost))
+
+
+def _same(one: PlaneCurve, other: PlaneCurve) -> bool:
+    if isinstance(one, CircleCurve) or isinstance(other, CircleCurve):
+        return one == other
+    return one.direction == other.direction and one.distance(other.point) < 1e-5

@@ -1,0 +1,129 @@
+"""Where two views show an edge that the third lacks, or strokes end in the open, a line may be."""
+
+from itertools import pairwise
+from math import pi
+
+import pytest
+
+from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.reasoning.arrangement import Arrangement
+from gaussiancad_core.reasoning.curves import TURN, CircleCurve, LineCurve
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.lost_lines import with_lost_lines
+from gaussiancad_core.reasoning.part import model_part
+from gaussiancad_core.reasoning.supports import PlaneSupports, find_supports
+from gaussiancad_core.views import Arc, Linetype, Segment
+
+_SIZE = (100.0, 60.0, 50.0)
+
+Point = tuple[float, float]
+Stroke = Segment | Arc
+
+
+def _path(*points: Point, linetype: Linetype = Linetype.VISIBLE) -> tuple[Segment, ...]:
+    return tuple(Segment(a, b, linetype) for a, b in pairwise(points))
+
+
+_STEPPED = _path((0, 0), (100, 0), (100, 20), (40, 20), (40, 50), (0, 50), (0, 0))
+_TOP = (*_path((0, 0), (100, 0), (100, 60), (0, 60), (0, 0)), *_path((40, 0), (40, 60)))
+_RIGHT = (*_path((0, 0), (60, 0), (60, 50), (0, 50), (0, 0)), *_path((0, 20), (60, 20)))
+
+
+def _views(
+    front: tuple[Stroke, ...], top: tuple[Stroke, ...], right: tuple[Stroke, ...]
+) -> DrawnViews:
+    return DrawnViews({Role.FRONT: front, Role.TOP: top, Role.RIGHT: right}, _SIZE, 2e-4)
+
+
+def _plane(views: DrawnViews, normal: Axis) -> PlaneSupports:
+    return with_lost_lines(find_supports(views)).planes[normal]
+
+
+def _regions(plane: PlaneSupports) -> int:
+    return Arrangement(plane.supports, lost=plane.lost).regions
+
+
+def _without(strokes: tuple[Stroke, ...], *numbers: int) -> tuple[Stroke, ...]:
+    return tuple(stroke for number, stroke in enumerate(strokes) if number not in numbers)
+
+
+@pytest.mark.parametrize("lost", range(6))
+def test_an_edge_that_the_other_views_show_divides_the_one_that_lacks_it(lost: int) -> None:
+    views = _views(_without(_STEPPED, lost), _TOP, _RIGHT)
+    (plane, whole) = (_plane(views, Axis.Y), _plane(_views(_STEPPED, _TOP, _RIGHT), Axis.Y))
+    stroke = _STEPPED[lost]
+    middle = tuple((a + b) / 2.0 for a, b in zip(stroke.start, stroke.end, strict=True))
+    over = [
+        plane.supports[number]
+        for number, low, high in plane.lost
+        if plane.supports[number].curve.distance(middle) < 1e-6
+        and low < plane.supports[number].curve.parameter(middle) < high
+    ]
+    assert over
+    assert all(
+        support.linetype_at(Role.FRONT, 0.0) is None for support in over if not support.spans
+    )
+    assert _regions(plane) >= _regions(whole)
+
+
+def test_nothing_is_drawn_where_a_line_may_be_lacking() -> None:
+    views = _views(_without(_STEPPED, 3), _TOP, _RIGHT)
+    rules = model_part(views, lost_lines=True).rules
+    on_it = [
+        piece.linetype
+        for rule in rules
+        for piece in rule.pieces
+        if piece.role is Role.FRONT and piece.point[0] == 40.0 and 20.0 < piece.point[1] < 50.0
+    ]
+    assert on_it and set(on_it) == {None}
+
+
+def test_other_lines_are_not_made_up() -> None:
+    stray = Segment((13.0, 7.0), (29.0, 7.0), Linetype.VISIBLE)
+    views = _views((*_STEPPED, stray), _TOP, _RIGHT)
+    plane = _plane(views, Axis.Y)
+    lines = [plane.supports[number].curve for number, _, _ in plane.lost]
+    assert all(isinstance(line, LineCurve) and line.axis is not None for line in lines)
+    values = {line.point[line.axis] for line in lines}
+    assert values <= {0.0, 20.0, 40.0, 50.0, 100.0}
+
+
+def test_a_circle_is_where_both_other_views_show_its_sides() -> None:
+    def hidden(*points: Point) -> tuple[Segment, ...]:
+        return _path(*points, linetype=Linetype.HIDDEN)
+
+    bore = Arc((70.0, 30.0), 10.0, 0.0, TURN, Linetype.VISIBLE)
+    other = Arc((20.0, 30.0), 5.0, 0.0, TURN, Linetype.VISIBLE)
+    front = (*_STEPPED, *hidden((60, 0), (60, 20)), *hidden((80, 0), (80, 20)))
+    right = (*_RIGHT, *hidden((20, 0), (20, 20)), *hidden((40, 0), (40, 20)))
+    plane = _plane(_views(front, (*_TOP, other), right), Axis.Z)
+    circles = [plane.supports[number].curve for number, _, _ in plane.lost]
+    assert CircleCurve((70.0, 30.0), 10.0) in circles
+    for drawn in ((*_TOP, other, bore), (*_TOP, other, *_square()), _TOP):
+        plane = _plane(_views(front, drawn, right), Axis.Z)
+        lost = [plane.supports[number].curve for number, _, _ in plane.lost]
+        assert CircleCurve((70.0, 30.0), 10.0) not in lost
+
+
+def _square() -> tuple[Segment, ...]:
+    return _path((60, 20), (80, 20), (80, 40), (60, 40), (60, 20))
+
+
+def test_the_arc_of_a_rounded_corner_is_where_both_lines_lead_into_it() -> None:
+    rounded = _path((90, 60), (0, 60), (0, 0), (100, 0), (100, 50))
+    top = (*rounded, *_path((40, 0), (40, 60)))
+    plane = _plane(_views(_STEPPED, top, _RIGHT), Axis.Z)
+    arcs = [
+        (plane.supports[number].curve, low, high)
+        for number, low, high in plane.lost
+        if isinstance(plane.supports[number].curve, CircleCurve)
+    ]
+    ((circle, low, high),) = arcs
+    assert circle.centre == pytest.approx((90.0, 50.0)) and circle.radius == pytest.approx(10.0)
+    assert (low, high) == pytest.approx((0.0, pi / 2.0))
+
+
+def test_two_planes_tell_nothing_of_what_the_third_lacks() -> None:
+    views = DrawnViews({Role.FRONT: _without(_STEPPED, 3), Role.TOP: _TOP}, _SIZE, 2e-4)
+    supports = find_supports(views)
+    assert with_lost_lines(supports) == supports

@@ -1,0 +1,61 @@
+"""The solid is the part's though strokes are missing, and others are not its own."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+from OCP.TopoDS import TopoDS_Shape
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.modes import Status
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.samples.classed import PartClass, classed_part
+from gaussiancad_core.solid.exact import exact_solid
+from gaussiancad_core.views import Linetype, Segment
+
+Draw = Callable[[TopoDS_Shape], DrawnViews]
+Iou = Callable[[TopoDS_Shape, TopoDS_Shape], float]
+Line = tuple[Role, tuple[float, float], tuple[float, float]]
+
+
+def _disturbed(views: DrawnViews, lost: list[Line], stray: list[Line]) -> DrawnViews:
+    strokes = {role: list(own) for role, own in views.strokes.items()}
+    for role, *ends in lost:
+        strokes[role] = [s for s in strokes[role] if not _is(s, ends)]
+        assert len(strokes[role]) < len(views.strokes[role])
+    for role, start, end in stray:
+        strokes[role].append(Segment(start, end, Linetype.VISIBLE))
+    return replace(views, strokes={role: tuple(own) for role, own in strokes.items()})
+
+
+def _is(stroke: object, ends: list[tuple[float, float]]) -> bool:
+    return isinstance(stroke, Segment) and {
+        tuple(round(x, 3) for x in end) for end in (stroke.start, stroke.end)
+    } == set(ends)
+
+
+@pytest.mark.parametrize(
+    ("seed", "lost", "stray"),
+    [
+        (
+            1,
+            [(Role.TOP, (0.0, 32.0), (16.0, 32.0)), (Role.TOP, (4.0, 10.0), (4.0, 26.0))],
+            [(Role.RIGHT, (4.6, 22.8), (12.8, 22.8))],
+        ),
+        (
+            8,
+            [(Role.TOP, (32.0, 28.0), (32.0, 40.0)), (Role.FRONT, (8.0, 14.0), (32.0, 14.0))],
+            [(Role.RIGHT, (19.8, 59.9), (19.8, 76.0))],
+        ),
+    ],
+    ids=["an open outline", "a line within"],
+)
+def test_missing_and_stray_strokes_make_no_other_solid(
+    seed: int, lost: list[Line], stray: list[Line], drawn: Draw, iou: Iou
+) -> None:
+    truth = classed_part(PartClass.PLANES, seed, 1)
+    result = exact_solid(_disturbed(drawn(truth), lost, stray))
+    assert result.shape is not None
+    assert iou(result.shape, truth) > 0.9999
+    assert result.status is Status.APPROXIMATE
+    assert "lines-unexplained" in [code for code, _ in result.reasons]
