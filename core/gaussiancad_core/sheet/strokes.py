@@ -59,6 +59,7 @@ from gaussiancad_core.sheet.shapes import (
 from gaussiancad_core.sheet.short_legs import with_short_legs
 from gaussiancad_core.sheet.short_strokes import find_short_strokes
 from gaussiancad_core.sheet.slanted_dashes import with_slanted_dashes
+from gaussiancad_core.sheet.square_corners import has_square_corner
 from gaussiancad_core.sheet.straight_ends import with_straight_ends
 from gaussiancad_core.sheet.touching import ended_where_lines_touch, up_to_tangents
 from gaussiancad_core.sheet.tracing import trace_remainder
@@ -165,6 +166,7 @@ def _seen_pieces(
         if isinstance(shape.geometry, Circle):
             circle = shape.geometry
             found = [own for own in found if not is_dash_corner(circle, own, view.sheet, rhythm)]
+            found = [own for own in found if not has_square_corner(circle, own, view.sheet)]
         found = bridged(view.field, shape.geometry, found, rhythm)
         if not isinstance(shape.geometry, Line):
             found = _closed(shape.geometry, found, rhythm)
