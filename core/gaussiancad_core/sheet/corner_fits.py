@@ -1,6 +1,7 @@
-"""Arcs that are corners: two straight lines follow their points more closely.
+"""Arcs that are corners: two or three straight lines follow their points more closely.
 
-Where a short line meets another at a small angle, a flat arc lies within half a pixel of both.
+Where a short line meets another at a small angle, a flat arc lies within half a pixel of both; and
+so does a rounder one where it is the flank of a groove between two others.
 """
 
 import numpy as np
@@ -16,15 +17,21 @@ _BETTER = 0.6
 _ROUGH = 0.1
 """px root mean square from which an arc is doubted: better ones are arcs."""
 
+_ROUGH_OF_THREE, _BETTER_BY_THREE = 0.2, 0.68
+"""The same where there are three lines, which follow anything more closely."""
+
+_MOST = 200
+"""Points up to which three lines are looked for: larger corners are found as lines."""
+
 _LEAST = 6
 """Points of each line."""
 
-_WIDEST = 2.0
-"""Radians that a doubtful arc sweeps at most: no single corner looks like more."""
+_WIDEST, _WIDEST_OF_THREE = 2.0, 2.8
+"""Radians that a doubtful arc sweeps at most: no single corner looks like more, nor two."""
 
 
 def is_corner(circle: Circle, points: Floats) -> bool:
-    """Whether (n, 2) px along an arc lie on two lines rather than on it."""
+    """Whether (n, 2) px along an arc lie on two or three lines rather than on it."""
     if len(points) < 2 * _LEAST:
         return False
     offsets = points - np.array(circle.centre)
@@ -33,10 +40,14 @@ def is_corner(circle: Circle, points: Floats) -> bool:
         return False
     middle = offsets.mean(0)
     angles = np.arctan2(*(offsets @ _turned(middle)).T)
-    if np.ptp(angles) > _WIDEST:
+    if np.ptp(angles) > _WIDEST_OF_THREE:
         return False
     ordered = points[np.argsort(angles)]
-    return _two_lines_rms(ordered) < _BETTER * rms
+    if np.ptp(angles) <= _WIDEST and _two_lines_rms(ordered) < _BETTER * rms:
+        return True
+    if rms < _ROUGH_OF_THREE or not 3 * _LEAST <= len(points) <= _MOST:
+        return False
+    return _three_lines_rms(ordered) < _BETTER_BY_THREE * rms
 
 
 def _turned(vector: Floats) -> Floats:
@@ -52,6 +63,19 @@ def _two_lines_rms(points: Floats) -> float:
     right = _residuals(points[::-1])[::-1]
     breaks = np.arange(_LEAST, count - _LEAST + 1)
     return float(np.sqrt((left[breaks - 1] + right[breaks]).min() / count))
+
+
+def _three_lines_rms(points: Floats) -> float:
+    """The same of three lines, at the best two breaks."""
+    count = len(points)
+    left = _residuals(points)
+    least = np.inf
+    for start in range(_LEAST, count - 2 * _LEAST + 1):
+        rest = points[start:]
+        middle, right = _residuals(rest), _residuals(rest[::-1])[::-1]
+        breaks = np.arange(_LEAST, len(rest) - _LEAST + 1)
+        least = min(least, left[start - 1] + float((middle[breaks - 1] + right[breaks]).min()))
+    return float(np.sqrt(least / count))
 
 
 def _residuals(points: Floats) -> Floats:

@@ -23,6 +23,7 @@ from gaussiancad_core.sheet.corners import (
     from_joins,
     from_ray,
 )
+from gaussiancad_core.sheet.flanks import has_flank, is_within, samples
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.junctions import Placed
 from gaussiancad_core.sheet.passing_corners import passing_corners
@@ -56,6 +57,10 @@ _BETTER = 0.4
 
 _LEAST_GAIN = 1.0
 """Squared ink, in full pixels, that a fillet must explain more."""
+
+_CLEARER, _CLEARER_THAN_LINE = 0.0, 0.5
+"""Squared ink that it must explain more than a straight cut; and where one is drawn already, from
+corner to corner of other strokes."""
 
 _BESIDE_ARC = 1.2
 """px beside a fillet within which a short piece is a chord of it."""
@@ -107,7 +112,8 @@ def find_fillets(
         on_arc = any(is_chord(placed[corner.first.index], fillet.arc) for fillet in found)
         if on_arc or _lies_beyond(corner, others):
             continue
-        radius = _radius(weight, corner, others, pen)
+        clearer = _CLEARER_THAN_LINE if has_flank(corner, placed, boxes) else _CLEARER
+        radius = _radius(weight, corner, others, pen, clearer)
         if radius is None:
             continue
         taken |= keys
@@ -146,7 +152,7 @@ def is_chord(own: Placed, arc: Placed) -> bool:
     length = arc[1].end - arc[1].start
     if piece.end - piece.start > length + 4.0:
         return False
-    points = geometry.points_at(_samples(piece))
+    points = geometry.points_at(samples(piece))
     ends = arc[0].points_at(np.array([arc[1].start, arc[1].end]))
     near = np.minimum(*(np.hypot(*(points - end).T) for end in ends)) < length
     # Where it ends at the lines beside the arc it may have left the arc.
@@ -186,7 +192,7 @@ def _chords_last(corners: list[Corner], placed: Sequence[Placed]) -> list[Corner
     chord of their arc: with an end of the chord one of them has a corner as well, and a nearer one.
     """
     points = {
-        end.index: placed[end.index][0].points_at(_samples(placed[end.index][1]))
+        end.index: placed[end.index][0].points_at(samples(placed[end.index][1]))
         for own in corners
         for end in (own.first, own.second)
         if end.length <= 2.0 * _LONGEST_TANGENT
@@ -199,7 +205,7 @@ def _chords_last(corners: list[Corner], placed: Sequence[Placed]) -> list[Corner
             for corner in corners
             if index not in (corner.first.index, corner.second.index)
             and np.abs(middle - corner.place).max() <= corner.longest
-            and _is_within(own, corner)
+            and is_within(own, corner)
         }
     return sorted(
         corners, key=lambda own: not chords.isdisjoint((own.first.index, own.second.index))
@@ -243,9 +249,14 @@ def _is_taken(corner: Corner, others: list[tuple[int, Floats]]) -> bool:
 
 
 def _radius(
-    weight: npt.NDArray[np.float32], corner: Corner, others: Sequence[Placed], pen: Pen
+    weight: npt.NDArray[np.float32],
+    corner: Corner,
+    others: Sequence[Placed],
+    pen: Pen,
+    clearer: float,
 ) -> float | None:
-    """The radius that explains the corner's ink, None if it is sharp or cut."""
+    """The radius that explains the corner's ink by so much more than a straight cut, None if it is
+    sharp or cut."""
     most = corner.longest * np.tan(corner.half)
     if most <= _SMALLEST_RADIUS:
         return None
@@ -270,7 +281,7 @@ def _radius(
         return None
     cuts = np.arange(1.0, corner.longest, 0.5)
     cut = min(error(from_cut(corner, offsets, float(length))) for length in cuts)
-    return radius if best < 0.8 * cut else None
+    return radius if best < 0.8 * cut and cut - best > clearer else None
 
 
 def best_of(function: Callable[[float], float], values: Floats) -> float:
@@ -316,7 +327,7 @@ def pixels_around(
 
 def boxes_of(placed: Sequence[Placed]) -> Floats:
     """(n, 2, 2) px, the lower and upper corner of each piece's bounding box."""
-    points = [geometry.points_at(_samples(piece)) for geometry, piece in placed]
+    points = [geometry.points_at(samples(piece)) for geometry, piece in placed]
     return np.array([[own.min(0), own.max(0)] for own in points])
 
 
@@ -331,12 +342,8 @@ def others_near(
         placed[index]
         for index in np.flatnonzero(near.all(1))
         if index not in corner.instead
-        and not _is_within(placed[index][0].points_at(_samples(placed[index][1])), corner)
+        and not is_within(placed[index][0].points_at(samples(placed[index][1])), corner)
     ]
-
-
-def _samples(piece: Piece) -> Floats:
-    return np.linspace(piece.start, piece.end, max(2, int(piece.end - piece.start)))
 
 
 def rounded_at(
@@ -361,9 +368,3 @@ def rounded_at(
     linetype = cut[0][1].linetype
     arc = Piece(low, low + (high - low) % circle.around, linetype, sure)
     return Fillet(tuple(cut), (circle, arc), corner.instead)
-
-
-def _is_within(points: Floats, corner: Corner) -> bool:
-    """Whether a piece lies between the strokes: a chord of the arc that is looked for."""
-    a, b = corner.shares(points - corner.place)
-    return bool((np.minimum(a, b) > -1.5).all() and (a + b < corner.longest + 3.0).all())

@@ -29,12 +29,15 @@ _LEAST, _LEAST_AT_END = 10.0, 3.0
 _AT_END = 2.0
 """px from the end of a run within which a stretch ends there."""
 
-_SHORT, _TILTED = 30.0, 0.9
-"""px that a run across another's dash is long at most; by which the dash leaves it at its ends."""
+_SHORT, _TILTED = 80.0, 0.9
+"""px that a run across another line is long at most; by which that leaves it at its ends."""
 
 _FEWEST, _SHOWN = 5, 0.3
 """Places of such a run at which the centre of the ink is known, at least; share of its px: where it
 leaves the line the ink reaches out of what is looked at, and at its ends others meet it."""
+
+_STRAIGHT = 0.85
+"""Share of these places that lie on a straight course."""
 
 _MOST_OF = 0.6
 """Share of a stretch in which the centre of the ink is known to be another's, at least."""
@@ -57,6 +60,20 @@ def without_offset_ink(
     if not beside:
         return list(runs)
     return [part for run in runs for part in _parts(sheet, line, run, beside)]
+
+
+def runs_along(sheet: CleanSheet, line: Line, runs: Sequence[Run]) -> list[Run]:
+    """The runs that a line is fitted to: not short ones whose ink goes straight across it, as long
+    as most of the ink is left.
+
+    Args:
+        sheet: the ink.
+        line: px.
+        runs: in order along it.
+    """
+    kept = [run for run in runs if _crossed(sheet, line, run) is None]
+    length = sum(run.length for run in kept)
+    return kept if 2.0 * length > sum(run.length for run in runs) else list(runs)
 
 
 def lines_across(
@@ -97,10 +114,16 @@ def _crossed(sheet: CleanSheet, line: Line, run: Run) -> npt.NDArray[np.float64]
     at, off = cross_profile(sheet, line, [(run.start, run.end)])
     if len(at) < max(_FEWEST, _SHOWN * run.length):
         return None
+    # At its ends others meet it.
     slope, shift = np.polyfit(at, off, 1)
-    straight = np.abs(off - slope * at - shift).max() < _UPON
-    if abs(slope) * run.length / 2.0 < _TILTED or not straight:
+    for _ in range(2):
+        straight = np.abs(off - slope * at - shift) < _UPON
+        if straight.mean() < _STRAIGHT:
+            return None
+        slope, shift = np.polyfit(at[straight], off[straight], 1)
+    if abs(slope) * run.length / 2.0 < _TILTED:
         return None
+    at, off = at[straight], off[straight]
     normal = np.array([-line.direction[1], line.direction[0]])
     return line.points_at(at) + off[:, None] * normal
 

@@ -47,7 +47,7 @@ _CONFIDENCE = 0.7
 
 
 @dataclass(frozen=True)
-class _Gap:
+class Gap:
     """Where a rung may be.
 
     Attributes:
@@ -76,7 +76,8 @@ def find_rungs(pieces: Sequence[Placed], sheet: CleanSheet, pens: Pens | None) -
         Lines from one line to the other.
     """
     found: list[Placed] = []
-    for gap in _gaps(pieces, sheet.stroke_width):
+    least = sheet.stroke_width + 2.0 * _CLEAR + _LEAST_GAP
+    for gap in gaps_between(pieces, sheet.stroke_width, least):
         for at, wide in _dark_places(gap, sheet):
             start = gap.origin + at * gap.along
             middle = start + gap.width / 2.0 * gap.across
@@ -87,9 +88,9 @@ def find_rungs(pieces: Sequence[Placed], sheet: CleanSheet, pens: Pens | None) -
     return found
 
 
-def _gaps(pieces: Sequence[Placed], stroke_width: float) -> Iterator[_Gap]:
-    """The gaps between visible lines that run beside each other, with nothing between them."""
-    least = stroke_width + 2.0 * _CLEAR + _LEAST_GAP
+def gaps_between(pieces: Sequence[Placed], stroke_width: float, least: float) -> Iterator[Gap]:
+    """The gaps of so many px at least between visible lines that run beside each other, with
+    nothing between them."""
     lines = [
         (own, piece)
         for own, piece in pieces
@@ -116,10 +117,10 @@ def _gaps(pieces: Sequence[Placed], stroke_width: float) -> Iterator[_Gap]:
                 between &= (low <= low[other] + stroke_width) & (high >= high[other] - stroke_width)
                 if not between.any():
                     span = float(low[other]) - stroke_width, float(high[other]) + stroke_width
-                    yield _Gap(np.array(line.point), along, way, span, float(away[other]))
+                    yield Gap(np.array(line.point), along, way, span, float(away[other]))
 
 
-def _dark_places(gap: _Gap, sheet: CleanSheet) -> Iterator[tuple[float, float]]:
+def _dark_places(gap: Gap, sheet: CleanSheet) -> Iterator[tuple[float, float]]:
     """Where along a gap it is dark from one line to the other, and px over which it is."""
     beside = sheet.stroke_width / 2.0 + _CLEAR
     tracks = np.arange(beside, gap.width - beside + 1e-9, 2.0 * _STEP)
@@ -142,7 +143,7 @@ def _dark_places(gap: _Gap, sheet: CleanSheet) -> Iterator[tuple[float, float]]:
             yield float(np.median(centres)), float(np.median(own.sum(axis=0))) * _STEP
 
 
-def _rung(start: Floats, gap: _Gap, kind: Linetype) -> Placed:
+def _rung(start: Floats, gap: Gap, kind: Linetype) -> Placed:
     """A stroke from (2,) px on the one line to the other."""
     x, y = gap.across.tolist()
     line = Line((float(start[0]), float(start[1])), (x, y))

@@ -59,6 +59,7 @@ from gaussiancad_core.sheet.shapes import (
 from gaussiancad_core.sheet.short_legs import with_short_legs
 from gaussiancad_core.sheet.short_strokes import find_short_strokes
 from gaussiancad_core.sheet.slanted_dashes import with_slanted_dashes
+from gaussiancad_core.sheet.slanted_rungs import find_slanted_rungs
 from gaussiancad_core.sheet.square_corners import has_square_corner
 from gaussiancad_core.sheet.straight_ends import with_straight_ends
 from gaussiancad_core.sheet.touching import ended_where_lines_touch, up_to_tangents
@@ -88,7 +89,9 @@ def classify_strokes(
     pieces += find_corner_dashes(pieces, view.sheet, rhythm)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     jogs = find_jogs(ended, view.sheet)
-    pieces += [*jogs, *find_rungs([*ended, *jogs], view.sheet, pens)]
+    rungs = find_rungs([*ended, *jogs], view.sheet, pens)
+    slanted = find_slanted_rungs([*ended, *jogs, *rungs], view.sheet)
+    pieces += [*jogs, *rungs, *slanted]
     pieces = _refitted(pieces, ended, view.sheet)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     parted = parted_at_corners(ended, view.sheet, rhythm)

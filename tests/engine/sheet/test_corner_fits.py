@@ -56,3 +56,24 @@ def test_an_arc_is_none(radius: float, sweep: float, turn: float, seed: int) -> 
 def test_few_points_tell_nothing(count: int) -> None:
     points = np.random.default_rng(1).normal(0.0, 3.0, (count, 2))
     assert not is_corner(Circle((0.0, 0.0), 5.0), points)
+
+
+@given(
+    st.tuples(st.integers(12, 16), st.integers(10, 13), st.integers(12, 16)),
+    st.floats(0.7, 0.85),
+    st.floats(0.0, 6.2),
+    st.integers(0, 9),
+)
+def test_the_flank_of_a_groove_between_two_lines_is_no_arc(
+    lengths: tuple[int, int, int], bend: float, turn: float, seed: int
+) -> None:
+    one, flank, other = lengths
+    before = np.column_stack([np.arange(-one, 0.0), np.zeros(one)])
+    way = np.array([np.cos(bend), np.sin(bend)])
+    middle = np.arange(0.0, flank)[:, None] * way
+    last = np.array([np.cos(2.0 * bend), np.sin(2.0 * bend)])
+    after = flank * way + np.arange(0.0, other)[:, None] * last
+    points = np.concatenate([before, middle, after])
+    points += np.random.default_rng(seed).normal(0.0, _NOISE, points.shape)
+    points = _turned(points, turn)
+    assert is_corner(_fitted(points), points)
