@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from itertools import chain
 
 from gaussiancad_core.axes import Axis
-from gaussiancad_core.reasoning.arrangement import Arrangement
+from gaussiancad_core.reasoning.arrangement import Arrangement, distinct
 from gaussiancad_core.reasoning.curves import (
     CircleCurve,
     LineCurve,
@@ -22,10 +22,12 @@ from gaussiancad_core.reasoning.curves import (
     axis_line,
 )
 from gaussiancad_core.reasoning.lost_curves import lost_circles
+from gaussiancad_core.reasoning.lost_slants import lost_slants
 from gaussiancad_core.reasoning.open_corners import joining
 from gaussiancad_core.reasoning.planes import IN_PLANE
-from gaussiancad_core.reasoning.spans import Support, merged_stretches
+from gaussiancad_core.reasoning.spans import Span, Support, merged_stretches
 from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports
+from gaussiancad_core.views import Linetype
 
 NEAR = 1e-3
 """Units within which coordinates are one, at least."""
@@ -43,7 +45,9 @@ def with_lost_lines(supports: PartSupports) -> PartSupports:
     planes = {}
     for axis, plane in supports.planes.items():
         edges = _edges(supports, corners, axis, near)
-        found = chain(edges, lost_circles(supports, axis, near), joining(supports, axis, near))
+        slanted = lost_slants(supports, corners[axis], axis, near)
+        round_ones = lost_circles(supports, axis, near)
+        found = chain(edges, slanted, round_ones, joining(supports, axis, near))
         planes[axis] = _divided(plane, found)
     return replace(supports, planes=planes)
 
@@ -77,7 +81,7 @@ def _edges(
         line_plane = supports.planes[Axis(index)]
         line = _Beside(line_plane, IN_PLANE[Axis(index)].index(other.value))
         drawn = _lines_by_depth(line, near)
-        for value in supports.values[Axis(index)]:
+        for value in distinct([*supports.values[Axis(index)], *_extremes(point)]):
             depths = _depths_at(point, corners[other], value, near)
             own = [stretch for depth in depths for stretch in _at(drawn, depth, near)]
             curve = axis_line(coordinate, value)
@@ -105,6 +109,15 @@ def _at(
         yield from drawn.get(key, ())
 
 
+def _extremes(beside: _Beside) -> Iterator[float]:
+    """Where circles reach farthest: in the view across nothing else may be there."""
+    for support in beside.plane.supports:
+        curve = support.curve
+        if isinstance(curve, CircleCurve):
+            yield curve.centre[beside.along] - curve.radius
+            yield curve.centre[beside.along] + curve.radius
+
+
 def _depths_at(
     beside: _Beside, corners: Sequence[Point], value: float, near: float
 ) -> Iterator[float]:
@@ -123,6 +136,20 @@ def _depths_at(
                 centre = curve.centre[beside.depth]
                 found |= {centre - curve.radius, centre + curve.radius}
     return iter(sorted(found))
+
+
+def as_if_drawn(supports: PartSupports) -> PartSupports:
+    """The supports with what views may lack as lines that may be drawn or not."""
+    planes = {}
+    for axis, plane in supports.planes.items():
+        found = list(plane.supports)
+        for number, low, high in plane.lost:
+            own = found[number]
+            span = Span(low, high, Linetype.HIDDEN, 0.0)
+            spans = {role: (*own.spans.get(role, ()), span) for role in plane.roles}
+            found[number] = Support(own.curve, spans)
+        planes[axis] = replace(plane, supports=tuple(found), lost=())
+    return replace(supports, planes=planes)
 
 
 def _divided(plane: PlaneSupports, found: Iterable[Stretch]) -> PlaneSupports:

@@ -17,7 +17,7 @@ from gaussiancad_core.reasoning.columns import Space
 from gaussiancad_core.reasoning.curves import axis_line
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.incidences import Facet
-from gaussiancad_core.reasoning.lost_lines import with_lost_lines
+from gaussiancad_core.reasoning.lost_lines import as_if_drawn, with_lost_lines
 from gaussiancad_core.reasoning.oblique import find_half_spaces
 from gaussiancad_core.reasoning.open_ends import with_open_ends
 from gaussiancad_core.reasoning.pieces import Piece, find_pieces
@@ -103,6 +103,8 @@ def model_part(
         # Read by themselves their corners lie on no common plane.
         supports = find_supports(views, facets)
         half_spaces = find_half_spaces(supports)
+    if lost_lines:
+        half_spaces = find_half_spaces(as_if_drawn(with_lost_lines(supports)))
     supports = with_untold_chamfers(with_untold_lines(retraced(supports, half_spaces)))
     supports = with_smooth_edges(supports)
     if open_ends:

@@ -57,16 +57,27 @@ def with_untold_lines(supports: PartSupports) -> PartSupports:
     """The supports with lines that may be drawn; their spans have no confidence."""
     if len(supports.planes) < len(Axis):
         return supports
+    most = MOST * supports.tolerance
     planes = {
-        axis: _completed(plane, islice(_missing(supports, axis), _LOOKED_AT), supports.tolerance)
+        axis: _completed(
+            plane, islice(slanted_edges(supports, axis, most), _LOOKED_AT), supports.tolerance
+        )
         for axis, plane in supports.planes.items()
     }
     return replace(supports, planes=planes)
 
 
-def _missing(supports: PartSupports, shared: Axis) -> Iterator[tuple[Point, Point]]:
-    """Edges, as the view along an axis should show them, that both other views show over it."""
-    near, least, most = (k * supports.tolerance for k in (SAME, LEAST, MOST))
+def slanted_edges(
+    supports: PartSupports, shared: Axis, most: float
+) -> Iterator[tuple[Point, Point]]:
+    """Edges, as the view along an axis should show them, that both other views show over it.
+
+    Args:
+        supports: of all planes.
+        shared: that axis.
+        most: units that such an edge is long in any view, at most.
+    """
+    near, least = (k * supports.tolerance for k in (SAME, LEAST))
     one, other = (Axis(index) for index in IN_PLANE[shared])
     firsts = _edges(supports.planes[other], shared, most)
     seconds = sorted(_edges(supports.planes[one], shared, most), key=lambda edge: edge.low)

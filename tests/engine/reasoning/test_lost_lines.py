@@ -105,6 +105,41 @@ def test_a_circle_is_where_both_other_views_show_its_sides() -> None:
         assert CircleCurve((70.0, 30.0), 10.0) not in lost
 
 
+def test_the_side_of_a_bore_is_where_its_circle_reaches_farthest() -> None:
+    """At the one that is lacking there is no other line in any view."""
+    bore = Arc((70.0, 30.0), 10.0, 0.0, TURN, Linetype.VISIBLE)
+    sides = _path((80, 0), (80, 20), linetype=Linetype.HIDDEN)
+    across = (
+        *_path((20, 0), (20, 20), linetype=Linetype.HIDDEN),
+        *_path((40, 0), (40, 20), linetype=Linetype.HIDDEN),
+    )
+    plane = _plane(_views((*_STEPPED, *sides), (*_TOP, bore), (*_RIGHT, *across)), Axis.Y)
+    assert (60.0, 0.0, 20.0) in _upright(plane)
+
+
+def _upright(plane: PlaneSupports) -> list[tuple[float, float, float]]:
+    """Where upright lines may be lacking, and from and to where."""
+    found = []
+    for number, low, high in plane.lost:
+        curve = plane.supports[number].curve
+        if isinstance(curve, LineCurve) and curve.axis == 0:
+            (x, start), (_, end) = curve.at(low), curve.at(high)
+            found.append((round(x, 6), round(start, 6), round(end, 6)))
+    return found
+
+
+def test_the_other_side_of_a_cone_tells_where_a_slanted_line_is() -> None:
+    size = (60.0, 60.0, 50.0)
+    rims = tuple(Arc((30.0, 30.0), r, 0.0, TURN, Linetype.VISIBLE) for r in (30.0, 10.0))
+    whole = _path((0, 0), (60, 0), (40, 50), (20, 50), (0, 0))
+    strokes = {Role.FRONT: whole[:3], Role.TOP: rims, Role.RIGHT: whole}
+    plane = _plane(DrawnViews(strokes, size, 1.2e-4), Axis.Y)
+    scale = 100.0 / 60.0
+    middle = (10.0 * scale, 25.0 * scale)
+    slanted = [plane.supports[n].curve for n, _, _ in plane.lost]
+    assert any(c.axis is None and c.distance(middle) < 1e-6 for c in slanted)
+
+
 def _square() -> tuple[Segment, ...]:
     return _path((60, 20), (80, 20), (80, 40), (60, 40), (60, 20))
 
