@@ -12,7 +12,7 @@ import numpy.typing as npt
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.runs import Run
-from gaussiancad_core.sheet.shapes import cross_profile
+from gaussiancad_core.sheet.shapes import cross_profile, refit_line
 
 _PARALLEL = np.cos(np.radians(2.0))
 """Cosine of the largest angle between two lines that run along each other."""
@@ -38,6 +38,13 @@ leaves the line the ink reaches out of what is looked at, and at its ends others
 
 _STRAIGHT = 0.85
 """Share of these places that lie on a straight course."""
+
+_LONG, _SLANTED, _OFF_COURSE, _EVEN = 30.0, 0.05, 0.6, 0.25
+"""px of a run that tells its course; sine of a slant to the sheet's axes; px by which it is off
+another's, and by which it differs from that on the mean."""
+
+_FORETOLD = 5.0
+"""Its lengths along which the course of a run is known."""
 
 _MOST_OF = 0.6
 """Share of a stretch in which the centre of the ink is known to be another's, at least."""
@@ -74,6 +81,42 @@ def runs_along(sheet: CleanSheet, line: Line, runs: Sequence[Run]) -> list[Run]:
     kept = [run for run in runs if _crossed(sheet, line, run) is None]
     length = sum(run.length for run in kept)
     return kept if 2.0 * length > sum(run.length for run in runs) else list(runs)
+
+
+def parted_slants(sheet: CleanSheet, line: Line, runs: Sequence[Run]) -> list[list[Run]]:
+    """The runs of a slanted line by the course of their ink: of two slants a px off one course each
+    is fitted to its own.  What is too short to tell is with the longest run.
+
+    Args:
+        sheet: the ink.
+        line: px.
+        runs: in order along it.
+    """
+    long = [run for run in runs if run.length > _LONG]
+    if len(long) < 2 or min(np.abs(line.direction)) < _SLANTED:
+        return [list(runs)]
+    leader = max(long, key=lambda run: run.length)
+    own = refit_line(sheet, line, [(leader.start, leader.end)])
+    off = {run: _steady_offset(sheet, own, run) for run in long}
+    others = [run for run in long if run is not leader and abs(off[run]) > _OFF_COURSE]
+    near = [
+        run
+        for run in others
+        if abs((run.start + run.end) - (leader.start + leader.end))
+        < 2.0 * _FORETOLD * leader.length
+    ]
+    if not near:
+        return [list(runs)]
+    return [[run for run in runs if run not in near], near]
+
+
+def _steady_offset(sheet: CleanSheet, line: Line, run: Run) -> float:
+    """px by which the ink along all of a run is beside a line; 0 where it is not by as much."""
+    off = cross_profile(sheet, line, [(run.start, run.end)])[1]
+    if len(off) < _MOST_OF * run.length:
+        return 0.0
+    middle = float(np.median(off))
+    return middle if np.abs(off - middle).mean() < _EVEN else 0.0
 
 
 def lines_across(

@@ -19,7 +19,12 @@ from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
 from gaussiancad_core.sheet.growth import GrowthRules, grow_all
 from gaussiancad_core.sheet.junctions import FULL_TURN
 from gaussiancad_core.sheet.line_widths import Pens, learn_pens, run_width
-from gaussiancad_core.sheet.offset_lines import lines_across, runs_along, without_offset_ink
+from gaussiancad_core.sheet.offset_lines import (
+    lines_across,
+    parted_slants,
+    runs_along,
+    without_offset_ink,
+)
 from gaussiancad_core.sheet.options import Finder
 from gaussiancad_core.sheet.ridges import ridge_points
 from gaussiancad_core.sheet.runs import (
@@ -120,8 +125,8 @@ def find_shapes(
         along, _ = line.coordinates(corners)
         reach = float(along.min()), float(along.max())
         runs = line_runs(field, line, *reach)
-        if runs:
-            refitted = refit_line(crop, line, runs_spans(runs_along(crop, line, runs)))
+        for own in parted_slants(crop, line, runs) if runs else ():
+            refitted = refit_line(crop, line, runs_spans(runs_along(crop, line, own)))
             found.append((refitted, line_runs(field, refitted, *reach), line in close))
     for line, runs, _ in list(found):
         for other in lines_across(crop, line, runs, [own for own, _, _ in found]):

@@ -81,3 +81,24 @@ def test_an_edge_on_the_course_of_a_slant_is_upright(sketch: Sketch, rightwards:
     assert len(edges) == 1
     assert edges[0][:, 0] == pytest.approx(x(303.0), abs=0.2)
     assert sorted(edges[0][:, 1]) == pytest.approx([137.0, 160.0], abs=0.5)
+
+
+@pytest.mark.parametrize("apart", [0.9, 1.2, 1.6])
+@pytest.mark.parametrize("degrees", [45.0, 30.0])
+def test_two_slants_a_px_off_one_course_are_both_where_they_are(
+    sketch: Sketch, apart: float, degrees: float
+) -> None:
+    """The longer one does not pull the other to its own course."""
+    way = np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees))])
+    normal = np.array([-way[1], way[0]])
+    origin = np.array([30.3, 40.2])
+    drawn = sketch(420, 420)
+    spans = [(0.0, 90.0, 0.0), (220.0, 275.0, apart)]
+    for start, end, off in spans:
+        first, last = (origin + at * way + off * normal for at in (start, end))
+        drawn.line(tuple(first), tuple(last), 2.6)
+    view = find_shapes(clean_sheet(drawn.grey), (20.0, 20.0, 400.0, 400.0))
+    lines = [own.geometry for own in view.shapes if isinstance(own.geometry, Line)]
+    for start, end, off in spans:
+        middle = origin + (start + end) / 2.0 * way + off * normal - np.array(view.offset)
+        assert min(float(line.distances(middle[None])[0]) for line in lines) < 0.1
