@@ -97,26 +97,30 @@ def parted_slants(sheet: CleanSheet, line: Line, runs: Sequence[Run]) -> list[li
         return [list(runs)]
     leader = max(long, key=lambda run: run.length)
     own = refit_line(sheet, line, [(leader.start, leader.end)])
-    off = {run: _steady_offset(sheet, own, run) for run in long}
-    others = [run for run in long if run is not leader and abs(off[run]) > _OFF_COURSE]
-    near = [
+    others = [
         run
-        for run in others
-        if abs((run.start + run.end) - (leader.start + leader.end))
-        < 2.0 * _FORETOLD * leader.length
+        for run in long
+        if run is not leader
+        and abs(run.start + run.end - leader.start - leader.end) < 2.0 * _FORETOLD * leader.length
+        and (_is_off(sheet, own, run) or _is_beyond(sheet, line, own, run))
     ]
-    if not near:
-        return [list(runs)]
-    return [[run for run in runs if run not in near], near]
+    return [[run for run in runs if run not in others], others] if others else [list(runs)]
 
 
-def _steady_offset(sheet: CleanSheet, line: Line, run: Run) -> float:
-    """px by which the ink along all of a run is beside a line; 0 where it is not by as much."""
+def _is_off(sheet: CleanSheet, line: Line, run: Run) -> bool:
+    """Whether the ink along all of a run is as far beside a line."""
     off = cross_profile(sheet, line, [(run.start, run.end)])[1]
     if len(off) < _MOST_OF * run.length:
-        return 0.0
+        return False
     middle = float(np.median(off))
-    return middle if np.abs(off - middle).mean() < _EVEN else 0.0
+    return abs(middle) > _OFF_COURSE and float(np.abs(off - middle).mean()) < _EVEN
+
+
+def _is_beyond(sheet: CleanSheet, line: Line, own: Line, run: Run) -> bool:
+    """Whether a run is on a line, but as far beside another that its ink is not seen from there."""
+    ends = line.points_at(np.array([run.start, run.end]))
+    seen = len(cross_profile(sheet, line, [(run.start, run.end)])[1]) > _MOST_OF * run.length
+    return seen and bool((own.distances(ends) > 2.0 * _OFF_COURSE).all())
 
 
 def lines_across(
