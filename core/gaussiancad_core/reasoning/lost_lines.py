@@ -36,8 +36,14 @@ Stretch = tuple[PlaneCurve, float, float]
 """A curve and its parameters from a low to a high one."""
 
 
-def with_lost_lines(supports: PartSupports) -> PartSupports:
-    """The supports with stretches that views may lack; only of three planes these are known."""
+def with_lost_lines(supports: PartSupports, *, along_axes: bool = False) -> PartSupports:
+    """The supports with stretches that views may lack; only of three planes these are known.
+
+    Args:
+        supports: of the strokes.
+        along_axes: whether only lines along the axes are looked for, which meet others where
+            values are known already.
+    """
     if len(supports.planes) < len(Axis):
         return supports
     near = max(NEAR, supports.tolerance)
@@ -45,6 +51,9 @@ def with_lost_lines(supports: PartSupports) -> PartSupports:
     planes = {}
     for axis, plane in supports.planes.items():
         edges = _edges(supports, corners, axis, near)
+        if along_axes:
+            planes[axis] = _divided(plane, edges)
+            continue
         slanted = lost_slants(supports, corners[axis], axis, near)
         round_ones = lost_circles(supports, axis, near)
         found = chain(edges, slanted, round_ones, joining(supports, axis, near))

@@ -80,6 +80,7 @@ def model_part(
     *,
     open_ends: bool = False,
     lost_lines: bool = False,
+    along_axes: bool = False,
 ) -> PartModel:
     """Supports, cells and rules of views.
 
@@ -89,6 +90,7 @@ def model_part(
         deadline: by which it has to be done.
         open_ends: whether strokes may go on beyond their ends.
         lost_lines: whether regions are divided as well where a view may lack a line.
+        along_axes: whether only such lines count as run along an axis.
 
     Raises:
         LimitError: ``part-too-complex``, or ``search-unfinished`` after the deadline.
@@ -104,13 +106,15 @@ def model_part(
         supports = find_supports(views, facets)
         half_spaces = find_half_spaces(supports)
     if lost_lines:
-        half_spaces = find_half_spaces(as_if_drawn(with_lost_lines(supports)))
+        half_spaces = find_half_spaces(
+            as_if_drawn(with_lost_lines(supports, along_axes=along_axes))
+        )
     supports = with_untold_chamfers(with_untold_lines(retraced(supports, half_spaces)))
     supports = with_smooth_edges(supports)
     if open_ends:
         supports = with_open_ends(supports)
     if lost_lines:
-        supports = with_lost_lines(supports)
+        supports = with_lost_lines(supports, along_axes=along_axes)
     planes = {axis: _arranged(plane, supports.tolerance) for axis, plane in supports.planes.items()}
     for axis in Axis:
         if axis not in planes:

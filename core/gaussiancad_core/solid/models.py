@@ -44,6 +44,13 @@ would take as long again, and strokes misread by some pixels contradict each oth
 _FINER = 4.0
 """Times as long as the first model that the one takes in which views may lack lines."""
 
+_MOST_LACKING = 9_000
+"""Rules up to which it is told which strokes are lacking; with more only lines along the axes may
+be, and of more still nothing is told in time."""
+
+_PATIENT = 0.7
+"""Share of the time that is left in which that is told."""
+
 _BETTER = 0.7
 """Share of what the first model gives up that another one gives up at most to be the better one."""
 
@@ -173,10 +180,14 @@ def _lacking(
         return None
     deadline = work.clock.deadline(_OTHERWISE * limits.seconds)
     model = _modelled(views, deadline, lost_lines=True)
-    if model is None:
+    if model is None or len(model.rules) > _MOST_LACKING:
+        model = _modelled(views, deadline, lost_lines=True, along_axes=True)
+    if model is None or len(model.rules) > _MOST_LACKING:
         return None
     other = replace(_remodelled(work, model, limits), fewest=True)
-    return other, fewest_strokes(model, limits.effort, latest)
+    # Where that does not end in time, rules are given up one by one, which takes as long.
+    share = work.clock.deadline(work.clock.total + _PATIENT * latest.left)
+    return other, fewest_strokes(model, limits.effort, share)
 
 
 def _remodelled(work: Work, model: PartModel, limits: Limits) -> Work:
