@@ -23,6 +23,10 @@ _DROPPED = 0.03
 _BESIDE = 6.0
 """Tolerances beside a line within which a picture may not show another one."""
 
+_ALONGSIDE, _SLIDES = 0.25, 24.0
+"""Tolerances within which another curve runs along at the end of a stroke, so that where the two
+meet is not seen, and by which the end may be off then."""
+
 _STEP = 2.0
 """Tolerances between the places of a gap that are looked at."""
 
@@ -143,7 +147,8 @@ def supports_with_spans(
         curve = curves[index]
         own = spans[index].setdefault(stroke.role, [])
         slack = reach / curve.speed
-        for low, high in _settled(curve, stroke.ends, stations[index], slack):
+        ends = _slid(curve, stroke.ends, (stations[index], slack), [*curves, *grid], tolerance)
+        for low, high in _settled(curve, ends, stations[index], slack):
             if high - low > 1e-9:
                 own.append(Span(low, high, stroke.linetype, stroke.confidence))
     found = [
@@ -151,6 +156,36 @@ def supports_with_spans(
         for curve, by_role in zip(curves, spans, strict=True)
     ]
     return tuple(_filled(support, found, tolerance) for support in found)
+
+
+def _slid(
+    curve: PlaneCurve,
+    ends: tuple[float, float],
+    seen: tuple[list[float], float],
+    others: Sequence[PlaneCurve],
+    tolerance: float,
+) -> tuple[float, float]:
+    """A stroke's ends, those that lie at no station led to where a curve that runs along is met:
+    an arc of a large radius passes into its tangent many tolerances before or after it seems to."""
+    stations, slack = seen
+    every = stations
+    if not isinstance(curve, LineCurve):
+        if ends[1] - ends[0] >= TURN:
+            return ends
+        every = [own + turn for turn in (-TURN, 0.0, TURN) for own in stations]
+    found = []
+    for end in ends:
+        near = [own for own in every if abs(own - end) * curve.speed <= _SLIDES * tolerance]
+        if not near or min(abs(own - end) for own in near) <= slack:
+            found.append(end)
+            continue
+        here = curve.at(end)
+        beside = [o for o in others if o != curve and o.distance(here) <= _ALONGSIDE * tolerance]
+        met = [
+            own for own in near if any(other.distance(curve.at(own)) <= 1e-6 for other in beside)
+        ]
+        found.append(min(met, key=lambda own: abs(own - end), default=end))
+    return found[0], found[1]
 
 
 def _settled(

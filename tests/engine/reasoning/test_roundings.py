@@ -44,3 +44,21 @@ def test_an_arc_that_meets_its_neighbours_at_an_angle_is_none() -> None:
     end = 2.0 * sin(1.3), 2.0 - 2.0 * cos(1.3)
     lines = [Segment((-10.0, 0.0), (0.0, 0.0), V), Segment(end, (end[0], end[1] + 9.0), V)]
     assert not is_rounding(arc, [arc, *lines], TOLERANCE)
+
+
+@pytest.mark.parametrize(
+    ("sweep", "radius", "told"),
+    [(37.0, 8.0, True), (52.0, 6.0, True), (37.0, 4.0, False), (20.0, 40.0, False)],
+)
+def test_a_flat_fillet_between_two_lines_tells_its_circle_where_it_rises_enough(
+    sweep: float, radius: float, told: bool
+) -> None:
+    turn = sweep * pi / 180.0
+    fillet = Arc((0.0, radius), radius, -pi / 2.0, turn, V)
+    end = radius * sin(turn), radius - radius * cos(turn)
+    along = end[0] + 9.0 * cos(turn), end[1] + 9.0 * sin(turn)
+    lines = [Segment((-10.0, 0.0), (0.0, 0.0), V), Segment(end, along, V)]
+    assert is_rounding(fillet, [fillet, *lines], TOLERANCE) is told
+    # Arcs that follow a free curve go on in each other.
+    next_arc = Arc((0.0, 3.0 * radius), 3.0 * radius, -pi / 2.0 - 0.5, 0.5, V)
+    assert not is_rounding(fillet, [fillet, next_arc, lines[1]], TOLERANCE)

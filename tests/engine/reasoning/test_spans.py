@@ -3,7 +3,7 @@
 import pytest
 
 from gaussiancad_core.axes import Role
-from gaussiancad_core.reasoning.curves import PlaneCurve, axis_line, line_through
+from gaussiancad_core.reasoning.curves import TURN, CircleCurve, PlaneCurve, axis_line, line_through
 from gaussiancad_core.reasoning.spans import DrawnStretch, Support, supports_with_spans
 from gaussiancad_core.views import Linetype
 
@@ -44,3 +44,15 @@ def test_strokes_end_where_lines_meet() -> None:
     curves: list[PlaneCurve] = [axis_line(0, 50.0), axis_line(1, 20.0), axis_line(1, 70.0)]
     line, *_ = _supports(curves, [(0, 20.3, 69.5, _FRONT)])
     assert line.drawn() == [(pytest.approx(20.0), pytest.approx(70.0))]
+
+
+@pytest.mark.parametrize(("off", "met"), [(4.0, True), (-4.0, True), (60.0, False)])
+def test_a_wide_arc_and_its_tangent_end_where_they_touch(off: float, met: bool) -> None:
+    """They part so slowly that neither's end is seen; far beyond, they are clearly apart."""
+    arc = CircleCurve((-900.0, 50.0), 1000.0)
+    curves: list[PlaneCurve] = [arc, axis_line(0, 100.0)]
+    drawn = [(0, -0.2, off / 1000.0, _FRONT), (1, 50.0 + off, 300.0, _FRONT)]
+    wide, line = _supports(curves, drawn)
+    ends = [end for span in wide.drawn() for end in span]
+    assert any(end % TURN == pytest.approx(0.0 if met else off / 1000.0) for end in ends)
+    assert line.drawn()[0][0] == pytest.approx(50.0 if met else 50.0 + off)
