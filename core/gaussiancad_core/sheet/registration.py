@@ -8,6 +8,7 @@ coordinate is shared by all views (:mod:`gaussiancad_core.sheet.shared_axes`).
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from itertools import combinations
 
 import cv2
 import numpy as np
@@ -150,10 +151,18 @@ def _overshot(
     if not inside:
         return None
     side = min(inside, key=lambda level: level * inward)
+    beyond = []
     for stroke in strokes:
-        depths = (_extremes(stroke)[:, direction] - side) * inward
+        ends = _extremes(stroke)
+        depths = (ends[:, direction] - side) * inward
         crosses = isinstance(stroke, Segment) and depths.max() > _LONGEST_OVERSHOOT
-        if depths.min() < -_UPON and not crosses:
+        if depths.min() < -_UPON:
+            if not crosses:
+                return None
+            beyond.append(ends[int(np.argmin(depths))])
+    # Where two of them meet they end at a corner, as at the rim of a cone.
+    for one, other in combinations(beyond, 2):
+        if np.hypot(*(one - other)) < _UPON:
             return None
     return side
 

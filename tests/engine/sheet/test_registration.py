@@ -73,3 +73,17 @@ def test_strokes_drawn_too_long_leave_the_side_where_its_edge_is(beyond: float) 
     roof = [((90.0, y), (far, 40.0)) for y in (10.0, 70.0)]
     gabled = tuple(Segment(*ends, Linetype.VISIBLE) for ends in (*edges, *whole, *roof))
     assert view_box(gabled, outline) == pytest.approx((10.0, 10.0, far, 70.0))
+
+
+def test_the_rim_of_a_cone_is_no_stroke_drawn_too_long() -> None:
+    """It ends in corners a few px beyond the edges of a shaft's other parts."""
+    depth = np.full((110, 110), -1.0, np.float32)
+    depth[10:100, 6:96] = 1.0
+    rows = [(10.0, 90.0, 10.0), (10.0, 90.0, 50.0), (18.0, 82.0, 70.0), (5.0, 95.0, 100.0)]
+    lines = [((x0, y), (x1, y)) for x0, x1, y in rows]
+    lines += [((10.0, 10.0), (10.0, 50.0)), ((90.0, 10.0), (90.0, 50.0))]
+    lines += [((18.0, 50.0), (18.0, 70.0)), ((82.0, 50.0), (82.0, 70.0))]
+    lines += [((18.0, 70.0), (5.0, 100.0)), ((82.0, 70.0), (95.0, 100.0))]
+    strokes = tuple(Segment(*ends, Linetype.VISIBLE) for ends in lines)
+    found = view_box(strokes, Outline(depth, (), 1, (0.0, 0.0)))
+    assert found == pytest.approx((5.0, 10.0, 95.0, 100.0))
