@@ -19,6 +19,9 @@ _TANGENT = 1.2
 _SEEN_BEYOND = 1.8
 """px by which an arc may seem to go on beyond the ink that it has in common with a line."""
 
+_SHARED = 1.5
+"""px, beside half a line's width, that an arc has left its tangent by where the ink parts."""
+
 _GOES_ON = 2.0
 """px by which the line reaches beyond the arc's seen end at least."""
 
@@ -43,7 +46,7 @@ def up_to_tangents(
     if not isinstance(geometry, Circle) or piece.end - piece.start >= geometry.around - 1e-6:
         return piece
     start, end = piece.start, piece.end
-    reach = float(np.sqrt(2.0 * geometry.radius * (stroke_width / 2.0 + 1.0))) + _SEEN_BEYOND
+    reach = float(np.sqrt(2.0 * geometry.radius * (stroke_width / 2.0 + _SHARED))) + _SEEN_BEYOND
     for line, runs in lines:
         along, across = line.coordinates(np.array([geometry.centre]))
         if abs(abs(float(across[0])) - geometry.radius) > _TANGENT or not runs:

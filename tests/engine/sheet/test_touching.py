@@ -67,3 +67,13 @@ def test_the_short_sides_of_a_slot_are_lines(
     assert [own.radius for own in arcs] == [pytest.approx(radius, abs=0.4)] * 2
     assert [own.sweep for own in arcs] == [pytest.approx(np.pi, abs=0.1)] * 2
     assert [own.length for own in sides] == [pytest.approx(length, abs=1.0)] * 2
+
+
+@pytest.mark.parametrize(("beyond", "own"), [(60.0, True), (75.0, True), (90.0, False)])
+def test_a_wide_arc_shares_much_ink_with_its_tangent(beyond: float, own: bool) -> None:
+    """Lines of 2 px lie in one stroke up to 80 px from where an arc of 1243 px touches."""
+    arc = Circle((0.0, 0.0), 1243.0)
+    tangent = Line((1243.0, 0.0), (0.0, 1.0))
+    piece = Piece(-300.0, beyond, Linetype.VISIBLE, 1.0)
+    found = up_to_tangents(arc, piece, [(tangent, (Run(-5.0, 200.0),))], 2.0)
+    assert (found.start, found.end) == pytest.approx((-300.0, 0.0 if own else beyond))
