@@ -36,8 +36,8 @@ _FEWEST, _SHOWN = 5, 0.3
 """Places of such a run at which the centre of the ink is known, at least; share of its px: where it
 leaves the line the ink reaches out of what is looked at, and at its ends others meet it."""
 
-_STRAIGHT = 0.85
-"""Share of these places that lie on a straight course."""
+_AT_ENDS = 2
+"""Places at either end that may lie off a straight course."""
 
 _LONG, _SLANTED, _OFF_COURSE, _EVEN = 30.0, 0.05, 0.6, 0.25
 """px of a run that tells its course; sine of a slant to the sheet's axes; px by which it is off
@@ -162,12 +162,13 @@ def _crossed(sheet: CleanSheet, line: Line, run: Run) -> npt.NDArray[np.float64]
     if len(at) < max(_FEWEST, _SHOWN * run.length):
         return None
     # At its ends others meet it.
-    slope, shift = np.polyfit(at, off, 1)
-    for _ in range(2):
-        straight = np.abs(off - slope * at - shift) < _UPON
-        if straight.mean() < _STRAIGHT:
-            return None
-        slope, shift = np.polyfit(at[straight], off[straight], 1)
+    inner = (
+        slice(_AT_ENDS, len(at) - _AT_ENDS) if len(at) >= _FEWEST + 2 * _AT_ENDS else slice(None)
+    )
+    slope, shift = np.polyfit(at[inner], off[inner], 1)
+    straight = np.abs(off - slope * at - shift) < _UPON
+    if not straight[inner].all():
+        return None
     if abs(slope) * run.length / 2.0 < _TILTED:
         return None
     at, off = at[straight], off[straight]
