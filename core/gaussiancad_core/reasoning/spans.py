@@ -147,7 +147,7 @@ def supports_with_spans(
         curve = curves[index]
         own = spans[index].setdefault(stroke.role, [])
         slack = reach / curve.speed
-        ends = _slid(curve, stroke.ends, (stations[index], slack), [*curves, *grid], tolerance)
+        ends = _slid(curve, stroke.ends, (stations[index], slack), curves, tolerance)
         for low, high in _settled(curve, ends, stations[index], slack):
             if high - low > 1e-9:
                 own.append(Span(low, high, stroke.linetype, stroke.confidence))

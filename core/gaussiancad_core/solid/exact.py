@@ -330,6 +330,8 @@ def _inexact(verification: Verification) -> str:
         where = f"the views reach up to {misfit:.2g} mm beyond the solid, or less far"
     else:
         where = f"the views' lines lie up to {spread:.2g} mm beside the solid's"
+    if verification.flaws or not verification.sound:
+        return f"{where}: its measures are in doubt"
     return f"{where}: its faces are right, its measures may not be"
 
 

@@ -56,3 +56,12 @@ def test_a_wide_arc_and_its_tangent_end_where_they_touch(off: float, met: bool) 
     ends = [end for span in wide.drawn() for end in span]
     assert any(end % TURN == pytest.approx(0.0 if met else off / 1000.0) for end in ends)
     assert line.drawn()[0][0] == pytest.approx(50.0 if met else 50.0 + off)
+
+
+def test_an_arc_does_not_go_on_to_a_tangent_that_nothing_is_drawn_on() -> None:
+    """Where another coordinate lies just at its extreme, its end is its end."""
+    arc = CircleCurve((0.0, 50.0), 15.6)
+    ends = (-0.073, 2.0)
+    drawn = [(0, DrawnStretch(_FRONT, ends, _HIDDEN, 1.0))]
+    (own,) = supports_with_spans([arc], drawn, [axis_line(0, 15.6)], _TOLERANCE)
+    assert sum(high - low for low, high in own.drawn()) == pytest.approx(2.073)
