@@ -40,6 +40,10 @@ _AXIS_PX, _MIRRORED_PX, _STRAIGHT = 2.0, 0.5, 0.02
 """px from where a view should have the axis to where it has; by which radii on its two sides
 differ; sine of the angle to the sheet's axes of lines beside it."""
 
+_BLEEDS, _THEIRS = 0.8, 0.85
+"""px beyond half a line's width within which ink is a ring's; share of a circle's from which all of
+it is theirs."""
+
 _DENSE = 2.2
 """Distance in line widths up to which dashes of two circles melt."""
 
@@ -58,7 +62,7 @@ def _with_rings(
     role: Role, views: Mapping[Role, ViewShapes], boxes: Mapping[Role, Box]
 ) -> ViewShapes:
     view = views[role]
-    shapes = list(view.shapes)
+    shapes, width = list(view.shapes), view.sheet.stroke_width
     for centre in _centres(view):
         told = _told_radii(role, np.array(centre) + view.offset, views, boxes)
         melting = _melting(_rings(view, centre, told), view)
@@ -66,7 +70,7 @@ def _with_rings(
         # Of what was found as it is nothing is known better.
         if not all(_is_seen(ring, circles) for ring in melting):
             rings = [_shape(centre, ring) for ring in melting]
-            shapes = [shape for shape in shapes if not _is_replaced(shape, rings)] + rings
+            shapes = [shape for shape in shapes if not _is_replaced(shape, rings, width)] + rings
     return replace(view, shapes=tuple(shapes))
 
 
@@ -218,18 +222,24 @@ def _is_seen(ring: Ring, circles: Sequence[Shape]) -> bool:
     )
 
 
-def _is_replaced(shape: Shape, rings: Sequence[Shape]) -> bool:
-    """Whether a shape is what the ink of rings was taken for: a circle nearly alike."""
+def _is_replaced(shape: Shape, rings: Sequence[Shape], stroke_width: float) -> bool:
+    """Whether a circle is what the ink of rings was taken for: one nearly alike, or one across
+    their dashes."""
     circle = shape.geometry
-    return (
-        isinstance(circle, Circle)
-        and _coverage(shape) > _SEEN
-        and any(
-            _apart(circle, ring.geometry) + abs(circle.radius - ring.geometry.radius)
-            < 2.0 * _CONCENTRIC_PX
-            for ring in rings
-        )
-    )
+    if not isinstance(circle, Circle):
+        return False
+    if _coverage(shape) > _SEEN and any(
+        _apart(circle, ring.geometry) + abs(circle.radius - ring.geometry.radius)
+        < 2.0 * _CONCENTRIC_PX
+        for ring in rings
+    ):
+        return True
+    along = [np.arange(run.start, run.end + 0.5) for run in shape.runs]
+    points = circle.points_at(np.concatenate([*along, np.empty(0)]))
+    if not len(points):
+        return True
+    away = np.min([ring.geometry.distances(points) for ring in rings], axis=0)
+    return bool((away < stroke_width / 2.0 + _BLEEDS).mean() > _THEIRS)
 
 
 def _shape(centre: tuple[float, float], ring: Ring) -> Shape:
