@@ -147,7 +147,7 @@ def lines_across(
 
 
 def _is_across(sheet: CleanSheet, line: Line, run: Run, others: Sequence[Line]) -> bool:
-    """Whether a run no longer than a dash or two is where a line crosses the dash of another."""
+    """Whether a run is where a line crosses another one at a small angle."""
     crossed = _crossed(sheet, line, run)
     return crossed is not None and any(
         other != line and _is_upon(other, crossed) for other in others

@@ -15,6 +15,7 @@ from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.jogs import distances_to
 from gaussiancad_core.sheet.junctions import Placed
+from gaussiancad_core.sheet.line_widths import Pens
 from gaussiancad_core.sheet.rungs import Gap, gaps_between
 from gaussiancad_core.sheet.runs import Piece, runs_of_ink
 from gaussiancad_core.sheet.shapes import sample
@@ -67,10 +68,12 @@ class _Course:
     Attributes:
         across: (n,) px from the one line, of each track.
         along: (n,) px along the lines, of the middle of the ink there.
+        wide: (n,) px of ink along the lines there.
     """
 
     across: Floats
     along: Floats
+    wide: Floats
 
     def off(self, start: float, pace: float) -> float:
         """px by which it is off a straight course, at most."""
@@ -87,12 +90,15 @@ class _Course:
         return float((self.along - start) @ away / (away @ away))
 
 
-def find_slanted_rungs(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Placed]:
+def find_slanted_rungs(
+    pieces: Sequence[Placed], sheet: CleanSheet, pens: Pens | None = None
+) -> list[Placed]:
     """Strokes that join two parallel visible lines close by aslant.
 
     Args:
         pieces: of a view, with their ends at junctions; px, pixel centres at integers.
         sheet: its ink.
+        pens: what widths tell; nothing if left out.
 
     Returns:
         Lines from one line to the other.
@@ -115,7 +121,9 @@ def find_slanted_rungs(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Plac
             if min(distances_to(own, middle)[0] for own in (*pieces, *found)) > (
                 _KNOWN * sheet.stroke_width
             ):
-                found.append(_rung(first, last))
+                width = float(np.median(course.wide)) / np.hypot(1.0, course.fitted()[1])
+                kind = pens.kind(width) if pens is not None and pens.told else None
+                found.append(_rung(first, last, kind or Linetype.VISIBLE))
     return found
 
 
@@ -153,9 +161,9 @@ def _courses(gap: Gap, sheet: CleanSheet) -> Iterator[_Course]:
             own[0] == 0 or own[1] + 1 == len(places) for own in chain
         ):
             continue
-        course = _Course(
-            tracks, np.array([_middle(places, *own) for own in zip(ink.T, chain, strict=True)])
-        )
+        seen = [_ink_of(places, *own) for own in zip(ink.T, chain, strict=True)]
+        middles, widths = np.array(seen).T
+        course = _Course(tracks, middles, widths)
         shift, pace = course.fitted()
         wide = np.array([(last - first + 1) * _STEP for first, last in chain]) / np.hypot(1.0, pace)
         like_pen = (wide >= _NARROWEST * sheet.stroke_width) & (
@@ -172,9 +180,11 @@ def _leads_on(run: tuple[int, int], following: tuple[int, int]) -> bool:
     return moved <= _STEEPEST * _TRACK + _UNEVEN
 
 
-def _middle(places: Floats, ink: Floats, run: tuple[int, int]) -> float:
+def _ink_of(places: Floats, ink: Floats, run: tuple[int, int]) -> tuple[float, float]:
+    """The middle of a run's ink on a track, and px of it."""
     part = slice(max(0, run[0] - 2), run[1] + 3)
-    return float(np.average(places[part], weights=ink[part]))
+    own = ink[part]
+    return float(np.average(places[part], weights=own)), float(own.sum()) * _STEP
 
 
 def _settled(
@@ -207,9 +217,9 @@ def _is_aslant(ends: tuple[float, float], gap: Gap) -> bool:
     return _FLATTEST <= abs(ends[1] - ends[0]) / gap.width <= _STEEPEST
 
 
-def _rung(first: Floats, last: Floats) -> Placed:
+def _rung(first: Floats, last: Floats, kind: Linetype) -> Placed:
     """A stroke from (2,) px to (2,) px."""
     length = float(np.hypot(*(last - first)))
     x, y = ((last - first) / length).tolist()
     line = Line((float(first[0]), float(first[1])), (x, y))
-    return line, Piece(0.0, length, Linetype.VISIBLE, _CONFIDENCE)
+    return line, Piece(0.0, length, kind, _CONFIDENCE)

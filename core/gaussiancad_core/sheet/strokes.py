@@ -90,7 +90,7 @@ def classify_strokes(
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     jogs = find_jogs(ended, view.sheet)
     rungs = find_rungs([*ended, *jogs], view.sheet, pens)
-    slanted = find_slanted_rungs([*ended, *jogs, *rungs], view.sheet)
+    slanted = find_slanted_rungs([*ended, *jogs, *rungs], view.sheet, pens)
     pieces += [*jogs, *rungs, *slanted]
     pieces = _refitted(pieces, ended, view.sheet)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
@@ -129,19 +129,18 @@ def _seen_pieces(
     """The pieces of all shapes where their ink is seen, those with most ink first; ``explained``
     has their ink at last."""
     pieces: list[Placed] = []
-    order = sorted(view.shapes, key=lambda shape: -shape.support)
+    unsure = (shape for shape in view.shapes if shape.told is None)
+    order = sorted(unsure, key=lambda shape: -shape.support)
     # Along the flat sides of ellipses run lines that are none.
     joins = not any(isinstance(shape.geometry, WholeEllipse) for shape in order)
     lines = [(own.geometry, own.runs) for own in order if isinstance(own.geometry, Line)]
     known = explained
-    for shape in order:
+    for shape in view.shapes:
         if shape.told is not None:
             whole = Piece(0.0, shape.geometry.around, shape.told, 1.0)
             pieces.append((shape.geometry, whole))
             explained.add(shape.geometry, whole, close=True)
     for index, shape in enumerate(order):
-        if shape.told is not None:
-            continue
         # Of two that share their ink neither explains the other's.
         if not shape.twin:
             known = explained

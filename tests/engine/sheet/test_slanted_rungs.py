@@ -7,6 +7,7 @@ import pytest
 
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.line_widths import Pens
 from gaussiancad_core.sheet.runs import Piece
 from gaussiancad_core.sheet.slanted_rungs import find_slanted_rungs
 from gaussiancad_core.sheet.strokes import classify_strokes
@@ -95,3 +96,14 @@ def test_there_is_none(sketch: Sketch, what: str) -> None:
     else:
         drawn.line((60.0, 66.0), (63.0, 69.0), _PEN)
     assert find_slanted_rungs(pieces, clean_sheet(drawn.grey)) == []
+
+
+@pytest.mark.parametrize(("width", "kind"), [(1.6, Linetype.HIDDEN), (2.7, Linetype.VISIBLE)])
+def test_where_pens_differ_its_width_tells_its_linetype(
+    sketch: Sketch, width: float, kind: Linetype
+) -> None:
+    drawn = sketch().line(*_LINES[0], _PEN).line(*_LINES[1], _PEN)
+    drawn.line((60.0, 66.0), (68.0, 74.0), width)
+    sheet, pieces = clean_sheet(drawn.grey), [_placed(*own) for own in _LINES]
+    ((_, piece),) = find_slanted_rungs(pieces, sheet, Pens(hidden=2.0, visible=2.3))
+    assert piece.linetype is kind
