@@ -4,7 +4,7 @@ Where a sheet's hidden lines are narrower than its visible ones (ISO 128-2), the
 apart that are too short for dashes to show, and the place where a visible line goes on hidden.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -40,6 +40,9 @@ _LIKE_A_DASH = 0.3
 
 _LEAST_RUNS, _LEAST_DASHES = 3, 6
 """Visible runs and dashes from which their widths are known."""
+
+_EVEN_GAP = (0.6, 1.4)
+"""Share of the sheet's gap between two dashes, at least and at most."""
 
 _NARROWER = 0.78
 """Width of dashes at most, in those of visible lines, for the pen to tell them."""
@@ -84,16 +87,20 @@ class Pens:
         return Linetype.VISIBLE if width >= self.visible else None
 
 
-def learn_pens(runs: Sequence[tuple[Run, float]], rhythm: Rhythm) -> Pens:
+def learn_pens(lines: Sequence[Sequence[tuple[Run, float]]], rhythm: Rhythm) -> Pens:
     """The pens of a sheet from its long runs and its dashes.
 
     Args:
-        runs: of all views, each with the width of its ink in px; NaN where it is not known.
+        lines: the runs of each line of all views, in order, each with the width of its ink in px;
+            NaN where it is not known.
         rhythm: of the sheet.
     """
-    known = [(run.length, width) for run, width in runs if np.isfinite(width)]
-    solid = np.array([width for length, width in known if length > _SOLID * rhythm.dash])
-    dashes = np.array([w for length, w in known if abs(length / rhythm.dash - 1.0) < _LIKE_A_DASH])
+    runs = [run for line in lines for run in line]
+    solid = _widths([own for own in runs if own[0].length > _SOLID * rhythm.dash])
+    # Short visible edges are as long as dashes, too, but seldom one after the other.
+    alone = _widths([own for own in runs if _is_a_dash(own[0], rhythm)])
+    beside = _widths([run for line in lines for run in _dashes_beside_dashes(line, rhythm)])
+    dashes = beside if len(beside) >= _LEAST_DASHES else alone
     if len(solid) < _LEAST_RUNS or len(dashes) < _LEAST_DASHES:
         return Pens()
     wide, narrow = float(np.median(solid)), float(np.median(dashes))
@@ -101,6 +108,29 @@ def learn_pens(runs: Sequence[tuple[Run, float]], rhythm: Rhythm) -> Pens:
     middle = 0.5 * (wide + narrow)
     apart = np.percentile(solid, _OUTLIERS) > middle > np.percentile(dashes, 100.0 - _OUTLIERS)
     return pens if apart and narrow < _NARROWER * wide else Pens()
+
+
+def _widths(runs: Sequence[tuple[Run, float]]) -> Floats:
+    """Those that are known."""
+    widths = np.array([width for _, width in runs], dtype=np.float64)
+    return widths[np.isfinite(widths)]
+
+
+def _is_a_dash(run: Run, rhythm: Rhythm) -> bool:
+    return abs(run.length / rhythm.dash - 1.0) < _LIKE_A_DASH
+
+
+def _dashes_beside_dashes(
+    line: Sequence[tuple[Run, float]], rhythm: Rhythm
+) -> Iterator[tuple[Run, float]]:
+    """Runs as long as dashes that have another one beside them, a gap away."""
+    low, high = (share * rhythm.gap for share in _EVEN_GAP)
+    dashes = [own for own in line if _is_a_dash(own[0], rhythm)]
+    even = [low <= b.start - a.end <= high for (a, _), (b, _) in pairwise(dashes)]
+    even = [False, *even, False]
+    for own, before, after in zip(dashes, even, even[1:], strict=False):
+        if before or after:
+            yield own
 
 
 def run_width(sheet: CleanSheet, geometry: Geometry, run: Run, edges: bool = False) -> float:

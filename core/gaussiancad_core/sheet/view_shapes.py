@@ -49,7 +49,7 @@ from gaussiancad_core.sheet.shapes import (
     radial_profile,
     refit_line,
 )
-from gaussiancad_core.sheet.tangent_runs import without_tangents
+from gaussiancad_core.sheet.tangent_runs import without_tangent_ends, without_tangents
 from gaussiancad_core.views import Linetype
 
 MIN_SAGITTA = 1.2
@@ -177,13 +177,12 @@ def view_rhythm(views: list[ViewShapes], stroke_width: float) -> Rhythm:
 
 def view_pens(views: list[ViewShapes], rhythm: Rhythm) -> Pens:
     """What the widths of a sheet's lines tell of their linetypes, learnt from all its views."""
-    runs = [
-        (run, run_width(view.sheet, shape.geometry, run, edges=True))
+    lines = [
+        [(run, run_width(view.sheet, shape.geometry, run, edges=True)) for run in shape.runs]
         for view in views
         for shape in view.shapes
-        for run in shape.runs
     ]
-    return learn_pens(runs, rhythm)
+    return learn_pens(lines, rhythm)
 
 
 def _crop(
@@ -213,7 +212,8 @@ def _curve_shape(
     seen = circle_runs(field, curve)
     # By then a line that touches the curve has left it by half of its ink.
     touch = float(np.sqrt(radius_of(curve) * sheet.stroke_width))
-    shares = [_share_followed(followed, run, curve.around, touch) for run in seen]
+    own = [without_tangent_ends(curve, run, lines, touch) for run in seen]
+    shares = [_share_followed(followed, run, curve.around, touch) for run in own]
     runs = without_tangents(curve, _followed_runs(seen, shares, curve.around), lines)
     rules = GrowthRules.of_width(sheet.stroke_width, sheet.dash_gap)
     longest = _longest_stretch(runs, rules.gap, curve.around)
