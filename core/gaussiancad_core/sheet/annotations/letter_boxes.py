@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import cv2
 import numpy as np
 import numpy.typing as npt
+from scipy.ndimage import binary_fill_holes
 
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask
 
@@ -27,7 +28,7 @@ def is_boxed(paper: npt.NDArray[np.int32], letter: npt.NDArray[np.int32], area: 
     Args:
         paper: (4,) x, y, width, height in px of the paper around it.
         letter: the same of the letter.
-        area: px of the paper.
+        area: px of the paper, and of the letter that stands in it.
     """
     size = int(max(letter[2:4]))
     inside = (paper[:2] < letter[:2]).all() and (
@@ -35,7 +36,21 @@ def is_boxed(paper: npt.NDArray[np.int32], letter: npt.NDArray[np.int32], area: 
     ).all()
     if not inside or max(paper[2:4]) > _ROOM * size:
         return False
-    return area + int(letter[2]) * int(letter[3]) >= _SQUARE * int(paper[2]) * int(paper[3])
+    return area >= _SQUARE * int(paper[2]) * int(paper[3])
+
+
+def enclosed(
+    areas: npt.NDArray[np.int32], own: int, paper: npt.NDArray[np.int32]
+) -> npt.NDArray[np.bool_]:
+    """(height, width) bool, one of the areas of paper with all that stands in it.
+
+    Args:
+        areas: (h, w) numbers of the areas.
+        own: its number.
+        paper: (4,) its x, y, width, height in px.
+    """
+    x, y, width, height = (int(value) for value in paper)
+    return binary_fill_holes(areas[y : y + height, x : x + width] == own)
 
 
 def letter_boxes(ink: Mask, letters: Sequence[Mark], stroke_width: float) -> Mask:
@@ -55,8 +70,7 @@ def letter_boxes(ink: Mask, letters: Sequence[Mark], stroke_width: float) -> Mas
         paper = stats[own]
         letter = np.array([x0, y0, x1 - x0, y1 - y0], dtype=np.int32)
         # The letter is off the ink: its place is paper as well.
-        area = int(paper[cv2.CC_STAT_AREA]) - int(letter[2]) * int(letter[3])
-        if own and is_boxed(paper[:4], letter, area):
+        if own and is_boxed(paper[:4], letter, int(paper[cv2.CC_STAT_AREA])):
             x, y, width, height = (int(value) for value in paper[:4])
             rows = slice(max(y - beside, 0), y + height + beside)
             mask[rows, max(x - beside, 0) : x + width + beside] = True

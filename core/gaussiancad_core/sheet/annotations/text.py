@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.dash_rows import are_dashes
-from gaussiancad_core.sheet.annotations.letter_boxes import is_boxed
+from gaussiancad_core.sheet.annotations.letter_boxes import enclosed, is_boxed
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask
 from gaussiancad_core.sheet.annotations.pockets import are_pockets
 
@@ -179,7 +179,14 @@ def _not_of_the_part(
         if outside in paper:
             return True
         if len(word) == 1:
-            return any(is_boxed(facts[own, :4], stats[word[0], :4], facts[own, 4]) for own in paper)
+            return any(
+                is_boxed(
+                    facts[own, :4],
+                    stats[word[0], :4],
+                    int(enclosed(areas, own, facts[own, :4]).sum()),
+                )
+                for own in paper
+            )
         x0, y0, x1, y1 = _box_of(stats, word)
         # A word is as high as its box, or as wide where it is written upwards.
         if min(x1 - x0, y1 - y0) < least or stats[word, 2:4].max() > most:

@@ -142,6 +142,16 @@ def test_a_bore_with_its_centre_mark_is_no_word(sketch: Sketch) -> None:
     assert found.marks[0].box[0] > 420
 
 
+def test_a_small_circle_is_no_box_around_the_cross_in_it(sketch: Sketch) -> None:
+    """The cross takes up most of the circle; a letter's box is a rectangle."""
+    drawn = sketch(WIDTH, HEIGHT).lines((60, 60), (400, 60), (400, 300), (60, 300), (60, 60))
+    drawn.arc((230, 180), 13.5, 4.0)
+    drawn.line((222, 180), (238, 180), 4.0).line((230, 172), (230, 188), 4.0)
+    found = _found((drawn.weight >= 0.5) | _written("125", 500, 200))
+    assert len(found.marks) == 1
+    assert found.marks[0].box[0] > 420
+
+
 def test_tall_pockets_beside_each_other_are_no_word(sketch: Sketch) -> None:
     """They are taller than what is written beside the view."""
     drawn = sketch(WIDTH, HEIGHT).lines((60, 60), (400, 60), (400, 300), (60, 300), (60, 60))
