@@ -12,6 +12,7 @@ from itertools import combinations, pairwise, product
 import numpy as np
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.dotted_arms import has_dotted_arms
 from gaussiancad_core.sheet.annotations.erase import Kinds
 from gaussiancad_core.sheet.annotations.inked import InkedShape
 from gaussiancad_core.sheet.annotations.mark_forms import (
@@ -25,14 +26,19 @@ from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.line_widths import run_width
 
-_OFF = 1.0
-"""px by which a mark may miss its circle's centre."""
+_OFF = 2.0
+"""px by which a mark may miss its circle's centre: programs that draw on whole pixels put a line
+that runs one way a px beside the one that runs the other way, and the circle another px off."""
+
+_AT_CIRCLE = 1.0
+"""px, besides the width of a stroke, within which a line ends at its circle."""
 
 _EVEN = 2.5
 """px by which arms that belong together may differ."""
 
-_SQUARE = 0.02
-"""Cosine of the angle between a cross's lines at most."""
+_SQUARE, _JOG = 0.02, 1.0
+"""Cosine of the angle between a cross's lines at most, and px by which the halves of each may lie
+beside each other: then one line through both leans."""
 
 _DRAWN = 0.2
 """Share of a circle that is drawn at least, for it to have a mark."""
@@ -98,7 +104,7 @@ def mark_centre_marks(shapes: list[InkedShape], kinds: Kinds, sheet: CleanSheet)
             if _is_free(ray, ink, stroke_width) and not _ends_at(ray, circle, stroke_width)
         }
         for one, other in combinations([ray for ray in rays if _is_even(ray, ray)], 2):
-            found = _mark(one, other, rays, free)
+            found = _mark(one, other, rays, free) or _dotted(one, other, circle, sheet)
             for ray in found:
                 kinds[ray.shape][ray.run] = AnnotationKind.CENTRE_LINE
             if found:
@@ -143,6 +149,14 @@ def _mark(one: _Ray, other: _Ray, rays: Sequence[_Ray], free: set[_Ray]) -> list
     return []
 
 
+def _dotted(one: _Ray, other: _Ray, circle: Circle, sheet: CleanSheet) -> list[_Ray]:
+    """The lines of a cross as large as its circle, if dots are all that is left of its arms."""
+    at_circle = all(_ends_at(ray, circle, sheet.stroke_width) for ray in (one, other))
+    if at_circle and _is_turned(one, other) and has_dotted_arms(circle, one.line.direction, sheet):
+        return [one, other]
+    return []
+
+
 def _narrow(
     rays: Sequence[_Ray], circle: Circle, shapes: Sequence[InkedShape], sheet: CleanSheet
 ) -> list[_Ray]:
@@ -166,8 +180,7 @@ def _narrow(
             width = run_width(sheet, ray.line, run, edges=True)
             lines += [ray] if width <= widest else []
     for one, other in combinations(lines, 2):
-        square = abs(float(np.dot(one.line.direction, other.line.direction))) <= _SQUARE
-        if square and abs(one.end - one.start - other.end + other.start) <= even:
+        if _is_square(one, other) and abs(one.end - one.start - other.end + other.start) <= even:
             return [one, other, *_arms(one, rays), *_arms(other, rays)]
     return []
 
@@ -191,8 +204,7 @@ def _beyond(circle: Circle, rays: Sequence[_Ray], ink: Mask, stroke_width: float
             ):
                 crossing.append(inner)
     for one, other in combinations(crossing, 2):
-        ways = one[0][2].line.direction, other[0][2].line.direction
-        if abs(float(np.dot(*ways))) <= _SQUARE and abs(one[-1][1] - other[-1][1]) <= _EVEN:
+        if _is_square(one[0][2], other[0][2]) and abs(one[-1][1] - other[-1][1]) <= _EVEN:
             return [ray for _, _, ray in (*one, *other)]
     return []
 
@@ -245,9 +257,15 @@ def _is_even(one: _Ray, other: _Ray) -> bool:
     return max(abs(one.start + end), abs(one.end + start)) <= _EVEN
 
 
+def _is_square(one: _Ray, other: _Ray) -> bool:
+    """Whether two runs are at right angles, but for what their halves may lie beside each other."""
+    lean = sum(_JOG / max(ray.end - ray.start, _JOG) for ray in (one, other))
+    return abs(float(np.dot(one.line.direction, other.line.direction))) <= _SQUARE + lean
+
+
 def _is_turned(one: _Ray, other: _Ray) -> bool:
     """Whether a run is the picture of another one, turned around the centre by a right angle."""
-    if abs(float(np.dot(one.line.direction, other.line.direction))) > _SQUARE:
+    if not _is_square(one, other):
         return False
     first, second = (
         sorted(map(abs, (one.start, one.end))),
@@ -272,7 +290,7 @@ def _arms(cross: _Ray, rays: Sequence[_Ray]) -> list[_Ray]:
 def _ends_at(ray: _Ray, circle: Circle, stroke_width: float) -> bool:
     """Whether a run ends at its circle."""
     away = [abs(abs(end) - circle.radius) for end in (ray.start, ray.end)]
-    return min(away) <= stroke_width + _OFF
+    return min(away) <= stroke_width + _AT_CIRCLE
 
 
 def _is_free(ray: _Ray, ink: Mask, stroke_width: float) -> bool:

@@ -22,8 +22,8 @@ from gaussiancad_core.sheet.runs import Run
 _EVEN = 3.0
 """px by which marks of one form may differ."""
 
-_OFF = 1.0
-"""px by which a mark may miss its circle's centre."""
+_OFF = 2.0
+"""px by which a mark may miss its circle's centre: those drawn on whole pixels do."""
 
 _INKED = 0.9
 """Share of each of a mark's lines that is ink at least."""

@@ -55,6 +55,39 @@ def test_a_cross_as_large_as_its_circle_is_told_by_its_arms(sketch: Sketch) -> N
     assert [mark.kind for mark in separated.marks] == [AnnotationKind.CENTRE_LINE] * 6
 
 
+@pytest.mark.parametrize("told", [0, 3, 4])
+def test_a_cross_as_large_as_its_circle_is_told_by_dots(sketch: Sketch, told: int) -> None:
+    """Its arms are led beyond the circle by its own size, and begin at twice that."""
+    drawn = sketch(400, 320).lines(
+        (120.0, 90.0), (280.0, 90.0), (280.0, 230.0), (120.0, 230.0), (120.0, 90.0)
+    )
+    drawn.arc(CENTRE, 26.5)
+    for turn in (0.0, 1.0):
+        _arm(drawn, turn, -25.0, 25.0)
+    for turn in range(told):
+        _arm(drawn, turn, 50.0, 51.5)
+    separated = separate_annotations(clean_sheet(drawn.grey))
+    kinds = [mark.kind for mark in separated.marks]
+    assert kinds.count(AnnotationKind.CENTRE_LINE) == (2 if told else 0)
+
+
+def test_halves_of_a_mark_that_lie_beside_each_other(sketch: Sketch) -> None:
+    """Drawn on whole pixels, lines that run to the right and to the left are one px apart, and the
+    circle is another px off."""
+    drawn = sketch(400, 320).lines(
+        (120.0, 90.0), (280.0, 90.0), (280.0, 230.0), (120.0, 230.0), (120.0, 90.0)
+    )
+    drawn.arc((CENTRE[0] - 1.1, CENTRE[1] - 0.9), 40.0)
+    for near, far in ((0.0, 12.0), (24.0, 52.0)):
+        for turn in range(4):
+            way = np.array([np.cos(turn * np.pi / 2), np.sin(turn * np.pi / 2)])
+            aside = 0.5 * way[::-1]
+            drawn.line(tuple(CENTRE + near * way + aside), tuple(CENTRE + far * way + aside))
+    marks = separate_annotations(clean_sheet(drawn.grey)).marks
+    assert len(marks) >= 6
+    assert all(mark.kind is AnnotationKind.CENTRE_LINE for mark in marks)
+
+
 @pytest.mark.parametrize("width", [2.0, 3.0])
 @pytest.mark.parametrize("reach", [39.0, 60.0])
 def test_a_narrow_cross_may_end_anywhere(sketch: Sketch, width: float, reach: float) -> None:
