@@ -244,12 +244,14 @@ def _best_cut(
         return float(((pen.ink(distance) - ink) ** 2).sum())
 
     shifts = (0.0, 0.0)
+    # No piece ends before it starts.
+    most_back = [_FINE + own.start - own.end for _, own in (pieces[end.index] for end in pair)]
     reach = np.arange(-_BACK * pen.width, ahead + _COARSE, _COARSE)
     step = _COARSE
     while step >= _FINE:
         tried = [
-            (reach + shift if end.free else np.zeros(1))
-            for end, shift in zip((first, second), shifts, strict=True)
+            (np.maximum(reach + shift, back) if end.free else np.zeros(1))
+            for end, shift, back in zip(pair, shifts, most_back, strict=True)
         ]
         shifts = min(((float(a), float(b)) for a in tried[0] for b in tried[1]), key=left)
         step /= 2.0

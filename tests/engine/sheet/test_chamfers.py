@@ -3,7 +3,10 @@
 import numpy as np
 import pytest
 
+from gaussiancad_core.sheet.chamfers import with_chamfers
 from gaussiancad_core.sheet.clean import clean_sheet
+from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.runs import Piece
 from gaussiancad_core.sheet.strokes import classify_strokes
 from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
 from gaussiancad_core.views import Linetype, Segment, Stroke
@@ -92,3 +95,15 @@ def test_a_chamfer_beside_its_edge_is_no_arc_as_well(sketch) -> None:  # noqa: A
     found = _strokes(drawing)
     assert all(isinstance(stroke, Segment) for stroke in found)
     assert len(found) == 7
+
+
+def test_no_piece_ends_before_it_starts(sketch) -> None:  # noqa: ANN001
+    """A dash's rest beside a chamfer is shorter than what the chamfer would take off it."""
+    low = _TOP + 9.0
+    drawing = sketch(380, 290).lines((_LEFT, _TOP), (_RIGHT - 6, _TOP), (_RIGHT, low), width=3.0)
+    drawing.line((_RIGHT, low), (_RIGHT, _BOTTOM), 3.0)
+    top = Line((_LEFT, _TOP), (1.0, 0.0)), Piece(0.0, _RIGHT - 6 - _LEFT, Linetype.VISIBLE, 1.0)
+    side = Line((_RIGHT, low), (0.0, -1.0))
+    rest = side, Piece(2.4, 3.4, Linetype.VISIBLE, 1.0)
+    found = with_chamfers(drawing.weight, [top, rest], 3.0)
+    assert all(piece.start <= piece.end for _, piece in found)
