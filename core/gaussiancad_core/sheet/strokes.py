@@ -43,6 +43,7 @@ from gaussiancad_core.sheet.line_widths import Pens, told_by_width
 from gaussiancad_core.sheet.linetype_changes import with_changes_at_junctions
 from gaussiancad_core.sheet.linetypes import classify
 from gaussiancad_core.sheet.parted import parted_at_corners
+from gaussiancad_core.sheet.run_outs import with_run_outs
 from gaussiancad_core.sheet.rungs import find_rungs
 from gaussiancad_core.sheet.runs import (
     InkField,
@@ -58,6 +59,7 @@ from gaussiancad_core.sheet.shapes import (
 )
 from gaussiancad_core.sheet.short_legs import with_short_legs
 from gaussiancad_core.sheet.short_strokes import find_short_strokes
+from gaussiancad_core.sheet.slant_fits import with_fitted_slants
 from gaussiancad_core.sheet.slanted_dashes import with_slanted_dashes
 from gaussiancad_core.sheet.slanted_rungs import find_slanted_rungs
 from gaussiancad_core.sheet.square_corners import has_square_corner
@@ -93,6 +95,7 @@ def classify_strokes(
     slanted = find_slanted_rungs([*ended, *jogs, *rungs], view.sheet, pens)
     pieces += [*jogs, *rungs, *slanted]
     pieces = _refitted(pieces, ended, view.sheet)
+    pieces = with_fitted_slants(pieces, ended, view.sheet)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     parted = parted_at_corners(ended, view.sheet, rhythm)
     if len(parted) > len(ended):
@@ -105,6 +108,7 @@ def classify_strokes(
     ended = with_slanted_dashes(ended, view.sheet, rhythm)
     ended = with_hidden_rungs(with_short_legs(ended, view.sheet, rhythm), view.sheet, rhythm)
     ended = with_bows(with_corners_reached(ended, rhythm), view.sheet)
+    ended = with_run_outs(ended, view.sheet)
     # Strokes that were drawn out to a junction explain the ink up to there.
     for geometry, piece in ended:
         explained.add(geometry, piece)
