@@ -2,7 +2,8 @@
 
 A narrow line that begins at an edge is an extension line, or the first dash of a hidden line.  An
 extension line leads to a dimension line and ends beyond it; a dash ends a gap before the next ink.
-Dashes of two edges that go on as each other are as long as extension lines, but touch nothing.
+Dashes of two edges that go on as each other are as long as extension lines, but touch nothing, and
+so do two dashes that meet in a corner of a pocket.
 """
 
 from collections.abc import Sequence
@@ -13,6 +14,7 @@ import numpy.typing as npt
 from scipy.spatial import cKDTree
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.corner_pieces import is_dash_corner
 from gaussiancad_core.sheet.annotations.erase import Kinds
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape, points_along
 from gaussiancad_core.sheet.annotations.lines import Weights
@@ -85,7 +87,8 @@ def spare_free_dashes(
         ink: (h, w) bool, of all that is drawn.
         stroke_width: px, the mean over the sheet.
     """
-    dash = _rhythm(shapes, kinds, stroke_width).dash
+    rhythm = _rhythm(shapes, kinds, stroke_width)
+    dash = rhythm.dash
     _, labels, stats, _ = cv2.connectedComponentsWithStats(ink.astype(np.uint8), connectivity=8)
     for shape, own in zip(shapes, kinds, strict=True):
         for k, run in enumerate(shape.runs):
@@ -93,11 +96,16 @@ def spare_free_dashes(
             if own[k] is not AnnotationKind.EXTENSION or not _DOT * dash < length <= _TWO * dash:
                 continue
             points = points_along(shape.geometry, run.run, 1.0)
-            whole = stats[int(values_at(labels, points[len(points) // 2][None])[0])]
+            piece = int(values_at(labels, points[len(points) // 2][None])[0])
+            whole = stats[piece]
             size = float(np.hypot(whole[cv2.CC_STAT_WIDTH], whole[cv2.CC_STAT_HEIGHT]))
             # Centre marks are crosses, which have twice the ink of either stroke.
             lean = whole[cv2.CC_STAT_AREA] <= _LEAN * stroke_width * length
-            if lean and size <= length + 2.0 * stroke_width + _SLACK_PX:
+            free = lean and size <= length + 2.0 * stroke_width + _SLACK_PX
+            short = piece and max(whole[2:4]) <= _LONGEST * dash + stroke_width + _SLACK_PX
+            if free or (
+                short and is_dash_corner(labels, whole, piece, stroke_width, _GAP * rhythm.gap)
+            ):
                 own[k] = None
 
 

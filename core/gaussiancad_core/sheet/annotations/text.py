@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.corner_pieces import is_dash_corner
 from gaussiancad_core.sheet.annotations.dash_rows import are_dashes
 from gaussiancad_core.sheet.annotations.letter_boxes import enclosed, is_boxed
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask
@@ -193,6 +194,9 @@ def _not_of_the_part(
             return False
         if _is_corner(word, *pieces) or _is_concentric(word, stats):
             return False
+        own = [piece for piece in word if piece in pieces[0]]
+        if all(_is_pocket_corner(labels, stats[piece], piece) for piece in own):
+            return False
         boxes = stats[word, :4].astype(float)
         return _is_in_line(boxes, [piece in pieces[0] for piece in word]) and not are_dashes(boxes)
 
@@ -202,6 +206,17 @@ def _not_of_the_part(
 def _is_corner(word: list[int], glyphs: set[int], corners: set[int]) -> bool:
     """Whether all letters of a word may be corners of dashed lines."""
     return not (glyphs & set(word)) - corners
+
+
+def _is_pocket_corner(
+    labels: npt.NDArray[np.int32], stat: npt.NDArray[np.int32], piece: int
+) -> bool:
+    """Whether a letter may be the dashes of two edges that meet, each of which goes on no farther
+    away than they are long."""
+    x, y, width, height = (int(value) for value in stat[:4])
+    own = labels[y : y + height, x : x + width] == piece
+    stroke_width = float(own.sum()) / (width + height)
+    return is_dash_corner(labels, stat, piece, stroke_width, float(max(width, height)))
 
 
 def _is_in_line(boxes: npt.NDArray[np.float64], letters: list[bool]) -> bool:

@@ -88,3 +88,23 @@ def test_the_dots_and_the_cross_of_a_centre_mark_are_no_dashes(length: float, cr
         ink[64:67, 95:106] = True
     spare_free_dashes(shapes, kinds, ink, 1.8)
     assert kinds[1] == [EXTENSION]
+
+
+@pytest.mark.parametrize(
+    ("leg", "ahead", "spared"), [(13, True, True), (13, False, False), (24, True, False)]
+)
+def test_the_corner_of_a_hidden_pocket_is_no_extension_line(
+    leg: int, ahead: bool, spared: bool
+) -> None:
+    """Its level edge is a dash and a stub that is too short to be a run: nothing else is there of
+    it.  It hangs on the upright edge's last dash."""
+    shapes = [DASHES, _upright(60.0, (20.0, 32.0), (40.0, 40.0 + leg))]
+    shapes.append(_level(40.0, (60.0, 60.0 + leg), width=1.8))
+    kinds: list[list[AnnotationKind | None]] = [[None] * len(DASHES.runs), [None] * 2, [EXTENSION]]
+    ink = np.zeros((220, 220), bool)
+    ink[20:33, 59:61] = ink[40 : 41 + leg, 59:61] = ink[40:42, 59 : 61 + leg] = True
+    ink[46 + leg : 60 + leg, 59:61] = True
+    if ahead:
+        ink[40:42, 67 + leg : 71 + leg] = True
+    spare_free_dashes(shapes, kinds, ink, 1.8)
+    assert kinds[2] == [None if spared else EXTENSION]

@@ -152,6 +152,16 @@ def test_a_small_circle_is_no_box_around_the_cross_in_it(sketch: Sketch) -> None
     assert found.marks[0].box[0] > 420
 
 
+def test_the_corners_of_a_narrow_pocket_are_no_word(sketch: Sketch) -> None:
+    """Its bottom is a dash and a stub, so that its corners look like an L and a J."""
+    drawn = sketch(WIDTH, HEIGHT).lines((60, 60), (400, 60), (400, 300), (60, 300), (60, 60))
+    for x, end in ((200, 211), (217, 215)):
+        drawn.line((x, 61), (x, 71), 2.0).line((x, 75), (x, 85), 2.0).line((x, 85), (end, 85), 2.0)
+    found = _found((drawn.weight >= 0.5) | _written("125", 500, 200))
+    assert len(found.marks) == 1
+    assert found.marks[0].box[0] > 420
+
+
 def test_tall_pockets_beside_each_other_are_no_word(sketch: Sketch) -> None:
     """They are taller than what is written beside the view."""
     drawn = sketch(WIDTH, HEIGHT).lines((60, 60), (400, 60), (400, 300), (60, 300), (60, 60))
