@@ -1,7 +1,8 @@
 """What is left at the ends of dimension lines: arrowheads, and extension lines of their own.
 
 An arrowhead's contour is as good as an arc that runs into its line.  An extension line in line with
-an edge that bends is explained by no line, for across the gap it was followed into the bend.
+an edge that bends is explained by no line, for across the gap it was followed into the bend.  As
+far as two dimensions have an extension line in common it is drawn twice, and wider.
 """
 
 from collections.abc import Iterator, Sequence
@@ -12,6 +13,9 @@ import numpy.typing as npt
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.erase import Kinds
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape, inked_shape, points_along
+from gaussiancad_core.sheet.annotations.lines import Weights
+from gaussiancad_core.sheet.annotations.loose import is_free_end
+from gaussiancad_core.sheet.annotations.marks import Mask
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.growth import Grown, GrowthRules, grow_straight
@@ -31,6 +35,9 @@ _SHORTEST = 5.0
 
 _SQUARE = 0.1
 """Cosine of the angle between a dimension line and its extension lines at most."""
+
+_GOES_ON_PX = 1.0
+"""px between a run and what it goes on as at most."""
 
 _MET_PX = 2.5
 """px between a dimension line's end and its extension line at most."""
@@ -56,6 +63,36 @@ def mark_heads(shapes: Sequence[InkedShape], kinds: Kinds, stroke_width: float) 
             points = points_along(shape.geometry, run.run, 1.0)
             within = (kind for line, at, kind in lines if _covers(line, at, points, stroke_width))
             own[k] = next(within, None)
+
+
+def mark_doubled(shapes: Sequence[InkedShape], kinds: Kinds, ink: Mask, weights: Weights) -> None:
+    """Mark runs wider than extension lines that go on as one and end free, in place.
+
+    Where such a run is an edge, others meet it at its end; it is no wider than edges.
+
+    Args:
+        shapes: lines and circles of the sheet, cut where their width changes.
+        kinds: what each run is known to be.
+        ink: (h, w) bool, of the sheet.
+        weights: of its lines.
+    """
+    for shape, own in zip(shapes, kinds, strict=True):
+        if not isinstance(shape.geometry, Line):
+            continue
+        for k, (run, kind) in enumerate(zip(shape.runs, own, strict=True)):
+            if kind is not None or run.width is None or run.width > weights.visible:
+                continue
+            for beside, end, outward in (
+                (k + 1, run.run.start, -1.0),
+                (k - 1, run.run.end, 1.0),
+            ):
+                if not 0 <= beside < len(own) or own[beside] is not AnnotationKind.EXTENSION:
+                    continue
+                near = shape.runs[beside].run
+                apart = max(near.start - run.run.end, run.run.start - near.end)
+                free = is_free_end(shape.geometry, end, outward, run.width, ink)
+                if apart <= _GOES_ON_PX and free:
+                    own[k] = AnnotationKind.EXTENSION
 
 
 def told_lines(

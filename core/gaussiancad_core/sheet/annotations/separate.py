@@ -23,7 +23,11 @@ from gaussiancad_core.sheet.annotations.led_out import mark_led_out
 from gaussiancad_core.sheet.annotations.left_heads import without_heads
 from gaussiancad_core.sheet.annotations.letter_boxes import letter_boxes
 from gaussiancad_core.sheet.annotations.lettered_lines import mark_lettered
-from gaussiancad_core.sheet.annotations.line_ends import extension_lines, mark_heads
+from gaussiancad_core.sheet.annotations.line_ends import (
+    extension_lines,
+    mark_doubled,
+    mark_heads,
+)
 from gaussiancad_core.sheet.annotations.lines import Weights, kinds_of_runs, line_weights
 from gaussiancad_core.sheet.annotations.lone_dashes import spare_free_dashes, spare_lone_dashes
 from gaussiancad_core.sheet.annotations.lone_marks import mark_lone_marks
@@ -185,6 +189,7 @@ def _tell_line_ends(
     """Tell what is left at the ends of dimension lines and of hidden ones, in place."""
     mark_leaders(told.shapes, told.kinds, letters, sheet.ink, sheet.stroke_width)
     mark_heads(told.shapes, told.kinds, sheet.stroke_width)
+    mark_doubled(told.shapes, told.kinds, sheet.ink, weights)
     free = ridges, _at(ridges, told.unexplained)
     more = extension_lines(sheet, free, (told.shapes, told.kinds), weights.limit)
     told.shapes.extend(more)

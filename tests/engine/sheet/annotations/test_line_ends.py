@@ -6,7 +6,12 @@ import pytest
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
-from gaussiancad_core.sheet.annotations.line_ends import extension_lines, mark_heads
+from gaussiancad_core.sheet.annotations.line_ends import (
+    extension_lines,
+    mark_doubled,
+    mark_heads,
+)
+from gaussiancad_core.sheet.annotations.lines import Weights
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.ridges import ridge_points
@@ -84,3 +89,30 @@ def test_an_extension_line_that_no_shape_explains(
         assert shape.runs[0].run.length == pytest.approx(37.0, abs=3.0)
     # What other shapes explain is not looked at.
     assert not extension_lines(sheet, (ridges, ~free), ([DIMENSION], [[EXTENSION]]), limit)
+
+
+@pytest.mark.parametrize(
+    ("cut", "gap", "across", "width", "marked"),
+    [
+        (70.0, 0.0, None, 3.6, True),
+        # An edge ends at another one, is wider, or has a gap before its extension line.
+        (70.0, 0.0, 24, 3.6, False),
+        (70.0, 0.0, None, 4.4, False),
+        (70.0, 4.0, None, 3.6, False),
+    ],
+    ids=["twice", "edge", "wide", "gap"],
+)
+def test_an_extension_line_that_is_drawn_twice_is_wider(
+    cut: float, gap: float, across: int | None, width: float, marked: bool
+) -> None:
+    """Two dimensions from one corner have a line beside the other as far as the nearer one's."""
+    upright = Line((100.0, 0.0), (0.0, 1.0))
+    runs = InkedRun(Run(25.0, cut), width), InkedRun(Run(cut + gap, 110.0), 3.0)
+    shapes = [DIMENSION, InkedShape(upright, runs)]
+    kinds: list[list[AnnotationKind | None]] = [[EXTENSION], [None, EXTENSION]]
+    # The outline is a gap before its end.
+    lines = [((100, 25), (100, 110)), ((40, 18), (160, 18))]
+    if across is not None:
+        lines.append(((40, across), (160, across)))
+    mark_doubled(shapes, kinds, _sheet(*lines).ink, Weights(4.0, 3.3))
+    assert kinds[1] == [EXTENSION if marked else None, EXTENSION]
