@@ -56,6 +56,9 @@ _FREE_AHEAD = (0.0, 5.0)
 _BEND_PX = 3.0
 """px beside a line's end in which a rounding goes on."""
 
+_JOINED = 0.4
+"""Length of the dashes beside two that a crossing stroke joins at least, as a share of these."""
+
 _LETTERED = 0.12
 """Share of a box that letters fill at least, for it to be one around them."""
 
@@ -108,8 +111,8 @@ def split_loose(
         runs: list[InkedRun] = []
         marks: list[AnnotationKind | None] = []
         looked_at = [
-            kind is None and run.run.length > rule.shortest
-            for run, kind in zip(shape.runs, own, strict=True)
+            kind is None and run.run.length > rule.shortest and not _is_in_a_row(shape.runs, k)
+            for k, (run, kind) in enumerate(zip(shape.runs, own, strict=True))
         ]
         found = [
             _parts(shape, run, areas, faded) if looked else [(run.run, _Side.PARTING)]
@@ -136,6 +139,17 @@ def split_loose(
         cut.append(InkedShape(shape.geometry, tuple(runs)))
         cut_kinds.append(marks)
     return cut, cut_kinds
+
+
+def _is_in_a_row(runs: Sequence[InkedRun], k: int) -> bool:
+    """Whether a run is dashes that a crossing stroke joins: those on both sides of it are not much
+    shorter, and nearer than they are long.  The dots beside a centre line's dashes are."""
+    if not 0 < k < len(runs) - 1:
+        return False
+    own, before, after = runs[k].run, runs[k - 1].run, runs[k + 1].run
+    shortest = min(before.length, after.length)
+    farthest = max(own.start - before.end, after.start - own.end)
+    return shortest >= _JOINED * own.length and farthest < shortest
 
 
 def _is_over_paper(parts: list[tuple[Run, _Side]]) -> bool:

@@ -61,6 +61,34 @@ def test_extension_lines_that_gaps_shut_off_bound_nothing(sketch: Sketch) -> Non
     assert all(run.start > 50.0 and run.end < 70.0 for run in kept)
 
 
+@pytest.mark.parametrize(
+    ("before", "after", "kept"),
+    [
+        ((36.0, 48.0), (87.0, 99.0), True),
+        # The dots of a centre line, dashes far away, and none on one side.
+        ((42.0, 48.0), (87.0, 93.0), False),
+        ((22.0, 34.0), (120.0, 132.0), False),
+        ((36.0, 48.0), (160.0, 172.0), False),
+    ],
+    ids=["dashes", "dots", "far", "one"],
+)
+def test_dashes_that_a_crossing_stroke_joins_stay(
+    sketch: Sketch, before: tuple[float, float], after: tuple[float, float], kept: bool
+) -> None:
+    """Two together are longer than what is known to be a dash, and part nothing."""
+    drawn = sketch().line((10, 20), (190, 20), 2.0).line((10, 80), (190, 80), 2.0)
+    drawn.line((10, 20), (10, 80), 2.0).line((190, 20), (190, 80), 2.0)
+    pieces = before, (55.0, 80.0), after
+    for start, end in pieces:
+        drawn.line((start, 50), (end, 50), 2.0)
+    runs = tuple(InkedRun(Run(start, end), 2.0) for start, end in pieces)
+    rule = LooseRule(16.0, everywhere=True, faded=5)
+    _, kinds = split_loose(
+        [InkedShape(LEVEL, runs)], [[None] * 3], clean_sheet(drawn.grey).ink, rule
+    )
+    assert (AnnotationKind.EXTENSION not in kinds[0]) is kept
+
+
 def _framed(sketch: Sketch) -> Sketch:
     """A view with closed outlines, on much more paper."""
     drawn = sketch(400, 400).line((60, 20), (220, 20), 2.0).line((60, 180), (220, 180), 2.0)
