@@ -55,6 +55,10 @@ _UNBROKEN = 9.0
 _AHEAD = (1.5, 5.0)
 """px ahead of a line's ink where there is nothing if its end is free."""
 
+_LEAST_ROOM, _CLEAR = 3.0, 1.0
+"""px between a cross's end and the ink of its circle at least, and what of them on either side is
+not looked at."""
+
 _BESIDE = 2.0
 """px on either side of the way ahead."""
 
@@ -101,7 +105,7 @@ def mark_centre_marks(shapes: list[InkedShape], kinds: Kinds, sheet: CleanSheet)
         free = {
             ray
             for ray in rays
-            if _is_free(ray, ink, stroke_width) and not _ends_at(ray, circle, stroke_width)
+            if _is_free(ray, circle, ink, stroke_width) and not _ends_at(ray, circle, stroke_width)
         }
         for one, other in combinations([ray for ray in rays if _is_even(ray, ray)], 2):
             found = _mark(one, other, rays, free) or _dotted(one, other, circle, sheet)
@@ -232,7 +236,7 @@ def _leaves_freely(
     start, end, ray = told
     at, way = (start, -1.0) if outward < 0.0 else (end, 1.0)
     same = abs(ray.start - start) < 1e-9
-    return _end_is_free(ray, at if same else -at, way if same else -way, ink, stroke_width)
+    return _end_is_free(ray, (at, way) if same else (-at, -way), ink, stroke_width)
 
 
 def _rays(circle: Circle, shapes: Sequence[InkedShape]) -> Iterator[_Ray]:
@@ -293,22 +297,35 @@ def _ends_at(ray: _Ray, circle: Circle, stroke_width: float) -> bool:
     return min(away) <= stroke_width + _AT_CIRCLE
 
 
-def _is_free(ray: _Ray, ink: Mask, stroke_width: float) -> bool:
-    """Whether nothing is ahead of either end of a run."""
-    ends = (ray.start, -1.0), (ray.end, 1.0)
-    return all(_end_is_free(ray, place, way, ink, stroke_width) for place, way in ends)
+def _is_free(ray: _Ray, circle: Circle, ink: Mask, stroke_width: float) -> bool:
+    """Whether nothing is ahead of either end of a run, but its circle."""
+    for place, outward in (ray.start, -1.0), (ray.end, 1.0):
+        room = circle.radius - outward * place - stroke_width / 2
+        near = _LEAST_ROOM < room < _AHEAD[1] + stroke_width / 2 + _CLEAR
+        ahead = (_CLEAR, room - _CLEAR) if near else None
+        if not _end_is_free(ray, (place, outward), ink, stroke_width, ahead):
+            return False
+    return True
 
 
 def _end_is_free(
-    ray: _Ray, position: float, outward: float, ink: Mask, stroke_width: float
+    ray: _Ray,
+    end: tuple[float, float],
+    ink: Mask,
+    stroke_width: float,
+    within: tuple[float, float] | None = None,
 ) -> bool:
-    """Whether nothing is ahead of an end of a run."""
+    """Whether nothing is ahead of an end of a run, as far as usual or between these px from it.
+
+    The end is told by its position and the sign of outwards.
+    """
+    position, outward = end
     way = np.array(ray.line.direction)
     normal = np.array([-way[1], way[0]])
-    ahead = np.arange(*_AHEAD) + stroke_width / 2
+    ahead = np.arange(*_AHEAD) + stroke_width / 2 if within is None else np.arange(*within, 0.5)
     beside = np.arange(-_BESIDE, _BESIDE + 1.0)
-    end = np.array(ray.line.at(ray.zero + position))
-    places = end + outward * ahead[:, None, None] * way + beside[:, None] * normal
+    at = np.array(ray.line.at(ray.zero + position))
+    places = at + outward * ahead[:, None, None] * way + beside[:, None] * normal
     columns, rows = np.rint(places.reshape(-1, 2)).astype(int).T
     inside = (columns >= 0) & (rows >= 0) & (columns < ink.shape[1]) & (rows < ink.shape[0])
     return not bool(ink[rows[inside], columns[inside]].any())

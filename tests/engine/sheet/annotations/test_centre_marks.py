@@ -45,6 +45,20 @@ def test_a_mark_goes_and_the_circle_stays(sketch: Sketch, arms: tuple, turned: f
     assert (left & wanted).sum() > 0.99 * wanted.sum()
 
 
+@pytest.mark.parametrize(("across", "gone"), [(14.0, True), (22.0, False)])
+def test_a_cross_in_a_small_circle_ends_freely_before_it(
+    sketch: Sketch, across: float, gone: bool
+) -> None:
+    """Between the two are a few px of paper; what runs up to the circle are edges."""
+    sides = [(120.0, 90.0), (280.0, 90.0), (280.0, 230.0), (120.0, 230.0), (120.0, 90.0)]
+    drawn = sketch(400, 320).lines(*sides, width=4.0).arc(CENTRE, 13.5, 4.0)
+    for way in ((0.5 * across, 0.0), (0.0, 0.5 * across)):
+        ends = np.subtract(CENTRE, way), np.add(CENTRE, way)
+        drawn.line(tuple(ends[0].tolist()), tuple(ends[1].tolist()), 4.0)
+    kinds = [mark.kind for mark in separate_annotations(clean_sheet(drawn.grey)).marks]
+    assert kinds == [AnnotationKind.CENTRE_LINE] * (2 if gone else 0)
+
+
 def test_a_cross_as_large_as_its_circle_is_told_by_its_arms(sketch: Sketch) -> None:
     drawn = _plate(sketch).arc(CENTRE, 22.0)
     for turn in (0.0, 1.0):
