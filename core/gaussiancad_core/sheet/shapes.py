@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Circle, Line, Points
+from gaussiancad_core.sheet.sharp_edges import between_edges
 
 _MAX_CENTRES = 200
 """Hough circles looked at, best first, for each of its modes."""
@@ -128,6 +129,8 @@ def _ink_near(
 def refit_line(sheet: CleanSheet, line: Line, spans: list[tuple[float, float]]) -> Line:
     """Fit a line again to all the ink found along it: centroids of cross profiles every px.
 
+    Where it runs along the pixels, the middle between its edges counts.
+
     Args:
         sheet: the ink.
         line: a fit to part of the stroke.
@@ -145,7 +148,8 @@ def refit_line(sheet: CleanSheet, line: Line, spans: list[tuple[float, float]]) 
     turned = direction + slope * normal
     origin = np.array(line.point) + shift * normal
     unit = turned / np.hypot(*turned)
-    return Line((float(origin[0]), float(origin[1])), (float(unit[0]), float(unit[1])))
+    fitted = Line((float(origin[0]), float(origin[1])), (float(unit[0]), float(unit[1])))
+    return between_edges(sheet, fitted, along[good])
 
 
 def line_support(sheet: CleanSheet, line: Line, spans: list[tuple[float, float]]) -> float:
