@@ -53,12 +53,16 @@ _FOREIGN = 0.1
 _BETTER, _THAN_OTHER = 0.2, 0.5
 """Share of a sharp corner's squared error that a round or cut one may have, and of the other's."""
 
+_FAR_BETTER, _CUT = 0.1, 0.3
+"""Share of what a chamfer leaves of the ink beside a line that runs past that an arc may leave for
+being told from it for sure, where the chamfer leaves as many full pixels, squared."""
+
 _LEAST_INK = 0.2
 """Squared ink, in full pixels, off a sharp corner at least: a part of a dash."""
 
-_BLANK, _WITHOUT = 1.35, 1.3
-"""Gaps of the dashes that an arc is blank for at a stretch at most, a sharp corner at least; one
-where a line runs past, which leaves but one leg."""
+_BLANK, _WITHOUT, _PAST = 1.35, 1.3, 0.6
+"""Gaps of the dashes that an arc is blank for at a stretch at most, a sharp corner at least, and
+the one leg that a line which runs past leaves: the ink of both its ends is that of others."""
 
 _ROUNDS, _NEAR = 4, 1.2
 """How often an arc is fitted to the ink, and px from it within which ink is its own."""
@@ -151,7 +155,9 @@ def _radius(
     cuts = np.arange(1.0, corner.longest, 0.5)
     cut = min(error(from_cut(corner, offsets, float(length))) for length in cuts)
     # Beside a line that runs past, a chamfer is as likely: it must leave some of the ink.
-    if best > _BETTER * sharp or best > _THAN_OTHER * cut - _LEAST_INK * corner.passes:
+    sure = cut >= _CUT and best <= _FAR_BETTER * cut
+    least_cut = 0.0 if sure else _LEAST_INK * corner.passes
+    if best > _BETTER * sharp or best > _THAN_OTHER * cut - least_cut:
         return None
     radius = _refined(radius, corner, sheet)
     if not least <= radius <= most:
@@ -163,7 +169,7 @@ def _radius(
     count = max(2, int(np.ceil(2.0 * half * radius / _STEP)))
     arc = _facing(corner, radius, np.linspace(-half, half, count))
     sharp_way = way[0] if corner.passes else np.concatenate([way[0][::-1], way[1]])
-    told = _blank(sharp_way, sheet) >= (1.0 if corner.passes else _WITHOUT) * gap
+    told = _blank(sharp_way, sheet) >= (_PAST if corner.passes else _WITHOUT) * gap
     return radius if told and _blank(arc, sheet) <= _BLANK * gap else None
 
 
@@ -190,6 +196,9 @@ def _refined(radius: float, corner: Corner, sheet: CleanSheet) -> float:
         outward = 1.0 - np.cos(off) / np.sin(corner.half)
         residual = radii - radius
         own = (np.abs(off) < half) & (np.abs(residual) < _NEAR)
+        # Beside a line that runs past the ink is also that line's.
+        places = corner.circle(radius).points_at(radius * angles) - corner.place
+        own &= from_passing(corner, places) > sheet.stroke_width + _MET
         if not own.any():
             return radius
         weight = float((outward[own] ** 2).sum())

@@ -79,3 +79,21 @@ def test_sharp_hidden_corners_stay_sharp(preset: str) -> None:
 @pytest.mark.parametrize("cut", [9.0, 13.0])
 def test_cut_hidden_corners_are_no_arcs(cut: float) -> None:
     assert not [stroke for stroke in _read(_pocket(0.0, cut), "clean") if isinstance(stroke, Arc)]
+
+
+@pytest.mark.parametrize("radius", [15.0, 17.0, 22.0])
+@pytest.mark.parametrize("rounded", [True, False])
+def test_a_hidden_line_comes_to_the_outline_by_an_arc_or_a_chamfer(
+    rounded: bool, radius: float
+) -> None:
+    wall = 60.0
+    corner = (
+        Arc((wall + radius, 120.0 + radius), radius, np.pi, np.pi / 2.0, H)
+        if rounded
+        else Segment((wall, 120.0 + radius), (wall + radius, 120.0), H)
+    )
+    level = Segment((300.0, 120.0), (wall + radius, 120.0), H)
+    lines = [Segment((300.0, 120.0), (300.0, 150.0), H), *_pocket(0.0)[:2]]
+    found = _read([level, corner, *lines], "clean")
+    arcs = [stroke for stroke in found if isinstance(stroke, Arc)]
+    assert [arc.radius for arc in arcs] == [pytest.approx(radius, abs=0.5)] * rounded
