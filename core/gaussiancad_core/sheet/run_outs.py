@@ -70,8 +70,9 @@ def with_run_outs(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Placed]:
     """
     found = list(pieces)
     for placed in pieces:
+        own = placed
         for way in (1.0, -1.0):
-            current = _current(placed, found)
+            current = _current(own, found)
             if current is None:
                 continue
             line, piece = current
@@ -81,6 +82,7 @@ def with_run_outs(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Placed]:
                 end, rise = _on_own_ink(end, rise, sheet, found)
                 found = [(end.line, p) if p is piece else (g, p) for g, p in found]
                 found = _drawn(end, rise, sheet, found)
+                own = end.line, piece
     return with_steps_parted(found, sheet)
 
 

@@ -89,6 +89,30 @@ def test_a_chord_gives_way_to_the_arc(sketch: Sketch) -> None:
     assert sum(isinstance(own[0], Circle) for own in found) == 1
 
 
+def test_both_ends_of_a_line_rise(sketch: Sketch) -> None:
+    rise, long, far = 3.1, 24.8, 30.0
+    radius = (long**2 + rise**2) / (2.0 * rise)
+    drawn = _keyway(sketch, rise, long)
+    drawn.weight[:, : int(FOOT)] = 0.0
+    drawn.line((FOOT - far, LOW), (FOOT, LOW)).line(
+        (10, LOW - rise), (FOOT - far - long, LOW - rise)
+    )
+    turn = float(np.arcsin(long / radius))
+    drawn.arc((FOOT - far, LOW - radius), radius, 3.0, 0.5 * np.pi, turn)
+    drawn.broken((FOOT - far - long, LOW - rise), (FOOT - far - long, 110.0), (10.0, 5.0))
+    pieces = [
+        (Line((0.0, LOW - 0.1), (1.0, 0.0)), Piece(FOOT - far - 9.0, FOOT + 9.0, VISIBLE, 1.0)),
+        *_pieces(long, LOW - rise)[1:],
+        (Line((FOOT - far - long, 0.0), (0.0, 1.0)), Piece(LOW - rise, 110.0, HIDDEN, 0.9)),
+    ]
+    found = with_run_outs(pieces, _sheet(drawn))
+    assert sum(isinstance(own[0], Circle) for own in found) == 2
+    low, piece = found[0]
+    ends = low.points_at(np.array([piece.start, piece.end]))
+    assert ends == pytest.approx(np.array([[FOOT - far, LOW], [FOOT, LOW]]), abs=1.6)
+    assert ends[:, 1] == pytest.approx(LOW, abs=0.1)
+
+
 @pytest.mark.parametrize(("rise", "long", "straight"), [(0.5, 24.0, False), (3.0, 24.0, True)])
 def test_steps_and_slants_are_none(
     sketch: Sketch, rise: float, long: float, straight: bool
