@@ -32,6 +32,10 @@ _ON_OTHER, _OTHER = 0.6, 6.0
 """Distance of another line from a blot at most, and length of it at least, in widths of a line, for
 the blot to be where both meet: the middle of a head lies before the line that it points to."""
 
+_NEARER = 1.5
+"""Stroke widths by which another line ends nearer to a blot's middle for it to be that one's head:
+dimension lines end at dots beyond which extension lines go on."""
+
 _WRITING = 5.0
 """Distance of a line with one head from its writing at most, in heights of letters."""
 
@@ -103,6 +107,7 @@ def mark_arrows(
         return
     near_writing = NearWriting(letters)
     crossed = _lines_through(shapes, heads.middles, stroke_width)
+    nearest = _nearest_ends(shapes, heads.middles, stroke_width)
     for index, (shape, own) in enumerate(zip(shapes, kinds, strict=True)):
         if not isinstance(shape.geometry, Line):
             continue
@@ -120,6 +125,7 @@ def mark_arrows(
             reached = (near >= low - half) & (near <= high + half)
             inside = np.minimum(near - run.run.start, run.run.end - near)
             reached &= thick | (slanted & free & (inside > _FROM_TIP * stroke_width))
+            reached &= np.abs(inside) <= nearest[on_line] + _NEARER * stroke_width
             on_run = near[reached]
             from_end = np.minimum(on_run - low, high - on_run)
             sure = int((reached & thick).sum()) > 1
@@ -165,6 +171,26 @@ def _lines_through(
                 reached |= (along > own.run.start - near) & (along < own.run.end + near)
         count += reached & (np.abs(across) < near)
     return count
+
+
+def _nearest_ends(
+    shapes: list[InkedShape], places: npt.NDArray[np.float64], stroke_width: float
+) -> npt.NDArray[np.float64]:
+    """(n,) px along it from places (n, 2) to the end of the line through them that ends nearest.
+
+    It is inf where none but short ones run there, or none ends within a stroke width.
+    """
+    nearest = np.full(len(places), np.inf)
+    for shape in shapes:
+        if not isinstance(shape.geometry, Line):
+            continue
+        along, across = shape.geometry.coordinates(places)
+        for own in shape.runs:
+            away = np.minimum(np.abs(along - own.run.start), np.abs(along - own.run.end))
+            ends = (np.abs(across) < _BESIDE * stroke_width) & (away < stroke_width)
+            if own.run.length >= _OTHER * stroke_width:
+                nearest = np.where(ends, np.minimum(nearest, away), nearest)
+    return nearest
 
 
 def _flanked(

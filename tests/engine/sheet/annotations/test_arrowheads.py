@@ -125,3 +125,20 @@ def test_two_small_blots_have_writing_near_their_line(near: bool, told: bool) ->
     kinds: list[list[AnnotationKind | None]] = [[None]]
     mark_arrows([shape], kinds, blots, np.ones((200, 220), dtype=bool), 2.0, letters=writing)
     assert kinds == [[AnnotationKind.DIMENSION if told else None]]
+
+
+@pytest.mark.parametrize("rows", [1, 2])
+def test_a_dot_is_the_head_of_the_line_that_ends_at_it(rows: int) -> None:
+    """The extension line goes on beyond it, and may go on from an edge without a gap."""
+    shapes = [
+        InkedShape(Line((0.0, y), (1.0, 0.0)), (InkedRun(Run(20.0, 100.5), 3.0),))
+        for y in (50.0, 80.0)[:rows]
+    ]
+    upright = InkedShape(Line((100.0, 0.0), (0.0, 1.0)), (InkedRun(Run(42.0, 190.0), 3.0),))
+    dots = Arrowheads(
+        np.array([(100.0, 50.0), (100.0, 80.0)])[:rows], np.full(rows, 5.0), np.full(rows, 6.0)
+    )
+    kinds: list[list[AnnotationKind | None]] = [[None] for _ in range(rows + 1)]
+    ink = np.ones((200, 200), dtype=bool)
+    mark_arrows([*shapes, upright], kinds, dots, ink, 3.0, letters=WRITING)
+    assert kinds == [[AnnotationKind.DIMENSION]] * rows + [[None]]
