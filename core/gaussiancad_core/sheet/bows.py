@@ -68,6 +68,7 @@ def with_bows(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Placed]:
         for start, end in _spans(drawn):
             for first, last, arc in _bows(line, (start, end), sheet, others):
                 found = [own for own in found if not _is_same(own, arc)]
+                found = [own for own in found if not _is_chord(own, line, (first, last), arc)]
                 found = [part for own in found for part in _without(own, line, (first, last))]
                 found.append(arc)
     return found
@@ -86,6 +87,21 @@ def _is_same(own: Placed, arc: Placed) -> bool:
     middle = geometry.points_at(np.array([(piece.start + piece.end) / 2.0]))
     longer = _OVERRUN * (arc[1].end - arc[1].start)
     return bool(distances_to(arc, middle)[0] < _LEAST) and piece.end - piece.start < longer
+
+
+def _is_chord(own: Placed, line: Line, stretch: tuple[float, float], arc: Placed) -> bool:
+    """Whether a piece runs beside a line where the arc of a bow is, and no farther."""
+    geometry, piece = own
+    if not isinstance(geometry, Line) or geometry == line:
+        return False
+    along, across = line.coordinates(geometry.points_at(np.array([piece.start, piece.end])))
+    circle, bow = arc
+    middle = circle.points_at(np.array([(bow.start + bow.end) / 2.0]))
+    height = float(line.coordinates(middle)[1][0])
+    within = stretch[0] - _NEAR <= along.min() and along.max() <= stretch[1] + _NEAR
+    low, high = sorted((-np.sign(height) * _LEAST, height + np.sign(height) * _LEAST))
+    level = float(np.ptp(across)) <= _LEAST
+    return bool(within and level and low <= across.min() and across.max() <= high)
 
 
 def _spans(drawn: Sequence[Piece]) -> Iterator[tuple[float, float]]:

@@ -81,3 +81,21 @@ def test_a_step_is_no_bow(sketch) -> None:  # noqa: ANN001
     drawn = sketch().line((30.0, _TOP), (90.0, _TOP)).line((90.0, _TOP + 2.0), (170.0, _TOP + 2.0))
     pieces = [_line((30.0, _TOP), (170.0, _TOP))]
     assert with_bows(pieces, clean_sheet(drawn.grey)) == pieces
+
+
+def test_a_line_along_the_middle_of_a_bow_is_none(sketch) -> None:  # noqa: ANN001
+    drawn = sketch().line((30.0, _TOP), (70.0, _TOP)).lines(*_bow(70.0, 136.0, _TOP, 3.0))
+    drawn.line((136.0, _TOP), (170.0, _TOP)).line((80.0, _TOP + 14.0), (120.0, _TOP + 14.0))
+    pieces = [
+        _line((30.0, _TOP), (70.0, _TOP)),
+        _line((136.0, _TOP), (170.0, _TOP)),
+        _line((74.0, _TOP + 2.4), (132.0, _TOP + 2.7)),
+        _line((80.0, _TOP + 14.0), (120.0, _TOP + 14.0)),
+    ]
+    whole = pieces[0][0]
+    pieces[1] = whole, Piece(106.0, 140.0, Linetype.VISIBLE, 1.0)
+    found = with_bows(pieces, clean_sheet(drawn.grey))
+    assert sum(isinstance(own[0], Circle) for own in found) == 1
+    assert pieces[2] not in found
+    assert pieces[3] in found
+    assert len(found) == 4
