@@ -45,6 +45,10 @@ _NEAR = 3.0
 _FOOT = 0.15
 """Share of a bow by which its feet may lie beyond the pieces of its line."""
 
+_ASTRAY, _BESIDE = 2.5, 0.97
+"""px from a bow and its line within which all of another line is their ink; cosine of the angle
+between the two lines at least."""
+
 _STEP, _WHITE = 0.25, 0.15
 """px between the places across a line that are looked at, and ink up to which one is blank."""
 
@@ -68,8 +72,8 @@ def with_bows(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Placed]:
         for start, end in _spans(drawn):
             for first, last, arc in _bows(line, (start, end), sheet, others):
                 found = [own for own in found if not _is_same(own, arc)]
-                found = [own for own in found if not _is_chord(own, line, (first, last), arc)]
                 found = [part for own in found for part in _without(own, line, (first, last))]
+                found = [own for own in found if not _is_chord(own, line, arc, found)]
                 found.append(arc)
     return found
 
@@ -89,19 +93,20 @@ def _is_same(own: Placed, arc: Placed) -> bool:
     return bool(distances_to(arc, middle)[0] < _LEAST) and piece.end - piece.start < longer
 
 
-def _is_chord(own: Placed, line: Line, stretch: tuple[float, float], arc: Placed) -> bool:
-    """Whether a piece runs beside a line where the arc of a bow is, and no farther."""
+def _is_chord(own: Placed, line: Line, arc: Placed, pieces: Sequence[Placed]) -> bool:
+    """Whether a piece is a line that was grown from ink of a bow, and of its line beside that."""
     geometry, piece = own
     if not isinstance(geometry, Line) or geometry == line:
         return False
-    along, across = line.coordinates(geometry.points_at(np.array([piece.start, piece.end])))
-    circle, bow = arc
-    middle = circle.points_at(np.array([(bow.start + bow.end) / 2.0]))
-    height = float(line.coordinates(middle)[1][0])
-    within = stretch[0] - _NEAR <= along.min() and along.max() <= stretch[1] + _NEAR
-    low, high = sorted((-np.sign(height) * _LEAST, height + np.sign(height) * _LEAST))
-    level = float(np.ptp(across)) <= _LEAST
-    return bool(within and level and low <= across.min() and across.max() <= high)
+    cosine = abs(float(np.dot(geometry.direction, line.direction)))
+    if piece.end - piece.start < _SHORTEST or cosine < _BESIDE:
+        return False
+    course = [arc, *(other for other in pieces if other[0] == line)]
+    points = geometry.points_at(np.linspace(piece.start, piece.end, int(piece.end - piece.start)))
+    away = np.array([distances_to(other, points) for other in course])
+    # What lies along the line alone is another's business.
+    along = bool((away[0] < _ASTRAY).any())
+    return along and float(away.min(axis=0).max()) < _ASTRAY
 
 
 def _spans(drawn: Sequence[Piece]) -> Iterator[tuple[float, float]]:

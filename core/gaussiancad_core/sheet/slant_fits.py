@@ -1,11 +1,12 @@
-"""Short visible lines aslant, fitted to the ink that is theirs alone.
+"""Short lines aslant, fitted to the ink that is theirs alone.
 
 The edge of a chamfer, or of a cone's foot, is seldom longer than a few line widths, and at both
-ends its ink merges with that of other strokes, which pulls a fit to its centre line aside.  What
-lies clear of all others shows the line's course as the pen would draw it.
+ends its ink merges with that of other strokes, which pulls a fit to its centre line aside; so do
+the strokes that cross the few dashes of a bore's tip.  What lies clear of all others shows the
+line's course as the pen would draw it.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -14,14 +15,16 @@ from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.jogs import distances_to
 from gaussiancad_core.sheet.junctions import Placed
+from gaussiancad_core.sheet.leftover import dash_pen
 from gaussiancad_core.sheet.pen import Pen, visible_pen
 from gaussiancad_core.sheet.runs import Piece
+from gaussiancad_core.sheet.shapes import sample
 from gaussiancad_core.views import Linetype
 
 Floats = npt.NDArray[np.float64]
 
-_LONGEST = 30.0
-"""px of a line up to which what merges at its ends may pull it aside."""
+_LONGEST = {Linetype.VISIBLE: 30.0, Linetype.HIDDEN: 80.0}
+"""px of a line up to which what merges with it may pull it aside."""
 
 _ASLANT = 0.05
 """Sine of the angle to both axes of the sheet at least: views tell the others' places, too."""
@@ -31,6 +34,9 @@ _BESIDE, _CLEAR = 2.0, 1.2
 
 _FEWEST, _LEAST_LONG = 15, 4.0
 """Pixels of a line alone, and px of it along which they lie, that tell its course."""
+
+_DASH_END, _DARK = 1.5, 0.5
+"""px from the end of a dash in which its ink falls off; weight from which a place is ink."""
 
 _MOVED = 1.8
 """px by which its ends may be off at most."""
@@ -49,18 +55,26 @@ def with_fitted_slants(
         ended: the same ones with their ends at junctions.
         sheet: the view's ink.
     """
-    courses: dict[Line, list[tuple[Line, Piece]]] = {}
+    courses: dict[Line, Piece] = {}
     for geometry, piece in ended:
-        if isinstance(geometry, Line):
-            courses.setdefault(geometry, []).append((geometry, piece))
-    short = [own[0] for own in courses.values() if len(own) == 1 and _is_short_slant(*own[0])]
+        if isinstance(geometry, Line) and min(abs(own) for own in geometry.direction) > _ASLANT:
+            before = courses.get(geometry, piece)
+            start, end = min(before.start, piece.start), max(before.end, piece.end)
+            kind = piece.linetype if before.linetype is piece.linetype else Linetype.VISIBLE
+            courses[geometry] = Piece(start, end, kind, piece.confidence)
+    short = [
+        own for own in courses.items() if own[1].end - own[1].start <= _LONGEST[own[1].linetype]
+    ]
     if not short:
         return list(pieces)
-    pen = visible_pen(sheet.weight, ended, sheet.stroke_width)
+    pens = {
+        Linetype.VISIBLE: visible_pen(sheet.weight, ended, sheet.stroke_width),
+        Linetype.HIDDEN: dash_pen(ended, sheet),
+    }
     fitted: dict[Line, Line] = {}
     for line, piece in short:
         others = [own for own in ended if own[0] != line]
-        course = _fitted((line, piece), others, sheet, pen)
+        course = _fitted((line, piece), others, sheet, pens)
         if course is not None:
             fitted[line] = course
     return [
@@ -69,13 +83,11 @@ def with_fitted_slants(
     ]
 
 
-def _is_short_slant(line: Line, piece: Piece) -> bool:
-    short = piece.end - piece.start <= _LONGEST and piece.linetype is Linetype.VISIBLE
-    return short and min(abs(own) for own in line.direction) > _ASLANT
-
-
 def _fitted(
-    placed: tuple[Line, Piece], others: Sequence[Placed], sheet: CleanSheet, pen: Pen
+    placed: tuple[Line, Piece],
+    others: Sequence[Placed],
+    sheet: CleanSheet,
+    pens: Mapping[Linetype, Pen],
 ) -> Line | None:
     """The line through a piece's own ink, its positions as before; None where that does not tell.
 
@@ -85,7 +97,8 @@ def _fitted(
     from scipy.optimize import least_squares
 
     line, piece = placed
-    pixels = _own_pixels(placed, others, sheet, pen)
+    pen = pens[piece.linetype]
+    pixels = _own_pixels(placed, others, sheet, pens[Linetype.VISIBLE])
     along, across = line.coordinates(pixels)
     if len(pixels) < _FEWEST or np.ptp(along) < _LEAST_LONG:
         return None
@@ -124,10 +137,21 @@ def _own_pixels(
     xs, ys = np.meshgrid(np.arange(low[0], high[0]), np.arange(low[1], high[1]))
     pixels = np.stack([xs.ravel(), ys.ravel()], axis=1).astype(np.float64)
     along, across = line.coordinates(pixels)
-    pixels = pixels[(np.abs(across) < reach) & (along > piece.start) & (along < piece.end)]
+    pixels = pixels[(np.abs(across) < reach) & _is_drawn(line, piece, along, sheet)]
     clear = pen.width / 2.0 + _CLEAR
     for other in others:
         if not len(pixels):
             break
         pixels = pixels[distances_to(other, pixels) > clear]
     return pixels
+
+
+def _is_drawn(line: Line, piece: Piece, along: Floats, sheet: CleanSheet) -> npt.NDArray[np.bool_]:
+    """Of (n,) px along a piece whether there is ink of it, and not the end of a dash."""
+    inside = (along > piece.start) & (along < piece.end)
+    if piece.linetype is Linetype.VISIBLE:
+        return inside
+    near = along[:, None] + np.array([-_DASH_END, 0.0, _DASH_END])
+    points = line.points_at(near.ravel())
+    ink = sample(sheet.weight, points[:, :1], points[:, 1:]).reshape(near.shape)
+    return inside & (ink.min(axis=1) > _DARK)

@@ -98,4 +98,6 @@ def test_a_line_along_the_middle_of_a_bow_is_none(sketch) -> None:  # noqa: ANN0
     assert sum(isinstance(own[0], Circle) for own in found) == 1
     assert pieces[2] not in found
     assert pieces[3] in found
+    slanted = _line((52.0, _TOP), (118.0, _TOP + 2.4))
+    assert slanted not in with_bows([*pieces, slanted], clean_sheet(drawn.grey))
     assert len(found) == 4

@@ -55,6 +55,27 @@ def test_others_stay_as_they_are(sketch: Sketch) -> None:
     assert with_fitted_slants(pieces, pieces, clean_sheet(drawn.grey)) == pieces
 
 
+@pytest.mark.parametrize("off", [(0.7, -0.3), (-0.6, 0.6)])
+def test_dashes_tell_a_hidden_lines_course(sketch: Sketch, off: tuple[float, float]) -> None:
+    # The flank of a bore's tip behind two visible lines.
+    start, end = np.array([40.4, 90.7]), np.array([80.4, 50.7])
+    drawn = sketch().line((20, 78.2), (140, 78.2)).line((20, 72.9), (140, 72.9))
+    drawn.broken(tuple(start), tuple(end), (10.0, 5.5), 2.0).line((80, 50), (120, 90), 2.0)
+    way = (end - start) / np.hypot(*(end - start))
+    normal = np.array([-way[1], way[0]])
+    first, last = start + off[0] * normal, end + off[1] * normal
+    long = float(np.hypot(*(last - first)))
+    line = Line(tuple(first), tuple((last - first) / long))
+    level = [(Line((0.0, y), (1.0, 0.0)), Piece(20.0, 140.0, VISIBLE, 1.0)) for y in (78.2, 72.9)]
+    cut = Piece(0.0, 15.0, Linetype.HIDDEN, 0.8), Piece(20.0, long, Linetype.HIDDEN, 0.8)
+    pieces = [*level, *((line, own) for own in cut)]
+    fitted = with_fitted_slants(pieces, pieces, clean_sheet(drawn.grey))
+    assert fitted[:2] == pieces[:2]
+    assert [own[1] for own in fitted[2:]] == list(cut)
+    assert fitted[2][0] == fitted[3][0]
+    assert fitted[2][0].distances(np.array([start, end])).max() < 0.15
+
+
 @pytest.mark.parametrize("foot", [61.6, 63.2, 65.7])
 def test_the_foot_of_a_cone_between_two_walls_is_exact(sketch: Sketch, foot: float) -> None:
     # A shaft's flange, the 45 degrees of its chamfer, and the shaft.
