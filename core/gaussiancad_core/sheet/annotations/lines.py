@@ -65,6 +65,10 @@ _UNEVEN = 0.4
 _EVEN_PX, _EVEN = 1.5, 0.3
 """px, and share of the gaps beside them, by which dots of centre lines in line differ at most."""
 
+_LONG_IN_A_ROW = 3
+"""Long dashes one after the other, at most, where one centre line ends and the next begins, with a
+piece between them where they overlap."""
+
 _LONGEST_DASH = 1.75
 """Length of a dash at most, in the sheet's usual ones."""
 
@@ -214,10 +218,13 @@ def is_long_short(runs: Sequence[Run]) -> bool:
 def _has_even_dots(runs: Sequence[Run], short: npt.NDArray[np.bool_]) -> bool:
     """Whether short dashes, two at least, are alike and each is between two long ones at even gaps:
     centre lines one after the other, as those of a slot's two ends.  What crossings leave of a
-    hidden line's dashes is of any length and touches what crosses it."""
+    hidden line's dashes is of any length and touches what crosses it; where a circle crosses a
+    dashed one twice, it leaves two that are alike, with many between."""
     if len(short) != len(runs) or short[0] or short[-1] or (short[1:] & short[:-1]).any():
         return False
     dots = np.flatnonzero(short)
+    if (np.diff(dots) > _LONG_IN_A_ROW + 1).any():
+        return False
     lengths = np.array([runs[k].length for k in dots])
     gaps = np.array(
         [(runs[k].start - runs[k - 1].end, runs[k + 1].start - runs[k].end) for k in dots.tolist()]

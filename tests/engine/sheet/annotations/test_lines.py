@@ -66,6 +66,8 @@ def _row(lengths: list[float], gap: float, width: float) -> InkedShape:
         # Of other lengths, or at uneven gaps, these are pieces of dashes.
         ([19, 3, 19, 28, 18.5, 7, 19], False),
         ([19, 4.5, -6, 19, 28, 18.5, 4, 19], False),
+        # A dashed circle that another one crosses twice.
+        ([11, 3.5, 11, 10.5, 10.5, 10.5, 11, 3.5, 11], False),
         ([12, 12, 12, 12], False),
         ([12, 11, 13, 12, 12.5], False),
         # A dashed line whose last dash is short, or its first and its last.
