@@ -41,6 +41,9 @@ _DASH_END, _DARK = 1.5, 0.5
 _MOVED = 1.8
 """px by which its ends may be off at most."""
 
+_BETTER = 0.7
+"""Share of the squares of what the line as it was leaves of the ink, at most."""
+
 _EVEN = 0.12
 """Mean ink by which pixels may differ from the pen's, at most."""
 
@@ -112,6 +115,8 @@ def _fitted(
 
     found = least_squares(residual, (0.0, 0.0), bounds=(-_MOVED, _MOVED), diff_step=1e-3)
     if float(np.abs(found.fun).mean()) > _EVEN or np.abs(found.x).max() > 0.99 * _MOVED:
+        return None
+    if found.cost > _BETTER * 0.5 * float(np.square(residual(np.zeros(2))).sum()):
         return None
     direction = np.array(line.direction)
     normal = np.array([-direction[1], direction[0]])
