@@ -18,6 +18,7 @@ from gaussiancad_core.sheet.corner_dashes import find_corner_dashes
 from gaussiancad_core.sheet.curved_corners import find_curved_fillets
 from gaussiancad_core.sheet.dangling import with_met_ends
 from gaussiancad_core.sheet.dash_corners import is_dash_corner
+from gaussiancad_core.sheet.drill_tips import with_drill_tips
 from gaussiancad_core.sheet.explained import (
     Explained,
     is_new,
@@ -107,6 +108,7 @@ def classify_strokes(
     ended = with_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
     ended = with_slanted_dashes(ended, view.sheet, rhythm)
     ended = with_hidden_rungs(with_short_legs(ended, view.sheet, rhythm), view.sheet, rhythm)
+    ended = with_drill_tips(ended, view.sheet)
     ended = with_bows(with_corners_reached(ended, rhythm), view.sheet)
     ended = with_run_outs(ended, view.sheet)
     # Strokes that were drawn out to a junction explain the ink up to there.
