@@ -17,8 +17,9 @@ from gaussiancad_core.views import View
 PAD_PX = 4
 """Border around a mask, in pixels."""
 
-_TOUCH_PX = 1.0
-"""An outline that comes this near to a side of the box lies in it: a mask is whole pixels."""
+_TOUCH_PX = 1.25
+"""An outline that comes this near to a side of the box lies in it: a mask is whole pixels, and its
+grid begins some of them before a side, from which it may be one away but for rounding."""
 
 _STRAIGHT = 0.04
 """Shortest straight part of an outline that counts as one, as a share of the mask's longer side."""
@@ -63,7 +64,7 @@ def padded_mask(view: View, size: tuple[float, float, float], to_box: bool) -> M
     Args:
         view: holds the mask.
         size: (3,) extent of the part in mm.
-        to_box: whether a mask that ends less than a pixel before a side of the box goes on beyond
+        to_box: whether a mask that ends about a pixel before a side of the box goes on beyond
             that side: the box is known better than the pixels are.
     """
     mask = np.pad(view.mask, PAD_PX)
