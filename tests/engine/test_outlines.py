@@ -68,8 +68,8 @@ def test_a_mask_that_nearly_reaches_the_box_goes_on_beyond_it() -> None:
 def test_a_mask_a_pixel_short_goes_on_whatever_rounding_makes_of_it(rounding: float) -> None:
     mask = np.zeros((30, 50), bool)
     mask[5:25, 5:45] = True
-    view = view_of(mask, origin=(-2.0, 12.5))
-    assert padded_mask(view, (20.5 + rounding, 1.0, 10.0), to_box=True).all()
+    view = view_of(mask, origin=(-2.0 + rounding, 12.5))
+    assert padded_mask(view, (20.5, 1.0, 10.0), to_box=True).all()
 
 
 def test_a_mask_that_ends_inside_the_box_is_left_as_it_is() -> None:
