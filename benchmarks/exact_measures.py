@@ -8,7 +8,6 @@ import numpy.typing as npt
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
 from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
 from OCP.gp import gp_Trsf
-from OCP.Standard import Standard_Failure
 from OCP.TopoDS import TopoDS_Shape
 from scipy.spatial import cKDTree
 
@@ -22,6 +21,7 @@ from gaussiancad_core.drawing.brep import (
     tessellate,
     volume,
 )
+from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.drawing.rays import SightLines
 from gaussiancad_core.meshes import TriangleMesh, make_mesh
 
@@ -95,7 +95,7 @@ def solid_iou(one: TopoDS_Shape, other: TopoDS_Shape) -> float | None:
         return None
     try:
         common = volume(BRepAlgoAPI_Common(one, other).Shape())
-    except Standard_Failure:
+    except KERNEL_FAILURES:
         return None
     if not 0.0 <= common <= min(volumes) * (1.0 + 1e-6):
         return None

@@ -27,7 +27,6 @@ from OCP.GProp import GProp_GProps
 from OCP.IFSelect import IFSelect_ReturnStatus
 from OCP.IMeshTools import IMeshTools_Parameters
 from OCP.Message import Message_ProgressRange
-from OCP.Standard import Standard_Failure
 from OCP.StepBasic import StepBasic_Product
 from OCP.STEPControl import (
     STEPControl_Reader,
@@ -42,6 +41,7 @@ from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS, TopoDS_Compound, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
 from gaussiancad_core.drawing.files import write_whole
+from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.errors import EngineError, UnreadableError
 
 _STEP_MAGIC = b"ISO-10303-21"
@@ -137,7 +137,7 @@ def _parse_step(path: Path, content: bytes) -> TopoDS_Shape:
         if status != IFSelect_ReturnStatus.IFSelect_RetDone or reader.TransferRoots() < 1:
             raise _damaged(path)
         shape = reader.OneShape()
-    except Standard_Failure as error:
+    except KERNEL_FAILURES as error:
         raise _damaged(path) from error
     if shape is None or shape.IsNull():
         raise _damaged(path)
@@ -154,7 +154,7 @@ def _parse_brep(path: Path, content: bytes) -> TopoDS_Shape:
     shape = TopoDS_Shape()
     try:
         BRepTools.Read_s(shape, io.BytesIO(content), BRep_Builder())
-    except Standard_Failure as error:
+    except KERNEL_FAILURES as error:
         raise _damaged(path) from error
     if shape.IsNull():
         raise _damaged(path)

@@ -14,8 +14,9 @@ from OCP.BRepAdaptor import BRepAdaptor_Surface
 from OCP.GeomAbs import GeomAbs_SurfaceType
 from OCP.gp import gp_Ax3, gp_Dir, gp_Lin, gp_Pnt, gp_Vec
 from OCP.IntCurvesFace import IntCurvesFace_Intersector
-from OCP.Standard import Standard_Failure
 from OCP.TopoDS import TopoDS_Face
+
+from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 
 Array = npt.NDArray[np.float64]
 _TINY = 1e-12
@@ -256,7 +257,7 @@ class _AnySurface:
         for index, origin in enumerate(origins.tolist()):
             try:
                 intersector.Perform(gp_Lin(gp_Pnt(*origin), along), -_FAR, _FAR)
-            except Standard_Failure:
+            except KERNEL_FAILURES:
                 # Rare faces of spline surfaces; the line then lacks a hit and is known as faulty.
                 continue
             if not intersector.IsDone():

@@ -220,11 +220,16 @@ def _arcs(
             circle.radius,
             -1 if inner else 1,
         )
-        if (
-            profile.high - profile.low > _THIN
-            and min(profile.radius(profile.low), profile.radius(profile.high)) > -near
-        ):
+        if profile.high - profile.low > _THIN and _least_radius(profile) > -near:
             yield profile
+
+
+def _least_radius(profile: ArcProfile) -> float:
+    """Of an arc between the farthest points along the axis: one that curves towards the axis may
+    cross it between its ends."""
+    ends = min(profile.radius(profile.low), profile.radius(profile.high))
+    curves_in = profile.side < 0 and profile.low < profile.z < profile.high
+    return min(ends, profile.radius(profile.z)) if curves_in else ends
 
 
 def _same_carrier(one: Profile, other: Profile, near: float) -> bool:

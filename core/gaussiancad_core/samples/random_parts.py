@@ -7,12 +7,11 @@ exactly, as in drawings of real parts.
 from collections.abc import Callable
 
 import numpy as np
-from OCP.Standard import Standard_Failure
-from OCP.StdFail import StdFail_NotDone
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.brep import bounding_box, moved_to_origin, soundness
+from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.samples.modelling import (
     Point2,
     Point3,
@@ -82,7 +81,7 @@ def _tried(step: Step, body: TopoDS_Shape, random: np.random.Generator) -> TopoD
     try:
         changed = step(_Workpiece(body), random)
         before, after = soundness(body), soundness(changed)
-    except (Standard_Failure, StdFail_NotDone, ValueError):
+    except (*KERNEL_FAILURES, ValueError):
         return None
     sound = after.valid and after.closed and after.solids == 1
     different = abs(after.volume_mm3 - before.volume_mm3) > 1.0

@@ -25,11 +25,11 @@ from OCP.GProp import GProp_GProps
 from OCP.IntTools import IntTools_Context
 from OCP.ShapeFix import ShapeFix_Shape
 from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
-from OCP.Standard import Standard_Failure
 from OCP.TopAbs import TopAbs_Orientation, TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Shape
 
 from gaussiancad_core.drawing.brep import bounding_box, faces_of, subshapes, volume
+from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.drawing.surfaces import normal_at
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve
 from gaussiancad_core.reasoning.planes import IN_PLANE, lifted
@@ -97,11 +97,11 @@ def build_solid(space: LabelledSpace, scale: float, deadline: Deadline = NEVER) 
         scale: units per mm.
         deadline: after which it is not tried again.
     """
-    built = _built(space, scale, _FITS[0], deadline)
+    built = _tried(space, scale, _FITS[0], deadline)
     for fit in _FITS[1:]:
         if built.closed or not deadline.left:
             break
-        built = _valid(_built(space, scale, fit, deadline))
+        built = _valid(_tried(space, scale, fit, deadline))
     return built
 
 
@@ -111,6 +111,14 @@ def _valid(built: BuiltSolid) -> BuiltSolid:
     shape = built.shape or built.largest
     sound = shape is None or BRepCheck_Analyzer(shape).IsValid()
     return built if sound else BuiltSolid(None, built.bodies, closed=False)
+
+
+def _tried(space: LabelledSpace, scale: float, fit: _Fit, deadline: Deadline) -> BuiltSolid:
+    """What the faces close to; nothing where OpenCASCADE gives up on them."""
+    try:
+        return _built(space, scale, fit, deadline)
+    except KERNEL_FAILURES:
+        return BuiltSolid(None, 0, closed=False)
 
 
 def _built(space: LabelledSpace, scale: float, fit: _Fit, deadline: Deadline) -> BuiltSolid:
@@ -312,7 +320,7 @@ def _mended(shape: TopoDS_Shape) -> TopoDS_Shape | None:
         fix = ShapeFix_Shape(shape)
         fix.Perform()
         return fix.Shape()
-    except Standard_Failure:
+    except KERNEL_FAILURES:
         return None
 
 

@@ -10,6 +10,7 @@ from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import mutually_orthogonal
 from gaussiancad_core.drawing.brep import soundness
+from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.columns import Cell
@@ -281,7 +282,8 @@ def _candidates(
             candidates.append(candidate)
     if not candidates and built.largest is not None:
         # Where lines are missing or wrong, specks of material may lie beside the part.
-        return [_verified(work, built.largest)], False
+        candidate, _ = _candidate(work, replace(built, shape=built.largest))
+        return [candidate] if candidate else [], False
     return candidates, settled and others.complete and labelling.complete
 
 
@@ -304,7 +306,11 @@ def _candidate(work: Work, built: BuiltSolid) -> tuple[Candidate | None, bool]:
     """What was built, drawn again; and whether it is certain what the labels bound."""
     if built.shape is None:
         return None, built.closed
-    candidate = _verified(work, built.shape)
+    try:
+        candidate = _verified(work, built.shape)
+    except KERNEL_FAILURES:
+        # What cannot be drawn again cannot be checked.
+        return None, False
     return candidate, candidate.verification.sound
 
 

@@ -3,10 +3,10 @@
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
 from OCP.BRepGProp import BRepGProp
 from OCP.GProp import GProp_GProps
-from OCP.Standard import Standard_Failure
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.drawing.brep import volume
+from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 
 _VOLUME = 1e-5
 """Relative difference of volumes below which they are equal."""
@@ -27,7 +27,7 @@ def same_solid(one: TopoDS_Shape, other: TopoDS_Shape) -> bool:
         common = BRepAlgoAPI_Common(one, other)
         common.Build()
         return abs(volume(common.Shape()) - size) <= 10.0 * _VOLUME * size
-    except Standard_Failure:
+    except KERNEL_FAILURES:
         return False
 
 

@@ -19,12 +19,12 @@ from OCP.collections import List_TopoDS_Shape
 from OCP.gp import gp_Ax2, gp_Ax3, gp_Circ, gp_Dir, gp_Pln, gp_Pnt, gp_Pnt2d, gp_Vec
 from OCP.IntTools import IntTools_Context
 from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
-from OCP.Standard import Standard_Failure
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Compound, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.drawing.brep import faces_of, soundness, subshapes, volume
+from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.drawing.rays import SightLines
 from gaussiancad_core.reasoning.curves import CircleCurve, PlaneCurve
 from gaussiancad_core.reasoning.drawn_views import views_as_read
@@ -67,7 +67,7 @@ def swept_solid(views: ViewSet, tolerance: float) -> TopoDS_Shape | None:
     outlines = {axis: outline_of(axis, supports, views) for axis in Axis}
     try:
         sweeps = [_sweep(axis, outlines[axis], supports) for axis in Axis]
-    except (Standard_Failure, RuntimeError):
+    except (*KERNEL_FAILURES, RuntimeError):
         return None
     for fuzzy in _FUZZY_COMMON:
         solid = _largest_common(sweeps, fuzzy * max(views.size))
@@ -108,7 +108,7 @@ def _largest_common(sweeps: list[TopoDS_Shape], fuzzy: float) -> TopoDS_Shape | 
             common = operation.Shape()
         solids = subshapes(common, TopAbs_ShapeEnum.TopAbs_SOLID)
         return _simplified(max(solids, key=volume)) if solids else None
-    except (Standard_Failure, RuntimeError):
+    except (*KERNEL_FAILURES, RuntimeError):
         return None
 
 

@@ -127,3 +127,19 @@ def test_a_slant_that_ends_at_one_circle_only_is_no_cone() -> None:
     rounds = views.strokes[Role.TOP][:1]
     strokes = {**views.strokes, Role.RIGHT: tuple(box), Role.TOP: rounds}
     assert find_bodies(find_supports(exact_views(strokes, views.size)), lone=True) == ()
+
+
+@pytest.mark.parametrize(("off", "bodies"), [(12.0, 1), (8.0, 0)])
+def test_an_arc_that_crosses_the_axis_between_its_ends_is_no_profile(
+    off: float, bodies: int
+) -> None:
+    side = _chain((0, 0), (60, 0), (60, 40), (0, 40), (0, 0))
+    waist = Arc((30.0 + off, 20.0), 10.0, pi / 2, pi, Linetype.HIDDEN)
+    top = _chain((0, 0), (60, 0), (60, 60), (0, 60), (0, 0))
+    strokes = {
+        Role.FRONT: [*side, waist],
+        Role.RIGHT: [*side, waist],
+        Role.TOP: [*top, Arc((30.0, 30.0), off, 0.0, TURN, Linetype.HIDDEN)],
+    }
+    found = find_bodies(find_supports(exact_views(strokes, (60.0, 60.0, 40.0))))
+    assert len(found) == bodies

@@ -23,11 +23,13 @@ from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Shape
 
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.drawing.brep import bounding_box, faces_of, soundness, volume
+from gaussiancad_core.reasoning.bodies import ArcProfile, RevolvedBody
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.reasoning.labelling import Effort, Search
 from gaussiancad_core.reasoning.part import PartModel, model_part
 from gaussiancad_core.reasoning.solvers import Deadline
 from gaussiancad_core.solid import build
+from gaussiancad_core.solid.bodies import revolved_face
 from gaussiancad_core.solid.build import BuiltSolid, build_solid
 from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.solid.patches import Patch, PlanePatch, find_patches
@@ -221,6 +223,16 @@ class _Rod:
             ground,
             *(BRepBuilderAPI_MakeFace(own, 0.0, 2.0 * pi, *ends).Face() for own, *ends in swept),
         ]
+
+
+def test_faces_that_the_kernel_cannot_make_do_not_close(
+    labelled: Labelled, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    part, space = labelled("pocket-block")
+    # Its profile crosses the axis that it turns about.
+    crossing = RevolvedBody(Axis.Z, (20.0, 20.0), ArcProfile(5.0, 25.0, 15.0, 8.0, 10.0, -1))
+    monkeypatch.setattr(build, "_face", lambda patch: revolved_face(crossing))
+    assert build_solid(space, part.supports.scale) == BuiltSolid(None, 0, closed=False)
 
 
 def test_strips_narrower_than_seams_do_not_part_a_body() -> None:

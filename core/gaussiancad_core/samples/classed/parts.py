@@ -6,11 +6,10 @@ from enum import Enum
 from itertools import count
 
 import numpy as np
-from OCP.Standard import Standard_Failure
-from OCP.StdFail import StdFail_NotDone
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.drawing.brep import faces_of, moved_to_origin, soundness
+from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.samples.classed.drilled import DRILLED, drilled_body
 from gaussiancad_core.samples.classed.filleted import FILLETED, filleted_body
 from gaussiancad_core.samples.classed.flat import FLAT, flat_body
@@ -121,7 +120,7 @@ def _grown(recipe: _Recipe, random: np.random.Generator, level: int) -> TopoDS_S
         _grow(recipe, work)
         part = work.stock.solid()
         sound = soundness(part)
-    except (Standard_Failure, StdFail_NotDone, RuntimeError):
+    except (*KERNEL_FAILURES, RuntimeError):
         return None
     kinds = surface_kinds(part)
     whole = sound.valid and sound.closed and sound.solids == 1

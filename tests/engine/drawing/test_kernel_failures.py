@@ -1,0 +1,25 @@
+"""What OpenCASCADE raises."""
+
+from collections.abc import Callable
+
+import pytest
+from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge
+from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
+from OCP.gp import gp_Dir, gp_Pnt
+
+from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
+
+_HERE = gp_Pnt(0.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    "operation",
+    [
+        lambda: gp_Dir(0.0, 0.0, 0.0),
+        lambda: BRepBuilderAPI_MakeEdge(_HERE, _HERE).Edge(),
+        lambda: BRepPrimAPI_MakeBox(_HERE, 0.0, 1.0, 1.0).Solid(),
+    ],
+)
+def test_what_is_not_done_is_one_of_them(operation: Callable[[], object]) -> None:
+    with pytest.raises(KERNEL_FAILURES):
+        operation()
