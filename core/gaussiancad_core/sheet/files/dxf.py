@@ -72,7 +72,8 @@ _OVERHANG = 0.02
 """Share of the paper by which a drawing may reach over it."""
 
 _EDGE = 5e-4
-"""Share of the paper that stays blank where it does, so that the outermost line is whole."""
+"""Share of the paper that stays blank where it does, so that the outermost line is whole; a drawing
+that comes as near to a side reaches it."""
 
 _ENTITY = re.compile(rb"\n[ \t]*0[ \t]*\r?\n[ \t]*[A-Z]")
 """The start of an entity or table entry in a text file."""
@@ -248,13 +249,18 @@ def _inches_per_unit(doc: Drawing) -> float | None:
 def _sheet_box(box: Box, limits: Box | None) -> Box:
     """The paper: the limits if the drawing was drawn for them, else the drawing with a margin.
 
-    Where the drawing reaches a little over the limits, they are widened on that side.
+    Where the drawing reaches a little over the limits, they are widened on that side.  A drawing
+    that begins at their corner and ends within them, with no frame around it, was drawn for no
+    paper: programs that write files without asking for one give all of them the same limits, and
+    half of the outermost lines would lie outside.
     """
     longest = max(box[2] - box[0], box[3] - box[1])
     if limits is not None:
         paper = max(limits[2] - limits[0], limits[3] - limits[1])
         over = (limits[0] - box[0], limits[1] - box[1], box[2] - limits[2], box[3] - limits[3])
-        if paper > 0.0 and longest >= _LEAST_USE * paper and max(over) <= _OVERHANG * paper:
+        reached = [abs(reach) <= _EDGE * paper for reach in over]
+        meant = longest >= _LEAST_USE * paper and (all(reached) or not any(reached))
+        if meant and paper > 0.0 and max(over) <= _OVERHANG * paper:
             left, bottom, right, top = (
                 reach + _EDGE * paper if reach > 0.0 else 0.0 for reach in over
             )

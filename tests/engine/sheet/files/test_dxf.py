@@ -374,6 +374,22 @@ def test_without_limits_the_drawing_gets_a_margin(read: Read) -> None:
     assert np.allclose(stroke.curve.start, (5 * MM, 55 * MM))
 
 
+@pytest.mark.parametrize("start", [(0, 0), (0, 20), (20, 0), (-0.05, 20)])
+def test_a_drawing_at_some_edges_of_its_paper_was_not_drawn_for_it(
+    read: Read, start: tuple[float, float]
+) -> None:
+    doc = _a4()
+    doc.modelspace().add_lwpolyline(
+        [start, (100, start[1]), (100, 100), (start[0], 100)], close=True
+    )
+    content = read(doc)
+    ink = content.grey < 128
+    assert not (ink[:10].any() or ink[-10:].any() or ink[:, :10].any() or ink[:, -10:].any())
+    rows, columns = np.nonzero(ink)
+    assert columns.max() - columns.min() == pytest.approx((100 - start[0]) * MM, abs=3)
+    assert rows.max() - rows.min() == pytest.approx((100 - start[1]) * MM, abs=3)
+
+
 def test_a_drawing_may_reach_over_its_paper_a_little(read: Read) -> None:
     doc = _framed(_a4())
     doc.modelspace().add_line((10, 211), (90, 211))
