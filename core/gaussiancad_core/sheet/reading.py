@@ -39,6 +39,9 @@ from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet, vector
 from gaussiancad_core.sheet.view_shapes import find_shapes, view_pens, view_rhythm
 from gaussiancad_core.views import Linetype, Stroke, ViewSet
 
+_LEAST_PX = 0.5
+"""px that a view is wide and high at least: less lies between the edges of one line."""
+
 _ALONE = 0.6
 """Gaps by which a line may be longer than its only dash: lines at its ends cover the rest."""
 
@@ -144,21 +147,28 @@ def read_views(
         )
         outline = find_outline(sheet, box, supersampling)
         if outline is None:
-            raise NoModelError(
-                "open-outline",
-                "the outline of the {} view at ({:.0f}, {:.0f})-({:.0f}, {:.0f}) px is not "
-                "closed: draw its visible edges without gaps".format(role.value, *box),
-            )
+            raise _open_outline(role, box)
         if source is StrokesSource.RASTER:
             strokes = without_outside(strokes, outline)
         region = cut_region(layout, box)
         if region is not None:
             strokes = with_hidden_inside(strokes, outline, region)
         own = view_box(strokes, outline, exact=source is StrokesSource.VECTOR)
+        if min(own[2] - own[0], own[3] - own[1]) < _LEAST_PX:
+            # Two edges that melted into one line are closed, and bound nothing.
+            raise _open_outline(role, box)
         told = pens.told or source is not StrokesSource.RASTER
         dash = None if told else rhythm.dash + _ALONE * rhythm.gap
         drawn.append(ReadView(role, own, strokes, outline, source, dash))
     return tuple(drawn)
+
+
+def _open_outline(role: Role, box: Box) -> NoModelError:
+    return NoModelError(
+        "open-outline",
+        "the outline of the {} view at ({:.0f}, {:.0f})-({:.0f}, {:.0f}) px is not "
+        "closed: draw its visible edges without gaps".format(role.value, *box),
+    )
 
 
 def register_views(drawn: tuple[ReadView, ...], options: ReadingOptions) -> RegisteredSheet:

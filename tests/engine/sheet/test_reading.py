@@ -5,10 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
+from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import ReadingOptions
-from gaussiancad_core.sheet.reading import register_views
+from gaussiancad_core.sheet.reading import read_views, register_views
 
 THROUGH_HOLES = {
     "l-bracket": 2,
@@ -95,3 +97,15 @@ def test_small_disagreement_is_averaged(read) -> None:  # noqa: ANN001
     assert registered.extents.disagreeing == (Axis.Z,)
     assert registered.extents.spread[Axis.Z] == pytest.approx(6.0, abs=0.1)
     assert registered.extents.extents[Axis.Z] == pytest.approx(y1 - y0 + 3.0, abs=0.1)
+
+
+def test_a_view_that_is_one_line_is_told_by_place() -> None:
+    # Two edges nearer to each other than the pen is wide.
+    grey = np.full((300, 300), 255, np.uint8)
+    grey[60:240, 140:147] = 0
+    clean = upright_sheet(clean_sheet(grey, 0))
+    layout = Layout({Role.FRONT: (136.0, 56.0, 151.0, 244.0)}, Projection.THIRD, "given", (), ())
+    with pytest.raises(NoModelError) as error:
+        read_views(clean, layout)
+    assert error.value.code == "open-outline"
+    assert "front view at (136, 56)-(151, 244)" in str(error.value)
