@@ -2,7 +2,8 @@
 
 Where a rounding passes into a plane many programs draw no line.  The edges of a notch that ends
 there end in the open, so that nothing could bound it.  Between such ends the edge is added, as a
-line that may be drawn or not.
+line that may be drawn or not.  The web of a crank's arm touches its bosses so as well, which are
+drawn all around: there the edge stands where the web's outline touches the circle.
 """
 
 from collections.abc import Iterator
@@ -14,6 +15,7 @@ from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.curves import (
     TURN,
     CircleCurve,
+    LineCurve,
     PlaneCurve,
     Point,
     axis_line,
@@ -29,6 +31,10 @@ _NEAR = 3.0
 
 _LEAST_NEAR = 0.02
 """The same in units, at least."""
+
+_TOUCHING = 0.2
+"""Share of a circle's radius within which a line that touches it ends at the touching point: small
+errors of the line move that by much more."""
 
 _SEAM = 1e-6
 """Angle within which an arc's end is where angles begin again."""
@@ -57,10 +63,19 @@ def with_smooth_edges(supports: PartSupports) -> PartSupports:
         found = plane
         free = _free_ends(plane, near)
         for along in (0, 1) if free else ():
-            for value in sorted(set(_smooth(supports, normal, along, near))):
+            for value in _distinct(_smooth(supports, normal, along, near), near):
                 found = _with_edge(found, axis_line(along, value), free, near)
         planes[normal] = found
     return replace(supports, planes=planes)
+
+
+def _distinct(values: Iterator[float], near: float) -> list[float]:
+    """Values that are farther apart than ``near``, ascending."""
+    found: list[float] = []
+    for value in sorted(values):
+        if not found or value - found[-1] > near:
+            found.append(value)
+    return found
 
 
 def _smooth(supports: PartSupports, normal: Axis, along: int, near: float) -> Iterator[float]:
@@ -70,13 +85,35 @@ def _smooth(supports: PartSupports, normal: Axis, along: int, near: float) -> It
     if other not in supports.planes:
         return
     facing = IN_PLANE[other].index(normal.value)
-    for support in supports.planes[other].supports:
+    shown = supports.planes[other].supports
+    circles = []
+    for support in shown:
         curve = support.curve
-        if isinstance(curve, CircleCurve) and any(
+        if not isinstance(curve, CircleCurve):
+            continue
+        circles.append(curve)
+        if any(
             abs(curve.at(end)[1 - facing] - curve.centre[1 - facing]) < near
             for end in _ends(support)
         ):
             yield curve.centre[1 - facing]
+    for support in shown:
+        for point in _touching(support, circles, near):
+            yield point[1 - facing]
+
+
+def _touching(support: Support, circles: list[CircleCurve], near: float) -> Iterator[Point]:
+    """Where a straight line touches circles that it ends at."""
+    line = support.curve
+    if not isinstance(line, LineCurve):
+        return
+    for circle in circles:
+        foot = line.parameter(circle.centre)
+        room = max(near, _TOUCHING * circle.radius)
+        if abs(line.distance(circle.centre) - circle.radius) < near and any(
+            abs(end - foot) < room for end in _ends(support)
+        ):
+            yield line.at(foot)
 
 
 def _free_ends(plane: PlaneSupports, near: float) -> list[_FreeEnd]:

@@ -1,11 +1,17 @@
 """Smooth edges, not drawn, at which other lines end."""
 
 from collections.abc import Callable
+from math import sqrt
 
 import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Common, BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
-from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox, BRepPrimAPI_MakeCylinder
-from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt
+from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace, BRepBuilderAPI_MakePolygon
+from OCP.BRepPrimAPI import (
+    BRepPrimAPI_MakeBox,
+    BRepPrimAPI_MakeCylinder,
+    BRepPrimAPI_MakePrism,
+)
+from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt, gp_Vec
 from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopoDS import TopoDS_Shape
 
@@ -45,6 +51,44 @@ def test_a_pad_that_passes_smoothly_into_a_face_is_found(drawn: Draw) -> None:
     solid = _padded(15.0, 25.0)
     part = model_part(drawn(solid))
     labels = Search(part.rules, Effort()).best(relaxed=False).labels
+    assert labels is not None
+    built = build_solid(LabelledSpace(part.space, labels), part.supports.scale)
+    assert built.shape is not None
+    assert volume(built.shape) == pytest.approx(volume(solid), rel=1e-7)
+
+
+def _arm(upper: float, lower: float) -> TopoDS_Shape:
+    """A web of 8 mm that touches two bosses, 50 mm apart, of 20 and 14 mm height."""
+    bosses = [
+        BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, 20, 0), gp_Dir(0, 0, 1)), radius, high).Solid()
+        for x, radius, high in ((20.0, upper, 20.0), (70.0, lower, 14.0))
+    ]
+    # The outline touches both circles at the same angle.
+    cosine = (upper - lower) / 50.0
+    sine = sqrt(1.0 - cosine**2)
+    outline = BRepBuilderAPI_MakePolygon()
+    for x, radius, side in (
+        (20.0, upper, 1),
+        (70.0, lower, 1),
+        (70.0, lower, -1),
+        (20.0, upper, -1),
+    ):
+        outline.Add(gp_Pnt(x + radius * cosine, 20.0 + side * radius * sine, 0.0))
+    outline.Close()
+    web = BRepBuilderAPI_MakeFace(outline.Wire(), True).Face()
+    solid = BRepPrimAPI_MakePrism(web, gp_Vec(0, 0, 8)).Shape()
+    for boss in bosses:
+        solid = BRepAlgoAPI_Fuse(solid, boss).Shape()
+    unifier = ShapeUpgrade_UnifySameDomain(solid, True, True, False)
+    unifier.Build()
+    return unifier.Shape()
+
+
+@pytest.mark.parametrize("lower", [10.0, 13.0])
+def test_a_web_that_touches_its_bosses_is_found(drawn: Draw, lower: float) -> None:
+    solid = _arm(16.0, lower)
+    part = model_part(drawn(solid))
+    labels = Search(part.rules, Effort()).best(relaxed=True).labels
     assert labels is not None
     built = build_solid(LabelledSpace(part.space, labels), part.supports.scale)
     assert built.shape is not None
