@@ -13,7 +13,7 @@ from gaussiancad_core.axes import Projection
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, views_as_read
 from gaussiancad_core.reasoning.labelling import Effort
-from gaussiancad_core.sheet.pixel_grids import Rounding, seen_rounding
+from gaussiancad_core.sheet.pixel_grids import Rounding, rounding_step, seen_rounding
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
@@ -38,6 +38,10 @@ _LEAST_NOISE_PX = 0.015
 _ROUNDED_NOISE_PX = 0.03
 """The same where lines are rounded, mostly to quarters of a pixel: they are off by a sixteenth of a
 pixel at the mean, and all faces together by up to a thirteenth, of parts whose solids are known."""
+
+_ROUGH_NOISE = 0.12
+"""The same as a share of the step that they are rounded to: programs that place lines on whole
+pixels misplace them by four times as much."""
 
 _FREE_NOISE_PX = 0.0075
 """px of noise of pictures in which nothing is rounded, at least: neighbours and corners move lines
@@ -226,11 +230,12 @@ def _noise_px(registered: RegisteredSheet) -> float:
     """px by which lines of a picture may miss where they belong, as far as it tells."""
     residuals = registered.extents.residuals.values()
     seen = max((max(own.median, _MEAN * own.largest) for own in residuals), default=0.0)
-    rounding = seen_rounding(
-        (view.strokes for view in registered.drawn), well_read=seen <= _FREE_NOISE_PX
-    )
+    strokes = [view.strokes for view in registered.drawn]
+    well_read = seen <= _FREE_NOISE_PX
+    rounding = seen_rounding(strokes, well_read=well_read)
     if rounding is Rounding.TOLD:
-        least = _ROUNDED_NOISE_PX
+        step = rounding_step(strokes, well_read=well_read)
+        least = max(_ROUNDED_NOISE_PX, _ROUGH_NOISE * step)
     elif rounding is Rounding.NONE or _is_fine(registered):
         least = _FREE_NOISE_PX
     else:

@@ -247,15 +247,15 @@ def test_the_noise_of_views_is_that_of_the_axis_on_which_they_differ_most() -> N
 
 @pytest.mark.parametrize(
     ("seen", "rounded", "noise"),
-    [(0.002, False, 0.0075), (0.01, False, 0.015), (0.002, True, 0.03)],
+    [(0.002, 0, 0.0075), (0.01, 0, 0.015), (0.002, 4, 0.03), (0.002, 1, 0.12)],
 )
 def test_what_views_round_alike_is_told_by_their_places(
-    seen: float, rounded: bool, noise: float
+    seen: float, rounded: int, noise: float
 ) -> None:
     third, _ = _both(_block())
     lines = []
     for at in np.random.default_rng(4).uniform(40.0, 600.0, 20):
-        place = round(4.0 * at) / 4.0 if rounded else at
+        place = round(rounded * at) / rounded if rounded else at
         lines.append(Segment((place, 40.0), (place, 90.0), Linetype.VISIBLE))
         lines.append(Segment((40.0, place), (90.0, place), Linetype.VISIBLE))
     # All views agree, and even the one that shows the depth along the other side of the sheet.

@@ -16,6 +16,7 @@ import numpy.typing as npt
 from scipy.special import bdtrc
 
 from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.nominal import ROUND_MM
 from gaussiancad_core.reasoning.planes import IN_PLANE, UNITS
 
 Floats = npt.NDArray[np.float64]
@@ -24,6 +25,9 @@ Ints = npt.NDArray[np.int64]
 _REACHES, _FARTHEST = (1.5, 3.0, 5.0), 0.25
 """Times the noise by which a number may miss a multiple, and tolerances at most: lines on quarters
 of a pixel miss by an eighth, and the end of the part that they are counted from by another."""
+
+_ROUGHEST = 0.6
+"""The same in tolerances where the noise is large: lines on whole pixels miss by half of one."""
 
 _FEWEST_STEPS, _MOST_STEPS, _HALVES = 4.0, 600.0, 0.5
 """Steps along the longest extent, and by how many candidates differ."""
@@ -63,10 +67,18 @@ class Roughness:
     Attributes:
         tolerance: units by which one may be off.
         noise: units by which they are, at the mean; 0 where that is not known.
+        millimetre: units, as far as the scale is known; 0 where it is not.
     """
 
     tolerance: float
     noise: float
+    millimetre: float = 0.0
+
+    @property
+    def farthest(self) -> float:
+        """Units by which a number may miss a multiple, at most."""
+        most = min(_REACHES[-1] * self.noise, _ROUGHEST * self.tolerance)
+        return max(_FARTHEST * self.tolerance, most)
 
 
 @dataclass(frozen=True)
@@ -124,7 +136,7 @@ def likely_numbers(
         group[radius] = len(Axis)
     beside = numbers - np.array(lattice.begins)[group]
     multiples = lattice.step * np.round(beside / lattice.step)
-    far = min(_REACHES[-1] * rough.noise, _FARTHEST * rough.tolerance, _NEARBY * lattice.step)
+    far = min(_REACHES[-1] * rough.noise, rough.farthest, _NEARBY * lattice.step)
     fits = np.abs(beside - multiples) <= max(lattice.reach, far)
     moved = float(np.sqrt(np.mean((beside - multiples)[fits] ** 2))) if fits.any() else 0.0
     if moved <= _EXACT * rough.tolerance:
@@ -148,9 +160,22 @@ def told_lattice(groups: Sequence[Sequence[float]], rough: Roughness) -> Lattice
     numbers, of = numbers[told], of[told]
     if len(numbers) < _FEWEST or not rough.noise:
         return None
-    steps = UNITS / np.arange(_FEWEST_STEPS, _MOST_STEPS + _HALVES, _HALVES)
+    any_step = UNITS / np.arange(_FEWEST_STEPS, _MOST_STEPS + _HALVES, _HALVES)
+    # Most parts are designed in these: they are tried by themselves, against less of a chance.
+    round_steps = np.array(ROUND_MM) * rough.millimetre
+    tried = (_likeliest(numbers, of, len(groups), own, rough) for own in (any_step, round_steps))
+    return min(tried, key=lambda own: own[0])[1]
+
+
+def _likeliest(
+    numbers: Floats, of: Ints, groups: int, steps: Floats, rough: Roughness
+) -> tuple[float, Lattice | None]:
+    """The lattice of one of the steps that numbers are least likely to lie on by chance, and how
+    likely that is, over all steps and reaches tried."""
     best: tuple[float, Lattice | None] = (_CHANCE, None)
-    farthest = _FARTHEST * rough.tolerance
+    if not steps.all():
+        return best
+    farthest = rough.farthest
     for share in _REACHES:
         reach = min(share * rough.noise, farthest)
         own = steps[2.0 * reach / steps <= _DENSEST]
@@ -158,7 +183,7 @@ def told_lattice(groups: Sequence[Sequence[float]], rough: Roughness) -> Lattice
         for index in np.argsort(chances, kind="stable")[:_TRIED]:
             step = float(own[index])
             wide = max(reach, min(_REACHES[-1] * rough.noise, farthest, _WIDEST * step))
-            fitted = _fitted(numbers, of, len(groups), step, wide)
+            fitted = _fitted(numbers, of, groups, step, wide)
             if fitted is None:
                 continue
             step, begins = fitted
@@ -168,7 +193,7 @@ def told_lattice(groups: Sequence[Sequence[float]], rough: Roughness) -> Lattice
             chance *= len(own) * len(_REACHES)
             if chance < best[0]:
                 best = float(chance), lattice
-    return best[1]
+    return best
 
 
 def _independent(

@@ -32,7 +32,7 @@ _SHARE = 0.85
 _CHANCE = 1e-7
 """Probability at which so many numbers fit by chance, over all steps that are tried."""
 
-_ROUND_MM, _ROUND_CHANCE = (10.0, 5.0, 2.0, 1.0, 0.5), 1e-5
+ROUND_MM, _ROUND_CHANCE = (10.0, 5.0, 2.0, 1.0, 0.5), 1e-5
 """Steps that most parts are designed in, and the same probability for these alone."""
 
 
@@ -69,7 +69,7 @@ def nominal_step(
     if not len(told):
         return None
     any_step = [UNITS / count for count in range(_FEWEST_STEPS, _MOST_STEPS + 1)]
-    round_steps = [length * millimetre for length in _ROUND_MM] if millimetre else []
+    round_steps = [length * millimetre for length in ROUND_MM] if millimetre else []
     for precise in _PRECISE:
         for lengths, chance in (
             (any_step, _CHANCE),

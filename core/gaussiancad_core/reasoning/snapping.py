@@ -176,7 +176,7 @@ def snapped(
     if step is not None:
         variables, numbers, nominal = _rounded(variables, numbers, relations, step, far)
     elif noise:
-        likely = likely_numbers(numbers, clusters, own, Roughness(tolerance, noise))
+        likely = likely_numbers(numbers, clusters, own, Roughness(tolerance, noise, millimetre))
         if likely is not None:
             variables.observed, moved = likely.numbers, likely.moved
             variables.weights = (likely.factors * variables.weights).tolist()

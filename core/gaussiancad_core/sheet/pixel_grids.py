@@ -11,8 +11,9 @@ from enum import Enum
 
 import numpy as np
 import numpy.typing as npt
+from scipy.special import gammaincc
 
-from gaussiancad_core.views import Segment, Stroke
+from gaussiancad_core.views import Linetype, Segment, Stroke
 
 _STEPS = tuple(1.0 / parts for parts in (1, 2, 3, 4, 5, 6, 8, 10))
 """px that programs round to, longest first; a line both of whose sides are rounded lies on halves
@@ -59,16 +60,10 @@ def seen_rounding(views: Iterable[Sequence[Stroke]], *, well_read: bool) -> Roun
         well_read: whether their places are known to a hundredth of a pixel: else it is never
             certain that they are not rounded.
     """
-    lines = [
-        stroke
-        for strokes in views
-        for stroke in strokes
-        if isinstance(stroke, Segment) and stroke.length >= _SHORTEST
-    ]
+    lines = _lines(views)
     columns, rows = (_places(lines, direction) for direction in (0, 1))
     both = np.concatenate([columns, rows])
-    least = _ROUNDED_WELL if well_read else _ROUNDED
-    if any(_is_rounded(both, step, least) for step in _STEPS if step >= _LEAST_ROUNDED):
+    if rounding_step([lines], well_read=well_read):
         return Rounding.TOLD
     spread = well_read and all(
         len(own) >= fewest and all(_concentration(own, step) <= most for step in _STEPS)
@@ -81,6 +76,42 @@ def seen_rounding(views: Iterable[Sequence[Stroke]], *, well_read: bool) -> Roun
     return Rounding.NONE if spread else Rounding.UNTOLD
 
 
+def rounding_step(views: Iterable[Sequence[Stroke]], *, well_read: bool) -> float:
+    """px of the longest step that the places of lines are multiples of; 0 where none is told.
+
+    Lines of an odd width lie between the pixels where those of an even one lie on them, so that
+    visible and hidden ones are counted each from a beginning of their own.
+
+    Args:
+        views, well_read: as of :func:`seen_rounding`.
+    """
+    lines = _lines(views)
+    least = _ROUNDED_WELL if well_read else _ROUNDED
+    by_kind = [_both_ways([line for line in lines if line.linetype is kind]) for kind in Linetype]
+    families = [own for own in by_kind if len(own) >= _FEWEST_ALONG]
+    for step in _STEPS:
+        if step >= _LEAST_ROUNDED and any(
+            _is_rounded(groups, step, least) for groups in ([_both_ways(lines)], families)
+        ):
+            return step
+    return 0.0
+
+
+def _both_ways(lines: Sequence[Segment]) -> npt.NDArray[np.float64]:
+    """(n,) px, the places of lines across both directions of the sheet."""
+    return np.concatenate([_places(lines, direction) for direction in (0, 1)])
+
+
+def _lines(views: Iterable[Sequence[Stroke]]) -> list[Segment]:
+    """The lines that are long enough to tell their places."""
+    return [
+        stroke
+        for strokes in views
+        for stroke in strokes
+        if isinstance(stroke, Segment) and stroke.length >= _SHORTEST
+    ]
+
+
 def _places(lines: Sequence[Segment], direction: int) -> npt.NDArray[np.float64]:
     """(n,) px, distinct coordinates at which lines run across a direction of the sheet."""
     ends = np.array([(line.start[direction], line.end[direction]) for line in lines]).reshape(-1, 2)
@@ -88,10 +119,14 @@ def _places(lines: Sequence[Segment], direction: int) -> npt.NDArray[np.float64]
     return level[np.diff(level, prepend=-np.inf) > _SAME]
 
 
-def _is_rounded(places: npt.NDArray[np.float64], step: float, least: float) -> bool:
-    """Whether places are multiples of a step, and not by chance (Rayleigh's test)."""
-    told = _concentration(places, step) if len(places) else 0.0
-    return told >= least and np.exp(-len(places) * told**2) <= _CHANCE
+def _is_rounded(families: Sequence[npt.NDArray[np.float64]], step: float, least: float) -> bool:
+    """Whether places are multiples of a step, each family's counted from a beginning of its own,
+    and not by chance (Rayleigh's test)."""
+    told = [_concentration(own, step) if len(own) else 0.0 for own in families]
+    evidence = sum(len(own) * one**2 for own, one in zip(families, told, strict=True))
+    # The sum of as many exponential variates, by chance.
+    chance = float(gammaincc(max(len(families), 1), evidence))
+    return min(told, default=0.0) >= least and chance <= _CHANCE
 
 
 def _concentration(places: npt.NDArray[np.float64], step: float) -> float:

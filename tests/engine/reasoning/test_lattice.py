@@ -29,16 +29,16 @@ _ODD = {Axis.X: (33.31, 80.77), Axis.Y: (21.4,), Axis.Z: (9.63,)}
 _EXTENTS = {Axis.X: _STEPS, Axis.Y: 78.0, Axis.Z: 29.0}
 
 
-def _rounded(number: float) -> float:
-    """Units of what is drawn on the nearest quarter of a pixel."""
-    return round(number / _PIXEL * 4.0) / 4.0 * _PIXEL
+def _rounded(number: float, parts: float = 4.0) -> float:
+    """Units of what is drawn on the nearest quarter of a pixel, or another part of one."""
+    return round(number / _PIXEL * parts) / parts * _PIXEL
 
 
-def _readings() -> list[Reading]:
+def _readings(parts: float = 4.0) -> list[Reading]:
     readings = []
     for axis in Axis:
         own = [0.0, *_MULTIPLES[axis], *_ODD[axis], _EXTENTS[axis]]
-        readings += [Reading(axis, _rounded(number * _STEP), 1.0) for number in own]
+        readings += [Reading(axis, _rounded(number * _STEP, parts), 1.0) for number in own]
     return readings
 
 
@@ -57,6 +57,18 @@ def test_measures_on_quarters_of_a_pixel_become_what_they_were_meant_to_be() -> 
     drawn = [abs(_rounded(n * _STEP) - n * _STEP) for own in _MULTIPLES.values() for n in own]
     assert max(drawn) > 0.1 * _PIXEL
     assert max(_beside(snap)) < 0.03
+
+
+def test_measures_on_whole_pixels_do_if_the_scale_is_known() -> None:
+    """A step of five pixels, of which chance comes within half of one too often otherwise."""
+    millimetre = _STEP
+    snap = snapped(_readings(1.0), [], _PIXEL, millimetre=millimetre, noise=0.12 * _PIXEL)
+    drawn = [abs(_rounded(n * _STEP, 1.0) - n * _STEP) for own in _MULTIPLES.values() for n in own]
+    assert max(drawn) > 0.4 * _PIXEL
+    assert max(_beside(snap)) < 0.15
+    assert snap.step is None and not snap.nominal
+    # What is known better than that is not moved so far.
+    assert snapped(_readings(1.0), [], _PIXEL, millimetre=millimetre, noise=_NOISE).moved == 0.0
 
 
 def test_such_measures_are_not_certain() -> None:
@@ -78,12 +90,14 @@ def test_measures_move_only_where_that_is_asked_for() -> None:
 
 
 @pytest.mark.parametrize("count", [5, 9, 16, 30])
-def test_random_measures_lie_on_no_lattice(count: int) -> None:
+@pytest.mark.parametrize("noise", [0.035, 0.12, 0.25])
+def test_random_measures_lie_on_no_lattice(count: int, noise: float) -> None:
     told = 0
+    rough = Roughness(_PIXEL, noise * _PIXEL, UNITS / 90.0)
     for seed in range(60):
         random = np.random.default_rng(1000 * count + seed)
         groups = [sorted(random.uniform(0.0, UNITS, count // 2)) for _ in range(2)]
-        told += told_lattice([*groups, [], random.uniform(1.0, 20.0, 2)], _ROUGH) is not None
+        told += told_lattice([*groups, [], random.uniform(1.0, 20.0, 2)], rough) is not None
     assert told == 0
 
 

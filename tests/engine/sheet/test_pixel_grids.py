@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.sheet.pixel_grids import Rounding, seen_rounding
+from gaussiancad_core.sheet.pixel_grids import Rounding, rounding_step, seen_rounding
 from gaussiancad_core.views import Linetype, Segment
 
 _READ = 0.006
@@ -42,6 +42,21 @@ def test_rounded_lines_are_told(parts: int, seed: int) -> None:
     # Between the rows of a raster as well.
     half = 0.5 / parts
     assert _told(_views(columns + half, rows + half)) is Rounding.TOLD
+
+
+@pytest.mark.parametrize("parts", [1, 2, 4])
+def test_the_step_is_told_though_wide_lines_lie_between_its_multiples(parts: int) -> None:
+    columns, rows = (np.round(_places(seed, 8) * parts) / parts for seed in (1, 2))
+    assert rounding_step(_views(columns, rows), well_read=True) == 1.0 / parts
+    # Visible lines, the columns, are of an odd width, and hidden ones of an even one.
+    half = 0.5 / parts
+    assert rounding_step(_views(columns + half, rows), well_read=True) == 1.0 / parts
+
+
+def test_no_step_is_told_where_nothing_is_rounded() -> None:
+    for seed in range(20):
+        views = _views(_places(seed, 9), _places(seed + 40, 9))
+        assert rounding_step(views, well_read=False) == 0.0
 
 
 @pytest.mark.parametrize("seed", range(5))
