@@ -41,6 +41,9 @@ _DARK = 0.5
 _INKED = 0.35
 """Share of a leg that is ink, at least."""
 
+_SOLID = 0.8
+"""Dashes that a leg is long at most to have no gap: too short for a line to be grown from."""
+
 _WITHIN = (0.25, 0.5)
 """Widths of a stroke by which a corner lies before the end of its ink."""
 
@@ -143,7 +146,9 @@ def _leg(
         return None
     inked = dark[: end + 1]
     blank = longest_blank(inked) * _STEP
-    if inked.mean() < _INKED or blank > widest_gap(rhythm) or blank < 1.0:
+    if inked.mean() < _INKED or blank > widest_gap(rhythm):
+        return None
+    if blank < 1.0 and places[end] > _SOLID * rhythm.dash:
         # Ink without any gap would have been found as a line.
         return None
     line = Line(tuple(map(float, corner.place)), tuple(map(float, corner.aside)))
@@ -151,9 +156,10 @@ def _leg(
 
 
 def _is_led_on(way: Floats, point: Floats, others: Sequence[Placed]) -> bool:
-    """Whether a line along a way ends at a point: what leads there is a dash of its own."""
+    """Whether a hidden line along a way ends at a point: what leads there is a dash of its own."""
     return any(
         isinstance(own[0], Line)
+        and own[1].linetype is Linetype.HIDDEN
         and abs(float(np.dot(own[0].direction, way))) > _ALONG
         and distance_to(own, point) <= _CLEAR
         for own in others

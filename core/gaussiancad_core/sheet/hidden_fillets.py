@@ -15,6 +15,7 @@ from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.corner_dashes import longest_blank
 from gaussiancad_core.sheet.corners import (
     Corner,
+    End,
     from_cut,
     from_fillet,
     from_joins,
@@ -70,6 +71,12 @@ _ROUNDS, _NEAR = 4, 1.2
 _MET = 1.0
 """px beyond half a stroke within which another stroke has the corner."""
 
+_ONE_CORNER, _CLEARLY = 1.0, 4.0
+"""px between ends of strokes that are one corner, and from it to a line that is beyond it."""
+
+_TWO_DASHES = 2.0
+"""Dashes from which a stroke is told by more than one of them."""
+
 _DARK, _STEP = 0.5, 0.5
 """Weight from which a place is ink, and px between the places that are looked at."""
 
@@ -88,7 +95,13 @@ def find_hidden_fillets(
     boxes = boxes_of(placed)
     corners = [
         corner
-        for corner in open_corners(ends, placed) + passing_corners(ends, placed, set(Linetype))
+        for corner in (
+            *open_corners(ends, placed),
+            *_beyond_no_corner(
+                passing_corners(ends, placed, set(Linetype)),
+                [end for end in ends if end.length > _TWO_DASHES * rhythm.dash],
+            ),
+        )
         if not _is_met(corner, placed, boxes, sheet.stroke_width)
     ]
     if not corners:
@@ -110,6 +123,17 @@ def find_hidden_fillets(
         pieces.update(fillet.pieces)
         found.append(fillet)
     return found
+
+
+def _beyond_no_corner(corners: Sequence[Corner], ends: Sequence[End]) -> list[Corner]:
+    """The corners with lines that run past, but those clearly beyond one with another stroke."""
+    places = np.array([end.place for end in ends]).reshape(-1, 2)
+    return [
+        corner
+        for corner in corners
+        if np.hypot(*(corner.place - corner.first.place)) < _CLEARLY
+        or (np.hypot(*(places - corner.first.place).T) <= _ONE_CORNER).sum() <= 1
+    ]
 
 
 def _is_met(corner: Corner, placed: Sequence[Placed], boxes: Floats, stroke_width: float) -> bool:

@@ -2,7 +2,7 @@
 
 Where a stroke crosses the course of a long line at a small angle, its ink lies on that course for a
 while, and looks like a piece of the line if the line is taken first.  So does that of a circle that
-touches the course.
+touches the course, and a dash of a hidden one.
 """
 
 from collections.abc import Sequence
@@ -11,7 +11,7 @@ import numpy as np
 
 from gaussiancad_core.sheet.explained import path_points
 from gaussiancad_core.sheet.geometry import Circle, Line
-from gaussiancad_core.sheet.junctions import Placed
+from gaussiancad_core.sheet.junctions import Placed, is_full_circle
 from gaussiancad_core.views import Linetype
 
 _LONGEST = 40.0
@@ -32,17 +32,31 @@ _MIDDLE = 0.25
 _BEYOND = 2.0
 """px by which the circle goes on beyond both of its ends at least."""
 
+_ONE_DASH = 1.4
+"""Dashes that a piece is long at most to be a single one."""
 
-def without_shadows(pieces: Sequence[Placed], stroke_width: float) -> list[Placed]:
-    """The pieces but the visible ones that lie on longer visible strokes that cross them.
+
+def without_shadows(
+    pieces: Sequence[Placed], stroke_width: float, dash: float = 0.0
+) -> list[Placed]:
+    """The pieces but the visible ones that lie on longer visible strokes that cross them, and the
+    single dashes that are those of hidden circles.
 
     Args:
         pieces: of a view, px.
         stroke_width: px.
+        dash: px of a dash, if there are any.
     """
     straight = [own for own in pieces if _is_visible_line(own)]
     round_ = [
         own for own in pieces if isinstance(own[0], Circle) and own[1].linetype is Linetype.VISIBLE
+    ]
+    dashed = [
+        own
+        for own in pieces
+        if isinstance(own[0], Circle)
+        and own[1].linetype is Linetype.HIDDEN
+        and is_full_circle(*own)
     ]
     return [
         own
@@ -55,11 +69,20 @@ def without_shadows(pieces: Sequence[Placed], stroke_width: float) -> list[Place
                 or any(_touches(other, own, stroke_width) for other in round_)
             )
         )
+        and not (
+            _is_one_dash(own, dash) and any(_touches(other, own, stroke_width) for other in dashed)
+        )
     ]
 
 
 def _is_visible_line(placed: Placed) -> bool:
     return isinstance(placed[0], Line) and placed[1].linetype is Linetype.VISIBLE
+
+
+def _is_one_dash(placed: Placed, dash: float) -> bool:
+    geometry, piece = placed
+    hidden = isinstance(geometry, Line) and piece.linetype is Linetype.HIDDEN
+    return hidden and piece.end - piece.start <= _ONE_DASH * dash
 
 
 def _throws(stroke: Placed, shadow: Placed, stroke_width: float) -> bool:
@@ -98,5 +121,6 @@ def _touches(stroke: Placed, shadow: Placed, stroke_width: float) -> bool:
     half = float(
         np.abs((ends - middle + circle.around / 2) % circle.around - circle.around / 2).max()
     )
-    whole = piece.end - piece.start >= circle.around - 1e-6
-    return whole or (at - half - _BEYOND >= piece.start and at + half + _BEYOND <= piece.end)
+    return is_full_circle(circle, piece) or (
+        at - half - _BEYOND >= piece.start and at + half + _BEYOND <= piece.end
+    )

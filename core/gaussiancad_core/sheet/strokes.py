@@ -15,6 +15,7 @@ from gaussiancad_core.sheet.bows import with_bows
 from gaussiancad_core.sheet.chamfers import with_chamfers
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.corner_dashes import find_corner_dashes
+from gaussiancad_core.sheet.corner_rungs import find_corner_rungs
 from gaussiancad_core.sheet.curved_corners import find_curved_fillets
 from gaussiancad_core.sheet.dangling import with_met_ends
 from gaussiancad_core.sheet.dash_corners import is_dash_corner
@@ -62,6 +63,7 @@ from gaussiancad_core.sheet.short_legs import with_short_legs
 from gaussiancad_core.sheet.short_strokes import find_short_strokes
 from gaussiancad_core.sheet.slant_fits import with_fitted_slants
 from gaussiancad_core.sheet.slanted_dashes import with_slanted_dashes
+from gaussiancad_core.sheet.slanted_ends import ended_before_slants
 from gaussiancad_core.sheet.slanted_rungs import find_slanted_rungs
 from gaussiancad_core.sheet.square_corners import has_square_corner
 from gaussiancad_core.sheet.straight_ends import with_straight_ends
@@ -86,15 +88,17 @@ def classify_strokes(
     """
     explained = Explained.blank(view.sheet)
     pieces = _seen_pieces(view, rhythm, pens, explained)
-    pieces = without_shadows(pieces, view.sheet.stroke_width)
+    pieces = without_shadows(pieces, view.sheet.stroke_width, rhythm.dash)
     pieces = with_straight_ends(pieces, view.sheet)
     pieces = ended_where_lines_touch(pieces, view.sheet.stroke_width)
     pieces += find_corner_dashes(pieces, view.sheet, rhythm)
+    pieces = ended_before_slants(pieces, view.sheet)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     jogs = find_jogs(ended, view.sheet)
     rungs = find_rungs([*ended, *jogs], view.sheet, pens)
     slanted = find_slanted_rungs([*ended, *jogs, *rungs], view.sheet, pens)
     pieces += [*jogs, *rungs, *slanted]
+    pieces += find_corner_rungs([*ended, *jogs, *rungs, *slanted], view.sheet)
     pieces = _refitted(pieces, ended, view.sheet)
     pieces = with_fitted_slants(pieces, ended, view.sheet)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)

@@ -1,6 +1,7 @@
 """Strokes that others cross: dashed circles stay whole, and ink counts for one stroke."""
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 import cv2
 import numpy as np
@@ -164,6 +165,19 @@ def test_a_wide_gap_between_two_corners_parts_a_hidden_line(sketch) -> None:  # 
     upright = [ends for ends in _hidden(_strokes(drawing)) if ends[0] == ends[2]]
     assert len(upright) == 2
     assert np.array(upright)[:, [1, 3]] == pytest.approx(np.array([[52, 100], [113, 161]]), abs=2.0)
+
+
+def test_a_dash_of_a_hidden_circle_is_no_line() -> None:
+    ring = Circle((50.0, 50.0), 22.0)
+    whole = ring, Piece(0.0, ring.around, Linetype.HIDDEN, 1.0)
+    line, piece = _line((45.5, 72.6), (54.5, 71.9))
+    dash = line, replace(piece, linetype=Linetype.HIDDEN)
+    assert without_shadows([whole, dash], 2.5, 11.0) == [whole]
+    # A line of more than one dash may touch a circle.
+    longer = line, replace(dash[1], start=-9.0, end=18.0)
+    assert without_shadows([whole, longer], 2.5, 11.0) == [whole, longer]
+    half = ring, replace(whole[1], end=0.5 * ring.around)
+    assert without_shadows([half, dash], 2.5, 11.0) == [half, dash]
 
 
 def test_where_a_circle_touches_a_line_there_is_no_piece_of_it() -> None:
