@@ -14,12 +14,14 @@ from gaussiancad_core.ellipses import WholeEllipse
 from gaussiancad_core.sheet.bows import with_bows
 from gaussiancad_core.sheet.chamfers import with_chamfers
 from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.close_fits import with_close_fits
 from gaussiancad_core.sheet.corner_dashes import find_corner_dashes
 from gaussiancad_core.sheet.corner_rungs import find_corner_rungs
 from gaussiancad_core.sheet.curved_corners import find_curved_fillets
 from gaussiancad_core.sheet.dangling import with_met_ends
 from gaussiancad_core.sheet.dash_corners import is_dash_corner
 from gaussiancad_core.sheet.drill_tips import with_drill_tips
+from gaussiancad_core.sheet.edged_chamfers import with_edged_chamfers
 from gaussiancad_core.sheet.explained import (
     Explained,
     is_new,
@@ -72,6 +74,10 @@ from gaussiancad_core.sheet.tracing import trace_remainder
 from gaussiancad_core.sheet.view_shapes import MIN_SAGITTA, ViewShapes, radius_of
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
+_ASLANT = 0.2
+"""Sine of the angle to both axes of the sheet at least of a line that meets the strokes at its ends
+at obtuse angles: their ink is beside it farther on than at a right one."""
+
 _OPEN = 0.4
 """Share of a circle that is blank at most: dashes at a corner lie on many small circles."""
 
@@ -101,11 +107,13 @@ def classify_strokes(
     pieces += find_corner_rungs([*ended, *jogs, *rungs, *slanted], view.sheet)
     pieces = _refitted(pieces, ended, view.sheet)
     pieces = with_fitted_slants(pieces, ended, view.sheet)
+    pieces = with_close_fits(pieces, ended, view.sheet)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     parted = parted_at_corners(ended, view.sheet, rhythm)
     if len(parted) > len(ended):
         ended = ended_at_junctions(parted, rhythm, view.sheet.stroke_width)
-    rounded = find_fillets(view.sheet.weight, ended, view.sheet.stroke_width)
+    ended, cuts = with_edged_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
+    rounded = find_fillets(view.sheet.weight, ended, view.sheet.stroke_width, cuts)
     ended = _with_fillets(ended, rounded, explained)
     ended = _with_curved_fillets(ended, view.sheet, explained)
     ended = _with_fillets(ended, find_hidden_fillets(ended, view.sheet, rhythm), explained)
@@ -217,16 +225,21 @@ def _touches(field: InkField, geometry: Geometry, run: Run) -> tuple[bool, bool]
     half = field.stroke_width / 2
     beside = half + 2.0
 
+    def inked(place: npt.NDArray[np.float64]) -> bool:
+        x, y = np.rint(place).astype(int)
+        inside = 0 <= y < field.weight.shape[0] and 0 <= x < field.weight.shape[1]
+        return bool(inside and field.weight[y, x] > 0.45)
+
     def touch(position: float, outward: float) -> bool:
-        for along in (position - outward * half, position, position + outward * half):
+        for share in (-1.0, 0.0, 1.0, 2.0):
+            along = position + share * outward * half
             here, ahead = path_points(geometry, along, along + 1.0)[[0, -1]]
             tangent = (ahead - here) / max(float(np.hypot(*(ahead - here))), 1e-9)
+            if share > 1.0 and not (np.abs(tangent).min() > _ASLANT and inked(here)):
+                break
             normal = np.array([-tangent[1], tangent[0]])
-            for side in (beside, -beside):
-                x, y = np.rint(here + side * normal).astype(int)
-                inside = 0 <= y < field.weight.shape[0] and 0 <= x < field.weight.shape[1]
-                if inside and field.weight[y, x] > 0.45:
-                    return True
+            if inked(here + beside * normal) or inked(here - beside * normal):
+                return True
         return False
 
     return touch(run.start, -1.0), touch(run.end, 1.0)
