@@ -14,6 +14,7 @@ import numpy.typing as npt
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.corners import Corners
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
+from gaussiancad_core.sheet.annotations.swallowed_dots import mark_beyond_swallowed_dots
 from gaussiancad_core.sheet.runs import Rhythm, Run, learn_rhythm
 
 _SOLID_PX = 20.0
@@ -176,6 +177,7 @@ def kinds_of_runs(
             part = group[start:end]
             if part and (weights.limit or not _is_edge(shape, part, corners, stroke_width)):
                 own[first + start : first + end] = [AnnotationKind.CENTRE_LINE] * (end - start)
+        mark_beyond_swallowed_dots(shape.runs, own)
         rest.append([run for run, kind in zip(shape.runs, own, strict=True) if kind is None])
     if not weights.limit:
         return kinds
@@ -207,7 +209,12 @@ def is_long_short(runs: Sequence[Run]) -> bool:
         return False
     lengths = np.array([run.length for run in runs])
     longest = np.median(np.sort(lengths)[len(lengths) // 2 :])
-    short = _with_faded(runs, lengths < _SHORT * longest)
+    short = lengths < _SHORT * longest
+    if len(runs) >= _STRICT:
+        # Behind a dot at the end of a line the dash is cut, however little is left of it.
+        for last, before in ((0, 1), (-1, -2)):
+            short[last] &= not short[before]
+    short = _with_faded(runs, short)
     # The pattern starts and ends with a long dash, but a crossing may cut one.
     inner = short[1:-1]
     turns = short[1:] != short[:-1]
