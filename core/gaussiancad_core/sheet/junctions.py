@@ -120,13 +120,15 @@ def _is_beyond(geometry: Geometry, piece: Piece, own: _Met, met: Sequence[_Met])
     """Whether another line would be met just beyond a visible one that ends them both.
 
     Where two lines meet a third one at flat angles, a few px from each other, all their ink is its.
+    A hidden line's end may lie in a gap before both.
     """
     other, stretch, crossing = own
     if not isinstance(geometry, Line) or not isinstance(other, Line):
         return False
     way = 1.0 if crossing.at > (piece.start + piece.end) / 2.0 else -1.0
     seen = piece.end if way > 0.0 else piece.start
-    if abs(crossing.at - seen) > crossing.reach + _SEEN_BEYOND:
+    visible = piece.linetype is Linetype.VISIBLE
+    if visible and abs(crossing.at - seen) > crossing.reach + _SEEN_BEYOND:
         return False
     tip = geometry.at(crossing.at)
     middles = [

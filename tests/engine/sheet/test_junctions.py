@@ -47,6 +47,23 @@ def test_lines_that_meet_at_a_flat_angle_end_at_their_corner(degrees: float) -> 
     assert _of(slanted, pieces)[0][1] == pytest.approx(0.0, abs=1e-6)
 
 
+@pytest.mark.parametrize("beside", [1.5, 2.6])
+@pytest.mark.parametrize("seen", [3.0, 8.0])
+def test_a_hidden_slant_ends_at_the_outline_and_at_no_corner_beyond(
+    beside: float, seen: float
+) -> None:
+    """A bore's chamfer ends a little beside an edge that ends at the outline, too, and is seen to
+    end in the gap before it."""
+    slant = Line((beside, 0.0), (float(np.sqrt(0.5)), float(np.sqrt(0.5))))
+    pieces = [
+        (LEVEL, _visible(-100.0, 200.0)),
+        (_upright(0.0), _visible(0.0, 150.0)),
+        (slant, _hidden(seen, 46.0)),
+    ]
+    ((start, _, _),) = _of(slant, pieces)
+    assert start == pytest.approx(0.0, abs=1e-6)
+
+
 @pytest.mark.parametrize("apart", [10.0, 12.0, 16.0])
 def test_lines_that_meet_beyond_a_line_end_on_it(apart: float) -> None:
     """At flat angles all ink of both beyond it is its own."""
