@@ -32,6 +32,7 @@ from gaussiancad_core.sheet.explained import (
     with_dashes_beside,
 )
 from gaussiancad_core.sheet.fillets import Fillet, find_fillets, is_chord
+from gaussiancad_core.sheet.flat_ends import with_flat_ends
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
 from gaussiancad_core.sheet.hidden_fillets import find_hidden_fillets
 from gaussiancad_core.sheet.hidden_rungs import with_hidden_rungs
@@ -95,7 +96,7 @@ def classify_strokes(
     explained = Explained.blank(view.sheet)
     pieces = _seen_pieces(view, rhythm, pens, explained)
     pieces = without_shadows(pieces, view.sheet.stroke_width, rhythm.dash)
-    pieces = with_straight_ends(pieces, view.sheet)
+    pieces = with_flat_ends(with_straight_ends(pieces, view.sheet), view.sheet)
     pieces = ended_where_lines_touch(pieces, view.sheet.stroke_width)
     pieces += find_corner_dashes(pieces, view.sheet, rhythm)
     pieces = ended_before_slants(pieces, view.sheet)
