@@ -22,9 +22,6 @@ from gaussiancad_core.reasoning.relations import Linear, Numbers, solved
 _TOO_SMALL = 4.0
 """Tolerances that a radius has at least for its extremes to be told from its centre."""
 
-_EXACT = 0.02
-"""Units of tolerance up to which readings are exact, and are not rounded."""
-
 CERTAIN = 1e6
 """Weight of a number that is known to be a multiple of the part's step."""
 
@@ -171,7 +168,8 @@ def snapped(
         own.append((reading.normal, *columns))
     relations = circle_relations(variables.observed, clusters, own, tolerance)
     numbers = solved(variables.observed, variables.weights, relations, _FAR * tolerance)
-    step = _step(numbers, tolerance, millimetre) if tolerance > _EXACT else None
+    # Files round as well: solids that lie a hundred-thousandth beside each other defeat Booleans.
+    step = _step(numbers, tolerance, millimetre)
     nominal, moved, far = False, 0.0, _FAR * tolerance
     if step is not None:
         variables, numbers, nominal = _rounded(variables, numbers, relations, step, far)

@@ -102,6 +102,21 @@ def test_a_heavy_reading_moves_less() -> None:
     assert snap.values[Axis.X] == (pytest.approx(0.08 / 1001.0),)
 
 
+def test_measures_that_a_file_rounds_are_those_that_were_meant() -> None:
+    """A part of 142 mm in a file that has pixels to four places."""
+    millimetre = UNITS / 142.0
+    random = np.random.default_rng(3)
+    meant = (8.0, 16.0, 23.5, 40.0, 71.0, 95.5, 118.0, 130.0)
+    odd = 52.0 + 4.0 / 3.0
+    readings = [
+        Reading(Axis.X, at * millimetre + random.uniform(-7e-6, 7e-6), 10.0) for at in (*meant, odd)
+    ]
+    snap = snapped(readings, [], 0.0036, millimetre=millimetre)
+    values = np.array(snap.values[Axis.X]) / millimetre
+    assert np.abs(values[:, None] - np.array(meant)).min(axis=0).max() < 1e-12
+    assert 1e-12 < np.abs(values - odd).min() < 2e-5
+
+
 def test_what_is_farther_than_the_tolerance_stays_apart() -> None:
     readings = [Reading(Axis.X, value, 1.0) for value in (0.0, 0.11)]
     snap = snapped(readings, [], _TOLERANCE)
