@@ -51,6 +51,10 @@ be, and of more still nothing is told in time."""
 _PATIENT = 0.7
 """Share of the time that is left in which that is told."""
 
+_STRICTER = 0.65
+"""Share of the tolerance at which the places of lines that were read are one, where
+labels contradict them with the whole of it."""
+
 _BETTER = 0.7
 """Share of what the first model gives up that another one gives up at most to be the better one."""
 
@@ -234,9 +238,16 @@ def _otherwise(
 def _misread(work: Work, lines: DrawnViews, deadline: Deadline) -> Iterator[PartModel]:
     """The part as it may be if strokes were misread by some pixels.
 
-    With the curves that strokes may follow instead of these; with ends of strokes left open; and
-    with values as one that are less than a pixel apart.
+    With places as one only if they are closer together; with the curves that strokes may follow
+    instead of these; with ends of strokes left open; and with values as one that are less than a
+    pixel apart.
     """
+    # Where features are hardly larger, what is a pixel apart has to be two.
+    if lines.apart is not None:
+        strict = replace(lines, tolerance=_STRICTER * lines.tolerance)
+        model = _modelled(strict, deadline)
+        if model is not None and model.rules != work.part.rules:
+            yield model
     followed = with_followed_curves(lines, work.part.supports)
     if followed is not None and (model := _modelled(followed, deadline)) is not None:
         # What contradicted the lines may be gone.

@@ -6,8 +6,8 @@ from dataclasses import replace
 import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace, BRepBuilderAPI_MakePolygon
-from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox, BRepPrimAPI_MakePrism
-from OCP.gp import gp_Pnt, gp_Vec
+from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox, BRepPrimAPI_MakePrism, BRepPrimAPI_MakeRevol
+from OCP.gp import gp_Ax1, gp_Dir, gp_Pnt, gp_Vec
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Role
@@ -66,7 +66,7 @@ def test_no_other_models_follow_where_telling_what_to_give_up_took_long(
 def test_values_far_apart_make_no_further_model(
     sample_views: Callable[[str], DrawnViews], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The same lines with values closer together as one are the same model again."""
+    """The same lines with values closer together as one, or only those, are the same model."""
     views = replace(sample_views("l-bracket"), tolerance=0.2, apart=0.05)
     modelled: list[bool] = []
 
@@ -78,7 +78,7 @@ def test_values_far_apart_make_no_further_model(
     limits, clock = Limits(), Clock()
     work = Work(model_part(views), views, Search((), limits.effort), clock)
     found = [*models._misread(work, views, NEVER)]
-    assert modelled == [False, True] and len(found) == 1
+    assert modelled == [False, False, True] and len(found) == 1
 
 
 def _sloped_block() -> TopoDS_Shape:
@@ -117,3 +117,26 @@ def test_an_end_that_was_led_to_the_line_before_is_found(
     result = exact_solid(read)
     assert (result.status, result.reasons) == (Status.VERIFIED, ())
     assert iou(result.shape, block) > 0.9999
+
+
+def _chamfered_shaft(leg: float) -> TopoDS_Shape:
+    """A step, 30 and 40 mm long, with chamfers at both ends and at the shoulder."""
+    profile = [(0.0, 0.0), (0.0, 20.0 - leg), (leg, 20.0), (30.0 - leg, 20.0), (30.0, 20.0 - leg)]
+    profile += [(30.0, 12.0), (70.0 - leg, 12.0), (70.0, 12.0 - leg), (70.0, 0.0)]
+    outline = BRepBuilderAPI_MakePolygon()
+    for along, away in profile:
+        outline.Add(gp_Pnt(along, 20.0 + away, 20.0))
+    outline.Close()
+    axis = gp_Ax1(gp_Pnt(0.0, 20.0, 20.0), gp_Dir(1.0, 0.0, 0.0))
+    face = BRepBuilderAPI_MakeFace(outline.Wire()).Face()
+    return BRepPrimAPI_MakeRevol(face, axis).Shape()
+
+
+def test_chamfers_hardly_larger_than_the_tolerance_are_no_corners(
+    drawn: Callable[..., DrawnViews], iou: Callable[[TopoDS_Shape, TopoDS_Shape], float]
+) -> None:
+    shaft = _chamfered_shaft(1.0)
+    read = replace(drawn(shaft), tolerance=0.6, apart=0.02, noise=0.01)
+    result = exact_solid(read)
+    assert result.status is Status.VERIFIED
+    assert iou(result.shape, shaft) > 0.9999
