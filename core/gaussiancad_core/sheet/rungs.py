@@ -25,7 +25,7 @@ Floats = npt.NDArray[np.float64]
 _LONGEST = 14.0
 """px between two lines up to which a stroke between them may not have been found as a line."""
 
-_CLEAR, _LEAST_GAP = 0.75, 1.5
+_CLEAR, _LEAST_GAP = 0.75, 0.9
 """px beside a stroke's edge from which the gap begins, and px of it at least."""
 
 _PARALLEL = 0.02

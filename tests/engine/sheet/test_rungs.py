@@ -71,3 +71,18 @@ def test_there_is_no_rung(sketch, what: str) -> None:  # noqa: ANN001
         drawn.line(*across)
         pieces.append(_placed(across))
     assert find_rungs(pieces, clean_sheet(drawn.grey), None) == []
+
+
+@pytest.mark.parametrize(("width", "apart"), [(2.0, 4.6), (3.0, 5.6), (4.0, 6.6)])
+def test_the_bottom_of_a_groove_with_little_paper_across(
+    sketch,  # noqa: ANN001
+    width: float,
+    apart: float,
+) -> None:
+    far = 60.0 + apart
+    drawn = sketch().line((60.0, 20.0), (60.0, 120.0), width).line((far, 20.0), (far, 120.0), width)
+    drawn.line((60.0, 70.3), (far, 70.3), width)
+    pieces = [_placed(((x, 20.0), (x, 120.0))) for x in (60.0, far)]
+    ((line, piece),) = find_rungs(pieces, clean_sheet(drawn.grey), None)
+    ends = sorted(line.at(at) for at in (piece.start, piece.end))
+    assert np.array(ends) == pytest.approx(np.array([[60.0, 70.3], [far, 70.3]]), abs=0.3)
