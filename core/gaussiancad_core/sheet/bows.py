@@ -147,6 +147,9 @@ def _bows(
         height = shift - bend * top**2
         if not _LEAST <= abs(height) <= _MOST or bend * height >= 0.0:
             continue
+        # Ink that only leaves the line, as before a corner, may follow a bow far from there.
+        if not places[0] <= top <= places[-1]:
+            continue
         half = float(np.sqrt(-height / bend))
         ends = [_foot(line, float(top) + way * half, others) for way in (-1.0, 1.0)]
         room = _FOOT * 2.0 * half

@@ -101,3 +101,17 @@ def test_a_line_along_the_middle_of_a_bow_is_none(sketch) -> None:  # noqa: ANN0
     slanted = _line((52.0, _TOP), (118.0, _TOP + 2.4))
     assert slanted not in with_bows([*pieces, slanted], clean_sheet(drawn.grey))
     assert len(found) == 4
+
+
+@pytest.mark.parametrize(("height", "length"), [(1.8, 17.0), (2.1, 14.0), (2.5, 24.0)])
+def test_an_end_that_flattens_into_its_line_is_no_bow_beyond(
+    sketch,  # noqa: ANN001
+    height: float,
+    length: float,
+) -> None:
+    """What is left of a bow before the corner at which another cut ends it."""
+    share = np.linspace(0.0, 1.0, 9)
+    rest = np.stack([30.0 + length * share, _TOP - height * (1.0 - share) ** 1.3], axis=1)
+    drawn = sketch(240).lines(*map(tuple, rest.tolist()), (200.0, _TOP))
+    pieces = [_line((30.0, _TOP), (200.0, _TOP))]
+    assert with_bows(pieces, clean_sheet(drawn.grey)) == pieces
