@@ -1,13 +1,14 @@
-"""Visible lines close beside each other, fitted together.
+"""Lines close beside each other, fitted together.
 
 Less than about a line width of paper lies between them, and the blurred ink of each pulls the fit
 of the other one, by up to half a pixel.  So all lines of such a bundle are moved at once until what
 a pen draws along them is the ink that the sheet has (analysis by synthesis); where bands of ink
-overlap, they are one.  Concentric circles are fitted like lines.
+overlap, they are one.  Visible concentric circles are fitted like lines, and so are hidden lines,
+where their dashes are.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -17,8 +18,10 @@ from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Circle, Geometry, Line
 from gaussiancad_core.sheet.jogs import distances_to
 from gaussiancad_core.sheet.junctions import Placed, is_full_circle
+from gaussiancad_core.sheet.leftover import dash_pen
 from gaussiancad_core.sheet.pen import Pen, visible_pen
-from gaussiancad_core.sheet.runs import Piece
+from gaussiancad_core.sheet.runs import Piece, runs_of_ink
+from gaussiancad_core.sheet.shapes import sample
 from gaussiancad_core.views import Linetype
 
 Floats = npt.NDArray[np.float64]
@@ -40,6 +43,10 @@ _BESIDE, _CLEAR, _AT_END = 2.0, 1.5, 3.0
 """px beside the ink of a bundle that are looked at; px from the ink of other strokes, and from
 where one of the bundle ends."""
 
+_DARK, _STEP, _FADES = 0.5, 0.25, 1.5
+"""Share of a dash's ink from which a place is one's; px between the places along a line; px from
+the end of a dash in which its ink falls off."""
+
 _MOST = 4000
 """Pixels that are looked at."""
 
@@ -53,8 +60,11 @@ _MOVED = 1.2
 """px by which a line may be off."""
 
 _BETTER, _EVEN = 0.8, 0.12
-"""Share of the squares of what the lines as they were leave of the ink, and mean ink by which
-pixels may differ from the pen's, at most."""
+"""Share of the squares of what the lines as they were leave of the ink, and mean ink by which the
+pixels around any of them may differ from the pens', at most."""
+
+_AROUND = 1.0
+"""px beside a line's ink that are around it."""
 
 
 @dataclass(frozen=True)
@@ -63,11 +73,18 @@ class _Strand:
 
     Attributes:
         geometry: px, pixel centres at integers.
-        pieces: of it.
+        pieces: of it, all visible or all hidden.
+        dashes: px from where to where a hidden one has ink; None for a visible one.
     """
 
     geometry: Line | Circle
     pieces: tuple[Piece, ...]
+    dashes: tuple[tuple[float, float], ...] | None = None
+
+    @property
+    def kind(self) -> Linetype:
+        """Visible or hidden."""
+        return self.pieces[0].linetype
 
     def moved(self, values: Floats) -> "_Strand":
         """With three numbers: px across and radians of turn about its middle, 0; or px of a
@@ -78,7 +95,7 @@ class _Strand:
             circle = Circle(centre, float(self.geometry.radius + values[2]))
             factor = circle.radius / self.geometry.radius
             pieces = tuple(_scaled(piece, factor) for piece in self.pieces)
-            return _Strand(circle, pieces)
+            return replace(self, geometry=circle, pieces=pieces)
         middle = 0.5 * (self.pieces[0].start + self.pieces[-1].end)
         way = np.array(self.geometry.direction)
         normal = np.array([-way[1], way[0]])
@@ -87,7 +104,7 @@ class _Strand:
         at = np.array(self.geometry.at(middle)) + values[0] * normal
         origin = at - middle * turned
         line = Line((float(origin[0]), float(origin[1])), (float(turned[0]), float(turned[1])))
-        return _Strand(line, self.pieces)
+        return replace(self, geometry=line)
 
     def offsets(self, pixels: Floats, facing: Floats) -> Floats:
         """(n, 2) pixels -> (n,) px by which the strand lies beside each: signed along ``facing``,
@@ -102,11 +119,12 @@ class _Strand:
             beside = -across * np.sign(normal @ facing)
         at = geometry.positions(pixels)
         drawn = np.zeros(len(pixels), bool)
-        for piece in self.pieces:
+        solid = ((piece.start, piece.end) for piece in self.pieces)
+        for start, end in solid if self.dashes is None else self.dashes:
             along = at
             if np.isfinite(geometry.around):
-                along = piece.start + np.mod(at - piece.start, geometry.around)
-            drawn |= (along >= piece.start) & (along <= piece.end)
+                along = start + np.mod(at - start, geometry.around)
+            drawn |= (along >= start) & (along <= end)
         return np.where(drawn, beside, np.inf)
 
 
@@ -124,12 +142,15 @@ def with_close_fits(
     bundles = _bundles(strands, sheet.stroke_width)
     if not bundles:
         return list(pieces)
-    pen = visible_pen(sheet.weight, ended, sheet.stroke_width)
+    pens = {
+        Linetype.VISIBLE: visible_pen(sheet.weight, ended, sheet.stroke_width),
+        Linetype.HIDDEN: dash_pen(ended, sheet),
+    }
     better: dict[Geometry, Geometry] = {}
     for bundle in bundles:
         own = {strand.geometry for strand in bundle}
         others = [placed for placed in ended if placed[0] not in own]
-        for strand, fitted in zip(bundle, _fitted(bundle, others, sheet, pen), strict=True):
+        for strand, fitted in zip(bundle, _fitted(bundle, others, sheet, pens), strict=True):
             better[strand.geometry] = fitted.geometry
     return [(better.get(own, own), _as_long(own, better.get(own, own), p)) for own, p in pieces]
 
@@ -146,15 +167,16 @@ def _scaled(piece: Piece, factor: float) -> Piece:
 
 
 def _strands(ended: Sequence[Placed]) -> list[_Strand]:
-    """The lines and circles of which all pieces are visible."""
+    """The lines and visible circles all of whose pieces are of one linetype."""
     found: dict[Line | Circle, list[Piece]] = {}
-    dashed = {geometry for geometry, piece in ended if piece.linetype is Linetype.HIDDEN}
     for geometry, piece in ended:
-        if isinstance(geometry, Line | Circle) and geometry not in dashed:
+        if isinstance(geometry, Line | Circle):
             found.setdefault(geometry, []).append(piece)
     return [
         _Strand(geometry, tuple(sorted(own, key=lambda piece: piece.start)))
         for geometry, own in found.items()
+        if len({piece.linetype for piece in own}) == 1
+        and (isinstance(geometry, Line) or own[0].linetype is Linetype.VISIBLE)
     ]
 
 
@@ -191,17 +213,22 @@ def _run_beside(one: _Strand, other: _Strand, width: float) -> bool:
 
 
 def _fitted(
-    bundle: Sequence[_Strand], others: Sequence[Placed], sheet: CleanSheet, pen: Pen
+    bundle: Sequence[_Strand],
+    others: Sequence[Placed],
+    sheet: CleanSheet,
+    pens: Mapping[Linetype, Pen],
 ) -> list[_Strand]:
     """The strands as the ink has them; as they are where it does not tell."""
     from scipy.optimize import least_squares
 
-    pixels = _pixels(bundle, others, sheet, pen)
+    bundle = [_dashed(strand, sheet, pens) for strand in bundle]
+    pixels = _pixels(bundle, others, sheet, pens[Linetype.VISIBLE])
     if len(pixels) < _FEWEST:
         return list(bundle)
     ink = sheet.weight[pixels[:, 1].astype(int), pixels[:, 0].astype(int)].astype(np.float64)
     facing = _facing(bundle[0])
     free = [[0, 1, 2] if isinstance(own.geometry, Circle) else [0, 1] for own in bundle]
+    own_pens = [pens[own.kind] for own in bundle]
     places = [3 * k + at for k, own in enumerate(free) for at in own]
 
     def strands(values: Floats) -> list[_Strand]:
@@ -221,17 +248,21 @@ def _fitted(
 
     def residual(values: Floats) -> Floats:
         beside = np.stack([own.offsets(pixels, facing) for own in strands(values)])
-        return _inked(beside, pen) - ink
+        return _inked(beside, own_pens) - ink
 
     start = np.zeros(len(places))
     before = float(np.square(residual(start)).sum())
     found = least_squares(residual, start, bounds=(-_MOVED, _MOVED), diff_step=1e-3)
     after = float(np.square(found.fun).sum())
-    if after > _BETTER * before or float(np.abs(found.fun).mean()) > _EVEN:
+    if after > _BETTER * before or np.abs(found.x).max() > 0.99 * _MOVED:
         return list(bundle)
-    if np.abs(found.x).max() > 0.99 * _MOVED:
-        return list(bundle)
-    return strands(found.x)
+    fitted = strands(found.x)
+    for own, pen in zip(fitted, own_pens, strict=True):
+        near = np.abs(own.offsets(pixels, facing)) <= pen.width / 2.0 + _AROUND
+        # What bends away from its line was none.
+        if near.any() and float(np.abs(found.fun[near]).mean()) > _EVEN:
+            return list(bundle)
+    return fitted
 
 
 def _facing(strand: _Strand) -> Floats:
@@ -241,23 +272,42 @@ def _facing(strand: _Strand) -> Floats:
     return np.array([-y, x])
 
 
-def _inked(beside: Floats, pen: Pen) -> Floats:
+def _dashed(strand: _Strand, sheet: CleanSheet, pens: Mapping[Linetype, Pen]) -> _Strand:
+    """A hidden strand with its dashes, where its ink is more than half of the pen's."""
+    if strand.kind is Linetype.VISIBLE:
+        return strand
+    dark = _DARK * float(pens[Linetype.HIDDEN].ink(np.zeros(1))[0])
+    dashes = []
+    for piece in strand.pieces:
+        along = np.arange(piece.start, piece.end, _STEP)
+        points = strand.geometry.points_at(along)
+        ink = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0]
+        dashes += [(float(along[a]), float(along[b])) for a, b in runs_of_ink(ink > dark)]
+    return replace(strand, dashes=tuple(dashes))
+
+
+def _inked(beside: Floats, pens: Sequence[Pen]) -> Floats:
     """(k, n) px by which k strands lie beside n pixels -> (n,) ink of the bands together."""
-    half = pen.width / 2.0
     total = np.zeros(beside.shape[1])
     reached = np.full(beside.shape[1], -np.inf)
-    for centre in np.sort(beside, axis=0):
-        low, high = np.maximum(centre - half, reached), centre + half
+    half, gain, blur = (
+        np.array(own)[:, None]
+        for own in (
+            [pen.width / 2.0 for pen in pens],
+            [pen.gain for pen in pens],
+            [max(pen.blur, _LEAST_BLUR) for pen in pens],
+        )
+    )
+    order = np.argsort(beside, axis=0)
+    for rank in order:
+        centre = np.take_along_axis(beside, rank[None], axis=0)[0]
+        wide, dark, soft = (own[rank, 0] for own in (half, gain, blur))
+        low, high = np.maximum(centre - wide, reached), centre + wide
         inside = np.isfinite(centre) & (high > low)
-        total[inside] += _band(low[inside], high[inside], pen)
+        ends = ndtr(high[inside] / soft[inside]), ndtr(low[inside] / soft[inside])
+        total[inside] += dark[inside] * (ends[0] - ends[1])
         reached = np.where(inside, high, reached)
     return total
-
-
-def _band(low: Floats, high: Floats, pen: Pen) -> Floats:
-    """(n,) ink at 0 of bands between two places in px."""
-    blur = max(pen.blur, _LEAST_BLUR)
-    return pen.gain * (ndtr(high / blur) - ndtr(low / blur))
 
 
 def _pixels(
@@ -289,6 +339,10 @@ def _pixels(
     for other in others:
         pixels = pixels[distances_to(other, pixels) > clear]
     for strand in bundle:
+        for tip in (tip for dash in strand.dashes or () for tip in dash):
+            # A dash leaves off within a few px.
+            along, across = strand.geometry.coordinates(pixels)
+            pixels = pixels[(np.abs(along - tip) > _FADES) | (np.abs(across) > clear)]
         for piece in strand.pieces:
             if is_full_circle(strand.geometry, piece):
                 continue

@@ -8,7 +8,7 @@ import pytest
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.strokes import classify_strokes
 from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
-from gaussiancad_core.views import Arc, Segment, Stroke
+from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
 
 
 def _strokes(drawing) -> tuple[Stroke, ...]:  # noqa: ANN001
@@ -63,3 +63,22 @@ def test_two_circles_with_little_paper_between(sketch) -> None:  # noqa: ANN001
     assert sorted(own.radius for own in found) == pytest.approx([60.2, 64.1], abs=0.08)
     centres = np.array([own.centre for own in found]) - 0.5
     assert centres == pytest.approx(np.array([(120.3, 118.8)] * 2), abs=0.08)
+
+
+@pytest.mark.parametrize("begin", [60.0, 60.25, 60.6])
+@pytest.mark.parametrize(("hidden", "apart"), [(3.0, 4.0), (2.0, 4.0), (3.0, 4.5)])
+def test_a_hidden_line_beside_a_visible_one(
+    sketch,  # noqa: ANN001
+    hidden: float,
+    apart: float,
+    begin: float,
+) -> None:
+    drawing = sketch(300, 240).line((begin, 30.0), (begin, 200.0), 3.0)
+    for y in (30.0, 200.0):
+        drawing.line((20.0, y), (260.0, y), 3.0)
+    for y in np.arange(30.0, 200.0, 18.0):
+        for x in (begin + apart, 160.0):
+            drawing.line((x, y), (x, min(y + 12.0, 200.0)), hidden)
+    strokes = _strokes(drawing)
+    assert _upright(strokes) == pytest.approx([begin, begin + apart, 160.0], abs=0.1)
+    assert [own.linetype for own in strokes].count(Linetype.HIDDEN) == 2
