@@ -73,6 +73,7 @@ from gaussiancad_core.sheet.straight_ends import with_straight_ends
 from gaussiancad_core.sheet.touching import ended_where_lines_touch, up_to_tangents
 from gaussiancad_core.sheet.tracing import trace_remainder
 from gaussiancad_core.sheet.view_shapes import MIN_SAGITTA, ViewShapes, radius_of
+from gaussiancad_core.sheet.whole_circles import with_whole_circles
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
 _ASLANT = 0.2
@@ -95,6 +96,7 @@ def classify_strokes(
     """
     explained = Explained.blank(view.sheet)
     pieces = _seen_pieces(view, rhythm, pens, explained)
+    pieces = with_whole_circles(pieces, view.sheet, rhythm)
     pieces = without_shadows(pieces, view.sheet.stroke_width, rhythm.dash)
     pieces = with_flat_ends(with_straight_ends(pieces, view.sheet), view.sheet)
     pieces = ended_where_lines_touch(pieces, view.sheet.stroke_width)

@@ -1,0 +1,77 @@
+"""Hidden circles of which only an arc was told, though dashes lie all around.
+
+Where lines cross or touch a dashed circle some of its dashes have little ink of their own, and end
+it there.  An arc of half a turn and more tells the circle so well that what lies on the rest of it,
+as closely as dashes do, is the circle's.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.corner_dashes import longest_blank
+from gaussiancad_core.sheet.geometry import Circle
+from gaussiancad_core.sheet.junctions import Placed, is_full_circle
+from gaussiancad_core.sheet.runs import Piece, Rhythm, widest_gap
+from gaussiancad_core.sheet.shapes import sample
+from gaussiancad_core.views import Linetype
+
+_TOLD = 0.5
+"""Share of a circle that an arc is at least, to tell all of it."""
+
+_INKED, _FAR_INKED = 0.45, 0.3
+"""Share of the rest that is ink at least, and of that half of it which is farthest from the arc:
+beside it lies the ink of the sides of a slot."""
+
+_LONGEST = 2.0
+"""Dashes that ink without a gap is long at most, with that of a stroke which crosses one."""
+
+_STEP, _DARK, _OF_DASHES = 0.5, 0.5, 0.8
+"""px between the places that are looked at; share of the weight of dashes from which one is ink;
+share of an arc that is paler than these, as hidden lines may be pale."""
+
+
+def with_whole_circles(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhythm) -> list[Placed]:
+    """The pieces, hidden arcs of circles that are dashed all around as whole ones.
+
+    Args:
+        pieces: of a view, where their ink is seen; px, pixel centres at integers.
+        sheet: the ink.
+        rhythm: of its dashes.
+    """
+    visible = {geometry for geometry, piece in pieces if piece.linetype is Linetype.VISIBLE}
+    whole = {
+        geometry: replace(piece, end=piece.start + geometry.around)
+        for geometry, piece in pieces
+        if isinstance(geometry, Circle)
+        and piece.linetype is Linetype.HIDDEN
+        and geometry not in visible
+        and not is_full_circle(geometry, piece)
+        and piece.end - piece.start >= _TOLD * geometry.around
+        and _is_dashed(geometry, piece, sheet, rhythm)
+    }
+    kept = [own for own in pieces if own[0] not in whole]
+    return [*kept, *whole.items()]
+
+
+def _is_dashed(circle: Circle, told: Piece, sheet: CleanSheet, rhythm: Rhythm) -> bool:
+    """Whether what an arc leaves of its circle has ink as dashes have it, and paper in between."""
+    level = _DARK * float(np.quantile(_ink(circle, told.start, told.end, sheet), _OF_DASHES))
+    dark = _ink(circle, told.end, told.start + circle.around, sheet) > level
+    if longest_blank(dark) * _STEP > widest_gap(rhythm):
+        return False
+    if longest_blank(~dark) * _STEP > _LONGEST * rhythm.dash:
+        return False
+    far = dark[len(dark) // 4 : len(dark) - len(dark) // 4]
+    # There is a gap more than there are dashes.
+    between = max(len(dark) * _STEP - rhythm.gap, rhythm.dash)
+    return bool(dark.sum() * _STEP >= _INKED * between and far.mean() >= _FAR_INKED)
+
+
+def _ink(circle: Circle, start: float, end: float, sheet: CleanSheet) -> npt.NDArray[np.float64]:
+    """(n,) weights along a stretch of a circle in px."""
+    points = circle.points_at(np.arange(start, end, _STEP))
+    return sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0]
