@@ -191,6 +191,9 @@ def _bundles(strands: Sequence[_Strand], width: float) -> list[list[_Strand]]:
 
 
 def _run_beside(one: _Strand, other: _Strand, width: float) -> bool:
+    # Of two hidden lines whose dashes melt the places are told by these, and their pen is not.
+    if one.kind is other.kind is Linetype.HIDDEN:
+        return False
     apart = _NEAREST * width, width + _PAPER
     a, b = one.geometry, other.geometry
     if isinstance(a, Circle) and isinstance(b, Circle):
