@@ -147,7 +147,7 @@ def read_views(
         )
         outline = find_outline(sheet, box, supersampling)
         if outline is None:
-            raise _open_outline(role, box)
+            raise _open_outline(role, box, "is not closed: draw its visible edges without gaps")
         if source is StrokesSource.RASTER:
             strokes = without_outside(strokes, outline)
         region = cut_region(layout, box)
@@ -156,18 +156,20 @@ def read_views(
         own = view_box(strokes, outline, exact=source is StrokesSource.VECTOR)
         if min(own[2] - own[0], own[3] - own[1]) < _LEAST_PX:
             # Two edges that melted into one line are closed, and bound nothing.
-            raise _open_outline(role, box)
+            fault = "encloses nothing, its edges are one line: export the sheet with more pixels"
+            raise _open_outline(role, box, fault)
         told = pens.told or source is not StrokesSource.RASTER
         dash = None if told else rhythm.dash + _ALONE * rhythm.gap
         drawn.append(ReadView(role, own, strokes, outline, source, dash))
     return tuple(drawn)
 
 
-def _open_outline(role: Role, box: Box) -> NoModelError:
+def _open_outline(role: Role, box: Box, fault: str) -> NoModelError:
     return NoModelError(
         "open-outline",
-        "the outline of the {} view at ({:.0f}, {:.0f})-({:.0f}, {:.0f}) px is not "
-        "closed: draw its visible edges without gaps".format(role.value, *box),
+        "the outline of the {} view at ({:.0f}, {:.0f})-({:.0f}, {:.0f}) px {}".format(
+            role.value, *box, fault
+        ),
     )
 
 

@@ -108,4 +108,4 @@ def test_a_view_that_is_one_line_is_told_by_place() -> None:
     with pytest.raises(NoModelError) as error:
         read_views(clean, layout)
     assert error.value.code == "open-outline"
-    assert "front view at (136, 56)-(151, 244)" in str(error.value)
+    assert "front view at (136, 56)-(151, 244) px encloses nothing" in str(error.value)
