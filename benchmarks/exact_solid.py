@@ -23,9 +23,7 @@ others do.
 """
 
 import argparse
-import json
 import os
-import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -33,8 +31,9 @@ from exact_cases import Case, classed_cases, folder_cases
 from exact_inputs import DRAWN_KINDS, FILE_KINDS, InputKind
 from exact_peers import Peer
 from exact_tables import tables, time_picture
-from exact_work import Task, causes, solved, worked
-from workers import Row, run_all
+from exact_work import Task, worked
+from resumable import resumed, tell
+from workers import Row
 
 from gaussiancad_core.samples.classed import PartClass
 
@@ -45,19 +44,10 @@ def main() -> None:
     # Many small problems side by side: threads of one would only slow down the others.
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     tasks = list(_tasks(options))
-    done = _earlier(options.json) if options.resume and options.json is not None else []
-    known = {(row["group"], row["name"], row["input"]) for row in done}
-    wanted = {task.name for task in tasks}
-    rows = [row for row in done if (row["group"], row["name"], row["input"]) in wanted]
-    left = [task for task in tasks if task.name not in known]
-    if options.json is not None and not options.resume:
-        options.json.write_text("", encoding="utf-8")
-    for _, row in run_all(left, worked, options.workers):
+    rows = []
+    for row in resumed(tasks, worked, options.workers, options.json, options.resume):
         rows.append(row)
-        _tell(row, len(rows), len(tasks))
-        if options.json is not None:
-            with options.json.open("a", encoding="utf-8") as file:
-                file.write(json.dumps(row) + "\n")
+        tell(row, len(rows), len(tasks))
     print(tables(sorted(rows, key=lambda row: _order(row, tasks))))
     if options.plot is not None:
         options.plot.write_text(time_picture(rows), encoding="utf-8")
@@ -99,25 +89,6 @@ def _tasks(options: argparse.Namespace) -> Iterator[Task]:
     for kind in kinds:
         for case in cases:
             yield Task(case, kind, options.cache, options.limit, peers)
-
-
-def _earlier(path: Path) -> list[Row]:
-    if not path.exists():
-        return []
-    return [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines() if line]
-
-
-def _tell(row: Row, number: int, total: int) -> None:
-    verdict = "exact" if solved(row) else ", ".join(causes(row))
-    told = row.get("status", "")
-    iou = f" IoU {row['iou']:.4f}" if "iou" in row else ""
-    print(
-        f"{number}/{total} {row['name']} {row['input']}: {verdict} ({told}){iou} "
-        f"faces {row.get('faces', '-')}/{row.get('true_faces', '-')} "
-        f"{row.get('seconds', float('nan')):.2f} s",
-        file=sys.stderr,
-        flush=True,
-    )
 
 
 def _order(row: Row, tasks: Sequence[Task]) -> int:

@@ -1,0 +1,141 @@
+"""One part of a textbook, one kind of sheet: model, draw, reconstruct, measure."""
+
+import json
+import tempfile
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from enum import Enum
+from pathlib import Path
+from random import Random
+from zlib import crc32
+
+from exact_measures import closeness, mirrored_alike
+from foreign_sheets import Conventions, foreign_sheet
+from textbook_blocks import BLOCKS
+from textbook_brackets import BRACKETS
+from textbook_drawing import textbook_lines
+from textbook_dxf import write_dxf
+from textbook_levers import LEVERS
+from textbook_turned import TURNED
+from workers import FIRST, SOLVE, Row
+
+from gaussiancad_core.axes import Axis, Projection
+from gaussiancad_core.cli.libraries import silence_opencascade
+from gaussiancad_core.drawing.brep import faces_of, read_solid
+from gaussiancad_core.drawing.command import write_image
+from gaussiancad_core.drawing.sheet import PartLines
+from gaussiancad_core.events import Silence
+from gaussiancad_core.job import Job
+from gaussiancad_core.modes import ResultKind
+from gaussiancad_core.pipeline import REPORT_FILE, reconstruct
+from gaussiancad_core.sheet.options import ReadingOptions
+
+FAMILIES = {family.name: family for family in (*TURNED, *LEVERS, *BRACKETS, *BLOCKS)}
+
+_FIRST_ANGLE = 0.35
+"""Share of the sheets that are in first angle."""
+
+_DRAWING_S = 120.0
+_MEASURING_S = 120.0
+
+
+class SheetKind(Enum):
+    """What the engine gets: lines of a file, or a picture, without or with dimensions."""
+
+    DXF = "dxf"
+    PICTURE = "picture"
+    DIMENSIONED = "dimensioned"
+
+
+@dataclass(frozen=True)
+class Task:
+    """A sheet of a part, which is told by the family's name, the seed and the kind of measures.
+
+    Attributes:
+        family: its name.
+        seed: of measures, of the sheet's look and of first or third angle.
+        odd: whether measures are hundredths of a millimetre.
+        kind: of the sheet.
+        told: whether the engine is told first or third angle.
+        limit: s for reading and solving.
+        kept: folder for sheets, solids and results; None if nobody wants to look at them.
+    """
+
+    family: str
+    seed: int
+    odd: bool
+    kind: SheetKind
+    told: bool
+    limit: float
+    kept: Path | None = None
+
+    @property
+    def name(self) -> str:
+        """Of the part."""
+        return f"{self.family}-{self.seed}{'-odd' if self.odd else ''}"
+
+    @property
+    def known(self) -> Row:
+        """What its row begins with."""
+        group = FAMILIES[self.family].group
+        return {"group": group, "name": self.name, "input": self.kind.value}
+
+    @property
+    def allowed(self) -> dict[str, float]:
+        """s for each stage."""
+        return {FIRST: _DRAWING_S, SOLVE: self.limit, "measure": _MEASURING_S}
+
+    @property
+    def projection(self) -> Projection:
+        """First or third angle."""
+        first = Random(self.name).random() < _FIRST_ANGLE
+        return Projection.FIRST if first else Projection.THIRD
+
+
+def worked(task: Task) -> Iterator[Row]:
+    """What becomes known of a task, bit by bit; each bit tells the stage that comes next."""
+    silence_opencascade()
+    truth = FAMILIES[task.family].part(task.seed, task.odd)
+    lines = textbook_lines(truth)
+    yield {"true_faces": len(faces_of(truth))}
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = Path(scratch) if task.kept is None else task.kept / task.kind.value / task.name
+        folder.mkdir(parents=True, exist_ok=True)
+        sheet = draw(task, lines, folder)
+        longest = max(Axis, key=lambda axis: float(lines.size[axis.value]))
+        told = ReadingOptions(
+            projection=task.projection if task.told else None,
+            length=(longest, float(lines.size[longest.value])),
+        )
+        yield {"stage": SOLVE}
+        reconstruct(Job(sheet, folder, told, result=ResultKind.SOLID), Silence())
+        report = json.loads((folder / REPORT_FILE).read_text(encoding="utf-8"))
+        yield {
+            "status": report["status"],
+            "reasons": [reason["code"] for reason in report["reasons"]],
+            "message": report["reasons"][0]["message"] if report["reasons"] else "",
+            "alternatives": report["solid"]["alternatives"] if report["solid"] else 0,
+            "mistaken": report["projection"] != task.projection.value,
+            "seconds": sum(report["seconds"].values()),
+            "stage": "measure",
+        }
+        path = folder / "solid.step"
+        if path.is_file():
+            solid = read_solid(path)
+            close = closeness(solid, truth)
+            yield {**asdict(close), "exact": close.exact}
+            if not close.exact:
+                yield {"mirrored": mirrored_alike(solid, truth)}
+
+
+def draw(task: Task, lines: PartLines, folder: Path) -> Path:
+    """The file of a sheet, in a folder."""
+    if task.kind is SheetKind.DXF:
+        path = folder / "sheet.dxf"
+        write_dxf(lines, task.projection, path)
+        return path
+    dimensioned = task.kind is SheetKind.DIMENSIONED
+    how = Conventions.drawn_by_lot(crc32(task.name.encode()), dimensioned=dimensioned)
+    path = folder / "sheet.png"
+    write_image(foreign_sheet(lines, how, task.projection).image, path)
+    return path
