@@ -2,7 +2,7 @@
 
 On sheets whose lines are all of one width a head may be no more than twice as wide as its line, so
 that it makes no blot.  Crossings and blots widen a line before and behind alike, slanted strokes
-that end on it on one side.
+that end on it on one side, and corners that it ends in by more than any head.
 """
 
 import numpy as np
@@ -34,6 +34,9 @@ _HIDDEN_PX = 3
 
 _RISE_PX = 4
 """px over which a head widens at least."""
+
+_STEEPEST = 1.5
+"""px by which a head widens over one at most: a line into a square corner by two."""
 
 _KNOWN = 0.6
 """Share of a head over which its width is known, more than that: beside a crossing it is not."""
@@ -110,6 +113,7 @@ def tapers(widths: Floats, width: float) -> list[int]:
         if (
             _RISE_PX <= len(rising) <= _LONGEST * width
             and behind <= _FALL_PX + _FALL * len(rising)
+            and float(rising[-1] - rising[0]) <= _STEEPEST * (len(rising) - 1)
             and float(np.diff(rising).min()) > -(_STEADY * width + _STEADY_PX)
             and np.isfinite(widths[tip + 1 : peak + 1]).mean() > _KNOWN
             and (not hidden or rising[0] < _SHARP * rising[-1])

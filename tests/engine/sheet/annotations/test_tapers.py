@@ -41,6 +41,8 @@ def test_a_head_whose_tip_another_line_hides() -> None:
         np.full(30, np.nan),
         # Where a line crosses the width is hardly known.
         np.concatenate([np.full(9, WIDTH), [np.nan] * 3, [4.1], [np.nan] * 3, np.full(9, WIDTH)]),
+        # A diagonal ends in a square corner, as those around a chamfered face do.
+        np.concatenate([[np.nan] * 3, [4.3, 6.2, 8.2, 10.1], [np.nan] * 2, np.full(35, WIDTH)]),
     ],
 )
 def test_other_widths_are_no_heads(widths: np.ndarray) -> None:
