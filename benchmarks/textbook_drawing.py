@@ -56,6 +56,10 @@ _SMOOTH = 1e-3
 _GRAIN = 1e-2
 """mm of a curve that is left at least beside what runs along it."""
 
+_UNDECIDED = 6
+"""Visible pieces of a circle from which on it is hidden: behind a wall that it runs along, the
+algorithm takes it for seen and unseen by turns."""
+
 _STEP = 0.02
 """mm between points that tell where a circle is."""
 
@@ -200,6 +204,9 @@ def _of_circles(circles: _Circles) -> Iterator[Arc]:
             )
             for kind in _KINDS
         }
+        if len(spans[Linetype.VISIBLE]) > _UNDECIDED:
+            whole = unite_on_circle([own for some in spans.values() for own in some], _ANGLE)
+            spans = {Linetype.VISIBLE: [], Linetype.HIDDEN: whole}
         for linetype, (low, high) in _told(spans, _ANGLE, 2.0 * pi):
             yield Arc((x, y), radius, low, high - low, linetype)
 

@@ -81,6 +81,13 @@ def test_a_bore_across_a_cylinder_has_a_smooth_mouth_once() -> None:
     assert mouth.linetype is Linetype.VISIBLE
 
 
+def test_a_bore_that_the_algorithm_sees_by_turns_is_hidden() -> None:
+    lines = textbook_lines(FAMILIES["set-collar"].part(20))
+    (bore,) = (stroke for stroke in lines.views[Role.FRONT] if isinstance(stroke, Arc))
+    assert bore.linetype is Linetype.HIDDEN
+    assert bore.sweep == pytest.approx(2 * np.pi)
+
+
 @pytest.mark.parametrize("projection", Projection)
 def test_dxf_files_are_read(projection: Projection, tmp_path: Path) -> None:
     lines = textbook_lines(FAMILIES["slotted-link"].part(1))
