@@ -41,11 +41,14 @@ class Track:
         geometry: px of the sheet.
         solid: stretches drawn solid, as the file has them.
         hidden: stretches that the file calls hidden.
+        patterned: whether any of these is longer than a dash and a gap of its own pattern: the file
+            dashes them itself, and gaps between them are there.
     """
 
     geometry: Geometry
     solid: tuple[Span, ...]
     hidden: tuple[Span, ...]
+    patterned: bool = False
 
 
 def tracks_of(strokes: Sequence[VectorStroke], tolerance: float) -> list[Track]:
@@ -156,4 +159,8 @@ def _track(geometry: Geometry, strokes: Sequence[VectorStroke], spans: Floats) -
     for stroke, (start, end) in zip(strokes, spans, strict=True):
         of = hidden if stroke.role is StrokeRole.HIDDEN else solid
         of.append((float(start), float(end)))
-    return Track(geometry, tuple(solid), tuple(hidden))
+    patterned = any(
+        stroke.role is StrokeRole.HIDDEN and 0.0 < sum(stroke.dashes[:2]) < stroke.curve.length
+        for stroke in strokes
+    )
+    return Track(geometry, tuple(solid), tuple(hidden), patterned)

@@ -88,7 +88,8 @@ def _told(track: Track) -> list[Piece]:
     around = track.geometry.around
     visible = united(track.solid, around, _TOUCHING)
     dashes = united(track.hidden, around, _TOUCHING)
-    hidden = without(_bridged(dashes, around), visible, around, _SHORTEST)
+    whole = dashes if track.patterned else _bridged(dashes, around)
+    hidden = without(whole, visible, around, _SHORTEST)
     return [Piece(*span, Linetype.VISIBLE, 1.0) for span in visible] + [
         Piece(*span, Linetype.HIDDEN, 1.0) for span in hidden
     ]

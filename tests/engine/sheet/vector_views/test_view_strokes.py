@@ -26,11 +26,29 @@ _DASHES = [(k * 9.0, k * 9.0 + 6.0) for k in range(6)]
 def test_dashes_are_one_line(
     spans: list[tuple[float, float]], expected: list[tuple[float, float]]
 ) -> None:
+    assert _found(spans) == [pytest.approx(span) for span in expected]
+
+
+@pytest.mark.parametrize(
+    ("pattern", "whole"), [((24.0, 12.0), True), ((300.0, 100.0), False), ((), False)]
+)
+def test_lines_that_the_file_dashes_itself_keep_their_gaps(
+    pattern: tuple[float, ...], whole: bool
+) -> None:
+    """Two spokes and the end of a third between them, behind a rim."""
+    spans = [(0.0, 190.0), (268.0, 362.0), (440.0, 630.0)]
+    assert (_found(spans, pattern) == [pytest.approx(span) for span in spans]) == whole
+
+
+def _found(
+    spans: list[tuple[float, float]], pattern: tuple[float, ...] = ()
+) -> list[tuple[float, float]]:
+    """Hidden lines as they are told of stretches of one line, ends in px along it."""
     strokes = [
-        VectorStroke(Line((10.0 + low, 30.0), (10.0 + high, 30.0)), 2.0, role=StrokeRole.HIDDEN)
+        VectorStroke(Line((10.0 + low, 30.0), (10.0 + high, 30.0)), 2.0, pattern, StrokeRole.HIDDEN)
         for low, high in spans
     ]
     found = strokes_of(tracks_of(strokes, EXACT), strokes, None)
     assert {stroke.linetype for stroke in found} == {Linetype.HIDDEN}
-    ends = sorted(sorted((stroke.start[0], stroke.end[0])) for stroke in found)
-    assert ends == [pytest.approx((10.0 + low, 10.0 + high)) for low, high in expected]
+    ends = (sorted((stroke.start[0] - 10.0, stroke.end[0] - 10.0)) for stroke in found)
+    return sorted((low, high) for low, high in ends)
