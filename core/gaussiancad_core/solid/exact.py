@@ -63,6 +63,11 @@ _RETOLD = (
     "hidden lines no longer than a dash look like visible ones: some are taken for the other kind, "
     "as the other views have it",
 )
+_LOOSE = (
+    "lines-inexact",
+    "lines miss each other by more than they should: those that are close by were taken to meet, "
+    "so that small steps may be missing",
+)
 _UNFINISHED = "search-unfinished", "the search for solids with these lines was not completed"
 
 
@@ -232,6 +237,8 @@ def _searched(work: Work, labelling: Labelling, limits: Limits, latest: Deadline
     agreeing = [c for c in candidates if c.verification.explains]
     best = agreeing[0] if agreeing else candidates[0]
     reasons = _reasons(best, agreeing, complete, views)
+    if work.loose and best.verification.close:
+        reasons.append(_LOOSE)
     others = sorted((c for c in agreeing if c is not best), key=_rank)
     return ExactResult(
         Status.APPROXIMATE if reasons else Status.VERIFIED,

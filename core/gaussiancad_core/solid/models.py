@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from math import inf
 
 from gaussiancad_core.errors import LimitError
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.drawn_views import EXACT_TOLERANCE, DrawnViews
 from gaussiancad_core.reasoning.fewest_strokes import fewest_strokes
 from gaussiancad_core.reasoning.followed import with_followed_curves
 from gaussiancad_core.reasoning.labelling import Effort, Labelling, Search
@@ -54,6 +54,11 @@ _PATIENT = 0.7
 _STRICTER = 0.65
 """Share of the tolerance at which the places of lines that were read are one, where
 labels contradict them with the whole of it."""
+
+_LOOSER = (1.5, 2.5, 3.5)
+"""Times the tolerance at which places of lines are one that nobody has made one: two that are off
+by as much as one may be are twice as far apart, and the side of a circle is off by its centre and
+its radius."""
 
 _BETTER = 0.7
 """Share of what the first model gives up that another one gives up at most to be the better one."""
@@ -111,6 +116,7 @@ class Work:
         search: for labels of the part.
         clock: of all that is done.
         fewest: whether the labels are those by which the fewest strokes are wrong or lacking.
+        loose: whether places are one that are farther apart than the tolerance.
     """
 
     part: PartModel
@@ -118,6 +124,7 @@ class Work:
     search: Search
     clock: Clock
     fewest: bool = False
+    loose: bool = False
 
 
 def labelled(
@@ -152,14 +159,15 @@ def labelled(
             return
     # Another model takes as long as the first: time has to remain for the least contradiction.
     others = _until(_otherwise(work, lines, found.complete, deadline), limits, clock)
-    for model in others:
-        other = _remodelled(work, model, limits)
-        more = other.search.fulfilled(deadline)
-        if more.labels is not None:
-            yield other, more
-            return
-    if not limits.relaxed:
-        yield work, found
+    first = _first_fulfilled((_remodelled(work, model, limits) for model in others), deadline)
+    if first is None and not limits.relaxed:
+        first = work, found
+    if first is None and found.complete:
+        others = _until(_looser(work, lines, deadline), limits, clock)
+        loose = (replace(_remodelled(work, model, limits), loose=True) for model in others)
+        first = _first_fulfilled(loose, deadline)
+    if first is not None:
+        yield first
         return
     latest = clock.deadline(_RELAXED * limits.seconds)
     # Where readers lead ends to the wrong lines nearly all strokes are a little wrong.
@@ -174,6 +182,15 @@ def labelled(
         more = other.search.best(latest)
         if _cost(more) < _BETTER * _cost(least):
             yield other, more
+
+
+def _first_fulfilled(works: Iterator[Work], deadline: Deadline) -> tuple[Work, Labelling] | None:
+    """The first of the models that has labels for all lines, and these."""
+    for work in works:
+        labelling = work.search.fulfilled(deadline)
+        if labelling.labels is not None:
+            return work, labelling
+    return None
 
 
 def _lacking(
@@ -233,6 +250,21 @@ def _otherwise(
     smooth = without_rough_arcs(lines) if contradict and few else None
     if smooth is not None and (model := _modelled(smooth, deadline, ROUGHLY)) is not None:
         yield model
+
+
+def _looser(work: Work, lines: DrawnViews, deadline: Deadline) -> Iterator[PartModel]:
+    """The part with places as one that are farther apart than lines should miss each other.
+
+    Those come first of which all places turn out to be multiples of a step.
+    """
+    if lines.apart is not None or lines.tolerance <= EXACT_TOLERANCE * max(lines.size):
+        return
+    found: list[PartModel] = []
+    for times in _LOOSER:
+        model = _modelled(replace(lines, tolerance=times * lines.tolerance), deadline)
+        if model is not None and all(model.rules != own.rules for own in (work.part, *found)):
+            found.append(model)
+    yield from sorted(found, key=lambda model: not model.supports.nominal)
 
 
 def _misread(work: Work, lines: DrawnViews, deadline: Deadline) -> Iterator[PartModel]:

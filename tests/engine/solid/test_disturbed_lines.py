@@ -3,15 +3,18 @@
 from collections.abc import Callable
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.drawing.brep import soundness
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.solid.exact import exact_solid
-from gaussiancad_core.views import Linetype, Segment
+from gaussiancad_core.solid.models import Limits
+from gaussiancad_core.views import Arc, Linetype, Segment
 
 Draw = Callable[[TopoDS_Shape], DrawnViews]
 Iou = Callable[[TopoDS_Shape, TopoDS_Shape], float]
@@ -59,3 +62,43 @@ def test_missing_and_stray_strokes_make_no_other_solid(
     assert iou(result.shape, truth) > 0.9999
     assert result.status is Status.APPROXIMATE
     assert "lines-unexplained" in [code for code, _ in result.reasons]
+
+
+def _aside(views: DrawnViews, reach: float, seed: int) -> DrawnViews:
+    """With every end, centre and radius off by up to ``reach`` mm, which is told as tolerance."""
+    random = np.random.default_rng(seed)
+
+    def off(point: tuple[float, float]) -> tuple[float, float]:
+        angle, far = random.uniform(0.0, 2.0 * np.pi), reach * random.uniform() ** 0.5
+        return point[0] + far * float(np.cos(angle)), point[1] + far * float(np.sin(angle))
+
+    def moved(stroke: Segment | Arc) -> Segment | Arc:
+        if isinstance(stroke, Arc):
+            radius = stroke.radius + random.uniform(-reach, reach)
+            return replace(stroke, centre=off(stroke.centre), radius=radius)
+        return replace(stroke, start=off(stroke.start), end=off(stroke.end))
+
+    strokes = {role: tuple(map(moved, own)) for role, own in views.strokes.items()}
+    return replace(views, strokes=strokes, tolerance=reach)
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2])
+@pytest.mark.parametrize("part", [PartClass.HOLES, PartClass.FILLETS])
+def test_lines_that_miss_each_other_by_more_than_they_may_are_taken_to_meet(
+    part: PartClass, seed: int, drawn: Draw, iou: Iou
+) -> None:
+    truth = classed_part(part, seed, 0)
+    views = drawn(truth)
+    views = _aside(views, max(views.size) / 600.0, seed)
+    result = exact_solid(views)
+    assert result.shape is not None
+    assert soundness(result.shape).faces == soundness(truth).faces
+    assert iou(result.shape, truth) > 0.98
+    assert result.status is Status.APPROXIMATE
+    assert [code for code, _ in result.reasons] == ["lines-inexact"]
+
+
+def test_lines_do_not_miss_each_other_where_none_may_be_given_up(drawn: Draw) -> None:
+    views = drawn(classed_part(PartClass.HOLES, 0, 0))
+    views = _aside(views, max(views.size) / 600.0, 0)
+    assert exact_solid(views, Limits(relaxed=False)).shape is None
