@@ -15,10 +15,10 @@ from gaussiancad_core.views import Linetype
 _BY_WIDTH = 0.8
 """Confidence of a linetype that the width of a short run tells."""
 
-_LONGEST_JOINT = 2.35
+_LONGEST_JOINT, _LONGEST_LAST = 2.35, 2.0
 """Dashes that a run is long at most of which one ends where another begins, a little of ink beyond
-either end included: where the lines of two
-edges meet, or a circle its own beginning."""
+either end included: where the lines of two edges meet, a circle its own beginning, or an arc the
+first dash of its tangent; and where only one side of a line tells that it is dashed."""
 
 _IN_STEP, _MOST_STEPS = 0.12, 4.3
 """Share of a dash and its gap by which dashes on both sides may be out of step, and such steps from
@@ -96,7 +96,8 @@ def _is_joint(
     last = (starts and after is None and (np.isfinite(around) or not touches[1])) or (
         ends and before is None and (np.isfinite(around) or not touches[0])
     )
-    return bool(last) and run.length <= 2.0 * rhythm.dash
+    longest = _LONGEST_JOINT if np.isfinite(around) else _LONGEST_LAST
+    return bool(last) and run.length <= longest * rhythm.dash
 
 
 def _is_dash_beside(run: Run, gap: float, rhythm: Rhythm) -> bool:

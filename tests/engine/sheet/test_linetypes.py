@@ -66,3 +66,15 @@ def test_an_edge_ends_at_another_stroke_and_dashes_of_a_tangent_do_not(
     found = classify(runs, Rhythm(12.0, 6.0), [(touches, False)] + [(False, False)] * 3)
     assert (found[0].linetype is Linetype.HIDDEN) == hidden
     assert (found[0].end == 77.0) == hidden
+
+
+@pytest.mark.parametrize(
+    ("first", "around", "hidden"),
+    [(25.0, 400.0, True), (29.0, 400.0, False), (25.0, float("inf"), False)],
+)
+def test_an_arc_begins_with_the_dash_of_its_tangent_and_the_ink_beyond(
+    first: float, around: float, hidden: bool
+) -> None:
+    runs = _row(first, 6, 12, 6, 12, 6, 12)
+    found = classify(runs, Rhythm(12.0, 6.0), [(False, False)] * 4, around)
+    assert (found[0].linetype is Linetype.HIDDEN) == hidden
