@@ -49,6 +49,20 @@ def is_rounding(arc: Arc, strokes: Iterable[Curve], tolerance: float) -> bool:
     return all(any(_goes_on(other, arc, at, tolerance) for other in others) for at in angles)
 
 
+def is_quarter(arc: Arc, tolerance: float) -> bool:
+    """Whether an arc rounds a corner between lines along the axes: its ends tell its circle.
+
+    Args:
+        arc: of a view; mm.
+        tolerance: mm by which strokes may miss where they belong.
+    """
+    if arc.radius <= _SMALLEST * tolerance:
+        return False
+    ends = np.array([arc.start_angle, arc.start_angle + arc.sweep]) / (pi / 2.0)
+    off = np.abs(ends - np.rint(ends)).max() * (pi / 2.0) * arc.radius
+    return bool(off <= tolerance and round(arc.sweep / (pi / 2.0)) == 1)
+
+
 def _goes_on(stroke: Curve, arc: Arc, angle: float, tolerance: float) -> bool:
     """Whether an arc's end at an angle lies on a stroke, along it."""
     x, y = cos(angle), sin(angle)

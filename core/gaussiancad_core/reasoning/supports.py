@@ -25,6 +25,7 @@ from gaussiancad_core.reasoning.curves import (
     axis_line,
     line_through,
 )
+from gaussiancad_core.reasoning.cut_arcs import is_piece, with_pieces_of_arcs
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.incidences import (
     Adjusted,
@@ -34,7 +35,7 @@ from gaussiancad_core.reasoning.incidences import (
 )
 from gaussiancad_core.reasoning.nominal import NominalStep
 from gaussiancad_core.reasoning.planes import IN_PLANE, UNITS, plane_points, role_plane
-from gaussiancad_core.reasoning.roundings import is_rounding
+from gaussiancad_core.reasoning.roundings import is_quarter, is_rounding
 from gaussiancad_core.reasoning.snapping import (
     CircleReading,
     Reading,
@@ -64,9 +65,6 @@ _CHAIN_LINKS = 128
 
 _FLAT = 4.0
 """Tolerances of rise that an arc has at least to tell a circle; flatter ones are boundaries."""
-
-_SMALLEST_QUARTER = 4.0
-"""Tolerances of the radius from which a quarter of a circle tells it, flat as it is."""
 
 _END_WEIGHT = 1e-3
 """Weight of a coordinate that only ends of slanted lines tell: all else counts more."""
@@ -171,7 +169,7 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
     """
     scale = UNITS / max(views.size)
     tolerance = views.tolerance * scale
-    views = without_askew_dashes(views)
+    views = with_pieces_of_arcs(without_askew_dashes(views))
     planes = _sorted_strokes(views, scale, tolerance)
     size = tuple(extent * scale for extent in views.size)
     apart = None if views.apart is None else views.apart * scale
@@ -214,6 +212,7 @@ def _sorted_strokes(views: DrawnViews, scale: float, tolerance: float) -> dict[A
             elif isinstance(stroke, Arc) and (
                 _tells_circle(stroke, scale, tolerance)
                 or is_rounding(stroke, strokes, views.tolerance)
+                or is_piece(stroke, strokes, views)
             ):
                 plane.circles.append(_circle(stroke, role, scale))
             else:
@@ -251,16 +250,7 @@ def _tells_line(line: _Line, tolerance: float) -> bool:
 
 def _tells_circle(arc: Arc, scale: float, tolerance: float) -> bool:
     rise = arc.radius * scale * (1.0 - np.cos(min(arc.sweep, TURN) / 2.0))
-    return bool(rise > _FLAT * tolerance) or _is_quarter(arc, tolerance / scale)
-
-
-def _is_quarter(arc: Arc, tolerance: float) -> bool:
-    """Whether an arc rounds a corner between lines along the axes: its ends tell its circle."""
-    if arc.radius <= _SMALLEST_QUARTER * tolerance:
-        return False
-    ends = np.array([arc.start_angle, arc.start_angle + arc.sweep]) / (pi / 2.0)
-    off = np.abs(ends - np.rint(ends)).max() * (pi / 2.0) * arc.radius
-    return bool(off <= tolerance and round(arc.sweep / (pi / 2.0)) == 1)
+    return bool(rise > _FLAT * tolerance) or is_quarter(arc, tolerance / scale)
 
 
 def _circle(arc: Arc, role: Role, scale: float) -> _Circle:
