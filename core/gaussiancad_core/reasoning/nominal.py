@@ -6,8 +6,8 @@ tenth of a pixel is then known exactly.  The scale need not be known: the step d
 longest extent.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 from math import comb
 
 import numpy as np
@@ -32,6 +32,9 @@ _SHARE = 0.85
 _CHANCE = 1e-7
 """Probability at which so many numbers fit by chance, over all steps that are tried."""
 
+_ODD = 1e-4
+"""Share of the step from which a number is no multiple of it."""
+
 ROUND_MM, _ROUND_CHANCE = (10.0, 5.0, 2.0, 1.0, 0.5), 1e-5
 """Steps that most parts are designed in, and the same probability for these alone."""
 
@@ -43,15 +46,34 @@ class NominalStep:
     Attributes:
         length: units.
         reach: units by which a number may miss a multiple of it.
+        moved: units by which numbers missed theirs, at most, as far as it was asked.
     """
 
     length: float
     reach: float
+    moved: float = 0.0
 
     def multiple(self, number: float) -> float | None:
         """The multiple that a number stands for, or None if it is none."""
         multiple = self.length * round(number / self.length)
         return multiple if abs(number - multiple) <= self.reach else None
+
+    def odd(self, numbers: Iterable[float], extent: float) -> int:
+        """How many numbers are no multiples; those that are one, or mirror images, count once."""
+        found: list[float] = []
+        for number in numbers:
+            if abs(number - self.length * round(number / self.length)) > _ODD * self.length:
+                images = (number, extent - number) if extent else (number,)
+                apart = (abs(image - other) for image in images for other in found)
+                if min(apart, default=self.length) > self.reach:
+                    found.append(number)
+        return len(found)
+
+    def moving(self, numbers: Iterable[float]) -> "NominalStep":
+        """The step, knowing by how much further numbers moved to become its multiples."""
+        told = [(float(number), self.multiple(float(number))) for number in numbers]
+        moved = [abs(number - own) for number, own in told if own is not None]
+        return replace(self, moved=max([*moved, self.moved]))
 
 
 def nominal_step(

@@ -32,9 +32,6 @@ _FOLLOWING = 1e-5
 """Share of the step within which a centre or a radius is a multiple, or the middle of two, because
 equations make it so: what was only read is there by chance once in twenty thousand times."""
 
-_ODD = 1e-4
-"""Share of the step from which a number is no multiple of it."""
-
 _AGREEING = 0.15
 """Share of the reach within which ends of slanted lines that have one coordinate agree."""
 
@@ -113,13 +110,16 @@ class Snapped:
 
     @property
     def odd_numbers(self) -> int:
-        """How many values, centres and radii are no multiples of the step."""
+        """How many values, centres and radii are no multiples of the step, nor follow from such."""
         if self.step is None:
             return 0
-        length = self.step.length
-        numbers = [value for own in self.values.values() for value in own]
-        numbers += [n for _, circle in self.circles for n in (*circle.centre, circle.radius)]
-        return sum(abs(n - length * round(n / length)) > _ODD * length for n in numbers)
+        groups = {axis.value: list(own) for axis, own in self.values.items()}
+        for normal, circle in self.circles:
+            for index, place in zip(IN_PLANE[normal], circle.centre, strict=True):
+                groups[index].append(place)
+        extents = [max(own, default=0.0) for own in groups.values()]
+        groups[len(extents)] = [circle.radius for _, circle in self.circles]
+        return sum(map(self.step.odd, groups.values(), (*extents, 0.0)))
 
     def circle(self, normal: Axis, reading: CircleCurve) -> CircleCurve | None:
         """The circle that a reading is one of."""
@@ -172,6 +172,7 @@ def snapped(
     step = _step(numbers, tolerance, millimetre)
     nominal, moved, far = False, 0.0, _FAR * tolerance
     if step is not None:
+        step = step.moving(numbers)
         variables, numbers, nominal = _rounded(variables, numbers, relations, step, far)
     elif noise:
         likely = likely_numbers(numbers, clusters, own, Roughness(tolerance, noise, millimetre))
@@ -202,7 +203,7 @@ def with_lone_values(snap: Snapped, readings: Sequence[Reading]) -> Snapped:
     A countersink's slanted lines end at the extremes of its circles, and a drill's at its axis.
     Where a value is near, ends tell another one only if they agree about it in two planes.
     """
-    values, weights, nominal = dict(snap.values), dict(snap.weights), snap.nominal
+    values, weights, nominal, step = dict(snap.values), dict(snap.weights), snap.nominal, snap.step
     for axis in Axis:
         round_ones = _circle_values(snap, axis)
         own = [reading for reading in readings if reading.axis is axis]
@@ -212,16 +213,17 @@ def with_lone_values(snap: Snapped, readings: Sequence[Reading]) -> Snapped:
             _mean(cluster) for cluster in _agreeing(snap, axis, own) if cluster[0] not in lone
         ]
         means = [(nearest_value(round_ones, at, _AT_CIRCLE * snap.reach), w) for at, w in means]
-        if snap.step is not None:
-            multiples = [snap.step.multiple(at) for at, _ in means]
+        if step is not None:
+            multiples = [step.multiple(at) for at, _ in means]
             nominal &= None not in multiples
+            step = step.moving(at for at, _ in means)
             means = [
                 (at if multiple is None else multiple, w)
                 for multiple, (at, w) in zip(multiples, means, strict=True)
             ]
         values[axis] = tuple(sorted({*values[axis], *(value for value, _ in means)}))
         weights.update({(axis, value): weight for value, weight in means})
-    return replace(snap, values=values, weights=weights, nominal=nominal)
+    return replace(snap, values=values, weights=weights, nominal=nominal, step=step)
 
 
 def _agreeing(snap: Snapped, axis: Axis, readings: list[Reading]) -> Iterator[list[Reading]]:

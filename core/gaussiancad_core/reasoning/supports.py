@@ -103,10 +103,9 @@ class PartSupports:
         size: (3,) of the part in units.
         scale: units per mm.
         tolerance: units.
-        nominal: whether all values and circles are multiples of the step that the part was designed
-            in: they are known exactly then, however roughly they were read.
-        step: that step; None where none is told.
-        odd: how many values, and numbers of circles, are no multiples of it.
+        nominal: whether all values and circles are multiples of the step: they are known exactly.
+        step: that the part was designed in; None where none is told.
+        odd: how many values, and numbers of circles, are no multiples of it, mirror images once.
         moved: units by which values moved, at the mean, that most likely are round but not surely.
     """
 

@@ -31,7 +31,7 @@ from gaussiancad_core.reasoning.unsaid import with_unsaid
 from gaussiancad_core.solid.build import BuiltSolid, build_solid
 from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.solid.models import Clock, Limits, Work, labelled
-from gaussiancad_core.solid.round_measures import RoundMeasures
+from gaussiancad_core.solid.round_measures import RoundMeasures, is_round
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.verify import Verification, verify
 
@@ -73,6 +73,10 @@ _UNFINISHED = "search-unfinished", "the search for solids with these lines was n
 
 _QUICK = 0.25
 """Share of the time that a search took at most for another one, with likely measures."""
+
+_ASIDE = 3.0
+"""Times the noise that numbers may have been moved by to become round, at least; at most where the
+step is none that parts are designed in: they may have been round in another one."""
 
 _LESS = 0.002
 """Share of the lines that a solid may show less then."""
@@ -324,11 +328,17 @@ def _candidate(work: Work, built: BuiltSolid) -> tuple[Candidate | None, bool]:
 def _verified(work: Work, shape: TopoDS_Shape) -> Candidate:
     # Rounded to the step of its design, a part is as large as meant however small it is drawn.
     supports = work.part.supports
-    views = replace(work.views, noise=0.0) if supports.nominal else work.views
-    measures = None
+    views, known, measures = work.views, False, None
     if supports.step is not None:
-        step, reach = (own / supports.scale for own in (supports.step.length, supports.step.reach))
-        measures = RoundMeasures(step, reach, supports.odd)
+        own, scale = supports.step, supports.scale
+        moved, aside = own.moved / scale, _ASIDE * views.noise
+        reach = min(max(moved, aside), own.reach / scale)
+        measures = RoundMeasures(own.length / scale, reach, supports.odd)
+        usual = measures.is_usual
+        known = supports.nominal or bool(usual and views.noise and is_round(shape, measures.step))
+        if not (usual or moved <= aside):
+            known, measures = False, None
+    views = replace(views, noise=0.0) if known else views
     candidate = Candidate(shape, verify(shape, views, measures))
     work.clock.lap("verify")
     return candidate

@@ -7,7 +7,8 @@ lie as far from where they were read as numbers were rounded at most.
 
 Where a measure is odd, another one may be near a round one by chance, and odd as well.  How likely
 that is follows from how many odd ones were seen: where more than one is unlikely, the largest face
-is in doubt, too, whichever it may be.
+is in doubt, too, whichever it may be.  Where all faces are round, odd coordinates are none of
+these: an edge in which faces meet, as that of a flat on a cylinder, is where they have it.
 """
 
 from collections import defaultdict
@@ -23,12 +24,16 @@ from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Shape
 
 from gaussiancad_core.drawing.brep import area, faces_of, subshapes
+from gaussiancad_core.reasoning.nominal import ROUND_MM
 
 Points = npt.NDArray[np.float64]
 
 _ON = 1e-4
 """Share of the step within which a number is a multiple of it: what was rounded is exact but for
 rounding errors, what was not is one to this by chance in one of five thousand."""
+
+_USUAL = 1e-6
+"""Share of a step by which it may miss a round number of mm."""
 
 _MOST_BY_CHANCE = 0.1
 """Odd measures that are taken for round ones by chance, on average, up to which two are not to be
@@ -56,10 +61,24 @@ class RoundMeasures:
     odd: int
 
     @property
+    def is_usual(self) -> bool:
+        """Whether the step is one that most parts are designed in.
+
+        Others are parts of the longest extent.  Where that is odd itself, what is round otherwise
+        may be near multiples of such a part, at a scale that is a little wrong.
+        """
+        return any(abs(self.step - usual) <= _USUAL * usual for usual in ROUND_MM)
+
+    @property
     def by_chance(self) -> float:
         """How many odd ones were taken for multiples, on average."""
         share = min(2.0 * self.reach / self.step, 0.99)
         return self.odd * share / (1.0 - share)
+
+
+def is_round(shape: TopoDS_Shape, step: float) -> bool:
+    """Whether all faces of a solid follow from multiples of a step in mm."""
+    return all(_is_known(face, step) for face in faces_of(shape))
 
 
 def volume_in_doubt(shape: TopoDS_Shape, measures: RoundMeasures) -> float:

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.reasoning.nominal import nominal_step
+from gaussiancad_core.reasoning.nominal import NominalStep, nominal_step
 from gaussiancad_core.reasoning.planes import UNITS
 
 _PIXEL = UNITS / 900.0
@@ -57,3 +57,13 @@ def test_few_coordinates_tell_a_round_step(scale: float, found: bool) -> None:
     assert (step is not None) == found
     if step is not None:
         assert step.length == pytest.approx(2.0 * _MM)
+
+
+def test_a_step_tells_what_is_odd_and_how_far_numbers_were_moved() -> None:
+    step = NominalStep(10.0, 0.5)
+    assert step.moving([20.1, 29.8, 44.0]).moved == pytest.approx(0.2)
+    assert step.moving([20.1]).moving([30.3, 7.0]).moving([40.2]).moved == pytest.approx(0.3)
+    # 66.7 is 33.3 from the other end of 100; 33.4 is the same coordinate again.
+    assert step.odd([0.0, 33.3, 33.4, 40.0, 66.7, 100.0], 100.0) == 1
+    assert step.odd([0.0, 33.3, 66.7, 71.0, 100.0], 100.0) == 2
+    assert step.odd([33.3, 66.7], 0.0) == 2

@@ -21,7 +21,7 @@ from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.drawing.brep import volume
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.solid.round_measures import RoundMeasures, volume_in_doubt
+from gaussiancad_core.solid.round_measures import RoundMeasures, is_round, volume_in_doubt
 from gaussiancad_core.solid.verify import verify
 
 _PLACE = gp_Ax2(gp_Pnt(20.0, 30.0, 5.0), gp_Dir(0.0, 0.0, 1.0))
@@ -135,3 +135,20 @@ def test_a_part_with_one_odd_face_is_known_if_that_is_small(
     found = verify(solid, noisy, RoundMeasures(2.0, reach, 1))
     assert found.close == close
     assert found.doubt <= verify(solid, noisy).doubt
+
+
+def test_a_flat_on_a_round_bar_is_round_though_its_edges_are_not() -> None:
+    bar = BRepPrimAPI_MakeCylinder(_PLACE, 10.0, 30.0).Shape()
+    flat = BRepPrimAPI_MakeBox(gp_Pnt(28.0, 0.0, 0.0), 10.0, 60.0, 50.0).Solid()
+    milled = BRepAlgoAPI_Cut(bar, flat).Shape()
+    assert is_round(milled, 1.0)
+    assert not is_round(milled, 3.0)
+    odd = BRepPrimAPI_MakeBox(gp_Pnt(28.3, 0.0, 0.0), 10.0, 60.0, 50.0).Solid()
+    assert not is_round(BRepAlgoAPI_Cut(bar, odd).Shape(), 1.0)
+
+
+@pytest.mark.parametrize(
+    ("step", "usual"), [(0.5, True), (1.0 + 1e-9, True), (98.36 / 295.0, False), (1.0003, False)]
+)
+def test_steps_that_parts_are_designed_in_are_usual(step: float, usual: bool) -> None:
+    assert RoundMeasures(step, _REACH, 0).is_usual == usual
