@@ -33,6 +33,10 @@ _LEAST_OWN = 4.0
 _LEAST_CLEAR = 3.0
 """px of these that have a clear direction at least."""
 
+_STUB, _AT_END = 1.5, 1.0
+"""Stroke widths that a dash is long at least that leads to another stroke and has no direction; px
+of ink beyond that stroke at most."""
+
 _MOSTLY = 0.4
 """Share of a closed curve that is told as dashed where the rest of it is bridged."""
 
@@ -180,10 +184,22 @@ def _own_span(
             # The end of a dash has no clear direction, but is the dash's where it leads to it.
             mine = _with_vague_ends(mine, (first, last), foreign)
             if len(mine) * STEP < least:
-                return None
+                return _stub((first, last), foreign, stroke_width)
         first, last = int(mine[0]), int(mine[-1])
     vague = own[first : last + 1].sum() * STEP < 1.5
     return None if vague and (last - first) * STEP < 1.2 * stroke_width else (first, last)
+
+
+def _stub(
+    span: tuple[int, int], foreign: npt.NDArray[np.bool_], stroke_width: float
+) -> tuple[int, int] | None:
+    """What a stretch of ink has beside a stroke that it crosses at one end, if that is a dash: one
+    nearly as wide as it is long has no direction."""
+    others = span[0] + np.flatnonzero(foreign[span[0] : span[1] + 1])
+    before, after = int(others[0]) - span[0], span[1] - int(others[-1])
+    if min(before, after) * STEP > _AT_END or max(before, after) * STEP < _STUB * stroke_width:
+        return None
+    return (span[0], int(others[0]) - 1) if before > after else (int(others[-1]) + 1, span[1])
 
 
 def _with_vague_ends(

@@ -1,4 +1,4 @@
-"""Dashes that other strokes cover belong to their curve, where enough of it shows."""
+"""Runs of ink: dashes on edges, and those that other strokes cover."""
 
 from typing import Any
 
@@ -6,8 +6,15 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.sheet.clean import clean_sheet
-from gaussiancad_core.sheet.geometry import Circle
-from gaussiancad_core.sheet.runs import Piece, Rhythm, bridged, ink_field, with_dashes_between
+from gaussiancad_core.sheet.geometry import Circle, Line
+from gaussiancad_core.sheet.runs import (
+    Piece,
+    Rhythm,
+    bridged,
+    ink_field,
+    line_runs,
+    with_dashes_between,
+)
 from gaussiancad_core.views import Linetype
 
 Sketch = Any
@@ -46,3 +53,17 @@ def test_all_pieces_of_a_circle_that_is_mostly_dashed_count() -> None:
     most = Piece(0.0, 0.6 * circle.around, Linetype.HIDDEN, 1.0)
     short = Piece(0.8 * circle.around, 0.8 * circle.around + 30.0, Linetype.HIDDEN, 1.0)
     assert with_dashes_between(circle, [most, short], [most], Rhythm(8.5, 5.0)) == [most, short]
+
+
+@pytest.mark.parametrize("length", [6, 3])
+def test_a_short_wide_dash_that_begins_on_an_edge_is_one(length: int) -> None:
+    """Pale dashes, half as wide as they are long, on an edge of five px; less is a blot."""
+    grey = np.full((60, 160), 255, np.uint8)
+    grey[:, 20:24] = 0
+    grey[:, [19, 24]] = 127
+    for start, end in [(24, 25 + length), *((at, at + 9) for at in range(29 + length, 150, 13))]:
+        grey[28:33, start:end] = np.minimum(grey[28:33, start:end], 140)
+        grey[[28, 32], start:end] = np.minimum(grey[[28, 32], start:end], 197)
+    field = ink_field(clean_sheet(grey))
+    runs = line_runs(field, Line((0.0, 30.0), (1.0, 0.0)), 0.0, 159.0)
+    assert (runs[0].start < 29.0) == (length == 6)
