@@ -8,13 +8,14 @@ where their dashes are.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import numpy.typing as npt
 from scipy.special import ndtr
 
 from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.close_strands import Strand, find_bundles, scaled
 from gaussiancad_core.sheet.geometry import Circle, Geometry, Line
 from gaussiancad_core.sheet.jogs import distances_to
 from gaussiancad_core.sheet.junctions import Placed, is_full_circle
@@ -25,19 +26,6 @@ from gaussiancad_core.sheet.shapes import sample
 from gaussiancad_core.views import Linetype
 
 Floats = npt.NDArray[np.float64]
-
-_NEAREST, _PAPER = 0.6, 3.0
-"""Line widths between two lines that are told apart, at least; px of paper between two that pull
-each other, at most."""
-
-_PARALLEL = np.sin(np.radians(2.0))
-"""Sine of the largest angle between two lines beside each other."""
-
-_CONCENTRIC = 1.0
-"""px between the centres of two circles beside each other, at most."""
-
-_SHORTEST = 10.0
-"""px along which two run beside each other, at least."""
 
 _BESIDE, _CLEAR, _AT_END = 2.0, 1.5, 3.0
 """px beside the ink of a bundle that are looked at; px from the ink of other strokes, and from
@@ -67,67 +55,6 @@ _AROUND = 1.0
 """px beside a line's ink that are around it."""
 
 
-@dataclass(frozen=True)
-class _Strand:
-    """A line or circle of a bundle, and where it is drawn.
-
-    Attributes:
-        geometry: px, pixel centres at integers.
-        pieces: of it, all visible or all hidden.
-        dashes: px from where to where a hidden one has ink; None for a visible one.
-    """
-
-    geometry: Line | Circle
-    pieces: tuple[Piece, ...]
-    dashes: tuple[tuple[float, float], ...] | None = None
-
-    @property
-    def kind(self) -> Linetype:
-        """Visible or hidden."""
-        return self.pieces[0].linetype
-
-    def moved(self, values: Floats) -> "_Strand":
-        """With three numbers: px across and radians of turn about its middle, 0; or px of a
-        circle's centre and of its radius."""
-        if isinstance(self.geometry, Circle):
-            x, y = self.geometry.centre
-            centre = (float(x + values[0]), float(y + values[1]))
-            circle = Circle(centre, float(self.geometry.radius + values[2]))
-            factor = circle.radius / self.geometry.radius
-            pieces = tuple(_scaled(piece, factor) for piece in self.pieces)
-            return replace(self, geometry=circle, pieces=pieces)
-        middle = 0.5 * (self.pieces[0].start + self.pieces[-1].end)
-        way = np.array(self.geometry.direction)
-        normal = np.array([-way[1], way[0]])
-        turned = way + np.tan(values[1]) * normal
-        turned /= np.hypot(*turned)
-        at = np.array(self.geometry.at(middle)) + values[0] * normal
-        origin = at - middle * turned
-        line = Line((float(origin[0]), float(origin[1])), (float(turned[0]), float(turned[1])))
-        return replace(self, geometry=line)
-
-    def offsets(self, pixels: Floats, facing: Floats) -> Floats:
-        """(n, 2) pixels -> (n,) px by which the strand lies beside each: signed along ``facing``,
-        or away from the centre; infinite where it is not drawn."""
-        geometry = self.geometry
-        if isinstance(geometry, Circle):
-            around = pixels - np.array(geometry.centre)
-            beside = geometry.radius - np.hypot(*around.T)
-        else:
-            across = geometry.coordinates(pixels)[1]
-            normal = np.array([-geometry.direction[1], geometry.direction[0]])
-            beside = -across * np.sign(normal @ facing)
-        at = geometry.positions(pixels)
-        drawn = np.zeros(len(pixels), bool)
-        solid = ((piece.start, piece.end) for piece in self.pieces)
-        for start, end in solid if self.dashes is None else self.dashes:
-            along = at
-            if np.isfinite(geometry.around):
-                along = start + np.mod(at - start, geometry.around)
-            drawn |= (along >= start) & (along <= end)
-        return np.where(drawn, beside, np.inf)
-
-
 def with_close_fits(
     pieces: Sequence[Placed], ended: Sequence[Placed], sheet: CleanSheet
 ) -> list[Placed]:
@@ -138,8 +65,7 @@ def with_close_fits(
         ended: the same ones with their ends at junctions.
         sheet: the view's ink.
     """
-    strands = _strands(ended)
-    bundles = _bundles(strands, sheet.stroke_width)
+    bundles = find_bundles(ended, sheet.stroke_width)
     if not bundles:
         return list(pieces)
     pens = {
@@ -157,70 +83,16 @@ def with_close_fits(
 
 def _as_long(before: Geometry, after: Geometry, piece: Piece) -> Piece:
     if isinstance(before, Circle) and isinstance(after, Circle):
-        return _scaled(piece, after.radius / before.radius)
+        return scaled(piece, after.radius / before.radius)
     return piece
 
 
-def _scaled(piece: Piece, factor: float) -> Piece:
-    """The piece at the same angles of a circle of another radius."""
-    return Piece(piece.start * factor, piece.end * factor, piece.linetype, piece.confidence)
-
-
-def _strands(ended: Sequence[Placed]) -> list[_Strand]:
-    """The lines and visible circles all of whose pieces are of one linetype."""
-    found: dict[Line | Circle, list[Piece]] = {}
-    for geometry, piece in ended:
-        if isinstance(geometry, Line | Circle):
-            found.setdefault(geometry, []).append(piece)
-    return [
-        _Strand(geometry, tuple(sorted(own, key=lambda piece: piece.start)))
-        for geometry, own in found.items()
-        if len({piece.linetype for piece in own}) == 1
-        and (isinstance(geometry, Line) or own[0].linetype is Linetype.VISIBLE)
-    ]
-
-
-def _bundles(strands: Sequence[_Strand], width: float) -> list[list[_Strand]]:
-    """Strands each of which runs close beside another one of its bundle."""
-    bundles: list[list[_Strand]] = []
-    for strand in strands:
-        beside = [b for b in bundles if any(_run_beside(strand, other, width) for other in b)]
-        bundles = [b for b in bundles if b not in beside]
-        bundles.append([strand, *(other for b in beside for other in b)])
-    return [bundle for bundle in bundles if len(bundle) > 1]
-
-
-def _run_beside(one: _Strand, other: _Strand, width: float) -> bool:
-    # Of two hidden lines whose dashes melt the places are told by these, and their pen is not.
-    if one.kind is other.kind is Linetype.HIDDEN:
-        return False
-    apart = _NEAREST * width, width + _PAPER
-    a, b = one.geometry, other.geometry
-    if isinstance(a, Circle) and isinstance(b, Circle):
-        near = np.hypot(*np.subtract(a.centre, b.centre)) <= _CONCENTRIC
-        return bool(near and apart[0] <= abs(a.radius - b.radius) <= apart[1])
-    if not isinstance(a, Line) or not isinstance(b, Line):
-        return False
-    (x, y), (u, v) = a.direction, b.direction
-    if abs(x * v - y * u) > _PARALLEL:
-        return False
-    for piece in one.pieces:
-        for beside in other.pieces:
-            ends = a.positions(b.points_at(np.array([beside.start, beside.end])))
-            start, end = max(piece.start, float(ends.min())), min(piece.end, float(ends.max()))
-            if end - start >= _SHORTEST:
-                away = b.distances(a.points_at(np.array([start, end])))
-                if apart[0] <= away.min() and away.max() <= apart[1]:
-                    return True
-    return False
-
-
 def _fitted(
-    bundle: Sequence[_Strand],
+    bundle: Sequence[Strand],
     others: Sequence[Placed],
     sheet: CleanSheet,
     pens: Mapping[Linetype, Pen],
-) -> list[_Strand]:
+) -> list[Strand]:
     """The strands as the ink has them; as they are where it does not tell."""
     from scipy.optimize import least_squares
 
@@ -234,7 +106,7 @@ def _fitted(
     own_pens = [pens[own.kind] for own in bundle]
     places = [3 * k + at for k, own in enumerate(free) for at in own]
 
-    def strands(values: Floats) -> list[_Strand]:
+    def strands(values: Floats) -> list[Strand]:
         moves = np.zeros(3 * len(bundle))
         moves[places] = values * scales
         return [own.moved(moves[3 * k : 3 * k + 3]) for k, own in enumerate(bundle)]
@@ -268,14 +140,14 @@ def _fitted(
     return fitted
 
 
-def _facing(strand: _Strand) -> Floats:
+def _facing(strand: Strand) -> Floats:
     if isinstance(strand.geometry, Circle):
         return np.zeros(2)
     x, y = strand.geometry.direction
     return np.array([-y, x])
 
 
-def _dashed(strand: _Strand, sheet: CleanSheet, pens: Mapping[Linetype, Pen]) -> _Strand:
+def _dashed(strand: Strand, sheet: CleanSheet, pens: Mapping[Linetype, Pen]) -> Strand:
     """A hidden strand with its dashes, where its ink is more than half of the pen's."""
     if strand.kind is Linetype.VISIBLE:
         return strand
@@ -314,7 +186,7 @@ def _inked(beside: Floats, pens: Sequence[Pen]) -> Floats:
 
 
 def _pixels(
-    bundle: Sequence[_Strand], others: Sequence[Placed], sheet: CleanSheet, pen: Pen
+    bundle: Sequence[Strand], others: Sequence[Placed], sheet: CleanSheet, pen: Pen
 ) -> Floats:
     """(n, 2) pixels on and beside a bundle, clear of other strokes and of its own ends."""
     reach = pen.width / 2.0 + _BESIDE
