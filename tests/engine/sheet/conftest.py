@@ -24,7 +24,9 @@ from gaussiancad_core.sheet.reading import (
     read_views,
     register_views,
 )
-from gaussiancad_core.views import Arc, Linetype, Segment
+from gaussiancad_core.sheet.strokes import classify_strokes
+from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
+from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
 
 Point = tuple[float, float]
 Grey = npt.NDArray[np.uint8]
@@ -107,6 +109,13 @@ class Sketch:
     def grey(self) -> Grey:
         """(h, w) uint8, dark ink on white paper."""
         return np.rint(255.0 * (1.0 - self.weight)).astype(np.uint8)
+
+    def strokes(self) -> tuple[Stroke, ...]:
+        """What is read as one view: all but ten px along the borders."""
+        sheet = clean_sheet(self.grey)
+        height, width = self.weight.shape
+        shapes = find_shapes(sheet, (10.0, 10.0, width - 10.0, height - 10.0))
+        return classify_strokes(shapes, view_rhythm([shapes], sheet.stroke_width))
 
 
 @pytest.fixture(scope="session")

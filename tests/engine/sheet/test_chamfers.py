@@ -4,21 +4,11 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.sheet.chamfers import with_chamfers
-from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.runs import Piece
-from gaussiancad_core.sheet.strokes import classify_strokes
-from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
 from gaussiancad_core.views import Linetype, Segment, Stroke
 
 _LEFT, _TOP, _RIGHT, _BOTTOM = 40.0, 30.0, 340.0, 250.0
-
-
-def _strokes(drawing) -> tuple[Stroke, ...]:  # noqa: ANN001
-    sheet = clean_sheet(drawing.grey)
-    height, width = drawing.weight.shape
-    shapes = find_shapes(sheet, (10.0, 10.0, width - 10.0, height - 10.0))
-    return classify_strokes(shapes, view_rhythm([shapes], sheet.stroke_width))
 
 
 def _ends(stroke: Segment) -> list[tuple[float, float]]:
@@ -46,7 +36,7 @@ def test_an_outline_with_one_chamfer(sketch, width: float, legs: tuple[float, fl
         (_RIGHT, _BOTTOM),
         (_RIGHT, _TOP + down),
     ]
-    found = _strokes(sketch(380, 290).lines(*corners, corners[0], width=width))
+    found = sketch(380, 290).lines(*corners, corners[0], width=width).strokes()
     assert len(found) == 5
     (chamfer,) = _slanted(found)
     assert np.array(_ends(chamfer)) == pytest.approx(np.array([corners[0], corners[4]]), abs=0.6)
@@ -60,7 +50,7 @@ def test_a_chamfer_beside_the_edge_that_it_makes(sketch) -> None:  # noqa: ANN00
     )  # fmt: skip
     drawing.line((_LEFT + 7, _TOP), (_LEFT + 7, _BOTTOM), 3.0)
     slanted = sorted(
-        (_ends(stroke) for stroke in _slanted(_strokes(drawing))), key=lambda e: e[0][1]
+        (_ends(stroke) for stroke in _slanted(drawing.strokes())), key=lambda e: e[0][1]
     )
     assert np.array(slanted) == pytest.approx(
         np.array(
@@ -78,7 +68,7 @@ def test_sharp_corners_and_steps_are_no_chamfers(sketch) -> None:  # noqa: ANN00
         (_LEFT, _TOP), (200.0, _TOP), (200.0, _TOP + 8), (_RIGHT, _TOP + 8),
         (_RIGHT, _BOTTOM), (_LEFT, _BOTTOM), (_LEFT, _TOP),
     ]  # fmt: skip
-    found = _strokes(sketch(380, 290).lines(*corners, width=3.0))
+    found = sketch(380, 290).lines(*corners, width=3.0).strokes()
     assert len(found) == 6
     assert _slanted(found) == []
     assert all(stroke.linetype is Linetype.VISIBLE for stroke in found)
@@ -92,7 +82,7 @@ def test_a_chamfer_beside_its_edge_is_no_arc_as_well(sketch) -> None:  # noqa: A
         (edge, _BOTTOM), (_RIGHT, _BOTTOM), (_RIGHT, _TOP), width=2.6,
     )  # fmt: skip
     drawing.line((edge, _TOP), (edge, _BOTTOM), 2.6)
-    found = _strokes(drawing)
+    found = drawing.strokes()
     assert all(isinstance(stroke, Segment) for stroke in found)
     assert len(found) == 7
 

@@ -5,17 +5,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from gaussiancad_core.sheet.clean import clean_sheet
-from gaussiancad_core.sheet.strokes import classify_strokes
-from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
 from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
-
-
-def _strokes(drawing) -> tuple[Stroke, ...]:  # noqa: ANN001
-    sheet = clean_sheet(drawing.grey)
-    height, width = drawing.weight.shape
-    shapes = find_shapes(sheet, (10.0, 10.0, width - 10.0, height - 10.0))
-    return classify_strokes(shapes, view_rhythm([shapes], sheet.stroke_width))
 
 
 def _upright(strokes: tuple[Stroke, ...]) -> list[float]:
@@ -40,7 +30,7 @@ def test_two_lines_with_little_paper_between(
         drawing.line((x, 30.0), (x, 200.0), width)
     for y in (30.0, 200.0):
         drawing.line((20.0, y), (260.0, y), width)
-    assert _upright(_strokes(drawing)) == pytest.approx([begin, begin + apart], abs=0.15)
+    assert _upright(drawing.strokes()) == pytest.approx([begin, begin + apart], abs=0.15)
 
 
 def test_three_lines_of_which_one_is_shorter(sketch) -> None:  # noqa: ANN001
@@ -51,7 +41,7 @@ def test_three_lines_of_which_one_is_shorter(sketch) -> None:  # noqa: ANN001
     for a, b in pairwise([(20.0, 200.0), (20.0, 30.0), (260.0, 30.0), (260.0, 200.0)]):
         drawing.line(a, b, 3.0)
     drawing.line((20.0, 200.0), (260.0, 200.0), 3.0).line((68.8, 110.0), (260.0, 110.0), 3.0)
-    found = _upright(_strokes(drawing))[1:4]
+    found = _upright(drawing.strokes())[1:4]
     assert found == pytest.approx(places, abs=0.15)
 
 
@@ -59,7 +49,7 @@ def test_two_circles_with_little_paper_between(sketch) -> None:  # noqa: ANN001
     box = [(20.0, 20.0), (220.0, 20.0), (220.0, 220.0), (20.0, 220.0), (20.0, 20.0)]
     drawing = sketch(240, 240).lines(*box)
     drawing.arc((120.3, 118.8), 60.2).arc((120.3, 118.8), 64.1)
-    found = [own for own in _strokes(drawing) if isinstance(own, Arc)]
+    found = [own for own in drawing.strokes() if isinstance(own, Arc)]
     assert sorted(own.radius for own in found) == pytest.approx([60.2, 64.1], abs=0.08)
     centres = np.array([own.centre for own in found]) - 0.5
     assert centres == pytest.approx(np.array([(120.3, 118.8)] * 2), abs=0.08)
@@ -79,6 +69,6 @@ def test_a_hidden_line_beside_a_visible_one(
     for y in np.arange(30.0, 200.0, 18.0):
         for x in (begin + apart, 160.0):
             drawing.line((x, y), (x, min(y + 12.0, 200.0)), hidden)
-    strokes = _strokes(drawing)
+    strokes = drawing.strokes()
     assert _upright(strokes) == pytest.approx([begin, begin + apart, 160.0], abs=0.1)
     assert [own.linetype for own in strokes].count(Linetype.HIDDEN) == 2

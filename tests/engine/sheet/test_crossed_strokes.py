@@ -20,18 +20,9 @@ from gaussiancad_core.sheet.layout import find_layout
 from gaussiancad_core.sheet.reading import read_views
 from gaussiancad_core.sheet.runs import Piece
 from gaussiancad_core.sheet.shadows import without_shadows
-from gaussiancad_core.sheet.strokes import classify_strokes
-from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
 from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
 
 _DASH, _GAP = 12.0, 6.0
-
-
-def _strokes(drawing) -> tuple[Stroke, ...]:  # noqa: ANN001
-    sheet = clean_sheet(drawing.grey)
-    height, width = drawing.weight.shape
-    shapes = find_shapes(sheet, (10.0, 10.0, width - 10.0, height - 10.0))
-    return classify_strokes(shapes, view_rhythm([shapes], sheet.stroke_width))
 
 
 def _framed(sketch):  # noqa: ANN001, ANN202
@@ -91,7 +82,7 @@ def test_a_stroke_across_the_course_of_a_hidden_line_is_no_piece_of_it(sketch) -
     drawing.line((250, 12), (250, 288), 2.5)
     # At eleven degrees, as a shallow roof beside a hidden edge.
     drawing.lines((250, 92), (330, 107.5), (330, 200), (250, 215), width=2.5)
-    found = _strokes(drawing)
+    found = drawing.strokes()
     beyond = [
         s
         for s in found
@@ -144,7 +135,7 @@ def test_a_hidden_leg_of_a_dash_is_told_by_its_corners(sketch) -> None:  # noqa:
     drawing.broken((187, 100), (187, 202), (_DASH, _GAP), 1.5)
     for y in (100, 202):
         drawing.line((187, y), (191, y), 1.5).line((196, y), (200, y), 1.5)
-    found = _hidden(_strokes(drawing))
+    found = _hidden(drawing.strokes())
     legs = [ends for ends in found if ends[0] < 200 and ends[1] == ends[3]]
     assert len(legs) == 2
     assert np.array(legs) == pytest.approx(
@@ -162,7 +153,7 @@ def test_a_wide_gap_between_two_corners_parts_a_hidden_line(sketch) -> None:  # 
     drawing.line((150, 52), (150, 64), 1.5)
     drawing.line((150, 113), (150, 125), 1.5).line((150, 131), (150, 143), 1.5)
     drawing.line((150, 149), (150, 161), 1.5)
-    upright = [ends for ends in _hidden(_strokes(drawing)) if ends[0] == ends[2]]
+    upright = [ends for ends in _hidden(drawing.strokes()) if ends[0] == ends[2]]
     assert len(upright) == 2
     assert np.array(upright)[:, [1, 3]] == pytest.approx(np.array([[52, 100], [113, 161]]), abs=2.0)
 
@@ -221,7 +212,7 @@ def test_the_last_dash_of_a_line_may_lie_across_two_others(sketch) -> None:  # n
     drawing.broken((120, bottom), (120 + 9 * _DASH + 8 * _GAP, bottom), (_DASH, _GAP), 2.5)
     (upright,) = [
         s
-        for s in _strokes(drawing)
+        for s in drawing.strokes()
         if isinstance(s, Segment)
         and s.linetype is Linetype.HIDDEN
         and abs(s.start[0] - s.end[0]) < 1.0

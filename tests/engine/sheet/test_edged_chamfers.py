@@ -3,19 +3,9 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.sheet.clean import clean_sheet
-from gaussiancad_core.sheet.strokes import classify_strokes
-from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
 from gaussiancad_core.views import Segment, Stroke
 
 _LEFT, _TOP, _RIGHT, _BOTTOM = 40.3, 30.6, 340.2, 250.9
-
-
-def _strokes(drawing) -> tuple[Stroke, ...]:  # noqa: ANN001
-    sheet = clean_sheet(drawing.grey)
-    height, width = drawing.weight.shape
-    shapes = find_shapes(sheet, (10.0, 10.0, width - 10.0, height - 10.0))
-    return classify_strokes(shapes, view_rhythm([shapes], sheet.stroke_width))
 
 
 def _ends(stroke: Segment) -> list[tuple[float, float]]:
@@ -46,7 +36,7 @@ def _rod(sketch, across: float, down: float, width: float):  # noqa: ANN001, ANN
     ("width", "leg"), [(2.0, 3.0), (2.5, 3.6), (3.0, 3.6), (3.0, 4.4), (4.0, 4.8), (4.0, 6.0)]
 )
 def test_an_even_chamfer(sketch, width: float, leg: float) -> None:  # noqa: ANN001
-    slanted = _slanted(_strokes(_rod(sketch, leg, leg, width)))
+    slanted = _slanted(_rod(sketch, leg, leg, width).strokes())
     true = [
         [(_LEFT, _TOP + leg), (_LEFT + leg, _TOP)],
         [(_LEFT, _BOTTOM - leg), (_LEFT + leg, _BOTTOM)],
@@ -55,7 +45,7 @@ def test_an_even_chamfer(sketch, width: float, leg: float) -> None:  # noqa: ANN
 
 
 def test_a_steep_chamfer(sketch) -> None:  # noqa: ANN001
-    slanted = _slanted(_strokes(_rod(sketch, 5.0, 9.0, 3.0)))
+    slanted = _slanted(_rod(sketch, 5.0, 9.0, 3.0).strokes())
     true = [
         [(_LEFT, _TOP + 9.0), (_LEFT + 5.0, _TOP)],
         [(_LEFT, _BOTTOM - 9.0), (_LEFT + 5.0, _BOTTOM)],
@@ -72,6 +62,6 @@ def test_a_line_beside_a_square_end_is_no_edge_of_a_chamfer(
     corners = [(_LEFT, _TOP), (_RIGHT, _TOP), (_RIGHT, _BOTTOM), (_LEFT, _BOTTOM), (_LEFT, _TOP)]
     drawing = sketch(380, 290).lines(*corners, width=width)
     drawing.line((_LEFT + away, _TOP), (_LEFT + away, _BOTTOM), width)
-    found = _strokes(drawing)
+    found = drawing.strokes()
     assert _slanted(found) == []
     assert len(found) == 5

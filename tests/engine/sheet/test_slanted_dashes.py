@@ -3,20 +3,10 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.sheet.clean import clean_sheet
-from gaussiancad_core.sheet.strokes import classify_strokes
-from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
 from gaussiancad_core.views import Linetype, Segment, Stroke
 
 _RHYTHM = (12.0, 6.0)
 _LEFT, _RIGHT, _TOP = 182.0, 218.0, 60.0
-
-
-def _strokes(drawing) -> tuple[Stroke, ...]:  # noqa: ANN001
-    sheet = clean_sheet(drawing.grey)
-    height, width = drawing.weight.shape
-    shapes = find_shapes(sheet, (10.0, 10.0, width - 10.0, height - 10.0))
-    return classify_strokes(shapes, view_rhythm([shapes], sheet.stroke_width))
 
 
 def _block(sketch):  # noqa: ANN001, ANN202
@@ -51,7 +41,7 @@ def test_a_cone_of_one_dash_up_to_an_edge(sketch, away: float) -> None:  # noqa:
         [(_LEFT - away, 12.0), (_LEFT, top)],
         [(_RIGHT, top), (_RIGHT + away, 12.0)],
     ]
-    assert np.array(_slanted(_strokes(drawing))) == pytest.approx(np.array(cones), abs=1.0)
+    assert np.array(_slanted(drawing.strokes())) == pytest.approx(np.array(cones), abs=1.0)
 
 
 @pytest.mark.parametrize("high", [14.0, 16.0, 18.0])
@@ -64,7 +54,7 @@ def test_the_tip_of_a_drill(sketch, high: float) -> None:  # noqa: ANN001
         drawing.line(tip, tuple(tip + 9.0 * way), 2.0)
         drawing.line(tuple(tip + 14.0 * way), corner, 2.0)
     sides = [[(_LEFT, _TOP), tip], [tip, (_RIGHT, _TOP)]]
-    assert np.array(_slanted(_strokes(drawing))) == pytest.approx(np.array(sides), abs=1.2)
+    assert np.array(_slanted(drawing.strokes())) == pytest.approx(np.array(sides), abs=1.2)
 
 
 @pytest.mark.parametrize(
@@ -76,7 +66,7 @@ def test_other_ink_is_no_slant(sketch, blot) -> None:  # noqa: ANN001
     if blot is not None:
         drawing.line(*blot, 2.0)
     corners = [(_LEFT, _TOP), (_RIGHT, _TOP)]
-    ends = [end for slant in _slanted(_strokes(drawing)) for end in slant]
+    ends = [end for slant in _slanted(drawing.strokes()) for end in slant]
     assert all(np.hypot(*np.subtract(end, corner)) > 20 for end in ends for corner in corners)
 
 
@@ -86,5 +76,5 @@ def test_specks_make_no_tip(sketch) -> None:  # noqa: ANN001
     for x in (_LEFT + 6.0, _RIGHT - 6.0):
         drawing.line((x - 1.5, _TOP - 6.0), (x + 1.5, _TOP - 6.0), 2.0)
     corners = [(_LEFT, _TOP), (_RIGHT, _TOP)]
-    ends = [end for slant in _slanted(_strokes(drawing)) for end in slant]
+    ends = [end for slant in _slanted(drawing.strokes()) for end in slant]
     assert all(np.hypot(*np.subtract(end, corner)) > 4 for end in ends for corner in corners)
