@@ -98,7 +98,10 @@ class Conventions:
 
 
 def foreign_sheet(
-    lines: PartLines, how: Conventions, projection: Projection = Projection.THIRD
+    lines: PartLines,
+    how: Conventions,
+    projection: Projection = Projection.THIRD,
+    turned: float = 0.0,
 ) -> Sheet:
     """The views of a part.
 
@@ -106,6 +109,8 @@ def foreign_sheet(
         lines: of the views.
         how: it looks.
         projection: decides where the views stand.
+        turned: degrees that everything is turned by on the sheet, clockwise; the views of the
+            result are told as they were before.
     """
     views, scale = _placed(lines, how, projection)
     # What is drawn later lies above: the hidden lines of all views come first.
@@ -127,7 +132,9 @@ def foreign_sheet(
         )
     picture = (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{how.width}" height="{how.height}">'
-        f'<rect width="{how.width}" height="{how.height}" fill="white"/>{"".join(body)}</svg>'
+        f'<rect width="{how.width}" height="{how.height}" fill="white"/>'
+        f'<g transform="rotate({turned} {how.width / 2} {how.height / 2})">'
+        f"{''.join(body)}</g></svg>"
     )
     drawn = Image.open(BytesIO(bytes(resvg_py.svg_to_bytes(svg_string=picture))))
     return Sheet(np.asarray(drawn.convert("RGB")), 1.0 / scale, projection, views)

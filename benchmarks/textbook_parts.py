@@ -3,10 +3,11 @@
 Nearly forty families of parts, such as a bearing block, a crank, a V-block, each with measures by
 lot: round ones, or hundredths of a millimetre with ``--odd``.  OpenCASCADE removes the hidden
 lines.  The sheet is a DXF file, or a picture as other programs draw it, without or with dimensions,
-in first or third angle, of which the engine is told nothing but the longest extent.
+or a scan or photocopy of such a sheet, in first or third angle, of which the engine is told nothing
+but the longest extent.
 
     .venv/bin/python benchmarks/textbook_parts.py [--families NAME ...] [--seeds N ...] [--odd]
-        [--sheets dxf picture dimensioned] [--told] [--limit S] [--workers N]
+        [--sheets dxf picture dimensioned scan photocopy] [--told] [--limit S] [--workers N]
         [--json FILE] [--resume] [--keep DIR]
 
 A solid is ``exact`` if it is valid and its volume IoU with the truth is .999 at least; ``false``

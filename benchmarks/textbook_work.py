@@ -3,12 +3,13 @@
 import json
 import tempfile
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from enum import Enum
 from pathlib import Path
 from random import Random
 from zlib import crc32
 
+import numpy as np
 from exact_measures import closeness, mirrored_alike
 from foreign_sheets import Conventions, foreign_sheet
 from textbook_blocks import BLOCKS
@@ -23,7 +24,9 @@ from gaussiancad_core.axes import Axis, Projection
 from gaussiancad_core.cli.libraries import silence_opencascade
 from gaussiancad_core.drawing.brep import faces_of, read_solid
 from gaussiancad_core.drawing.command import write_image
+from gaussiancad_core.drawing.degrade import finished
 from gaussiancad_core.drawing.sheet import PartLines
+from gaussiancad_core.drawing.style import PRESETS
 from gaussiancad_core.events import Silence
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import ResultKind
@@ -40,11 +43,21 @@ _MEASURING_S = 120.0
 
 
 class SheetKind(Enum):
-    """What the engine gets: lines of a file, or a picture, without or with dimensions."""
+    """What the engine gets: lines of a file, or a picture, without or with dimensions, or on paper.
+
+    What was on paper has black lines, is turned, blurred and noisy, and is a JPEG file.
+    """
 
     DXF = "dxf"
     PICTURE = "picture"
     DIMENSIONED = "dimensioned"
+    SCAN = "scan"
+    PHOTOCOPY = "photocopy"
+
+    @property
+    def on_paper(self) -> bool:
+        """Whether it came through a scanner."""
+        return self in (SheetKind.SCAN, SheetKind.PHOTOCOPY)
 
 
 @dataclass(frozen=True)
@@ -134,8 +147,17 @@ def draw(task: Task, lines: PartLines, folder: Path) -> Path:
         path = folder / "sheet.dxf"
         write_dxf(lines, task.projection, path)
         return path
+    seed = crc32(task.name.encode())
     dimensioned = task.kind is SheetKind.DIMENSIONED
-    how = Conventions.drawn_by_lot(crc32(task.name.encode()), dimensioned=dimensioned)
+    how = Conventions.drawn_by_lot(seed, dimensioned=dimensioned)
+    if task.kind.on_paper:
+        style = PRESETS[task.kind.value]
+        askew = style.skew * Random(f"{task.name} askew").uniform(-1.0, 1.0)
+        sheet = foreign_sheet(lines, replace(how, grey=0), task.projection, askew)
+        ink = 1.0 - sheet.image[..., 0].astype(np.float32) / 255.0
+        path = folder / "sheet.jpg"
+        write_image(finished(ink, style, seed), path, style.jpeg_quality)
+        return path
     path = folder / "sheet.png"
     write_image(foreign_sheet(lines, how, task.projection).image, path)
     return path

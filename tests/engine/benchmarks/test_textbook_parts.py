@@ -1,5 +1,6 @@
 """Parts of textbooks: their families, their drawing, their sheets."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +10,7 @@ from textbook_drawing import textbook_lines
 from textbook_dxf import write_dxf
 from textbook_modelling import Family, Lot, belt, milled_slot
 from textbook_parts import _mistaken
-from textbook_work import FAMILIES, SheetKind, Task, worked
+from textbook_work import FAMILIES, SheetKind, Task, draw, worked
 
 from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.drawing.brep import bounding_box, faces_of, volume
@@ -104,6 +105,19 @@ def test_a_sheet_is_solved_and_measured(tmp_path: Path) -> None:
         row |= bit
     assert row["exact"] and row["status"] == "verified" and not row["mistaken"]
     assert (tmp_path / "dxf" / "wedge-4" / "solid.step").is_file()
+
+
+@pytest.mark.parametrize("kind", [SheetKind.SCAN, SheetKind.PHOTOCOPY])
+def test_sheets_on_paper_are_turned_and_noisy(kind: SheetKind, tmp_path: Path) -> None:
+    lines = textbook_lines(FAMILIES["wedge"].part(4))
+    task = Task("wedge", 4, False, kind, told=True, limit=60.0)
+    grey = read_sheet(draw(task, lines, tmp_path)).grey
+    plain = read_sheet(draw(replace(task, kind=SheetKind.PICTURE), lines, tmp_path)).grey
+    assert grey.shape == plain.shape
+    # Paper is not of one shade, and level lines are level no more; copies have dark borders.
+    assert grey[grey > 128].std() > 1.0
+    longest = [(sheet[100:-100, 100:-100] < 128).sum(axis=1).max() for sheet in (grey, plain)]
+    assert longest[0] < 0.9 * longest[1]
 
 
 def test_mistaken_projections_are_named() -> None:
