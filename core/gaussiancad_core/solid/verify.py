@@ -27,6 +27,9 @@ _LEAST = 1e-3
 _FLAW = 2.5
 """Matching tolerances of line in one place from which a disagreement counts."""
 
+_SEEN = 1.0
+"""The same for a line of the sheet: nothing of it may be missing, where it is not just beside."""
+
 _UNREAD = 8.0
 """Tolerances of a hidden line, less what lies at its ends near others, up to which a picture may
 not tell it: it is one dash at most."""
@@ -151,8 +154,9 @@ def verify(
         found = matched[role] = match_lines(strokes, lines, tolerance)
         spread = max(spread, _spread(strokes, lines, tolerance, _TELLING * tolerance))
         unread = max(least, _UNREAD * views.tolerance)
+        seen = max(_SEEN * tolerance, _SMALLEST_FLAW * max(views.size))
         for points, agree, missing, shortest in (
-            (found.sheet.visible, found.visible_found, True, least),
+            (found.sheet.visible, found.visible_found, True, seen),
             (found.sheet.hidden, found.hidden_found, True, least),
             (found.result.visible, found.visible_explained, False, least),
             (found.result.hidden, found.hidden_explained, False, unread),

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from OCP.BRep import BRep_Builder
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
@@ -13,7 +14,7 @@ from OCP.TopoDS import TopoDS_Compound, TopoDS_Shape
 from gaussiancad_core.axes import Role
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.solid.verify import matching_tolerance, verify
-from gaussiancad_core.views import Linetype
+from gaussiancad_core.views import Arc, Linetype
 
 Draw = Callable[..., DrawnViews]
 
@@ -103,6 +104,17 @@ def test_a_hidden_line_of_a_dash_may_be_missing_in_a_picture(
     found = verify(solid, replace(exact, strokes=strokes, tolerance=0.5))
     assert bool(found.flaws) == told
     assert not any(flaw.missing for flaw in found.flaws)
+
+
+def test_what_little_was_read_of_a_rounding_is_not_overlooked(drawn: Draw) -> None:
+    """Half an arc in a corner lies beside its lines by four pixels, at its end alone."""
+    solid = _box(0, 0, 0, 40, 30, 20)
+    views = replace(drawn(solid), tolerance=0.5)
+    radius = 17.0 * views.tolerance
+    arc = Arc((radius, radius), radius, np.pi, 0.25 * np.pi, Linetype.VISIBLE)
+    front = (*views.strokes[Role.FRONT], arc)
+    found = verify(solid, replace(views, strokes={**views.strokes, Role.FRONT: front}))
+    assert [(flaw.role, flaw.missing) for flaw in found.flaws] == [(Role.FRONT, True)]
 
 
 @pytest.mark.parametrize(("length", "close"), [(6.0, True), (38.0, False)])
