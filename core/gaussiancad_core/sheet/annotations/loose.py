@@ -53,6 +53,9 @@ _LED_PX = 30.0
 _FREE_AHEAD = (0.0, 5.0)
 """px ahead of a line's end, somewhere in which paper shows if the end is free."""
 
+_OUTLINED = 0.1
+"""Share of all that lies within outlines that a view makes whose outline was open, at least."""
+
 _BEND_PX = 3.0
 """px beside a line's end in which a rounding goes on."""
 
@@ -84,12 +87,14 @@ class LooseRule:
         bridge: px; gaps of fewer do not open an outline.
         faded: px; what parts two areas once gaps of fewer are closed stays as well.  Between lines
             closer than that nothing is known, and ``bridge`` counts.
+        corners: whether an outline may be open at corners, before which both lines end.
     """
 
     shortest: float
     everywhere: bool
     bridge: int = _BRIDGE_PX
     faded: int = 0
+    corners: bool = False
 
 
 def split_loose(
@@ -103,7 +108,7 @@ def split_loose(
         rule: which of the runs that part nothing are marked.
     """
     # An outline that faded somewhere still parts the view from the paper.
-    areas = blank_areas(ink, rule.bridge)
+    areas = (outlined_areas if rule.corners else blank_areas)(ink, rule.bridge)
     faded = blank_areas(ink, rule.faded).labels if rule.faded else None
     cut: list[InkedShape] = []
     cut_kinds: Kinds = []
@@ -189,6 +194,27 @@ def blank_areas(ink: Mask, bridge: int) -> BlankAreas:
     _, labels, facts, _ = cv2.connectedComponentsWithStats(1 - closed, connectivity=4)
     paper = 1 + int(np.argmax(facts[1:, cv2.CC_STAT_AREA])) if len(facts) > 1 else -1
     return BlankAreas(labels, paper)
+
+
+def outlined_areas(ink: Mask, bridge: int) -> BlankAreas:
+    """The same, even if the outline of a view is open at a corner, before which both lines end.
+
+    Squares that fit in on either side of such a gap overlap, so that closing leaves it open.  What
+    counts is where a disc can go: it also cannot go between a rounding and the extension lines that
+    meet at its sharp corner, so that the areas are taken only where a whole view was open.
+    """
+    areas = blank_areas(ink, bridge)
+    disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (bridge, bridge))
+    beside = cv2.dilate(ink.astype(np.uint8), disc)
+    _, nearest = cv2.distanceTransformWithLabels(beside, cv2.DIST_L2, cv2.DIST_MASK_5)
+    labels = np.where(areas.labels > 0, nearest, 0)
+    sizes = np.bincount(labels.ravel())
+    sizes[0] = 0
+    paper = int(np.argmax(sizes))
+    was_open = np.bincount(labels[areas.labels == areas.paper], minlength=len(sizes))
+    was_open[paper] = 0
+    enclosed = sizes.sum() - sizes[paper]
+    return BlankAreas(labels, paper) if was_open.max() > _OUTLINED * enclosed else areas
 
 
 def _is_led_in(shape: InkedShape, run: InkedRun, parts: list[tuple[Run, _Side]], ink: Mask) -> bool:

@@ -160,8 +160,12 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
         part = masked(part, ~boxes)
     else:
         # Beside wide gaps in a faded outline nothing else is looked for that they could close.
-        bridge = 2 * int(_WIDEST_FADED * sheet.stroke_width) + 1
-        rule = LooseRule(_SHORTEST_MARK * sheet.stroke_width, everywhere=False, bridge=bridge)
+        rule = LooseRule(
+            _SHORTEST_MARK * sheet.stroke_width,
+            everywhere=False,
+            bridge=2 * int(_WIDEST_FADED * sheet.stroke_width) + 1,
+            corners=True,
+        )
         known = Told(shapes, kinds, unexplained)
         left = with_open_sides(erased(sheet, known).ink, known, sheet.stroke_width)
         told = Told(*split_loose(shapes, kinds, left, rule), unexplained)

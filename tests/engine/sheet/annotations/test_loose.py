@@ -1,5 +1,6 @@
 """What bounds nothing on sheets whose lines are all of one width, and what looks as if it did."""
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -169,3 +170,17 @@ def test_sharp_corners_do_not_stick_out(sketch: Sketch, degrees: int) -> None:
     separated = separate_annotations(sheet)
     assert separated.marks == ()
     assert np.array_equal(separated.part.weight, sheet.weight)
+
+
+@pytest.mark.parametrize("short", [0.0, 4.0, 7.0])
+def test_an_outline_whose_lines_end_short_of_the_corners_bounds_the_view(
+    sketch: Sketch, short: float
+) -> None:
+    corners = [(40, 40), (140, 40), (140, 180), (420, 180), (420, 260), (40, 260)]
+    drawn = sketch(900, 700)
+    for start, end in pairwise([*corners, corners[0]]):
+        along = np.sign(np.subtract(end, start)) * short
+        drawn.line(tuple(start + along), tuple(end - along), 3.0)
+    # A line that is too long sticks out, and is no annotation for all that.
+    drawn.line((420, 180), (420, 175), 3.0)
+    assert separate_annotations(clean_sheet(drawn.grey)).marks == ()
