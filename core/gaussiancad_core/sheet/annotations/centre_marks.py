@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from itertools import combinations, pairwise, product
 
 import numpy as np
+from scipy.ndimage import map_coordinates
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.dotted_arms import has_dotted_arms
@@ -25,6 +26,7 @@ from gaussiancad_core.sheet.annotations.marks import Mask
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.line_widths import run_width
+from gaussiancad_core.sheet.runs import Run
 
 _OFF = 2.0
 """px by which a mark may miss its circle's centre: programs that draw on whole pixels put a line
@@ -52,6 +54,12 @@ _NARROW = 0.82
 _UNBROKEN = 9.0
 """Length of these lines at least, in stroke widths: no dash is as long."""
 
+_BROKEN = 4.0
+"""Gap where the other line of a cross breaks one at most, in stroke widths."""
+
+_PAPER = 0.35
+"""Weight of ink under which it is paper."""
+
 _AHEAD = (1.5, 5.0)
 """px ahead of a line's ink where there is nothing if its end is free."""
 
@@ -65,21 +73,27 @@ _BESIDE = 2.0
 
 @dataclass(frozen=True)
 class _Ray:
-    """A straight run whose line leads through a circle's centre.
+    """A straight run whose line leads through a circle's centre, or two on either side of it.
 
     Attributes:
-        shape, run: its numbers.
+        shape: its number.
+        runs: their numbers.
         line: that it lies on.
         start, end: px along it from the centre.
         zero: position of the centre along the line.
     """
 
     shape: int
-    run: int
+    runs: tuple[int, ...]
     line: Line
     start: float
     end: float
     zero: float
+
+    def tell(self, kinds: Kinds) -> None:
+        """Make it a centre line, in place."""
+        for run in self.runs:
+            kinds[self.shape][run] = AnnotationKind.CENTRE_LINE
 
 
 def mark_centre_marks(shapes: list[InkedShape], kinds: Kinds, sheet: CleanSheet) -> None:
@@ -101,23 +115,26 @@ def mark_centre_marks(shapes: list[InkedShape], kinds: Kinds, sheet: CleanSheet)
     ]
     marks: list[FreeMark] = []
     for circle in circles:
-        rays = [ray for ray in _rays(circle, shapes) if kinds[ray.shape][ray.run] is None]
+        # One line of a mark may be known by its pen or its rhythm, and tells the other.
+        rays = list(_rays(circle, shapes, stroke_width))
         free = {
             ray
             for ray in rays
-            if _is_free(ray, circle, ink, stroke_width) and not _ends_at(ray, circle, stroke_width)
+            if (
+                _is_free(ray, circle, ink, stroke_width) and not _ends_at(ray, circle, stroke_width)
+            )
+            or _ends_before(ray, circle, sheet)
         }
         for one, other in combinations([ray for ray in rays if _is_even(ray, ray)], 2):
             found = _mark(one, other, rays, free) or _dotted(one, other, circle, sheet)
             for ray in found:
-                kinds[ray.shape][ray.run] = AnnotationKind.CENTRE_LINE
+                ray.tell(kinds)
             if found:
                 marks.append(_free_mark(circle, found))
         # Last, so that those that stand free tell the form.
-        rays = [ray for ray in rays if kinds[ray.shape][ray.run] is None]
         beyond = _beyond(circle, rays, ink, stroke_width)
         for ray in (*beyond, *_narrow(rays, circle, shapes, sheet)):
-            kinds[ray.shape][ray.run] = AnnotationKind.CENTRE_LINE
+            ray.tell(kinds)
     armed = learned_form(marks)
     for form in (*([] if armed is None else [armed]), *whole_forms(marks, circles)):
         mark_by_form(shapes, kinds, ink, form, circles)
@@ -179,7 +196,8 @@ def _narrow(
     even = _EVEN + sheet.stroke_width
     lines = []
     for ray in rays:
-        run = shapes[ray.shape].runs[ray.run].run
+        own = shapes[ray.shape].runs
+        run = Run(own[ray.runs[0]].run.start, own[ray.runs[-1]].run.end)
         if ray.start < 0.0 < ray.end and run.length > longest and abs(ray.start + ray.end) <= even:
             width = run_width(sheet, ray.line, run, edges=True)
             lines += [ray] if width <= widest else []
@@ -239,8 +257,9 @@ def _leaves_freely(
     return _end_is_free(ray, (at, way) if same else (-at, -way), ink, stroke_width)
 
 
-def _rays(circle: Circle, shapes: Sequence[InkedShape]) -> Iterator[_Ray]:
-    """The straight runs whose lines lead through a circle's centre."""
+def _rays(circle: Circle, shapes: Sequence[InkedShape], stroke_width: float) -> Iterator[_Ray]:
+    """The straight runs whose lines lead through a circle's centre, and both sides of those that
+    the other line of a small pale cross breaks there."""
     centre = np.array([circle.centre])
     for k, shape in enumerate(shapes):
         line = shape.geometry
@@ -251,7 +270,11 @@ def _rays(circle: Circle, shapes: Sequence[InkedShape]) -> Iterator[_Ray]:
             continue
         zero = float(along[0])
         for i, own in enumerate(shape.runs):
-            yield _Ray(k, i, line, own.run.start - zero, own.run.end - zero, zero)
+            yield _Ray(k, (i,), line, own.run.start - zero, own.run.end - zero, zero)
+        for i, (one, other) in enumerate(pairwise(shape.runs)):
+            broken = one.run.end < zero < other.run.start
+            if broken and other.run.start - one.run.end <= _BROKEN * stroke_width:
+                yield _Ray(k, (i, i + 1), line, one.run.start - zero, other.run.end - zero, zero)
 
 
 def _is_even(one: _Ray, other: _Ray) -> bool:
@@ -295,6 +318,21 @@ def _ends_at(ray: _Ray, circle: Circle, stroke_width: float) -> bool:
     """Whether a run ends at its circle."""
     away = [abs(abs(end) - circle.radius) for end in (ray.start, ray.end)]
     return min(away) <= stroke_width + _AT_CIRCLE
+
+
+def _ends_before(ray: _Ray, circle: Circle, sheet: CleanSheet) -> bool:
+    """Whether both ends of a run are within its circle and paper shows before that: an edge that
+    ends there touches it."""
+    line = ray.line
+    for place, outward in (ray.start, -1.0), (ray.end, 1.0):
+        if not 0.0 < outward * place < circle.radius:
+            return False
+        ahead = np.arange(place, outward * circle.radius, 0.25 * outward)
+        points = np.array([line.at(ray.zero + at) for at in ahead])
+        paper = map_coordinates(sheet.weight, points[:, ::-1].T, order=1, mode="nearest")
+        if paper.min() > _PAPER:
+            return False
+    return True
 
 
 def _is_free(ray: _Ray, circle: Circle, ink: Mask, stroke_width: float) -> bool:

@@ -67,7 +67,8 @@ def spare_lone_dashes(
         if not isinstance(shape.geometry, Line):
             continue
         for k, run in enumerate(shape.runs):
-            if own[k] is None or not _is_lone(shape.runs, k, rhythm):
+            # The lines of a centre mark are told by their places, however short they are.
+            if own[k] is not AnnotationKind.EXTENSION or not _is_lone(shape.runs, k, rhythm):
                 continue
             if _leads_on(shape.geometry, run, ink, tree, (rhythm, stroke_width)):
                 own[k] = None

@@ -6,8 +6,12 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.centre_marks import mark_centre_marks
+from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
 from gaussiancad_core.sheet.annotations.separate import separate_annotations
 from gaussiancad_core.sheet.clean import clean_sheet
+from gaussiancad_core.sheet.geometry import Circle, Line
+from gaussiancad_core.sheet.runs import Run
 
 Sketch = Any
 """The class that the fixture gives."""
@@ -45,7 +49,7 @@ def test_a_mark_goes_and_the_circle_stays(sketch: Sketch, arms: tuple, turned: f
     assert (left & wanted).sum() > 0.99 * wanted.sum()
 
 
-@pytest.mark.parametrize(("across", "gone"), [(14.0, True), (22.0, False)])
+@pytest.mark.parametrize(("across", "gone"), [(14.0, True), (20.0, True), (22.0, False)])
 def test_a_cross_in_a_small_circle_ends_freely_before_it(
     sketch: Sketch, across: float, gone: bool
 ) -> None:
@@ -117,6 +121,22 @@ def test_a_narrow_cross_may_end_anywhere(sketch: Sketch, width: float, reach: fl
     marks = separate_annotations(clean_sheet(drawn.grey), by_weight=False).marks
     kinds = [mark.kind for mark in marks]
     assert kinds == [AnnotationKind.CENTRE_LINE] * (2 if width < 3.0 else 0)
+
+
+@pytest.mark.parametrize("broken", [False, True])
+def test_one_line_that_is_told_tells_the_other(sketch: Sketch, broken: bool) -> None:
+    """A pen tells it, or a rhythm; where the other line crosses, a pale one may break."""
+    drawn = _arm(_arm(_plate(sketch), 0.0, -6.0, 6.0), 1.0, -6.0, 6.0)
+    level = [(-6.0, -3.0), (3.0, 6.0)] if broken else [(-6.0, 6.0)]
+    shapes = [
+        InkedShape(Circle(CENTRE, 40.0), (InkedRun(Run(0.0, 251.0), 3.0),)),
+        InkedShape(Line(CENTRE, (1.0, 0.0)), tuple(InkedRun(Run(a, b), 3.0) for a, b in level)),
+        InkedShape(Line(CENTRE, (0.0, 1.0)), (InkedRun(Run(-6.0, 6.0), 1.5),)),
+    ]
+    kinds = [[None], [None] * len(level), [AnnotationKind.EXTENSION]]
+    mark_centre_marks(shapes, kinds, clean_sheet(drawn.grey))
+    centre = AnnotationKind.CENTRE_LINE
+    assert kinds == [[None], [centre] * len(level), [centre]]
 
 
 @pytest.mark.parametrize("edge", ["to the circle", "off the centre", "alone", "uneven"])

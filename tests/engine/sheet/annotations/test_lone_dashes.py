@@ -59,6 +59,15 @@ def test_a_dash_between_two_edges(pieces: list[tuple[float, float]], spared: boo
     assert kinds[-1] == [EXTENSION] * len(pieces)
 
 
+def test_a_centre_mark_as_wide_as_edges_is_no_dash() -> None:
+    """Its own ends would be those of an edge."""
+    centre = AnnotationKind.CENTRE_LINE
+    shapes = [*PLATE, DASHES, _level(120.0, (94.0, 106.0), width=3.0)]
+    kinds = [[None] * len(shape.runs) for shape in shapes[:-1]] + [[centre]]
+    spare_lone_dashes(shapes, kinds, np.zeros((220, 220), bool), WEIGHTS, WIDTH)
+    assert kinds[-1] == [centre]
+
+
 @pytest.mark.parametrize(
     ("length", "crossed", "spared"),
     [(22.0, False, True), (22.0, True, False), (40.0, False, False)],
