@@ -42,6 +42,13 @@ _GAP = 1.4
 _MET_PX = 2.5
 """px between a dash and the axis of an edge that it meets at most, beyond half a stroke."""
 
+_ALONG, _SLANTED = 0.02, 0.3
+"""Sine of the angle between a line and the sheet's axes at most, for it to be along one, and at
+least, for it to be slanted."""
+
+_OWN_PX = 0.1
+"""px within which a place is on a run."""
+
 _SLACK_PX = 2.0
 """px by which ink at a run's end may be taken for its own, or not."""
 
@@ -63,14 +70,21 @@ def spare_lone_dashes(
         return
     rhythm = _rhythm(shapes, kinds, stroke_width)
     tree = cKDTree(edges)
+    corners = _corner_dashes(shapes, kinds, weights.limit, rhythm)
     for shape, own in zip(shapes, kinds, strict=True):
         if not isinstance(shape.geometry, Line):
             continue
         for k, run in enumerate(shape.runs):
             # The lines of a centre mark are told by their places, however short they are.
-            if own[k] is not AnnotationKind.EXTENSION or not _is_lone(shape.runs, k, rhythm):
+            if own[k] is not AnnotationKind.EXTENSION:
                 continue
-            if _leads_on(shape.geometry, run, ink, tree, (rhythm, stroke_width)):
+            lone = _is_lone(shape.runs, k, rhythm)
+            if lone and _leads_on(shape.geometry, run, ink, tree, (rhythm, stroke_width)):
+                own[k] = None
+                continue
+            # A slanted one seems longer by the ink of the dashes that it meets.
+            lone = _is_lone(shape.runs, k, rhythm, stroke_width)
+            if lone and _cuts_corner(shape.geometry, run, corners, stroke_width):
                 own[k] = None
 
 
@@ -129,12 +143,12 @@ def _rhythm(shapes: Sequence[InkedShape], kinds: Kinds, stroke_width: float) -> 
     return learn_rhythm(series, stroke_width)
 
 
-def _is_lone(runs: Sequence[InkedRun], k: int, rhythm: Rhythm) -> bool:
-    """Whether a run is as short as a dash, and no other of its line is near."""
+def _is_lone(runs: Sequence[InkedRun], k: int, rhythm: Rhythm, more: float = 0.0) -> bool:
+    """Whether a run is as short as a dash and so many px, and no other of its line is near."""
     run, near = runs[k].run, 2.0 * _GAP * rhythm.gap
     before = k > 0 and run.start - runs[k - 1].run.end < near
     after = k + 1 < len(runs) and runs[k + 1].run.start - run.end < near
-    return run.length <= _LONGEST * rhythm.dash and not before and not after
+    return run.length <= _LONGEST * rhythm.dash + more and not before and not after
 
 
 def _leads_on(
@@ -151,6 +165,46 @@ def _leads_on(
         for place, way in ends
     ]
     return any(meets) and all(one or other for one, other in zip(meets, inked, strict=True))
+
+
+def _corner_dashes(
+    shapes: Sequence[InkedShape], kinds: Kinds, limit: float, rhythm: Rhythm
+) -> tuple[Floats, Floats]:
+    """(n, 2) px where narrow dashes along the sheet's axes end, and (m, 2) px on annotations."""
+    ends, others = [np.empty((0, 2))], [np.empty((0, 2))]
+    for shape, own in zip(shapes, kinds, strict=True):
+        for run, kind in zip(shape.runs, own, strict=True):
+            narrow = run.width is not None and run.width < limit
+            if kind is not None:
+                others.append(points_along(shape.geometry, run.run, 1.0))
+            elif narrow and run.run.length <= _LONGEST * rhythm.dash and _slant(shape) < _ALONG:
+                ends.append(points_along(shape.geometry, run.run, run.run.length)[[0, -1]])
+    return np.concatenate(ends), np.concatenate(others)
+
+
+def _slant(shape: InkedShape) -> float:
+    """Sine of the angle between a line and the nearer of the sheet's axes; circles have most."""
+    return min(map(abs, shape.geometry.direction)) if isinstance(shape.geometry, Line) else 1.0
+
+
+def _cuts_corner(
+    line: Line, run: InkedRun, corners: tuple[Floats, Floats], stroke_width: float
+) -> bool:
+    """Whether a slanted run begins where a hidden line along an axis ends, as that of a countersink
+    does, and no other annotation is at either of its own ends."""
+    if min(map(abs, line.direction)) < _SLANTED:
+        return False
+    ends = points_along(line, run.run, run.run.length)[[0, -1]]
+    dashes, others = corners
+    near = _MET_PX + stroke_width
+    if not len(dashes) or cKDTree(dashes).query(ends)[0].min() > near:
+        return False
+    along, across = line.coordinates(others)
+    own = (
+        (np.abs(across) <= _OWN_PX) & (along >= run.run.start - 1.0) & (along <= run.run.end + 1.0)
+    )
+    others = others[~own]
+    return not len(others) or float(cKDTree(others).query(ends)[0].min()) > near
 
 
 def _inked(places: Floats, ink: Mask) -> bool:

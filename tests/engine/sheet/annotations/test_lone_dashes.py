@@ -59,6 +59,22 @@ def test_a_dash_between_two_edges(pieces: list[tuple[float, float]], spared: boo
     assert kinds[-1] == [EXTENSION] * len(pieces)
 
 
+@pytest.mark.parametrize("beside", ["nothing", "annotation", "no corner"])
+def test_a_slanted_dash_that_begins_at_a_hidden_corner(beside: str) -> None:
+    """That of a countersink; a stroke of an arrowhead has others beside it."""
+    x = 100.0 if beside != "no corner" else 110.0
+    row = _level(120.0, *((x + 18.0 * k, x + 12.0 + 18.0 * k) for k in range(3)), width=1.8)
+    half = 0.5**0.5
+    slanted = InkedShape(Line((101.0, 121.0), (half, half)), (InkedRun(Run(-14.0, 0.0), 1.8),))
+    shapes = [*PLATE, DASHES, row, slanted]
+    kinds = [[None] * len(shape.runs) for shape in shapes[:-1]] + [[EXTENSION]]
+    if beside == "annotation":
+        shapes.append(_upright(91.0, (80.0, 112.0)))
+        kinds.append([EXTENSION])
+    spare_lone_dashes(shapes, kinds, np.zeros((220, 220), bool), WEIGHTS, WIDTH)
+    assert kinds[len(PLATE) + 2] == [None if beside == "nothing" else EXTENSION]
+
+
 def test_a_centre_mark_as_wide_as_edges_is_no_dash() -> None:
     """Its own ends would be those of an edge."""
     centre = AnnotationKind.CENTRE_LINE
