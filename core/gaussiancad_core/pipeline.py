@@ -222,8 +222,9 @@ class _Run:
         """Hull, Gaussians and surface."""
         from gaussiancad_core import surface_stage
 
-        views = registered.views
         with self.notes.stage("hull"):
+            registered = self._with_whole_outlines(registered, exact)
+            views = registered.views
             hull = surface_stage.make_hull(self.job, views, exact)
             self.notes.tell(hull=surface_stage.hull_report(hull))
         with self.notes.stage("gaussians"):
@@ -238,6 +239,23 @@ class _Run:
             surface = surface_stage.make_surface(training, hull.mesh, self.job, views)
             self.notes.tell(surface=surface_stage.surface_report(surface))
         return Models(registered, training, surface.mesh)
+
+    def _with_whole_outlines(
+        self, registered: RegisteredSheet, exact: "ExactModel | None"
+    ) -> RegisteredSheet:
+        """The views with masks of the exact solid where the ink encloses less, or more."""
+        from gaussiancad_core.solid_outlines import with_solid_outlines
+
+        result = exact.result if exact else None
+        outlined = with_solid_outlines(registered.views, result, self.job.reading.colour)
+        if outlined.closed:
+            names = " and ".join(role.value for role in outlined.closed)
+            self.notes.warn(
+                "outline-of-solid",
+                f"the lines around the {names} view leave gaps: the surface was made with the "
+                "exact solid's outline there",
+            )
+        return replace(registered, views=outlined.views)
 
     def _train(self, hull: "TriangleMesh", views: "ViewSet") -> "TrainingResult":
         from gaussiancad_core import surface_stage

@@ -22,10 +22,10 @@ from gaussiancad_core.views import View
 if TYPE_CHECKING:
     from OCP.TopoDS import TopoDS_Shape
 
-_DEFLECTION = 2e-4
+DEFLECTION = 2e-4
 """Distance of the triangles from their solid, as a share of the longest extent."""
 
-_CHORD = 0.15
+CHORD = 0.15
 """Radians between neighbouring chords of a curve."""
 
 _SMOOTH = np.radians(20.0)
@@ -49,7 +49,7 @@ class CastSolid:
     def __init__(self, shape: "TopoDS_Shape", size: tuple[float, float, float]) -> None:
         from gaussiancad_core.drawing.brep import tessellate
 
-        mesh = make_mesh(*tessellate(shape, _DEFLECTION * max(size), _CHORD))
+        mesh = make_mesh(*tessellate(shape, DEFLECTION * max(size), CHORD))
         self._caster = RayCaster(mesh)
         self._patches = _smooth_patches(mesh)
         self._size = size
