@@ -20,6 +20,12 @@ from gaussiancad_core.sheet.special_views.kinds import SpecialView
 _REACH = 6
 """Ink closer than this many px belongs to the same cluster."""
 
+_ENDS_NEAR = 12
+"""px from either end of a line that touches nothing within which the view's other lines are."""
+
+_THIN = 12.0
+"""px; what is less wide is a line."""
+
 _MIN_SIDE = 12
 """px; clusters smaller than this in both directions are specks."""
 
@@ -123,6 +129,7 @@ def find_clusters(ink: npt.NDArray[np.bool_]) -> list[Box]:
     ]
     frames = [box for box in boxes if _is_frame(box, boxes, width, height)]
     merged = _merge_overlapping([box for box in boxes if box not in frames])
+    merged = _merge_overlapping(_with_lone_lines(merged, ink))
     views = [box for box in merged if max(_width(box), _height(box)) >= _MIN_SIDE]
     return sorted(views, key=lambda box: -_width(box) * _height(box))
 
@@ -161,6 +168,45 @@ def _merge_overlapping(boxes: list[Box]) -> list[Box]:
             current = _union([current, *touching])
         merged.append(current)
     return merged
+
+
+def _with_lone_lines(boxes: list[Box], ink: npt.NDArray[np.bool_]) -> list[Box]:
+    """The boxes, those of views reaching as far as lines that end short of all others."""
+    joined = []
+    for box in boxes:
+        own = _view_beside(box, boxes, ink)
+        joined.append(_union([box, own]) if own is not None else box)
+    return joined
+
+
+def _view_beside(line: Box, boxes: list[Box], ink: npt.NDArray[np.bool_]) -> Box | None:
+    """The view whose other lines are near both ends of a line, and of nothing else of it."""
+    x0, y0, x1, y1 = line
+    across, length = sorted((_width(line), _height(line)))
+    if across > _THIN or length <= 3 * _ENDS_NEAR:
+        return None
+    middle = (x0 + x1) / 2, (y0 + y1) / 2
+    ends = (
+        ((middle[0], y0), (middle[0], y1))
+        if x1 - x0 < y1 - y0
+        else ((x0, middle[1]), (x1, middle[1]))
+    )
+    reach = across / 2 + _ENDS_NEAR
+    for other in boxes:
+        if other == line or min(_width(other), _height(other)) <= _THIN:
+            continue
+        if all(_has_ink(end, reach, other, ink) for end in ends):
+            return None if _has_ink(middle, reach, other, ink) else other
+    return None
+
+
+def _has_ink(
+    point: tuple[float, float], reach: float, box: Box, ink: npt.NDArray[np.bool_]
+) -> bool:
+    """Whether there is ink of a box within a square around a point."""
+    x0, y0 = (int(max(at - reach, low)) for at, low in zip(point, box[:2], strict=True))
+    x1, y1 = (int(min(at + reach, high)) for at, high in zip(point, box[2:], strict=True))
+    return x0 < x1 and y0 < y1 and bool(ink[y0:y1, x0:x1].any())
 
 
 def _arrange(

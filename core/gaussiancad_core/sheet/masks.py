@@ -5,8 +5,8 @@ edge to their centre line.  The paper stops there; this module can also open the
 which the hidden lines of the other views are the evidence.
 """
 
-from dataclasses import dataclass
-from itertools import product
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -124,19 +124,9 @@ def find_outline(
     ink = (fine > 0.5).astype(np.uint8)
     area = (box[2] - box[0]) * (box[3] - box[1]) * factor**2
     best: Outline | None = None
-    # A square fills a corner; past two ends that are a step apart it finds a way, a disc does not.
-    for gap, form in product(_GAPS_PX, (cv2.MORPH_RECT, cv2.MORPH_ELLIPSE)):
-        reach = 2 * gap * factor + 1
-        # Padded, or closing would fill what lies near the border.
-        padded = np.pad(ink, reach)
-        kernel = cv2.getStructuringElement(form, (reach, reach))
-        closed = cv2.morphologyEx(padded, cv2.MORPH_CLOSE, kernel)
-        closed = np.ascontiguousarray(closed[reach:-reach, reach:-reach])
-        filled = np.zeros_like(ink)
-        contours, _ = cv2.findContours(closed, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
-        cv2.drawContours(filled, contours, -1, 1, cv2.FILLED)
+    for closed, filled in _fillings(ink, factor):
         # By the ink as it is: closing fills what is between two edges close beside each other.
-        half = _outline_width(ink, filled) / 2 if contours else 0.0
+        half = _outline_width(ink, filled) / 2 if filled.any() else 0.0
         # Distances count from the first pixel outside, half a pixel beyond the edge.
         inside = cv2.distanceTransform(filled, cv2.DIST_L2, 5) - 0.5
         outside = cv2.distanceTransform(1 - filled, cv2.DIST_L2, 5) - 0.5
@@ -144,15 +134,48 @@ def find_outline(
         if float((depth > 0).sum()) >= _LEAST_COVERED * max(area, 1.0):
             regions = _regions(closed, filled, half)
             found = Outline(depth.astype(np.float32), regions, factor, (float(x0), float(y0)))
-            if _is_filled(found, box):
+            if _is_filled(found, half, box):
                 return found
             best = best or found
     return best
 
 
-def _is_filled(outline: Outline, box: tuple[float, float, float, float]) -> bool:
-    """Whether an outline is as large as the ink of its view: a gap may leave a part of it open."""
-    off = np.abs(np.subtract(outline.box, box)).reshape(2, 2)
+def _fillings(
+    ink: npt.NDArray[np.uint8], factor: int
+) -> Iterator[tuple[npt.NDArray[np.uint8], npt.NDArray[np.uint8]]]:
+    """The ink with ever wider gaps closed, and what it encloses then, most cautious first."""
+    for gap in _GAPS_PX:
+        reach = 2 * gap * factor + 1
+        # Padded, or closing would fill what lies near the border.
+        padded = np.pad(ink, reach)
+        inner = slice(reach, -reach), slice(reach, -reach)
+        # A square fills a corner; past two ends a step apart it finds a way, a disc does not.
+        for form in (cv2.MORPH_RECT, cv2.MORPH_ELLIPSE):
+            kernel = cv2.getStructuringElement(form, (reach, reach))
+            closed = cv2.morphologyEx(padded, cv2.MORPH_CLOSE, kernel)
+            closed = np.ascontiguousarray(closed[inner])
+            filled = np.zeros_like(ink)
+            contours, _ = cv2.findContours(closed, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+            cv2.drawContours(filled, contours, -1, 1, cv2.FILLED)
+            yield closed, filled
+        # Discs on both sides of two ends before a corner overlap, though none comes through.
+        beside = cv2.dilate(padded, kernel)
+        cv2.floodFill(beside, None, (0, 0), 2)
+        outside = cv2.dilate((beside == 2).astype(np.uint8), kernel)
+        yield closed, np.ascontiguousarray(1 - outside[inner])
+
+
+def _is_filled(outline: Outline, half: float, box: tuple[float, float, float, float]) -> bool:
+    """Whether an outline is as large as the ink of its view: a gap may leave a part of it open.
+
+    Lines beside an area that is open enclose nothing: ``half`` is how far they reach inward, mask
+    px, and what is deeper counts.
+    """
+    inner = replace(outline, depth=outline.depth - half)
+    if not inner.mask.any():
+        return False
+    grown = half / outline.supersampling * np.array([-1.0, -1.0, 1.0, 1.0])
+    off = np.abs(np.add(inner.box, grown) - box).reshape(2, 2)
     sides = np.subtract(box[2:], box[:2])
     return bool((off <= np.maximum(_BARE_PX, _BARE_SHARE * sides)).all())
 

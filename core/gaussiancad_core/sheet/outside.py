@@ -30,6 +30,12 @@ _NEAR_PX, _MET_PX = 3.0, 1.0
 """px from where a stroke begins to stick out to where it meets another, and between the two lines,
 at most."""
 
+_SAME_PX = 0.1
+"""px between the ends of two strokes at most that were brought to the corner that they make."""
+
+_CORNER_PX = 14.0
+"""px up to which a corner lies outside of an outline that was closed before it."""
+
 _STEEP = 0.2
 """Sine of the angle between strokes that meet at least."""
 
@@ -90,7 +96,9 @@ def _cut(stroke: Segment, out: npt.NDArray[np.bool_], others: Sequence[Stroke]) 
     inside = np.flatnonzero(~out)
     step = stroke.length / (len(out) - 1)
     first, last = float(inside[0]) * step, float(inside[-1]) * step
-    cut_first, cut_last = first >= _LEAST_PX, stroke.length - last >= _LEAST_PX
+    cut_first = first >= _LEAST_PX and not _is_corner(stroke.start, first, stroke, others)
+    beyond = stroke.length - last
+    cut_last = beyond >= _LEAST_PX and not _is_corner(stroke.end, beyond, stroke, others)
     if not cut_first and not cut_last:
         return stroke
     met = _met(stroke, others)
@@ -100,6 +108,18 @@ def _cut(stroke: Segment, out: npt.NDArray[np.bool_], others: Sequence[Stroke]) 
     way = (np.array(stroke.end) - origin) / stroke.length
     ends = [tuple(float(v) for v in origin + at * way) for at in (start, end)]
     return replace(stroke, start=ends[0], end=ends[1])
+
+
+def _is_corner(
+    end: tuple[float, float], beyond: float, stroke: Segment, others: Sequence[Stroke]
+) -> bool:
+    """Whether an end outside is a corner that two lines make, both of which ended short of it."""
+    return beyond <= _CORNER_PX and any(
+        np.hypot(*np.subtract(end, its)) <= _SAME_PX
+        for other in others
+        if other is not stroke and isinstance(other, Segment) and other.linetype is stroke.linetype
+        for its in (other.start, other.end)
+    )
 
 
 def _met(stroke: Segment, others: Sequence[Stroke]) -> Floats:

@@ -99,3 +99,22 @@ def test_what_is_no_arrangement_of_views(boxes: tuple, code: str) -> None:
     with pytest.raises(NoModelError) as caught:
         find_layout(_sheet(*boxes), {}, None)
     assert caught.value.code == code
+
+
+@pytest.mark.parametrize(("short", "joined"), [(5, True), (9, True), (20, False)])
+def test_a_side_that_ends_short_of_all_others_belongs_to_its_view(short: int, joined: bool) -> None:
+    ink = _sheet(ABOVE, RIGHT)
+    x0, y0, x1, y1 = FRONT
+    ink[y0 : y1 + 1, x0] = True
+    ink[[y0, y1], x0 : x1 - short] = True
+    ink[y0 + short : y1 - short, x1] = True
+    layout = find_layout(ink, {}, Projection.THIRD)
+    assert (Role.FRONT in layout.boxes and _close(layout.boxes[Role.FRONT], FRONT)) is joined
+
+
+def test_a_line_beside_an_edge_is_no_side_of_the_view() -> None:
+    ink = _sheet(FRONT, ABOVE, RIGHT)
+    x0, y0, _, y1 = FRONT
+    ink[y0 + 5 : y1 - 5, x0 - 10] = True
+    layout = find_layout(ink, {}, Projection.THIRD)
+    assert _close(layout.boxes[Role.FRONT], FRONT)

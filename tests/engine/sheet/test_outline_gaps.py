@@ -45,3 +45,16 @@ def test_an_edge_close_inside_an_outline_leaves_it_where_it_is(
     outline = find_outline(clean_sheet(drawn.grey), (48.0, 48.0, 253.0, 253.0), 3)
     assert outline is not None
     assert outline.box == pytest.approx((50.5, 50.5, 250.5, 250.5), abs=0.6)
+
+
+@pytest.mark.parametrize("short", [2.0, 4.0, 6.0])
+def test_an_outline_whose_lines_end_short_of_a_corner_is_closed(
+    sketch: Sketch, short: float
+) -> None:
+    """Before the corner a line within the view all but closes what is left of it."""
+    drawn = sketch(500, 360).lines((400, 80), (100, 80), (100, 280), (400 - short, 280))
+    drawn.line((400, 80), (400, 280 - short)).line((340, 80), (340, 280))
+    outline = find_outline(clean_sheet(drawn.grey), BOX, 2)
+    assert outline is not None
+    assert outline.mask.sum() / 4 == pytest.approx(300 * 200, rel=0.01)
+    assert outline.box == pytest.approx((100.5, 80.5, 400.5, 280.5), abs=0.6)

@@ -68,6 +68,12 @@ def test_an_edge_that_sticks_out_ends_at_the_outline(sketch: Sketch) -> None:
     assert cut.end == pytest.approx((200.5, 90.5))
 
 
+def test_a_corner_that_the_outline_was_closed_before_stays(sketch: Sketch) -> None:
+    x0, y0, x1, y1 = BOX
+    drawn = sketch(260, 220).lines((x1 - 6, y0), (x0, y0), (x0, y1), (x1, y1), (x1, y0 + 6))
+    assert without_outside(_rectangle(), _outline(drawn)) == _rectangle()
+
+
 def test_where_most_would_go_the_outline_is_wrong(sketch: Sketch) -> None:
     outline = _outline(_drawn(sketch))
     far = tuple(Segment((10.0, y), (50.0, y), VISIBLE) for y in (20.0, 60.0, 100.0, 140.0))

@@ -53,8 +53,8 @@ _LED_PX = 30.0
 _FREE_AHEAD = (0.0, 5.0)
 """px ahead of a line's end, somewhere in which paper shows if the end is free."""
 
-_OUTLINED = 0.1
-"""Share of all that lies within outlines that a view makes whose outline was open, at least."""
+_OUTLINED = 8.0
+"""Squares of the gap's width that an area within an outline has at least."""
 
 _BEND_PX = 3.0
 """px beside a line's end in which a rounding goes on."""
@@ -197,11 +197,11 @@ def blank_areas(ink: Mask, bridge: int) -> BlankAreas:
 
 
 def outlined_areas(ink: Mask, bridge: int) -> BlankAreas:
-    """The same, even if the outline of a view is open at a corner, before which both lines end.
+    """The same, even if an outline is open at a corner, before which both lines end.
 
     Squares that fit in on either side of such a gap overlap, so that closing leaves it open.  What
     counts is where a disc can go: it also cannot go between a rounding and the extension lines that
-    meet at its sharp corner, so that the areas are taken only where a whole view was open.
+    meet at its sharp corner, so that only large areas count.
     """
     areas = blank_areas(ink, bridge)
     disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (bridge, bridge))
@@ -213,8 +213,7 @@ def outlined_areas(ink: Mask, bridge: int) -> BlankAreas:
     paper = int(np.argmax(sizes))
     was_open = np.bincount(labels[areas.labels == areas.paper], minlength=len(sizes))
     was_open[paper] = 0
-    enclosed = sizes.sum() - sizes[paper]
-    return BlankAreas(labels, paper) if was_open.max() > _OUTLINED * enclosed else areas
+    return BlankAreas(labels, paper) if was_open.max() > _OUTLINED * bridge**2 else areas
 
 
 def _is_led_in(shape: InkedShape, run: InkedRun, parts: list[tuple[Run, _Side]], ink: Mask) -> bool:

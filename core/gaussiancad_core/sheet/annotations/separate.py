@@ -37,6 +37,7 @@ from gaussiancad_core.sheet.annotations.loose import (
     split_loose,
 )
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
+from gaussiancad_core.sheet.annotations.tangent_ends import without_slivers
 from gaussiancad_core.sheet.annotations.tapers import mark_tapered
 from gaussiancad_core.sheet.annotations.text import find_letters
 from gaussiancad_core.sheet.annotations.virtual_corners import mark_virtual_corners
@@ -173,7 +174,8 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
         told = with_clear_tips(told, sheet.ink, sheet.stroke_width)
         marks += _line_marks(told)
         part = replace(erased(part, told), stroke_width=weights.visible)
-        part = without_heads(part, told, weights.visible) if weights.limit else part
+        if weights.limit:
+            part = without_slivers(without_heads(part, told, weights.visible), told, sheet)
     hatched = hatching.area if hatching.marks else None
     return SeparatedSheet(part, tuple(marks), bool(weights.limit), hatched, told)
 
