@@ -40,6 +40,9 @@ of ink beyond that stroke at most."""
 _MOSTLY = 0.4
 """Share of a closed curve that is told as dashed where the rest of it is bridged."""
 
+_LEAST_GAP = 0.5
+"""px of paper between dashes at least."""
+
 _LONGEST_BRIDGE, _BRIDGE_INK = 3.5, 0.35
 """Dashes with their gaps that others may cover in a row, and the share of ink that is there."""
 
@@ -243,7 +246,8 @@ def learn_rhythm(series: Sequence[list[Run]], stroke_width: float) -> Rhythm:
 def told_rhythm(series: Sequence[list[Run]], stroke_width: float) -> Rhythm | None:
     """Dash and gap of a sheet as the runs of its shapes tell them, if they do.
 
-    A shape counts if it has three runs or more in a row whose inner ones are of one length.
+    A shape counts if it has three runs or more in a row whose inner ones are of one length, with
+    paper between them: runs that were cut where a pen changes are no dashes.
     """
     dashes: list[float] = []
     gaps: list[float] = []
@@ -251,6 +255,7 @@ def told_rhythm(series: Sequence[list[Run]], stroke_width: float) -> Rhythm | No
         for before, run, after in zip(runs, runs[1:], runs[2:], strict=False):
             spaces = (run.start - before.end, after.start - run.end)
             even = abs(spaces[0] - spaces[1]) < max(2.0, 0.35 * max(spaces))
+            even &= min(spaces) >= _LEAST_GAP
             if even and max(spaces) < 2.5 * run.length and run.length > 1.2 * stroke_width:
                 dashes.append(run.length)
                 gaps.extend(spaces)

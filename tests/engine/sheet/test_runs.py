@@ -10,9 +10,11 @@ from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.runs import (
     Piece,
     Rhythm,
+    Run,
     bridged,
     ink_field,
     line_runs,
+    told_rhythm,
     with_dashes_between,
 )
 from gaussiancad_core.views import Linetype
@@ -67,3 +69,10 @@ def test_a_short_wide_dash_that_begins_on_an_edge_is_one(length: int) -> None:
     field = ink_field(clean_sheet(grey))
     runs = line_runs(field, Line((0.0, 30.0), (1.0, 0.0)), 0.0, 159.0)
     assert (runs[0].start < 29.0) == (length == 6)
+
+
+@pytest.mark.parametrize("gap", [0.0, 4.0])
+def test_runs_that_touch_are_no_dashes(gap: float) -> None:
+    """They were cut where the pen changes."""
+    runs = [Run(k * (10.0 + gap), k * (10.0 + gap) + 10.0) for k in range(6)]
+    assert told_rhythm([runs], 2.0) == (Rhythm(10.0, gap) if gap else None)

@@ -161,7 +161,7 @@ def _leads_on(
     meets = [edges.query(np.array(line.at(place)))[0] <= met for place, _ in ends]
     ahead = np.arange(_SLACK_PX, _GAP * rhythm.gap + _SLACK_PX, 0.5)
     inked = [
-        bool(_inked(np.array([line.at(place + way * step) for step in ahead]), ink))
+        _inked(np.array([line.at(place + way * step) for step in ahead]).reshape(-1, 2), ink)
         for place, way in ends
     ]
     return any(meets) and all(one or other for one, other in zip(meets, inked, strict=True))

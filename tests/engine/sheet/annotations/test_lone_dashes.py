@@ -59,6 +59,15 @@ def test_a_dash_between_two_edges(pieces: list[tuple[float, float]], spared: boo
     assert kinds[-1] == [EXTENSION] * len(pieces)
 
 
+def test_a_sheet_without_dashes_has_none_to_spare() -> None:
+    """Runs that were cut where their width changes lie side by side, as dashes without gaps."""
+    cut = [_upright(60.0 + 9.0 * k, (51.0, 63.0), (63.0, 71.0), (71.0, 84.0)) for k in range(3)]
+    shapes = [*PLATE, *cut, _upright(110.0, (51.0, 60.0))]
+    kinds = [[None] * len(shape.runs) for shape in shapes[:-1]] + [[EXTENSION]]
+    spare_lone_dashes(shapes, kinds, np.zeros((220, 220), bool), WEIGHTS, WIDTH)
+    assert kinds[-1] == [EXTENSION]
+
+
 @pytest.mark.parametrize("beside", ["nothing", "annotation", "no corner"])
 def test_a_slanted_dash_that_begins_at_a_hidden_corner(beside: str) -> None:
     """That of a countersink; a stroke of an arrowhead has others beside it."""
