@@ -23,6 +23,7 @@ from gaussiancad_core.sheet.annotations.mark_forms import (
     whole_forms,
 )
 from gaussiancad_core.sheet.annotations.marks import Mask
+from gaussiancad_core.sheet.annotations.small_crosses import mark_small_crosses
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.line_widths import run_width
@@ -138,6 +139,7 @@ def mark_centre_marks(shapes: list[InkedShape], kinds: Kinds, sheet: CleanSheet)
     armed = learned_form(marks)
     for form in (*([] if armed is None else [armed]), *whole_forms(marks, circles)):
         mark_by_form(shapes, kinds, ink, form, circles)
+    mark_small_crosses(shapes, kinds, sheet)
 
 
 def _free_mark(circle: Circle, rays: Sequence[_Ray]) -> FreeMark:
