@@ -7,6 +7,7 @@ so do two dashes that meet in a corner of a pocket.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -82,9 +83,9 @@ def spare_lone_dashes(
             if lone and _leads_on(shape.geometry, run, ink, tree, (rhythm, stroke_width)):
                 own[k] = None
                 continue
-            # A slanted one seems longer by the ink of the dashes that it meets.
+            # It seems longer by the ink of the dashes that it meets.
             lone = _is_lone(shape.runs, k, rhythm, stroke_width)
-            if lone and _cuts_corner(shape.geometry, run, corners, stroke_width):
+            if lone and _leaves_corner(shape.geometry, run, corners, stroke_width):
                 own[k] = None
 
 
@@ -167,19 +168,34 @@ def _leads_on(
     return any(meets) and all(one or other for one, other in zip(meets, inked, strict=True))
 
 
+@dataclass(frozen=True, eq=False)
+class _Dashes:
+    """The narrow dashes of a sheet along its axes.
+
+    Attributes:
+        level, upright: (n, 2) px, where they end.
+        others: (n, 2) px on annotations.
+    """
+
+    level: Floats
+    upright: Floats
+    others: Floats
+
+
 def _corner_dashes(
     shapes: Sequence[InkedShape], kinds: Kinds, limit: float, rhythm: Rhythm
-) -> tuple[Floats, Floats]:
-    """(n, 2) px where narrow dashes along the sheet's axes end, and (m, 2) px on annotations."""
-    ends, others = [np.empty((0, 2))], [np.empty((0, 2))]
+) -> _Dashes:
+    ends, others = ([np.empty((0, 2))], [np.empty((0, 2))]), [np.empty((0, 2))]
     for shape, own in zip(shapes, kinds, strict=True):
         for run, kind in zip(shape.runs, own, strict=True):
             narrow = run.width is not None and run.width < limit
             if kind is not None:
                 others.append(points_along(shape.geometry, run.run, 1.0))
             elif narrow and run.run.length <= _LONGEST * rhythm.dash and _slant(shape) < _ALONG:
-                ends.append(points_along(shape.geometry, run.run, run.run.length)[[0, -1]])
-    return np.concatenate(ends), np.concatenate(others)
+                upright = abs(shape.geometry.direction[1]) > abs(shape.geometry.direction[0])
+                points = points_along(shape.geometry, run.run, run.run.length)[[0, -1]]
+                ends[int(upright)].append(points)
+    return _Dashes(np.concatenate(ends[0]), np.concatenate(ends[1]), np.concatenate(others))
 
 
 def _slant(shape: InkedShape) -> float:
@@ -187,23 +203,21 @@ def _slant(shape: InkedShape) -> float:
     return min(map(abs, shape.geometry.direction)) if isinstance(shape.geometry, Line) else 1.0
 
 
-def _cuts_corner(
-    line: Line, run: InkedRun, corners: tuple[Floats, Floats], stroke_width: float
-) -> bool:
-    """Whether a slanted run begins where a hidden line along an axis ends, as that of a countersink
-    does, and no other annotation is at either of its own ends."""
-    if min(map(abs, line.direction)) < _SLANTED:
+def _leaves_corner(line: Line, run: InkedRun, dashes: _Dashes, stroke_width: float) -> bool:
+    """Whether a run begins where a hidden line across it ends, or along an axis if it is slanted,
+    as that of a countersink is, and no other annotation is at either of its own ends."""
+    right, down = (abs(part) for part in line.direction)
+    if _ALONG < min(right, down) < _SLANTED:
         return False
+    across = [dashes.upright] * (down < _SLANTED) + [dashes.level] * (right < _SLANTED)
     ends = points_along(line, run.run, run.run.length)[[0, -1]]
-    dashes, others = corners
+    corners = np.concatenate(across or [dashes.level, dashes.upright])
     near = _MET_PX + stroke_width
-    if not len(dashes) or cKDTree(dashes).query(ends)[0].min() > near:
+    if not len(corners) or cKDTree(corners).query(ends)[0].min() > near:
         return False
-    along, across = line.coordinates(others)
-    own = (
-        (np.abs(across) <= _OWN_PX) & (along >= run.run.start - 1.0) & (along <= run.run.end + 1.0)
-    )
-    others = others[~own]
+    along, aside = line.coordinates(dashes.others)
+    within = (along >= run.run.start - _OWN_PX) & (along <= run.run.end + _OWN_PX)
+    others = dashes.others[~(within & (np.abs(aside) <= _OWN_PX))]
     return not len(others) or float(cKDTree(others).query(ends)[0].min()) > near
 
 

@@ -27,8 +27,11 @@ _OFF_PX, _EVEN_PX = 2.0, 2.0
 _CORNER = 0.1
 """Share of the ink in the corners of its box at most."""
 
-_TURNED = 0.75
-"""Share that a cross has in common with itself turned by a right angle at least."""
+_TURNED = 0.9
+"""Share of a cross that is within a px of itself turned by a right angle at least."""
+
+_SQUARE = 0.1
+"""Cosine of the angle between its lines at most."""
 
 _AHEAD = 1.6
 """Blank way ahead of its arms, in the sheet's gaps between dashes, but for its circle."""
@@ -78,8 +81,9 @@ def _is_cross(piece: int, ink: Pieces, circle: Circle, sheet: CleanSheet) -> boo
     ends = slice(None, arm), slice(-arm, None)
     corners = np.stack([own[rows, columns] for rows in ends for columns in ends])
     square = cv2.resize(own.astype(np.uint8), (side, side), interpolation=cv2.INTER_NEAREST) > 0
-    turned = np.rot90(square)
-    alike = (square & turned).sum() / max(int((square | turned).sum()), 1)
+    # A thin line has one row of pixels, or two.
+    turned = cv2.dilate(np.rot90(square).astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    alike = (square & turned).sum() / max(int(square.sum()), 1)
     if corners.mean() > _CORNER or alike < _TURNED:
         return False
     room = circle.radius - 0.5 * side - pen - 1.0
@@ -115,10 +119,11 @@ def _mark(
                 if ((points > low) & (points < past)).all():
                     found.append((k, i))
     known = [shapes[k].geometry for k, i in found if kinds[k][i] is AnnotationKind.CENTRE_LINE]
-    if any(abs(float(np.dot(a.direction, b.direction))) < 0.5 for a in known for b in known):
-        return
+    # Between its arms others may have been found.
     for k, i in found:
         kinds[k][i] = AnnotationKind.CENTRE_LINE
+    if any(abs(float(np.dot(a.direction, b.direction))) < _SQUARE for a in known for b in known):
+        return
     half = 0.5 * max(wide, high)
     for way in ((1.0, 0.0), (0.0, 1.0)):
         shapes.append(InkedShape(Line(circle.centre, way), (InkedRun(Run(-half, half), None),)))

@@ -84,6 +84,18 @@ def test_a_slanted_dash_that_begins_at_a_hidden_corner(beside: str) -> None:
     assert kinds[len(PLATE) + 2] == [None if beside == "nothing" else EXTENSION]
 
 
+@pytest.mark.parametrize("met", ["level", "upright"])
+def test_an_upright_dash_that_leaves_a_hidden_corner(met: str) -> None:
+    """Of the end of a pocket one dash is seen, and a gap before the edge above."""
+    row = _level(120.0, *((100.0 + 18.0 * k, 112.0 + 18.0 * k) for k in range(3)), width=1.8)
+    if met == "upright":
+        row = _upright(100.0, *((121.0 + 18.0 * k, 133.0 + 18.0 * k) for k in range(3)))
+    shapes = [*PLATE, DASHES, row, _upright(100.5, (108.0, 120.0))]
+    kinds = [[None] * len(shape.runs) for shape in shapes[:-1]] + [[EXTENSION]]
+    spare_lone_dashes(shapes, kinds, np.zeros((220, 220), bool), WEIGHTS, WIDTH)
+    assert kinds[-1] == [None if met == "level" else EXTENSION]
+
+
 def test_a_centre_mark_as_wide_as_edges_is_no_dash() -> None:
     """Its own ends would be those of an edge."""
     centre = AnnotationKind.CENTRE_LINE

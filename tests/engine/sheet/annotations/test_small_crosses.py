@@ -23,7 +23,7 @@ def _plate(sketch: Sketch) -> Sketch:
     return sketch(400, 320).lines(*sides).arc(CENTRE, 40.0)
 
 
-@pytest.mark.parametrize(("size", "width"), [(8.0, 3.0), (11.0, 4.0), (10.0, 2.0)])
+@pytest.mark.parametrize(("size", "width"), [(8.0, 3.0), (11.0, 4.0), (10.0, 2.0), (9.0, 1.2)])
 def test_a_small_cross_goes(sketch: Sketch, size: float, width: float) -> None:
     plain, drawn = _plate(sketch), _plate(sketch)
     x, y = CENTRE
