@@ -10,10 +10,16 @@ from itertools import pairwise
 from math import pi
 
 from gaussiancad_core.axes import Axis
-from gaussiancad_core.reasoning.bodies import ArcProfile, LineProfile, Profile, RevolvedBody
+from gaussiancad_core.reasoning.bodies import (
+    ArcProfile,
+    LineProfile,
+    Profile,
+    RevolvedBody,
+)
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.profile_ends import ProfileEnds
+from gaussiancad_core.reasoning.sectors import Sector, sector_of
 from gaussiancad_core.reasoning.spans import Support
 from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports
 
@@ -58,10 +64,10 @@ def find_bodies(supports: PartSupports, lone: bool = False) -> tuple[RevolvedBod
             shown = _shown_by_all(by_side, near)
             # Lines at equal distances from two axes belong to one of them.
             whole = [p for p in shown if _meets_circle(p, concentric, near)]
-            _add(found, (axis, centre), whole, concentric, near)
+            _add(found, (axis, centre), whole, plane, near)
             if lone:
                 single = [p for own in by_side for p in own if _is_anchored(p, concentric, near)]
-                _add(faint, (axis, centre), single, concentric, near)
+                _add(faint, (axis, centre), single, plane, near)
     found.sort(key=_height)
     faint = [body for body in faint if not any(_repeats(body, other, near) for other in found)]
     return tuple([*found, *sorted(faint, key=_height)][:_MOST])
@@ -75,12 +81,12 @@ def _add(
     found: list[RevolvedBody],
     about: tuple[Axis, tuple[float, float]],
     profiles: list[Profile],
-    concentric: list[Support],
+    plane: PlaneSupports,
     near: float,
 ) -> None:
     """The bodies of profiles about one axis that are not among those found."""
     for profile in profiles:
-        for sector in _sectors(concentric, profile, near):
+        for sector in _sectors(plane, about[1], profile, near):
             body = RevolvedBody(*about, profile, sector)
             if not any(_repeats(body, other, near) for other in found):
                 found.append(body)
@@ -142,25 +148,21 @@ def _concentric(plane: PlaneSupports, centre: tuple[float, float], near: float) 
 
 
 def _sectors(
-    concentric: list[Support], profile: Profile, near: float
-) -> list[tuple[float, float] | None]:
+    plane: PlaneSupports, centre: tuple[float, float], profile: Profile, near: float
+) -> list[Sector | None]:
     """Through which angles a profile turns: a whole turn, or those of the arcs at its ends."""
+    concentric = _concentric(plane, centre, near)
     if any(sum(high - low for low, high in s.drawn()) > _WHOLE for s in concentric):
         return [None]
     ends = (profile.radius(profile.low), profile.radius(profile.high))
-    found: list[tuple[float, float] | None] = []
+    found: list[Sector | None] = []
     for support in concentric:
         if min(abs(support.curve.radius - end) for end in ends) <= near:
             arcs = support.drawn()
             if len(arcs) > 1 and arcs[0][0] < _TINY and arcs[-1][1] > TURN - _TINY:
                 arcs = [*arcs[1:-1], (arcs[-1][0], TURN + arcs[0][1])]
-            found += [_sector(low, high) for low, high in arcs]
+            found += [sector_of(support.curve, arc, plane.supports, near) for arc in arcs]
     return [None] if None in found else found
-
-
-def _sector(low: float, high: float) -> tuple[float, float] | None:
-    """The angles of an arc; a whole turn where it is more than a half: that has no sides."""
-    return (low, high - low) if high - low <= pi + _TINY else None
 
 
 def _profiles(
@@ -182,7 +184,10 @@ def _profiles(
 
 
 def _line(
-    support: Support, stretch: tuple[float, float], frame: tuple[int, float], near: float
+    support: Support,
+    stretch: tuple[float, float],
+    frame: tuple[int, float],
+    near: float,
 ) -> Iterator[LineProfile]:
     along, middle = frame
     ends = sorted(
@@ -198,7 +203,10 @@ def _line(
 
 
 def _arcs(
-    support: Support, stretch: tuple[float, float], frame: tuple[int, float], near: float
+    support: Support,
+    stretch: tuple[float, float],
+    frame: tuple[int, float],
+    near: float,
 ) -> Iterator[ArcProfile]:
     """Parts of an arc between its farthest points along the axis, as profiles."""
     along, middle = frame

@@ -28,7 +28,7 @@ from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopAbs import TopAbs_Orientation, TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Shape
 
-from gaussiancad_core.drawing.brep import bounding_box, faces_of, subshapes, volume
+from gaussiancad_core.drawing.brep import ShapeTable, bounding_box, faces_of, subshapes, volume
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.drawing.surfaces import normal_at
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve
@@ -130,7 +130,8 @@ def _built(space: LabelledSpace, scale: float, fit: _Fit, deadline: Deadline) ->
     while True:
         fused = _fused(faces, fit.fuzzy)
         kept = [face for face in faces_of(fused.Shape()) if sides.is_border(face)]
-        if (sewn := _sewn_best(sides, kept, fit.sewing)) is not None:
+        sewn = None if _is_split_in_vain(kept) else _sewn_best(sides, kept, fit.sewing)
+        if sewn is not None:
             break
         # Faces that only touch others may have split them where nothing meets.
         bounding = [face for face in faces if _gives_one_of(kept, face, fused)]
@@ -194,6 +195,20 @@ def _fused(faces: list[TopoDS_Face], fuzzy: float) -> BOPAlgo_Builder:
     builder.SetFuzzyValue(fuzzy)
     builder.Perform()
     return builder
+
+
+def _is_split_in_vain(faces: list[TopoDS_Face]) -> bool:
+    """Whether a face is bounded by edges that lie within another one and do not divide it.
+
+    Where an outline of intersections misses its own end by a hair it stays open.
+    """
+    within, bounding = ShapeTable(), ShapeTable()
+    for face in faces:
+        for edge in subshapes(face, TopAbs_ShapeEnum.TopAbs_EDGE):
+            is_inside = edge.Orientation() == TopAbs_Orientation.TopAbs_INTERNAL
+            (within if is_inside else bounding).number(edge)
+    known = len(bounding.shapes)
+    return any(bounding.number(edge) < known for edge in within.shapes)
 
 
 def _gives_one_of(kept: list[TopoDS_Face], face: TopoDS_Face, fused: BOPAlgo_Builder) -> bool:
