@@ -21,8 +21,13 @@ _BEYOND = 3.0
 _STEADY = 6
 """px on either side over which a width is made steady."""
 
-_EDGE = 10.0
-"""Length from which a wide stretch is an edge and no arrowhead, in widths of a line."""
+_EDGE, _SHORTEST_EDGE = 10.0, 4.0
+"""Length from which a wide stretch is an edge and no arrowhead, in widths of a line; and where it
+is as wide as edges all along."""
+
+_STEADY_SHARE, _PARALLEL, _KNOWN = 0.12, 0.8, 0.4
+"""Share of an edge's width by which its ink may be wider or narrower, share of the places where its
+width is known at which it is not, and share of all places: arrowheads taper."""
 
 
 @dataclass(frozen=True)
@@ -91,9 +96,17 @@ def normals_along(geometry: Line | Circle, run: Run, step: float) -> npt.NDArray
     return (points - np.array(geometry.centre)) / geometry.radius
 
 
-def split_by_width(sheet: CleanSheet, shape: InkedShape, limit: float) -> InkedShape:
-    """The shape with runs cut where their ink gets wider or narrower than a limit in px: where an
-    extension line goes on as an edge."""
+def split_by_width(
+    sheet: CleanSheet, shape: InkedShape, limit: float, visible: float
+) -> InkedShape:
+    """The shape with runs cut where an extension line goes on as an edge.
+
+    Args:
+        sheet: the ink.
+        shape: with its runs.
+        limit: px; there their ink gets wider or narrower than that.
+        visible: px, the width of edges.
+    """
     runs: list[InkedRun] = []
     for run in shape.runs:
         widths = widths_along(sheet, shape.geometry, run.run)
@@ -105,7 +118,7 @@ def split_by_width(sheet: CleanSheet, shape: InkedShape, limit: float) -> InkedS
         filled = np.interp(np.arange(len(widths)), known, widths[known])
         # Reflected, for at its very end a run is half paper.
         smooth = median_filter(filled, 2 * _STEADY + 1, mode="reflect")
-        narrow = _without_short(smooth < limit, _EDGE * limit)
+        narrow = _without_heads(smooth < limit, widths, limit, visible)
         cuts = np.flatnonzero(np.diff(narrow)) + 0.5
         ends = run.run.start + run.run.length * np.array([0, *cuts, len(widths) - 1]) / (
             len(widths) - 1
@@ -118,13 +131,25 @@ def split_by_width(sheet: CleanSheet, shape: InkedShape, limit: float) -> InkedS
     return InkedShape(shape.geometry, tuple(runs))
 
 
-def _without_short(narrow: npt.NDArray[np.bool_], shortest: float) -> npt.NDArray[np.bool_]:
-    """Narrow places; wide stretches beside them that are shorter than an edge are arrowheads."""
+def _without_heads(
+    narrow: npt.NDArray[np.bool_], widths: npt.NDArray[np.float64], limit: float, visible: float
+) -> npt.NDArray[np.bool_]:
+    """Narrow places; wide stretches beside them that are shorter than an edge, and not as wide as
+    one all along, are arrowheads.
+
+    Args:
+        narrow: (n,) every px along a run.
+        widths: (n,) px there, NaN where other strokes are beside it.
+        limit, visible: px, as for :func:`split_by_width`.
+    """
     result = narrow.copy()
     borders = [0, *(np.flatnonzero(np.diff(narrow)) + 1), len(narrow)]
     if len(borders) == 2:
         return result
     for start, end in pairwise(borders):
-        if not narrow[start] and end - start < shortest:
-            result[start:end] = True
+        if not narrow[start] and end - start < _EDGE * limit:
+            own = widths[start:end]
+            steady = np.abs(own[np.isfinite(own)] - visible) <= _STEADY_SHARE * visible
+            edge = end - start >= _SHORTEST_EDGE * limit and steady.sum() >= _KNOWN * (end - start)
+            result[start:end] = not (edge and steady.mean() >= _PARALLEL)
     return result

@@ -149,8 +149,7 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
         sheet = erased(sheet, told)
         shapes = hatching.others(shapes)
     weights = _weights(sheet, shapes) if by_weight else Weights(sheet.stroke_width, 0.0)
-    if weights.limit:
-        shapes = [split_by_width(sheet, shape, weights.limit) for shape in shapes]
+    shapes = _cut(sheet, shapes, weights)
     kinds = kinds_of_runs(shapes, weights, sheet.stroke_width, 1.2 * sheet.dash_gap)
     mark_centre_marks(shapes, kinds, sheet)
     if weights.limit:
@@ -183,6 +182,13 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
 def _weights(sheet: CleanSheet, shapes: list[InkedShape]) -> Weights:
     weights = line_weights(shapes, sheet.stroke_width, _ROUNDED_PX if _is_two_valued(sheet) else 0)
     return weights if weights.limit else Weights(sheet.stroke_width, 0.0)
+
+
+def _cut(sheet: CleanSheet, shapes: list[InkedShape], weights: Weights) -> list[InkedShape]:
+    """The shapes, with runs cut where edges go on as narrow lines."""
+    if not weights.limit:
+        return shapes
+    return [split_by_width(sheet, shape, weights.limit, weights.visible) for shape in shapes]
 
 
 def _tell_line_ends(

@@ -122,7 +122,7 @@ def test_an_extension_line_that_goes_on_as_an_edge_is_cut(sketch: Sketch, place:
         sketch().line((20, 60), (place, 60), 1.5).line((place, 60), (180, 60), 3.0)
     )
     assert len(shape.runs) == 1
-    cut = split_by_width(sheet, shape, 2.2)
+    cut = split_by_width(sheet, shape, 2.2, 3.0)
     assert cut.geometry == shape.geometry
     assert len(cut.runs) == 2
     ends = sorted(
@@ -136,12 +136,14 @@ def test_an_extension_line_that_goes_on_as_an_edge_is_cut(sketch: Sketch, place:
     assert cut.runs[0].run.end == cut.runs[1].run.start
 
 
-def test_an_edge_between_two_extension_lines(sketch: Sketch) -> None:
-    drawn = sketch().line((20, 60), (70, 60), 1.5).line((70, 60), (130, 60), 3.0)
-    sheet, shape = _only(drawn.line((130, 60), (180, 60), 1.5))
-    cut = split_by_width(sheet, shape, 2.2)
+@pytest.mark.parametrize("length", [60, 15])
+def test_an_edge_between_two_extension_lines(sketch: Sketch, length: int) -> None:
+    """A short one is no arrowhead: it is as wide as edges all along."""
+    drawn = sketch().line((20, 60), (70, 60), 1.5).line((70, 60), (70 + length, 60), 3.0)
+    sheet, shape = _only(drawn.line((70 + length, 60), (180, 60), 1.5))
+    cut = split_by_width(sheet, shape, 2.2, 3.0)
     assert [own.width for own in cut.runs] == pytest.approx([1.5, 3.0, 1.5], abs=0.2)
-    assert [own.run.length for own in cut.runs] == pytest.approx([50, 60, 50], abs=3.0)
+    assert [own.run.length for own in cut.runs] == pytest.approx([50, length, 110 - length], abs=3)
 
 
 def test_arrowheads_stay_with_their_line(sketch: Sketch) -> None:
@@ -150,7 +152,7 @@ def test_arrowheads_stay_with_their_line(sketch: Sketch) -> None:
     # The sheet's other lines: without them the arrows would be as wide as its strokes.
     drawn.line((20, 110), (180, 110), 3.0).line((20, 130), (180, 130), 3.0)
     sheet, shapes = _inked(drawn)
-    cut = split_by_width(sheet, _level(shapes, 60.0), 2.2)
+    cut = split_by_width(sheet, _level(shapes, 60.0), 2.2, 3.0)
     assert len(cut.runs) == 1
     assert cut.runs[0].width == pytest.approx(1.5, abs=0.25)
 
@@ -160,5 +162,5 @@ def test_lines_of_one_width_stay_whole(sketch: Sketch) -> None:
         drawn = sketch().line((20, 60), (180, 60), width).line((90, 20), (90, 140), 3.0)
         sheet, shapes = _inked(drawn)
         shape = _level(shapes, 60.0)
-        cut = split_by_width(sheet, shape, 2.2)
+        cut = split_by_width(sheet, shape, 2.2, 3.0)
         assert [own.run for own in cut.runs] == [own.run for own in shape.runs]
