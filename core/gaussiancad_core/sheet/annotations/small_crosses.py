@@ -107,19 +107,22 @@ def _goes_on(piece: int, ink: Pieces, ahead: int) -> bool:
 def _mark(
     facts: npt.NDArray[np.int32], told: tuple[list[InkedShape], Kinds], circle: Circle
 ) -> None:
-    """Tell what lines were found of a cross, in place; add both where these are not two."""
+    """Tell what was found of a cross, in place; add both lines where these are not told."""
     shapes, kinds = told
     x, y, wide, high = (int(value) for value in facts[:4])
     low, past = np.array([x - 2.0, y - 2.0]), np.array([x + wide + 1.0, y + high + 1.0])
     found = []
     for k, shape in enumerate(shapes):
         for i, run in enumerate(shape.runs):
-            if isinstance(shape.geometry, Line):
-                points = points_along(shape.geometry, run.run, 1e9)
-                if ((points > low) & (points < past)).all():
-                    found.append((k, i))
-    known = [shapes[k].geometry for k, i in found if kinds[k][i] is AnnotationKind.CENTRE_LINE]
-    # Between its arms others may have been found.
+            points = points_along(shape.geometry, run.run, 2.0)
+            if ((points > low) & (points < past)).all():
+                found.append((k, i))
+    known = [
+        shapes[k].geometry
+        for k, i in found
+        if kinds[k][i] is AnnotationKind.CENTRE_LINE and isinstance(shapes[k].geometry, Line)
+    ]
+    # Between its arms other lines and small circles may have been found.
     for k, i in found:
         kinds[k][i] = AnnotationKind.CENTRE_LINE
     if any(abs(float(np.dot(a.direction, b.direction))) < _SQUARE for a in known for b in known):

@@ -9,7 +9,7 @@ from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
 from gaussiancad_core.sheet.annotations.separate import separate_annotations
 from gaussiancad_core.sheet.annotations.small_crosses import mark_small_crosses
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
-from gaussiancad_core.sheet.geometry import Circle
+from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.runs import Run
 
 Sketch = Any
@@ -32,6 +32,22 @@ def test_a_small_cross_goes(sketch: Sketch, size: float, width: float) -> None:
     separated = separate_annotations(upright_sheet(clean_sheet(drawn.grey)))
     assert {mark.kind for mark in separated.marks} == {AnnotationKind.CENTRE_LINE}
     assert not (separated.part.ink & ~(plain.weight > 0.1)).any()
+
+
+def test_what_was_found_between_its_arms_goes_too(sketch: Sketch) -> None:
+    drawn = _plate(sketch)
+    (x, y), half = CENTRE, 5.0
+    drawn.line((x - half, y), (x + half, y), 1.5).line((x, y - half), (x, y + half), 1.5)
+    shapes = [
+        InkedShape(Circle(CENTRE, 40.0), (InkedRun(Run(0.0, 251.0), 3.0),)),
+        InkedShape(Circle((x + 1.0, y + 1.0), 2.0), (InkedRun(Run(0.0, 4.0), None),)),
+    ]
+    for way in ((1.0, 0.0), (0.0, 1.0)):
+        shapes.append(InkedShape(Line(CENTRE, way), (InkedRun(Run(-half, half), 1.5),)))
+    centre = AnnotationKind.CENTRE_LINE
+    kinds = [[None], [None], [centre], [centre]]
+    mark_small_crosses(shapes, kinds, upright_sheet(clean_sheet(drawn.grey)))
+    assert kinds == [[None], [centre], [centre], [centre]]
 
 
 @pytest.mark.parametrize("what", ["dashes", "circle", "aside"])
