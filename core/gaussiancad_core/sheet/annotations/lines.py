@@ -76,6 +76,10 @@ _LONGEST_DASH = 1.75
 _WHOLE_DASH = 0.6
 """Length of a whole dash at least, in the sheet's usual ones."""
 
+_ABOUT = 0.75, 1.25
+"""Length of a whole dash at least and at most, in the sheet's usual ones, where two are beside each
+other."""
+
 _IN_A_ROW = 3
 """Dashes from which a row is a hidden line."""
 
@@ -335,14 +339,12 @@ def _is_dash(runs: Sequence[InkedRun], k: int, rhythm: Rhythm, limit: float) -> 
 
     Strokes that cross in gaps join dashes: between two dashes a run may be as long as three.
     """
-    # Faded ink breaks lines at gaps that are shorter than those between dashes.
-    broken = _BREAK * rhythm.gap
     first = last = k
-    while first > 0 and runs[first].run.start - runs[first - 1].run.end < broken:
+    while first > 0 and _is_broken(runs[first - 1], runs[first], rhythm, limit):
         if _is_wide(runs[first - 1], limit):
             break
         first -= 1
-    while last + 1 < len(runs) and runs[last + 1].run.start - runs[last].run.end < broken:
+    while last + 1 < len(runs) and _is_broken(runs[last], runs[last + 1], rhythm, limit):
         if _is_wide(runs[last + 1], limit):
             break
         last += 1
@@ -365,6 +367,17 @@ def _is_dash(runs: Sequence[InkedRun], k: int, rhythm: Rhythm, limit: float) -> 
         row = _row_beside(runs, (first, last), gap, longest, wide)
         return row >= _IN_A_ROW and end - start <= _NOISE * (2.0 * rhythm.dash + limit)
     return bool(dashes) or len(beside) == 2
+
+
+def _is_broken(before: InkedRun, after: InkedRun, rhythm: Rhythm, limit: float) -> bool:
+    """Whether faded ink broke a line between two runs: at less than a gap between dashes.
+
+    A stroke that crosses beside a dash covers some of the gap, and makes the dash longer.
+    """
+    shorter, longer = sorted((before.run.length, after.run.length))
+    least, most = (share * rhythm.dash for share in _ABOUT)
+    dashes = least <= shorter <= most and longer <= most + limit
+    return not dashes and after.run.start - before.run.end < _BREAK * rhythm.gap
 
 
 def _row_beside(

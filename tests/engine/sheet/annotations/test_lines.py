@@ -135,6 +135,19 @@ def test_dashes_that_a_crossing_joins(
     assert [kinds[k] for k, length in enumerate(row) if length == middle] == [kind]
 
 
+@pytest.mark.parametrize(("second", "kind"), [(14.5, None), (26.0, EXTENSION)])
+def test_an_edge_that_crosses_beside_a_dash_covers_some_of_the_gap(
+    second: float, kind: AnnotationKind | None
+) -> None:
+    """A line as long as two dashes that faded somewhere is no dash for all that."""
+    ends = 15.5 + second, 22.0 + second, 33.5 + second, 40.0 + second, 52.5 + second
+    row = [(0.0, 12.5, 2.0), (15.5, ends[0], 2.0), (ends[1], ends[2], 2.0), (ends[3], ends[4], 2.0)]
+    shapes = [_shape(*row), _row([12, 12, 12, 12, 12], 6.5, 2.0), _solid(90, 3.0)]
+    kinds = kinds_of_runs(shapes, Weights(3.0, 2.4), 2.6)[0]
+    assert kinds[:2] == [kind] * 2
+    assert kinds[2:] == [None] * 2
+
+
 @pytest.mark.parametrize(("way", "kind"), [((0.0, 1.0), None), ((1.0, 0.0), CENTRE)])
 def test_a_line_that_ends_in_a_corner_is_no_centre_line(
     way: tuple[float, float], kind: AnnotationKind | None
