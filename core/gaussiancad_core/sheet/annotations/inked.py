@@ -25,6 +25,10 @@ _EDGE, _SHORTEST_EDGE = 10.0, 4.0
 """Length from which a wide stretch is an edge and no arrowhead, in widths of a line; and where it
 is as wide as edges all along."""
 
+_BLOT, _HEAD = 1.6, 16.0
+"""Width of a stretch from which it is no edge, and its length up to which it is an arrowhead, in
+widths of edges."""
+
 _STEADY_SHARE, _PARALLEL, _KNOWN = 0.12, 0.8, 0.4
 """Share of an edge's width by which its ink may be wider or narrower, share of the places where its
 width is known at which it is not, and share of all places: arrowheads taper."""
@@ -135,7 +139,7 @@ def _without_heads(
     narrow: npt.NDArray[np.bool_], widths: npt.NDArray[np.float64], limit: float, visible: float
 ) -> npt.NDArray[np.bool_]:
     """Narrow places; wide stretches beside them that are shorter than an edge, and not as wide as
-    one all along, are arrowheads.
+    one all along, are arrowheads, and so are longer ones that are far wider.
 
     Args:
         narrow: (n,) every px along a run.
@@ -147,9 +151,13 @@ def _without_heads(
     if len(borders) == 2:
         return result
     for start, end in pairwise(borders):
-        if not narrow[start] and end - start < _EDGE * limit:
-            own = widths[start:end]
-            steady = np.abs(own[np.isfinite(own)] - visible) <= _STEADY_SHARE * visible
+        own = widths[start:end]
+        own = own[np.isfinite(own)]
+        blot = len(own) and np.median(own) > _BLOT * visible and end - start < _HEAD * visible
+        if not narrow[start] and blot:
+            result[start:end] = True
+        elif not narrow[start] and end - start < _EDGE * limit:
+            steady = np.abs(own - visible) <= _STEADY_SHARE * visible
             edge = end - start >= _SHORTEST_EDGE * limit and steady.sum() >= _KNOWN * (end - start)
             result[start:end] = not (edge and steady.mean() >= _PARALLEL)
     return result

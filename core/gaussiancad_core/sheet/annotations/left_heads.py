@@ -59,7 +59,11 @@ def without_heads(part: CleanSheet, told: Told, stroke_width: float) -> CleanShe
     for line, own, _ in told_lines(told.shapes, told.kinds):
         along, across = line.coordinates(middles)
         reach = sides / 2 + _APART * stroke_width
-        at_end = np.minimum(np.abs(along - own.run.start), np.abs(along - own.run.end)) <= reach
+        # Of a head that went with its line in part, the rest is before the line's end.
+        before = np.where(
+            (along > own.run.start) & (along < own.run.end), _LARGEST * stroke_width, reach
+        )
+        at_end = np.minimum(np.abs(along - own.run.start), np.abs(along - own.run.end)) <= before
         heads |= blots & at_end & (np.abs(across) <= _BESIDE * stroke_width)
     for number in np.flatnonzero(heads):
         heads[number] = _is_solid(labels, boxes[number], int(number))

@@ -157,6 +157,16 @@ def test_arrowheads_stay_with_their_line(sketch: Sketch) -> None:
     assert cut.runs[0].width == pytest.approx(1.5, abs=0.25)
 
 
+def test_a_large_wide_arrowhead_is_no_edge(sketch: Sketch) -> None:
+    """It is longer than a short edge, and twice as wide."""
+    drawn = sketch().line((20, 60), (180, 60), 1.0).filled((180, 60), (158, 53), (158, 67))
+    for y in (90, 100, 110, 120, 130):
+        drawn.line((20, y), (180, y), 2.0)
+    sheet, shapes = _inked(drawn)
+    cut = split_by_width(sheet, _level(shapes, 60.0), 1.4, 2.0)
+    assert len(cut.runs) == 1
+
+
 def test_lines_of_one_width_stay_whole(sketch: Sketch) -> None:
     for width in (1.5, 3.0):
         drawn = sketch().line((20, 60), (180, 60), width).line((90, 20), (90, 140), 3.0)
