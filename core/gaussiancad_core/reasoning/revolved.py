@@ -150,18 +150,21 @@ def _concentric(plane: PlaneSupports, centre: tuple[float, float], near: float) 
 def _sectors(
     plane: PlaneSupports, centre: tuple[float, float], profile: Profile, near: float
 ) -> list[Sector | None]:
-    """Through which angles a profile turns: a whole turn, or those of the arcs at its ends."""
+    """Through which angles a profile turns: a whole turn, or those of the arcs at its ends.
+
+    A bore in a rounded corner says nothing of the corner's rim.
+    """
     concentric = _concentric(plane, centre, near)
-    if any(sum(high - low for low, high in s.drawn()) > _WHOLE for s in concentric):
-        return [None]
     ends = (profile.radius(profile.low), profile.radius(profile.high))
+    rims = [s for s in concentric if min(abs(s.curve.radius - end) for end in ends) <= near]
+    if any(sum(high - low for low, high in s.drawn()) > _WHOLE for s in rims or concentric):
+        return [None]
     found: list[Sector | None] = []
-    for support in concentric:
-        if min(abs(support.curve.radius - end) for end in ends) <= near:
-            arcs = support.drawn()
-            if len(arcs) > 1 and arcs[0][0] < _TINY and arcs[-1][1] > TURN - _TINY:
-                arcs = [*arcs[1:-1], (arcs[-1][0], TURN + arcs[0][1])]
-            found += [sector_of(support.curve, arc, plane.supports, near) for arc in arcs]
+    for support in rims:
+        arcs = support.drawn()
+        if len(arcs) > 1 and arcs[0][0] < _TINY and arcs[-1][1] > TURN - _TINY:
+            arcs = [*arcs[1:-1], (arcs[-1][0], TURN + arcs[0][1])]
+        found += [sector_of(support.curve, arc, plane.supports, near) for arc in arcs]
     return [None] if None in found else found
 
 
