@@ -9,11 +9,13 @@ from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from math import inf
 
 import numpy as np
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.reasoning.curves import TURN, LineCurve, PlaneCurve, Point, meetings
+from gaussiancad_core.reasoning.joints import joints_of
 from gaussiancad_core.reasoning.unsure_kinds import UNSURE
 from gaussiancad_core.views import Linetype
 
@@ -141,13 +143,19 @@ def supports_with_spans(
         tolerance: units by which the end of a stroke may be off.
     """
     reach = max(3.0 * tolerance, _DROPPED)
-    stations = [stations_on(curve, [*curves, *grid]) for curve in curves]
+    own_stations = [stations_on(curve, list(curves)) for curve in curves]
+    stations = [
+        sorted({*own, *stations_on(curve, list(grid))})
+        for curve, own in zip(curves, own_stations, strict=True)
+    ]
+    joints = joints_of(curves, [(index, stroke.ends) for index, stroke in strokes], reach)
     spans: list[dict[Role, list[Span]]] = [{} for _ in curves]
-    for index, stroke in strokes:
+    for (index, stroke), joint in zip(strokes, joints, strict=True):
         curve = curves[index]
         own = spans[index].setdefault(stroke.role, [])
         slack = reach / curve.speed
-        ends = _slid(curve, stroke.ends, (stations[index], slack), curves, tolerance)
+        ends = _joined(curve, stroke.ends, joint, own_stations[index])
+        ends = _slid(curve, ends, (stations[index], slack), curves, tolerance)
         for low, high in _settled(curve, ends, stations[index], slack):
             if high - low > 1e-9:
                 own.append(Span(low, high, stroke.linetype, stroke.confidence))
@@ -156,6 +164,37 @@ def supports_with_spans(
         for curve, by_role in zip(curves, spans, strict=True)
     ]
     return tuple(_filled(support, found, tolerance) for support in found)
+
+
+def _joined(
+    curve: PlaneCurve,
+    ends: tuple[float, float],
+    joints: tuple[float | None, float | None],
+    stations: list[float],
+) -> tuple[float, float]:
+    """A stroke's ends, led to their joints where no other curve of the plane is met nearer by.
+
+    Args:
+        curve: of the stroke.
+        ends: as read.
+        joints: of both ends, None where there is none.
+        stations: where the curve meets others of the plane.
+    """
+    if not isinstance(curve, LineCurve):
+        if ends[1] - ends[0] >= TURN:
+            return ends
+        stations = [station + turn for turn in (-TURN, 0.0, TURN) for station in stations]
+    low, high = (
+        end if joint is None or _is_nearer(stations, end, joint) else joint
+        for end, joint in zip(ends, joints, strict=True)
+    )
+    return low, high
+
+
+def _is_nearer(stations: list[float], end: float, joint: float) -> bool:
+    """Whether a station is nearer to an end than its joint, which is one of them."""
+    nearest = nearest_station(stations, end, inf)
+    return abs(nearest - end) < abs(joint - end) - 1e-9
 
 
 def _slid(

@@ -1,5 +1,7 @@
 """What is drawn on a line, and gaps that other lines cover."""
 
+from math import pi
+
 import pytest
 
 from gaussiancad_core.axes import Role
@@ -65,3 +67,22 @@ def test_an_arc_does_not_go_on_to_a_tangent_that_nothing_is_drawn_on() -> None:
     drawn = [(0, DrawnStretch(_FRONT, ends, _HIDDEN, 1.0))]
     (own,) = supports_with_spans([arc], drawn, [axis_line(0, 15.6)], _TOLERANCE)
     assert sum(high - low for low, high in own.drawn()) == pytest.approx(2.073)
+
+
+def test_arcs_end_where_they_touch_though_another_view_has_a_value_beside_it() -> None:
+    """The value is nearer to one of the ends as read: they would end apart."""
+    small, large = CircleCurve((30.0, 20.0), 4.0), CircleCurve((20.0, 20.0), 6.0)
+    strokes = [
+        (0, DrawnStretch(_FRONT, (pi / 2.0, pi + 0.0001), _HIDDEN, 1.0)),
+        (1, DrawnStretch(_FRONT, (0.0005, pi / 2.0), _HIDDEN, 1.0)),
+    ]
+    one, other = supports_with_spans([small, large], strokes, [axis_line(1, 20.0035)], 0.006)
+    assert one.drawn() == [(pytest.approx(pi / 2.0), pytest.approx(pi, abs=1e-9))]
+    assert other.drawn() == [(pytest.approx(0.0, abs=1e-9), pytest.approx(pi / 2.0))]
+
+
+def test_an_arc_that_nothing_ends_at_ends_at_a_value_of_another_view() -> None:
+    arc = CircleCurve((20.0, 20.0), 6.0)
+    strokes = [(0, DrawnStretch(_FRONT, (0.0005, pi / 2.0), _HIDDEN, 1.0))]
+    (one,) = supports_with_spans([arc], strokes, [axis_line(1, 20.0035)], 0.006)
+    assert arc.at(one.drawn()[0][0])[1] == pytest.approx(20.0035)
