@@ -1,4 +1,4 @@
-"""Two hidden lines so close beside each other that no paper shows between their dashes.
+"""Two hidden lines so close beside each other that little or no paper shows between their dashes.
 
 All dashes of a sheet are drawn by one pen.  Where those of one line are all wider than the others,
 by as much along each of them, they are two lines' dashes.  How much wider tells how far apart they
@@ -6,8 +6,8 @@ are while they overlap, and then the second moment of the ink across them: of tw
 that of one and the square of half their distance.
 """
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -40,10 +40,16 @@ _EVEN_PX = 0.35
 _PARALLEL = 0.99
 """Cosine of the angle between lines that run beside each other, at least."""
 
+_BESIDE = 0.5
+"""Share of a line beside which another runs that its dashes were all measured with, at least."""
+
+_MIRRORED = 1.0
+"""px by which the second of two lines may be off where the middle of their ink tells that it is."""
+
 _SAME = 0.5
 """px between two lines that are one."""
 
-_REACH, _BLANK = 1.8, 0.1
+_REACH, _BLANK = 2.1, 0.1
 """How far on either side of a line, in stroke widths, only its own ink is; ink of paper."""
 
 _WIDER = 0.9
@@ -52,7 +58,7 @@ _WIDER = 0.9
 _TOUCHING = 0.95
 """Distance between two lines whose strokes touch, in the pen's widths."""
 
-_NEAREST, _FARTHEST = 1.0, 1.6
+_NEAREST, _FARTHEST = 1.0, 2.0
 """px between two lines at least; and at most, in the pen's widths: farther apart paper shows."""
 
 
@@ -64,7 +70,7 @@ def with_twins(views: Sequence[ViewShapes], rhythm: Rhythm) -> list[ViewShapes]:
         rhythm: of the sheet's dashes.
     """
     measured = [[_dashes(view, shape, rhythm) for shape in view.shapes] for view in views]
-    known = np.concatenate([own for of_view in measured for own in of_view] or [np.empty((0, 2))])
+    known = np.concatenate([own for of_view in measured for own in of_view] or [np.empty((0, 3))])
     known = known[np.isfinite(known[:, 0])]
     if len(known) < _FEWEST_DASHES:
         return list(views)
@@ -84,14 +90,19 @@ def _parted(
     """The shapes of a view with those that are two lines as two."""
     shapes: list[Shape] = []
     pairs: list[tuple[Shape, Shape]] = []
-    for shape, dashes in zip(view.shapes, measured, strict=True):
-        for even in _twins(shape, dashes, pen, view):
-            pair = uneven_twins(even, view.sheet, float(pen[0]), rhythm)
-            # Ink that goes to and fro gives several lines, one of which is enough.
-            if pair is None or not any(_is_same(pair, other) for other in pairs):
-                shapes += pair or (even,)
-            if pair is not None:
-                pairs.append(pair)
+    bands = [_band(dashes, pen) for dashes in measured]
+    twins = [_twins(index, bands, pen, view) for index in range(len(bands))]
+    gone: set[int] = set()
+    for index, found in enumerate(twins):
+        if index not in gone:
+            gone.update(found.others)
+    for even in (own for k, found in enumerate(twins) if k not in gone for own in found.shapes):
+        pair = uneven_twins(even, view.sheet, float(pen[0]), rhythm)
+        # Ink that goes to and fro gives several lines, one of which is enough.
+        if pair is None or not any(_is_same(pair, other) for other in pairs):
+            shapes += pair or (even,)
+        if pair is not None:
+            pairs.append(pair)
     return tuple(shapes)
 
 
@@ -110,73 +121,112 @@ def _is_same(pair: tuple[Shape, Shape], other: tuple[Shape, Shape]) -> bool:
 
 
 def _dashes(view: ViewShapes, shape: Shape, rhythm: Rhythm) -> Floats:
-    """(n, 2) of a line's dashes the ink across them, px, and its second moment, px squared; NaN
-    where other strokes are all along beside one."""
+    """(n, 3) of a line's dashes the ink across them, px, its second moment, px squared, and how far
+    its middle lies beside the line, px; NaN where other strokes are all along beside one."""
     line = shape.geometry
     if not isinstance(line, Line):
-        return np.empty((0, 2))
+        return np.empty((0, 3))
     dashes = [run for run in shape.runs if abs(run.length / rhythm.dash - 1.0) < _LIKE_A_DASH]
-    return np.array([_ink_across(view.sheet, line, run) for run in dashes]).reshape(-1, 2)
+    return np.array([_ink_across(view.sheet, line, run) for run in dashes]).reshape(-1, 3)
 
 
-def _ink_across(sheet: CleanSheet, line: Line, run: Run) -> tuple[float, float]:
+def _ink_across(sheet: CleanSheet, line: Line, run: Run) -> tuple[float, float, float]:
     reach = _REACH * sheet.stroke_width + 1.0
     offsets = np.arange(-reach, reach + 0.25, 0.5)
     # The ends of a dash are half paper.
     along = np.arange(run.start + 2.0, run.end - 1.5, 1.0)
+    unknown = (float("nan"),) * 3
     if not len(along):
-        return float("nan"), float("nan")
+        return unknown
     points, (dx, dy) = line.points_at(along), line.direction
     profile = sample(sheet.weight, points[:, :1] - dy * offsets, points[:, 1:] + dx * offsets)
     clear = (profile[:, :2] < _BLANK).all(axis=1) & (profile[:, -2:] < _BLANK).all(axis=1)
     if not clear.any():
-        return float("nan"), float("nan")
+        return unknown
     ink = np.median(profile[clear], axis=0)
     middle = np.average(offsets, weights=ink)
-    return float(ink.sum() * 0.5), float(np.average((offsets - middle) ** 2, weights=ink))
+    moment = float(np.average((offsets - middle) ** 2, weights=ink))
+    return float(ink.sum() * 0.5), moment, float(middle)
 
 
-def _twins(shape: Shape, dashes: Floats, pen: Floats, view: ViewShapes) -> list[Shape]:
-    """The shape, or the two in its place.
+@dataclass(frozen=True)
+class _Band:
+    """The ink of a line's dashes, which are wider than the pen's.
+
+    Attributes:
+        ink: px across it.
+        moment: px squared, the second one.
+        middle: px beside the line.
+    """
+
+    ink: float
+    moment: float
+    middle: float
+
+
+@dataclass(frozen=True)
+class _Found:
+    """A shape, or the two in its place, and the numbers of others that are of the same ink."""
+
+    shapes: tuple[Shape, ...]
+    others: tuple[int, ...] = ()
+
+
+def _band(dashes: Floats, pen: Floats) -> _Band | None:
+    """The band that dashes make; None if they are one line's.
 
     Args:
-        shape: of a view.
-        dashes: (n, 2) of the shape, as :func:`_dashes` gives them.
-        pen: (2,) of dashes of single lines.
-        view: of the shape.
+        dashes: (n, 3) of a shape, as :func:`_dashes` gives them.
+        pen: (3,) of dashes of single lines.
     """
     known = dashes[np.isfinite(dashes[:, 0])]
     if len(known) < max(_OF_ONE_LINE, _MEASURED * len(dashes)):
-        return [shape]
-    ink, moment = np.median(known, axis=0)
+        return None
+    ink, moment, middle = (float(value) for value in np.median(known, axis=0))
     even = float(np.abs(known[:, 0] - ink).max()) <= _EVEN_PX
     if not even or ink - pen[0] < _WIDER or moment <= pen[1]:
-        return [shape]
-    apart = 2.0 * float(np.sqrt(moment - pen[1]))
+        return None
+    return _Band(ink, moment, middle)
+
+
+def _twins(index: int, bands: Sequence[_Band | None], pen: Floats, view: ViewShapes) -> _Found:
+    """A shape of a view, or the two in its place."""
+    shape, band = view.shapes[index], bands[index]
+    if band is None:
+        return _Found((shape,))
+    apart = 2.0 * float(np.sqrt(band.moment - pen[1]))
     # Strokes that overlap are one wide one.
-    apart = apart if apart > _TOUCHING * pen[0] else float(ink - pen[0])
-    if not _NEAREST <= apart <= _FARTHEST * pen[0] or _has_neighbour(shape, view):
-        return [shape]
+    apart = apart if apart > _TOUCHING * pen[0] else float(band.ink - pen[0])
+    if not _NEAREST <= apart <= _FARTHEST * pen[0]:
+        return _Found((shape,))
+    # Lines may have been grown along both, but not where they lie: each has the other's ink, too.
+    beside = list(_beside(shape, view))
+    others = [k for k, across in beside if abs(across - 2.0 * band.middle) <= _MIRRORED]
+    if len(others) < len(beside) or (others and abs(band.middle) < 0.25 * apart):
+        return _Found((shape,))
     line = shape.geometry
     normal = np.array([-line.direction[1], line.direction[0]])
-    middle = np.array(line.point)
-    return [
+    middle = np.array(line.point) + band.middle * normal
+    pair = [
         replace(shape, geometry=Line((float(x), float(y)), line.direction), close=True, twin=True)
         for x, y in (middle - 0.5 * apart * normal, middle + 0.5 * apart * normal)
     ]
+    return _Found(tuple(pair), tuple(others))
 
 
-def _has_neighbour(shape: Shape, view: ViewShapes) -> bool:
-    """Whether another line runs so near beside a line that its ink was measured as well."""
-    line, near = shape.geometry, 2.0 * _REACH * view.sheet.stroke_width
+def _beside(shape: Shape, view: ViewShapes) -> Iterator[tuple[int, float]]:
+    """The numbers of lines that run so near beside a line that their ink was measured with that of
+    most of its dashes, and px from the one to the other, as the ink's middle is counted."""
+    line, near = shape.geometry, (_REACH + 1.0) * view.sheet.stroke_width + 1.0
     own = shape.runs[0].start, shape.runs[-1].end
-    for other in view.shapes:
+    for index, other in enumerate(view.shapes):
         if other is shape or not isinstance(other.geometry, Line) or not other.runs:
             continue
         if abs(float(np.dot(other.geometry.direction, line.direction))) < _PARALLEL:
             continue
         ends = np.array([other.runs[0].start, other.runs[-1].end])
         along, across = line.coordinates(other.geometry.points_at(ends))
-        if along.max() > own[0] and along.min() < own[1] and np.abs(across).min() < near:
-            return True
-    return False
+        shared = min(along.max(), own[1]) - max(along.min(), own[0])
+        # What is beside a few of the dashes makes these wider than the others.
+        if shared > _BESIDE * (own[1] - own[0]) and np.abs(across).min() < near:
+            yield index, float(across.mean())

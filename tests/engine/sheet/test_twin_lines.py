@@ -48,6 +48,28 @@ def test_two_lines_whose_dashes_melt(sketch: Sketch, apart: float) -> None:
     assert found == pytest.approx(true, abs=0.2)
 
 
+@pytest.mark.parametrize("pen", [1.4, 2.0, 2.6, 3.2])
+@pytest.mark.parametrize("share", [1.1, 1.3, 1.5, 1.7, 1.9, 2.1, 2.4])
+def test_two_lines_with_little_paper_between(sketch: Sketch, pen: float, share: float) -> None:
+    """Lines are grown along both, but not where they lie, or along one of them only."""
+    drawn = sketch(320, 240).lines((20, 20), (300, 20), (300, 220), (20, 220), (20, 20))
+    true = [50.0, 70.0, 90.0, 120.0 - share * pen / 2.0, 120.0 + share * pen / 2.0, 190.0]
+    for y in true:
+        drawn.broken((22, y), (298, y), RHYTHM, pen)
+    assert _levels(drawn) == pytest.approx(true, abs=0.25)
+
+
+@pytest.mark.parametrize("apart", [3.0, 3.2, 3.4])
+def test_two_lines_beside_an_edge(sketch: Sketch, apart: float) -> None:
+    """It is near one of them, so that only the other one's dashes are measured."""
+    drawn = _plate(sketch)
+    true = [50.0, 70.0, 90.0, 120.0 - apart / 2.0, 120.0 + apart / 2.0, 190.0]
+    for y in true[1:-1]:
+        drawn.broken((22, y), (298, y), RHYTHM)
+    drawn.line((20.0, true[4] + 8.0), (300.0, true[4] + 8.0))
+    assert _levels(drawn) == pytest.approx(true, abs=0.2)
+
+
 def test_one_line_with_a_wider_pen_dash_is_one(sketch: Sketch) -> None:
     """Ink that ran, of some dashes: they are not wider by as much along all of the line."""
     drawn = _plate(sketch).broken((22, 120), (298, 120), RHYTHM)
