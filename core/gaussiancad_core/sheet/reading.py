@@ -10,6 +10,7 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.dash_blocks import with_dash_blocks
 from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.edge_dashes import with_edge_dashes
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.masks import Outline, Region, find_outline, supersampling_for
 from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
@@ -134,7 +135,7 @@ def read_views(
     shapes = dict(zip(shapes, with_rings(shapes, layout.boxes), strict=True))
     rhythm = view_rhythm(list(shapes.values()), sheet.stroke_width)
     lines = with_twins(with_dash_blocks(list(shapes.values()), rhythm), rhythm)
-    shapes = dict(zip(shapes, lines, strict=True))
+    shapes = dict(zip(shapes, with_edge_dashes(lines, rhythm), strict=True))
     pens = view_pens(list(shapes.values()), rhythm)
     largest = max(max(x1 - x0, y1 - y0) for x0, y0, x1, y1 in layout.boxes.values())
     supersampling = supersampling_for(largest)

@@ -46,6 +46,9 @@ _BESIDE = 0.5
 _MIRRORED = 1.0
 """px by which the second of two lines may be off where the middle of their ink tells that it is."""
 
+_AS_MANY = 0.5
+"""Runs of the second of two lines in those of the first at least: beside an edge it has one."""
+
 _SAME = 0.5
 """px between two lines that are one."""
 
@@ -70,22 +73,47 @@ def with_twins(views: Sequence[ViewShapes], rhythm: Rhythm) -> list[ViewShapes]:
         rhythm: of the sheet's dashes.
     """
     measured = [[_dashes(view, shape, rhythm) for shape in view.shapes] for view in views]
-    known = np.concatenate([own for of_view in measured for own in of_view] or [np.empty((0, 3))])
-    known = known[np.isfinite(known[:, 0])]
-    if len(known) < _FEWEST_DASHES:
+    pen = _pen(measured)
+    if pen is None:
         return list(views)
-    by_pen = np.abs(known[:, 0] - np.median(known[:, 0])) <= _STEADY_PX
-    if by_pen.mean() < _STEADY:
-        return list(views)
-    pen = np.median(known[by_pen], axis=0)
     return [
         replace(view, shapes=_parted(view, dashes, pen, rhythm))
         for view, dashes in zip(views, measured, strict=True)
     ]
 
 
+@dataclass(frozen=True)
+class DashPen:
+    """The pen of a sheet's dashes.
+
+    Attributes:
+        ink: px across a dash.
+        moment: px squared, the second one of its ink.
+    """
+
+    ink: float
+    moment: float
+
+
+def dash_pen(views: Sequence[ViewShapes], rhythm: Rhythm) -> DashPen | None:
+    """The pen of the dashes of all views of a sheet; None where it cannot be told."""
+    return _pen([[_dashes(view, shape, rhythm) for shape in view.shapes] for view in views])
+
+
+def _pen(measured: Sequence[Sequence[Floats]]) -> DashPen | None:
+    known = np.concatenate([own for of_view in measured for own in of_view] or [np.empty((0, 3))])
+    known = known[np.isfinite(known[:, 0])]
+    if len(known) < _FEWEST_DASHES:
+        return None
+    by_pen = np.abs(known[:, 0] - np.median(known[:, 0])) <= _STEADY_PX
+    if by_pen.mean() < _STEADY:
+        return None
+    ink, moment, _ = (float(value) for value in np.median(known[by_pen], axis=0))
+    return DashPen(ink, moment)
+
+
 def _parted(
-    view: ViewShapes, measured: Sequence[Floats], pen: Floats, rhythm: Rhythm
+    view: ViewShapes, measured: Sequence[Floats], pen: DashPen, rhythm: Rhythm
 ) -> tuple[Shape, ...]:
     """The shapes of a view with those that are two lines as two."""
     shapes: list[Shape] = []
@@ -97,7 +125,7 @@ def _parted(
         if index not in gone:
             gone.update(found.others)
     for even in (own for k, found in enumerate(twins) if k not in gone for own in found.shapes):
-        pair = uneven_twins(even, view.sheet, float(pen[0]), rhythm)
+        pair = uneven_twins(even, view.sheet, pen.ink, rhythm)
         # Ink that goes to and fro gives several lines, one of which is enough.
         if pair is None or not any(_is_same(pair, other) for other in pairs):
             shapes += pair or (even,)
@@ -172,36 +200,41 @@ class _Found:
     others: tuple[int, ...] = ()
 
 
-def _band(dashes: Floats, pen: Floats) -> _Band | None:
+def _band(dashes: Floats, pen: DashPen) -> _Band | None:
     """The band that dashes make; None if they are one line's.
 
     Args:
         dashes: (n, 3) of a shape, as :func:`_dashes` gives them.
-        pen: (3,) of dashes of single lines.
+        pen: of dashes of single lines.
     """
     known = dashes[np.isfinite(dashes[:, 0])]
     if len(known) < max(_OF_ONE_LINE, _MEASURED * len(dashes)):
         return None
     ink, moment, middle = (float(value) for value in np.median(known, axis=0))
     even = float(np.abs(known[:, 0] - ink).max()) <= _EVEN_PX
-    if not even or ink - pen[0] < _WIDER or moment <= pen[1]:
+    if not even or ink - pen.ink < _WIDER or moment <= pen.moment:
         return None
     return _Band(ink, moment, middle)
 
 
-def _twins(index: int, bands: Sequence[_Band | None], pen: Floats, view: ViewShapes) -> _Found:
+def _twins(index: int, bands: Sequence[_Band | None], pen: DashPen, view: ViewShapes) -> _Found:
     """A shape of a view, or the two in its place."""
     shape, band = view.shapes[index], bands[index]
     if band is None:
         return _Found((shape,))
-    apart = 2.0 * float(np.sqrt(band.moment - pen[1]))
+    apart = 2.0 * float(np.sqrt(band.moment - pen.moment))
     # Strokes that overlap are one wide one.
-    apart = apart if apart > _TOUCHING * pen[0] else float(band.ink - pen[0])
-    if not _NEAREST <= apart <= _FARTHEST * pen[0]:
+    apart = apart if apart > _TOUCHING * pen.ink else float(band.ink - pen.ink)
+    if not _NEAREST <= apart <= _FARTHEST * pen.ink:
         return _Found((shape,))
     # Lines may have been grown along both, but not where they lie: each has the other's ink, too.
     beside = list(_beside(shape, view))
-    others = [k for k, across in beside if abs(across - 2.0 * band.middle) <= _MIRRORED]
+    fewest = _AS_MANY * len(shape.runs)
+    others = [
+        k
+        for k, across in beside
+        if abs(across - 2.0 * band.middle) <= _MIRRORED and len(view.shapes[k].runs) >= fewest
+    ]
     if len(others) < len(beside) or (others and abs(band.middle) < 0.25 * apart):
         return _Found((shape,))
     line = shape.geometry
