@@ -88,23 +88,26 @@ def with_edge_dashes(views: Sequence[ViewShapes], rhythm: Rhythm) -> list[ViewSh
 def _with_dashes(view: ViewShapes, pen: DashPen, rhythm: Rhythm) -> tuple[Shape, ...]:
     least = _FEWEST * rhythm.dash + (_FEWEST - 1) * rhythm.gap
     found: list[Shape] = []
-    gone: set[int] = set()
-    for index, shape in enumerate(view.shapes):
-        if index in gone or not isinstance(shape.geometry, Line) or shape.close:
-            continue
-        run = max(shape.runs, key=lambda own: own.length, default=None)
-        if run is None or run.length < least:
-            continue
-        pair = _melted(replace(shape, runs=(run,)), view, pen, rhythm)
-        # The ink goes to and fro, and what was grown along it may slope and end too early.
-        again = _whole(pair[0], view) if pair is not None else None
-        pair = _melted(again, view, pen, rhythm) if again is not None else None
-        if pair is None:
-            continue
-        gone |= {index, *_on_their_ink(pair, view)}
-        if not any(_is_same(pair[0], own) for own in found[::2]):
-            found += pair
-    return (*(own for k, own in enumerate(view.shapes) if k not in gone), *found)
+    left = list(view.shapes)
+    for index in range(len(left)):
+        shape = left[index]
+        straight = isinstance(shape.geometry, Line) and not shape.close
+        for run in shape.runs if straight else ():
+            if run.length < least or run not in left[index].runs:
+                continue
+            pair = _melted(replace(shape, runs=(run,)), view, pen, rhythm)
+            # The ink goes to and fro, and what was grown along it may slope and end too early.
+            again = _whole(pair[0], view) if pair is not None else None
+            pair = _melted(again, view, pen, rhythm) if again is not None else None
+            if pair is None:
+                continue
+            left = [_elsewhere(own, pair) for own in left]
+            if not any(_is_same(pair[0], own) for own in found[::2]):
+                found += pair
+    kept = [
+        own for own, before in zip(left, view.shapes, strict=True) if own.runs or not before.runs
+    ]
+    return (*kept, *found)
 
 
 def _is_same(edge: Shape, other: Shape) -> bool:
@@ -131,22 +134,21 @@ def _whole(edge: Shape, view: ViewShapes) -> Shape | None:
     return None
 
 
-def _on_their_ink(pair: tuple[Shape, Shape], view: ViewShapes) -> set[int]:
-    """The numbers of the lines that were grown along the ink of an edge and of dashes beside it."""
+def _elsewhere(shape: Shape, pair: tuple[Shape, Shape]) -> Shape:
+    """A shape without what was grown along the ink of an edge and of the dashes beside it."""
     edge, hidden = pair
-    (run,), line, near = edge.runs, edge.geometry, _ONE_PX
+    if not isinstance(shape.geometry, Line) or not shape.runs:
+        return shape
+    (run,), line = edge.runs, edge.geometry
     aside = float(line.coordinates(np.array([hidden.geometry.point]))[1][0])
-    low, high = min(aside, 0.0) - near, max(aside, 0.0) + near
-    found = set()
-    for index, other in enumerate(view.shapes):
-        if not isinstance(other.geometry, Line) or not other.runs:
-            continue
-        places = np.array([other.runs[0].start, other.runs[-1].end])
-        at, across = line.coordinates(other.geometry.points_at(places))
-        within = at.min() >= run.start - _END_PX and at.max() <= run.end + _END_PX
-        if within and across.min() >= low and across.max() <= high:
-            found.add(index)
-    return found
+    places = np.array([(own.start, own.end) for own in shape.runs]).ravel()
+    at, across = (own.reshape(-1, 2) for own in line.coordinates(shape.geometry.points_at(places)))
+    there = (at >= run.start - _END_PX) & (at <= run.end + _END_PX)
+    there &= (across >= min(aside, 0.0) - _ONE_PX) & (across <= max(aside, 0.0) + _ONE_PX)
+    if not there.all(axis=1).any():
+        return shape
+    kept = [own for own, gone in zip(shape.runs, there.all(axis=1), strict=True) if not gone]
+    return replace(shape, runs=tuple(kept))
 
 
 def _melted(

@@ -46,8 +46,9 @@ _BESIDE = 0.5
 _MIRRORED = 1.0
 """px by which the second of two lines may be off where the middle of their ink tells that it is."""
 
-_AS_MANY = 0.5
-"""Runs of the second of two lines in those of the first at least: beside an edge it has one."""
+_AS_MANY, _AS_FAR = 0.5, 0.8
+"""Runs of the second of two lines in those of the first at least; length of the first in the
+second's at least: what goes on alone is a line by itself."""
 
 _SAME = 0.5
 """px between two lines that are one."""
@@ -229,11 +230,10 @@ def _twins(index: int, bands: Sequence[_Band | None], pen: DashPen, view: ViewSh
         return _Found((shape,))
     # Lines may have been grown along both, but not where they lie: each has the other's ink, too.
     beside = list(_beside(shape, view))
-    fewest = _AS_MANY * len(shape.runs)
     others = [
         k
         for k, across in beside
-        if abs(across - 2.0 * band.middle) <= _MIRRORED and len(view.shapes[k].runs) >= fewest
+        if abs(across - 2.0 * band.middle) <= _MIRRORED and _keeps_pace(view.shapes[k], shape)
     ]
     if len(others) < len(beside) or (others and abs(band.middle) < 0.25 * apart):
         return _Found((shape,))
@@ -245,6 +245,13 @@ def _twins(index: int, bands: Sequence[_Band | None], pen: DashPen, view: ViewSh
         for x, y in (middle - 0.5 * apart * normal, middle + 0.5 * apart * normal)
     ]
     return _Found(tuple(pair), tuple(others))
+
+
+def _keeps_pace(other: Shape, shape: Shape) -> bool:
+    """Whether a line has as many runs as another, as far as it goes: beside an edge it has not."""
+    length, its = (own.runs[-1].end - own.runs[0].start for own in (shape, other))
+    alike = len(other.runs) >= _AS_MANY * len(shape.runs)
+    return alike and its <= length / _AS_FAR
 
 
 def _beside(shape: Shape, view: ViewShapes) -> Iterator[tuple[int, float]]:

@@ -83,6 +83,15 @@ def test_a_part_of_an_edge_may_have_a_hidden_line_beside_it(sketch: Sketch) -> N
     assert found[Linetype.VISIBLE] == pytest.approx([20.0, 140.0, 220.0], abs=0.3)
 
 
+def test_what_goes_on_hidden_where_the_edge_ends_stays(sketch: Sketch) -> None:
+    drawn = _plate(sketch, 3.0, 1.8).line((20, 140), (130, 140), 3.0)
+    drawn.line((130, 20), (130, 140), 3.0).broken((136, 140), (298, 140), RHYTHM, 1.8)
+    drawn.broken((22, 137.6), (128, 137.6), RHYTHM, 1.8)
+    assert _levels(drawn)[Linetype.HIDDEN] == pytest.approx(
+        [50.0, 70.0, 90.0, 140.0, 190.0], abs=0.3
+    )
+
+
 @pytest.mark.parametrize(
     "rough",
     [

@@ -70,6 +70,14 @@ def test_two_lines_beside_an_edge(sketch: Sketch, apart: float) -> None:
     assert _levels(drawn) == pytest.approx(true, abs=0.2)
 
 
+@pytest.mark.parametrize("apart", [2.6, 3.0, 3.4])
+def test_of_two_lines_the_longer_one_goes_on(sketch: Sketch, apart: float) -> None:
+    drawn = _plate(sketch).broken((22, 70), (298, 70), RHYTHM).broken((22, 90), (298, 90), RHYTHM)
+    drawn.broken((22, 120), (298, 120), RHYTHM)
+    drawn.broken((22, 120 + apart), (140, 120 + apart), RHYTHM)
+    assert _levels(drawn) == pytest.approx([50.0, 70.0, 90.0, 120.0, 190.0], abs=0.3)
+
+
 def test_one_line_with_a_wider_pen_dash_is_one(sketch: Sketch) -> None:
     """Ink that ran, of some dashes: they are not wider by as much along all of the line."""
     drawn = _plate(sketch).broken((22, 120), (298, 120), RHYTHM)
