@@ -42,6 +42,9 @@ _STEP = 0.5
 _AT_LINES = np.radians(25.0)
 """At either end of the arc, where the ink is that of the lines as well."""
 
+_INTO_PX = 0.6
+"""px by which the arc has left a side's line where that ends at the latest."""
+
 _DARK = 0.5
 """Weight of the ink, in that of dashes, from which a place is ink."""
 
@@ -51,7 +54,7 @@ _INKED = 0.35
 _CLEAR = 0.3
 """Share of it at least that no other stroke crosses."""
 
-_OFF_PX = 0.45
+_OFF_PX = 0.3
 """px by which the ink's middle is off the arc, root mean square, at most."""
 
 _BESIDE = 0.06
@@ -136,12 +139,13 @@ def _slots(pieces: Sequence[Placed], width: float, rhythm: Rhythm) -> Iterator[_
 def _arc(slot: _Slot, pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhythm) -> Placed | None:
     """The half circle that the ink beyond the ends lies on, if there is one."""
     window = _Window.around(slot, pieces, sheet, rhythm)
-    behind, beyond = slot.radius + rhythm.dash, widest_gap(rhythm) + rhythm.dash
+    # Beyond the centre a side has left its line, unlike that of a drill, whose tip begins there.
+    behind, beyond = np.sqrt(2.0 * slot.radius * _INTO_PX), widest_gap(rhythm) + rhythm.dash
     tried = np.arange(-behind, beyond, _STEP)
     shares = [window.inked(slot, float(place)).sum() for place in tried]
     best = float(tried[int(np.argmax(shares))])
     best = _centred(window, slot, best)
-    if best is None or not _is_told(window, slot, best, rhythm):
+    if best is None or best < -behind or not _is_told(window, slot, best, rhythm):
         return None
     centre = slot.middle + best * slot.way
     circle = Circle((float(centre[0]), float(centre[1])), slot.radius)

@@ -51,6 +51,12 @@ def _side(drawn: Sketch, y: float) -> Placed:
     return Line((0.0, y), (1.0, 0.0)), Piece(LEFT, float(end), Linetype.HIDDEN, 0.9)
 
 
+def _whole_side(drawn: Sketch, y: float) -> Placed:
+    """A side whose last dash ends where it does."""
+    _dashed(drawn, [(TANGENT, y), (LEFT, y)], 0.0)
+    return Line((0.0, y), (1.0, 0.0)), Piece(LEFT, TANGENT, Linetype.HIDDEN, 0.9)
+
+
 def _drawn(drawn: Sketch, radius: float) -> list[Placed]:
     return [_side(drawn, MIDDLE - radius), _side(drawn, MIDDLE + radius)]
 
@@ -94,6 +100,19 @@ def test_a_pocket_with_two_corners_is_none(
     drawn = sketch(220, 160)
     sides = _drawn(drawn, radius)
     _dashed(drawn, _round_end(radius, corner), first)
+    assert _found(drawn, sides) == sides
+
+
+@pytest.mark.parametrize("first", [0.0, 6.0, 12.0])
+@pytest.mark.parametrize("radius", [7.0, 9.0, 12.3, 16.2, 24.0])
+@pytest.mark.parametrize("degrees", [30.0, 31.0, 45.0])
+def test_the_tip_of_a_drill_is_none(
+    sketch: Sketch, radius: float, degrees: float, first: float
+) -> None:
+    drawn = sketch(220, 160)
+    sides = [_whole_side(drawn, MIDDLE - radius), _whole_side(drawn, MIDDLE + radius)]
+    tip = TANGENT + radius * float(np.tan(np.radians(degrees))), MIDDLE
+    _dashed(drawn, [(TANGENT, MIDDLE - radius), tip, (TANGENT, MIDDLE + radius)], first)
     assert _found(drawn, sides) == sides
 
 
