@@ -68,7 +68,6 @@ from gaussiancad_core.sheet.slant_fits import with_fitted_slants
 from gaussiancad_core.sheet.slanted_dashes import with_slanted_dashes
 from gaussiancad_core.sheet.slanted_ends import ended_before_slants
 from gaussiancad_core.sheet.slanted_rungs import find_slanted_rungs
-from gaussiancad_core.sheet.slot_ends import with_slot_ends
 from gaussiancad_core.sheet.square_corners import has_square_corner
 from gaussiancad_core.sheet.straight_ends import with_straight_ends
 from gaussiancad_core.sheet.touching import ended_where_lines_touch, up_to_tangents
@@ -98,7 +97,6 @@ def classify_strokes(
     explained = Explained.blank(view.sheet)
     pieces = _seen_pieces(view, rhythm, pens, explained)
     pieces = with_whole_circles(pieces, view.sheet, rhythm)
-    pieces = with_slot_ends(pieces, view.sheet, rhythm)
     pieces = without_shadows(pieces, view.sheet.stroke_width, rhythm.dash)
     pieces = with_flat_ends(with_straight_ends(pieces, view.sheet), view.sheet)
     pieces = ended_where_lines_touch(pieces, view.sheet.stroke_width)
