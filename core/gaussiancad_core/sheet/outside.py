@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.sheet.masks import Outline
-from gaussiancad_core.views import Segment, Stroke
+from gaussiancad_core.views import Linetype, Segment, Stroke
 
 _BESIDE_PX = 1.5
 """px beside a stroke's axis at which either side is looked at: edges are as near to each other."""
@@ -113,12 +113,19 @@ def _cut(stroke: Segment, out: npt.NDArray[np.bool_], others: Sequence[Stroke]) 
 def _is_corner(
     end: tuple[float, float], beyond: float, stroke: Segment, others: Sequence[Stroke]
 ) -> bool:
-    """Whether an end outside is a corner that two lines make, both of which ended short of it."""
-    return beyond <= _CORNER_PX and any(
-        np.hypot(*np.subtract(end, its)) <= _SAME_PX
-        for other in others
-        if other is not stroke and isinstance(other, Segment) and other.linetype is stroke.linetype
-        for its in (other.start, other.end)
+    """Whether an end outside is a corner that two edges make, both of which ended short of it."""
+    edge = stroke.linetype is Linetype.VISIBLE
+    return (
+        edge
+        and beyond <= _CORNER_PX
+        and any(
+            np.hypot(*np.subtract(end, its)) <= _SAME_PX
+            for other in others
+            if other is not stroke
+            and isinstance(other, Segment)
+            and other.linetype is Linetype.VISIBLE
+            for its in (other.start, other.end)
+        )
     )
 
 

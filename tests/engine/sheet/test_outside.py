@@ -74,6 +74,13 @@ def test_a_corner_that_the_outline_was_closed_before_stays(sketch: Sketch) -> No
     assert without_outside(_rectangle(), _outline(drawn)) == _rectangle()
 
 
+def test_a_corner_of_hidden_lines_outside_is_none_of_the_part(sketch: Sketch) -> None:
+    corner = (130.5, 54.5)
+    hidden = Segment((130.5, 120.5), corner, HIDDEN), Segment((150.5, 94.5), corner, HIDDEN)
+    found = without_outside((*_rectangle(), *hidden), _outline(_drawn(sketch)))
+    assert all(stroke.end[1] > 58.0 for stroke in found[4:] if isinstance(stroke, Segment))
+
+
 def test_where_most_would_go_the_outline_is_wrong(sketch: Sketch) -> None:
     outline = _outline(_drawn(sketch))
     far = tuple(Segment((10.0, y), (50.0, y), VISIBLE) for y in (20.0, 60.0, 100.0, 140.0))
