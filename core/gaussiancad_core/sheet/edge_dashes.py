@@ -214,6 +214,8 @@ def _profile(view: ViewShapes, edge: Shape, pen: DashPen) -> _Profile | None:
     offsets = np.arange(-reach, reach + _STEP / 2.0, _STEP)
     (run,) = edge.runs
     along = np.arange(run.start + width, run.end - width, _STEP)
+    if not len(along):
+        return None
     points, (dx, dy) = line.points_at(along), line.direction
     ink = sample(view.sheet.weight, points[:, :1] - dy * offsets, points[:, 1:] + dx * offsets)
     clear = (ink[:, :2] < _BLANK).all(axis=1) & (ink[:, -2:] < _BLANK).all(axis=1)
@@ -247,8 +249,10 @@ def _row(
         return None
     inner = [profile.ink[first + 2 : last - 1] for first, last in longest]
     more = np.array([np.nanmedian(ink) - own for ink in inner if np.isfinite(ink).any()])
-    steady = np.abs(more - np.median(more)).max() <= _EVEN_PX
-    return longest if steady else None
+    steady = len(more) > 0 and np.abs(more - np.median(more)).max() <= _EVEN_PX
+    between = slice(longest[0][0], longest[-1][1])
+    gaps = np.count_nonzero(~(unknown | wide)[between])
+    return longest if steady and gaps >= _FEWEST else None
 
 
 def _bridged(wide: Flags, unknown: Flags) -> Flags:

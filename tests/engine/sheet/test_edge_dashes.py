@@ -2,6 +2,7 @@
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 from gaussiancad_core.sheet.clean import clean_sheet
@@ -90,6 +91,14 @@ def test_what_goes_on_hidden_where_the_edge_ends_stays(sketch: Sketch) -> None:
     assert _levels(drawn)[Linetype.HIDDEN] == pytest.approx(
         [50.0, 70.0, 90.0, 140.0, 190.0], abs=0.3
     )
+
+
+def test_where_all_gaps_are_crossed_nothing_is_told(sketch: Sketch) -> None:
+    drawn = _plate(sketch, 3.0, 1.8).line((20, 140), (300, 140), 3.0)
+    drawn.broken((22, 137.6), (298, 137.6), RHYTHM, 1.8)
+    for x in np.arange(37.0, 290.0, 18.0):
+        drawn.line((x, 118), (x, 162), 5.0)
+    assert len(_levels(drawn)[Linetype.VISIBLE]) == 3
 
 
 @pytest.mark.parametrize(
