@@ -26,8 +26,10 @@ from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import read_views, register_views
+from gaussiancad_core.sheet.scale.find import find_scale
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.sheet.view_search import find_views
+from gaussiancad_core.told_measures import trusted
 from gaussiancad_core.views import ViewSet
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
@@ -180,6 +182,10 @@ def read_input(
     drawn = read_views(separated.part, layout, vectors=lines)
     registered = register_views(drawn, options)
     plain = register_views(drawn, replace(options, open_holes=False))
+    measures = trusted(registered, find_scale(image, clean, separated.marks, drawn))
     return Input(
-        drawn_views(registered), plain.views, registered.views, source=registered.source.value
+        drawn_views(registered, measures),
+        plain.views,
+        registered.views,
+        source=registered.source.value,
     )

@@ -7,6 +7,7 @@ can tell from the sheet which is meant.
 Where there is none, what the outlines' sweeps have in common is a solid that is told to be no more.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 
 from gaussiancad_core.axes import Projection
@@ -16,10 +17,12 @@ from gaussiancad_core.reasoning.labelling import Effort
 from gaussiancad_core.sheet.pixel_grids import Rounding, rounding_step, seen_rounding
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import RegisteredSheet
+from gaussiancad_core.sheet.scale.estimate import Measure
 from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.sweep import swept_solid
 from gaussiancad_core.solid.verify import verify
+from gaussiancad_core.told_measures import told_numbers
 
 _ROUGH_PX = 1.0
 """Tolerance of strokes that were read from a picture."""
@@ -96,10 +99,12 @@ class Reading:
     Attributes:
         registered: on shared axes.
         projection: first or third angle.
+        measures: what the sheet's dimensions say.
     """
 
     registered: RegisteredSheet
     projection: Projection
+    measures: tuple[Measure, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -193,7 +198,7 @@ def with_fallback(model: ExactModel) -> ExactModel:
     """
     if model.result.shape is not None:
         return model
-    drawn = drawn_views(model.reading.registered)
+    drawn = drawn_views(model.reading.registered, model.reading.measures)
     shape = swept_solid(model.reading.registered.views, drawn.tolerance)
     if shape is None:
         return model
@@ -209,21 +214,27 @@ def with_fallback(model: ExactModel) -> ExactModel:
     return replace(model, result=result, swept=True)
 
 
-def drawn_views(registered: RegisteredSheet) -> DrawnViews:
-    """The lines of a sheet's views, with the tolerance of the view that is known least exactly."""
+def drawn_views(registered: RegisteredSheet, measures: Sequence[Measure] = ()) -> DrawnViews:
+    """The lines of a sheet's views, with the tolerance of the view that is known least exactly.
+
+    Args:
+        registered: the views.
+        measures: what the sheet's dimensions say; lines of a file are more exact than these.
+    """
     tolerance = max(TOLERANCE_PX[view.source] for view in registered.drawn)
     pixel = registered.mm_per_pixel
     if tolerance < _ROUGH_PX:
         return views_as_read(registered.views, tolerance * pixel)
     noise = _noise_px(registered)
     dashes = [view.dash * pixel for view in registered.drawn if view.dash is not None]
-    return views_as_read(
+    drawn = views_as_read(
         registered.views,
         tolerance * pixel,
         _APART_PX * pixel,
         noise * pixel,
         max(dashes, default=None),
     )
+    return replace(drawn, told=told_numbers(registered, measures, noise))
 
 
 def _noise_px(registered: RegisteredSheet) -> float:
@@ -254,7 +265,7 @@ def _is_fine(registered: RegisteredSheet) -> bool:
 
 
 def _solved(reading: Reading, limits: Limits) -> ExactResult:
-    result = exact_solid(drawn_views(reading.registered), limits)
+    result = exact_solid(drawn_views(reading.registered, reading.measures), limits)
     if result.verification is None:
         return result
     share = result.verification.share

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from gaussiancad_core.axes import Projection, mutually_orthogonal
 from gaussiancad_core.exact_stage import Reading
 from gaussiancad_core.job import Job
-from gaussiancad_core.modes import Recipe
+from gaussiancad_core.modes import Recipe, ResultKind
 from gaussiancad_core.projection_choice import choose_projection
 from gaussiancad_core.report import ViewReport
 from gaussiancad_core.run_notes import RunNotes
@@ -16,11 +16,12 @@ from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, RegisteredSheet, read_views, register_views
-from gaussiancad_core.sheet.scale.find import ScaleSource, find_scale
+from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale, find_scale
 from gaussiancad_core.sheet.special_views.kinds import SpecialView
 from gaussiancad_core.sheet.special_views.telling import tellings
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.sheet.view_search import find_views
+from gaussiancad_core.told_measures import contradicts, trusted
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +68,8 @@ def read_drawing(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes
     with notes.stage("lines"):
         vectors = _vectors(image, clean) if reading.finder is Finder.RIDGES else None
         drawn = read_views(separated.part, layout, notes.progress, reading.finder, vectors)
-        options = _scaled(reading, image, clean, (separated.marks, drawn), notes)
+        scale = _sheet_scale(job, image, clean, (separated.marks, drawn), notes)
+        options = _scaled(reading, scale, notes)
     with notes.stage("masks"):
         if job.recipe is Recipe.PAPER:
             options = replace(options, open_holes=False)
@@ -76,6 +78,7 @@ def read_drawing(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes
         else:
             own = Reading(register_views(drawn, options), notes.report.projection)
             found = SheetFindings(own, None, (), ())
+        found = _with_measures(found, scale, notes)
         _tell_views(notes, found.own.registered, clean.turn)
         _tell_registration(notes, found.own.registered)
     return replace(found, marks=separated.marks, special=layout.special)
@@ -118,22 +121,51 @@ def _choose_projection(
     return SheetFindings(own, other, (), (), layout.symbol, contradicted)
 
 
-def _scaled(
-    reading: ReadingOptions,
+def _sheet_scale(
+    job: Job,
     image: SheetImage,
     clean: CleanSheet,
     found: tuple[tuple[Mark, ...], tuple[ReadView, ...]],
     notes: RunNotes,
-) -> ReadingOptions:
+) -> SheetScale | None:
+    """What the sheet's dimensions, paper and notes say; None where nobody asks."""
+    if _is_given(job.reading) and job.result is ResultKind.SURFACE:
+        return None
+    scale = find_scale(image, clean, *found)
+    notes.tell(dimensions=scale.dimensions)
+    return scale
+
+
+def _is_given(reading: ReadingOptions) -> bool:
+    return reading.length is not None or reading.mm_per_pixel is not None
+
+
+def _scaled(reading: ReadingOptions, scale: SheetScale | None, notes: RunNotes) -> ReadingOptions:
     """What the user said, with the scale that the sheet tells where they said none."""
-    if reading.length is not None or reading.mm_per_pixel is not None:
+    if scale is None or _is_given(reading):
         notes.tell(scale_source=ScaleSource.GIVEN.value)
         return reading
-    scale = find_scale(image, clean, *found)
-    notes.tell(scale_source=scale.source.value, dimensions=scale.dimensions)
+    notes.tell(scale_source=scale.source.value)
     for note in scale.notes:
         notes.warn(note.code, note.message)
     return replace(reading, mm_per_pixel=scale.mm_per_pixel)
+
+
+def _with_measures(
+    found: SheetFindings, scale: SheetScale | None, notes: RunNotes
+) -> SheetFindings:
+    """The readings with what the dimensions say of lengths, where they fit the scale."""
+    if contradicts(found.own.registered, scale):
+        notes.warn(
+            "scale-contradicts-dimensions",
+            f"the dimensions on the sheet agree on {scale.mm_per_pixel:.4g} mm a pixel, but "
+            f"{found.own.registered.mm_per_pixel:.4g} was told: their numbers were not used",
+        )
+    measured = [
+        reading and replace(reading, measures=trusted(reading.registered, scale))
+        for reading in (found.own, found.other)
+    ]
+    return replace(found, own=measured[0], other=measured[1])
 
 
 def _vectors(image: SheetImage, clean: CleanSheet) -> VectorSheet | None:

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.reasoning.told import ToldNumbers
 from gaussiancad_core.verification.lines import Curve
 from gaussiancad_core.views import ViewSet
 
@@ -25,6 +26,7 @@ class DrawnViews:
         likely: whether measures become round ones where they most likely are.
         dash: mm up to which a hidden line may be one dash, as solid as a visible one; None where
             all linetypes are known.
+        told: lengths that the sheet has in numbers, mm.
     """
 
     strokes: Mapping[Role, tuple[Curve, ...]]
@@ -34,6 +36,7 @@ class DrawnViews:
     noise: float = 0.0
     likely: bool = False
     dash: float | None = None
+    told: ToldNumbers | None = None
 
     @property
     def roles(self) -> tuple[Role, ...]:

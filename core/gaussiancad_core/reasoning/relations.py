@@ -37,13 +37,15 @@ class Relation(Protocol):
 
 @dataclass(frozen=True)
 class Linear:
-    """A sum of numbers with factors that is to be zero."""
+    """A sum of numbers with factors, and of a constant, that is to be zero."""
 
     terms: tuple[tuple[int, float], ...]
+    constant: float = 0.0
 
     def at(self, numbers: Numbers) -> tuple[float, Terms]:
         """See :class:`Relation`."""
-        return sum(factor * numbers[column] for column, factor in self.terms), list(self.terms)
+        total = sum((factor * numbers[column] for column, factor in self.terms), self.constant)
+        return float(total), list(self.terms)
 
 
 def solved(

@@ -45,6 +45,7 @@ from gaussiancad_core.reasoning.snapping import (
 )
 from gaussiancad_core.reasoning.spans import DrawnStretch, Support, supports_with_spans
 from gaussiancad_core.reasoning.tangents import touched_circles
+from gaussiancad_core.reasoning.told import ToldNumbers
 from gaussiancad_core.views import Arc, Linetype, Segment
 
 _FOLDED = 0.01
@@ -173,7 +174,8 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
     size = tuple(extent * scale for extent in views.size)
     apart = None if views.apart is None else views.apart * scale
     noise = views.noise * scale if views.likely else 0.0
-    snap = _snap(planes, size, scale, tolerance, apart, noise=noise)
+    told = None if views.told is None else views.told.scaled(scale)
+    snap = _snap(planes, size, scale, (tolerance, apart), noise=noise, told=told)
     shown = [_plane_reading(plane, tolerance) for plane in planes.values()]
     lone = [reading for plane in shown for reading in _slant_ends(plane, snap)]
     known = adjusted(with_lone_values(snap, lone), shown, tolerance, facets)
@@ -268,12 +270,13 @@ def _snap(
     planes: dict[Axis, _Plane],
     size: tuple[float, float, float],
     scale: float,
-    tolerance: float,
-    apart: float | None,
+    limits: tuple[float, float | None],
     *,
     noise: float,
+    told: ToldNumbers | None,
 ) -> Snapped:
     """Values and circles, with what lies together made equal."""
+    tolerance, apart = limits
     readings = []
     for axis in Axis:
         # The bounding box is where the views were registered; it counts as much as it is long.
@@ -287,7 +290,7 @@ def _snap(
                 value = (line.start[along] + line.end[along]) / 2.0
                 readings.append(Reading(axes[along], value, line.length * line.confidence))
         circles += [CircleReading(plane.normal, c.circle, c.weight) for c in plane.circles]
-    return snapped(readings, circles, tolerance, apart, scale, noise=noise)
+    return snapped(readings, circles, tolerance, apart, scale, noise=noise, told=told)
 
 
 def _plane_reading(plane: _Plane, tolerance: float) -> PlaneReading:

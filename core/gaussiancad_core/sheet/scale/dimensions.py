@@ -4,7 +4,7 @@ A linear dimension's line runs level or upright, under its text or interrupted b
 measures lies between the two lines that cross or meet it: extension lines, centre lines, edges.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -36,6 +36,13 @@ _HALF = 0.6
 
 _TOUCH = 4.0
 """px by which lines may miss each other and still meet."""
+
+_HEAD = 1.1
+"""Length of the arrowhead between the end of a line and what it points at, at most, in the height
+of its text."""
+
+_ACROSS = 0.9
+"""Weight of what two arrows measure that point at it from outside."""
 
 _ALIGNED = 1.5
 """px by which pieces of one line may be out of line."""
@@ -132,12 +139,13 @@ def spans_of(text: SheetText, rules: Sequence[Rule], edges: Sequence[Rule]) -> t
     found: list[Span] = []
     for level in (True, False):
         own = [rule for rule in rules if rule.level is level]
+        across = [rule for rule in rules if rule.level is not level]
         for line, weight in _lines_beside(text, level, own):
-            across = [rule for rule in rules if rule.level is not level]
-            stops = _stops(line, across)
-            borders = _stops(line, [edge for edge in edges if edge.level is not level])
+            stops = _stops(line, across, _head(text))
+            borders = _stops(line, [edge for edge in edges if edge.level is not level], _TOUCH)
             spans = _spans(text, line, stops, borders)
             found += [replace(span, weight=weight * span.weight) for span in spans]
+            found += _from_outside(text, line, own, across)
     unique: list[Span] = []
     for span in sorted(found, key=lambda span: -span.weight):
         if span.length >= _SHORTEST and not any(_same(span, other) for other in unique):
@@ -184,7 +192,9 @@ def _lines_beside(text: SheetText, level: bool, rules: Sequence[Rule]) -> list[t
         inline = across[0] < pieces[0].at < across[1]
         for line in _joined(pieces, (along[0] - height, along[1] + height) if inline else None):
             apart = max(line.low - along[1], along[0] - line.high)
-            if inline and 0.0 < apart <= height:
+            if max(line.low - centre, centre - line.high) <= min(0.5 * height, -apart):
+                found.append((line, 1.0))
+            elif inline and apart <= height:
                 found.append((_mirrored(line, centre), _HALF))
             elif max(line.low - centre, centre - line.high) <= 0.5 * height:
                 found.append((line, 1.0))
@@ -215,13 +225,40 @@ def _mirrored(line: Rule, centre: float) -> Rule:
     )
 
 
-def _stops(line: Rule, across: Sequence[Rule]) -> list[float]:
-    """Where other lines cross or meet a line, in order; each once, by its longest piece."""
+def _head(text: SheetText) -> float:
+    """px that an arrowhead takes at the end of a text's line, at most."""
+    x0, y0, x1, y1 = text.box
+    return _TOUCH + _HEAD * (y1 - y0 if text.level else x1 - x0)
+
+
+def _from_outside(
+    text: SheetText, line: Rule, rules: Sequence[Rule], across: Sequence[Rule]
+) -> Iterator[Span]:
+    """What lies between a text's line and another one in line with it, which point at each other:
+    where there is no room for arrows inside."""
+    along, _ = _sides(text.box, line.level)
+    centre, head = 0.5 * (along[0] + along[1]), _head(text)
+    others = [rule for rule in rules if abs(rule.at - line.at) < _ALIGNED]
+    before = max((rule.high for rule in others if rule.high < line.low), default=None)
+    after = min((rule.low for rule in others if rule.low > line.high), default=None)
+    for low, high in ((before, line.low), (line.high, after)):
+        if low is None or high is None or low <= centre <= high:
+            continue
+        met = Rule(line.level, line.at, low, high)
+        stops = _stops(met, across, head)
+        ends = [min(stops, key=lambda at, end=end: abs(at - end)) for end in (low, high) if stops]
+        if ends and ends[0] < ends[1] and _meets(ends, met, head):
+            yield Span(line.level, ends[0], ends[1], _ACROSS)
+
+
+def _stops(line: Rule, across: Sequence[Rule], beyond: float) -> list[float]:
+    """Where other lines cross or meet a line, or lie so many px beyond its ends, in order; each
+    once, by its longest piece."""
     met = [
         rule
         for rule in across
         if rule.low - _TOUCH <= line.at <= rule.high + _TOUCH
-        and line.low - _TOUCH <= rule.at <= line.high + _TOUCH
+        and line.low - beyond <= rule.at <= line.high + beyond
     ]
     found: list[float] = []
     for rule in sorted(met, key=lambda rule: rule.low - rule.high):
@@ -243,19 +280,19 @@ def _spans(
         if (stops)
         else []
     )
-    if ends and ends[0] < ends[1] and _meets(ends, line):
+    if ends and ends[0] < ends[1] and _meets(ends, line, _head(text)):
         found.append(Span(line.level, ends[0], ends[1], 1.0 if not found else 0.8))
     if borders:
         every = sorted([*stops, *borders])
         found += _beside(line.level, centre, every, 0.5, _REACH * height)
         ends = [min(every, key=lambda at, end=end: abs(at - end)) for end in (line.low, line.high)]
-        if ends[0] < ends[1] and _meets(ends, line):
+        if ends[0] < ends[1] and _meets(ends, line, _TOUCH):
             found.append(Span(line.level, ends[0], ends[1], 0.7))
     return found
 
 
-def _meets(ends: Sequence[float], line: Rule) -> bool:
-    return abs(ends[0] - line.low) <= _TOUCH and abs(ends[1] - line.high) <= _TOUCH
+def _meets(ends: Sequence[float], line: Rule, near: float) -> bool:
+    return abs(ends[0] - line.low) <= near and abs(ends[1] - line.high) <= near
 
 
 def _beside(

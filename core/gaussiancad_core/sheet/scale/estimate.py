@@ -5,13 +5,15 @@ largest group of dimensions that agree.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.scale.dimensions import Span
 from gaussiancad_core.sheet.scale.numbers import DimensionText, Unit
+from gaussiancad_core.views import Arc
 
 _AGREE = 0.01
 """Share by which dimensions that agree may differ."""
@@ -36,10 +38,13 @@ class Candidate:
     Attributes:
         pixels: its length.
         weight: 1 for the likeliest one.
+        place: what it is the length of, px of the upright sheet: a span, or a circle whose radius
+            or diameter it is; None where only its length is known.
     """
 
     pixels: float
     weight: float = 1.0
+    place: Span | Arc | None = None
 
 
 @dataclass(frozen=True)
@@ -79,16 +84,31 @@ class ReadDimension:
 
 
 @dataclass(frozen=True)
+class Measure:
+    """What a dimension says of a place.
+
+    Attributes:
+        place: px of the upright sheet.
+        value_mm: length of the span, or radius of the circle.
+    """
+
+    place: Span | Arc
+    value_mm: float
+
+
+@dataclass(frozen=True)
 class Agreement:
     """The scale on which dimensions agree.
 
     Attributes:
         mm_per_pixel: of the sheet; nothing where they do not agree.
         dimensions: all of them.
+        measures: what those say that agree.
     """
 
     mm_per_pixel: float | None
     dimensions: tuple[ReadDimension, ...]
+    measures: tuple[Measure, ...] = ()
 
     @property
     def disagreeing(self) -> tuple[ReadDimension, ...]:
@@ -138,7 +158,19 @@ def agree(dimensions: Sequence[Dimension], unit: Unit, paper_scale: float | None
     scale = _group(measured, unit, _commonest(measured, unit), _AGREE, 2)
     if scale is None:
         scale = _group(measured, unit, paper_scale, _PAPER, 1)
-    return Agreement(scale, tuple(_told(own, unit, scale) for own in dimensions))
+    told = tuple(_told(own, unit, scale) for own in dimensions)
+    return Agreement(scale, told, tuple(_measures(measured, unit, scale)) if scale else ())
+
+
+def _measures(dimensions: Sequence[Dimension], unit: Unit, scale: float) -> Iterator[Measure]:
+    for own in dimensions:
+        best = _best(own, unit, scale)
+        if best is None or best.place is None:
+            continue
+        value = own.said.millimetres(unit)
+        if isinstance(best.place, Arc):
+            value *= best.place.radius / best.pixels
+        yield Measure(best.place, value)
 
 
 def _group(

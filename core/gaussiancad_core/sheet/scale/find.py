@@ -21,11 +21,12 @@ from gaussiancad_core.sheet.scale.estimate import (
     Agreement,
     Candidate,
     Dimension,
+    Measure,
     ReadDimension,
     agree,
     usual_unit,
 )
-from gaussiancad_core.sheet.scale.leaders import leaders_of, radii_at, shelves_of
+from gaussiancad_core.sheet.scale.leaders import circles_at, leaders_of, shelves_of
 from gaussiancad_core.sheet.scale.numbers import (
     MM_PER_INCH,
     DimensionText,
@@ -71,12 +72,14 @@ class SheetScale:
         source: where it is from.
         dimensions: those that were read; boxes in px of the sheet as stored.
         notes: warnings.
+        measures: what dimensions that agree say of lengths on the upright sheet.
     """
 
     mm_per_pixel: float | None
     source: ScaleSource
     dimensions: tuple[ReadDimension, ...] = ()
     notes: tuple[Note, ...] = ()
+    measures: tuple[Measure, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -108,7 +111,7 @@ def find_scale(
     found = replace(found, dimensions=told)
     if found.mm_per_pixel is not None:
         notes += _disagreement(found)
-        return SheetScale(found.mm_per_pixel, ScaleSource.DIMENSION, told, notes)
+        return SheetScale(found.mm_per_pixel, ScaleSource.DIMENSION, told, notes, found.measures)
     if paper_scale is None:
         return SheetScale(None, ScaleSource.DEFAULT, told, notes)
     if assumed:
@@ -182,8 +185,8 @@ def _dimensions(
     numbers = [(text, said) for text, said in parsed if said is not None]
     found = []
     for text, said in numbers[:_MOST_TEXTS]:
-        radii = radii_at(text, leaders, shelves, lines.arcs)
-        candidates = _candidates(text, said, lines, radii)
+        circles = circles_at(text, leaders, shelves, lines.arcs)
+        candidates = _candidates(text, said, lines, circles)
         ordinate = ordinate_length(text, zeros, lines.rules)
         if ordinate and said.sign is Sign.LENGTH:
             candidates = (Candidate(ordinate), *candidates)
@@ -192,17 +195,18 @@ def _dimensions(
 
 
 def _candidates(
-    text: SheetText, said: DimensionText, lines: _Lines, radii: Sequence[float]
+    text: SheetText, said: DimensionText, lines: _Lines, circles: Sequence[Arc]
 ) -> tuple[Candidate, ...]:
     found = []
     if said.sign is not Sign.RADIUS:
         spans = spans_of(text, lines.rules, lines.edges)
-        found += [Candidate(span.length, span.weight) for span in spans]
+        found += [Candidate(span.length, span.weight, span) for span in spans]
     # Where the sign was not read, the leader tells that it is a diameter.
     times = 1.0 if said.sign is Sign.RADIUS else 2.0
-    weights = [_LEADER] + [_OTHER] * len(radii)
+    weights = [_LEADER] + [_OTHER] * len(circles)
     found += [
-        Candidate(times * radius, weight) for radius, weight in zip(radii, weights, strict=False)
+        Candidate(times * arc.radius, weight, arc)
+        for arc, weight in zip(circles, weights, strict=False)
     ]
     return tuple(sorted(found, key=lambda candidate: -candidate.weight))
 

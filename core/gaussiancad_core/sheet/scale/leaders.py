@@ -51,10 +51,11 @@ def shelves_of(marks: Iterable[Mark]) -> list[Leader]:
     return found
 
 
-def radii_at(
+def circles_at(
     text: SheetText, leaders: Sequence[Leader], shelves: Sequence[Leader], arcs: Sequence[Arc]
-) -> tuple[float, ...]:
-    """Radii in px of the circles that a text's leader may point at, the likeliest first.
+) -> tuple[Arc, ...]:
+    """The circles and arcs that a text's leader may point at, the likeliest first; one of each
+    radius.
 
     Args:
         text: level.
@@ -66,7 +67,7 @@ def radii_at(
         return ()
     near = _NEAR * (text.box[3] - text.box[1])
     starts = [end for shelf in shelves if _beside(shelf, text.box, near) for end in shelf]
-    missed: dict[float, float] = {}
+    missed: dict[float, tuple[float, Arc]] = {}
     for leader in leaders:
         for start, tip in (leader, leader[::-1]):
             if _distance(text.box, start) <= near or any(
@@ -74,9 +75,10 @@ def radii_at(
             ):
                 # Edges that a leader crosses cut it into pieces.
                 tips = [tip, *(end for piece in leaders for end in piece if _on(start, tip, end))]
-                for miss, radius in (hit for end in tips for hit in _pointed_at(start, end, arcs)):
-                    missed[radius] = min(miss, missed.get(radius, miss))
-    return tuple(sorted(missed, key=lambda radius: missed[radius]))
+                for miss, arc in (hit for end in tips for hit in _pointed_at(start, end, arcs)):
+                    if arc.radius not in missed or miss < missed[arc.radius][0]:
+                        missed[arc.radius] = miss, arc
+    return tuple(arc for _, arc in sorted(missed.values(), key=lambda hit: hit[0]))
 
 
 def _on(start: Points, tip: Points, point: Points) -> bool:
@@ -102,8 +104,8 @@ def _distance(box: Box, point: Points) -> float:
     return float(np.hypot(dx, dy))
 
 
-def _pointed_at(start: Points, tip: Points, arcs: Sequence[Arc]) -> list[tuple[float, float]]:
-    """How far the tip misses each circle towards whose centre a leader runs, and its radius."""
+def _pointed_at(start: Points, tip: Points, arcs: Sequence[Arc]) -> list[tuple[float, Arc]]:
+    """How far the tip misses each circle towards whose centre a leader runs."""
     way = (tip - start) / np.hypot(*(tip - start))
     found = []
     for arc in arcs:
@@ -111,5 +113,5 @@ def _pointed_at(start: Points, tip: Points, arcs: Sequence[Arc]) -> list[tuple[f
         miss = abs(float(np.hypot(*offset)) - arc.radius)
         beside = abs(float(way[0] * offset[1] - way[1] * offset[0]))
         if miss <= _TOUCH and beside <= _BESIDE * arc.radius + 2.0:
-            found.append((miss, arc.radius))
+            found.append((miss, arc))
     return found

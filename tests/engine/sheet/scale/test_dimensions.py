@@ -5,7 +5,7 @@ import pytest
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.marks import line_mark
 from gaussiancad_core.sheet.scale.dimensions import Rule, Span, mark_rules, rule_of, spans_of
-from gaussiancad_core.sheet.scale.leaders import leaders_of, radii_at, shelves_of
+from gaussiancad_core.sheet.scale.leaders import circles_at, leaders_of, shelves_of
 from gaussiancad_core.sheet.scale.texts import SheetText, joined_boxes
 from gaussiancad_core.views import Arc, Linetype
 
@@ -81,6 +81,35 @@ def test_arrows_outside_measure_what_is_between_them() -> None:
     assert spans_of(text((160, 176, 184, 194)), rules, [])[0] == Span(True, 100, 130)
 
 
+def test_the_arrowheads_at_its_ends_are_part_of_a_line() -> None:
+    # They are wider than lines: 16 px at both ends were not followed.
+    rules = [level(200, 116, 284), *ISO[1:]]
+    assert spans_of(text(ABOVE), rules, [])[0] == Span(True, 100.2, 299.9)
+    # The next dimension's extension line, farther away than a head is long, is not its own.
+    rules = [level(200, 116, 284), ISO[1], upright(330, 150, 208)]
+    assert spans_of(text(ABOVE), rules, []) == ()
+
+
+@pytest.mark.parametrize("along", [True, False])
+@pytest.mark.parametrize("beyond", [True, False])
+def test_two_lines_that_point_at_each_other_measure_what_is_between(
+    along: bool, beyond: bool
+) -> None:
+    # The number stands at the outer end of one of them, or above it.
+    rules = [
+        level(200, 60, 84),
+        level(200, 156, 190),
+        upright(100, 150, 208),
+        upright(140, 150, 208),
+    ]
+    box = (194.0, 191.0, 216.0, 209.0) if beyond else (162.0, 176.0, 184.0, 194.0)
+    if not along:
+        rules = [turned(rule) for rule in rules]
+        box = (box[1], box[0], box[3], box[2])
+    found = spans_of(text(box, along), rules, [])
+    assert max(found, key=lambda span: span.weight) == Span(along, 100, 140, 0.9)
+
+
 def test_edges_serve_where_there_is_no_extension_line() -> None:
     edges = [upright(100.0, 20, 400), upright(300.0, 20, 400)]
     (span,) = spans_of(text(ABOVE), ISO[:1], edges)
@@ -121,9 +150,9 @@ def test_a_leader_tells_the_circle_that_it_points_at() -> None:
     beside = Arc((100.0, 20.0), 58.0, 0.0, 6.28, Linetype.VISIBLE)
     note = text((175.0, 8.0, 225.0, 26.0))
     ways = leaders_of(marks), shelves_of(marks)
-    assert radii_at(note, *ways, [small, large, beside]) == (42.4,)
-    assert radii_at(note, *ways, [small, beside]) == ()
-    assert radii_at(text((400.0, 8.0, 450.0, 26.0)), *ways, [large]) == ()
+    assert circles_at(note, *ways, [small, large, beside]) == (large,)
+    assert circles_at(note, *ways, [small, beside]) == ()
+    assert circles_at(text((400.0, 8.0, 450.0, 26.0)), *ways, [large]) == ()
 
 
 def test_a_leader_that_an_edge_cuts_may_point_at_either_circle() -> None:
@@ -134,7 +163,8 @@ def test_a_leader_that_an_edge_cuts_may_point_at_either_circle() -> None:
     ]
     arcs = [Arc((100.0, 100.0), radius, 0.0, 6.28, Linetype.VISIBLE) for radius in (20.0, 42.4)]
     note = text((175.0, 8.0, 225.0, 26.0))
-    assert set(radii_at(note, leaders_of(marks), shelves_of(marks), arcs)) == {20.0, 42.4}
+    found = circles_at(note, leaders_of(marks), shelves_of(marks), arcs)
+    assert {arc.radius for arc in found} == {20.0, 42.4}
 
 
 def test_pieces_of_a_text_are_joined_and_rows_are_not() -> None:

@@ -4,14 +4,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from gaussiancad_core.sheet.scale.dimensions import Span
 from gaussiancad_core.sheet.scale.estimate import (
     Candidate,
     Dimension,
+    Measure,
     ReadDimension,
     agree,
     usual_unit,
 )
 from gaussiancad_core.sheet.scale.numbers import Unit, parse_dimension
+from gaussiancad_core.views import Arc, Linetype
 
 MM, INCH = Unit.MILLIMETRE, Unit.INCH
 SCALE = 0.2
@@ -126,3 +129,19 @@ def test_one_wrong_digit_never_wins(
     found = agree(dimensions, MM, None)
     assert found.mm_per_pixel == pytest.approx(SCALE, rel=0.007)
     assert sum(own.used for own in found.dimensions) >= len(values) - 1
+
+
+def test_what_dimensions_that_agree_measure_is_told_with_their_numbers() -> None:
+    span, wrong = Span(True, 100.0, 150.2), Span(False, 10.0, 60.0)
+    bore = Arc((40.0, 50.0), 20.1, 0.0, 6.28, Linetype.VISIBLE)
+    texts = {
+        "10": Candidate(span.length, place=span),
+        "\u00d88": Candidate(2.0 * bore.radius, place=bore),
+        "77": Candidate(wrong.length, place=wrong),
+    }
+    box = (0.0, 0.0, 9.0, 9.0)
+    placed = [Dimension(own, parse_dimension(own), box, (at,)) for own, at in texts.items()]
+    found = agree([*placed, true(30), true(44)], MM, None)
+    # The radius, where the number is a diameter; nothing of what was misread, or has no place.
+    assert found.measures == (Measure(span, 10.0), Measure(bore, pytest.approx(4.0)))
+    assert agree([placed[0], placed[2]], MM, None).measures == ()

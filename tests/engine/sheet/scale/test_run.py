@@ -68,8 +68,19 @@ def test_the_report_names_the_dimensions(report, drawn) -> None:  # noqa: ANN001
 def test_what_the_user_says_counts_more(report, drawn) -> None:  # noqa: ANN001
     path, true = drawn
     found = report(path, ReadingOptions(length=(Axis.X, 160.0)))
-    assert (found["scale_source"], found["dimensions"]) == ("given", [])
+    assert found["scale_source"] == "given"
     assert found["scale_mm_per_pixel"] == pytest.approx(2 * true, rel=0.002)
+
+
+@needs_ocr
+def test_a_scale_that_contradicts_the_dimensions_is_told(report, drawn) -> None:  # noqa: ANN001
+    codes = []
+    for length in (160.0, 80.0):
+        found = report(drawn[0], ReadingOptions(length=(Axis.X, length)))
+        codes.append({warning["code"] for warning in found["warnings"]})
+        assert found["dimensions"]
+    assert "scale-contradicts-dimensions" in codes[0]
+    assert not {"scale-contradicts-dimensions", "dimensions-not-read"} & codes[1]
 
 
 def dxf_sheet(path: Path, factor: float) -> None:

@@ -1,0 +1,188 @@
+"""Lengths that a sheet's dimensions say in numbers, as equations between what its lines show.
+
+On a drawing the number counts, not the line (ISO 129-1): what was drawn, printed and scanned is a
+few hundredths of a millimetre off.  A number that is nearly what its lines show is what they were
+meant to be; one that differs by more was misread, rounded, or belongs to other lines, and tells
+nothing.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import product
+
+from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.planes import IN_PLANE
+from gaussiancad_core.reasoning.relations import Linear
+
+_NEAR = 1.5
+"""Tolerances between the ends of a dimension, or its circle, and what it belongs to at most."""
+
+_OWN = 0.1
+"""How much it counts how near that is, against how well it fits the number."""
+
+FIRMLY = 1e3
+"""Factor of the weight of a coordinate or radius that a number tells."""
+
+
+@dataclass(frozen=True)
+class ToldLength:
+    """A distance along an axis.
+
+    Attributes:
+        axis: of the model.
+        low, high: what it lies between, as drawn, in the unit of whoever holds it.
+        value: that the number says, in the same unit.
+    """
+
+    axis: Axis
+    low: float
+    high: float
+    value: float
+
+    def scaled(self, factor: float) -> "ToldLength":
+        """The same in another unit."""
+        return replace(
+            self, low=factor * self.low, high=factor * self.high, value=factor * self.value
+        )
+
+
+@dataclass(frozen=True)
+class ToldRadius:
+    """The radius of a circle or an arc.
+
+    Attributes:
+        normal: of the plane it lies in.
+        centre: coordinates in this plane, as drawn.
+        radius: as drawn.
+        value: that the number says.
+    """
+
+    normal: Axis
+    centre: tuple[float, float]
+    radius: float
+    value: float
+
+    def scaled(self, factor: float) -> "ToldRadius":
+        """The same in another unit."""
+        x, y = self.centre
+        return replace(
+            self,
+            centre=(factor * x, factor * y),
+            radius=factor * self.radius,
+            value=factor * self.value,
+        )
+
+
+Told = ToldLength | ToldRadius
+
+
+@dataclass(frozen=True)
+class ToldNumbers:
+    """What numbers say.
+
+    Attributes:
+        lengths: of all dimensions.
+        reach: by which what is drawn may differ from its number.
+    """
+
+    lengths: tuple[Told, ...] = ()
+    reach: float = 0.0
+
+    def scaled(self, factor: float) -> "ToldNumbers":
+        """The same in another unit."""
+        return ToldNumbers(tuple(own.scaled(factor) for own in self.lengths), factor * self.reach)
+
+
+def told_relations(
+    observed: Sequence[float],
+    values: Mapping[Axis, Sequence[int]],
+    circles: Sequence[tuple[Axis, int, int, int]],
+    told: ToldNumbers,
+    tolerance: float,
+) -> list[Linear]:
+    """Equations between values, centres and radii that numbers tell.
+
+    Args:
+        observed: numbers as read, units.
+        values: places of each axis' values among them.
+        circles: normal, and places of both coordinates of the centre and of the radius.
+        told: by the sheet, units.
+        tolerance: units by which a reading may be off.
+    """
+    found: list[Linear] = []
+    for own in told.lengths:
+        if isinstance(own, ToldRadius):
+            found += _radii(observed, circles, own, told.reach, tolerance)
+            continue
+        places = list(_places(observed, values, circles, own.axis))
+        near = [
+            [(at, terms) for at, terms in places if abs(at - end) <= _NEAR * tolerance]
+            for end in (own.low, own.high)
+        ]
+        pairs = [
+            (_misfit(own, low[0], high[0]), (*high[1], *_negative(low[1])))
+            for low, high in product(*near)
+            if abs(high[0] - low[0] - own.value) <= told.reach
+        ]
+        if pairs:
+            found.append(Linear(min(pairs, key=lambda pair: pair[0])[1], -own.value))
+    return found
+
+
+Terms = tuple[tuple[int, float], ...]
+
+
+def _places(
+    observed: Sequence[float],
+    values: Mapping[Axis, Sequence[int]],
+    circles: Sequence[tuple[Axis, int, int, int]],
+    axis: Axis,
+) -> Iterator[tuple[float, Terms]]:
+    """What a dimension along an axis may begin or end at: values first, circles' centres, sides."""
+    for column in values[axis]:
+        yield observed[column], ((column, 1.0),)
+    for normal, x, y, radius in circles:
+        for index, centre in zip(IN_PLANE[normal], (x, y), strict=True):
+            if index == axis.value:
+                yield observed[centre], ((centre, 1.0),)
+                for side in (-1.0, 1.0):
+                    at = observed[centre] + side * observed[radius]
+                    yield at, ((centre, 1.0), (radius, side))
+
+
+def _misfit(own: ToldLength, low: float, high: float) -> float:
+    away = abs(low - own.low) + abs(high - own.high)
+    return abs(high - low - own.value) + _OWN * away
+
+
+def _negative(terms: Terms) -> Terms:
+    return tuple((column, -factor) for column, factor in terms)
+
+
+def _radii(
+    observed: Sequence[float],
+    circles: Sequence[tuple[Axis, int, int, int]],
+    own: ToldRadius,
+    reach: float,
+    tolerance: float,
+) -> Iterator[Linear]:
+    """Of a circle, and of all that are drawn as large as it: one of them has the number."""
+    radii = [
+        observed[radius]
+        for normal, x, y, radius in circles
+        if normal is own.normal
+        and max(
+            abs(observed[x] - own.centre[0]),
+            abs(observed[y] - own.centre[1]),
+            abs(observed[radius] - own.radius),
+        )
+        <= _NEAR * tolerance
+        and abs(observed[radius] - own.value) <= reach
+    ]
+    if not radii:
+        return
+    drawn = min(radii, key=lambda radius: abs(radius - own.radius))
+    for normal, *_, radius in circles:
+        alike = abs(observed[radius] - drawn) <= reach / 2.0
+        if normal is own.normal and alike and abs(observed[radius] - own.value) <= reach:
+            yield Linear(((radius, 1.0),), -own.value)
