@@ -2,7 +2,9 @@
 
 * ``engine-cuda.txt``: the engine, with PyTorch as indexes have it (CUDA on Linux, CPU elsewhere).
 * ``engine-cpu.txt``: the same versions, but PyTorch's own CPU build and no CUDA packages.
-* ``tests.txt``: what the tests need on top of either, and the extra ``ocr``.
+* ``tests.txt``: what the tests need on top of either.
+
+The engine's have the extra ``ocr``: measures of a picture come from its dimensions.
 
 Each names every wheel by its hash, for all supported Pythons and platforms, and no index address:
 where wheels come from is up to whoever installs.  One engine has two files because pip takes the
@@ -44,9 +46,13 @@ def main(upgrade: bool) -> int:
             ones where they still fit.
     """
     project = tomllib.loads(PROJECT.read_text(encoding="utf-8"))
-    engine = [*project["project"]["dependencies"], *project["build-system"]["requires"]]
     extras = project["project"]["optional-dependencies"]
-    tests = [*extras["test"], *extras["ocr"]]
+    engine = [
+        *project["project"]["dependencies"],
+        *extras["ocr"],
+        *project["build-system"]["requires"],
+    ]
+    tests = extras["test"]
     torch = next(line for line in engine if line.startswith("torch==")).removeprefix("torch==")
 
     hashes = sorted(offered_cpu_hashes(torch)) or locked_cpu_hashes(torch)

@@ -15,10 +15,10 @@ from packaging.utils import canonicalize_name
 CHECKOUT = Path(__file__).resolve().parents[2]
 CORE = CHECKOUT / "core"
 PROJECT = tomllib.loads((CORE / "pyproject.toml").read_text(encoding="utf-8"))
-ENGINE = [*PROJECT["project"]["dependencies"], *PROJECT["build-system"]["requires"]]
 EXTRAS = PROJECT["project"]["optional-dependencies"]
 OCR = EXTRAS["ocr"]
-TESTS = [*EXTRAS["test"], *OCR]
+ENGINE = [*PROJECT["project"]["dependencies"], *OCR, *PROJECT["build-system"]["requires"]]
+TESTS = EXTRAS["test"]
 CUDA = [re.split(r"\W", line)[0] for line in EXTRAS["cuda"]]
 """Modules of the extra for GPUs, which is not installed where there is none; named as packages."""
 
