@@ -206,6 +206,8 @@ class _Sights:
             looks = [self._met(*(point + offset * way)) for offset in offsets]
             met = set().union(*looks)
             keys = sorted(key for key in met if not (key[0] == BODY and key[1] in own))
+            if len(keys) < 2:
+                continue
             depths = np.array([[look.get(key, np.nan) for look in looks] for key in keys])
             gaps = depths[:, None] - depths[None]
             crossed = (gaps[..., :-1] * gaps[..., 1:] <= 0.0) & (gaps[..., :-1] != gaps[..., 1:])

@@ -61,3 +61,13 @@ def test_a_straight_stroke_along_a_bent_curve_is_none_of_a_plane(pin_as_read: Dr
     a, b = curve.points[len(curve.points) // 2]
     assert b == pytest.approx(22.0 - sqrt(340.0 + (a - 30.0) ** 2), abs=1e-4)
     assert hypot(a - 21.3, b - 1.58) < 0.3
+
+
+def test_a_stroke_along_which_nothing_is_met_stays(pin_as_read: DrawnViews) -> None:
+    """Where all else is free-form, no other view has a line or circle there."""
+    views = pin_as_read
+    front = (*views.strokes[Role.FRONT], Arc((200.0, 200.0), 5.0, 0.2, 1.0, Linetype.VISIBLE))
+    lone = replace(views, strokes={**views.strokes, Role.FRONT: front})
+    followed = with_followed_curves(lone, find_supports(views))
+    assert followed is not None
+    assert followed.strokes[Role.FRONT][-1] == front[-1]
