@@ -3,6 +3,7 @@
 Where strokes end is computed again from the curves that they end at; the ends as read are not used
 but to choose among those.  Where one line runs closely along another for a while, as hidden ones
 that cross at a small angle do, a picture shows one of them only; the gap in the other is closed.
+So are gaps that are no wider than the tolerance: files cut arcs, and round each piece by itself.
 """
 
 from bisect import bisect_left
@@ -246,7 +247,7 @@ def _settled(
 
 
 def _filled(support: Support, others: Sequence[Support], tolerance: float) -> Support:
-    """The support with those gaps closed along which another line runs closely."""
+    """The support without cracks, and with those gaps closed along which another line runs."""
     spans = {}
     for role, own in support.spans.items():
         gaps = [
@@ -261,8 +262,20 @@ def _filled(support: Support, others: Sequence[Support], tolerance: float) -> Su
                 for at in _places(support.curve, one.high, two.low, _STEP * tolerance)
             )
         ]
-        spans[role] = (*own, *gaps)
+        cracks = _cracks(own, tolerance / support.curve.speed)
+        spans[role] = (*own, *gaps, *cracks)
     return Support(support.curve, spans)
+
+
+def _cracks(spans: Sequence[Span], slack: float) -> Iterator[Span]:
+    """What lacks between spans that end within ``slack`` of each other."""
+    before: Span | None = None
+    for span in sorted(spans, key=lambda own: own.low):
+        if before is not None and 1e-9 < span.low - before.high <= slack:
+            confidence = min(before.confidence, span.confidence)
+            yield Span(before.high, span.low, before.linetype, confidence)
+        if before is None or span.high > before.high:
+            before = span
 
 
 def _neighbours(spans: Sequence[Span]) -> Iterator[tuple[Span, Span]]:

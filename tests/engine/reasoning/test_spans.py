@@ -86,3 +86,19 @@ def test_an_arc_that_nothing_ends_at_ends_at_a_value_of_another_view() -> None:
     strokes = [(0, DrawnStretch(_FRONT, (0.0005, pi / 2.0), _HIDDEN, 1.0))]
     (one,) = supports_with_spans([arc], strokes, [axis_line(1, 20.0035)], 0.006)
     assert arc.at(one.drawn()[0][0])[1] == pytest.approx(20.0035)
+
+
+@pytest.mark.parametrize(("gap", "pieces"), [(0.0004, 1), (0.02, 2)])
+@pytest.mark.parametrize("other", list(Linetype))
+def test_pieces_of_an_arc_that_nearly_touch_are_one(
+    gap: float, pieces: int, other: Linetype
+) -> None:
+    """Nothing else ends where they do: through the crack the outside would flow into the part."""
+    arc = CircleCurve((40.0, 60.0), 40.0)
+    strokes = [
+        (0, DrawnStretch(_FRONT, (0.3, 1.0), Linetype.VISIBLE, 1.0)),
+        (0, DrawnStretch(_FRONT, (1.0 + gap / 40.0, 1.7), other, 1.0)),
+    ]
+    (own,) = supports_with_spans([arc], strokes, [], 0.006)
+    assert len(own.drawn()) == pieces
+    assert own.linetype_at(_FRONT, 1.5) is other
