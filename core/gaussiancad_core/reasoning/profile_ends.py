@@ -1,7 +1,8 @@
 """Where profiles of bodies of revolution end: exactly at the edges and circles that are drawn.
 
 A slanted line is known by its own ink; its ends, carried to the axis, miss the circles and edges
-that they lie on by a little.  Slivers of cells would lie in between.
+that they lie on by a little.  Slivers of cells would lie in between.  Where profiles pass smoothly
+into each other nothing is drawn: each tells where the other ends.
 """
 
 from collections.abc import Sequence
@@ -59,3 +60,31 @@ class ProfileEnds:
 
     def _radius(self, r: float) -> float:
         return nearest_value(self.radii, r, self.near)
+
+
+def with_continuations(
+    whole: Sequence[Profile], shown: Sequence[Profile], near: float
+) -> list[Profile]:
+    """Profiles, and those of the ones shown that go on where they end, and so on.
+
+    Where a fillet passes into a cone and into a flat face, programs draw no circle of its own.
+    """
+    found = list(whole)
+    ends = [end for profile in whole for end in _ends(profile)]
+    left = [profile for profile in shown if profile not in whole]
+    while True:
+        more = [p for p in left if any(_meet(a, b, near) for a in _ends(p) for b in ends)]
+        if not more:
+            return found
+        found += more
+        ends = [end for profile in more for end in _ends(profile)]
+        left = [profile for profile in left if profile not in more]
+
+
+def _ends(profile: Profile) -> list[tuple[float, float]]:
+    """(z, r) of both ends."""
+    return [(z, profile.radius(z)) for z in (profile.low, profile.high)]
+
+
+def _meet(one: tuple[float, float], other: tuple[float, float], near: float) -> bool:
+    return abs(one[0] - other[0]) <= near and abs(one[1] - other[1]) <= near

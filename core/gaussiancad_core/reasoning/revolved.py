@@ -18,7 +18,7 @@ from gaussiancad_core.reasoning.bodies import (
 )
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve
 from gaussiancad_core.reasoning.planes import IN_PLANE
-from gaussiancad_core.reasoning.profile_ends import ProfileEnds
+from gaussiancad_core.reasoning.profile_ends import ProfileEnds, with_continuations
 from gaussiancad_core.reasoning.sectors import Sector, sector_of
 from gaussiancad_core.reasoning.spans import Support
 from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports
@@ -61,10 +61,10 @@ def find_bodies(supports: PartSupports, lone: bool = False) -> tuple[RevolvedBod
             exact = 1.5 * supports.tolerance
             ends = ProfileEnds.of(supports.values[axis], concentric, exact)
             by_side = [_merged((ends.met_by(profile) for profile in own), near) for own in drawn]
-            shown = _shown_by_all(by_side, near)
+            shown = list(_shown_by_all(by_side, near))
             # Lines at equal distances from two axes belong to one of them.
             whole = [p for p in shown if _meets_circle(p, concentric, near)]
-            _add(found, (axis, centre), whole, plane, near)
+            _add(found, (axis, centre), with_continuations(whole, shown, near), plane, near)
             if lone:
                 single = [p for own in by_side for p in own if _is_anchored(p, concentric, near)]
                 _add(faint, (axis, centre), single, plane, near)

@@ -143,3 +143,23 @@ def test_an_arc_that_crosses_the_axis_between_its_ends_is_no_profile(
     }
     found = find_bodies(find_supports(exact_views(strokes, (60.0, 60.0, 40.0))))
     assert len(found) == bodies
+
+
+def test_a_fillet_at_which_no_circle_is_drawn_goes_on_from_its_cone() -> None:
+    """It passes into the cone and into the flange without an edge."""
+    flange = _chain((50, 14), (60, 14), (60, 20), (0, 20), (0, 14), (10, 14))
+    cone = _chain((14, 10), (20, 0), (40, 0), (46, 10))
+    fillets = [
+        Arc((50.0, 10.0), 4.0, pi / 2.0, pi / 2.0, Linetype.VISIBLE),
+        Arc((10.0, 10.0), 4.0, 0.0, pi / 2.0, Linetype.VISIBLE),
+    ]
+    drawn = [*flange, *cone, *fillets]
+    rounds = [Arc((30.0, 30.0), r, 0.0, TURN, Linetype.VISIBLE) for r in (10.0, 30.0)]
+    strokes = {Role.FRONT: drawn, Role.RIGHT: drawn, Role.TOP: rounds}
+    bodies = find_bodies(find_supports(exact_views(strokes, (60.0, 60.0, 20.0))))
+    below, fillet = sorted((body.profile for body in bodies), key=lambda own: own.low)
+    scale = 100.0 / 60.0
+    assert isinstance(below, LineProfile) and isinstance(fillet, ArcProfile)
+    assert (below.low, below.high) == pytest.approx((0.0, 10.0 * scale), abs=1e-3)
+    assert (fillet.low, fillet.high) == pytest.approx((10.0 * scale, 14.0 * scale), abs=1e-3)
+    assert (fillet.r, fillet.side) == (pytest.approx(20.0 * scale, abs=1e-3), -1)
