@@ -81,6 +81,8 @@ def _separated_views(
     ways: list[Callable[[], SeparatedSheet]] = [lambda: separated]
     if separated.by_weight:
         ways.append(lambda: separate_annotations(sheet, by_weight=False))
+    if sheet.plotted:
+        ways.append(lambda: separate_annotations(sheet, by_weight=False, closed=False))
     if separated.marks:
         ways.append(lambda: SeparatedSheet(sheet, (), False))
     best: tuple[SeparatedSheet, Layout] | None = None
@@ -94,7 +96,7 @@ def _separated_views(
             continue
         if best is None or _is_better(layout, best[1]):
             best = tried, layout
-        doubtful = tried.by_weight and not _is_whole(layout)
+        doubtful = (tried.by_weight or tried.closed) and not _is_whole(layout)
         if not doubtful and _size(best[1]) > _TINY * sheet.ink.size:
             return best
     if best is None:

@@ -85,6 +85,14 @@ def test_whole_views_are_preferred_where_they_are_larger(
     assert find_views(_blank(), {}, Projection.THIRD)[1].boxes == found
 
 
+def test_outlines_may_have_gaps_where_views_are_missing_else(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    _answer(monkeypatch, lambda separated, _: TWO if separated.closed else THREE)
+    separated, layout = find_views(_blank(), {}, Projection.THIRD, by_weight=False)
+    assert (separated.closed, layout.boxes) == (False, THREE)
+
+
 @pytest.mark.parametrize(
     ("plain", "cut", "left", "found"),
     [
@@ -124,8 +132,9 @@ def _answer(
 ) -> None:
     """Let the search find these views, without looking at the sheet."""
 
-    def separate(sheet: CleanSheet, by_weight: bool = True) -> SeparatedSheet:
-        return SeparatedSheet(sheet, (Mark(AnnotationKind.DIMENSION, FRONT),), by_weight)
+    def separate(sheet: CleanSheet, by_weight: bool = True, closed: bool = True) -> SeparatedSheet:
+        marks = (Mark(AnnotationKind.DIMENSION, FRONT),)
+        return SeparatedSheet(sheet, marks, by_weight, closed=closed and not by_weight)
 
     def find(
         sheet: CleanSheet, separated: SeparatedSheet, request: LayoutRequest

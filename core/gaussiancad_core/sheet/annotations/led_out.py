@@ -28,11 +28,17 @@ from gaussiancad_core.sheet.runs import Run
 _WIDEST = 8.0
 """Gap between an edge and its extension line at most, in stroke widths."""
 
-_LEAST_PX = 1.0
+_WIDEST_WITHIN = 3.0
+"""The same within a view, where the line has crossed the outline."""
+
+_LEAST_PX = 0.75
 """px of paper that are a gap at least."""
 
 _LEAST = 3
 """Extension lines with a gap that are a sheet's habit at least."""
+
+_HABIT = 0.5
+"""Share of all gaps that are alike at least."""
 
 _ALIKE = 0.5, 1.6
 """A gap in its sheet's usual one, from and to."""
@@ -52,6 +58,12 @@ _BESIDE_PX = 2.5
 _OUTSIDE = 0.15
 """Share of a stretch beside which the paper around the view may lie, where it crosses the
 outline."""
+
+_CROSSED = 6.0
+"""Stretch along which an outline aslant is crossed at most, in stroke widths."""
+
+_AROUND = np.stack(np.meshgrid((-1.0, 0.0, 1.0), (-1.0, 0.0, 1.0)), axis=2).reshape(-1, 2)
+"""(9, 2) directions, of which one at least is ink where an edge is."""
 
 _PAPER = 0.35
 """Weight of ink under which it is paper."""
@@ -75,7 +87,7 @@ def mark_led_out(
         left: (h, w) bool, the ink without what was marked.
         stroke_width: px.
     """
-    usual = _usual_gap(shapes, kinds, weight, stroke_width)
+    usual = _usual_gap(shapes, kinds, weight, left, stroke_width)
     if not usual:
         return
     sizes = weight, usual, stroke_width
@@ -136,15 +148,22 @@ def _follow_in(
 def _is_inside(
     line: Line, begin: float, end: float, areas: BlankAreas, stroke_width: float
 ) -> bool:
-    """Whether the paper around the views is on neither side of a stretch of a line."""
+    """Whether the paper around the views is on neither side of a stretch of a line, once it crossed
+    the outline: what is known to be an extension line may end before that."""
     run = Run(*sorted((begin, end)))
     points, normals = points_along(line, run, 1.0), normals_along(line, run, 1.0)
     beside = stroke_width / 2 + _BESIDE_PX
-    out = [
-        values_at(areas.labels, points + way * beside * normals) == areas.paper
-        for way in (-1.0, 1.0)
-    ]
-    return float((out[0] | out[1]).mean()) <= _OUTSIDE
+    out = np.array(
+        [
+            values_at(areas.labels, points + way * beside * normals) == areas.paper
+            for way in (-1.0, 1.0)
+        ]
+    )
+    out = out if begin < end else out[:, ::-1]
+    crossing = int(np.argmin(out.all(axis=0)))
+    beyond = out.any(axis=0)[crossing:]
+    within = beyond[int(min(_CROSSED * stroke_width, np.argmin(beyond))) :]
+    return not beyond.all() and float(within.mean()) <= _OUTSIDE
 
 
 def _touched(line: Line, circles: Sequence[Circle], stroke_width: float) -> Floats:
@@ -157,9 +176,12 @@ def _touched(line: Line, circles: Sequence[Circle], stroke_width: float) -> Floa
 
 
 def _usual_gap(
-    shapes: Sequence[InkedShape], kinds: Kinds, weight: Weight, stroke_width: float
+    shapes: Sequence[InkedShape], kinds: Kinds, weight: Weight, left: Mask, stroke_width: float
 ) -> float:
-    """px between edges and the extension lines that begin at them; 0 where none is usual."""
+    """px between edges and the extension lines that begin at them; 0 where none is usual.
+
+    A gap for a number, or between two dimensions, has no edge beyond it.
+    """
     gaps = []
     for shape, own in zip(shapes, kinds, strict=True):
         if not isinstance(shape.geometry, Line):
@@ -167,17 +189,34 @@ def _usual_gap(
         for k, run in enumerate(shape.runs):
             if own[k] is not AnnotationKind.EXTENSION or run.run.length < _SHORTEST * stroke_width:
                 continue
-            for end, way in ((run.run.start, -1.0), (run.run.end, 1.0)):
+            for way in (-1, 1):
+                last = _last_touching(shape.runs, k, way)
+                end = shape.runs[last].run.start if way < 0 else shape.runs[last].run.end
                 inside = end - way * stroke_width
-                ahead = end + way * _WIDEST * stroke_width
+                ahead = end + way * (_WIDEST if last == k else _WIDEST_WITHIN) * stroke_width
                 gap = _first_gap(shape.geometry, inside, ahead, weight)
-                if gap is not None:
+                if gap is None:
+                    continue
+                edge = np.array(shape.geometry.at(gap[0] + way * (gap[1] + 0.5 * stroke_width)))
+                # At a corner of two edges their ends may not fill it.
+                if values_at(left, edge + 0.5 * stroke_width * _AROUND).any():
                     gaps.append(gap[1])
     if len(gaps) < _LEAST:
         return 0.0
-    usual = float(np.median(gaps))
-    alike = [gap for gap in gaps if _ALIKE[0] * usual <= gap <= _ALIKE[1] * usual]
-    return usual if len(alike) >= max(_LEAST, 0.7 * len(gaps)) else 0.0
+    # Lines that begin at the height of the whole view, and not at their edge, have others.
+    alike = max(
+        ([gap for gap in gaps if _ALIKE[0] * own <= gap <= _ALIKE[1] * own] for own in gaps),
+        key=len,
+    )
+    return float(np.median(alike)) if len(alike) >= max(_LEAST, _HABIT * len(gaps)) else 0.0
+
+
+def _last_touching(runs: Sequence[InkedRun], first: int, way: int) -> int:
+    """The last of the runs that go on as each other without a gap, one way from one of them."""
+    k = first
+    while 0 <= k + way < len(runs) and _apart(runs[k].run, runs[k + way].run) < _LEAST_PX:
+        k += way
+    return k
 
 
 def _first_gap(line: Line, begin: float, end: float, weight: Weight) -> tuple[float, float] | None:

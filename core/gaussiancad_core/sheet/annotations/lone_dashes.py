@@ -125,6 +125,11 @@ def spare_free_dashes(
                 own[k] = None
 
 
+def longest_dash(shapes: Sequence[InkedShape], kinds: Kinds, stroke_width: float) -> float:
+    """px, the length of a sheet's dashes at most."""
+    return _LONGEST * _rhythm(shapes, kinds, stroke_width).dash
+
+
 def _edge_points(shapes: Sequence[InkedShape], limit: float) -> Floats:
     """(n, 2) px on the axes of wide runs."""
     wide = [

@@ -35,6 +35,15 @@ _SHORTEST_PX = 5
 _BRIDGE_PX = 7
 """px; closes gaps of fewer."""
 
+_SQUARE = 0.05
+"""Cosine of the angle between an extension line and its dimension line at most."""
+
+_OVER = 5.0
+"""Length by which an extension line goes on beyond its dimension line at most, in its widths."""
+
+_SLIT_PX = 3
+"""px; what is erased may leave gaps of fewer in an outline."""
+
 _LEAST_OUT_PX = 8.0
 """px of a line over blank paper: runs seem to end a little beyond their ink."""
 
@@ -82,12 +91,15 @@ class LooseRule:
     """Which runs that part nothing are annotations.
 
     Attributes:
-        shortest: px; shorter runs are dashes, which part nothing either.
+        shortest: px; shorter runs are dashes, which part nothing either, but for those that a known
+            dimension line ends on.
         everywhere: all of them; otherwise those that run on over blank paper.
         bridge: px; gaps of fewer do not open an outline.
         faded: px; what parts two areas once gaps of fewer are closed stays as well.  Between lines
             closer than that nothing is known, and ``bridge`` counts.
         corners: whether an outline may be open at corners, before which both lines end.
+        closed: whether outlines have no gaps, so that what has the paper around the views on both
+            sides parts nothing, whatever closing gaps would make of it.
     """
 
     shortest: float
@@ -95,6 +107,7 @@ class LooseRule:
     bridge: int = _BRIDGE_PX
     faded: int = 0
     corners: bool = False
+    closed: bool = False
 
 
 def split_loose(
@@ -110,17 +123,21 @@ def split_loose(
     # An outline that faded somewhere still parts the view from the paper.
     areas = (outlined_areas if rule.corners else blank_areas)(ink, rule.bridge)
     faded = blank_areas(ink, rule.faded).labels if rule.faded else None
+    paper = _paper(ink) if rule.closed else None
+    ends = _dimensioned(shapes, kinds)
     cut: list[InkedShape] = []
     cut_kinds: Kinds = []
     for shape, own in zip(shapes, kinds, strict=True):
         runs: list[InkedRun] = []
         marks: list[AnnotationKind | None] = []
         looked_at = [
-            kind is None and run.run.length > rule.shortest and not _is_in_a_row(shape.runs, k)
+            kind is None
+            and (run.run.length > rule.shortest or _is_held(shape, run, ends))
+            and not _is_in_a_row(shape.runs, k)
             for k, (run, kind) in enumerate(zip(shape.runs, own, strict=True))
         ]
         found = [
-            _parts(shape, run, areas, faded) if looked else [(run.run, _Side.PARTING)]
+            _parts(shape, run, areas, faded, paper) if looked else [(run.run, _Side.PARTING)]
             for run, looked in zip(shape.runs, looked_at, strict=True)
         ]
         over = [_is_over_paper(parts) for parts in found]
@@ -130,7 +147,7 @@ def split_loose(
             # A line that runs on over blank paper is no edge, nor is its rest within a view: what
             # that parts only once gaps are closed lies between it and the next such line.
             if faded is not None and leading[index] and looked_at[index]:
-                strict = _parts(shape, run, areas, None)
+                strict = _parts(shape, run, areas, None, paper)
                 if any(side is _Side.INSIDE for _, side in strict):
                     parts = strict
             loose = rule.everywhere or (over[index] and _sticks_out(shape, run, ink))
@@ -144,6 +161,31 @@ def split_loose(
         cut.append(InkedShape(shape.geometry, tuple(runs)))
         cut_kinds.append(marks)
     return cut, cut_kinds
+
+
+def _dimensioned(shapes: Sequence[InkedShape], kinds: Kinds) -> npt.NDArray[np.float64]:
+    """(n, 4) px, the ends of the dimension lines and their directions."""
+    ends = [
+        (*shape.geometry.at(place), *shape.geometry.direction)
+        for shape, own in zip(shapes, kinds, strict=True)
+        if isinstance(shape.geometry, Line)
+        for run, kind in zip(shape.runs, own, strict=True)
+        if kind is AnnotationKind.DIMENSION
+        for place in (run.run.start, run.run.end)
+    ]
+    return np.array(ends).reshape(-1, 4)
+
+
+def _is_held(shape: InkedShape, run: InkedRun, ends: npt.NDArray[np.float64]) -> bool:
+    """Whether a dimension line ends square on a straight run, about where that ends."""
+    if not isinstance(shape.geometry, Line):
+        return False
+    width = run.width or 2.0
+    along, across = shape.geometry.coordinates(ends[:, :2])
+    square = np.abs(ends[:, 2:] @ np.array(shape.geometry.direction)) < _SQUARE
+    inside = np.minimum(along - run.run.start, run.run.end - along)
+    near = (np.abs(across) <= width) & (inside > -width) & (inside < _OVER * width)
+    return bool((square & near).any())
 
 
 def _is_in_a_row(runs: Sequence[InkedRun], k: int) -> bool:
@@ -291,8 +333,16 @@ def _parts(
     run: InkedRun,
     areas: BlankAreas,
     faded: npt.NDArray[np.int32] | None,
+    paper: Mask | None,
 ) -> list[tuple[Run, _Side]]:
-    """Stretches of a run, and what lies on both sides of each."""
+    """Stretches of a run, and what lies on both sides of each.
+
+    Args:
+        shape, run: a run of a shape.
+        areas: gaps of some px closed.
+        faded: labels of areas, wider gaps closed.
+        paper: (h, w) bool, what is known to lie outside of all views.
+    """
     points = points_along(shape.geometry, run.run, 1.0)
     normals = normals_along(shape.geometry, run.run, 1.0)
     beside = (run.width or 2.0) / 2 + 2.5
@@ -310,6 +360,8 @@ def _parts(
         one, other = (values_at(faded, flank) for flank in flanks)
         same &= (one == other) | (one == 0) | (other == 0)
     sides = np.where(same & (left == areas.paper), _Side.PAPER, np.where(same, _Side.INSIDE, 0))
+    if paper is not None:
+        sides[np.logical_and(*(values_at(paper, flank) for flank in flanks))] = _Side.PAPER
     # What lies beside is not known between near lines; what is known far off says nothing there.
     told = np.where(np.abs(nearest - index) <= 2 * _STEADY, sides[nearest], _Side.PARTING)
     steady = median_filter(told.astype(np.uint8), 2 * _STEADY + 1)
@@ -319,6 +371,12 @@ def _parts(
         (Run(run.run.start + first * step, run.run.start + last * step), _Side(int(steady[first])))
         for first, last in pairwise(borders)
     ]
+
+
+def _paper(ink: Mask) -> Mask:
+    """(h, w) bool, the paper around the views, which have closed outlines."""
+    areas = blank_areas(ink, _SLIT_PX)
+    return areas.labels == areas.paper
 
 
 def lettered_boxes(ink: Mask, letters: Sequence[Mark]) -> Mask:

@@ -9,6 +9,7 @@ import numpy.typing as npt
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.arrowheads import arrowheads, mark_arrows
 from gaussiancad_core.sheet.annotations.centre_marks import mark_centre_marks
+from gaussiancad_core.sheet.annotations.dash_pens import spare_by_pen
 from gaussiancad_core.sheet.annotations.erase import Told, erased, masked
 from gaussiancad_core.sheet.annotations.frame import find_frame
 from gaussiancad_core.sheet.annotations.hatching import find_hatching
@@ -29,7 +30,11 @@ from gaussiancad_core.sheet.annotations.line_ends import (
     mark_heads,
 )
 from gaussiancad_core.sheet.annotations.lines import Weights, kinds_of_runs, line_weights
-from gaussiancad_core.sheet.annotations.lone_dashes import spare_free_dashes, spare_lone_dashes
+from gaussiancad_core.sheet.annotations.lone_dashes import (
+    longest_dash,
+    spare_free_dashes,
+    spare_lone_dashes,
+)
 from gaussiancad_core.sheet.annotations.lone_marks import mark_lone_marks
 from gaussiancad_core.sheet.annotations.loose import (
     LooseRule,
@@ -103,6 +108,7 @@ class SeparatedSheet:
         by_weight: whether narrow lines were told from wide ones.
         hatched: (h, w) bool, cut material; nothing where there is none.
         told: the lines and circles, and what each is; nothing where they were not looked at.
+        closed: whether outlines were taken to have no gaps.
     """
 
     part: CleanSheet
@@ -110,15 +116,20 @@ class SeparatedSheet:
     by_weight: bool
     hatched: Mask | None = None
     told: Told | None = None
+    closed: bool = False
 
 
-def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> SeparatedSheet:
+def separate_annotations(
+    sheet: CleanSheet, by_weight: bool = True, closed: bool = True
+) -> SeparatedSheet:
     """Take frame, title block, writing, hatching, dimensions and centre lines off a sheet.
 
     Args:
         sheet: upright.
         by_weight: whether narrow lines may be told from wide ones; without it, and where all lines
             are of one width, dimensions are told by their arrowheads.
+        closed: whether outlines of views have no gaps on a plotted sheet, so that there what has
+            the paper around the views on both sides is known to be no edge.
     """
     marks: list[Mark] = []
     frame = find_frame(sheet.ink, sheet.turn)
@@ -156,7 +167,7 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
         _tell_line_ends(sheet, ridges, Told(shapes, kinds, unexplained), weights, letters.marks)
     part = sheet
     if letters.marks and not weights.limit:
-        told, boxes = _told_by_form(sheet, Told(shapes, kinds, unexplained), letters.marks)
+        told, boxes = _told_by_form(sheet, Told(shapes, kinds, unexplained), letters.marks, closed)
         part = masked(part, ~boxes)
     else:
         # Beside wide gaps in a faded outline nothing else is looked for that they could close.
@@ -176,7 +187,9 @@ def separate_annotations(sheet: CleanSheet, by_weight: bool = True) -> Separated
         if weights.limit:
             part = without_slivers(without_heads(part, told, weights.visible), told, sheet)
     hatched = hatching.area if hatching.marks else None
-    return SeparatedSheet(part, tuple(marks), bool(weights.limit), hatched, told)
+    # Where edges were told by their width, nothing was asked of outlines.
+    closed = closed and sheet.plotted and not weights.limit
+    return SeparatedSheet(part, tuple(marks), bool(weights.limit), hatched, told, closed)
 
 
 def _weights(sheet: CleanSheet, shapes: list[InkedShape]) -> Weights:
@@ -206,13 +219,16 @@ def _tell_line_ends(
     more = extension_lines(sheet, free, (told.shapes, told.kinds), weights.limit)
     told.shapes.extend(more)
     told.kinds.extend([AnnotationKind.EXTENSION] for _ in more)
+    spare_by_pen(told.shapes, told.kinds, weights, sheet.stroke_width)
     left = erased(sheet, told).ink
     spare_lone_dashes(told.shapes, told.kinds, left, weights, sheet.stroke_width)
     if sheet.dash_gap:
         spare_free_dashes(told.shapes, told.kinds, sheet.ink, sheet.stroke_width)
 
 
-def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> tuple[Told, Mask]:
+def _told_by_form(
+    sheet: CleanSheet, told: Told, letters: tuple[Mark, ...], closed: bool
+) -> tuple[Told, Mask]:
     """Dimensions by their arrowheads, then what bounds nothing, then boxes around letters."""
     heads = arrowheads(sheet.ink, sheet.stroke_width)
     width = sheet.stroke_width
@@ -226,9 +242,11 @@ def _told_by_form(sheet: CleanSheet, told: Told, letters: tuple[Mark, ...]) -> t
     faded = 2 * int(_WIDEST_FADED * sheet.stroke_width) + 1
     # Without dimensions there are no extension lines; a crossing with none is an edge's.
     dimensioned = any(kind in _DIMENSIONS for own in told.kinds for kind in own)
-    rule = LooseRule(_LONGEST_DASH * sheet.stroke_width, everywhere=dimensioned, faded=faded)
+    shortest = max(_LONGEST_DASH * width, longest_dash(told.shapes, told.kinds, width))
+    rule = LooseRule(shortest, everywhere=dimensioned, faded=faded, closed=closed)
     shapes, kinds = split_loose(told.shapes, told.kinds, ink & ~boxes, rule)
-    mark_led_out(shapes, kinds, sheet.weight, ink & ~boxes, sheet.stroke_width)
+    left = erased(sheet, Told(shapes, kinds, told.unexplained)).ink & ~boxes
+    mark_led_out(shapes, kinds, sheet.weight, left, sheet.stroke_width)
     mark_virtual_corners(shapes, kinds, sheet.stroke_width)
     if sheet.dash_gap:
         spare_free_dashes(shapes, kinds, sheet.ink, sheet.stroke_width)

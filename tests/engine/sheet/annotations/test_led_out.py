@@ -26,6 +26,10 @@ def _upright(x: float, *parts: tuple[float, float, bool]) -> tuple[InkedShape, l
 
 
 def _sheet(sketch: Sketch, gap: float, off: float) -> Weight:
+    return clean_sheet(_drawn(sketch, gap, off).grey).weight
+
+
+def _drawn(sketch: Sketch, gap: float, off: float) -> Sketch:
     """A view from (60, 60) to (240, 240) with an edge at y = 140 and its left half lower, and
     extension lines above it: three off the outline, one that runs in as far as that edge."""
     drawn = sketch(300, 300).lines((60, 60), (240, 60), (240, 240), (60, 240), (60, 60))
@@ -33,8 +37,7 @@ def _sheet(sketch: Sketch, gap: float, off: float) -> Weight:
     for x in (60, 100, 240):
         drawn.line((x, 20), (x, 60 - off), WIDTH)
     drawn.line((160, 20), (160, 140 - gap), WIDTH)
-    drawn.line((160, 140), (160, 240), WIDTH)
-    return clean_sheet(drawn.grey).weight
+    return drawn.line((160, 140), (160, 240), WIDTH)
 
 
 def _told(weight: Weight, end: float, way: bool) -> Told:
@@ -122,3 +125,46 @@ def test_an_outline_is_never_followed(sketch: Sketch) -> None:
     weight = clean_sheet(drawn.grey).weight
     mark_led_out(shapes, kinds, weight, weight > 0.5, WIDTH)
     assert kinds[-1] == [AnnotationKind.EXTENSION, None, None]
+
+
+def test_where_it_crosses_the_outline_aslant_paper_is_beside_it(sketch: Sketch) -> None:
+    """Its run in the view begins on the paper, and crosses a round outline."""
+    drawn = sketch(400, 300).arc((200, 200), 120.0, WIDTH)
+    drawn.line((330, 60), (390, 60), WIDTH).line((120, 20), (120, 164), WIDTH)
+    for x in (340, 360, 380):
+        drawn.line((x, 20), (x, 54), WIDTH)
+    drawn.line((120, 170), (120, 230), WIDTH).line((120, 170), (160, 170), WIDTH)
+    drawn.line((120, 230), (160, 230), WIDTH).line((160, 170), (160, 230), WIDTH)
+    off = [_upright(x, (20.0, 54.0, True)) for x in (340.0, 360.0, 380.0)]
+    inner = _upright(120.0, (20.0, 96.0, True), (96.0, 164.0, False), (170.0, 230.0, False))
+    shapes = [shape for shape, _ in (*off, inner)]
+    kinds = [own for _, own in (*off, inner)]
+    weight = clean_sheet(drawn.grey).weight
+    left = weight > 0.5
+    for x, end in ((120, 96), (340, 55), (360, 55), (380, 55)):
+        left[:end, x - 2 : x + 3] = False
+    mark_led_out(shapes, kinds, weight, left, WIDTH)
+    assert kinds[-1] == [AnnotationKind.EXTENSION, AnnotationKind.EXTENSION, None]
+
+
+def test_gaps_for_numbers_are_no_habit(sketch: Sketch) -> None:
+    """Dimension lines that were taken for extension lines, each broken for its number."""
+    drawn = _drawn(sketch, gap=6.0, off=6.0)
+    rows = (255.0, 265.0, 275.0, 285.0)
+    for y in rows:
+        drawn.line((60, y), (90, y), WIDTH).line((106, y), (140, y), WIDTH)
+    weight = clean_sheet(drawn.grey).weight
+    off = [_upright(x, (20.0, 54.0, True)) for x in (60.0, 100.0, 240.0)]
+    inner = _upright(160.0, (20.0, 60.0, True), (60.0, 134.0, False), (140.0, 240.0, False))
+    broken = []
+    for y in rows:
+        runs = tuple(InkedRun(Run(*ends), WIDTH) for ends in ((60.0, 90.0), (106.0, 140.0)))
+        broken.append(
+            (InkedShape(Line((0.0, y), (1.0, 0.0)), runs), [AnnotationKind.EXTENSION] * 2)
+        )
+    shapes = [shape for shape, _ in (*off, inner, *broken)]
+    kinds = [own for _, own in (*off, inner, *broken)]
+    left = weight > 0.5
+    left[250:] = False
+    mark_led_out(shapes, kinds, weight, left, WIDTH)
+    assert kinds[3] == [AnnotationKind.EXTENSION, AnnotationKind.EXTENSION, None]

@@ -38,6 +38,41 @@ def test_an_outline_that_faded_still_bounds_the_view(
     assert (kinds == [[None]]) is kept
 
 
+@pytest.mark.parametrize("closed", [True, False])
+def test_what_only_gaps_shut_off_bounds_nothing_beside_closed_outlines(
+    sketch: Sketch, closed: bool
+) -> None:
+    """A dimension line between extension lines that begin a small gap off the view."""
+    drawn = sketch(300, 240).lines((100, 50), (260, 50), (260, 180), (100, 180), (100, 50))
+    drawn.line((40, 50), (95, 50), 2.0).line((40, 180), (95, 180), 2.0)
+    ink = clean_sheet(drawn.line((46, 50), (46, 180), 2.0).grey).ink
+    line = InkedShape(Line((46.0, 0.0), (0.0, 1.0)), (InkedRun(Run(50.0, 180.0), 2.0),))
+    edge = InkedShape(Line((100.0, 0.0), (0.0, 1.0)), (InkedRun(Run(50.0, 180.0), 2.0),))
+    rule = LooseRule(16.0, everywhere=True, faded=19, closed=closed)
+    shapes, kinds = split_loose([line, edge], [[None], [None]], ink, rule)
+    told = [
+        run.run.length
+        for run, kind in zip(shapes[0].runs, kinds[0], strict=True)
+        if kind is AnnotationKind.EXTENSION
+    ]
+    assert (sum(told) > 120.0) is closed
+    assert kinds[1] == [None]
+
+
+@pytest.mark.parametrize("held", [True, False])
+def test_a_short_extension_line_is_told_by_its_dimension_line(sketch: Sketch, held: bool) -> None:
+    """As short as a dash, above the edge of a view."""
+    drawn = sketch(300, 240).lines((100, 90), (260, 90), (260, 180), (100, 180), (100, 90))
+    ink = clean_sheet(drawn.line((140, 60), (140, 84), 2.0).grey).ink
+    short = InkedShape(Line((140.0, 0.0), (0.0, 1.0)), (InkedRun(Run(60.0, 84.0), 2.0),))
+    runs = InkedRun(Run(60.0, 100.0), 2.0), InkedRun(Run(116.0, 140.0 if held else 130.0), 2.0)
+    line = InkedShape(Line((0.0, 63.0), (1.0, 0.0)), runs)
+    told = [AnnotationKind.DIMENSION] * 2
+    rule = LooseRule(32.0, everywhere=True, faded=5, closed=True)
+    _, kinds = split_loose([short, line], [[None], told], ink, rule)
+    assert kinds == [[AnnotationKind.EXTENSION if held else None], told]
+
+
 def test_a_line_within_one_area_bounds_nothing(sketch: Sketch) -> None:
     drawn = sketch().line((10, 20), (190, 20), 2.0).line((10, 80), (190, 80), 2.0)
     drawn.line((10, 20), (10, 80), 2.0).line((190, 20), (190, 80), 2.0)

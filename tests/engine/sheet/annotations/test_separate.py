@@ -17,7 +17,7 @@ from gaussiancad_core.drawing.style import PRESETS, SheetStyle
 from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.annotations.marks import Mask
 from gaussiancad_core.sheet.annotations.separate import SeparatedSheet, separate_annotations
-from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
+from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 
 Kind = AnnotationKind
 
@@ -188,3 +188,14 @@ def test_captions_alone_make_no_extension_lines(sketch) -> None:  # noqa: ANN001
     assert {mark.kind for mark in separated.marks} == {Kind.TEXT}
     rows = [119, 120, 121, 179, 180, 181]
     assert (separated.part.ink[rows, 60:460] == sheet.ink[rows, 60:460]).all()
+
+
+def test_dashes_longer_than_short_extension_lines_stay() -> None:
+    """All lines are of one width, and many hidden ones of two dashes."""
+    widths = {"visible_width": 2.0, "hidden_width": 2.0, "annotation_width": 2.0}
+    style = replace(PRESETS["dimensioned"], width=1440, height=900, dash=36.0, gap=18.0, **widths)
+    drawn = compose_sheet(_lines("three-axis-block"), Projection.THIRD, style)
+    clean = upright_sheet(clean_sheet(cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)))
+    case = Case(style, drawn, clean, separate_annotations(clean))
+    assert not case.separated.by_weight
+    assert _recall(case) >= 0.99
