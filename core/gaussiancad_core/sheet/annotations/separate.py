@@ -166,8 +166,9 @@ def separate_annotations(
         _tell_line_ends(sheet, ridges, Told(shapes, kinds, unexplained), weights, letters.marks)
     part = sheet
     if letters.marks and not weights.limit:
-        known = Told(shapes, kinds, unexplained)
-        told, boxes = _told_by_form(sheet, known, letters.marks, closed and sheet.plotted)
+        told, boxes = _told_by_form(
+            sheet, Told(shapes, kinds, unexplained), letters.marks, closed and sheet.plotted
+        )
         part = masked(part, ~boxes)
     else:
         # Beside wide gaps in a faded outline nothing else is looked for that they could close.
