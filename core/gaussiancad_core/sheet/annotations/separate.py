@@ -9,6 +9,7 @@ import numpy.typing as npt
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.arrowheads import arrowheads, mark_arrows
 from gaussiancad_core.sheet.annotations.centre_marks import mark_centre_marks
+from gaussiancad_core.sheet.annotations.dash_pens import spare_by_pen
 from gaussiancad_core.sheet.annotations.erase import Told, erased, masked
 from gaussiancad_core.sheet.annotations.frame import find_frame
 from gaussiancad_core.sheet.annotations.hatching import find_hatching
@@ -220,6 +221,7 @@ def _tell_line_ends(
     more = extension_lines(sheet, free, (told.shapes, told.kinds), weights.limit)
     told.shapes.extend(more)
     told.kinds.extend([AnnotationKind.EXTENSION] for _ in more)
+    spare_by_pen(told.shapes, told.kinds, weights, sheet.stroke_width)
     left = erased(sheet, told).ink
     spare_lone_dashes(told.shapes, told.kinds, left, weights, sheet.stroke_width)
     if sheet.dash_gap:

@@ -9,6 +9,7 @@ import numpy.typing as npt
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.corner_pieces import is_dash_corner
 from gaussiancad_core.sheet.annotations.dash_rows import are_dashes
+from gaussiancad_core.sheet.annotations.dash_stars import is_dash_star
 from gaussiancad_core.sheet.annotations.letter_boxes import enclosed, is_boxed
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask
 from gaussiancad_core.sheet.annotations.pockets import are_pockets
@@ -103,7 +104,8 @@ def find_letters(ink: Mask, explained: Mask, stroke_width: float) -> Letters:
     words = _words(stats, glyphs, np.flatnonzero(small & ~seeds))
     corners = set(glyphs[told[glyphs] > _PARTLY].tolist())
     words = [word for word in words if not are_pockets(labels, stats, word, stroke_width)]
-    words = _not_of_the_part(words, labels, stats, (set(glyphs.tolist()), corners))
+    pieces = set(glyphs.tolist()), corners
+    words = _not_of_the_part(words, labels, stats, pieces, stroke_width)
     chosen = np.zeros(count, dtype=bool)
     marks = []
     for word in words:
@@ -153,6 +155,7 @@ def _not_of_the_part(
     labels: npt.NDArray[np.int32],
     stats: npt.NDArray[np.int32],
     pieces: tuple[set[int], set[int]],
+    stroke_width: float,
 ) -> list[list[int]]:
     """The words without what may be a small slot or pocket: a lone piece inside a view that no box
     is drawn around, corners of dashed lines with the dashes beside them, a bore with its mark, or
@@ -164,6 +167,7 @@ def _not_of_the_part(
         words: numbers of pieces.
         labels, stats: of all pieces.
         pieces: those that are letters by themselves, and which of them may be corners.
+        stroke_width: px.
     """
     _, areas, facts, _ = cv2.connectedComponentsWithStats(
         (labels == 0).astype(np.uint8), connectivity=4
@@ -179,6 +183,8 @@ def _not_of_the_part(
     def is_word(word: list[int], paper: set[int]) -> bool:
         if outside in paper:
             return True
+        if stats[word, 2:4].max() > most:
+            return False
         if len(word) == 1:
             return any(
                 is_boxed(
@@ -190,12 +196,14 @@ def _not_of_the_part(
             )
         x0, y0, x1, y1 = _box_of(stats, word)
         # A word is as high as its box, or as wide where it is written upwards.
-        if min(x1 - x0, y1 - y0) < least or stats[word, 2:4].max() > most:
-            return False
-        if _is_corner(word, *pieces) or _is_concentric(word, stats):
+        if min(x1 - x0, y1 - y0) < least:
             return False
         own = [piece for piece in word if piece in pieces[0]]
-        if all(_is_pocket_corner(labels, stats[piece], piece) for piece in own):
+        if (
+            _is_corner(word, *pieces)
+            or _is_concentric(word, stats)
+            or all(_is_dash_corner(labels, stats[piece], piece, stroke_width) for piece in own)
+        ):
             return False
         boxes = stats[word, :4].astype(float)
         return _is_in_line(boxes, [piece in pieces[0] for piece in word]) and not are_dashes(boxes)
@@ -208,15 +216,18 @@ def _is_corner(word: list[int], glyphs: set[int], corners: set[int]) -> bool:
     return not (glyphs & set(word)) - corners
 
 
-def _is_pocket_corner(
-    labels: npt.NDArray[np.int32], stat: npt.NDArray[np.int32], piece: int
+def _is_dash_corner(
+    labels: npt.NDArray[np.int32], stat: npt.NDArray[np.int32], piece: int, stroke_width: float
 ) -> bool:
-    """Whether a letter may be the dashes of two edges that meet, each of which goes on no farther
-    away than they are long."""
+    """Whether a letter may be the dashes of two edges that meet, or of three, each of which goes on
+    no farther away than they are long."""
     x, y, width, height = (int(value) for value in stat[:4])
     own = labels[y : y + height, x : x + width] == piece
-    stroke_width = float(own.sum()) / (width + height)
-    return is_dash_corner(labels, stat, piece, stroke_width, float(max(width, height)))
+    gap = float(max(width, height))
+    of_two = float(own.sum()) / (width + height)
+    return is_dash_corner(labels, stat, piece, of_two, gap) or is_dash_star(
+        labels, stat, piece, stroke_width, gap
+    )
 
 
 def _is_in_line(boxes: npt.NDArray[np.float64], letters: list[bool]) -> bool:

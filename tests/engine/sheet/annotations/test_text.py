@@ -209,6 +209,39 @@ def test_a_dashed_hole_with_its_drill_tip_is_no_word(sketch: Sketch) -> None:
     assert letters.mask[325:355].any()
 
 
+def test_the_corners_of_a_drilled_bore_are_no_word(sketch: Sketch) -> None:
+    """A side, the bottom and a flank of the tip meet in each, as high as the writing beside."""
+    drawn = sketch(WIDTH, HEIGHT).lines((60, 60), (400, 60), (400, 300), (60, 300), (60, 60))
+    ink = (drawn.weight >= 0.5) | _written("125", 500, 200)
+    bore = sketch(WIDTH, HEIGHT)
+    for x, way in ((200, 1), (236, -1)):
+        bore.lines((x, 180), (x, 170), (x + 14 * way, 170), width=3.0)
+        bore.line((x, 170), (x + 7 * way, 163), 3.0)
+        # They go on.
+        bore.line((x, 186), (x, 230), 2.0).line((x + 12 * way, 158), (x + 15 * way, 155), 2.0)
+    dashes = bore.weight >= 0.5
+    letters = _found(ink | dashes, drawn.weight >= 0.5)
+    assert not (letters.mask & dashes).any()
+    assert letters.mask.any()
+
+
+def test_what_is_taller_than_the_writing_is_no_letter_in_a_box(sketch: Sketch) -> None:
+    """A tapered pocket with edges from corner to corner, in a view that is a box around it."""
+    drawn = sketch(WIDTH, HEIGHT).lines((60, 60), (200, 60), (200, 200), (60, 200), (60, 60))
+    ink = (drawn.weight >= 0.5) | _written("125", 500, 200)
+    corners = (96, 96), (164, 96), (164, 164), (96, 164)
+    inner = (130, 103), (157, 130), (130, 157), (110, 130)
+    pocket = sketch(WIDTH, HEIGHT).lines(*corners, corners[0]).lines(*inner, inner[0])
+    for k, corner in enumerate(corners):
+        pocket.line(corner, inner[k]).line(corner, inner[k - 1])
+    # A dash of what is hidden behind joins it.
+    pocket.line((90, 146), (104, 146), 2.0)
+    large = np.pad(pocket.weight >= 0.5, 900)
+    found = _found(np.pad(ink, 900) | large)
+    assert not (found.mask & large).any()
+    assert found.mask.any()
+
+
 def test_two_lines_of_writing_in_a_view_are_found(sketch: Sketch) -> None:
     drawn = sketch(WIDTH, HEIGHT).lines((60, 60), (400, 60), (400, 300), (60, 300), (60, 60))
     inside = _written("R8 4x", 230, 160) | _written("TYP 2", 230, 184)
