@@ -13,6 +13,7 @@ import numpy.typing as npt
 from scipy.ndimage import map_coordinates
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.blank_areas import BlankAreas, blank_areas
 from gaussiancad_core.sheet.annotations.erase import Kinds
 from gaussiancad_core.sheet.annotations.inked import (
     InkedRun,
@@ -20,7 +21,6 @@ from gaussiancad_core.sheet.annotations.inked import (
     normals_along,
     points_along,
 )
-from gaussiancad_core.sheet.annotations.loose import BlankAreas, blank_areas
 from gaussiancad_core.sheet.annotations.marks import Mask, values_at
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.runs import Run

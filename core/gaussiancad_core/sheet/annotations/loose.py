@@ -16,6 +16,12 @@ import numpy.typing as npt
 from scipy.ndimage import median_filter
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.blank_areas import (
+    BlankAreas,
+    blank_areas,
+    outlined_areas,
+    paper_around,
+)
 from gaussiancad_core.sheet.annotations.erase import Kinds
 from gaussiancad_core.sheet.annotations.inked import (
     InkedRun,
@@ -41,9 +47,6 @@ _SQUARE = 0.05
 _OVER = 5.0
 """Length by which an extension line goes on beyond its dimension line at most, in its widths."""
 
-_SLIT_PX = 3
-"""px; what is erased may leave gaps of fewer in an outline."""
-
 _LEAST_OUT_PX = 8.0
 """px of a line over blank paper: runs seem to end a little beyond their ink."""
 
@@ -61,9 +64,6 @@ _LED_PX = 30.0
 
 _FREE_AHEAD = (0.0, 5.0)
 """px ahead of a line's end, somewhere in which paper shows if the end is free."""
-
-_OUTLINED = 8.0
-"""Squares of the gap's width that an area within an outline has at least."""
 
 _BEND_PX = 3.0
 """px beside a line's end in which a rounding goes on."""
@@ -123,7 +123,7 @@ def split_loose(
     # An outline that faded somewhere still parts the view from the paper.
     areas = (outlined_areas if rule.corners else blank_areas)(ink, rule.bridge)
     faded = blank_areas(ink, rule.faded).labels if rule.faded else None
-    paper = _paper(ink) if rule.closed else None
+    paper = paper_around(ink) if rule.closed else None
     ends = _dimensioned(shapes, kinds)
     cut: list[InkedShape] = []
     cut_kinds: Kinds = []
@@ -152,6 +152,8 @@ def split_loose(
                     parts = strict
             loose = rule.everywhere or (over[index] and _sticks_out(shape, run, ink))
             led_in = rule.everywhere and over[index] and _is_led_in(shape, run, parts, ink)
+            if not over[index]:
+                parts = _with_run_out(parts, rule.shortest)
             for place, (part, side) in enumerate(parts):
                 runs.append(InkedRun(part, run.width))
                 # Nothing is known beside an arrowhead; what an extension line crosses stays.
@@ -161,6 +163,25 @@ def split_loose(
         cut.append(InkedShape(shape.geometry, tuple(runs)))
         cut_kinds.append(marks)
     return cut, cut_kinds
+
+
+def _with_run_out(parts: list[tuple[Run, _Side]], least: float) -> list[tuple[Run, _Side]]:
+    """The stretches of a run within a view, of which the one at its end, that parts nothing, is an
+    edge's as well where a longer one goes on as it: edges run out where faces become tangent.
+
+    The arms of centre marks run out on both sides, or not so far.
+
+    Args:
+        parts: of a run.
+        least: px that an edge runs out at least.
+    """
+    found = list(parts)
+    if len(parts) > 1 and (parts[0][1] is _Side.INSIDE) != (parts[-1][1] is _Side.INSIDE):
+        end, beside = (0, 1) if parts[0][1] is _Side.INSIDE else (-1, -2)
+        out, (other, side) = parts[end][0], parts[beside]
+        if side is _Side.PARTING and least < out.length < other.length:
+            found[end] = out, _Side.PARTING
+    return found
 
 
 def _dimensioned(shapes: Sequence[InkedShape], kinds: Kinds) -> npt.NDArray[np.float64]:
@@ -214,48 +235,6 @@ def _leading(shape: InkedShape, over: list[bool], gap: float) -> list[bool]:
             if apart <= gap and isinstance(shape.geometry, Line):
                 leading[k - 1] = leading[k] = leading[k - 1] or leading[k]
     return leading
-
-
-@dataclass(frozen=True, eq=False)
-class BlankAreas:
-    """The blank areas of a sheet.
-
-    Attributes:
-        labels: (h, w), 0 on ink.
-        paper: label of the paper around the views.
-    """
-
-    labels: npt.NDArray[np.int32]
-    paper: int
-
-
-def blank_areas(ink: Mask, bridge: int) -> BlankAreas:
-    """The areas that ink parts, gaps of fewer px than ``bridge`` closed."""
-    kernel = np.ones((bridge, bridge), np.uint8)
-    closed = cv2.morphologyEx(ink.astype(np.uint8), cv2.MORPH_CLOSE, kernel)
-    _, labels, facts, _ = cv2.connectedComponentsWithStats(1 - closed, connectivity=4)
-    paper = 1 + int(np.argmax(facts[1:, cv2.CC_STAT_AREA])) if len(facts) > 1 else -1
-    return BlankAreas(labels, paper)
-
-
-def outlined_areas(ink: Mask, bridge: int) -> BlankAreas:
-    """The same, even if an outline is open at a corner, before which both lines end.
-
-    Squares that fit in on either side of such a gap overlap, so that closing leaves it open.  What
-    counts is where a disc can go: it also cannot go between a rounding and the extension lines that
-    meet at its sharp corner, so that only large areas count.
-    """
-    areas = blank_areas(ink, bridge)
-    disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (bridge, bridge))
-    beside = cv2.dilate(ink.astype(np.uint8), disc)
-    _, nearest = cv2.distanceTransformWithLabels(beside, cv2.DIST_L2, cv2.DIST_MASK_5)
-    labels = np.where(areas.labels > 0, nearest, 0)
-    sizes = np.bincount(labels.ravel())
-    sizes[0] = 0
-    paper = int(np.argmax(sizes))
-    was_open = np.bincount(labels[areas.labels == areas.paper], minlength=len(sizes))
-    was_open[paper] = 0
-    return BlankAreas(labels, paper) if was_open.max() > _OUTLINED * bridge**2 else areas
 
 
 def _is_led_in(shape: InkedShape, run: InkedRun, parts: list[tuple[Run, _Side]], ink: Mask) -> bool:
@@ -371,12 +350,6 @@ def _parts(
         (Run(run.run.start + first * step, run.run.start + last * step), _Side(int(steady[first])))
         for first, last in pairwise(borders)
     ]
-
-
-def _paper(ink: Mask) -> Mask:
-    """(h, w) bool, the paper around the views, which have closed outlines."""
-    areas = blank_areas(ink, _SLIT_PX)
-    return areas.labels == areas.paper
 
 
 def lettered_boxes(ink: Mask, letters: Sequence[Mark]) -> Mask:

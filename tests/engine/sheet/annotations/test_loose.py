@@ -59,6 +59,20 @@ def test_what_only_gaps_shut_off_bounds_nothing_beside_closed_outlines(
     assert kinds[1] == [None]
 
 
+@pytest.mark.parametrize(("start", "kept"), [(20.0, True), (10.0, False)])
+def test_an_edge_that_runs_out_within_a_view_stays(
+    sketch: Sketch, start: float, kept: bool
+) -> None:
+    """It ends before the circle that it leads to; one that comes in over paper is none."""
+    drawn = sketch(300, 200).lines((20, 20), (260, 20), (260, 160), (20, 160), (20, 20))
+    drawn.line((180, 20), (180, 160), 2.0).arc((225, 90), 12.0, 2.0)
+    ink = clean_sheet(drawn.line((start, 90), (205, 90), 2.0).grey).ink
+    line = InkedShape(Line((0.0, 90.0), (1.0, 0.0)), (InkedRun(Run(start, 205.0), 2.0),))
+    shapes, kinds = split_loose([line], [[None]], ink, LooseRule(16.0, everywhere=True, faded=5))
+    assert (kinds[0][-1] is None) is kept
+    assert shapes[0].runs[-1].run.end == 205.0
+
+
 @pytest.mark.parametrize("held", [True, False])
 def test_a_short_extension_line_is_told_by_its_dimension_line(sketch: Sketch, held: bool) -> None:
     """As short as a dash, above the edge of a view."""
