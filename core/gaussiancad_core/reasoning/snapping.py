@@ -7,7 +7,7 @@ is made equal, as a weighted least-squares problem with linear equations: values
 move as little as possible, and tangencies hold exactly afterwards.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,7 +18,7 @@ from gaussiancad_core.reasoning.lattice import Roughness, likely_numbers
 from gaussiancad_core.reasoning.nominal import NominalStep, nominal_step
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.relations import Linear, Numbers, solved
-from gaussiancad_core.reasoning.told import FIRMLY, ToldNumbers, told_relations
+from gaussiancad_core.reasoning.told import ToldNumbers, as_told, told_relations
 
 _TOO_SMALL = 4.0
 """Tolerances that a radius has at least for its extremes to be told from its centre."""
@@ -38,9 +38,6 @@ _AGREEING = 0.15
 
 _FEWEST_AGREEING = 3
 """Such ends, in two planes at least, that tell a value within reach of another one."""
-
-_SAID = 1e-6
-"""Units within which a length is as the sheet says."""
 
 _AT_CIRCLE = 0.25
 """Share of the reach within which an end of a line has the coordinate of a circle's centre or
@@ -175,8 +172,9 @@ def snapped(
     relations = circle_relations(variables.observed, clusters, own, tolerance)
     if told is not None:
         said = told_relations(variables.observed, clusters, own, told, tolerance)
-        variables = _as_told(variables, (clusters, own), (relations, said), tolerance)
-        relations += said
+        known = as_told(variables.observed, (clusters, own), (relations, said), _FAR * tolerance)
+        variables.observed, relations = known.numbers, [*relations, *known.kept]
+        variables.weights = (known.factors * variables.weights).tolist()
     numbers = solved(variables.observed, variables.weights, relations, _FAR * tolerance)
     # Files round as well: solids that lie a hundred-thousandth beside each other defeat Booleans.
     step = _step(numbers, tolerance, millimetre)
@@ -371,39 +369,6 @@ def circle_relations(
             else:
                 centres[axis].append(centre)
     return relations
-
-
-def _as_told(
-    variables: _Variables,
-    of: tuple[Mapping[Axis, Sequence[int]], Sequence[tuple[Axis, int, int, int]]],
-    equations: tuple[Sequence[Linear], Sequence[Linear]],
-    tolerance: float,
-) -> _Variables:
-    """The numbers as the sheet says, as far as it says them.
-
-    A line is drawn as far beside its place as any other, be it short or long, and so is the end of
-    the part that all are counted from: where lines disagree with their numbers alike, it is the end
-    that is off, for the others, too.
-    """
-    (values, circles), (relations, said) = of, equations
-    numbers = solved(
-        variables.observed, [1.0] * len(variables.observed), [*relations, *said], _FAR * tolerance
-    )
-    hold = (own for own in said if abs(own.at(numbers)[0]) <= _SAID)
-    firm = {column for own in hold for column, _ in own.terms}
-    begins = dict.fromkeys((axis.value for axis in Axis), 0.0)
-    for axis, places in values.items():
-        if not places:
-            continue
-        first = min(places, key=lambda at: variables.observed[at])
-        begins[axis.value] = float(numbers[first]) - variables.observed[first]
-        numbers[list(places)] -= begins[axis.value]
-    for normal, x, y, _ in circles:
-        numbers[[x, y]] -= [begins[index] for index in IN_PLANE[normal]]
-    found = _Variables()
-    for at, (number, weight) in enumerate(zip(numbers, variables.weights, strict=True)):
-        found.add(float(number), weight * (FIRMLY if at in firm else 1.0))
-    return found
 
 
 def _step(numbers: Numbers, tolerance: float, millimetre: float) -> NominalStep | None:

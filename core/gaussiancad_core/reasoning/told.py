@@ -10,9 +10,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
 
+import numpy as np
+
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.planes import IN_PLANE
-from gaussiancad_core.reasoning.relations import Linear
+from gaussiancad_core.reasoning.relations import Linear, Numbers, solved
 
 _NEAR = 1.5
 """Tolerances between the ends of a dimension, or its circle, and what it belongs to at most."""
@@ -20,8 +22,11 @@ _NEAR = 1.5
 _OWN = 0.1
 """How much it counts how near that is, against how well it fits the number."""
 
-FIRMLY = 1e3
+_FIRMLY = 1e3
 """Factor of the weight of a coordinate or radius that a number tells."""
+
+_HOLDS = 1e-6
+"""Units within which an equation holds."""
 
 
 @dataclass(frozen=True)
@@ -130,6 +135,83 @@ def told_relations(
 
 
 Terms = tuple[tuple[int, float], ...]
+
+
+@dataclass(frozen=True, eq=False)
+class AsTold:
+    """Numbers as the sheet says, as far as it says them.
+
+    Attributes:
+        numbers: units.
+        factors: (n,) of their weights: what is told stays.
+        kept: equations of what the sheet says that contradict nothing.
+    """
+
+    numbers: list[float]
+    factors: Numbers
+    kept: list[Linear]
+
+
+def as_told(
+    observed: Sequence[float],
+    of: tuple[Mapping[Axis, Sequence[int]], Sequence[tuple[Axis, int, int, int]]],
+    equations: tuple[Sequence[Linear], Sequence[Linear]],
+    far: float,
+) -> AsTold:
+    """Move numbers to what the sheet says.
+
+    A line is drawn as far beside its place as any other, be it short or long, and so is the end of
+    the part that all are counted from: where lines disagree with their numbers alike, it is the end
+    that is off, for the others, too.  Numbers on the sheet are rounded: chains of them need not add
+    up, and none may undo what the lines show to be one.
+
+    Args:
+        observed: as read, units.
+        of: places of each axis' values among the numbers, and of circles' centres and radii.
+        equations: between the numbers, as the lines and as the sheet's dimensions have them.
+        far: units by which a number may move at most.
+    """
+    (values, circles), (relations, said) = of, equations
+    even = [1.0] * len(observed)
+    numbers = solved(observed, even, relations, far)
+    sure = [own for own in relations if _holds(own, numbers)]
+    kept: list[Linear] = []
+    together = solved(observed, even, [*sure, *said], far)
+    if all(_holds(own, together) for own in (*sure, *said)):
+        numbers, kept = together, list(said)
+    else:
+        for own in said:
+            tried = solved(observed, even, [*sure, *kept, own], far)
+            if all(_holds(other, tried) for other in (*sure, *kept, own)):
+                numbers = tried
+                kept.append(own)
+    numbers = _from_their_ends(numbers, observed, values, circles)
+    factors = np.ones(len(numbers))
+    factors[list({column for own in kept for column, _ in own.terms})] = _FIRMLY
+    return AsTold(numbers.tolist(), factors, kept)
+
+
+def _holds(equation: Linear, numbers: Numbers) -> bool:
+    return abs(equation.at(numbers)[0]) <= _HOLDS
+
+
+def _from_their_ends(
+    numbers: Numbers,
+    observed: Sequence[float],
+    values: Mapping[Axis, Sequence[int]],
+    circles: Sequence[tuple[Axis, int, int, int]],
+) -> Numbers:
+    """The numbers with each axis beginning where it was read to begin."""
+    moved = numbers.copy()
+    begins = dict.fromkeys((axis.value for axis in Axis), 0.0)
+    for axis, places in values.items():
+        if places:
+            first = min(places, key=lambda at: observed[at])
+            begins[axis.value] = float(numbers[first]) - observed[first]
+            moved[list(places)] -= begins[axis.value]
+    for normal, x, y, _ in circles:
+        moved[[x, y]] -= [begins[index] for index in IN_PLANE[normal]]
+    return moved
 
 
 def _places(

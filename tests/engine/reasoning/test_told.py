@@ -78,6 +78,21 @@ def test_a_radius_counts_for_all_circles_that_are_drawn_as_large() -> None:
     assert {own.centre[0]: own.radius for _, own in snap.circles} == pytest.approx(read)
 
 
+def test_numbers_that_do_not_add_up_undo_nothing() -> None:
+    """Rounded links of a chain, and a bore whose sides other lines show."""
+    circle = CircleReading(Axis.Y, CircleCurve((30.0, 20.0), 8.02), 8.0)
+    readings = [Reading(Axis.X, at, 50.0) for at in (0.02, 22.0, 37.95, 60.1)]
+    pairs = [(0.0, 22.0, 22.1), (22.0, 38.0, 16.0), (38.0, 60.1, 21.9), (0.0, 60.1, 60.05)]
+    told = ToldNumbers(tuple(ToldLength(Axis.X, *own) for own in pairs), _REACH)
+    snap = snapped(readings, [circle], _TOLERANCE, told=told)
+    values, ((_, bore),) = np.array(snap.values[Axis.X]), snap.circles
+    # The first that agree are kept, and the sides stay the bore's.
+    assert np.diff(values) == pytest.approx([22.1, 16.0, 21.9], abs=1e-6)
+    sides = bore.centre[0] - bore.radius, bore.centre[0] + bore.radius
+    assert sides == pytest.approx((values[1], values[2]), abs=1e-6)
+    assert bore.radius == pytest.approx(8.0, abs=1e-6)
+
+
 def test_what_lies_between_the_sides_of_a_shaft_is_its_diameter() -> None:
     # No line of the axis' view is there: the number belongs to the circle.
     circle = CircleReading(Axis.Y, CircleCurve((20.0, 20.0), 8.1), 8.0)
