@@ -42,7 +42,9 @@ def told_numbers(
         measures: in px of the upright sheet.
         noise_px: by which lines miss where they belong.
     """
-    found = tuple(own for measure in measures for own in _told(registered, measure))
+    # Digits are rather lost in reading than added: of two numbers for one length the longer counts.
+    ordered = sorted(measures, key=lambda measure: -_decimals(measure.value_mm))
+    found = tuple(own for measure in ordered for own in _told(registered, measure))
     if not found:
         return None
     reach = min(max(_NOISES * noise_px, _LEAST_PX), _MOST_PX)
@@ -66,6 +68,11 @@ def scale_apart(registered: RegisteredSheet, scale: SheetScale | None) -> float 
     if scale is None or not scale.measures or scale.mm_per_pixel is None:
         return None
     return abs(math.log(scale.mm_per_pixel / registered.mm_per_pixel))
+
+
+def _decimals(value: float) -> int:
+    """How many decimals a number has, up to six."""
+    return len(f"{value:.6f}".rstrip("0").partition(".")[2])
 
 
 def _told(registered: RegisteredSheet, measure: Measure) -> Iterator[Told]:

@@ -46,6 +46,13 @@ def test_a_dimension_measures_along_the_axis_of_its_column_or_row(
     assert own == ToldLength(axis, pytest.approx(low), pytest.approx(high), 7.0)
 
 
+def test_of_two_numbers_for_one_length_the_longer_counts() -> None:
+    span = Span(True, 100.0, 220.0)
+    measures = [Measure(span, value) for value in (60.0, 60.1, 59.98, 60.12)]
+    found = told_numbers(SHEET, measures, 0.0)
+    assert [own.value for own in found.lengths] == [59.98, 60.12, 60.1, 60.0]
+
+
 def test_a_circle_lies_in_the_plane_of_its_view() -> None:
     bore = Arc((30.0, 220.0), 8.0, 0.0, 6.28, Linetype.VISIBLE)
     (own,) = told_numbers(SHEET, [Measure(bore, 4.1)], 0.0).lengths
