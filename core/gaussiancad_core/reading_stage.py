@@ -159,7 +159,8 @@ def _with_measures(
         notes.warn(
             "scale-contradicts-dimensions",
             f"the dimensions on the sheet agree on {scale.mm_per_pixel:.4g} mm a pixel, but "
-            f"{found.own.registered.mm_per_pixel:.4g} was told: their numbers were not used",
+            f"{found.own.registered.mm_per_pixel:.4g} was told: check --length or --mm-per-pixel; "
+            "their numbers were not used",
         )
     measured = [
         reading and replace(reading, measures=trusted(reading.registered, scale))
