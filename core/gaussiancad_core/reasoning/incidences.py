@@ -91,6 +91,22 @@ class PlaneReading:
     ends: tuple[Point, ...]
     arcs: tuple[tuple[CircleCurve, float, float], ...] = ()
 
+    def moved(self, a: float, b: float) -> "PlaneReading":
+        """The same, so many units farther along both coordinates."""
+
+        def at(point: Point) -> Point:
+            return point[0] + a, point[1] + b
+
+        return replace(
+            self,
+            slants=tuple(Slant(at(own.start), at(own.end), own.weight) for own in self.slants),
+            ends=tuple(at(end) for end in self.ends),
+            arcs=tuple(
+                (CircleCurve(at(circle.centre), circle.radius), low, sweep)
+                for circle, low, sweep in self.arcs
+            ),
+        )
+
 
 @dataclass(frozen=True)
 class Facet:

@@ -7,8 +7,8 @@ is made equal, as a weighted least-squares problem with linear equations: values
 move as little as possible, and tangencies hold exactly afterwards.
 """
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -89,6 +89,7 @@ class Snapped:
         step: that the part was designed in; None where none is told.
         nominal: whether all values and circles are multiples of it, or follow from such.
         moved: units by which those moved, at the mean, that most likely are multiples of a step.
+        begins: units that all readings of an axis move towards its beginning by, as told.
     """
 
     values: dict[Axis, tuple[float, ...]]
@@ -99,6 +100,7 @@ class Snapped:
     step: NominalStep | None = None
     nominal: bool = False
     moved: float = 0.0
+    begins: Mapping[Axis, float] = field(default_factory=dict)
 
     def value(self, axis: Axis, reading: float, reach: float | None = None) -> float | None:
         """The value nearest to a reading, if it is within reach."""
@@ -170,18 +172,22 @@ def snapped(
         columns = (variables.add(number, weight) for number in (x, y, radius))
         own.append((reading.normal, *columns))
     relations = circle_relations(variables.observed, clusters, own, tolerance)
+    read, begins = variables.weights, dict[Axis, float]()
     if told is not None:
         said = told_relations(variables.observed, clusters, own, told, tolerance)
         known = as_told(variables.observed, (clusters, own), (relations, said), _FAR * tolerance)
         variables.observed, relations = known.numbers, [*relations, *known.kept]
         variables.weights = (known.factors * variables.weights).tolist()
+        begins = known.begins
     numbers = solved(variables.observed, variables.weights, relations, _FAR * tolerance)
     # Files round as well: solids that lie a hundred-thousandth beside each other defeat Booleans.
     step = _step(numbers, tolerance, millimetre)
     nominal, moved, far = False, 0.0, _FAR * tolerance
     if step is not None:
         step = step.moving(numbers)
-        variables, numbers, nominal = _rounded(variables, numbers, relations, step, far)
+        variables, numbers, nominal = _rounded(
+            (variables.weights, read), numbers, relations, step, far
+        )
     elif noise:
         likely = likely_numbers(numbers, clusters, own, Roughness(tolerance, noise, millimetre))
         if likely is not None:
@@ -202,7 +208,9 @@ def snapped(
     )
     circle_weights = tuple(variables.weights[radius] for *_, radius in own)
     reach = 2.0 * tolerance
-    return Snapped(values, weights, circles_out, circle_weights, reach, step, nominal, moved)
+    return Snapped(
+        values, weights, circles_out, circle_weights, reach, step, nominal, moved, begins
+    )
 
 
 def with_lone_values(snap: Snapped, readings: Sequence[Reading]) -> Snapped:
@@ -379,21 +387,25 @@ def _step(numbers: Numbers, tolerance: float, millimetre: float) -> NominalStep 
 
 
 def _rounded(
-    variables: _Variables,
+    weights: tuple[Sequence[float], Sequence[float]],
     numbers: Numbers,
     relations: Sequence[Linear],
     step: NominalStep,
     far: float,
 ) -> tuple[_Variables, Numbers, bool]:
     """The numbers as multiples of the step that the part was designed in, and whether all are
-    known: those of circles between two multiples are."""
+    known: those of circles between two multiples are.
+
+    Their weights are what the sheet's numbers make of them, and as they were read: a multiple is as
+    sure as others, told or not.  Weights that differ by more spoil the equations.
+    """
     nominal = _Variables()
     multiples = [step.multiple(float(number)) for number in numbers]
-    for number, multiple, weight in zip(numbers, multiples, variables.weights, strict=True):
+    for number, multiple, told, read in zip(numbers, multiples, *weights, strict=True):
         if multiple is None:
-            nominal.add(float(number), weight)
+            nominal.add(float(number), told)
         else:
-            nominal.add(multiple, weight * CERTAIN)
+            nominal.add(multiple, read * CERTAIN)
     rounded = solved(nominal.observed, nominal.weights, relations, far)
     known = all(
         multiple is not None or _follows(float(number), step.length)

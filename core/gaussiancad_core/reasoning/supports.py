@@ -176,7 +176,12 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
     noise = views.noise * scale if views.likely else 0.0
     told = None if views.told is None else views.told.scaled(scale)
     snap = _snap(planes, size, scale, (tolerance, apart), noise=noise, told=told)
-    shown = [_plane_reading(plane, tolerance) for plane in planes.values()]
+    shown = [
+        _plane_reading(plane, tolerance).moved(
+            *(-snap.begins.get(Axis(index), 0.0) for index in IN_PLANE[plane.normal])
+        )
+        for plane in planes.values()
+    ]
     lone = [reading for plane in shown for reading in _slant_ends(plane, snap)]
     known = adjusted(with_lone_values(snap, lone), shown, tolerance, facets)
     found = {

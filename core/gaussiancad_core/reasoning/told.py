@@ -145,11 +145,14 @@ class AsTold:
         numbers: units.
         factors: (n,) of their weights: what is told stays.
         kept: equations of what the sheet says that contradict nothing.
+        begins: units by which the end that an axis is counted from was drawn beside its place: all
+            that was read moves by as much towards it.
     """
 
     numbers: list[float]
     factors: Numbers
     kept: list[Linear]
+    begins: dict[Axis, float]
 
 
 def as_told(
@@ -185,10 +188,16 @@ def as_told(
             if all(_holds(other, tried) for other in (*sure, *kept, own)):
                 numbers = tried
                 kept.append(own)
-    numbers = _from_their_ends(numbers, observed, values, circles)
+    begins = {
+        axis: float(numbers[first]) - observed[first]
+        for axis, places in values.items()
+        if places
+        for first in [min(places, key=lambda at: observed[at])]
+    }
+    numbers = _from_their_ends(numbers, values, circles, begins)
     factors = np.ones(len(numbers))
     factors[list({column for own in kept for column, _ in own.terms})] = _FIRMLY
-    return AsTold(numbers.tolist(), factors, kept)
+    return AsTold(numbers.tolist(), factors, kept, begins)
 
 
 def _holds(equation: Linear, numbers: Numbers) -> bool:
@@ -197,20 +206,16 @@ def _holds(equation: Linear, numbers: Numbers) -> bool:
 
 def _from_their_ends(
     numbers: Numbers,
-    observed: Sequence[float],
     values: Mapping[Axis, Sequence[int]],
     circles: Sequence[tuple[Axis, int, int, int]],
+    begins: Mapping[Axis, float],
 ) -> Numbers:
     """The numbers with each axis beginning where it was read to begin."""
     moved = numbers.copy()
-    begins = dict.fromkeys((axis.value for axis in Axis), 0.0)
     for axis, places in values.items():
-        if places:
-            first = min(places, key=lambda at: observed[at])
-            begins[axis.value] = float(numbers[first]) - observed[first]
-            moved[list(places)] -= begins[axis.value]
+        moved[list(places)] -= begins.get(axis, 0.0)
     for normal, x, y, _ in circles:
-        moved[[x, y]] -= [begins[index] for index in IN_PLANE[normal]]
+        moved[[x, y]] -= [begins.get(Axis(index), 0.0) for index in IN_PLANE[normal]]
     return moved
 
 

@@ -209,3 +209,16 @@ def test_what_follows_from_rounded_numbers_is_no_multiple_of_their_step() -> Non
     assert found.values[Axis.Z] == pytest.approx((0.0, 36.0 - half, 36.0 + half, 72.0), abs=1e-6)
     for (_, circle), radius in zip(found.circles, (36.0, 32.0), strict=True):
         assert (*circle.centre, circle.radius) == pytest.approx((36.0, 36.0, radius), abs=1e-6)
+
+
+def test_what_a_plane_shows_moves_as_a_whole() -> None:
+    slant = Slant((1.0, 2.0), (5.0, 7.0), 3.0)
+    circle = CircleCurve((4.0, 6.0), 2.0)
+    shown = PlaneReading(Axis.Y, (slant,), ((1.0, 2.0), (9.0, 9.0)), ((circle, 0.5, 1.5),))
+    assert shown.moved(0.5, -1.0) == PlaneReading(
+        Axis.Y,
+        (Slant((1.5, 1.0), (5.5, 6.0), 3.0),),
+        ((1.5, 1.0), (9.5, 8.0)),
+        ((CircleCurve((4.5, 5.0), 2.0), 0.5, 1.5),),
+    )
+    assert shown.moved(0.0, 0.0) == shown

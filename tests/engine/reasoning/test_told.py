@@ -40,10 +40,13 @@ def test_where_its_end_is_drawn_wrong_all_that_is_counted_from_there_moves() -> 
     read = [true[0], *(at + 0.1 for at in true[1:])]
     readings = [Reading(Axis.X, at, 50.0) for at in read]
     told = tuple(ToldLength(Axis.X, 0.0, read[k], true[k]) for k in (1, 2, 4))
-    values = snapped(readings, [], _TOLERANCE, told=ToldNumbers(told, _REACH)).values[Axis.X]
+    snap = snapped(readings, [], _TOLERANCE, told=ToldNumbers(told, _REACH))
+    values = snap.values[Axis.X]
     assert values[:3] + values[4:] == pytest.approx(true[:3] + true[4:], abs=1e-9)
     # No number is told of this one, but it was drawn with the others: it is four times as exact.
     assert values[3] == pytest.approx(44.0, abs=0.03)
+    # Slanted lines and arcs of this axis move as much.
+    assert snap.begins[Axis.X] == pytest.approx(0.075, abs=1e-9)
 
 
 @pytest.mark.parametrize(
