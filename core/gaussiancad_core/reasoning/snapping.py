@@ -90,6 +90,8 @@ class Snapped:
         nominal: whether all values and circles are multiples of it, or follow from such.
         moved: units by which those moved, at the mean, that most likely are multiples of a step.
         begins: units that all readings of an axis move towards its beginning by, as told.
+        unread: whether numbers are multiples of the step only as the sheet says: what it says may
+            have been misread.
     """
 
     values: dict[Axis, tuple[float, ...]]
@@ -101,6 +103,7 @@ class Snapped:
     nominal: bool = False
     moved: float = 0.0
     begins: Mapping[Axis, float] = field(default_factory=dict)
+    unread: bool = False
 
     def value(self, axis: Axis, reading: float, reach: float | None = None) -> float | None:
         """The value nearest to a reading, if it is within reach."""
@@ -172,13 +175,12 @@ def snapped(
         columns = (variables.add(number, weight) for number in (x, y, radius))
         own.append((reading.normal, *columns))
     relations = circle_relations(variables.observed, clusters, own, tolerance)
-    read, begins = variables.weights, dict[Axis, float]()
+    read, known = variables.weights, None
     if told is not None:
         said = told_relations(variables.observed, clusters, own, told, tolerance)
         known = as_told(variables.observed, (clusters, own), (relations, said), _FAR * tolerance)
         variables.observed, relations = known.numbers, [*relations, *known.kept]
         variables.weights = (known.factors * variables.weights).tolist()
-        begins = known.begins
     numbers = solved(variables.observed, variables.weights, relations, _FAR * tolerance)
     # Files round as well: solids that lie a hundred-thousandth beside each other defeat Booleans.
     step = _step(numbers, tolerance, millimetre)
@@ -207,10 +209,22 @@ def snapped(
         for normal, x, y, radius in own
     )
     circle_weights = tuple(variables.weights[radius] for *_, radius in own)
-    reach = 2.0 * tolerance
-    return Snapped(
-        values, weights, circles_out, circle_weights, reach, step, nominal, moved, begins
+    snap = Snapped(
+        values, weights, circles_out, circle_weights, 2.0 * tolerance, step, nominal, moved
     )
+    if known is None:
+        return snap
+    unread = step is not None and _is_unread(step, numbers, known.drawn)
+    return replace(snap, begins=known.begins, unread=unread)
+
+
+def _is_unread(step: NominalStep, numbers: Numbers, drawn: Numbers) -> bool:
+    """Whether some numbers are multiples of a step that were not drawn as these."""
+    pairs = [
+        (step.multiple(float(a)), step.multiple(float(b)))
+        for a, b in zip(numbers, drawn, strict=True)
+    ]
+    return any(own is not None and own != other for own, other in pairs)
 
 
 def with_lone_values(snap: Snapped, readings: Sequence[Reading]) -> Snapped:

@@ -108,6 +108,7 @@ class PartSupports:
         step: that the part was designed in; None where none is told.
         odd: how many values, and numbers of circles, are no multiples of it, mirror images once.
         moved: units by which values moved, at the mean, that most likely are round but not surely.
+        unread: whether values are multiples of the step only as the sheet's dimensions say.
     """
 
     planes: dict[Axis, PlaneSupports]
@@ -119,6 +120,7 @@ class PartSupports:
     step: NominalStep | None = None
     odd: int = 0
     moved: float = 0.0
+    unread: bool = False
 
 
 @dataclass(frozen=True)
@@ -192,7 +194,16 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
     }
     own = known.snap
     return PartSupports(
-        found, own.values, size, scale, tolerance, own.nominal, own.step, own.odd_numbers, own.moved
+        found,
+        own.values,
+        size,
+        scale,
+        tolerance,
+        own.nominal,
+        own.step,
+        own.odd_numbers,
+        own.moved,
+        own.unread,
     )
 
 

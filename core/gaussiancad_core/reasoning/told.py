@@ -143,6 +143,7 @@ class AsTold:
 
     Attributes:
         numbers: units.
+        drawn: the same without what the sheet says.
         factors: (n,) of their weights: what is told stays.
         kept: equations of what the sheet says that contradict nothing.
         begins: units by which the end that an axis is counted from was drawn beside its place: all
@@ -150,6 +151,7 @@ class AsTold:
     """
 
     numbers: list[float]
+    drawn: Numbers
     factors: Numbers
     kept: list[Linear]
     begins: dict[Axis, float]
@@ -176,8 +178,8 @@ def as_told(
     """
     (values, circles), (relations, said) = of, equations
     even = [1.0] * len(observed)
-    numbers = solved(observed, even, relations, far)
-    sure = [own for own in relations if _holds(own, numbers)]
+    drawn = numbers = solved(observed, even, relations, far)
+    sure = [own for own in relations if _holds(own, drawn)]
     kept: list[Linear] = []
     together = solved(observed, even, [*sure, *said], far)
     if all(_holds(own, together) for own in (*sure, *said)):
@@ -197,7 +199,7 @@ def as_told(
     numbers = _from_their_ends(numbers, values, circles, begins)
     factors = np.ones(len(numbers))
     factors[list({column for own in kept for column, _ in own.terms})] = _FIRMLY
-    return AsTold(numbers.tolist(), factors, kept, begins)
+    return AsTold(numbers.tolist(), drawn, factors, kept, begins)
 
 
 def _holds(equation: Linear, numbers: Numbers) -> bool:

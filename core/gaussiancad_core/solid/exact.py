@@ -336,7 +336,8 @@ def _verified(work: Work, shape: TopoDS_Shape) -> Candidate:
         measures = RoundMeasures(own.length / scale, reach, supports.odd)
         usual = measures.is_usual
         known = supports.nominal or bool(usual and views.noise and is_round(shape, measures.step))
-        if not (usual or moved <= aside):
+        # A number of a dimension may have been misread as a round one.
+        if supports.unread or not (usual or moved <= aside):
             known, measures = False, None
     views = replace(views, noise=0.0) if known else views
     candidate = Candidate(shape, verify(shape, views, measures))

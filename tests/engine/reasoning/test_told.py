@@ -96,6 +96,18 @@ def test_numbers_that_do_not_add_up_undo_nothing() -> None:
     assert bore.radius == pytest.approx(8.0, abs=1e-6)
 
 
+@pytest.mark.parametrize(("drawn", "unread"), [(12.001, False), (12.21, True)])
+def test_what_is_round_only_by_its_number_is_told(drawn: float, unread: bool) -> None:
+    """The number may be 12.21, its last digits lost."""
+    multiples = [0.0, 8.0, 16.0, 28.0, 36.0, 52.0, 64.0, 72.0, 80.0, 84.0, 96.0, 100.0]
+    readings = [Reading(Axis.X, at, 50.0) for at in (*multiples, drawn)]
+    told = ToldNumbers((ToldLength(Axis.X, 0.0, drawn, 12.0),), _REACH)
+    snap = snapped(readings, [], 0.3, millimetre=4.0, told=told)
+    assert snap.step is not None and 12.0 in np.round(snap.values[Axis.X], 9)
+    assert snap.unread is unread
+    assert not snapped(readings, [], 0.3, millimetre=4.0).unread
+
+
 def test_what_lies_between_the_sides_of_a_shaft_is_its_diameter() -> None:
     # No line of the axis' view is there: the number belongs to the circle.
     circle = CircleReading(Axis.Y, CircleCurve((20.0, 20.0), 8.1), 8.0)
