@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.circle_relations import circle_relations
 from gaussiancad_core.reasoning.columns import Vector
 from gaussiancad_core.reasoning.corner_equations import (
     OnCircle,
@@ -25,7 +26,7 @@ from gaussiancad_core.reasoning.corner_equations import (
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve, LineCurve, Point, line_through
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.relations import Linear, Numbers, Relation, solved
-from gaussiancad_core.reasoning.snapping import CERTAIN, Snapped, circle_relations
+from gaussiancad_core.reasoning.snapping import CERTAIN, Snapped
 from gaussiancad_core.reasoning.tangents import touched_circles, touching_circles
 
 _ON = 0.5

@@ -13,15 +13,13 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.circle_relations import circle_relations
 from gaussiancad_core.reasoning.curves import CircleCurve
 from gaussiancad_core.reasoning.lattice import Roughness, likely_numbers
 from gaussiancad_core.reasoning.nominal import NominalStep, nominal_step
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.relations import Linear, Numbers, solved
 from gaussiancad_core.reasoning.told import ToldNumbers, as_told, told_relations
-
-_TOO_SMALL = 4.0
-"""Tolerances that a radius has at least for its extremes to be told from its centre."""
 
 CERTAIN = 1e6
 """Weight of a number that is known to be a multiple of the part's step."""
@@ -351,46 +349,6 @@ def _merged_circles(circles: Sequence[CircleReading], near: float) -> list[Circl
         circle = CircleCurve((float(x), float(y)), float(radius))
         merged.append(CircleReading(group[0].normal, circle, float(weights.sum())))
     return merged
-
-
-def circle_relations(
-    observed: Sequence[float],
-    values: dict[Axis, list[int]],
-    circles: Sequence[tuple[Axis, int, int, int]],
-    tolerance: float,
-) -> list[Linear]:
-    """Equations between values and circles that lie together.
-
-    Args:
-        observed: numbers, units.
-        values: places of each axis' values among the numbers.
-        circles: normal, and places of both coordinates of the centre and of the radius.
-        tolerance: units within which numbers are taken to be equal.
-    """
-    relations: list[Linear] = []
-    centres: dict[Axis, list[int]] = {axis: [] for axis in Axis}
-    for normal, x, y, radius in circles:
-        for index, centre in zip(IN_PLANE[normal], (x, y), strict=True):
-            axis = Axis(index)
-            own = [(centre, 1.0)]
-            if observed[radius] > _TOO_SMALL * tolerance:
-                low: list[tuple[int, float]] = [(centre, 1.0), (radius, -1.0)]
-                high: list[tuple[int, float]] = [(centre, 1.0), (radius, 1.0)]
-                candidates = (own, low, high)
-            else:
-                candidates = (own,)
-            for terms in candidates:
-                at = sum(factor * observed[column] for column, factor in terms)
-                for value in values[axis]:
-                    if abs(observed[value] - at) <= tolerance:
-                        relations.append(Linear((*terms, (value, -1.0))))
-            for other in centres[axis]:
-                if abs(observed[other] - observed[centre]) <= tolerance:
-                    relations.append(Linear(((centre, 1.0), (other, -1.0))))
-                    break
-            else:
-                centres[axis].append(centre)
-    return relations
 
 
 def _step(numbers: Numbers, tolerance: float, millimetre: float) -> NominalStep | None:
