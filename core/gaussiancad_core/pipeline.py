@@ -289,10 +289,12 @@ class _Run:
         from gaussiancad_core.check_stage import check_solid, check_surface
 
         if self.notes.report.projection_alternatives:
+            taken = self.notes.report.projection
             self.notes.warn(
                 "projection-assumed",
-                "the lines fit first and third angle alike: third angle was taken; "
-                "tell --projection first if the sheet is drawn in first angle",
+                f"the lines fit first and third angle alike: {taken.value} angle was taken; tell "
+                f"--projection {taken.other.value} if the sheet is drawn in {taken.other.value} "
+                "angle",
             )
         checked = (
             check_solid(registered, solid)

@@ -2,7 +2,9 @@
 
 Under the other reading each view beside the front is its opposite, and the part is mirrored.  The
 outlines do not tell the two apart, but what hides what does: the visual hull of either reading is
-drawn again, and its visible and hidden lines are matched with those of the sheet.
+drawn again, and its visible and hidden lines are matched with those of the sheet.  A hull has no
+pockets, so that a small difference may be due to what it lacks: an unusual reading needs a larger
+one.
 """
 
 from dataclasses import dataclass, replace
@@ -11,6 +13,7 @@ from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.cameras import orthographic_camera
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.hull import visual_hull
+from gaussiancad_core.sheet.layout import is_unusual
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.reading import ReadView, RegisteredSheet, register_views
 from gaussiancad_core.verification.agreement import match_lines
@@ -27,6 +30,9 @@ _TOLERANCE = 2.5
 
 _CLEAR = 0.02
 """Difference of the two agreements from which one reading is better."""
+
+_CLEAR_UNUSUAL = 0.05
+"""The same for a reading with a view from below, where the other one has it from above."""
 
 _TELLING = 0.4
 """Agreement of the better one at least: less is due to the few lines that any hull has."""
@@ -79,8 +85,11 @@ def choose_projection(
     except NoModelError:
         return Choice(registered, None, assumed, True, (1.0, 0.0))
     scores = _agreement(registered), _agreement(other)
-    clear = abs(scores[0] - scores[1]) > _CLEAR and max(scores) >= _TELLING
-    if clear and scores[1] > scores[0]:
+    contrary = scores[1] > scores[0]
+    better = {view.role for view in (mirrored if contrary else drawn)}
+    least = _CLEAR_UNUSUAL if is_unusual(better) else _CLEAR
+    clear = abs(scores[0] - scores[1]) > least and max(scores) >= _TELLING
+    if clear and contrary:
         return Choice(other, registered, assumed.other, True, scores)
     return Choice(registered, other, assumed, clear, scores)
 

@@ -1,11 +1,18 @@
 """First or third angle, by how much of the lines either reading's hull shows."""
 
+from dataclasses import dataclass
+
 import pytest
 
 import gaussiancad_core.projection_choice as choice
-from gaussiancad_core.axes import Projection
+from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.projection_choice import choose_projection
 from gaussiancad_core.sheet.options import ReadingOptions
+
+
+@dataclass(frozen=True)
+class _View:
+    role: Role
 
 
 @pytest.mark.parametrize(
@@ -31,4 +38,31 @@ def test_a_reading_is_told_where_it_explains_the_lines(
     monkeypatch.setattr(choice, "register_views", lambda drawn, options: object())
     monkeypatch.setattr(choice, "_agreement", lambda registered: next(told))
     found = choose_projection((), Projection.THIRD, ReadingOptions())
+    assert (found.projection, found.inferred) == (projection, inferred)
+
+
+@pytest.mark.parametrize(
+    ("scores", "below", "projection", "inferred"),
+    [
+        # Third angle would have a view from below, unless the lines tell it clearly.
+        ((0.71, 0.74), (Role.TOP, Role.RIGHT), Projection.FIRST, False),
+        ((0.71, 0.77), (Role.TOP, Role.RIGHT), Projection.THIRD, True),
+        ((0.74, 0.71), (Role.TOP, Role.RIGHT), Projection.FIRST, True),
+        # Views of both kinds, or of neither, are usual in either angle.
+        ((0.71, 0.74), (Role.TOP, Role.BOTTOM), Projection.THIRD, True),
+        ((0.71, 0.74), (Role.LEFT, Role.RIGHT), Projection.THIRD, True),
+    ],
+)
+def test_an_unusual_reading_must_explain_more(
+    monkeypatch: pytest.MonkeyPatch,
+    scores: tuple[float, float],
+    below: tuple[Role, Role],
+    projection: Projection,
+    inferred: bool,
+) -> None:
+    told = iter(scores)
+    monkeypatch.setattr(choice, "register_views", lambda drawn, options: object())
+    monkeypatch.setattr(choice, "_agreement", lambda registered: next(told))
+    views = tuple(_View(role) for role in (Role.FRONT, *below))
+    found = choose_projection(views, Projection.FIRST, ReadingOptions())
     assert (found.projection, found.inferred) == (projection, inferred)

@@ -6,6 +6,7 @@ front view, and the others' roles follow from where they stand and from the proj
 5456-2).
 """
 
+from collections.abc import Container
 from dataclasses import dataclass
 
 import cv2
@@ -74,7 +75,8 @@ def find_layout(
         ink: (h, w) bool.
         given: views that the user named, each by a box around it; two or more of them are taken
             as they are, one fixes where the others are looked for.
-        projection: as told by the user, or None to take third angle.
+        projection: as told by the user, or None to take third angle, or first where that calls
+            a view the top one and third the bottom one.
         stub_width: px; where single lines of at most this width stick out of a view, they are
             remains of dimensions and do not count.
 
@@ -110,9 +112,17 @@ def arrange_clusters(
         boxes = _arrange(clusters, chosen, named)
     else:
         boxes = _arrange(clusters, chosen, {})
+        if projection is None and is_unusual(boxes):
+            chosen = chosen.other
+            boxes = _arrange(clusters, chosen, {})
     rest = tuple(box for box in clusters if box not in boxes.values())
     alternatives = (chosen.other,) if projection is None else ()
     return Layout(boxes, chosen, source, alternatives, rest)
+
+
+def is_unusual(roles: Container[Role]) -> bool:
+    """Whether there is a bottom view and none from above, which hardly anybody draws."""
+    return Role.BOTTOM in roles and Role.TOP not in roles
 
 
 def find_clusters(ink: npt.NDArray[np.bool_]) -> list[Box]:

@@ -54,6 +54,23 @@ def test_untold_projection_is_third_and_first_fits_as_well() -> None:
     assert (layout.source, layout.alternatives) == ("default", (Projection.FIRST,))
 
 
+@pytest.mark.parametrize(("beside", "role"), [(RIGHT, Role.LEFT), (LEFT, Role.RIGHT)])
+def test_a_view_below_is_from_above_where_nobody_tells_the_projection(
+    beside: tuple[int, int, int, int], role: Role
+) -> None:
+    layout = find_layout(_sheet(FRONT, BELOW, beside), {}, None)
+    assert layout.projection is Projection.FIRST
+    assert (layout.source, layout.alternatives) == ("default", (Projection.THIRD,))
+    wanted = {Role.FRONT: FRONT, Role.TOP: BELOW, role: beside}
+    assert set(layout.boxes) == set(wanted)
+    assert all(_close(layout.boxes[own], box) for own, box in wanted.items())
+
+
+def test_views_from_above_and_below_tell_no_projection() -> None:
+    layout = find_layout(_sheet(FRONT, ABOVE, BELOW, RIGHT), {}, None)
+    assert layout.projection is Projection.THIRD
+
+
 def test_two_views_are_enough() -> None:
     assert set(find_layout(_sheet(FRONT, ABOVE), {}, None).boxes) == {Role.FRONT, Role.TOP}
     assert set(find_layout(_sheet(FRONT, RIGHT), {}, None).boxes) == {Role.FRONT, Role.RIGHT}
