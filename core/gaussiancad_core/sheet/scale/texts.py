@@ -40,6 +40,10 @@ _FAT = 1.5
 _SAME = 1.6
 """Ratio of the heights of pieces of one text at most."""
 
+_POINT, _BESIDE = 0.3, 0.4
+"""Sides of a decimal point, and its gap to the letters that it stands between, in their height at
+most."""
+
 _THICK = 1.3
 """Height of a line of text at most, in the usual one."""
 
@@ -202,11 +206,19 @@ def _in_line(one: Box, two: Box, thickest: float) -> bool:
     heights = one[3] - one[1], two[3] - two[1]
     common = min(one[3], two[3]) - max(one[1], two[1])
     gap = max(one[0], two[0]) - min(one[2], two[2])
-    return (
-        max(heights) <= min(thickest, _SAME * min(heights))
-        and common >= _COMMON * min(heights)
-        and gap <= _SPACE * min(heights)
-    )
+    if max(heights) > thickest or common < _COMMON * min(heights):
+        return False
+    if max(heights) <= _SAME * min(heights):
+        return gap <= _SPACE * min(heights)
+    letter, other = (one, two) if heights[0] > heights[1] else (two, one)
+    return _is_point(other, letter) and gap <= _BESIDE * max(heights)
+
+
+def _is_point(box: Box, letter: Box) -> bool:
+    """Whether a box is a point that stands where a letter does."""
+    height = letter[3] - letter[1]
+    small = max(box[2] - box[0], box[3] - box[1]) <= _POINT * height
+    return small and box[1] >= letter[3] - _POINT * height
 
 
 def _turned(box: Box) -> Box:
