@@ -27,7 +27,7 @@ _EDGES, _CIRCLES = 2, 2
 _CLEAR = 0.2
 """Distance of a number from other ink at least, in heights of the letters."""
 
-_LETTER = 0.62
+_LETTER = 0.88
 """Width of a digit per height of the letters."""
 
 _STEP = 2.0
