@@ -43,12 +43,14 @@ def told_numbers(
         noise_px: by which lines miss where they belong.
     """
     # Digits are rather lost in reading than added: of two numbers for one length the longer counts.
-    ordered = sorted(measures, key=lambda measure: -_decimals(measure.value_mm))
+    ordered = sorted(measures, key=lambda measure: measure.digit_mm)
     found = tuple(own for measure in ordered for own in _told(registered, measure))
     if not found:
         return None
     reach = min(max(_NOISES * noise_px, _LEAST_PX), _MOST_PX)
-    return ToldNumbers(found, reach * registered.mm_per_pixel)
+    # Zeros at the end are left out: the longest number tells how all are rounded.
+    digit = min(measure.digit_mm for measure in measures)
+    return ToldNumbers(found, reach * registered.mm_per_pixel, digit)
 
 
 def trusted(registered: RegisteredSheet, scale: SheetScale | None) -> tuple[Measure, ...]:
@@ -68,11 +70,6 @@ def scale_apart(registered: RegisteredSheet, scale: SheetScale | None) -> float 
     if scale is None or not scale.measures or scale.mm_per_pixel is None:
         return None
     return abs(math.log(scale.mm_per_pixel / registered.mm_per_pixel))
-
-
-def _decimals(value: float) -> int:
-    """How many decimals a number has, up to six."""
-    return len(f"{value:.6f}".rstrip("0").partition(".")[2])
 
 
 def _told(registered: RegisteredSheet, measure: Measure) -> Iterator[Told]:

@@ -20,6 +20,7 @@ from gaussiancad_core.reasoning.nominal import NominalStep, nominal_step
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.relations import Linear, Numbers, solved
 from gaussiancad_core.reasoning.told import ToldNumbers, as_told, told_relations
+from gaussiancad_core.reasoning.told_places import ToldPlaces, told_places
 
 CERTAIN = 1e6
 """Weight of a number that is known to be a multiple of the part's step."""
@@ -90,6 +91,7 @@ class Snapped:
         begins: units that all readings of an axis move towards its beginning by, as told.
         unread: whether numbers are multiples of the step only as the sheet says: what it says may
             have been misread.
+        places: that follow from what the sheet says; None where it says nothing.
     """
 
     values: dict[Axis, tuple[float, ...]]
@@ -102,6 +104,7 @@ class Snapped:
     moved: float = 0.0
     begins: Mapping[Axis, float] = field(default_factory=dict)
     unread: bool = False
+    places: ToldPlaces | None = None
 
     def value(self, axis: Axis, reading: float, reach: float | None = None) -> float | None:
         """The value nearest to a reading, if it is within reach."""
@@ -210,10 +213,13 @@ def snapped(
     snap = Snapped(
         values, weights, circles_out, circle_weights, 2.0 * tolerance, step, nominal, moved
     )
-    if known is None:
+    if told is None or known is None:
         return snap
     unread = step is not None and _is_unread(step, numbers, known.drawn)
-    return replace(snap, begins=known.begins, unread=unread)
+    places = told_places(
+        (numbers, known.drawn), (clusters, own), (relations, known.kept), told.digit
+    )
+    return replace(snap, begins=known.begins, unread=unread, places=places)
 
 
 def _is_unread(step: NominalStep, numbers: Numbers, drawn: Numbers) -> bool:

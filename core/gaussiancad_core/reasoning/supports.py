@@ -46,6 +46,7 @@ from gaussiancad_core.reasoning.snapping import (
 from gaussiancad_core.reasoning.spans import DrawnStretch, Support, supports_with_spans
 from gaussiancad_core.reasoning.tangents import touched_circles
 from gaussiancad_core.reasoning.told import ToldNumbers
+from gaussiancad_core.reasoning.told_places import ToldPlaces
 from gaussiancad_core.views import Arc, Linetype, Segment
 
 _FOLDED = 0.01
@@ -109,6 +110,7 @@ class PartSupports:
         odd: how many values, and numbers of circles, are no multiples of it, mirror images once.
         moved: units by which values moved, at the mean, that most likely are round but not surely.
         unread: whether values are multiples of the step only as the sheet's dimensions say.
+        places: that follow from what these say; None where they say nothing.
     """
 
     planes: dict[Axis, PlaneSupports]
@@ -121,6 +123,7 @@ class PartSupports:
     odd: int = 0
     moved: float = 0.0
     unread: bool = False
+    places: ToldPlaces | None = None
 
 
 @dataclass(frozen=True)
@@ -204,6 +207,7 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
         own.odd_numbers,
         own.moved,
         own.unread,
+        own.places,
     )
 
 

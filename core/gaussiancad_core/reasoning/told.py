@@ -88,14 +88,17 @@ class ToldNumbers:
     Attributes:
         lengths: of all dimensions.
         reach: by which what is drawn may differ from its number.
+        digit: the last one that they are rounded to.
     """
 
     lengths: tuple[Told, ...] = ()
     reach: float = 0.0
+    digit: float = 0.0
 
     def scaled(self, factor: float) -> "ToldNumbers":
         """The same in another unit."""
-        return ToldNumbers(tuple(own.scaled(factor) for own in self.lengths), factor * self.reach)
+        lengths = tuple(own.scaled(factor) for own in self.lengths)
+        return ToldNumbers(lengths, factor * self.reach, factor * self.digit)
 
 
 def told_relations(

@@ -1,7 +1,8 @@
 """A solid drawn again and compared with the views it was made from."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -13,7 +14,6 @@ from gaussiancad_core.drawing.brep import area, bounding_box, soundness, volume
 from gaussiancad_core.drawing.hlr import LineDrawing
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.unsure_kinds import as_drawn, with_unsure_kinds
-from gaussiancad_core.solid.round_measures import RoundMeasures, volume_in_doubt
 from gaussiancad_core.verification.agreement import MatchedLines, agreeing_share, match_lines
 from gaussiancad_core.verification.lines import Curve, LinePoints, Lines, lines_of_strokes
 from gaussiancad_core.views import Linetype
@@ -77,6 +77,13 @@ class Flaw:
     missing: bool
 
 
+class Certainty(Protocol):
+    """Something that makes measures of a solid known."""
+
+    def volume_in_doubt(self, shape: TopoDS_Shape, unsure: float) -> float:
+        """mm3 by which a solid may be wrong, where other faces may be off by ``unsure`` mm."""
+
+
 @dataclass(frozen=True, eq=False)
 class Verification:
     """How a solid's lines agree with the views.
@@ -90,8 +97,8 @@ class Verification:
         misfit: mm between the solid's bounding box and that of the views, where they differ most.
             The scale is that of the box: if a line sticks out of the part, all measures are off.
         doubt: share of the volume that may be wrong, as far as the views contradict each other or
-            the solid: the thinner a part is in px, the more.  Faces that follow from round measures
-            are certain, but for one.
+            the solid: the thinner a part is in px, the more.  Faces that follow from round
+            measures, or from numbers on the sheet, are certain, but for one.
         off: whether lines or box are too far off to rely on the measures.
         retold: whether strokes whose linetype nothing tells are of the other one.
     """
@@ -131,15 +138,13 @@ def matching_tolerance(views: DrawnViews) -> float:
     return max(LOOSE * views.tolerance, _LEAST * max(views.size))
 
 
-def verify(
-    shape: TopoDS_Shape, views: DrawnViews, measures: RoundMeasures | None = None
-) -> Verification:
+def verify(shape: TopoDS_Shape, views: DrawnViews, known: Sequence[Certainty] = ()) -> Verification:
     """Draw a solid in the views' directions and match the lines both ways.
 
     Args:
         shape: mm, in the model's axes.
         views: that it was made from.
-        measures: of a part most of whose measures are round.
+        known: what makes measures known; what leaves the least in doubt counts.
     """
     facts = soundness(shape)
     tolerance = matching_tolerance(views)
@@ -168,9 +173,10 @@ def verify(
     sound = facts.valid and facts.closed and facts.solids == 1
     misfit = _misfit(shape, views)
     noise = max(views.noise, spread / _BESIDE) if views.noise else 0.0
-    doubtful = _UNSURE * noise * area(shape)
-    if measures is not None and doubtful > _LOST * abs(volume(shape)):
-        doubtful = min(doubtful, volume_in_doubt(shape, measures))
+    unsure = _UNSURE * noise
+    doubtful = unsure * area(shape)
+    if doubtful > _LOST * abs(volume(shape)):
+        doubtful = min([doubtful, *(own.volume_in_doubt(shape, unsure) for own in known)])
     doubt = doubtful / max(abs(volume(shape)), 1e-12)
     off = max(spread, misfit) > _CLOSE * tolerance
     return Verification(sound, matched, tuple(flaws), spread, misfit, doubt, off, retold)

@@ -21,7 +21,7 @@ from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.drawing.brep import volume
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.solid.round_measures import RoundMeasures, is_round, volume_in_doubt
+from gaussiancad_core.solid.round_measures import RoundMeasures, is_round
 from gaussiancad_core.solid.verify import verify
 
 _PLACE = gp_Ax2(gp_Pnt(20.0, 30.0, 5.0), gp_Dir(0.0, 0.0, 1.0))
@@ -30,7 +30,7 @@ _REACH = 0.02
 
 def _doubtful(shape: TopoDS_Shape, step: float = 1.0, odd: int = 1) -> float:
     """mm2 that may be off by the reach."""
-    return volume_in_doubt(shape, RoundMeasures(step, _REACH, odd)) / _REACH
+    return RoundMeasures(step, _REACH, odd).volume_in_doubt(shape, 1.0) / _REACH
 
 
 def _prism(*corners: tuple[float, float]) -> TopoDS_Shape:
@@ -132,7 +132,7 @@ def test_a_part_with_one_odd_face_is_known_if_that_is_small(
     views = drawn(solid)
     noisy = replace(views, noise=0.02)
     assert not verify(solid, noisy).close
-    found = verify(solid, noisy, RoundMeasures(2.0, reach, 1))
+    found = verify(solid, noisy, [RoundMeasures(2.0, reach, 1)])
     assert found.close == close
     assert found.doubt <= verify(solid, noisy).doubt
 

@@ -90,10 +90,12 @@ class Measure:
     Attributes:
         place: px of the upright sheet.
         value_mm: length of the span, or radius of the circle.
+        digit_mm: the last one that is told of it.
     """
 
     place: Span | Arc
     value_mm: float
+    digit_mm: float
 
 
 @dataclass(frozen=True)
@@ -167,10 +169,9 @@ def _measures(dimensions: Sequence[Dimension], unit: Unit, scale: float) -> Iter
         best = _best(own, unit, scale)
         if best is None or best.place is None:
             continue
-        value = own.said.millimetres(unit)
-        if isinstance(best.place, Arc):
-            value *= best.place.radius / best.pixels
-        yield Measure(best.place, value)
+        share = best.place.radius / best.pixels if isinstance(best.place, Arc) else 1.0
+        said = own.said
+        yield Measure(best.place, share * said.millimetres(unit), share * said.digit(unit))
 
 
 def _group(

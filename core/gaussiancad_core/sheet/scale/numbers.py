@@ -46,6 +46,11 @@ class DimensionText:
         """The length in mm, where the sheet's own unit is ``usual``."""
         return self.value * (self.unit or usual).millimetres
 
+    def digit(self, usual: Unit) -> float:
+        """The last decimal that its value has, zeros apart, in mm."""
+        decimals = f"{self.value:.6f}".rstrip("0").partition(".")[2]
+        return 10.0 ** -len(decimals) * (self.unit or usual).millimetres
+
 
 _ALIKE = str.maketrans(
     {

@@ -143,5 +143,8 @@ def test_what_dimensions_that_agree_measure_is_told_with_their_numbers() -> None
     placed = [Dimension(own, parse_dimension(own), box, (at,)) for own, at in texts.items()]
     found = agree([*placed, true(30), true(44)], MM, None)
     # The radius, where the number is a diameter; nothing of what was misread, or has no place.
-    assert found.measures == (Measure(span, 10.0), Measure(bore, pytest.approx(4.0)))
+    assert found.measures == (
+        Measure(span, 10.0, 1.0),
+        Measure(bore, pytest.approx(4.0), pytest.approx(0.5)),
+    )
     assert agree([placed[0], placed[2]], MM, None).measures == ()
