@@ -209,7 +209,7 @@ def _dimension(
     for tip, towards in ((first, 1.0 if inside else -1.0), (last, -1.0 if inside else 1.0)):
         yield _head((tip, line), (tip + towards, line), direction, look)
     across = line if taken else line - 0.35 * look.text - 0.5 * look.width
-    centre = (middle, across + (0.36 * look.text if taken else 0.0))
+    centre = (middle, across + (0.36 * look.text if taken and not level else 0.0))
     yield _number(text, centre, direction, look, level)
 
 

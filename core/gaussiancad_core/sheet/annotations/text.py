@@ -28,6 +28,10 @@ _LOWER, _TALLER = 0.5, 1.5
 """Height of a word in a view at least, in that of most words beside the views, and at most, in that
 of the tallest."""
 
+_HIGHER = 1.5
+"""Height of a piece that lines explain in part, in that of most letters, from which it is a line
+that ends with an open arrowhead at another one."""
+
 _SPACING = 0.9
 """Gap between the letters of a word at most, in heights of a letter."""
 
@@ -98,9 +102,10 @@ def find_letters(ink: Mask, explained: Mask, stroke_width: float) -> Letters:
     seeds = small & (told < _EXPLAINED) & ~straight
     for label in np.flatnonzero(seeds):
         seeds[label] = _breadth(labels, stats, label) > _STRAIGHT * stroke_width
-    glyphs = np.flatnonzero(seeds)
-    if not len(glyphs):
+    if not seeds.any():
         return Letters(np.zeros_like(ink), ())
+    seeds &= (long_side <= _HIGHER * np.median(long_side[seeds])) | (told <= _PARTLY)
+    glyphs = np.flatnonzero(seeds)
     words = _words(stats, glyphs, np.flatnonzero(small & ~seeds))
     corners = set(glyphs[told[glyphs] > _PARTLY].tolist())
     words = [word for word in words if not are_pockets(labels, stats, word, stroke_width)]

@@ -44,6 +44,12 @@ of its text."""
 _ACROSS = 0.9
 """Weight of what two arrows measure that point at it from outside."""
 
+_ONE_ARROW = 0.5
+"""The same where only one of the arrows was found."""
+
+_ACROSS_LINE = 0.8
+"""How far beside its middle the line runs that a level text interrupts, in half its width."""
+
 _ALIGNED = 1.5
 """px by which pieces of one line may be out of line."""
 
@@ -145,6 +151,7 @@ def spans_of(text: SheetText, rules: Sequence[Rule], edges: Sequence[Rule]) -> t
             borders = _stops(line, [edge for edge in edges if edge.level is not level], _TOUCH)
             spans = _spans(text, line, stops, borders)
             found += [replace(span, weight=weight * span.weight) for span in spans]
+            found += _beyond(line, across, _head(text))
             found += _from_outside(text, line, own, across)
     unique: list[Span] = []
     for span in sorted(found, key=lambda span: -span.weight):
@@ -179,7 +186,7 @@ def _lines_beside(text: SheetText, level: bool, rules: Sequence[Rule]) -> list[t
         low, high = reach + _ABOVE * height, reach + _AWAY * height
     else:
         # A text that does not run along its line stands in it.
-        low = high = 0.5 * reach
+        low = high = _ACROSS_LINE * reach
     near = sorted(
         (rule for rule in rules if middle - low <= rule.at <= middle + high),
         key=lambda rule: abs(rule.at - middle),
@@ -249,6 +256,18 @@ def _from_outside(
         ends = [min(stops, key=lambda at, end=end: abs(at - end)) for end in (low, high) if stops]
         if ends and ends[0] < ends[1] and _meets(ends, met, head):
             yield Span(line.level, ends[0], ends[1], _ACROSS)
+
+
+def _beyond(line: Rule, across: Sequence[Rule], head: float) -> Iterator[Span]:
+    """What lies between an end of a text's line and the next line beyond it, where another arrow
+    may point at that from outside, too short to be found as a line."""
+    stops = _stops(replace(line, low=-np.inf, high=np.inf), across, 0.0)
+    for end, way in ((line.low, -1.0), (line.high, 1.0)):
+        met = min(stops, key=lambda at, end=end: abs(at - end), default=np.inf)
+        others = [at for at in stops if way * (at - met) > _ALIGNED]
+        if abs(met - end) <= head and others:
+            low, high = sorted((met, min(others, key=lambda at: abs(at - end))))
+            yield Span(line.level, low, high, _ONE_ARROW)
 
 
 def _stops(line: Rule, across: Sequence[Rule], beyond: float) -> list[float]:

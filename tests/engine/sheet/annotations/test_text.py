@@ -126,6 +126,21 @@ def test_large_letters_are_drawing() -> None:
     assert not _found(ink).mask.any()
 
 
+def test_an_open_arrowhead_at_its_line_is_no_letter(sketch: Sketch) -> None:
+    word = _written("2.344", 300, 320)
+    lines = sketch(WIDTH, HEIGHT).line((198, 300), (240, 300))
+    arrow = sketch(WIDTH, HEIGHT).line((200, 300), (200, 344))
+    arrow.line((200, 300), (196, 314)).line((200, 300), (204, 314))
+    # Less than a twenty-fifth of a wide sheet, as letters may be, but much taller than the number;
+    # what the shaft ends at explains it in part.
+    wide = [
+        np.pad(own, ((0, 0), (0, 600))) for own in (word, lines.weight >= 0.5, arrow.weight >= 0.5)
+    ]
+    letters = _found(wide[0] | wide[1] | wide[2], wide[1])
+    assert (letters.mask == wide[0]).all()
+    assert len(letters.marks) == 1
+
+
 def test_blank_paper() -> None:
     letters = _found(np.zeros((HEIGHT, WIDTH), bool))
     assert not letters.mask.any()

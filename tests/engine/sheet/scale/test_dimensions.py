@@ -110,6 +110,33 @@ def test_two_lines_that_point_at_each_other_measure_what_is_between(
     assert max(found, key=lambda span: span.weight) == Span(along, 100, 140, 0.9)
 
 
+@pytest.mark.parametrize("along", [True, False])
+def test_an_arrow_of_its_own_points_at_the_next_line_where_the_other_was_not_found(
+    along: bool,
+) -> None:
+    rules = [level(200, 156, 190), *(upright(x, 150, 208) for x in (60, 100, 140, 192))]
+    box = (162.0, 176.0, 184.0, 194.0)
+    if not along:
+        rules = [turned(rule) for rule in rules]
+        box = (box[1], box[0], box[3], box[2])
+    found = spans_of(text(box, along), rules, [])
+    assert Span(along, 100, 140, 0.5) in found
+    # Nothing beyond the next one, and likelier is what the line itself lies between.
+    assert not any(span.low == 60 for span in found)
+    assert found[0] == Span(along, 140, 192)
+
+
+def test_a_level_text_need_not_stand_on_the_middle_of_the_line_it_interrupts() -> None:
+    rules = [
+        upright(157, 300, 388),
+        upright(157, 412, 500),
+        level(300, 150, 210),
+        level(500, 150, 210),
+    ]
+    assert spans_of(text((153, 393, 183, 407)), rules, [])[0] == Span(False, 300, 500)
+    assert spans_of(text((158, 393, 188, 407)), rules, []) == ()
+
+
 def test_edges_serve_where_there_is_no_extension_line() -> None:
     edges = [upright(100.0, 20, 400), upright(300.0, 20, 400)]
     (span,) = spans_of(text(ABOVE), ISO[:1], edges)
