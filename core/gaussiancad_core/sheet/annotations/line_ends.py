@@ -65,16 +65,20 @@ def mark_heads(shapes: Sequence[InkedShape], kinds: Kinds, stroke_width: float) 
             own[k] = next(within, None)
 
 
-def mark_doubled(shapes: Sequence[InkedShape], kinds: Kinds, ink: Mask, weights: Weights) -> None:
+def mark_doubled(
+    shapes: Sequence[InkedShape], kinds: Kinds, ink: Mask, weights: Weights, gap: float
+) -> None:
     """Mark runs wider than extension lines that go on as one and end free, in place.
 
-    Where such a run is an edge, others meet it at its end; it is no wider than edges.
+    Where such a run is an edge, others meet it at its end, or it goes on behind them in dashes; it
+    is no wider than edges.
 
     Args:
         shapes: lines and circles of the sheet, cut where their width changes.
         kinds: what each run is known to be.
         ink: (h, w) bool, of the sheet.
         weights: of its lines.
+        gap: px between the sheet's dashes at most.
     """
     for shape, own in zip(shapes, kinds, strict=True):
         if not isinstance(shape.geometry, Line):
@@ -91,8 +95,17 @@ def mark_doubled(shapes: Sequence[InkedShape], kinds: Kinds, ink: Mask, weights:
                 near = shape.runs[beside].run
                 apart = max(near.start - run.run.end, run.run.start - near.end)
                 free = is_free_end(shape.geometry, end, outward, run.width, ink)
+                free = free and not _is_dashed_on(shape.runs, 2 * k - beside, end, gap)
                 if apart <= _GOES_ON_PX and free:
                     own[k] = AnnotationKind.EXTENSION
+
+
+def _is_dashed_on(runs: Sequence[InkedRun], beyond: int, end: float, gap: float) -> bool:
+    """Whether a run, if there is such a one, begins no farther from an end than dashes do."""
+    if not 0 <= beyond < len(runs):
+        return False
+    run = runs[beyond].run
+    return min(abs(run.start - end), abs(run.end - end)) <= gap
 
 
 def told_lines(

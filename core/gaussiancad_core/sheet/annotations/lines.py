@@ -169,7 +169,7 @@ def kinds_of_runs(
         stroke_width: px.
         dash_gap: px, usual between the sheet's dashes; 0 where it is not known.
     """
-    widest = max(_WIDEST_PX, _WIDEST * stroke_width, dash_gap)
+    widest = widest_gap(stroke_width, dash_gap)
     kinds: list[list[AnnotationKind | None]] = [[None] * len(shape.runs) for shape in shapes]
     rest: list[list[InkedRun]] = []
     corners = Corners.of(shapes, stroke_width)
@@ -193,6 +193,11 @@ def kinds_of_runs(
                 own[k] = AnnotationKind.EXTENSION
         _spread(own, shape.runs, weights.limit)
     return kinds
+
+
+def widest_gap(stroke_width: float, dash_gap: float) -> float:
+    """px, the gap in a line of dashes at most."""
+    return max(_WIDEST_PX, _WIDEST * stroke_width, dash_gap)
 
 
 def _spread(own: list[AnnotationKind | None], runs: Sequence[InkedRun], limit: float) -> None:

@@ -29,7 +29,12 @@ from gaussiancad_core.sheet.annotations.line_ends import (
     mark_doubled,
     mark_heads,
 )
-from gaussiancad_core.sheet.annotations.lines import Weights, kinds_of_runs, line_weights
+from gaussiancad_core.sheet.annotations.lines import (
+    Weights,
+    kinds_of_runs,
+    line_weights,
+    widest_gap,
+)
 from gaussiancad_core.sheet.annotations.lone_dashes import (
     longest_dash,
     spare_free_dashes,
@@ -76,6 +81,9 @@ _DASHES = 3
 
 _LONGEST_DASH = 8.0
 """Length of a dash at most, in stroke widths."""
+
+_GAPS = 1.2
+"""Gap between dashes at most, in the sheet's usual ones."""
 
 _SHORTEST_MARK = 16.0
 """Length of a centre mark that sticks out of a view at least, in stroke widths."""
@@ -161,7 +169,7 @@ def separate_annotations(
         shapes = hatching.others(shapes)
     weights = _weights(sheet, shapes) if by_weight else Weights(sheet.stroke_width, 0.0)
     shapes = _cut(sheet, shapes, weights)
-    kinds = kinds_of_runs(shapes, weights, sheet.stroke_width, 1.2 * sheet.dash_gap)
+    kinds = kinds_of_runs(shapes, weights, sheet.stroke_width, _GAPS * sheet.dash_gap)
     mark_centre_marks(shapes, kinds, sheet)
     if weights.limit:
         _tell_line_ends(sheet, ridges, Told(shapes, kinds, unexplained), weights, letters.marks)
@@ -216,7 +224,8 @@ def _tell_line_ends(
     """Tell what is left at the ends of dimension lines and of hidden ones, in place."""
     mark_leaders(told.shapes, told.kinds, letters, sheet.ink, sheet.stroke_width)
     mark_heads(told.shapes, told.kinds, sheet.stroke_width)
-    mark_doubled(told.shapes, told.kinds, sheet.ink, weights)
+    widest = widest_gap(sheet.stroke_width, _GAPS * sheet.dash_gap)
+    mark_doubled(told.shapes, told.kinds, sheet.ink, weights, widest)
     free = ridges, _at(ridges, told.unexplained)
     more = extension_lines(sheet, free, (told.shapes, told.kinds), weights.limit)
     told.shapes.extend(more)

@@ -114,5 +114,26 @@ def test_an_extension_line_that_is_drawn_twice_is_wider(
     lines = [((100, 25), (100, 110)), ((40, 18), (160, 18))]
     if across is not None:
         lines.append(((40, across), (160, across)))
-    mark_doubled(shapes, kinds, _sheet(*lines).ink, Weights(4.0, 3.3))
+    mark_doubled(shapes, kinds, _sheet(*lines).ink, Weights(4.0, 3.3), 12.0)
     assert kinds[1] == [EXTENSION if marked else None, EXTENSION]
+
+
+@pytest.mark.parametrize(("apart", "marked"), [(8.0, False), (20.0, True)])
+@pytest.mark.parametrize("turned", [False, True])
+def test_an_edge_that_goes_on_in_dashes_is_no_extension_line(
+    apart: float, marked: bool, turned: bool
+) -> None:
+    """Of an edge that leads to the paper an extension line is left, and behind what hides it dashes
+    are: the first of them ends free."""
+    spans = [(25.0 - apart - 12.0, 25.0 - apart, 3.0), (25.0, 70.0, 3.8), (70.0, 110.0, 2.0)]
+    own: list[AnnotationKind | None] = [None, None, EXTENSION]
+    if turned:
+        spans = [(-end, -start, width) for start, end, width in reversed(spans)]
+        own.reverse()
+    upright = Line((100.0, 0.0), (0.0, -1.0 if turned else 1.0))
+    runs = tuple(InkedRun(Run(start, end), width) for start, end, width in spans)
+    kinds: list[list[AnnotationKind | None]] = [own]
+    lines = ((100, 25), (100, 110)), ((100, int(13 - apart)), (100, int(25 - apart)))
+    ink = _sheet(*lines).ink
+    mark_doubled([InkedShape(upright, runs)], kinds, ink, Weights(4.0, 2.8), 12.0)
+    assert kinds[0][1] is (EXTENSION if marked else None)
