@@ -178,6 +178,9 @@ def _not_of_the_part(
         (labels == 0).astype(np.uint8), connectivity=4
     )
     outside = 1 + int(np.argmax(facts[1:, cv2.CC_STAT_AREA]))
+    words = [
+        part for word in words for part in _parted(word, areas, labels, stats, outside) if part
+    ]
     around = [_paper_around(areas, labels, stats, word) for word in words]
     beside = [word for word, own in zip(words, around, strict=True) if outside in own]
     if not beside:
@@ -214,6 +217,19 @@ def _not_of_the_part(
         return _is_in_line(boxes, [piece in pieces[0] for piece in word]) and not are_dashes(boxes)
 
     return [word for word, paper in zip(words, around, strict=True) if is_word(word, paper)]
+
+
+def _parted(
+    word: list[int],
+    areas: npt.NDArray[np.int32],
+    labels: npt.NDArray[np.int32],
+    stats: npt.NDArray[np.int32],
+    outside: int,
+) -> tuple[list[int], list[int]]:
+    """The pieces of a word that have the paper around the views beside them, and the others: an
+    outline runs between what is written beside a view and what stands in it."""
+    beside = [piece for piece in word if outside in _paper_around(areas, labels, stats, [piece])]
+    return beside, [piece for piece in word if piece not in beside]
 
 
 def _is_corner(word: list[int], glyphs: set[int], corners: set[int]) -> bool:

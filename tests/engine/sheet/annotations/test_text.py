@@ -240,6 +240,19 @@ def test_the_corners_of_a_drilled_bore_are_no_word(sketch: Sketch) -> None:
     assert letters.mask.any()
 
 
+def test_no_word_is_on_both_sides_of_an_outline(sketch: Sketch) -> None:
+    """A dashed hole is as near to the number beside the view as its letters are to each other."""
+    drawn = sketch(WIDTH, HEIGHT).lines((60, 60), (400, 60), (400, 300), (60, 300), (60, 60))
+    number = _written("125", 426, 200)
+    hole = sketch(WIDTH, HEIGHT)
+    hole.lines((370, 188), (370, 204), (377, 204), width=2.0)
+    hole.lines((389, 204), (396, 204), (396, 188), width=2.0)
+    hole.lines((375, 209), (383, 215), (391, 209), width=2.0)
+    dashes = hole.weight >= 0.5
+    letters = _found((drawn.weight >= 0.5) | number | dashes, drawn.weight >= 0.5)
+    assert np.array_equal(letters.mask, number)
+
+
 def test_what_is_taller_than_the_writing_is_no_letter_in_a_box(sketch: Sketch) -> None:
     """A tapered pocket with edges from corner to corner, in a view that is a box around it."""
     drawn = sketch(WIDTH, HEIGHT).lines((60, 60), (200, 60), (200, 200), (60, 200), (60, 60))
