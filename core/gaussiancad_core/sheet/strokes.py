@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.ellipses import WholeEllipse
+from gaussiancad_core.sheet.borrowed_dashes import own_runs
 from gaussiancad_core.sheet.bows import with_bows
 from gaussiancad_core.sheet.chamfers import with_chamfers
 from gaussiancad_core.sheet.clean import CleanSheet
@@ -48,6 +49,7 @@ from gaussiancad_core.sheet.line_widths import Pens, told_by_width
 from gaussiancad_core.sheet.linetype_changes import with_changes_at_junctions
 from gaussiancad_core.sheet.linetypes import classify
 from gaussiancad_core.sheet.parted import parted_at_corners
+from gaussiancad_core.sheet.remaining_dashes import find_remaining_dashes
 from gaussiancad_core.sheet.run_outs import with_run_outs
 from gaussiancad_core.sheet.rungs import find_rungs
 from gaussiancad_core.sheet.runs import (
@@ -96,6 +98,10 @@ def classify_strokes(
     """
     explained = Explained.blank(view.sheet)
     pieces = _seen_pieces(view, rhythm, pens, explained)
+    rows = find_remaining_dashes(view.sheet.ink & (explained.around == 0), view.sheet, rhythm)
+    for geometry, piece in rows:
+        explained.add(geometry, piece, close=True)
+    pieces += rows
     pieces = with_whole_circles(pieces, view.sheet, rhythm)
     pieces = without_shadows(pieces, view.sheet.stroke_width, rhythm.dash)
     pieces = with_flat_ends(with_straight_ends(pieces, view.sheet), view.sheet)
@@ -167,10 +173,11 @@ def _seen_pieces(
             known = explained
         elif known is explained or not order[index - 1].twin:
             known = explained.copy()
-        runs = [(run, None) for run in shape.runs]
+        width = view.sheet.stroke_width
+        runs = [(run, None) for run in own_runs(shape.geometry, shape.runs, lines, rhythm, width)]
         # The ink of twins is as wide as both.
         if pens is not None and pens.told and not shape.twin:
-            runs = told_by_width(view.sheet, shape.geometry, shape.runs, pens)
+            runs = told_by_width(view.sheet, shape.geometry, [run for run, _ in runs], pens)
         fresh = [
             (run, kind)
             for k, (run, kind) in enumerate(runs)
@@ -179,7 +186,7 @@ def _seen_pieces(
             or (joins and joins_arcs(shape.geometry, run, known.around))
         ]
         if not isinstance(shape.geometry, Line):
-            fresh = with_dashes_beside(shape.geometry, runs, fresh, rhythm, view.sheet.stroke_width)
+            fresh = with_dashes_beside(shape.geometry, runs, fresh, rhythm, width)
         touches = [_touches(view.field, shape.geometry, run) for run, _ in fresh]
         told = told_linetypes(shape.geometry, fresh, explained.around, rhythm)
         found = classify([run for run, _ in fresh], rhythm, touches, shape.geometry.around, told)

@@ -38,6 +38,10 @@ _WIDEST_PX, _WIDEST = 12.0, 5.0
 _BREAK = 0.5
 """Gap between dashes at least, in the sheet's usual gaps."""
 
+_CUT, _CUT_PX = 0.35, 5.0
+"""Gap between two pieces of one dash that another line crosses at most, in the gaps beside it, and
+px by which it is smaller at least."""
+
 _SHORT = 0.45
 """Length of the short dashes of a centre line, as a share of the long ones, at most."""
 
@@ -176,7 +180,9 @@ def kinds_of_runs(
     for shape, own in zip(shapes, kinds, strict=True):
         for first, last in _groups(shape.runs, widest, weights.limit):
             group = shape.runs[first:last]
-            start, end = _long_short_part([run.run for run in group])
+            whole = _whole_dashes([run.run for run in group])
+            start, end = _long_short_part([dash for dash, _ in whole])
+            start, end = (sum(count for _, count in whole[:at]) for at in (start, end))
             # Where wide and narrow lines are told apart, a group is of one kind.
             part = group[start:end]
             if part and (weights.limit or not _is_edge(shape, part, corners, stroke_width)):
@@ -193,6 +199,21 @@ def kinds_of_runs(
                 own[k] = AnnotationKind.EXTENSION
         _spread(own, shape.runs, weights.limit)
     return kinds
+
+
+def _whole_dashes(runs: Sequence[Run]) -> list[tuple[Run, int]]:
+    """Dashes with those made one that another line cut, and of how many pieces each is."""
+    gaps = [after.start - before.end for before, after in pairwise(runs)]
+    usual = float(np.median(gaps)) if gaps else 0.0
+    most = min(_CUT * usual, usual - _CUT_PX)
+    whole = [(runs[0], 1)]
+    for gap, run in zip(gaps, runs[1:], strict=True):
+        last, count = whole[-1]
+        if gap <= most:
+            whole[-1] = Run(last.start, run.end), count + 1
+        else:
+            whole.append((run, 1))
+    return whole
 
 
 def widest_gap(stroke_width: float, dash_gap: float) -> float:

@@ -352,3 +352,17 @@ def test_an_edge_with_extension_lines_at_both_ends_is_no_centre_line() -> None:
     dotted = [(0.0, 60.0, 2.4), (67.0, 69.0, 2.4), (76.0, 136.0, 2.4)]
     (own,) = kinds_of_runs([_shape(*dotted)], Weights(2.4, 0.0), 2.4)
     assert own == [CENTRE] * 3
+
+
+def test_a_dash_that_an_edge_cuts_is_one_beside_others() -> None:
+    """Long, short, long and short it seems, but for the gap in which the edge lies."""
+    gap = 12.8
+    pieces = [(0.0, 24.4, 1.4), (37.0, 43.5, 1.4), (46.0, 62.0, 1.4), (62.0 + gap, 83.3, 1.4)]
+    (own,) = kinds_of_runs([_shape(*pieces)], Weights(3.0, 0.0), 2.6, gap)
+    assert own == [None] * 4
+    # A centre line that an edge cuts as well is still one.
+    centre = [(0.0, 30.0), (42.0, 47.0), (59.0, 66.0), (68.5, 89.0), (101.0, 106.0), (118.0, 148.0)]
+    (own,) = kinds_of_runs(
+        [_shape(*((a, b, 1.4) for a, b in centre))], Weights(3.0, 0.0), 2.6, 12.0
+    )
+    assert own == [CENTRE] * 6
