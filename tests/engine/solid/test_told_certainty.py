@@ -10,8 +10,12 @@ from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Axis
+from gaussiancad_core.drawing.brep import volume
+from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.told import ToldLength, ToldNumbers
 from gaussiancad_core.reasoning.told_places import ToldPlaces
+from gaussiancad_core.solid.exact import exact_solid
 from gaussiancad_core.solid.told_certainty import ToldMeasures
 from gaussiancad_core.solid.verify import verify
 
@@ -68,3 +72,34 @@ def test_a_part_whose_numbers_are_drawn_as_they_say_is_known(
     values = {Axis.X: (0.0, 60.41), Axis.Y: (0.0, 40.0), Axis.Z: (0.0, 24.17)}
     told = ToldMeasures(ToldPlaces(values, (), beside, 0.001), 1e-3)
     assert verify(solid, noisy, [told]).close == close
+
+
+@pytest.mark.parametrize("numbered", [True, False])
+def test_a_part_with_all_its_numbers_is_verified_and_has_them(
+    numbered: bool, drawn: Callable[..., DrawnViews]
+) -> None:
+    block = BRepPrimAPI_MakeBox(60.41, 40.17, 24.17).Solid()
+    step = BRepPrimAPI_MakeBox(gp_Pnt(33.73, -1.0, 11.09), 60.0, 60.0, 60.0).Solid()
+    solid = BRepAlgoAPI_Cut(block, step).Shape()
+    # A picture's lines: off by hundredths, for which the numbers make up.
+    told = [
+        ToldLength(axis, 0.01, value - 0.01, value)
+        for axis, value in (
+            (Axis.X, 33.73),
+            (Axis.X, 60.41),
+            (Axis.Y, 40.17),
+            (Axis.Z, 11.09),
+            (Axis.Z, 24.17),
+        )
+    ]
+    views = replace(
+        drawn(solid),
+        tolerance=0.2,
+        apart=0.3,
+        noise=0.005,
+        told=ToldNumbers(tuple(told if numbered else told[1:3]), 0.05, 0.001),
+    )
+    result = exact_solid(views)
+    assert volume(result.shape) == pytest.approx(volume(solid), rel=1e-9)
+    assert (result.status is Status.VERIFIED) == numbered
+    assert {code for code, _ in result.reasons} == (set() if numbered else {"lines-inexact"})
