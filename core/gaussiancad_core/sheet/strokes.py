@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.ellipses import WholeEllipse
+from gaussiancad_core.sheet.behind_edges import with_ends_behind_edges
 from gaussiancad_core.sheet.borrowed_dashes import own_runs
 from gaussiancad_core.sheet.bows import with_bows
 from gaussiancad_core.sheet.chamfers import with_chamfers
@@ -132,6 +133,7 @@ def classify_strokes(
     ended = with_drill_tips(ended, view.sheet)
     ended = with_bows(with_corners_reached(ended, rhythm), view.sheet)
     ended = with_run_outs(ended, view.sheet)
+    ended = with_ends_behind_edges(ended, view.sheet, rhythm)
     # Strokes that were drawn out to a junction explain the ink up to there.
     for geometry, piece in ended:
         explained.add(geometry, piece)
