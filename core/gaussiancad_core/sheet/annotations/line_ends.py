@@ -39,6 +39,10 @@ _SQUARE = 0.1
 _GOES_ON_PX = 1.0
 """px between a run and what it goes on as at most."""
 
+_DASH = 3.0
+"""Length of a dash at most, in the widest gap: what is longer may be the edge, which an extension
+line leaves a gap to."""
+
 _MET_PX = 2.5
 """px between a dimension line's end and its extension line at most."""
 
@@ -101,8 +105,8 @@ def mark_doubled(
 
 
 def _is_dashed_on(runs: Sequence[InkedRun], beyond: int, end: float, gap: float) -> bool:
-    """Whether a run, if there is such a one, begins no farther from an end than dashes do."""
-    if not 0 <= beyond < len(runs):
+    """Whether a run, if there is such a one, is a dash no farther from an end than dashes are."""
+    if not 0 <= beyond < len(runs) or runs[beyond].run.length > _DASH * gap:
         return False
     run = runs[beyond].run
     return min(abs(run.start - end), abs(run.end - end)) <= gap

@@ -137,3 +137,16 @@ def test_an_edge_that_goes_on_in_dashes_is_no_extension_line(
     ink = _sheet(*lines).ink
     mark_doubled([InkedShape(upright, runs)], kinds, ink, Weights(4.0, 2.8), 12.0)
     assert kinds[0][1] is (EXTENSION if marked else None)
+
+
+@pytest.mark.parametrize(("length", "marked"), [(12.0, False), (36.0, False), (80.0, True)])
+def test_the_edge_that_an_extension_line_leaves_a_gap_to_is_no_dash(
+    length: float, marked: bool
+) -> None:
+    spans = [(20.0 - 10.0 - length, 10.0, 3.9), (20.0, 65.0, 3.8), (65.0, 105.0, 2.0)]
+    runs = tuple(InkedRun(Run(start, end), width) for start, end, width in spans)
+    kinds: list[list[AnnotationKind | None]] = [[None, None, EXTENSION]]
+    upright = Line((100.0, 90.0), (0.0, 1.0))
+    ink = _sheet(((100, 110), (100, 195)), ((100, int(100 - length)), (100, 100))).ink
+    mark_doubled([InkedShape(upright, runs)], kinds, ink, Weights(4.0, 2.8), 12.0)
+    assert kinds[0][1] is (EXTENSION if marked else None)
