@@ -37,7 +37,7 @@ _DARKER = 0.25
 """Weight by which ink on the line exceeds that of both flanks."""
 
 _SHORTEST = 1.5
-"""px of such ink at least."""
+"""px of such ink at least, in one piece or at both edges."""
 
 _MOST = 3
 """Edges, one behind the other, that an end is led past at most."""
@@ -129,9 +129,7 @@ def _is_inked(line: Line, points: Floats, sheet: CleanSheet) -> bool:
     flank = sheet.stroke_width / 2.0 + _BESIDE
     own = _weights(points, offsets, normal, sheet).mean(axis=1)
     beside = _weights(points, np.array([-flank, flank]), normal, sheet).max(axis=1)
-    dark = np.concatenate([[False], own - beside > _DARKER, [False]])
-    starts, ends = np.flatnonzero(np.diff(dark.astype(int))).reshape(-1, 2).T
-    return bool(((ends - starts) * _STEP >= _SHORTEST).any())
+    return bool((own - beside > _DARKER).sum() * _STEP >= _SHORTEST)
 
 
 def _weights(points: Floats, offsets: Floats, normal: Floats, sheet: CleanSheet) -> Floats:

@@ -9,6 +9,8 @@ from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.junctions import Placed
 from gaussiancad_core.sheet.runs import Piece, Rhythm
+from gaussiancad_core.sheet.strokes import classify_strokes
+from gaussiancad_core.sheet.view_shapes import find_shapes, view_pens, view_rhythm
 from gaussiancad_core.views import Linetype
 
 RHYTHM = Rhythm(8.0, 5.0)
@@ -97,3 +99,23 @@ def test_the_next_edge_may_be_round() -> None:
     (_, one), (_, other) = with_ends_behind_edges([*sides, *rims], sheet, RHYTHM)[:2]
     assert (one.start, one.end) == (pytest.approx(outer, abs=0.25), 60.0)
     assert (other.start, other.end) == (-60.0, pytest.approx(-outer, abs=0.25))
+
+
+@pytest.mark.parametrize("first", [29, 31])
+def test_the_bore_of_a_chamfered_ring_is_read_through(first: int) -> None:
+    """Of the dashes behind the edge of the chamfer 2 px show at both edges, or 4 at one."""
+    weight = np.zeros((160, 240), np.float32)
+    for x in (20, 150, 162):
+        weight[19:122, x - 1 : x + 2] = 1.0
+    for y in (20, 120):
+        weight[y - 1 : y + 2, 19:164] = 1.0
+    for y in (50, 90):
+        for x in range(first, 160, 13):
+            weight[y : y + 2, x : min(x + 8, 163)] = 1.0
+    view = find_shapes(CleanSheet(weight > 0.5, weight, STROKE, 0.0), (0.0, 0.0, 240.0, 160.0))
+    rhythm = view_rhythm([view], STROKE)
+    strokes = classify_strokes(view, rhythm, view_pens([view], rhythm))
+    hidden = [own for own in strokes if own.linetype is Linetype.HIDDEN]
+    ends = sorted((*own.start, *own.end) for own in hidden)
+    expected = [(20.5, 51.0, 162.5, 51.0), (20.5, 91.0, 162.5, 91.0)]
+    assert np.array(ends) == pytest.approx(np.array(expected), abs=0.3)
