@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.ellipses import WholeEllipse
+from gaussiancad_core.sheet.arc_ends import without_arc_ends
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.close_lines import with_close_lines
 from gaussiancad_core.sheet.dash_pairs import paired_rhythm
@@ -120,13 +121,15 @@ def find_shapes(
     candidates, close = _candidates(crop, finder)
     straight = [line for line in candidates if isinstance(line, Line)]
     corners = np.array([[0, 0], [width, 0], [0, height], [width, height]], dtype=np.float64)
+    circles = [curve for curve in candidates if isinstance(curve, Circle)]
     found = []
     for line in straight:
         along, _ = line.coordinates(corners)
         reach = float(along.min()), float(along.max())
         runs = line_runs(field, line, *reach)
         for own in parted_slants(crop, line, runs) if runs else ():
-            refitted = refit_line(crop, line, runs_spans(runs_along(crop, line, own)))
+            spans = runs_spans(runs_along(crop, line, own))
+            refitted = refit_line(crop, line, without_arc_ends(line, spans, circles))
             found.append((refitted, line_runs(field, refitted, *reach), line in close))
     for line, runs, _ in list(found):
         for other in lines_across(crop, line, runs, [own for own, _, _ in found]):
