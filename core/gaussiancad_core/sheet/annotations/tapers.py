@@ -2,7 +2,8 @@
 
 On sheets whose lines are all of one width a head may be no more than twice as wide as its line, so
 that it makes no blot.  Crossings and blots widen a line before and behind alike, slanted strokes
-that end on it on one side, and corners that it ends in by more than any head.
+that end on it on one side, and corners that it ends in by more than any head.  Between two other
+strokes that begin where it does it is as wide as a head, too, but these go on behind it.
 """
 
 import numpy as np
@@ -14,6 +15,7 @@ from gaussiancad_core.sheet.annotations.inked import InkedShape
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.line_widths import sides_along
+from gaussiancad_core.sheet.shapes import sample
 
 Floats = npt.NDArray[np.float64]
 
@@ -54,6 +56,18 @@ _BEHIND_PX = 4
 _LONGEST = 16.0
 """Length of a head at most, in widths of its line."""
 
+_ON_PX = (3, 9)
+"""px behind its widest place, from and to, where strokes beside a line go on that are no head."""
+
+_ON = 0.7
+"""Share of these at which there is ink again on both sides, beyond paper, at least."""
+
+_WIDENING = 1.5
+"""How far away that is at most, in what the widening behind the tip leads to."""
+
+_INK = 0.35
+"""Share of full ink from which there is some."""
+
 _AT_END = 18.0
 """Distance of a lone head from its line's end at most, in widths of the line."""
 
@@ -76,11 +90,49 @@ def mark_tapered(shapes: list[InkedShape], kinds: Kinds, sheet: CleanSheet) -> N
                 continue
             # Where a slanted stroke ends on a line, that is wider on one side alone.
             widths = 2.0 * sides_along(sheet, shape.geometry, run.run).min(axis=1)
-            forwards = tapers(widths, run.width)
-            backwards = tapers(widths[::-1], run.width)
+            forwards, backwards = (
+                [
+                    place
+                    for place in tapers(side, run.width)
+                    if not _is_between_strokes(sheet, line, place, side[place])
+                ]
+                for side, line in (
+                    (widths, _from_end(shape.geometry, run.run.start, 1.0)),
+                    (widths[::-1], _from_end(shape.geometry, run.run.end, -1.0)),
+                )
+            )
             near = [p for p in (*forwards, *backwards) if p < _AT_END * run.width]
             if near or len(forwards) + len(backwards) > 1:
                 own[k] = AnnotationKind.DIMENSION
+
+
+def _from_end(line: Line, end: float, way: float) -> Line:
+    """The same line, from one of its run's ends on."""
+    x, y = line.direction
+    return Line(line.at(end), (way * x, way * y))
+
+
+def _is_between_strokes(sheet: CleanSheet, line: Line, place: int, width: float) -> bool:
+    """Whether what widens a line up to a place goes on behind it, beyond paper, on both sides."""
+    behind = np.arange(*_ON_PX)
+    points, normal = (
+        line.points_at(place + behind.astype(float)),
+        (-line.direction[1], line.direction[0]),
+    )
+    found = []
+    for side in (1.0, -1.0):
+        inked = []
+        for point, on in zip(points, behind.tolist(), strict=True):
+            far = _WIDENING * 0.5 * width * (place + on) / max(place, 1)
+            away = side * np.arange(0.0, far + 1.0, 0.5)
+            row = (
+                sample(sheet.weight, point[0] + normal[0] * away, point[1] + normal[1] * away)
+                > _INK
+            )
+            paper = np.flatnonzero(~row)
+            inked.append(len(paper) > 0 and bool(row[paper[0] :].any()))
+        found.append(np.mean(inked))
+    return min(found) >= _ON
 
 
 def tapers(widths: Floats, width: float) -> list[int]:

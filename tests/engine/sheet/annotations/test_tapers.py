@@ -88,3 +88,20 @@ def test_slanted_strokes_that_end_on_a_line_are_no_heads(sketch: Sketch) -> None
 def test_an_edge_between_others_is_none(sketch: Sketch) -> None:
     drawn = _headed(sketch).line((20, 20), (20, 90), WIDTH).line((180, 20), (180, 90), WIDTH)
     assert not _marked(drawn.line((100, 20), (100, 90), WIDTH))
+
+
+@pytest.mark.parametrize("end", [20, 180])
+def test_an_edge_that_begins_between_two_others_is_none(sketch: Sketch, end: int) -> None:
+    """As at a pyramid's corner: their ink is a head's, but they go on."""
+    way = 1 if end == 20 else -1
+    drawn = _headed(sketch)
+    for rise in (-24, 24):
+        drawn.line((end, 50), (end + way * 60, 50 + rise), WIDTH)
+    assert not _marked(drawn)
+    # With one of them alone it is wider on one side.
+    assert not _marked(_headed(sketch).line((end, 50), (end + way * 60, 26), WIDTH))
+    # Lines farther away leave a head one.
+    headed = _headed(sketch, (end, -way))
+    for off in (-14, 14):
+        headed.line((20, 50 + off), (180, 50 + off), WIDTH)
+    assert _marked(headed)
