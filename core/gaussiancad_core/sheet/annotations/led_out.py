@@ -55,6 +55,9 @@ _BRIDGE_PX = 7
 _BESIDE_PX = 2.5
 """px beside a line, beyond half of it, at which its areas lie."""
 
+_LEAST_OUT_PX = 3
+"""px of an extension line that lie over the paper around the views at least."""
+
 _OUTSIDE = 0.15
 """Share of a stretch beside which the paper around the view may lie, where it crosses the
 outline."""
@@ -116,14 +119,15 @@ def _follow_in(
     runs, marks = told
     weight, usual, stroke_width = sizes
     k = 0 if way > 0 else len(runs) - 1
+    led = False
     while 0 <= k + way < len(runs):
         outer, inner = runs[k].run, runs[k + way].run
-        if (
-            marks[k] is AnnotationKind.EXTENSION
-            and marks[k + way] is None
-            and outer.length >= _SHORTEST * stroke_width
-            and _apart(outer, inner) < _LEAST_PX
-        ):
+        # What parts nothing may be the end of an edge, in a corner full of ink.
+        extends = marks[k] is AnnotationKind.EXTENSION
+        led = extends and (led or _is_over_paper(line, outer, areas, stroke_width))
+        joined = _apart(outer, inner) < _LEAST_PX
+        long = outer.length >= _SHORTEST * stroke_width
+        if led and joined and long and marks[k + way] is None:
             begin, end = (inner.start, inner.end) if way > 0 else (inner.end, inner.start)
             gap = _first_gap(line, begin, end + way * (usual * _ALIKE[1] + stroke_width), weight)
             ahead = way * (touched - begin)
@@ -150,20 +154,28 @@ def _is_inside(
 ) -> bool:
     """Whether the paper around the views is on neither side of a stretch of a line, once it crossed
     the outline: what is known to be an extension line may end before that."""
-    run = Run(*sorted((begin, end)))
-    points, normals = points_along(line, run, 1.0), normals_along(line, run, 1.0)
-    beside = stroke_width / 2 + _BESIDE_PX
-    out = np.array(
-        [
-            values_at(areas.labels, points + way * beside * normals) == areas.paper
-            for way in (-1.0, 1.0)
-        ]
-    )
+    out = _paper_beside(line, Run(*sorted((begin, end))), areas, stroke_width)
     out = out if begin < end else out[:, ::-1]
     crossing = int(np.argmin(out.all(axis=0)))
     beyond = out.any(axis=0)[crossing:]
     within = beyond[int(min(_CROSSED * stroke_width, np.argmin(beyond))) :]
     return not beyond.all() and float(within.mean()) <= _OUTSIDE
+
+
+def _is_over_paper(line: Line, run: Run, areas: BlankAreas, stroke_width: float) -> bool:
+    """Whether the paper around the views is on both sides of a run somewhere."""
+    out = _paper_beside(line, run, areas, stroke_width).all(axis=0)
+    return int(out.sum()) >= _LEAST_OUT_PX
+
+
+def _paper_beside(
+    line: Line, run: Run, areas: BlankAreas, stroke_width: float
+) -> npt.NDArray[np.bool_]:
+    """(2, n) whether the paper around the views is on either side, about every px of a run."""
+    points, normals = points_along(line, run, 1.0), normals_along(line, run, 1.0)
+    beside = stroke_width / 2 + _BESIDE_PX
+    sides = (values_at(areas.labels, points + way * beside * normals) for way in (-1.0, 1.0))
+    return np.array([side == areas.paper for side in sides])
 
 
 def _touched(line: Line, circles: Sequence[Circle], stroke_width: float) -> Floats:

@@ -168,3 +168,19 @@ def test_gaps_for_numbers_are_no_habit(sketch: Sketch) -> None:
     left[250:] = False
     mark_led_out(shapes, kinds, weight, left, WIDTH)
     assert kinds[3] == [AnnotationKind.EXTENSION, AnnotationKind.EXTENSION, None]
+
+
+@pytest.mark.parametrize("way", [False, True])
+def test_what_is_loose_within_a_view_leads_nothing_in(sketch: Sketch, way: bool) -> None:
+    """The end of an edge parts nothing in a corner full of ink; it did not come out of the view."""
+    weight = _sheet(sketch, gap=6.0, off=6.0)
+    off = [_upright(x, (20.0, 54.0, True)) for x in (60.0, 100.0, 240.0)]
+    # The edge from its far end on, as far as the gap before the extension line's own end.
+    edge = _upright(160.0, (140.0, 210.0, False), (210.0, 230.0, True))
+    shapes, kinds = [shape for shape, _ in (*off, edge)], [own for _, own in (*off, edge)]
+    if way:
+        runs = tuple(InkedRun(Run(-r.run.end, -r.run.start), r.width) for r in shapes[-1].runs)
+        shapes[-1] = InkedShape(Line((160.0, 0.0), (0.0, -1.0)), runs[::-1])
+        kinds[-1] = kinds[-1][::-1]
+    mark_led_out(shapes, kinds, weight, weight > 0.5, WIDTH)
+    assert kinds[-1].count(None) == 1
