@@ -39,6 +39,13 @@ _DARKER = 0.25
 _SHORTEST = 1.5
 """px of such ink at least, in one piece or at both edges."""
 
+_KNOWN = 0.6
+"""Share of what lies between the ink of both edges that is no other stroke's at least."""
+
+_WHOLE, _SOLID = 0.6, 0.95
+"""Dashes, and the share of such a stretch that is inked, from which it is rather an edge that goes
+on as the hidden line."""
+
 _MOST = 3
 """Edges, one behind the other, that an end is led past at most."""
 
@@ -116,20 +123,26 @@ def _next_edge(
     # Ink beside edges and along other hidden lines is theirs.
     half = sheet.stroke_width / 2.0 + _CLEAR
     clear = (away[:, :target] > half).all(axis=0)
-    return float(ahead[target]) if _is_inked(line, points[:target][clear], sheet) else None
+    if clear.sum() < _KNOWN * (target - 2.0 * half / _STEP):
+        return None
+    inked = _inked(line, points[:target][clear], sheet)
+    if inked.sum() * _STEP < _SHORTEST:
+        return None
+    solid = inked.mean() >= _SOLID and len(inked) * _STEP >= _WHOLE * rhythm.dash
+    return None if solid else float(ahead[target])
 
 
-def _is_inked(line: Line, points: Floats, sheet: CleanSheet) -> bool:
-    """Whether there is ink along some points (n, 2) px of a line, and paper on both sides of it."""
+def _inked(line: Line, points: Floats, sheet: CleanSheet) -> npt.NDArray[np.bool_]:
+    """(n,) whether there is ink at points (n, 2) px of a line, and paper on both sides of it."""
     if not len(points):
-        return False
+        return np.zeros(0, dtype=bool)
     dx, dy = line.direction
     normal = np.array([-dy, dx])
     offsets = np.array([-0.5, 0.0, 0.5])
     flank = sheet.stroke_width / 2.0 + _BESIDE
     own = _weights(points, offsets, normal, sheet).mean(axis=1)
     beside = _weights(points, np.array([-flank, flank]), normal, sheet).max(axis=1)
-    return bool((own - beside > _DARKER).sum() * _STEP >= _SHORTEST)
+    return own - beside > _DARKER
 
 
 def _weights(points: Floats, offsets: Floats, normal: Floats, sheet: CleanSheet) -> Floats:

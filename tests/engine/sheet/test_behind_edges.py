@@ -73,6 +73,22 @@ def test_the_ink_of_another_hidden_line_is_its_own() -> None:
     assert _ended(_sheet((82, 49, 90, 51)), other, kind=Linetype.HIDDEN) == 80.0
 
 
+def test_where_another_stroke_lies_along_most_of_it_nothing_is_told() -> None:
+    sheet = _sheet((82, 49, 90, 51))
+    beside: Placed = (Line((84.0, 52.0), (1.0, 0.0)), Piece(0.0, 40.0, Linetype.VISIBLE, 1.0))
+    assert _ended(sheet, beside, kind=Linetype.HIDDEN) == 80.0
+
+
+def test_an_edge_between_two_others_is_no_dash() -> None:
+    """Solid for most of a dash and more, as edges are; shorter, dashes are as well."""
+    wide: Placed = (Line((104.0, 0.0), (0.0, 1.0)), Piece(10.0, 90.0, Linetype.VISIBLE, 1.0))
+    solid = _sheet((82, 49, 90, 51), (94, 49, 102, 51), (103, 10, 105, 90))
+    assert _ended(solid, wide, kind=Linetype.HIDDEN) == 80.0
+    assert _ended(solid, wide, at=92.0, kind=Linetype.HIDDEN) == 92.0
+    partly = _sheet((94, 49, 98, 51), (103, 10, 105, 90))
+    assert _ended(partly, wide, at=92.0, kind=Linetype.HIDDEN) == pytest.approx(104.0, abs=0.25)
+
+
 def test_several_edges_are_passed_one_after_the_other() -> None:
     third: Placed = (Line((104.0, 0.0), (0.0, 1.0)), Piece(10.0, 90.0, Linetype.VISIBLE, 1.0))
     sheet = _sheet((82, 49, 86, 51), (94, 49, 98, 51), (103, 10, 105, 90))
