@@ -24,6 +24,9 @@ _ROUNDS = 8
 _HOLDS = 1e-9
 """Units within which an equation holds."""
 
+_FULFILLED = 1e-6
+"""The same once all are solved together."""
+
 _STAYS = 0.9
 """Share of what was left of the equations from which another linearisation is in vain."""
 
@@ -46,6 +49,10 @@ class Linear:
         """See :class:`Relation`."""
         total = sum((factor * numbers[column] for column, factor in self.terms), self.constant)
         return float(total), list(self.terms)
+
+    def holds(self, numbers: Numbers) -> bool:
+        """Whether it is fulfilled, but for rounding errors."""
+        return abs(self.at(numbers)[0]) <= _FULFILLED
 
 
 def solved(

@@ -25,9 +25,6 @@ _OWN = 0.1
 _FIRMLY = 1e3
 """Factor of the weight of a coordinate or radius that a number tells."""
 
-_HOLDS = 1e-6
-"""Units within which an equation holds."""
-
 
 @dataclass(frozen=True)
 class ToldLength:
@@ -182,15 +179,15 @@ def as_told(
     (values, circles), (relations, said) = of, equations
     even = [1.0] * len(observed)
     drawn = numbers = solved(observed, even, relations, far)
-    sure = [own for own in relations if _holds(own, drawn)]
+    sure = [own for own in relations if own.holds(drawn)]
     kept: list[Linear] = []
     together = solved(observed, even, [*sure, *said], far)
-    if all(_holds(own, together) for own in (*sure, *said)):
+    if all(own.holds(together) for own in (*sure, *said)):
         numbers, kept = together, list(said)
     else:
         for own in said:
             tried = solved(observed, even, [*sure, *kept, own], far)
-            if all(_holds(other, tried) for other in (*sure, *kept, own)):
+            if all(other.holds(tried) for other in (*sure, *kept, own)):
                 numbers = tried
                 kept.append(own)
     begins = {
@@ -203,10 +200,6 @@ def as_told(
     factors = np.ones(len(numbers))
     factors[list({column for own in kept for column, _ in own.terms})] = _FIRMLY
     return AsTold(numbers.tolist(), drawn, factors, kept, begins)
-
-
-def _holds(equation: Linear, numbers: Numbers) -> bool:
-    return abs(equation.at(numbers)[0]) <= _HOLDS
 
 
 def _from_their_ends(

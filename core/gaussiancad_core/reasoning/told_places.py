@@ -17,9 +17,6 @@ from gaussiancad_core.reasoning.relations import Linear, Numbers
 _FOLLOWS = 1e-6
 """Component along what equations leave open up to which a number follows from them."""
 
-_HOLDS = 1e-6
-"""Units within which an equation holds."""
-
 
 @dataclass(frozen=True)
 class ToldPlaces:
@@ -64,7 +61,7 @@ def told_places(
         digit: the last one that the sheet's numbers have, units.
     """
     (taken, drawn), (values, circles) = numbers, of
-    relations, said = ([own for own in group if _holds(own, taken)] for group in equations)
+    relations, said = ([own for own in group if own.holds(taken)] for group in equations)
     beside = max((abs(own.at(drawn)[0]) for own in said), default=0.0)
     rows = np.zeros((len(relations) + len(said), len(taken)))
     for row, own in enumerate((*relations, *said)):
@@ -86,10 +83,6 @@ def told_places(
             )
         )
     return ToldPlaces(found, tuple(sorted(radii)), beside, digit)
-
-
-def _holds(equation: Linear, numbers: Numbers) -> bool:
-    return abs(equation.at(numbers)[0]) <= _HOLDS
 
 
 def _is_still(component: Numbers) -> bool:

@@ -29,11 +29,10 @@ from gaussiancad_core.reasoning.solvers import Deadline
 from gaussiancad_core.reasoning.supports import find_supports
 from gaussiancad_core.reasoning.unsaid import with_unsaid
 from gaussiancad_core.solid.build import BuiltSolid, build_solid
+from gaussiancad_core.solid.certainty import certainties
 from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.solid.models import Clock, Limits, Work, labelled
-from gaussiancad_core.solid.round_measures import RoundMeasures, is_round
 from gaussiancad_core.solid.same import same_solid
-from gaussiancad_core.solid.told_certainty import ToldMeasures
 from gaussiancad_core.solid.verify import Verification, verify
 
 _COUNTING = 0.15
@@ -74,13 +73,6 @@ _UNFINISHED = "search-unfinished", "the search for solids with these lines was n
 
 _QUICK = 0.25
 """Share of the time that a search took at most for another one, with likely measures."""
-
-_TOLD = 0.02
-"""Tolerances within which a coordinate is one that the sheet tells."""
-
-_ASIDE = 3.0
-"""Times the noise that numbers may have been moved by to become round, at least; at most where the
-step is none that parts are designed in: they may have been round in another one."""
 
 _LESS = 0.002
 """Share of the lines that a solid may show less then."""
@@ -330,25 +322,9 @@ def _candidate(work: Work, built: BuiltSolid) -> tuple[Candidate | None, bool]:
 
 
 def _verified(work: Work, shape: TopoDS_Shape) -> Candidate:
+    known, certain = certainties(work.part.supports, work.views, shape)
     # Rounded to the step of its design, a part is as large as meant however small it is drawn.
-    supports = work.part.supports
-    views, known, certain = work.views, False, []
-    if supports.step is not None:
-        own, scale = supports.step, supports.scale
-        moved, aside = own.moved / scale, _ASIDE * views.noise
-        reach = min(max(moved, aside), own.reach / scale)
-        measures = RoundMeasures(own.length / scale, reach, supports.odd)
-        usual = measures.is_usual
-        known = supports.nominal or bool(usual and views.noise and is_round(shape, measures.step))
-        # A number of a dimension may have been misread as a round one.
-        if supports.unread or not (usual or moved <= aside):
-            known = False
-        else:
-            certain.append(measures)
-    if supports.places is not None:
-        places = supports.places.scaled(1.0 / supports.scale)
-        certain.append(ToldMeasures(places, _TOLD * views.tolerance))
-    views = replace(views, noise=0.0) if known else views
+    views = replace(work.views, noise=0.0) if known else work.views
     candidate = Candidate(shape, verify(shape, views, certain))
     work.clock.lap("verify")
     return candidate
