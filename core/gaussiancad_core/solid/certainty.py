@@ -1,4 +1,4 @@
-"""What makes a solid's measures known: steps that parts are designed in, and the sheet's numbers."""
+"""What makes a solid's measures known: the step that a part is designed in, the sheet's numbers."""
 
 from OCP.TopoDS import TopoDS_Shape
 
