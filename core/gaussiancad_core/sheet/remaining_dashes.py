@@ -15,6 +15,7 @@ import numpy.typing as npt
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.runs import Piece, Rhythm
+from gaussiancad_core.sheet.shapes import sample
 from gaussiancad_core.views import Linetype
 
 Floats = npt.NDArray[np.float64]
@@ -36,6 +37,12 @@ _WIDER_PX = 2.0
 
 _BESIDE_PX = 1.0
 """px by which a dash may lie beside the line of its row."""
+
+_STEP, _REACH_PX = 0.125, 3.0
+"""px between the places across a row that are looked at, and how far."""
+
+_EDGE = 0.5
+"""Share of the darkest ink of a row at which its ink ends."""
 
 _SURE = 0.9
 """Confidence of a row."""
@@ -77,7 +84,8 @@ def find_remaining_dashes(
         row.sort(key=lambda dash: places[id(dash)])
         steady = _steady(row, first.along, rhythm)
         if len(steady) >= _FEWEST:
-            found.append(_fitted(steady))
+            line, piece = _fitted(steady)
+            found.append((_centred(line, steady, sheet), piece))
             left = [dash for dash in left if all(dash is not own for own in steady)]
     return found
 
@@ -151,3 +159,53 @@ def _fitted(row: Sequence[_Dash]) -> tuple[Line, Piece]:
     ends = sorted(zip(places.tolist(), reach, strict=True))
     start, end = ends[0][0] - ends[0][1], ends[1][0] + ends[1][1]
     return line, Piece(start, end, Linetype.HIDDEN, _SURE)
+
+
+def _centred(line: Line, row: Sequence[_Dash], sheet: CleanSheet) -> Line:
+    """A row's line in the middle of all ink of its dashes.
+
+    Strokes beside it take some: from the darkest place next to what is left, that ink reaches as
+    far as where it fades, or grows darker again.
+    """
+    across = np.arange(-_REACH_PX, _REACH_PX + _STEP, _STEP)
+    normal = np.array([-line.direction[1], line.direction[0]])
+    along = np.concatenate(
+        [
+            line.positions(dash.ink[:, :2]).mean() + np.arange(-0.3, 0.31, 0.1) * dash.length
+            for dash in row
+        ]
+    )
+    points = line.points_at(along)
+    weight = sample(
+        sheet.weight,
+        points[:, :1] + across * normal[0],
+        points[:, 1:] + across * normal[1],
+    )
+    profile = np.median(weight, axis=0)
+    middle = len(across) // 2
+    peak = _uphill(profile, middle)
+    low, high = (_faded(profile, peak, way) for way in (-1, 1))
+    shift = float(across[low] + across[high]) / 2.0
+    x, y = line.at(0.0)
+    return Line((x + shift * normal[0], y + shift * normal[1]), line.direction)
+
+
+def _uphill(profile: Floats, start: int) -> int:
+    """The nearest place from which a profile does not rise."""
+    at = start
+    while True:
+        beside = [k for k in (at - 1, at + 1) if 0 <= k < len(profile)]
+        best = max(beside, key=lambda k: profile[k])
+        if profile[best] <= profile[at]:
+            return at
+        at = best
+
+
+def _faded(profile: Floats, peak: int, way: int) -> int:
+    """Where a profile has fallen to a share of its peak, or rises again, one way from there."""
+    at = peak
+    while 0 <= at + way < len(profile):
+        if profile[at + way] > profile[at] or profile[at] < _EDGE * profile[peak]:
+            break
+        at += way
+    return at

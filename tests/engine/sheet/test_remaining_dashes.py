@@ -64,3 +64,17 @@ def test_rungs_beside_each_other_and_longer_lines_are_no_row(sketch: Sketch) -> 
         drawn.line((30 + 70 * k, 150), (86 + 70 * k, 150), 2.0)
         drawn.line((30 + 36 * k, 220 + 6 * (k % 2)), (54 + 36 * k, 220 + 6 * (k % 2)), 2.0)
     assert _found(drawn) == []
+
+
+@pytest.mark.parametrize("y", [50.0, 50.3, 49.6])
+def test_what_another_stroke_took_of_the_dashes_counts_for_their_middle(
+    sketch: Sketch, y: float
+) -> None:
+    drawn = sketch(500, 100).broken((30, y), (30 + 36 * 6 + 24, y), (24, 12), 3.0)
+    # A stroke a px below takes most of their ink.
+    drawn.line((20, y + 4.2), (280, y + 4.2), 3.0)
+    sheet = upright_sheet(clean_sheet(drawn.grey))
+    left = sheet.ink.copy()
+    left[50:] = False
+    ((line, _),) = find_remaining_dashes(left, sheet, RHYTHM)
+    assert line.distances(np.array([[30.0, y], [200.0, y]])) == pytest.approx(0.0, abs=0.15)
