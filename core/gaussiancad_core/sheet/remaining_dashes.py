@@ -96,13 +96,16 @@ def _dashes(remainder: npt.NDArray[np.bool_], sheet: CleanSheet, rhythm: Rhythm)
         remainder.astype(np.uint8), connectivity=8
     )
     found = []
+    shortest, longest = ((1.0 + way * _LIKE_A_DASH) * rhythm.dash for way in (-1.0, 1.0))
     for label in range(1, count):
         x, y, width, height = (int(value) for value in stats[label, :4])
-        if max(width, height) > (1.0 + _LIKE_A_DASH) * rhythm.dash + 1.0:
+        # Aslant a dash is longer than its box; of specks there may be thousands.
+        if np.hypot(width, height) < shortest or max(width, height) > longest + 1.0:
             continue
         rows, columns = np.nonzero(labels[y : y + height, x : x + width] == label)
         points = np.stack([columns + x, rows + y], axis=1).astype(np.float64)
-        weight = sheet.weight[rows + y, columns + x].astype(np.float64)
+        # Ink that was closed over gaps has no weight.
+        weight = np.maximum(sheet.weight[rows + y, columns + x].astype(np.float64), 1e-3)
         middle = np.average(points, axis=0, weights=weight)
         along = np.linalg.svd(points - middle, full_matrices=False)[2][0]
         length = float(np.ptp(points @ along)) + 1.0
@@ -120,7 +123,7 @@ def _dashes(remainder: npt.NDArray[np.bool_], sheet: CleanSheet, rhythm: Rhythm)
 def _is_in_line(one: _Dash, other: _Dash) -> bool:
     """Whether two dashes lie on one line: each on that of both middles."""
     between = other.middle - one.middle
-    distance = float(np.hypot(*between))
+    distance = max(float(np.hypot(*between)), 1.0)
     off = [
         abs(float(own.along[0] * between[1] - own.along[1] * between[0])) / distance
         for own in (one, other)
