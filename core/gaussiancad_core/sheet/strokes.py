@@ -60,6 +60,7 @@ from gaussiancad_core.sheet.runs import (
     Run,
     bridged,
     with_dashes_between,
+    with_dashes_led_to,
 )
 from gaussiancad_core.sheet.shadows import without_shadows
 from gaussiancad_core.sheet.shapes import (
@@ -76,7 +77,7 @@ from gaussiancad_core.sheet.straight_ends import with_straight_ends
 from gaussiancad_core.sheet.touching import ended_where_lines_touch, up_to_tangents
 from gaussiancad_core.sheet.tracing import trace_remainder
 from gaussiancad_core.sheet.view_shapes import MIN_SAGITTA, ViewShapes, radius_of
-from gaussiancad_core.sheet.whole_circles import with_whole_circles
+from gaussiancad_core.sheet.whole_circles import is_closed_by_others, with_whole_circles
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
 _ASLANT = 0.2
@@ -194,12 +195,15 @@ def _seen_pieces(
         found = classify([run for run, _ in fresh], rhythm, touches, shape.geometry.around, told)
         if not isinstance(shape.geometry, Line):
             curved = [piece for piece in found if _is_curved(shape.geometry, piece, view.sheet)]
+            curved = with_dashes_led_to(view.field, shape.geometry, found, curved, rhythm)
             found = with_dashes_between(shape.geometry, found, curved, rhythm)
         if isinstance(shape.geometry, Circle):
             circle = shape.geometry
             found = [own for own in found if not is_dash_corner(circle, own, view.sheet, rhythm)]
             found = [own for own in found if not has_square_corner(circle, own, view.sheet)]
-        found = bridged(view.field, shape.geometry, found, rhythm)
+        joined = bridged(view.field, shape.geometry, found, rhythm)
+        if not is_closed_by_others(shape.geometry, found, joined, lines, view.sheet):
+            found = joined
         if not isinstance(shape.geometry, Line):
             found = _closed(shape.geometry, found, rhythm)
         for piece in found:

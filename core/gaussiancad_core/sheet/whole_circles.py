@@ -5,7 +5,7 @@ it there.  An arc of half a turn and more tells the circle so well that what lie
 as closely as dashes do, is the circle's.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -13,9 +13,9 @@ import numpy.typing as npt
 
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.corner_dashes import longest_blank
-from gaussiancad_core.sheet.geometry import Circle
+from gaussiancad_core.sheet.geometry import Circle, Geometry, Line
 from gaussiancad_core.sheet.junctions import Placed, is_full_circle
-from gaussiancad_core.sheet.runs import Piece, Rhythm, widest_gap
+from gaussiancad_core.sheet.runs import Piece, Rhythm, Run, widest_gap
 from gaussiancad_core.sheet.shapes import sample
 from gaussiancad_core.views import Linetype
 
@@ -28,6 +28,10 @@ beside it lies the ink of the sides of a slot."""
 
 _LONGEST = 2.0
 """Dashes that ink without a gap is long at most, with that of a stroke which crosses one."""
+
+_TOUCHING_PX, _OWN_INKED = 1.0, 0.25
+"""px that a line passes nearer or farther by than the radius at most, to touch a circle; share of
+what is not beside such lines that is ink at least."""
 
 _STEP, _DARK, _OF_DASHES = 0.5, 0.5, 0.8
 """px between the places that are looked at; share of the weight of dashes from which one is ink;
@@ -42,6 +46,7 @@ def with_whole_circles(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhyt
         sheet: the ink.
         rhythm: of its dashes.
     """
+    lines = [(geometry, [piece]) for geometry, piece in pieces if isinstance(geometry, Line)]
     visible = {geometry for geometry, piece in pieces if piece.linetype is Linetype.VISIBLE}
     whole = {
         geometry: replace(piece, end=piece.start + geometry.around)
@@ -52,9 +57,61 @@ def with_whole_circles(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhyt
         and not is_full_circle(geometry, piece)
         and piece.end - piece.start >= _TOLD * geometry.around
         and _is_dashed(geometry, piece, sheet, rhythm)
+        and has_ink_of_its_own(geometry, piece, lines, sheet)
     }
     kept = [own for own in pieces if own[0] not in whole]
     return [*kept, *whole.items()]
+
+
+def is_closed_by_others(
+    geometry: Geometry,
+    pieces: Sequence[Piece],
+    joined: Sequence[Piece],
+    lines: Sequence[tuple[Line, Sequence[Run]]],
+    sheet: CleanSheet,
+) -> bool:
+    """Whether one arc was made a whole circle by the ink of lines alone that touch it."""
+    if not isinstance(geometry, Circle) or len(pieces) != 1 or len(joined) != 1:
+        return False
+    if is_full_circle(geometry, pieces[0]) or not is_full_circle(geometry, joined[0]):
+        return False
+    return not has_ink_of_its_own(geometry, pieces[0], lines, sheet)
+
+
+def has_ink_of_its_own(
+    circle: Circle,
+    told: Piece,
+    lines: Iterable[tuple[Line, Sequence[Run | Piece]]],
+    sheet: CleanSheet,
+) -> bool:
+    """Whether what an arc leaves of its circle has ink beside that of lines which touch it there.
+
+    The sides of a slot, and an edge that its rounded end would touch were it a whole circle, leave
+    gaps between them that are no longer than those of dashes.
+
+    Args:
+        circle: of the arc.
+        told: the arc.
+        lines: with what is drawn of each.
+        sheet: the ink.
+    """
+    points = circle.points_at(np.arange(told.end, told.start + circle.around, _STEP))
+    beside = np.zeros(len(points), np.bool_)
+    near = sheet.stroke_width / 2.0 + _TOUCHING_PX
+    for line, drawn in lines:
+        if (
+            abs(abs(float(line.coordinates(np.array([circle.centre]))[1][0])) - circle.radius)
+            > _TOUCHING_PX
+        ):
+            continue
+        along, off = line.coordinates(points)
+        for stretch in drawn:
+            inside = (along >= stretch.start - near) & (along <= stretch.end + near)
+            beside |= inside & (np.abs(off) <= near)
+    if beside.all():
+        return True
+    own = points[~beside]
+    return bool((sample(sheet.weight, own[:, :1], own[:, 1:])[:, 0] > _DARK).mean() >= _OWN_INKED)
 
 
 def _is_dashed(circle: Circle, told: Piece, sheet: CleanSheet, rhythm: Rhythm) -> bool:

@@ -38,19 +38,19 @@ def _circles(strokes: Iterable[Stroke]) -> list[tuple[float, float, float]]:
     ]
 
 
-def _top_view(part: TopoDS_Shape) -> tuple[Sequence[Stroke], Sequence[Stroke]]:
-    """The strokes of a part's top view as read from a clean sheet, and as they were drawn."""
+def _view(part: TopoDS_Shape, role: Role) -> tuple[Sequence[Stroke], Sequence[Stroke]]:
+    """The strokes of a part's view as read from a clean sheet, and as they were drawn."""
     sheet = draw_sheet(part, (Role.FRONT, Role.TOP, Role.RIGHT), Projection.THIRD, PRESETS["clean"])
     clean = clean_sheet(cv2.cvtColor(sheet.image, cv2.COLOR_RGB2GRAY))
     layout = find_layout(clean.ink, {}, Projection.THIRD)
-    top = next(view for view in read_views(clean, layout) if view.role is Role.TOP)
-    drawn = next(view for view in sheet.views if view.role is Role.TOP)
-    return top.strokes, as_plain_strokes(drawn.strokes)
+    found = next(view for view in read_views(clean, layout) if view.role is role)
+    drawn = next(view for view in sheet.views if view.role is role)
+    return found.strokes, as_plain_strokes(drawn.strokes)
 
 
 def test_dashed_circles_that_many_lines_cross_are_whole() -> None:
     """Bores under a stepped plate: edges, pockets and slots run through their dashes."""
-    top, drawn = _top_view(classed_part(PartClass.HOLES, 3, 3))
+    top, drawn = _view(classed_part(PartClass.HOLES, 3, 3), Role.TOP)
     truth = np.array(_circles(drawn))
     assert len(truth) == 6
     away = np.abs(truth[:, None] - np.array(_circles(top))[None]).max(2)
@@ -59,7 +59,7 @@ def test_dashed_circles_that_many_lines_cross_are_whole() -> None:
 
 def test_a_hidden_arc_reaches_the_hidden_line_that_ends_it() -> None:
     """A flat under a shaft's chamfer: at either end two dashes meet at a flat angle."""
-    top, drawn = _top_view(classed_part(PartClass.REVOLVED, 700, 0))
+    top, drawn = _view(classed_part(PartClass.REVOLVED, 700, 0), Role.TOP)
     assert _ends(top) == pytest.approx(_ends(drawn), abs=0.7)
 
 
@@ -186,7 +186,7 @@ def test_where_a_circle_touches_a_line_there_is_no_piece_of_it() -> None:
 
 def test_the_round_ends_of_hidden_slots_are_arcs() -> None:
     """Their dashes go on in those of the straight sides; edges of a boss cross them."""
-    top, drawn = _top_view(classed_part(PartClass.HOLES, 313, 5))
+    top, drawn = _view(classed_part(PartClass.HOLES, 313, 5), Role.TOP)
     truth = np.array(
         [
             (*s.centre, s.radius)
@@ -202,6 +202,28 @@ def test_the_round_ends_of_hidden_slots_are_arcs() -> None:
     assert len(truth) == 3
     away = np.abs(truth[:, None] - np.array(found)[None]).max(2)
     assert away.min(1) == pytest.approx(0.0, abs=0.5)
+
+
+def _hidden_arcs(strokes: Iterable[Stroke]) -> npt.NDArray[np.float64]:
+    """(n, 4) x, y, radius and px along each, in order."""
+    arcs = (s for s in strokes if isinstance(s, Arc) and s.linetype is Linetype.HIDDEN)
+    found = [(*s.centre, s.radius, s.radius * s.sweep) for s in arcs]
+    return np.array(sorted(found, key=lambda arc: np.rint(arc).tolist()))
+
+
+@pytest.mark.parametrize(
+    ("kind", "seed", "level", "role"),
+    [(PartClass.FILLETS, 10, 3, Role.RIGHT), (PartClass.REVOLVED, 16, 2, Role.TOP)],
+)
+def test_hidden_arcs_are_as_long_as_they_were_drawn(
+    kind: PartClass, seed: int, level: int, role: Role
+) -> None:
+    """Edges cross the dashes that lead to their ends, or would touch the rest of their circles."""
+    found, drawn = (
+        _hidden_arcs(strokes) for strokes in _view(classed_part(kind, seed, level), role)
+    )
+    assert found.shape == drawn.shape
+    assert found == pytest.approx(drawn, abs=0.3)
 
 
 def test_the_last_dash_of_a_line_may_lie_across_two_others(sketch) -> None:  # noqa: ANN001

@@ -16,6 +16,7 @@ from gaussiancad_core.sheet.runs import (
     line_runs,
     told_rhythm,
     with_dashes_between,
+    with_dashes_led_to,
 )
 from gaussiancad_core.views import Linetype
 
@@ -55,6 +56,24 @@ def test_all_pieces_of_a_circle_that_is_mostly_dashed_count() -> None:
     most = Piece(0.0, 0.6 * circle.around, Linetype.HIDDEN, 1.0)
     short = Piece(0.8 * circle.around, 0.8 * circle.around + 30.0, Linetype.HIDDEN, 1.0)
     assert with_dashes_between(circle, [most, short], [most], Rhythm(8.5, 5.0)) == [most, short]
+
+
+def test_the_last_dashes_of_an_arc_are_its_own_where_it_leads_to_them(sketch: Sketch) -> None:
+    """They hardly bend; beyond position 0 others follow them, and far away none does."""
+    circle = Circle((100.0, 80.0), 60.0)
+    period = 17.0 / circle.radius
+    drawn = sketch()
+    for k in (-7, -6, -5, *range(-2, 6)):
+        drawn.arc(circle.centre, circle.radius, 2.3, k * period, 11.0 / circle.radius)
+    around = circle.around
+    first = Piece(0.0, 28.0, Linetype.HIDDEN, 1.0)
+    most = Piece(51.0, 96.0, Linetype.HIDDEN, 1.0)
+    far = Piece(around - 119.0, around - 74.0, Linetype.HIDDEN, 1.0)
+    last = Piece(around - 34.0, around - 23.0, Linetype.HIDDEN, 1.0)
+    pieces = [first, most, far, last]
+    field = ink_field(clean_sheet(drawn.grey))
+    found = with_dashes_led_to(field, circle, pieces, [most], Rhythm(11.0, 6.0))
+    assert found == [first, most, last]
 
 
 @pytest.mark.parametrize("length", [6, 3])

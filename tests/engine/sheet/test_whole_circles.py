@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.sheet.clean import clean_sheet
-from gaussiancad_core.sheet.geometry import Circle
+from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.junctions import is_full_circle
-from gaussiancad_core.sheet.runs import Piece, Rhythm
-from gaussiancad_core.sheet.whole_circles import with_whole_circles
+from gaussiancad_core.sheet.runs import Piece, Rhythm, Run
+from gaussiancad_core.sheet.whole_circles import has_ink_of_its_own, with_whole_circles
 from gaussiancad_core.views import Linetype
 
 Sketch = Any
@@ -80,3 +80,27 @@ def test_a_line_across_the_rest_of_it_is_no_dash(sketch: Sketch) -> None:
     for away in (8.0, 20.0):
         drawn.line((40.0, CENTRE[1] - away), (160.0, CENTRE[1] - away), 2.7)
     assert not _is_whole(drawn, 26.2, 0.55)
+
+
+@pytest.mark.parametrize("whole", [False, True])
+def test_an_edge_that_touches_the_end_of_a_slot(sketch: Sketch, whole: bool) -> None:
+    """Between it and the sides are gaps as long as those of dashes, but no dash."""
+    radius = 16.7
+    drawn = sketch()
+    _dashed(drawn, radius, 2.0 * np.pi if whole else np.pi)
+    drawn.line((20.0, CENTRE[1] - radius), (180.0, CENTRE[1] - radius), 2.7)
+    for side in (-radius, radius):
+        start = CENTRE[0] + side, CENTRE[1]
+        drawn.line(start, (start[0], CENTRE[1] - 14.0), 2.3)
+        drawn.broken((start[0], CENTRE[1] - 20.0), (start[0], 10.0), (11.0, 6.0), 2.3)
+    circle, down = Circle(CENTRE, radius), Piece(0.0, CENTRE[1] - 10.0, Linetype.HIDDEN, 0.9)
+    lines = [
+        (Line((CENTRE[0] - radius, 10.0), (0.0, 1.0)), [down]),
+        (Line((CENTRE[0] + radius, 10.0), (0.0, 1.0)), [down]),
+        (Line((20.0, CENTRE[1] - radius), (1.0, 0.0)), [Run(0.0, 160.0)]),
+    ]
+    arc = Piece(-0.07 * circle.around, 0.57 * circle.around, Linetype.HIDDEN, 0.9)
+    sheet = clean_sheet(drawn.grey)
+    assert has_ink_of_its_own(circle, arc, lines, sheet) == whole
+    # Any other line crosses it.
+    assert has_ink_of_its_own(circle, arc, [], sheet)
