@@ -25,8 +25,14 @@ _WIDEST = 1.5
 _FEWEST = 6
 """Gaps that tell anything, at least."""
 
+_MOST = 0.7
+"""Share of gaps beside dashes that other strokes cross that agree at least."""
+
 _BESIDE_PX = 1.5
 """px by which they may lie beside each other."""
+
+_LEAN = 0.5
+"""Share of a dash that has nothing beside it at least: other strokes cross the rest."""
 
 Boxes = npt.NDArray[np.float64]
 
@@ -44,14 +50,18 @@ def dash_gap(ink: npt.NDArray[np.bool_], stroke_width: float) -> float:
     gaps: list[float] = []
     for order in ([0, 1, 2, 3], [1, 0, 3, 2]):
         gaps += _gaps(boxes[:, order], stroke_width)
+    if len(gaps) < _FEWEST:
+        gaps = []
+        for order, turned in ([0, 1, 2, 3], ink), ([1, 0, 3, 2], ink.T):
+            gaps += _gaps_beside(boxes[:, order], turned, stroke_width)
+        if not _agree(gaps):
+            return 0.0
     return float(np.median(gaps)) if len(gaps) >= _FEWEST else 0.0
 
 
 def _gaps(boxes: Boxes, stroke_width: float) -> list[float]:
     """Gaps between level dashes; boxes are (n, 4) of start, top, length and height."""
-    _, _, length, height = boxes.T
-    slender = (length >= _SLENDER * height) & (length <= _LONGEST_PX)
-    own = boxes[slender & (height <= _SLENDER * stroke_width)]
+    own = _slender(boxes, stroke_width)
     middle = own[:, 1] + own[:, 3] / 2.0
     found = []
     for first in _rows(middle):
@@ -62,6 +72,58 @@ def _gaps(boxes: Boxes, stroke_width: float) -> list[float]:
             if alike and 0.0 < gap <= _WIDEST * longer:
                 found.append(float(gap))
     return found
+
+
+def _slender(boxes: Boxes, stroke_width: float) -> Boxes:
+    """Those of a free dash."""
+    _, _, length, height = boxes.T
+    slender = (length >= _SLENDER * height) & (length <= _LONGEST_PX)
+    return boxes[slender & (height <= _SLENDER * stroke_width)]
+
+
+def _gaps_beside(boxes: Boxes, ink: npt.NDArray[np.bool_], stroke_width: float) -> list[float]:
+    """Gaps between free level dashes and such as other strokes cross or touch.
+
+    Args:
+        boxes: (n, 4) of start, top, length and height.
+        ink: (h, w) bool.
+        stroke_width: px.
+    """
+    found = []
+    beside = round(stroke_width + _BESIDE_PX)
+    for start, top, length, height in _slender(boxes, stroke_width).astype(int):
+        row = top + height // 2
+        above, below = max(row - beside, 0), min(row + beside, len(ink) - 1)
+        crowded = ink[above] | ink[below]
+        for line, aside in (
+            (ink[row, start + length :], crowded[start + length :]),
+            (ink[row, :start][::-1], crowded[:start][::-1]),
+        ):
+            at = 0
+            while True:
+                gap, other = _next(line[at : at + int((_WIDEST + 2.0) * length)])
+                alike = abs(other - length) <= _ALIKE * max(length, other)
+                lean = ~aside[at + gap : at + gap + other]
+                if not alike or not stroke_width < gap <= _WIDEST * length or lean.mean() < _LEAN:
+                    break
+                found.append(float(gap))
+                at += gap + other
+    return found
+
+
+def _agree(gaps: list[float]) -> bool:
+    """Whether most of the gaps are about as wide as their median."""
+    if not gaps:
+        return False
+    own = np.array(gaps)
+    middle = float(np.median(own))
+    return float((np.abs(own - middle) <= _ALIKE * middle).mean()) >= _MOST
+
+
+def _next(line: npt.NDArray[np.bool_]) -> tuple[int, int]:
+    """Px until the next ink of a line and its length; no length where there is none, or no end."""
+    borders = np.flatnonzero(np.diff(line.astype(int), prepend=0))
+    return (int(borders[0]), int(borders[1] - borders[0])) if len(borders) > 1 else (0, 0)
 
 
 def _rows(middle: npt.NDArray[np.float64]) -> list[npt.NDArray[np.int64]]:

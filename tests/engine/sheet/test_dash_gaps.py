@@ -25,6 +25,20 @@ def test_free_dashes_tell_their_gap(sketch: Sketch, dash: int, gap: int, upright
     assert dash_gap(ink.T if upright else ink, 2.5) == pytest.approx(gap, abs=1.1)
 
 
+@pytest.mark.parametrize("upright", [False, True])
+@pytest.mark.parametrize("lines", [4, 2])
+def test_dashes_that_others_cross_tell_it_too(sketch: Sketch, upright: bool, lines: int) -> None:
+    """Through a thin plate one dash is free, the next is crossed, the last one ends at its edge."""
+    drawn = sketch(500, 300).lines((50, 100), (450, 100), (450, 168), (50, 168), (50, 100))
+    drawn.line((50, 139), (450, 139), 2.0)
+    for x in range(100, 100 + 80 * lines, 80):
+        for y in (108, 132, 156):
+            drawn.line((x, y), (x, min(y + 14, 168)), 2.0)
+    ink = drawn.weight > 0.5
+    gap = dash_gap(ink.T if upright else ink, 2.5)
+    assert gap == (pytest.approx(10, abs=1.1) if lines > 2 else 0.0)
+
+
 def test_other_lines_tell_none(sketch: Sketch) -> None:
     """Lines of different lengths, and marks beside each other."""
     drawn = sketch(500, 300).lines((10, 10), (490, 10), (490, 290), (10, 290), (10, 10))

@@ -47,6 +47,7 @@ from gaussiancad_core.sheet.annotations.loose import (
     split_loose,
 )
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
+from gaussiancad_core.sheet.annotations.short_rows import spare_short_rows
 from gaussiancad_core.sheet.annotations.tangent_ends import without_slivers
 from gaussiancad_core.sheet.annotations.tapers import mark_tapered
 from gaussiancad_core.sheet.annotations.text import find_letters
@@ -235,6 +236,8 @@ def _tell_line_ends(
     spare_lone_dashes(told.shapes, told.kinds, left, weights, sheet.stroke_width)
     if sheet.dash_gap:
         spare_free_dashes(told.shapes, told.kinds, sheet.ink, sheet.stroke_width)
+        pen = sheet.stroke_width
+        spare_short_rows(told.shapes, told.kinds, weights, sheet.dash_gap, pen)
 
 
 def _told_by_form(
