@@ -24,6 +24,7 @@ from gaussiancad_core.sheet.annotations.mark_forms import (
 )
 from gaussiancad_core.sheet.annotations.marks import Mask
 from gaussiancad_core.sheet.annotations.small_crosses import mark_small_crosses
+from gaussiancad_core.sheet.annotations.uneven_marks import uneven_mark
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.line_widths import run_width
@@ -48,6 +49,9 @@ _DRAWN = 0.2
 
 _BEYOND = 1.5
 """Distance by which the ends of an uneven mark are beyond its circle at least, in stroke widths."""
+
+_ROW = 4
+"""Dashes of one length and at one distance that are a hidden line."""
 
 _NARROW = 0.82
 """Width of a mark's lines at most, in that of its circle, for their pen to tell them."""
@@ -134,7 +138,8 @@ def mark_centre_marks(shapes: list[InkedShape], kinds: Kinds, sheet: CleanSheet)
                 marks.append(_free_mark(circle, found))
         # Last, so that those that stand free tell the form.
         beyond = _beyond(circle, rays, ink, stroke_width)
-        for ray in (*beyond, *_narrow(rays, circle, shapes, sheet)):
+        uneven = [] if beyond else _uneven(circle, rays, sheet)
+        for ray in (*beyond, *uneven, *_narrow(rays, circle, shapes, sheet)):
             ray.tell(kinds)
     armed = learned_form(marks)
     for form in (*([] if armed is None else [armed]), *whole_forms(marks, circles)):
@@ -231,6 +236,44 @@ def _beyond(circle: Circle, rays: Sequence[_Ray], ink: Mask, stroke_width: float
         if _is_square(one[0][2], other[0][2]) and abs(one[-1][1] - other[-1][1]) <= _EVEN:
             return [ray for _, _, ray in (*one, *other)]
     return []
+
+
+def _uneven(circle: Circle, rays: Sequence[_Ray], sheet: CleanSheet) -> list[_Ray]:
+    """The runs of a mark whose lines begin freely beyond the circle and leave off anywhere."""
+    for own in _families(rays):
+        way = own[0][2].line.direction
+        end = uneven_mark(circle, way, sheet)
+        if end is None:
+            continue
+        # Where it ends at an edge, the ink of that may be counted as its own.
+        most = end + _EVEN + sheet.stroke_width
+        found = [
+            ray
+            for ray in rays
+            if max(abs(ray.start), abs(ray.end)) <= most
+            and min(abs(float(np.dot(ray.line.direction, way))), _across(ray, way)) <= _SQUARE
+        ]
+        return [] if _has_row(found) else found
+    return []
+
+
+def _has_row(rays: Sequence[_Ray]) -> bool:
+    """Whether even dashes are among the runs of a line: a hidden line on its way."""
+    for shape in {ray.shape for ray in rays}:
+        single = [ray for ray in rays if ray.shape == shape and len(ray.runs) == 1]
+        own = sorted((ray.start, ray.end) for ray in single)
+        for k in range(len(own) - _ROW + 1):
+            row = own[k : k + _ROW]
+            lengths = [end - start for start, end in row]
+            gaps = [two[0] - one[1] for one, two in pairwise(row)]
+            if max(lengths) <= _EVEN + min(lengths) and max(gaps) <= _EVEN + min(gaps):
+                return True
+    return False
+
+
+def _across(ray: _Ray, way: tuple[float, float]) -> float:
+    """Sine of the angle between a run and a direction."""
+    return abs(ray.line.direction[0] * way[1] - ray.line.direction[1] * way[0])
 
 
 def _families(rays: Sequence[_Ray]) -> list[list[tuple[float, float, _Ray]]]:
