@@ -39,6 +39,15 @@ def test_dashes_that_others_cross_tell_it_too(sketch: Sketch, upright: bool, lin
     assert gap == (pytest.approx(10, abs=1.1) if lines > 2 else 0.0)
 
 
+def test_gaps_that_differ_tell_none(sketch: Sketch) -> None:
+    """Pieces before an edge, half of them at one distance from it and half at another."""
+    drawn = sketch(700, 300).lines((50, 100), (650, 100), (650, 168), (50, 168), (50, 100))
+    for k, x in enumerate(range(80, 640, 40)):
+        end = 146 if k % 2 else 137
+        drawn.line((x, end - 14), (x, end), 2.0).line((x, 155), (x, 168), 2.0)
+    assert dash_gap(drawn.weight > 0.5, 2.5) == 0.0
+
+
 def test_other_lines_tell_none(sketch: Sketch) -> None:
     """Lines of different lengths, and marks beside each other."""
     drawn = sketch(500, 300).lines((10, 10), (490, 10), (490, 290), (10, 290), (10, 10))
