@@ -14,7 +14,7 @@ from math import hypot
 import numpy as np
 
 from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.reasoning.arrangement import CHAIN, Arrangement
+from gaussiancad_core.reasoning.arrangement import CHAIN, OUTSIDE, Arrangement
 from gaussiancad_core.reasoning.chains import chain_distances
 from gaussiancad_core.reasoning.columns import Space
 from gaussiancad_core.reasoning.curves import (
@@ -108,8 +108,17 @@ def find_pieces(
         for point, across, length in chain(_rims(space, normal), meeting):
             for role in plane.roles:
                 certain, linetype = finder.linetype(role, point, across)
-                if certain:
+                if certain and not (linetype and _is_outside(space.planes[normal], point, across)):
                     yield Piece(role, point, across, linetype, length)
+
+
+def _is_outside(arrangement: Arrangement, point: Point, across: Point) -> bool:
+    """Whether both sides of a piece are outside the part.
+
+    An outline that is a curve of two surfaces is known as a chain of chords, a hair inside of it.
+    """
+    (a, b), (da, db) = point, across
+    return all(arrangement.locate(a + way * da, b + way * db) == OUTSIDE for way in (-_SIDE, _SIDE))
 
 
 def _drawn(support: Support | None, role: Role, point: Point) -> tuple[Linetype | None, float]:

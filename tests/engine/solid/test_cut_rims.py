@@ -1,6 +1,7 @@
-"""Rounded rims of rods that flats or walls cut."""
+"""Ends and rims of rods that flats, walls or slanted planes cut."""
 
 from collections.abc import Callable
+from math import radians, tan
 
 import pytest
 from OCP.TopoDS import TopoDS_Shape
@@ -9,7 +10,15 @@ from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.brep import moved_to_origin
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.samples.modelling import box, cut, cylinder, edges_where, filleted, fuse
+from gaussiancad_core.samples.modelling import (
+    box,
+    cut,
+    cylinder,
+    edges_where,
+    filleted,
+    fuse,
+    prism,
+)
 from gaussiancad_core.solid.exact import exact_solid
 from gaussiancad_core.solid.same import same_solid
 
@@ -36,6 +45,22 @@ def test_a_rounded_rim_is_found_where_it_is_cut(
     part: Callable[[], TopoDS_Shape], drawn: Callable[[TopoDS_Shape], DrawnViews]
 ) -> None:
     solid = moved_to_origin(part())
+    result = exact_solid(drawn(solid))
+    assert result.status is Status.VERIFIED
+    assert result.shape is not None
+    assert same_solid(result.shape, solid)
+
+
+@pytest.mark.parametrize("degrees", [-70, -50, -30, 50])
+def test_a_slanted_end_is_seen_as_an_ellipse(
+    degrees: float, drawn: Callable[[TopoDS_Shape], DrawnViews]
+) -> None:
+    # Half of the ellipse is outline; the plane's other half lies before or behind the rod.
+    slope = tan(radians(degrees))
+    low, high = 60.0 - 20.0 * slope, 60.0 + 20.0 * slope
+    beyond = [(-20.0, low), (20.0, high), (20.0, 200.0), (-20.0, 200.0)]
+    rod = cut(cylinder(Axis.Y, (0, 0), 10, 0, 100), prism(Axis.Z, beyond, -20, 20))
+    solid = moved_to_origin(rod)
     result = exact_solid(drawn(solid))
     assert result.status is Status.VERIFIED
     assert result.shape is not None
