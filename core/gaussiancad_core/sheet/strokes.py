@@ -202,7 +202,7 @@ def _seen_pieces(
             found = [own for own in found if not is_dash_corner(circle, own, view.sheet, rhythm)]
             found = [own for own in found if not has_square_corner(circle, own, view.sheet)]
         joined = bridged(view.field, shape.geometry, found, rhythm)
-        if not is_closed_by_others(shape.geometry, found, joined, lines, view.sheet):
+        if not is_closed_by_others(shape.geometry, (found, joined), lines, view.sheet, rhythm):
             found = joined
         if not isinstance(shape.geometry, Line):
             found = _closed(shape.geometry, found, rhythm)

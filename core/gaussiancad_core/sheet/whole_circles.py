@@ -29,9 +29,9 @@ beside it lies the ink of the sides of a slot."""
 _LONGEST = 2.0
 """Dashes that ink without a gap is long at most, with that of a stroke which crosses one."""
 
-_TOUCHING_PX, _OWN_INKED = 1.0, 0.25
+_TOUCHING_PX, _OWN_INKED, _TELLING = 1.0, 0.25, 1.5
 """px that a line passes nearer or farther by than the radius at most, to touch a circle; share of
-what is not beside such lines that is ink at least."""
+what is not beside such lines that is ink at least; gaps that it is long at least to tell."""
 
 _STEP, _DARK, _OF_DASHES = 0.5, 0.5, 0.8
 """px between the places that are looked at; share of the weight of dashes from which one is ink;
@@ -57,7 +57,7 @@ def with_whole_circles(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhyt
         and not is_full_circle(geometry, piece)
         and piece.end - piece.start >= _TOLD * geometry.around
         and _is_dashed(geometry, piece, sheet, rhythm)
-        and has_ink_of_its_own(geometry, piece, lines, sheet)
+        and has_ink_of_its_own(geometry, piece, lines, sheet, rhythm)
     }
     kept = [own for own in pieces if own[0] not in whole]
     return [*kept, *whole.items()]
@@ -65,17 +65,21 @@ def with_whole_circles(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhyt
 
 def is_closed_by_others(
     geometry: Geometry,
-    pieces: Sequence[Piece],
-    joined: Sequence[Piece],
+    change: tuple[Sequence[Piece], Sequence[Piece]],
     lines: Sequence[tuple[Line, Sequence[Run]]],
     sheet: CleanSheet,
+    rhythm: Rhythm,
 ) -> bool:
-    """Whether one arc was made a whole circle by the ink of lines alone that touch it."""
+    """Whether one arc was made a whole circle by the ink of lines alone that touch it.
+
+    The change is told by the pieces before and after.
+    """
+    pieces, joined = change
     if not isinstance(geometry, Circle) or len(pieces) != 1 or len(joined) != 1:
         return False
     if is_full_circle(geometry, pieces[0]) or not is_full_circle(geometry, joined[0]):
         return False
-    return not has_ink_of_its_own(geometry, pieces[0], lines, sheet)
+    return not has_ink_of_its_own(geometry, pieces[0], lines, sheet, rhythm)
 
 
 def has_ink_of_its_own(
@@ -83,6 +87,7 @@ def has_ink_of_its_own(
     told: Piece,
     lines: Iterable[tuple[Line, Sequence[Run | Piece]]],
     sheet: CleanSheet,
+    rhythm: Rhythm,
 ) -> bool:
     """Whether what an arc leaves of its circle has ink beside that of lines which touch it there.
 
@@ -94,6 +99,7 @@ def has_ink_of_its_own(
         told: the arc.
         lines: with what is drawn of each.
         sheet: the ink.
+        rhythm: of its dashes.
     """
     points = circle.points_at(np.arange(told.end, told.start + circle.around, _STEP))
     beside = np.zeros(len(points), np.bool_)
@@ -108,9 +114,10 @@ def has_ink_of_its_own(
         for stretch in drawn:
             inside = (along >= stretch.start - near) & (along <= stretch.end + near)
             beside |= inside & (np.abs(off) <= near)
-    if beside.all():
-        return True
     own = points[~beside]
+    # A gap of the circle's own dashes may lie there.
+    if len(own) * _STEP < _TELLING * rhythm.gap:
+        return True
     return bool((sample(sheet.weight, own[:, :1], own[:, 1:])[:, 0] > _DARK).mean() >= _OWN_INKED)
 
 

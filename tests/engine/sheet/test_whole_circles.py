@@ -101,6 +101,9 @@ def test_an_edge_that_touches_the_end_of_a_slot(sketch: Sketch, whole: bool) -> 
     ]
     arc = Piece(-0.07 * circle.around, 0.57 * circle.around, Linetype.HIDDEN, 0.9)
     sheet = clean_sheet(drawn.grey)
-    assert has_ink_of_its_own(circle, arc, lines, sheet) == whole
+    assert has_ink_of_its_own(circle, arc, lines, sheet, RHYTHM) == whole
     # Any other line crosses it.
-    assert has_ink_of_its_own(circle, arc, [], sheet)
+    assert has_ink_of_its_own(circle, arc, [], sheet, RHYTHM)
+    # What is left may be a gap.
+    most = Piece(0.0, 0.85 * circle.around, Linetype.HIDDEN, 0.9)
+    assert has_ink_of_its_own(circle, most, lines, sheet, RHYTHM)
