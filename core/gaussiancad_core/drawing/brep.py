@@ -292,6 +292,13 @@ def area(shape: TopoDS_Shape) -> float:
     return float(properties.Mass())
 
 
+def edge_length(edge: TopoDS_Shape) -> float:
+    """Length of an edge, or of all edges of a shape, in mm; seams count twice."""
+    properties = GProp_GProps()
+    BRepGProp.LinearProperties_s(edge, properties)
+    return float(properties.Mass())
+
+
 def soundness(shape: TopoDS_Shape) -> Soundness:
     """Check a shape as a solid."""
     enclosed = volume(shape)

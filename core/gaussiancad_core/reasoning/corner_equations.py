@@ -3,13 +3,15 @@
 Corners, circles, and what moves lines and faces, are numbers of one list (see :mod:`.relations`).
 """
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 from math import hypot, sqrt
 
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.reasoning.curves import Point
+from gaussiancad_core.reasoning.curves import LineCurve, Point, line_through, meetings
 from gaussiancad_core.reasoning.relations import Numbers, Terms
 
 
@@ -162,3 +164,17 @@ def direction_of(slant: Slant) -> tuple[Point, float]:
     dx, dy = slant.end[0] - slant.start[0], slant.end[1] - slant.start[1]
     length = hypot(dx, dy)
     return (dx / length, dy / length), length
+
+
+def crossings(slants: Sequence[Slant]) -> Iterator[Point]:
+    """Where slants cross within both of them: a tip, if other views have its coordinates."""
+    lines = [(line_through(slant.start, slant.end), slant) for slant in slants]
+    for (one, first), (other, second) in combinations(lines, 2):
+        for point in meetings(one, other):
+            if _is_within(one, first, point) and _is_within(other, second, point):
+                yield point
+
+
+def _is_within(line: LineCurve, slant: Slant, point: Point) -> bool:
+    low, high = sorted((line.parameter(slant.start), line.parameter(slant.end)))
+    return low < line.parameter(point) < high

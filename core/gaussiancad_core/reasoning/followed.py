@@ -18,6 +18,7 @@ from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.strokes import Polyline
 from gaussiancad_core.reasoning.bodies import RevolvedBody
 from gaussiancad_core.reasoning.columns import BODY
+from gaussiancad_core.reasoning.curve_ends import with_common_ends
 from gaussiancad_core.reasoning.curves import CircleCurve, PlaneCurve, axis_line, meetings
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.planes import IN_PLANE, plane_points, role_plane
@@ -58,8 +59,11 @@ may be an edge of a face that is edge-on."""
 _ROUNDED = 1e-6
 """Units by which a coordinate may be off."""
 
-_STEPS = 4
+_STEPS = 12
 """Steps in which a point is led onto the curve."""
+
+_HALVINGS = 12
+"""Steps in which the end of a curve is found."""
 
 Points = npt.NDArray[np.float64]
 """(n, 2) in units of a plane."""
@@ -102,7 +106,8 @@ def with_followed_curves(views: DrawnViews, supports: PartSupports) -> DrawnView
     strokes = {}
     for role, own in views.strokes.items():
         sights = _Sights(role, supports, bodies, shown)
-        strokes[role] = tuple(sights.curve(stroke) or stroke for stroke in own)
+        curves = [sights.curve(stroke) or stroke for stroke in own]
+        strokes[role] = tuple(with_common_ends(own, curves, views.tolerance))
     if strokes == dict(views.strokes):
         return None
     return replace(views, strokes=strokes)
@@ -144,6 +149,17 @@ class _Sights:
             if support.curve.axis != place
         ]
 
+        self._levels = [
+            [
+                support.curve.point[place]
+                for axis, plane in supports.planes.items()
+                if axis is not self._normal and index in IN_PLANE[axis]
+                for place in [IN_PLANE[axis].index(index)]
+                for support in plane.supports
+                if support.curve.axis == place and support.drawn()
+            ]
+            for index in IN_PLANE[self._normal]
+        ]
         # Planes meet in straight lines.
         curved = any(isinstance(own.curve, CircleCurve) for own in self._surfaces)
         self._any_round = curved or bool(bodies)
@@ -160,13 +176,11 @@ class _Sights:
         if pair is None:
             return None
         points = self._points(stroke, _LINKS)
-        led, found = self._led(points, pair)
-        bends = not isinstance(stroke, Segment) or _bend(led[found]) >= _STRAIGHT * self._tolerance
-        if found.mean() < _SHARE or not bends:
+        led = self._led(points, pair)
+        bends = not isinstance(stroke, Segment) or _bend(led) >= _STRAIGHT * self._tolerance
+        if len(led) < _SHARE * len(points) or not bends:
             return None
-        # Where one of the surfaces ends, the curve does: readers go on to the next line.
-        first, last = np.flatnonzero(found)[[0, -1]]
-        curve = led[first : last + 1] * np.array(role_plane(self._role).signs) / self._scale
+        curve = led * np.array(role_plane(self._role).signs) / self._scale
         return Polyline(tuple(map(tuple, curve.tolist())), stroke.linetype)
 
     def _may_follow(self, stroke: Curve) -> bool:
@@ -174,13 +188,22 @@ class _Sights:
         if stroke.length * self._scale < _SHORT * self._tolerance:
             return False
         if isinstance(stroke, Arc):
-            return stroke.sweep <= _ROUND
+            return stroke.sweep <= _ROUND and not self._is_outlined(stroke)
         if isinstance(stroke, Segment):
             if not self._any_round:
                 return False
             rise = np.abs(np.subtract(stroke.end, stroke.start)).min() * self._scale
             return bool(rise > _LEVEL * self._tolerance)
         return True
+
+    def _is_outlined(self, arc: Arc) -> bool:
+        """Whether another view draws a line where an arc turns back: its cylinder's outline."""
+        for levels, values in zip(self._levels, self._points(arc, _LINKS).T, strict=True):
+            for turn in (float(values.min()), float(values.max())):
+                inside = abs(turn - values[[0, -1]]).min() > self._tolerance
+                if inside and any(abs(turn - level) <= self._tolerance for level in levels):
+                    return True
+        return False
 
     def _points(self, stroke: Curve, count: int) -> Points:
         points = stroke.sample(stroke.length / count)
@@ -221,22 +244,50 @@ class _Sights:
         whole = {p: own for p, own in found.items() if len(own) >= _SHARE * len(points)}
         return min(whole, key=lambda p: float(np.mean(whole[p])), default=None)
 
-    def _led(self, points: Points, pair: tuple[_Key, _Key]) -> tuple[Points, npt.NDArray[np.bool_]]:
-        """Points on the curve beside those of a stroke; where it was found. Others stay."""
-        led, found = points.copy(), np.zeros(len(points), dtype=np.bool_)
+    def _led(self, points: Points, pair: tuple[_Key, _Key]) -> Points:
+        """The points of the curve beside those of a stroke, as far as both surfaces reach.
+
+        Readers go on to the next line.
+        """
+        ways = _across(points)
+        led = [self._beside(*at, pair) for at in zip(points, ways, strict=True)]
+        found = [number for number, point in enumerate(led) if point is not None]
+        if not found:
+            return points[:0]
+        curve = [led[number] for number in found]
+        for end, out, place in ((found[0], -1, 0), (found[-1], 1, len(curve) + 1)):
+            if 0 <= end + out < len(points):
+                last = self._last(points[end], points[end + out], ways[end], pair)
+                if last is not None:
+                    curve.insert(place, last)
+        return np.array(curve)
+
+    def _last(
+        self, inside: Points, outside: Points, way: Points, pair: tuple[_Key, _Key]
+    ) -> Points | None:
+        """The last point of the curve between a place that has one and a place that has none."""
+        last = None
+        for _ in range(_HALVINGS):
+            middle = (inside + outside) / 2.0
+            point = self._beside(middle, way, pair)
+            if point is None:
+                outside = middle
+            else:
+                inside, last = middle, point
+        return last
+
+    def _beside(self, point: Points, way: Points, pair: tuple[_Key, _Key]) -> Points | None:
+        """The point of the curve nearest to one of a stroke, across it; None if there is none."""
         # An arc that was fitted to the curve leaves it most at its ends.
         step = self._offsets[1] - self._offsets[0]
         offsets = step * np.arange(-_LOOKS, _LOOKS + 1)
-        for number, (point, way) in enumerate(zip(points, _across(points), strict=True)):
-            gaps = [self._gap(point + off * way, pair) for off in offsets]
-            roots = [
-                self._root(point, way, pair, low, high)
-                for low, high in pairwise(zip(offsets, gaps, strict=True))
-                if None not in (low[1], high[1]) and low[1] * high[1] <= 0.0 and low[1] != high[1]
-            ]
-            if roots:
-                led[number], found[number] = point + min(roots, key=abs) * way, True
-        return led, found
+        gaps = [self._gap(point + off * way, pair) for off in offsets]
+        roots = [
+            self._root(point, way, pair, low, high)
+            for low, high in pairwise(zip(offsets, gaps, strict=True))
+            if None not in (low[1], high[1]) and low[1] * high[1] <= 0.0 and low[1] != high[1]
+        ]
+        return point + min(roots, key=abs) * way if roots else None
 
     def _root(
         self,

@@ -109,7 +109,8 @@ def model_part(
         half_spaces = find_half_spaces(
             as_if_drawn(with_lost_lines(supports, along_axes=along_axes))
         )
-    supports = with_untold_chamfers(with_untold_lines(retraced(supports, half_spaces)))
+    supports = retraced(supports, half_spaces, find_bodies(supports))
+    supports = with_untold_chamfers(with_untold_lines(supports))
     supports = with_smooth_edges(supports)
     if open_ends:
         supports = with_open_ends(supports)

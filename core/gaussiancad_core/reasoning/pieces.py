@@ -41,6 +41,10 @@ _NEAR = 1e-5
 _LOOSE_ENDS = {Linetype.VISIBLE: 1.5, Linetype.HIDDEN: 4.0}
 """Tolerances by which a stroke may end early or late: a hidden one by a gap of its dashes."""
 
+_DASH = 10.0
+"""Tolerances of an outline's length up to which it is taken for a dash of the hidden line that goes
+on from it."""
+
 _SIDE = 2e-5
 """Units beside a line at which its sides are looked up."""
 
@@ -102,6 +106,9 @@ def find_pieces(
                 if support is not None and _may_be_drawn(support, role, point, length, tolerance):
                     continue
                 linetype, confidence = _drawn(support, role, point)
+                short = linetype is Linetype.HIDDEN and length <= _DASH * tolerance
+                if short and _is_outline(space.planes[normal], point, across):
+                    linetype = Linetype.VISIBLE
                 yield Piece(role, point, across, linetype, length, confidence)
         finder = _DrawnNear(plane, near)
         meeting = chain(_meeting_curves(space, normal), _meeting_lines(space, normal))
@@ -110,6 +117,13 @@ def find_pieces(
                 certain, linetype = finder.linetype(role, point, across)
                 if certain and not (linetype and _is_outside(space.planes[normal], point, across)):
                     yield Piece(role, point, across, linetype, length)
+
+
+def _is_outline(arrangement: Arrangement, point: Point, across: Point) -> bool:
+    """Whether the outside begins at a piece: nothing hides it, whatever it looks like."""
+    (a, b), (da, db) = point, across
+    one, other = (arrangement.locate(a + way * da, b + way * db) for way in (-_SIDE, _SIDE))
+    return (one == OUTSIDE) != (other == OUTSIDE)
 
 
 def _is_outside(arrangement: Arrangement, point: Point, across: Point) -> bool:

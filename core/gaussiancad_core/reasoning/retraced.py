@@ -1,8 +1,9 @@
-"""Slanted lines drawn again where oblique planes have their edges.
+"""Slanted lines drawn again where oblique planes have their edges, and cones their outlines.
 
 A corner of an oblique plane is read in three views, each time a little differently.  Once the plane
 is known, the lines of all views follow from it; as they were read they would leave slivers between
-the plane and its edges.
+the plane and its edges.  The outline of a cone is read twice in each of two views, and may end
+early in one of them, where something cuts the cone.
 """
 
 from collections.abc import Sequence
@@ -10,6 +11,7 @@ from dataclasses import dataclass, replace
 from math import hypot
 
 from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.bodies import RevolvedBody
 from gaussiancad_core.reasoning.curves import LineCurve, PlaneCurve, Point, axis_line, line_through
 from gaussiancad_core.reasoning.half_spaces import HalfSpace
 from gaussiancad_core.reasoning.oblique import SHORT
@@ -23,10 +25,15 @@ _EXACT = 1e-5
 _REACH = 3.0
 """Tolerances within which an edge is a line that was read, and a line ends at another."""
 
+_OUTLINE = 1.5
+"""Tolerances within which the outline of a body of revolution is a line that was read."""
 
-def retraced(supports: PartSupports, half_spaces: Sequence[HalfSpace]) -> PartSupports:
-    """The supports with those lines moved that are edges of half spaces."""
-    if not half_spaces:
+
+def retraced(
+    supports: PartSupports, half_spaces: Sequence[HalfSpace], bodies: Sequence[RevolvedBody] = ()
+) -> PartSupports:
+    """The supports with those lines moved that are edges of half spaces, or outlines of bodies."""
+    if not half_spaces and not bodies:
         return supports
     reach = _REACH * supports.tolerance
     planes = {}
@@ -37,7 +44,8 @@ def retraced(supports: PartSupports, half_spaces: Sequence[HalfSpace]) -> PartSu
             for value in supports.values[Axis(other)]
         ]
         short = max(reach, SHORT * supports.tolerance)
-        lines = _edges(plane, half_spaces, reach, short)
+        outlines = _outlines(plane, bodies, _OUTLINE * supports.tolerance, short)
+        lines = {**outlines, **_edges(plane, half_spaces, reach, short)}
         corners = [c for body in half_spaces for hull in body.outlines(axis) for c in hull]
         planes[axis] = _moved(plane, lines, _Ends(grid, corners, reach, short))
     return replace(supports, planes=planes)
@@ -62,9 +70,35 @@ def _edges(
                     length = _length_along(support, start, end, reach, short)
                     if length > longest.get(index, 0.0):
                         longest[index], found[index] = length, line
+    return _missed(plane, found)
+
+
+def _outlines(
+    plane: PlaneSupports, bodies: Sequence[RevolvedBody], near: float, short: float
+) -> dict[int, LineCurve]:
+    """The nearest outline of a body along each slanted line that misses it a little."""
+    nearest: dict[int, float] = {}
+    found: dict[int, LineCurve] = {}
+    for body in bodies:
+        for line, (low, high) in body.rims(plane.normal):
+            if not isinstance(line, LineCurve) or line.axis is not None:
+                continue
+            for index, support in enumerate(plane.supports):
+                ends = _ends(support)
+                if not isinstance(support.curve, LineCurve) or not ends:
+                    continue
+                within = all(low - short <= line.parameter(end) <= high + short for end in ends)
+                off = max(line.distance(end) for end in ends)
+                if within and off <= nearest.get(index, near):
+                    nearest[index], found[index] = off, line
+    return _missed(plane, found)
+
+
+def _missed(plane: PlaneSupports, lines: dict[int, LineCurve]) -> dict[int, LineCurve]:
+    """Those of the lines that supports miss."""
     return {
         index: line
-        for index, line in found.items()
+        for index, line in lines.items()
         if max(line.distance(end) for end in _ends(plane.supports[index])) > _EXACT
     }
 

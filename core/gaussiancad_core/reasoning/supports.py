@@ -15,7 +15,7 @@ from gaussiancad_core.reasoning.along_circles import arc_along
 from gaussiancad_core.reasoning.askew import without_askew_dashes
 from gaussiancad_core.reasoning.chains import Chain, single_runs
 from gaussiancad_core.reasoning.chords import find_chords
-from gaussiancad_core.reasoning.corner_equations import Slant
+from gaussiancad_core.reasoning.corner_equations import Slant, crossings
 from gaussiancad_core.reasoning.curves import (
     TURN,
     CircleCurve,
@@ -318,6 +318,7 @@ def _plane_reading(plane: _Plane, tolerance: float) -> PlaneReading:
     for circle in plane.circles:
         ends += [circle.circle.at(circle.low), circle.circle.at(circle.low + circle.sweep)]
     slants = tuple(_slant(group) for group in _collinear(_slanted(plane, tolerance), tolerance))
+    ends += crossings(slants)
     arcs = tuple((circle.circle, circle.low, circle.sweep) for circle in plane.circles)
     return PlaneReading(plane.normal, slants, tuple(ends), arcs)
 

@@ -68,6 +68,11 @@ _LOOSE = (
     "lines miss each other by more than they should: those that are close by were taken to meet, "
     "so that small steps may be missing",
 )
+_THIN = (
+    "faces-thin",
+    "long faces narrower than two pixels, which no view can show: they may be left between lines "
+    "that belong together",
+)
 _UNFINISHED = "search-unfinished", "the search for solids with these lines was not completed"
 
 
@@ -166,7 +171,7 @@ def _found(views: DrawnViews, limits: Limits) -> ExactResult:
         found = _searched(work, labelling, limits, latest)
         if result is None or _worth(found, views) > _worth(result, views):
             result = found
-        if _explains(found) or (work.fewest and labelling.complete and _is_sound(found)):
+        if _is_neat(found) or (work.fewest and labelling.complete and _is_sound(found)):
             break
     clock.lap("label")
     if _explains(result) or not limits.relaxed or clock.total > _PATIENT * limits.seconds:
@@ -179,7 +184,7 @@ def _found(views: DrawnViews, limits: Limits) -> ExactResult:
 def _with_likely_measures(found: ExactResult, views: DrawnViews, limits: Limits) -> ExactResult:
     """The same solid with measures that most likely are round, where a picture leaves some open.
 
-    They stay in doubt, and so does the solid: only its shape changes.
+    They stay in doubt, and so does the solid: only its shape changes, and what is said of it.
     """
     own = found.verification
     if own is None or not own.sound or own.close:
@@ -192,7 +197,9 @@ def _with_likely_measures(found: ExactResult, views: DrawnViews, limits: Limits)
     other = _found(likely, replace(limits, seconds=_QUICK * limits.seconds))
     if not _is_as_good(other, found):
         return found
-    return replace(found, shape=other.shape, verification=other.verification)
+    # What else there may be was looked for among the first ones.
+    reasons = other.reasons if other.reasons and not found.alternatives else found.reasons
+    return replace(found, shape=other.shape, verification=other.verification, reasons=reasons)
 
 
 def _is_as_good(other: ExactResult, found: ExactResult) -> bool:
@@ -208,20 +215,25 @@ def _explains(result: ExactResult) -> bool:
     return result.verification is not None and result.verification.explains
 
 
+def _is_neat(result: ExactResult) -> bool:
+    return result.verification is not None and result.verification.neat
+
+
 def _is_sound(result: ExactResult) -> bool:
     return result.verification is not None and result.verification.sound
 
 
-def _worth(result: ExactResult, views: DrawnViews) -> tuple[bool, bool, float]:
+def _worth(result: ExactResult, views: DrawnViews) -> tuple[bool, bool, bool, float]:
     """What solids of several models are ranked by: exact lines are right or wrong as a whole."""
     verification = result.verification
     if verification is None:
-        return False, False, -inf
+        return False, False, False, -inf
+    told = verification.neat, verification.explains, verification.sound
     if views.apart is not None:
-        return verification.explains, verification.sound, verification.share
+        return *told, verification.share
     most = _WHOLE * max(views.size)
     wrong = sum(min(flaw.length, most) for flaw in verification.flaws)
-    return verification.explains, verification.sound, -wrong
+    return *told, -wrong
 
 
 def _searched(work: Work, labelling: Labelling, limits: Limits, latest: Deadline) -> ExactResult:
@@ -371,6 +383,8 @@ def _reasons(
         reasons.append(_RETOLD)
     if not best.verification.close:
         reasons.append(("lines-inexact", _inexact(best.verification)))
+    if best.verification.thin:
+        reasons.append(_THIN)
     if len(agreeing) > 1:
         reasons.append(
             ("ambiguous", f"{len(agreeing)} different solids have these lines: see alternatives/")

@@ -132,21 +132,24 @@ def labelled(
 ) -> Iterator[tuple[Work, Labelling]]:
     """Labels of the part, and then of other models of it that explain more, likeliest first.
 
-    Where there are labels for all lines, they are the only ones.
+    Where there are labels for all lines, they are the only ones, but where strokes may follow the
+    curves in which surfaces meet.
     """
     work = Work(part, views, Search(part.rules, limits.effort), clock)
     found = work.search.fulfilled(clock.deadline(_HARD * limits.seconds))
-    if found.labels is not None:
-        yield work, found
-        return
     lines = views
     deadline = clock.deadline(_OTHERWISE * limits.seconds)
+    if found.labels is not None:
+        yield work, found
+        yield from _followed(work, lines, limits, deadline)
+        return
     unsure = with_unsure_kinds(views)
     if unsure is not None and (model := _modelled(unsure, deadline)) is not None:
         other = _remodelled(replace(work, views=unsure), model, limits)
         retold = other.search.retold(deadline)
         if retold.labels is not None:
             yield other, retold
+            yield from _followed(other, unsure, limits, deadline)
         # What is given up may be linetypes as well.
         work, lines = other, unsure
     closed = with_closed_outlines(lines) if found.complete else None
@@ -156,6 +159,7 @@ def labelled(
         found = work.search.fulfilled(clock.deadline(_HARD * limits.seconds))
         if found.labels is not None:
             yield work, found
+            yield from _followed(work, lines, limits, deadline)
             return
     # Another model takes as long as the first: time has to remain for the least contradiction.
     others = _until(_otherwise(work, lines, found.complete, deadline), limits, clock)
@@ -168,6 +172,7 @@ def labelled(
         first = _first_fulfilled(loose, deadline)
     if first is not None:
         yield first
+        yield from _followed(work, lines, limits, deadline)
         return
     latest = clock.deadline(_RELAXED * limits.seconds)
     # Where readers lead ends to the wrong lines nearly all strokes are a little wrong.
@@ -191,6 +196,23 @@ def _first_fulfilled(works: Iterator[Work], deadline: Deadline) -> tuple[Work, L
         if labelling.labels is not None:
             return work, labelling
     return None
+
+
+def _followed(
+    work: Work, lines: DrawnViews, limits: Limits, deadline: Deadline
+) -> Iterator[tuple[Work, Labelling]]:
+    """Labels of the part with the curves that strokes may follow.
+
+    An arc or line in place of a curve may make a solid that shows all lines, with slivers.
+    """
+    if lines.apart is None or work.clock.total + work.clock.seconds["model"] > (
+        _OTHERWISE * limits.seconds
+    ):
+        return
+    followed = with_followed_curves(lines, work.part.supports)
+    if followed is not None and (model := _modelled(followed, deadline)) is not None:
+        other = _remodelled(work, model, limits)
+        yield other, other.search.best(deadline)
 
 
 def _lacking(

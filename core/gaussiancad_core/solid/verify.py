@@ -10,7 +10,15 @@ from OCP.TopoDS import TopoDS_Shape
 from scipy.spatial import cKDTree
 
 from gaussiancad_core.axes import Role
-from gaussiancad_core.drawing.brep import area, bounding_box, soundness, volume
+from gaussiancad_core.drawing.brep import (
+    area,
+    bounding_box,
+    edge_length,
+    edges_of,
+    faces_of,
+    soundness,
+    volume,
+)
 from gaussiancad_core.drawing.hlr import LineDrawing
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.unsure_kinds import as_drawn, with_unsure_kinds
@@ -56,6 +64,10 @@ as much more as it is shorter, and moves a face as little."""
 _TELLING = 4.0
 """Matching tolerances of length from which a stroke tells where its line runs."""
 
+_THIN, _LONG = 2.0, 15.0
+"""Tolerances of width up to which a face is a sliver, and widths that it is long at least: a reader
+cannot tell its sides apart."""
+
 _SMALLEST_FLAW = 0.002
 """The same as a share of the longest extent, at least."""
 
@@ -100,6 +112,7 @@ class Verification:
             the solid: the thinner a part is in px, the more.  Faces that follow from round
             measures, or from numbers on the sheet, are certain, but for one.
         off: whether lines or box are too far off to rely on the measures.
+        thin: how many faces are slivers: no view can show them.
         retold: whether strokes whose linetype nothing tells are of the other one.
     """
 
@@ -110,6 +123,7 @@ class Verification:
     misfit: float
     doubt: float
     off: bool
+    thin: int = 0
     retold: bool = False
 
     @property
@@ -128,9 +142,14 @@ class Verification:
         return self.sound and not self.flaws
 
     @property
+    def neat(self) -> bool:
+        """Whether it explains the views, and without slivers."""
+        return self.explains and not self.thin
+
+    @property
     def holds(self) -> bool:
         """Whether its measures are those of the views, too."""
-        return self.explains and self.close
+        return self.neat and self.close
 
 
 def matching_tolerance(views: DrawnViews) -> float:
@@ -179,7 +198,19 @@ def verify(shape: TopoDS_Shape, views: DrawnViews, known: Sequence[Certainty] = 
         doubtful = min([doubtful, *(own.volume_in_doubt(shape, unsure) for own in known)])
     doubt = doubtful / max(abs(volume(shape)), 1e-12)
     off = max(spread, misfit) > _CLOSE * tolerance
-    return Verification(sound, matched, tuple(flaws), spread, misfit, doubt, off, retold)
+    return Verification(
+        sound, matched, tuple(flaws), spread, misfit, doubt, off, _thin(shape, views), retold
+    )
+
+
+def _thin(shape: TopoDS_Shape, views: DrawnViews) -> int:
+    """How many faces are long, and narrower than what a reader can tell apart."""
+    thin = 0
+    for face in faces_of(shape):
+        around = sum(map(edge_length, edges_of(face)))
+        width = 2.0 * area(face) / around
+        thin += width < _THIN * views.tolerance and around > 2.0 * _LONG * width
+    return thin
 
 
 def _misfit(shape: TopoDS_Shape, views: DrawnViews) -> float:

@@ -14,6 +14,7 @@ from gaussiancad_core.reasoning.corner_equations import (
     Slant,
     Touches,
     TouchesCircle,
+    crossings,
 )
 from gaussiancad_core.reasoning.relations import Relation
 
@@ -94,3 +95,11 @@ def test_circles_touch_where_they_share_a_point_and_a_tangent(
     centre = 4.0 + away * cos(angle), 5.0 + away * sin(angle)
     value, _ = TouchesCircle(0, 3, inside).at(np.array([4.0, 5.0, one, *centre, other]))
     assert value == pytest.approx(0.0, abs=1e-9)
+
+
+def test_lines_cross_where_both_are_drawn() -> None:
+    one = Slant((0.0, 0.0), (10.0, 10.0), 1.0)
+    across = Slant((0.0, 8.0), (8.0, 0.0), 1.0)
+    before, beside = Slant((0.0, 30.0), (30.0, 0.0), 1.0), Slant((0.0, 1.0), (9.0, 10.0), 1.0)
+    assert list(crossings([one, across])) == [pytest.approx((4.0, 4.0))]
+    assert list(crossings([one, before])) == list(crossings([one, beside])) == []

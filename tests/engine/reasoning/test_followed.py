@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from math import hypot, sqrt
+from math import asin, hypot, pi, sqrt
 
 import numpy as np
 import pytest
@@ -15,6 +15,8 @@ from gaussiancad_core.reasoning.supports import find_supports
 from gaussiancad_core.views import Arc, Linetype, Segment
 
 Views = Callable[[str], DrawnViews]
+
+_VISIBLE = Linetype.VISIBLE
 
 _PIXEL = 0.1
 """mm, the tolerance of views that are read from a picture."""
@@ -71,3 +73,46 @@ def test_a_stroke_along_which_nothing_is_met_stays(pin_as_read: DrawnViews) -> N
     followed = with_followed_curves(lone, find_supports(views))
     assert followed is not None
     assert followed.strokes[Role.FRONT][-1] == front[-1]
+
+
+def _saddle() -> DrawnViews:
+    """A rod of radius 12 that stood on one of radius 20, along x, its foot read as two arcs."""
+    low = 20.0 - sqrt(20.0**2 - 12.0**2)
+    box = [((0.0, low), (0.0, 40.0)), ((0.0, 40.0), (24.0, 40.0)), ((24.0, 40.0), (24.0, low))]
+    feet = (
+        Arc((14.5, 26.0), 26.3, 4.128, 0.45, _VISIBLE),
+        Arc((9.5, 26.0), 26.3, 4.845, 0.45, _VISIBLE),
+    )
+    front = [*(Segment(a, b, _VISIBLE) for a, b in box), *feet]
+    front.append(Segment((0.0, low), (24.0, low), Linetype.HIDDEN))
+    walls = [((0.0, 0.0), (0.0, 40.0)), ((0.0, 40.0), (24.0, 40.0)), ((24.0, 40.0), (24.0, 0.0))]
+    half = asin(12.0 / 20.0)
+    arch = Arc((12.0, low - 20.0), 20.0, pi / 2.0 - half, 2.0 * half, _VISIBLE)
+    right = [*(Segment(a, b, _VISIBLE) for a, b in walls), arch]
+    rod = Arc((12.0, 12.0), 12.0, 0.0, 2.0 * pi, _VISIBLE)
+    strokes = {Role.FRONT: tuple(front), Role.TOP: (rod,), Role.RIGHT: tuple(right)}
+    return DrawnViews(strokes, (24.0, 24.0, 40.0), 0.06, 0.02)
+
+
+def test_an_arc_whose_outline_another_view_draws_is_a_cylinders() -> None:
+    """Either the arch is a cylinder and the feet follow the curve, or the other way round."""
+    views = _saddle()
+    followed = with_followed_curves(views, find_supports(views))
+    assert followed is not None
+    assert followed.strokes[Role.RIGHT] == views.strokes[Role.RIGHT]
+    feet = followed.strokes[Role.FRONT][3:5]
+    for foot in feet:
+        assert isinstance(foot, Polyline)
+        x, z = np.array(foot.points).T
+        depth = np.sqrt(12.0**2 - (x - 12.0) ** 2)
+        assert z == pytest.approx(np.sqrt(20.0**2 - depth**2) - 16.0, abs=1e-3)
+
+
+def test_a_curve_reaches_as_far_as_both_surfaces(pin_as_read: DrawnViews) -> None:
+    followed = with_followed_curves(pin_as_read, find_supports(pin_as_read))
+    assert followed is not None
+    for curve in followed.strokes[Role.FRONT][-2:]:
+        assert isinstance(curve, Polyline)
+        ends = sorted((curve.points[0][0], curve.points[-1][0]))
+        # A link of the curve is four times as long.
+        assert ends == pytest.approx([18.0, 42.0], abs=0.06)

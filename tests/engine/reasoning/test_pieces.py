@@ -1,16 +1,17 @@
 """Pieces of lines, drawn or blank."""
 
 from collections.abc import Callable
+from itertools import pairwise
 from math import hypot
 
 import pytest
 
-from gaussiancad_core.axes import Axis
+from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.part import PartModel, model_part
 from gaussiancad_core.reasoning.pieces import Piece, find_pieces
 from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
-from gaussiancad_core.views import Linetype
+from gaussiancad_core.views import Linetype, Segment
 
 _NAMES = ("stepped-block", "counterbored-block", "wedge-block", "countersunk-plate")
 
@@ -74,3 +75,29 @@ def test_a_pieces_linetype_is_what_its_support_shows(found: Found) -> None:
             assert Linetype.VISIBLE not in shown
         elif shown:
             assert piece.linetype in shown
+
+
+@pytest.mark.parametrize(("length", "linetype"), [(0.5, Linetype.VISIBLE), (5.0, Linetype.HIDDEN)])
+def test_a_dash_of_the_outline_is_visible(length: float, linetype: Linetype) -> None:
+    """A ledge along the left edge, from which a hidden line goes on: both look like one."""
+    corners = [(0, 0), (40, 0), (40, 30), (length, 30), (length, 20), (0, 20), (0, 0)]
+    edges = [(a, b) for a, b in pairwise(corners) if not a[1] == b[1] == 20]
+    front = [Segment(a, b, Linetype.VISIBLE) for a, b in edges]
+    front.append(Segment((0, 20), (30, 20), Linetype.HIDDEN))
+    boxes = {Role.FRONT: front}
+    for role, high in ((Role.TOP, 25), (Role.RIGHT, 30)):
+        wide = 40 if role is Role.TOP else 25
+        own = [(0, 0), (wide, 0), (wide, high), (0, high), (0, 0)]
+        boxes[role] = [Segment(a, b, Linetype.VISIBLE) for a, b in pairwise(own)]
+    tolerance = 0.1
+    part = model_part(DrawnViews(boxes, (40.0, 25.0, 30.0), tolerance, 0.03))
+    scale = part.supports.scale
+    found = [
+        piece.linetype
+        for rule in part.rules
+        for piece in rule.pieces
+        if piece.role is Role.FRONT
+        and piece.point[1] == pytest.approx(20.0 * scale)
+        and piece.point[0] < length * scale
+    ]
+    assert set(found) == {linetype}

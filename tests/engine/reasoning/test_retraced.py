@@ -1,6 +1,7 @@
-"""Slanted lines that follow from the oblique planes whose edges they are."""
+"""Slanted lines that follow from the oblique planes whose edges they are, or from cones."""
 
 from itertools import pairwise
+from math import pi
 
 import numpy as np
 import pytest
@@ -11,8 +12,9 @@ from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.oblique import find_half_spaces
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.retraced import retraced
+from gaussiancad_core.reasoning.revolved import find_bodies
 from gaussiancad_core.reasoning.supports import PartSupports, find_supports
-from gaussiancad_core.views import Linetype, Segment
+from gaussiancad_core.views import Arc, Linetype, Segment
 
 _ROLES = {Role.FRONT: (100.0, 60.0), Role.TOP: (100.0, 80.0), Role.RIGHT: (80.0, 60.0)}
 """Extents of the views of a block of 100 x 80 x 60 mm, which are units as well."""
@@ -76,3 +78,46 @@ def test_lines_that_are_no_edges_stay() -> None:
         before = [s.curve for s in supports.planes[axis].supports if s.curve.axis is not None]
         after = [s.curve for s in moved.planes[axis].supports if s.curve.axis is not None]
         assert before == after
+
+
+def _cut_cone(misread: float, tolerance: float) -> PartSupports:
+    """A cone of radius 40 and 16 at heights 0 and 60; above 40 a groove cuts its left and right.
+
+    The right view has its outline up to there, and a little steeper.
+    """
+    outlines = {
+        Role.FRONT: [((0.0, 0.0), (24.0, 60.0)), ((80.0, 0.0), (56.0, 60.0))],
+        Role.RIGHT: [
+            ((0.0, 0.0), (16.0 - misread, 40.0)),
+            ((80.0, 0.0), (64.0 + misread, 40.0)),
+        ],
+    }
+    level = [((0.0, 0.0), (80.0, 0.0))]
+    strokes = {
+        role: tuple(Segment(p, q, Linetype.VISIBLE) for p, q in (*level, *own))
+        for role, own in outlines.items()
+    }
+    circles = tuple(Arc((40.0, 40.0), r, 0.0, 2.0 * pi, Linetype.VISIBLE) for r in (40.0, 16.0))
+    views = DrawnViews({**strokes, Role.TOP: circles}, (80.0, 80.0, 60.0), tolerance)
+    return find_supports(views)
+
+
+def test_outlines_of_a_cone_are_the_same_in_all_views() -> None:
+    supports = _cut_cone(0.04, 0.08)
+    (body,) = find_bodies(supports)
+    rims = [rim for rim, _ in body.rims(Axis.X)]
+
+    def beside(own: PartSupports) -> list[float]:
+        """Units from the ends of the right view's outlines to those of the cone."""
+        slants = [s for s in own.planes[Axis.X].supports if s.curve.axis is None]
+        return [
+            min(rim.distance(s.curve.at(end)) for rim in rims)
+            for s in slants
+            for stretch in s.drawn()
+            for end in stretch
+        ]
+
+    before, after = beside(supports), beside(retraced(supports, (), [body]))
+    assert len(before) == len(after) == 4
+    assert max(before) > 0.01
+    assert max(after) < 1e-9

@@ -1,14 +1,16 @@
 """Parts with planes that no view sees edge-on: exactly the solid that was drawn."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 
+import numpy as np
 import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
 from OCP.BRepGProp import BRepGProp
 from OCP.GProp import GProp_GProps
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import Axis
+from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.drawing.brep import faces_of, moved_to_origin, soundness, volume
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.columns import Vector
@@ -19,6 +21,8 @@ from gaussiancad_core.samples.classed.outlines import convex, frustum, regular
 from gaussiancad_core.samples.modelling import Point2, box, cut, cylinder, fuse, prism
 from gaussiancad_core.solid.bodies import body_faces
 from gaussiancad_core.solid.exact import exact_solid
+from gaussiancad_core.verification.lines import Curve
+from gaussiancad_core.views import Linetype, Segment
 
 Draw = Callable[..., DrawnViews]
 
@@ -124,3 +128,28 @@ def test_a_half_space_has_a_face_for_each_hull() -> None:
         BRepGProp.SurfaceProperties_s(face, properties)
         areas.append(properties.Mass())
     assert areas == pytest.approx([4.5 * 3**0.5, 4.5 * 3**0.5])
+
+
+def test_a_tip_is_where_edges_cross(drawn: Draw, iou: Callable[..., float]) -> None:
+    """The diagonals of a pyramid were read as two lines, and its heights a little beside."""
+    base = [(0.0, 0.0), (40.0, 0.0), (40.0, 40.0), (0.0, 40.0)]
+    pyramid = convex([(x, y, 0.0) for x, y in base] + [(20.0, 20.0, 50.0)])
+    views = drawn(pyramid)
+    off = {Role.FRONT: 0.0006, Role.RIGHT: -0.0013}
+
+    def read(role: Role, own: Sequence[Curve]) -> tuple[Curve, ...]:
+        if role is Role.TOP:
+            outline = [s for s in own if min(np.abs(np.subtract(s.end, s.start))) < 1.0]
+            diagonals = [((0.0, 0.0), (40.0, 40.0)), ((0.0, 40.0), (40.0, 0.0))]
+            return (*outline, *(Segment(a, b, Linetype.VISIBLE) for a, b in diagonals))
+        tip = 20.0 + off[role], 50.0
+        return tuple(
+            Segment(*(tip if end[1] > 25.0 else end for end in (s.start, s.end)), Linetype.VISIBLE)
+            for s in own
+        )
+
+    strokes = {role: read(role, own) for role, own in views.strokes.items()}
+    result = exact_solid(replace(views, strokes=strokes, tolerance=0.08, apart=0.025))
+    assert (result.status, result.reasons) == (Status.VERIFIED, ())
+    assert soundness(result.shape).faces == 5
+    assert iou(result.shape, pyramid) > 0.9999

@@ -183,3 +183,15 @@ def test_a_line_beside_the_solid_tells_of_its_faces(beside: float, drawn: Draw) 
     assert found.doubt == pytest.approx(plain.doubt * max(1.0, beside / 12.0 / 5e-4))
     # Where all measures are round nothing is asked.
     assert verify(solid, replace(views, noise=0.0)).doubt == 0.0
+
+
+@pytest.mark.parametrize(("width", "thin"), [(0.3, 2), (1.5, 0)])
+def test_faces_narrower_than_pixels_can_tell_are_slivers(
+    width: float, thin: int, drawn: Draw
+) -> None:
+    """A step all along an edge: both its faces are narrow, and none of a block's others is."""
+    solid = BRepAlgoAPI_Cut(_box(0, 0, 0, 40, 30, 20), _box(0, 0, 0, 40, width, width)).Shape()
+    found = verify(solid, replace(drawn(solid), tolerance=0.25))
+    assert found.explains and found.thin == thin
+    assert found.neat == (not thin)
+    assert verify(solid, drawn(solid)).holds
