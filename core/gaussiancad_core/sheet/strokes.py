@@ -22,6 +22,7 @@ from gaussiancad_core.sheet.corner_rungs import find_corner_rungs
 from gaussiancad_core.sheet.curved_corners import find_curved_fillets
 from gaussiancad_core.sheet.dangling import with_met_ends
 from gaussiancad_core.sheet.dash_corners import is_dash_corner
+from gaussiancad_core.sheet.dashed_ovals import with_dashed_rests
 from gaussiancad_core.sheet.drill_tips import with_drill_tips
 from gaussiancad_core.sheet.edged_chamfers import with_edged_chamfers
 from gaussiancad_core.sheet.explained import (
@@ -149,6 +150,7 @@ def classify_strokes(
         ended = with_changes_at_junctions(ended, rhythm, view.sheet.stroke_width)
     strokes = [_stroke(geometry, piece) for geometry, piece in ended]
     strokes += trace_remainder(remainder, view.sheet.stroke_width, rhythm.dash)
+    strokes = with_dashed_rests(strokes, rhythm)
     shift = np.array(view.offset) + 0.5
     return tuple(_shifted(stroke, shift) for stroke in strokes if stroke.length > 1.5)
 
