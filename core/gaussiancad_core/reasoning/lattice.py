@@ -56,7 +56,7 @@ _AT_END = 0.5
 _EXACT = 1e-3
 """Shares of the tolerance up to which numbers are multiples already."""
 
-_LIKELY = 100.0
+LIKELY = 100.0
 """Factor of the weight of a number that most likely is a multiple: equations may still move it."""
 
 
@@ -125,7 +125,7 @@ def likely_numbers(
         circles: normal, and places of both coordinates of the centre and of the radius.
         rough: how roughly they are known.
     """
-    lattice = told_lattice(_independent(numbers, values, circles, rough.tolerance), rough)
+    lattice = told_lattice(independent(numbers, values, circles, rough.tolerance), rough)
     if lattice is None:
         return None
     group = np.zeros(len(numbers), dtype=np.int64)
@@ -142,7 +142,7 @@ def likely_numbers(
     if moved <= _EXACT * rough.tolerance:
         return None
     likely = np.where(fits, multiples, beside)
-    return LikelyNumbers(likely.tolist(), np.where(fits, _LIKELY, 1.0), moved)
+    return LikelyNumbers(likely.tolist(), np.where(fits, LIKELY, 1.0), moved)
 
 
 def told_lattice(groups: Sequence[Sequence[float]], rough: Roughness) -> Lattice | None:
@@ -196,7 +196,7 @@ def _likeliest(
     return best
 
 
-def _independent(
+def independent(
     numbers: Floats,
     values: Mapping[Axis, Sequence[int]],
     circles: Sequence[tuple[Axis, int, int, int]],

@@ -19,6 +19,7 @@ from gaussiancad_core.reasoning.lattice import Roughness, likely_numbers
 from gaussiancad_core.reasoning.nominal import NominalStep, nominal_step
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.relations import Linear, Numbers, solved
+from gaussiancad_core.reasoning.round_numbers import round_numbers
 from gaussiancad_core.reasoning.told import ToldNumbers, as_told, told_relations
 from gaussiancad_core.reasoning.told_places import ToldPlaces, told_places
 
@@ -192,7 +193,9 @@ def snapped(
             (variables.weights, read), numbers, relations, step, far
         )
     elif noise:
-        likely = likely_numbers(numbers, clusters, own, Roughness(tolerance, noise, millimetre))
+        rough = Roughness(tolerance, noise, millimetre)
+        likely = likely_numbers(numbers, clusters, own, rough)
+        likely = likely or round_numbers(numbers, clusters, own, rough)
         if likely is not None:
             variables.observed, moved = likely.numbers, likely.moved
             variables.weights = (likely.factors * variables.weights).tolist()
