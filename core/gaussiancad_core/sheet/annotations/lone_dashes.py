@@ -47,8 +47,8 @@ _ALONG, _SLANTED = 0.02, 0.3
 """Sine of the angle between a line and the sheet's axes at most, for it to be along one, and at
 least, for it to be slanted."""
 
-_OWN_PX = 0.1
-"""px within which a place is on a run."""
+_ASIDE_PX = 0.5
+"""px by which what is along an axis may leave it: of a dash, that is more than such an angle."""
 
 _SLACK_PX = 2.0
 """px by which ink at a run's end may be taken for its own, or not."""
@@ -72,7 +72,8 @@ def spare_lone_dashes(
     rhythm = _rhythm(shapes, kinds, stroke_width)
     tree = cKDTree(edges)
     corners = _corner_dashes(shapes, kinds, weights.limit, rhythm)
-    for shape, own in zip(shapes, kinds, strict=True):
+    leaving: list[tuple[int, int]] = []
+    for number, (shape, own) in enumerate(zip(shapes, kinds, strict=True)):
         if not isinstance(shape.geometry, Line):
             continue
         for k, run in enumerate(shape.runs):
@@ -85,8 +86,32 @@ def spare_lone_dashes(
                 continue
             # It seems longer by the ink of the dashes that it meets.
             lone = _is_lone(shape.runs, k, rhythm, stroke_width)
-            if lone and _leaves_corner(shape.geometry, run, corners, stroke_width):
-                own[k] = None
+            near = _MET_PX + max(stroke_width, rhythm.gap)
+            if lone and _leaves_corner(shape.geometry, run, corners, near):
+                leaving.append((number, k))
+    _spare_leaving(shapes, kinds, leaving, stroke_width)
+
+
+def _spare_leaving(
+    shapes: Sequence[InkedShape],
+    kinds: Kinds,
+    leaving: Sequence[tuple[int, int]],
+    stroke_width: float,
+) -> None:
+    """Take back what was told of runs (shape, run) that leave corners of hidden lines, in place,
+    where no annotation but these ends beside them: two may leave one corner."""
+    if not leaving:
+        return
+    told = [np.empty((0, 2))]
+    for number, (shape, own) in enumerate(zip(shapes, kinds, strict=True)):
+        for k, (run, kind) in enumerate(zip(shape.runs, own, strict=True)):
+            if kind is not None and (number, k) not in leaving:
+                told.append(points_along(shape.geometry, run.run, 1.0))
+    others = np.concatenate(told)
+    for number, k in leaving:
+        shape = shapes[number]
+        if _is_clear(shape.geometry, shape.runs[k], others, stroke_width):
+            kinds[number][k] = None
 
 
 def spare_free_dashes(
@@ -179,28 +204,26 @@ class _Dashes:
 
     Attributes:
         level, upright: (n, 2) px, where they end.
-        others: (n, 2) px on annotations.
     """
 
     level: Floats
     upright: Floats
-    others: Floats
 
 
 def _corner_dashes(
     shapes: Sequence[InkedShape], kinds: Kinds, limit: float, rhythm: Rhythm
 ) -> _Dashes:
-    ends, others = ([np.empty((0, 2))], [np.empty((0, 2))]), [np.empty((0, 2))]
+    ends = [np.empty((0, 2))], [np.empty((0, 2))]
     for shape, own in zip(shapes, kinds, strict=True):
+        if _slant(shape) >= _ALONG:
+            continue
         for run, kind in zip(shape.runs, own, strict=True):
             narrow = run.width is not None and run.width < limit
-            if kind is not None:
-                others.append(points_along(shape.geometry, run.run, 1.0))
-            elif narrow and run.run.length <= _LONGEST * rhythm.dash and _slant(shape) < _ALONG:
+            if kind is None and narrow and run.run.length <= _LONGEST * rhythm.dash:
                 upright = abs(shape.geometry.direction[1]) > abs(shape.geometry.direction[0])
                 points = points_along(shape.geometry, run.run, run.run.length)[[0, -1]]
                 ends[int(upright)].append(points)
-    return _Dashes(np.concatenate(ends[0]), np.concatenate(ends[1]), np.concatenate(others))
+    return _Dashes(np.concatenate(ends[0]), np.concatenate(ends[1]))
 
 
 def _slant(shape: InkedShape) -> float:
@@ -208,21 +231,22 @@ def _slant(shape: InkedShape) -> float:
     return min(map(abs, shape.geometry.direction)) if isinstance(shape.geometry, Line) else 1.0
 
 
-def _leaves_corner(line: Line, run: InkedRun, dashes: _Dashes, stroke_width: float) -> bool:
-    """Whether a run begins where a hidden line across it ends, or along an axis if it is slanted,
-    as that of a countersink is, and no other annotation is at either of its own ends."""
+def _leaves_corner(line: Line, run: InkedRun, dashes: _Dashes, near: float) -> bool:
+    """Whether a run begins so many px from where a hidden line across it ends, or along an axis if
+    it is slanted, as that of a countersink is."""
     right, down = (abs(part) for part in line.direction)
-    if _ALONG < min(right, down) < _SLANTED:
+    if max(_ALONG, _ASIDE_PX / run.run.length) < min(right, down) < _SLANTED:
         return False
     across = [dashes.upright] * (down < _SLANTED) + [dashes.level] * (right < _SLANTED)
     ends = points_along(line, run.run, run.run.length)[[0, -1]]
     corners = np.concatenate(across or [dashes.level, dashes.upright])
+    return bool(len(corners)) and float(cKDTree(corners).query(ends)[0].min()) <= near
+
+
+def _is_clear(line: Line, run: InkedRun, others: Floats, stroke_width: float) -> bool:
+    """Whether none of the annotations, (n, 2) px, is at either end of a run."""
+    ends = points_along(line, run.run, run.run.length)[[0, -1]]
     near = _MET_PX + stroke_width
-    if not len(corners) or cKDTree(corners).query(ends)[0].min() > near:
-        return False
-    along, aside = line.coordinates(dashes.others)
-    within = (along >= run.run.start - _OWN_PX) & (along <= run.run.end + _OWN_PX)
-    others = dashes.others[~(within & (np.abs(aside) <= _OWN_PX))]
     return not len(others) or float(cKDTree(others).query(ends)[0].min()) > near
 
 

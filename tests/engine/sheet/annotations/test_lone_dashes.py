@@ -96,6 +96,23 @@ def test_an_upright_dash_that_leaves_a_hidden_corner(met: str) -> None:
     assert kinds[-1] == [None if met == "level" else EXTENSION]
 
 
+@pytest.mark.parametrize("beside", [False, True])
+def test_two_dashes_that_leave_one_hidden_corner(beside: bool) -> None:
+    """Of a countersink and of its bore one dash each is seen; where an arrowhead's line is beside
+    both of them, they are its strokes.  The upright one leans as a dash of whole pixels may."""
+    row = _level(120.0, *((100.0 + 18.0 * k, 112.0 + 18.0 * k) for k in range(3)), width=1.8)
+    half, lean = 0.5**0.5, 0.03
+    ways = (-half, -half), (lean, (1.0 - lean**2) ** 0.5)
+    two = [InkedShape(Line((99.0, 120.5), way), (InkedRun(Run(0.0, 11.0), 1.8),)) for way in ways]
+    shapes = [*PLATE, DASHES, row, *two]
+    kinds = [[None] * len(shape.runs) for shape in shapes[:-2]] + [[EXTENSION], [EXTENSION]]
+    if beside:
+        shapes.append(_level(121.0, (60.0, 99.0), width=1.8))
+        kinds.append([EXTENSION])
+    spare_lone_dashes(shapes, kinds, np.zeros((220, 220), bool), WEIGHTS, WIDTH)
+    assert kinds[4:6] == [[EXTENSION if beside else None]] * 2
+
+
 def test_a_centre_mark_as_wide_as_edges_is_no_dash() -> None:
     """Its own ends would be those of an edge."""
     centre = AnnotationKind.CENTRE_LINE
