@@ -26,8 +26,8 @@ Floats = npt.NDArray[np.float64]
 _ANGLES = np.radians([45.0, 30.0, 60.0])
 """Between a leg and the line that it leaves, the most frequent first."""
 
-_LONGEST = 1.5
-"""Dashes that a leg is long at most: longer ones show beside the others' ink."""
+_LONGEST, _WIDE = 1.5, 4.0
+"""Dashes, or line widths, that a leg is long at most: longer ones show beside the others' ink."""
 
 _SHORTEST = 2.5
 """Line widths that it is long at least."""
@@ -67,7 +67,7 @@ class _View:
     @property
     def longest(self) -> float:
         """px of a leg, at most."""
-        return _LONGEST * self.rhythm.dash
+        return max(_LONGEST * self.rhythm.dash, _WIDE * self.sheet.stroke_width)
 
 
 def with_short_legs(pieces: Sequence[Placed], sheet: CleanSheet, rhythm: Rhythm) -> list[Placed]:
@@ -147,6 +147,8 @@ def _is_drawn(start: Floats, end: Floats, view: _View) -> bool:
     length = float(np.hypot(*(end - start)))
     points = start + np.arange(0.0, length, _STEP)[:, None] * (end - start) / length
     dark = _at(view.sheet.weight, points) > _DARK
+    # Beside edges pale dashes stay as pale as they were plotted.
+    dark |= _at(view.left.ink, points) > _LEFT
     own = _at(view.left.expected, points) < _LEFT
     inked = np.flatnonzero(dark & own)
     if len(inked) * _STEP < _LEAST or dark[own].mean() < _INKED:

@@ -72,3 +72,32 @@ def test_the_tip_of_a_narrow_drill(sketch: Sketch, degrees: float) -> None:
 def test_corners_without_more_ink_have_no_legs(sketch: Sketch) -> None:
     for away in (8.5, 11.0, 48.0):
         assert not len(_slanted(_block(sketch, 12.0 + away)))
+
+
+@pytest.mark.parametrize("away", [8.0, 10.0])
+def test_pale_chamfers_between_two_edges(sketch: Sketch, away: float) -> None:
+    """Pale dashes right beside edges are not raised as others are."""
+    top = 12.0 + away
+    drawn = sketch(400, 300).lines((12, 12), (388, 12), (388, 288), (12, 288), (12, 12), width=3)
+    drawn.line((12, top), (388, top), 3)
+    pale = sketch(400, 300)
+    for x in (LEFT, RIGHT, 300.0):
+        pale.broken((x, top + 6.0), (x, 288), RHYTHM, 2.0)
+    cones = [((LEFT - away, 12.0), (LEFT, top)), ((RIGHT, top), (RIGHT + away, 12.0))]
+    for start, end in cones:
+        pale.line(start, end, 2.0)
+    drawn.weight = np.maximum(drawn.weight, np.float32(0.45) * pale.weight)
+    assert _slanted(drawn) == pytest.approx(np.array(cones), abs=1.2)
+
+
+def test_chamfers_longer_than_short_dashes(sketch: Sketch) -> None:
+    """Most of what is drawn of them is in the ink of other strokes all the same."""
+    drawn = sketch(400, 300).lines((12, 12), (388, 12), (388, 288), (12, 288), (12, 12), width=3)
+    top = 19.0
+    drawn.broken((LEFT, top), (RIGHT + 2.0, top), (5.0, 4.0), 2.0)
+    for x in (LEFT, RIGHT):
+        drawn.broken((x, top), (x, 288), (5.0, 4.0), 2.0)
+    cones = [((LEFT - 7.0, 12.0), (LEFT, top)), ((RIGHT, top), (RIGHT + 7.0, 12.0))]
+    for start, end in (cones[0][::-1], cones[1]):
+        drawn.broken(start, end, (5.0, 4.0), 2.0)
+    assert _slanted(drawn) == pytest.approx(np.array(cones), abs=1.2)
