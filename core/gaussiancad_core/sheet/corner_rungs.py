@@ -24,7 +24,7 @@ from gaussiancad_core.views import Linetype
 
 Floats = npt.NDArray[np.float64]
 
-_SHORTEST, _LONGEST = 2.5, 7.0
+_SHORTEST, _LONGEST = 2.0, 7.0
 """Line widths from corner to corner."""
 
 _SAME = 1.0
@@ -122,10 +122,26 @@ def _corners(pieces: Sequence[Placed]) -> Iterator[tuple[Floats, list[Floats]]]:
         left = [k for k in left if k not in own]
         ways = [ends[k][1] for k in own]
         place = places[own].mean(0)
-        if any(abs(float(ways[0] @ way)) < _STEEPEST for way in ways[1:]) or (
-            len(own) == 1 and sum(distances_to(p, place[None])[0] <= _FREE for p in pieces) == 1
-        ):
+        if len(own) == 1:
+            met = [p for p in pieces if distances_to(p, place[None])[0] <= _FREE]
+            ways += _passing(place, met)
+            if len(met) > 1 and len(ways) == 1:
+                continue
             yield place, ways
+        elif any(abs(float(ways[0] @ way)) < _STEEPEST for way in ways[1:]):
+            yield place, ways
+
+
+def _passing(place: Floats, met: Sequence[Placed]) -> list[Floats]:
+    """(2,) directions of straight visible strokes that pass by the end of another."""
+    return [
+        np.array(line.direction)
+        for line, piece in met
+        if isinstance(line, Line)
+        and piece.linetype is Linetype.VISIBLE
+        and distances_to((line, piece), place[None])[0] <= _SAME
+        and piece.start + _FREE < float(line.coordinates(place[None])[0][0]) < piece.end - _FREE
+    ]
 
 
 def _levelled(start: Floats, end: Floats) -> tuple[Floats, Floats]:

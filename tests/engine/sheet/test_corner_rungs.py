@@ -53,6 +53,27 @@ def test_the_edges_of_a_tapered_pocket(sketch: Sketch, wide: float, high: float)
     assert len(found) == 12
 
 
+@pytest.mark.parametrize("beside", [6.3, 7.4, 8.5])
+@pytest.mark.parametrize("drawn_there", [True, False])
+def test_the_corner_of_a_chamfer_ends_on_an_edge_that_goes_on(
+    sketch: Sketch, beside: float, drawn_there: bool
+) -> None:
+    """As of the stem of a tee, chamfered all around: its outer rim ends on the tee's edge."""
+    outer, inner = (60.3, 50.6), (60.3 + beside, 50.6 + beside)
+    drawn = sketch(200, 160)
+    drawn.lines(
+        (60.3, 20.4), (160.7, 20.4), (160.7, 130.2), (60.3, 130.2), (60.3, 20.4), width=_PEN
+    )
+    drawn.line(outer, (160.7, 50.6), _PEN).lines(
+        (160.7, inner[1]), inner, (inner[0], 130.2), width=_PEN
+    )
+    if drawn_there:
+        drawn.line(outer, inner, _PEN)
+    found = _read(drawn, (58.0, 18.0, 163.0, 133.0))
+    assert _has(found, outer, inner) == drawn_there
+    assert len(found) == 7 + drawn_there
+
+
 @pytest.mark.parametrize("beside", [7.4, 8.5, 10.3])
 def test_a_pocket_with_a_step_has_none(sketch: Sketch, beside: float) -> None:
     drawn, _, _ = _rims(sketch, beside, beside)
