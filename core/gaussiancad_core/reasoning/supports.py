@@ -33,7 +33,7 @@ from gaussiancad_core.reasoning.incidences import (
     PlaneReading,
     adjusted,
 )
-from gaussiancad_core.reasoning.nominal import NominalStep
+from gaussiancad_core.reasoning.nominal import NominalStep, designed_scale
 from gaussiancad_core.reasoning.planes import IN_PLANE, UNITS, plane_points, role_plane
 from gaussiancad_core.reasoning.roundings import is_quarter, is_rounding
 from gaussiancad_core.reasoning.snapping import (
@@ -200,7 +200,7 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
         found,
         own.values,
         size,
-        scale,
+        designed_scale(own.step, views.size, scale),
         tolerance,
         own.nominal,
         own.step,

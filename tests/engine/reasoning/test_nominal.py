@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.reasoning.nominal import NominalStep, nominal_step
+from gaussiancad_core.reasoning.nominal import NominalStep, designed_scale, nominal_step
 from gaussiancad_core.reasoning.planes import UNITS
 
 _PIXEL = UNITS / 900.0
@@ -67,3 +67,17 @@ def test_a_step_tells_what_is_odd_and_how_far_numbers_were_moved() -> None:
     assert step.odd([0.0, 33.3, 33.4, 40.0, 66.7, 100.0], 100.0) == 1
     assert step.odd([0.0, 33.3, 66.7, 71.0, 100.0], 100.0) == 2
     assert step.odd([33.3, 66.7], 0.0) == 2
+
+
+def test_a_told_extent_is_what_it_was_told_where_another_one_is_longest() -> None:
+    """A cube of 7 mm: one edge was told, another one read a tenth of a pixel too long."""
+    read = 7.0 * 1.0002
+    scale = UNITS / read
+    step = NominalStep(UNITS / 14.0, 0.01)
+    found = designed_scale(step, (7.0, read, 7.0), scale)
+    assert step.length / found == pytest.approx(0.5, abs=1e-12)
+    # Nothing says that a longest extent which was told itself is wrong.
+    assert designed_scale(step, (7.0 * 1.0001, read, 6.9992), scale) == scale
+    # Nor that a step of no round number is one.
+    assert designed_scale(NominalStep(UNITS / 13.0, 0.01), (7.0, read, 7.0), scale) == scale
+    assert designed_scale(None, (7.0, read, 7.0), scale) == scale

@@ -30,6 +30,7 @@ from gaussiancad_core.sheet.annotations.inked import (
     points_along,
 )
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask, values_at
+from gaussiancad_core.sheet.annotations.sharp_tips import Tip, sharp_tips
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.runs import Run
 
@@ -125,9 +126,10 @@ def split_loose(
     faded = blank_areas(ink, rule.faded).labels if rule.faded else None
     paper = paper_around(ink) if rule.closed else None
     ends = _dimensioned(shapes, kinds)
+    tips = sharp_tips(shapes)
     cut: list[InkedShape] = []
     cut_kinds: Kinds = []
-    for shape, own in zip(shapes, kinds, strict=True):
+    for number, (shape, own) in enumerate(zip(shapes, kinds, strict=True)):
         runs: list[InkedRun] = []
         marks: list[AnnotationKind | None] = []
         looked_at = [
@@ -140,6 +142,7 @@ def split_loose(
             _parts(shape, run, areas, faded, paper) if looked else [(run.run, _Side.PARTING)]
             for run, looked in zip(shape.runs, looked_at, strict=True)
         ]
+        found = [_with_tips(parts, tips.get((number, k), ())) for k, parts in enumerate(found)]
         over = [_is_over_paper(parts) for parts in found]
         leading = _leading(shape, over, rule.faded / 2)
         for index, (run, kind) in enumerate(zip(shape.runs, own, strict=True)):
@@ -163,6 +166,19 @@ def split_loose(
         cut.append(InkedShape(shape.geometry, tuple(runs)))
         cut_kinds.append(marks)
     return cut, cut_kinds
+
+
+def _with_tips(parts: list[tuple[Run, _Side]], tips: Sequence[Tip]) -> list[tuple[Run, _Side]]:
+    """The stretches of a run, of which what seems to lie over paper at a sharp tip is an edge's."""
+    return [
+        (part, _Side.PARTING)
+        if any(
+            part.length <= tip.reach and min(abs(part.start - tip.at), abs(part.end - tip.at)) < 1.0
+            for tip in tips
+        )
+        else (part, side)
+        for part, side in parts
+    ]
 
 
 def _with_run_out(parts: list[tuple[Run, _Side]], least: float) -> list[tuple[Run, _Side]]:
