@@ -22,6 +22,9 @@ _EVEN, _EVEN_PX = 0.2, 2.0
 _LONGER = 1.25
 """Times its longest dash is as long as its shortest whole one, at most."""
 
+_LONGEST = 5.0
+"""Gaps that a dash is long at most: pieces of extension lines that edges cut are longer."""
+
 _MET_PX = 2.5
 """px between a row's end and the axis of an edge that it meets at most, beyond half a stroke."""
 
@@ -78,7 +81,8 @@ def _rows(
             gap = runs[k].run.start - runs[k - 1].run.end
             if abs(gap - dash_gap) <= most and {own[k], own[k - 1]} <= {None, told}:
                 continue
-        if _is_alike([run.run.length for run in runs[first:k]]) and told in own[first:k]:
+        lengths = [run.run.length for run in runs[first:k]]
+        if max(lengths) <= _LONGEST * dash_gap and _is_alike(lengths) and told in own[first:k]:
             yield first, k - 1
         first = k
 

@@ -62,3 +62,17 @@ def test_dashes_lead_from_edge_to_edge(pieces: tuple, stays: bool) -> None:
     kinds = [[None], [None], [told] * len(runs)]
     spare_short_rows(shapes, kinds, Weights(3.0, 2.2), 13.0, 2.0)
     assert kinds[2] == [None if stays else told] * len(runs)
+
+
+def test_an_extension_line_that_edges_cut_is_no_row() -> None:
+    """Its pieces may be alike, and the ink of an edge as wide as a gap."""
+    shapes = [
+        InkedShape(Line((0.0, y), (1.0, 0.0)), (InkedRun(Run(-100.0, 100.0), 3.0),))
+        for y in (0.0, 75.0, 160.0)
+    ]
+    runs = (InkedRun(Run(2.0, 70.0), 1.5), InkedRun(Run(82.0, 158.0), 1.5))
+    shapes.append(InkedShape(Line((0.0, 0.0), (0.0, 1.0)), runs))
+    told = AnnotationKind.EXTENSION
+    kinds = [[None], [None], [None], [told] * 2]
+    spare_short_rows(shapes, kinds, Weights(3.0, 2.2), 13.0, 2.0)
+    assert kinds[3] == [told] * 2
