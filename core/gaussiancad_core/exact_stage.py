@@ -234,7 +234,8 @@ def drawn_views(registered: RegisteredSheet, measures: Sequence[Measure] = ()) -
         noise * pixel,
         max(dashes, default=None),
     )
-    return replace(drawn, told=told_numbers(registered, measures, noise))
+    numbers = told_numbers(registered, measures, noise)
+    return replace(drawn, told=numbers, known=registered.told)
 
 
 def _noise_px(registered: RegisteredSheet) -> float:

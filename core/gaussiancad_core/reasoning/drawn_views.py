@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from gaussiancad_core.axes import Role
+from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.reasoning.told import ToldNumbers
 from gaussiancad_core.verification.lines import Curve
 from gaussiancad_core.views import ViewSet
@@ -27,6 +27,7 @@ class DrawnViews:
         dash: mm up to which a hidden line may be one dash, as solid as a visible one; None where
             all linetypes are known.
         told: lengths that the sheet has in numbers, mm.
+        known: the axis whose extent was told; None where none was.
     """
 
     strokes: Mapping[Role, tuple[Curve, ...]]
@@ -37,6 +38,7 @@ class DrawnViews:
     likely: bool = False
     dash: float | None = None
     told: ToldNumbers | None = None
+    known: Axis | None = None
 
     @property
     def roles(self) -> tuple[Role, ...]:

@@ -35,10 +35,6 @@ _CHANCE = 1e-7
 _ODD = 1e-4
 """Share of the step from which a number is no multiple of it."""
 
-_BESIDE, _TOLD = 1e-3, 1e-9
-"""Shares of a round step by which one may be wrong with the scale, and of an extent by which one
-that was told is wrong at most."""
-
 ROUND_MM, _ROUND_CHANCE = (10.0, 5.0, 2.0, 1.0, 0.5), 1e-5
 """Steps that most parts are designed in, and the same probability for these alone."""
 
@@ -80,23 +76,20 @@ class NominalStep:
         return replace(self, moved=max([*moved, self.moved]))
 
 
-def designed_scale(step: NominalStep | None, extents: Sequence[float], scale: float) -> float:
-    """Units per mm at which a step is a round one, where an extent that was told says so.
+def designed_scale(step: NominalStep | None, told: tuple[float, float], scale: float) -> float:
+    """Units per mm at which an extent that was told is what it was told, in steps.
 
-    The step divides the longest extent.  Where another one was told, that is a round number, and
-    the longest one was read a fraction of a pixel beside.
+    The step divides the longest extent, by which units are counted.  Where another one was told,
+    the longest one was read a fraction of a pixel beside: all measures would be off by as much.
 
     Args:
         step: of the design; None where none is told.
-        extents: mm, as told or read.
+        told: the extent in units as it was read, and in mm.
         scale: units per mm, by the longest extent.
     """
-    for usual in ROUND_MM if step is not None else ():
-        if abs(step.length - usual * scale) <= _BESIDE * usual * scale and any(
-            abs(extent - usual * round(extent / usual)) <= _TOLD * extent for extent in extents
-        ):
-            return step.length / usual
-    return scale
+    units, length = told
+    meant = step.multiple(units) if step is not None else None
+    return scale if meant is None else meant / length
 
 
 def nominal_step(

@@ -196,11 +196,14 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
         for axis, plane in planes.items()
     }
     own = known.snap
+    if views.known is not None:
+        told = size[views.known.value], views.size[views.known.value]
+        scale = designed_scale(own.step, told, scale)
     return PartSupports(
         found,
         own.values,
         size,
-        designed_scale(own.step, views.size, scale),
+        scale,
         tolerance,
         own.nominal,
         own.step,

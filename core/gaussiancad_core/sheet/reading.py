@@ -89,6 +89,7 @@ class RegisteredSheet:
         mm_per_pixel: mean over the axes, of sheet px.
         extents: of the axes in sheet px.
         opened: number of through holes opened in the masks.
+        told: the axis whose extent was told; None where none was, or the scale.
     """
 
     views: ViewSet
@@ -97,6 +98,7 @@ class RegisteredSheet:
     mm_per_pixel: float
     extents: AxisExtents
     opened: int
+    told: Axis | None = None
 
     @property
     def source(self) -> StrokesSource:
@@ -208,7 +210,10 @@ def register_views(drawn: tuple[ReadView, ...], options: ReadingOptions) -> Regi
             scale / view.outline.supersampling,
         )
         views.append(colourised(plain, options.colour))
-    return RegisteredSheet(ViewSet(tuple(views), size), placements, drawn, scale, extents, opened)
+    by_length = options.mm_per_pixel is None and options.length is not None
+    told = options.length[0] if by_length else None
+    found = ViewSet(tuple(views), size)
+    return RegisteredSheet(found, placements, drawn, scale, extents, opened, told)
 
 
 def _own_placement(view: ReadView) -> Placement:

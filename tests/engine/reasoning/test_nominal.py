@@ -73,11 +73,11 @@ def test_a_told_extent_is_what_it_was_told_where_another_one_is_longest() -> Non
     """A cube of 7 mm: one edge was told, another one read a tenth of a pixel too long."""
     read = 7.0 * 1.0002
     scale = UNITS / read
-    step = NominalStep(UNITS / 14.0, 0.01)
-    found = designed_scale(step, (7.0, read, 7.0), scale)
+    step = NominalStep(UNITS / 14.0, 0.05)
+    found = designed_scale(step, (7.0 * scale, 7.0), scale)
     assert step.length / found == pytest.approx(0.5, abs=1e-12)
-    # Nothing says that a longest extent which was told itself is wrong.
-    assert designed_scale(step, (7.0 * 1.0001, read, 6.9992), scale) == scale
-    # Nor that a step of no round number is one.
-    assert designed_scale(NominalStep(UNITS / 13.0, 0.01), (7.0, read, 7.0), scale) == scale
-    assert designed_scale(None, (7.0, read, 7.0), scale) == scale
+    # Where the longest one was told, that is so at once.
+    assert designed_scale(step, (UNITS, read), scale) == pytest.approx(scale, abs=1e-12)
+    # An extent of no whole steps tells nothing of them.
+    assert designed_scale(step, (6.8 * scale, 6.8), scale) == scale
+    assert designed_scale(None, (7.0 * scale, 7.0), scale) == scale

@@ -266,3 +266,24 @@ def test_flat_quarters_between_the_axes_tell_their_circle(arc: Arc, told: bool) 
     plane = _front([*_box(50, 20), arc], tolerance=0.2)
     circles = [s for s in plane.supports if isinstance(s.curve, CircleCurve)]
     assert (len(circles), len(plane.chains)) == ((1, 0) if told else (0, 1))
+
+
+@pytest.mark.parametrize("known", [None, Axis.Z])
+def test_an_extent_that_was_told_scales_a_design_step(known: Axis | None) -> None:
+    """A ribbed plate of 50 x 30 x 20 mm, in whole millimetres, of which the width was read 0.01 mm
+    too long; its height was told."""
+    long = 1.0002
+
+    def box(wide: float, high: float, ribs: list[int], factor: float) -> list[Segment]:
+        own = _chain((0, 0), (wide * factor, 0), (wide * factor, high), (0, high), (0, 0))
+        lines = [_chain((x * factor, 0), (x * factor, high)) for x in ribs]
+        return own + [line for pair in lines for line in pair]
+
+    front = box(50, 20, [3, 7, 12, 18, 23, 29, 34, 41, 47], long)
+    right = box(30, 20, [2, 5, 9, 13, 16, 22, 28], 1.0)
+    strokes = {Role.FRONT: tuple(front), Role.RIGHT: tuple(right)}
+    views = DrawnViews(strokes, (50.0 * long, 30.0, 20.0), 0.05, 0.015, known=known)
+    found = find_supports(views)
+    assert found.step is not None
+    off = found.step.length / found.scale - 1.0
+    assert off == pytest.approx(0.0 if known else long - 1.0, abs=1e-9)
