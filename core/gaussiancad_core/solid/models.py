@@ -180,7 +180,10 @@ def labelled(
         yield lacking
     least = work.search.least(latest)
     yield work, least
-    if _cost(least) < _LITTLE or least.effort > _LONG:
+    if least.effort > _LONG:
+        return
+    if _cost(least) < _LITTLE:
+        yield from _followed(work, lines, limits, deadline)
         return
     for model in _until(_misread(work, lines, deadline), limits, clock):
         other = _remodelled(work, model, limits)

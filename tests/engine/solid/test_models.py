@@ -58,6 +58,15 @@ def test_other_models_follow_where_they_give_up_clearly_less(
     assert models._cost(Labelling(None, (), False)) == float("inf")
 
 
+def test_curves_are_followed_where_little_is_given_up_and_nothing_fits(
+    pin_as_read: DrawnViews, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An arc that reaches beyond the outline gives up hardly any line, and bounds no solid."""
+    _only_given_up(monkeypatch)
+    monkeypatch.setattr(models, "_LITTLE", float("inf"))
+    assert exact_solid(pin_as_read).status is Status.VERIFIED
+
+
 def test_no_other_models_follow_where_telling_what_to_give_up_took_long(
     pin_as_read: DrawnViews, monkeypatch: pytest.MonkeyPatch
 ) -> None:
