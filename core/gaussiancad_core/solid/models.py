@@ -180,15 +180,24 @@ def labelled(
         yield lacking
     least = work.search.least(latest)
     yield work, least
-    if least.effort > _LONG:
-        return
-    if _cost(least) < _LITTLE:
+    if least.effort <= _LONG:
+        yield from _clearer(work, lines, _cost(least), limits)
+
+
+def _clearer(
+    work: Work, lines: DrawnViews, cost: float, limits: Limits
+) -> Iterator[tuple[Work, Labelling]]:
+    """Labels of models that give up clearly less than so many units of line; where that is hardly
+    any, of the one with the curves that strokes may follow, for these may bound nothing."""
+    deadline = work.clock.deadline(_OTHERWISE * limits.seconds)
+    latest = work.clock.deadline(_RELAXED * limits.seconds)
+    if cost < _LITTLE:
         yield from _followed(work, lines, limits, deadline)
         return
-    for model in _until(_misread(work, lines, deadline), limits, clock):
+    for model in _until(_misread(work, lines, deadline), limits, work.clock):
         other = _remodelled(work, model, limits)
         more = other.search.best(latest)
-        if _cost(more) < _BETTER * _cost(least):
+        if _cost(more) < _BETTER * cost:
             yield other, more
 
 
