@@ -96,8 +96,11 @@ def with_drill_tips(pieces: Sequence[Placed], sheet: CleanSheet) -> list[Placed]
             continue
         point = level.tip(height)
         flanks = [_line(corner, point) for corner in level.corners]
-        if not all(_is_known(own, found) for own in flanks):
-            course = [*flanks, _line(*level.corners)]
+        base = _line(*level.corners)
+        # The edge at the bottom melts with both flanks.
+        lost = level is not bottom and not _is_known(base, found)
+        if lost or not all(_is_known(own, found) for own in flanks):
+            course = [*flanks, base]
             outline = np.array([*level.corners, point])
             found = [_met(own, level) for own in found if not _is_inside(outline, own)]
             found += [own for own in course if not _is_known(own, found)]

@@ -73,6 +73,7 @@ from gaussiancad_core.sheet.slant_fits import with_fitted_slants
 from gaussiancad_core.sheet.slanted_dashes import with_slanted_dashes
 from gaussiancad_core.sheet.slanted_ends import ended_before_slants
 from gaussiancad_core.sheet.slanted_rungs import find_slanted_rungs
+from gaussiancad_core.sheet.slants_led_on import with_slants_led_on
 from gaussiancad_core.sheet.square_corners import has_square_corner
 from gaussiancad_core.sheet.straight_ends import with_straight_ends
 from gaussiancad_core.sheet.touching import ended_where_lines_touch, up_to_tangents
@@ -104,11 +105,11 @@ def classify_strokes(
     rows = find_remaining_dashes(view.sheet.ink & (explained.around == 0), view.sheet, rhythm)
     for geometry, piece in rows:
         explained.add(geometry, piece, close=True)
-    pieces += rows
-    pieces = with_whole_circles(pieces, view.sheet, rhythm)
+    pieces = with_whole_circles([*pieces, *rows], view.sheet, rhythm)
     pieces = without_shadows(pieces, view.sheet.stroke_width, rhythm.dash)
     pieces = with_flat_ends(with_straight_ends(pieces, view.sheet), view.sheet)
-    pieces = ended_where_lines_touch(pieces, view.sheet.stroke_width)
+    touched = ended_where_lines_touch(pieces, view.sheet.stroke_width)
+    pieces = with_slants_led_on(touched, view.sheet, rhythm)
     pieces += find_corner_dashes(pieces, view.sheet, rhythm)
     pieces = ended_before_slants(pieces, view.sheet)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
@@ -118,7 +119,7 @@ def classify_strokes(
     pieces += [*jogs, *rungs, *slanted]
     pieces += find_corner_rungs([*ended, *jogs, *rungs, *slanted], view.sheet)
     pieces = _refitted(pieces, ended, view.sheet)
-    pieces = with_fitted_slants(pieces, ended, view.sheet)
+    pieces = with_slants_led_on(with_fitted_slants(pieces, ended, view.sheet), view.sheet, rhythm)
     pieces = with_close_fits(pieces, ended, view.sheet)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     parted = parted_at_corners(ended, view.sheet, rhythm)

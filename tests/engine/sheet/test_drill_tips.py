@@ -75,6 +75,26 @@ def test_the_tip_and_the_bottom_are_where_their_ink_is(
         assert away.min() < 0.6
 
 
+def test_a_bottom_that_melts_with_its_tip_is_found(sketch: Sketch) -> None:
+    """Both flanks were, and the sides end a little early."""
+    wide, height = 34.0, 0.577
+    radius = wide / 2.0
+    point = LEFT + radius, BOTTOM - height * radius
+    corners = np.array([(LEFT, BOTTOM), (LEFT + wide, BOTTOM)])
+    flanks: list[Placed] = []
+    for x, y in corners:
+        long = float(np.hypot(point[0] - x, point[1] - y))
+        way = (point[0] - x) / long, (point[1] - y) / long
+        flanks.append((Line((x, y), way), Piece(0.0, long, HIDDEN, 0.9)))
+    sheet = _bore(sketch, wide, height)
+    found = with_drill_tips([*_sides(wide, BOTTOM - 0.8), *flanks], sheet)
+    assert len(found) == 5
+    ends = np.array([_ends(own) for own in found])
+    for wanted in ((corners[0], point), (corners[1], point), corners):
+        assert np.abs(ends - np.array(wanted)).max(axis=(1, 2)).min() < 0.6
+    assert ends[:2, 0] == pytest.approx(corners, abs=0.3)
+
+
 def test_what_was_found_is_left_as_it_is(sketch: Sketch) -> None:
     wide, height = 30.0, 0.6
     sheet = _bore(sketch, wide, height)
