@@ -79,7 +79,10 @@ def _nearest(points: Points, to: Sequence[float] | Points) -> int:
 
 def _led(start: Point, end: Point, target: Points, tolerance: float) -> Point | None:
     """The end of a line beside a point that it nearly goes to; None if it does not."""
-    way = np.subtract(end, start) / hypot(*np.subtract(end, start))
+    length = hypot(*np.subtract(end, start))
+    if length <= tolerance:
+        return None
+    way = np.subtract(end, start) / length
     foot = start + way * float((target - start) @ way)
     far = hypot(*(target - np.array(end))) > _ENDS * tolerance
     if far or hypot(*(target - foot)) > _BESIDE * tolerance:

@@ -177,8 +177,9 @@ class _Sights:
             return None
         points = self._points(stroke, _LINKS)
         led = self._led(points, pair)
-        bends = not isinstance(stroke, Segment) or _bend(led) >= _STRAIGHT * self._tolerance
-        if len(led) < _SHARE * len(points) or not bends:
+        if len(led) < _SHARE * len(points):
+            return None
+        if isinstance(stroke, Segment) and _bend(led) < _STRAIGHT * self._tolerance:
             return None
         curve = led * np.array(role_plane(self._role).signs) / self._scale
         return Polyline(tuple(map(tuple, curve.tolist())), stroke.linetype)

@@ -86,6 +86,8 @@ def _further(
     points = line.points_at(at + way * places)
     middle = points[len(points) // 2][None]
     near = [own for own in others if distances_to(own, middle)[0] <= reach]
+    if not near:
+        return 0.0
     away = np.min([distances_to(own, points) for own in near], axis=0, initial=reach)
     dark = sample(sheet.weight, points[:, :1], points[:, 1:])[:, 0] > _DARK
     longest = _GAP * rhythm.gap / _STEP

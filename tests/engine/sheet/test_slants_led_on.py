@@ -71,6 +71,16 @@ def test_ink_that_leads_to_nothing_is_none_of_it(sketch: Sketch) -> None:
     assert with_slants_led_on([*pieces, slant], clean_sheet(drawn.grey), RHYTHM)[-1] == slant
 
 
+def test_a_slant_far_from_all_other_strokes_stays(sketch: Sketch) -> None:
+    drawn = sketch()
+    for start in (0.0, 17.5):
+        drawn.line(_on_slant(start), _on_slant(start + 11.0), 1.8)
+    slant, sheet = _piece(START, _on_slant(28.5)), clean_sheet(drawn.grey)
+    far = _piece((500.0, 400.0), (500.0, 480.0))
+    for others in ([], [far]):
+        assert with_slants_led_on([*others, slant], sheet, RHYTHM)[-1] == slant
+
+
 def test_a_corner_behind_two_crossing_lines_is_read(sketch: Sketch) -> None:
     """Neither line that its dashes grow is the whole slant."""
     drawn = sketch()
