@@ -148,6 +148,7 @@ def snapped(
     *,
     noise: float = 0.0,
     told: ToldNumbers | None = None,
+    scaled: bool = False,
 ) -> Snapped:
     """Make readings that belong together equal.
 
@@ -159,6 +160,7 @@ def snapped(
         millimetre: units, as far as the scale is known; 0 where it is not.
         noise: units by which readings are off; 0 where only sure measures become round.
         told: lengths that the sheet has in numbers, units.
+        scaled: whether the scale is known for certain.
     """
     apart = tolerance if apart is None else apart
     variables = _Variables()
@@ -195,7 +197,8 @@ def snapped(
     elif noise:
         rough = Roughness(tolerance, noise, millimetre)
         likely = likely_numbers(numbers, clusters, own, rough)
-        likely = likely or round_numbers(numbers, clusters, own, rough)
+        if likely is None and scaled:
+            likely = round_numbers(numbers, clusters, own, rough)
         if likely is not None:
             variables.observed, moved = likely.numbers, likely.moved
             variables.weights = (likely.factors * variables.weights).tolist()

@@ -6,6 +6,7 @@ that is seen edge-on: a plane for a line, a cylinder for a circle.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from math import hypot, pi
 
 import numpy as np
@@ -180,7 +181,9 @@ def find_supports(views: DrawnViews, facets: Sequence[Facet] = ()) -> PartSuppor
     apart = None if views.apart is None else views.apart * scale
     noise = views.noise * scale if views.likely else 0.0
     told = None if views.told is None else views.told.scaled(scale)
-    snap = _snap(planes, size, scale, (tolerance, apart), noise=noise, told=told)
+    scaled = views.known is not None or told is not None
+    limits = tolerance, apart
+    snap = _snap(planes, size, scale, limits, noise=noise, told=told, scaled=scaled)
     shown = [
         _plane_reading(plane, tolerance).moved(
             *(-snap.begins.get(Axis(index), 0.0) for index in IN_PLANE[plane.normal])
@@ -297,6 +300,7 @@ def _snap(
     *,
     noise: float,
     told: ToldNumbers | None,
+    scaled: bool,
 ) -> Snapped:
     """Values and circles, with what lies together made equal."""
     tolerance, apart = limits
@@ -313,7 +317,9 @@ def _snap(
                 value = (line.start[along] + line.end[along]) / 2.0
                 readings.append(Reading(axes[along], value, line.length * line.confidence))
         circles += [CircleReading(plane.normal, c.circle, c.weight) for c in plane.circles]
-    return snapped(readings, circles, tolerance, apart, scale, noise=noise, told=told)
+    return snapped(
+        readings, circles, tolerance, apart, scale, noise=noise, told=told, scaled=scaled
+    )
 
 
 def _plane_reading(plane: _Plane, tolerance: float) -> PlaneReading:

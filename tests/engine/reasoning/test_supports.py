@@ -287,3 +287,16 @@ def test_an_extent_that_was_told_scales_a_design_step(known: Axis | None) -> Non
     assert found.step is not None
     off = found.step.length / found.scale - 1.0
     assert off == pytest.approx(0.0 if known else long - 1.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("known", [None, Axis.Z])
+def test_few_measures_are_round_where_the_scale_is_known(known: Axis | None) -> None:
+    """A rod of 20 mm, read a sixth of a pixel too thick."""
+    wide = 20.01
+    box = _chain((0, 0), (wide, 0), (wide, 50), (0, 50), (0, 0))
+    rod = Arc((wide / 2, wide / 2), wide / 2, 0.0, 2.0 * pi, _VISIBLE)
+    strokes = {Role.FRONT: tuple(box), Role.TOP: (rod,), Role.RIGHT: tuple(box)}
+    views = DrawnViews(strokes, (wide, wide, 50.0), 0.06, 0.02, 0.003, likely=True, known=known)
+    found = find_supports(views)
+    radius = next(s.curve.radius for s in found.planes[Axis.Z].supports) / found.scale
+    assert radius == pytest.approx(10.0 if known else wide / 2, abs=1e-6)

@@ -37,16 +37,9 @@ class Tip(NamedTuple):
     reach: float
 
 
-class _End(NamedTuple):
-    shape: int
-    run: int
-    at: float
-    way: float
-
-
 def sharp_tips(shapes: Sequence[InkedShape]) -> dict[tuple[int, int], list[Tip]]:
-    """The tips at both ends of runs, by the numbers of the shape and of the run."""
-    ends: list[_End] = []
+    """The tips at ends of runs, by the numbers of the shape and of the run."""
+    ends: list[tuple[int, int, float]] = []
     points, ways, widths, lengths = [], [], [], []
     for number, shape in enumerate(shapes):
         line = shape.geometry
@@ -54,7 +47,7 @@ def sharp_tips(shapes: Sequence[InkedShape]) -> dict[tuple[int, int], list[Tip]]
             continue
         for k, run in enumerate(shape.runs):
             for at, way in ((run.run.start, -1.0), (run.run.end, 1.0)):
-                ends.append(_End(number, k, at, way))
+                ends.append((number, k, at))
                 points.append(line.at(at))
                 ways.append(way * np.array(line.direction))
                 widths.append(run.width or 2.0)
@@ -64,7 +57,7 @@ def sharp_tips(shapes: Sequence[InkedShape]) -> dict[tuple[int, int], list[Tip]]
         return found
     place, way = np.array(points), np.array(ways)
     width, length = np.array(widths), np.array(lengths)
-    for one, end in enumerate(ends):
+    for one, (number, k, at) in enumerate(ends):
         cosine = way @ way[one]
         sine = np.abs(way[:, 0] * way[one, 1] - way[:, 1] * way[one, 0])
         near = np.hypot(*(place - place[one]).T) <= _NEAR * width[one]
@@ -72,5 +65,5 @@ def sharp_tips(shapes: Sequence[InkedShape]) -> dict[tuple[int, int], list[Tip]]
         whole = np.minimum(length, length[one]) >= _LEAST * reach
         tips = near & (cosine > 0.0) & (sine >= _SHARPEST) & (sine <= _BLUNTEST) & whole
         if tips.any():
-            found.setdefault((end.shape, end.run), []).append(Tip(end.at, float(reach[tips].max())))
+            found.setdefault((number, k), []).append(Tip(at, float(reach[tips].max())))
     return found
