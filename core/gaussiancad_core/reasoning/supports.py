@@ -6,7 +6,6 @@ that is seen edge-on: a plane for a line, a cylinder for a circle.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 from math import hypot, pi
 
 import numpy as np
