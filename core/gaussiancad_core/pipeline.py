@@ -146,9 +146,9 @@ class _Run:
                 write_solids(solid.result, self.folder.staging)
             if models:
                 write_models(models, self.job, self.folder.staging, self.progress)
-        # Lines of a section are no edges, and a broken view is no measure: nothing verifies them.
-        plain = not any(view.used for view in found.special)
-        self._finish(solid.result.status if solid and plain else Status.APPROXIMATE)
+        # Whatever is in doubt, of the sheet or of the solid, is a reason.
+        certain = solid is not None and not self.notes.report.reasons
+        self._finish(solid.result.status if certain else Status.APPROXIMATE)
         return self.notes.report
 
     def write_failure(self, error: GaussianCadError) -> None:
@@ -302,7 +302,11 @@ class _Run:
             else check_surface(registered, models, self.progress)
         )
         reports = {
-            view.role: ViewReport(view.stored_box(turn), checked.matched[view.role].agreement)
+            view.role: ViewReport(
+                view.stored_box(turn),
+                checked.matched[view.role].agreement,
+                "drawn" if view.has_hidden_lines else "none",
+            )
             for view in registered.drawn
         }
         self.notes.tell(views=reports, tolerance_px=checked.tolerance_px, solid=checked.solid)
