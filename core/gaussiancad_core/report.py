@@ -12,6 +12,7 @@ import psutil
 
 from gaussiancad_core import __version__
 from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.explanation import explained, verdict
 from gaussiancad_core.modes import Status
 from gaussiancad_core.sheet.scale.estimate import ReadDimension
 from gaussiancad_core.sheet.special_views.kinds import SpecialView
@@ -320,6 +321,10 @@ class Report:
 
     def as_json(self) -> dict[str, Any]:
         """The report as JSON values, as the schema has them."""
+        values = self._values()
+        return {**values, "verdict": verdict(values), "explanation": explained(values)}
+
+    def _values(self) -> dict[str, Any]:
         return {
             "schema": SCHEMA,
             "status": self.status.value,
