@@ -80,7 +80,7 @@ def measures_of(
         verification: how the solid's lines lie beside those of the views.
     """
     least = max(_FLOOR_MM, _FLOOR * max(views.size))
-    drawn = max(least, views.bound, verification.aside)
+    drawn = max(least, views.bound)
     if not views.noise:
         # Lines of a file are where they belong but for how far they contradict each other.
         drawn = max(drawn, verification.spread, verification.misfit)
