@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from gaussiancad_core.reasoning.columns import Cell
-from gaussiancad_core.reasoning.rules import Rule, Says, Transition
+from gaussiancad_core.reasoning.rules import Group, Rule, Says, Transition
 from gaussiancad_core.views import Linetype
 
 Form = int
@@ -54,13 +54,20 @@ def find_blocks(rules: Sequence[Rule], must_hold: Callable[[Rule], bool]) -> Blo
         must_hold: whether a rule may not be given up; those that say that nothing is drawn are
             equations.
     """
+    # Groups that are equal are mostly the same object, and there are far fewer of these.
+    groups = {id(group): group for rule in rules for group in rule.groups}
+    equal = {
+        id(group): group
+        for rule in rules
+        if rule.linetype is None and must_hold(rule)
+        for group in rule.groups
+    }
     pairs: dict[tuple[Transition, Transition], None] = {}
     met: dict[Transition, None] = {}
-    for rule in rules:
-        for group in rule.groups:
-            pairs.update(dict.fromkeys(group.pairs))
-            met.update(dict.fromkeys(group.lone))
-            met.update(dict.fromkeys(group.all))
+    for group in groups.values():
+        pairs.update(dict.fromkeys(group.pairs))
+        met.update(dict.fromkeys(group.lone))
+        met.update(dict.fromkeys(group.all))
     met.update((one, None) for pair in pairs for one in pair)
     numbers: dict[Cell, int] = {}
     for transition in met:
@@ -69,7 +76,7 @@ def find_blocks(rules: Sequence[Rule], must_hold: Callable[[Rule], bool]) -> Blo
                 numbers.setdefault(cell, len(numbers))
     single: dict[Cell | None, int] = {cell: 1 << number for cell, number in numbers.items()}
     single[None] = 0
-    free, solved = eliminated(_equations(rules, must_hold, single), len(numbers))
+    free, solved = eliminated(_equations(equal.values(), single), len(numbers))
     forms: dict[Cell | None, Form] = dict(zip(numbers, solved, strict=True))
     forms[None] = 0
     cells = tuple(numbers)
@@ -81,17 +88,13 @@ def find_blocks(rules: Sequence[Rule], must_hold: Callable[[Rule], bool]) -> Blo
     )
 
 
-def _equations(
-    rules: Iterable[Rule], must_hold: Callable[[Rule], bool], single: dict[Cell | None, int]
-) -> Iterator[int]:
-    """Sums of labels, a bit a cell, that are 0."""
-    for rule in rules:
-        if rule.linetype is None and must_hold(rule):
-            for group in rule.groups:
-                for (a, b), (c, d) in group.pairs:
-                    yield single[a] ^ single[b] ^ single[c] ^ single[d]
-                for a, b in group.lone:
-                    yield single[a] ^ single[b]
+def _equations(groups: Iterable[Group], single: dict[Cell | None, int]) -> Iterator[int]:
+    """Sums of labels, a bit a cell, that are 0 where nothing differs."""
+    for group in groups:
+        for (a, b), (c, d) in group.pairs:
+            yield single[a] ^ single[b] ^ single[c] ^ single[d]
+        for a, b in group.lone:
+            yield single[a] ^ single[b]
 
 
 def _surfaces(met: Iterable[Transition], forms: dict[Cell | None, Form]) -> dict[Form, int]:
@@ -230,42 +233,51 @@ class Saying:
         return self.look is Look.BLANK and not self.places
 
 
-def saying(rule: Rule, blocks: Blocks) -> Saying:
-    """What a rule says of blocks."""
-    if rule.linetype is None or rule.says is Says.DRAWN:
-        every: dict[Form, None] = {}
-        for group in rule.groups:
-            every.update(_differing(group.pairs, group.lone, blocks))
-        look = Look.BLANK if rule.linetype is None else Look.DRAWN
-        return Saying(look, (Place(tuple(every), ()),) if every else ())
-    places: list[Place] = []
-    last = 0
-    covering: set[Form] = {0}
-    for group in rule.groups:
-        differs = tuple(_differing(group.pairs, group.lone, blocks))
-        covers = dict.fromkeys(map(blocks.surface, group.all))
-        new = tuple(form for form in covers if form not in covering)
-        covering.update(new)
-        if differs or new:
-            places.append(Place(differs, new))
-        if differs:
-            last = len(places)
-    # Behind the last difference nothing is to be hidden.
-    places = [*places[: last - 1], Place(places[last - 1].differs, ())] if last else []
-    look = Look.VISIBLE if rule.linetype is Linetype.VISIBLE else Look.HIDDEN
-    return Saying(look, tuple(places), rule.says is Says.KIND)
+class Sayings:
+    """What rules say, in forms.
+
+    Args:
+        blocks: of the rules.
+    """
+
+    def __init__(self, blocks: Blocks) -> None:
+        self._blocks = blocks
+        # By the identities of groups, which are kept as well: few are equal and not the same.
+        self._places: dict[int, tuple[Place, Group]] = {}
+
+    def of(self, rule: Rule) -> Saying:
+        """What a rule says of blocks."""
+        told = [self._place(group) for group in rule.groups]
+        if rule.linetype is None or rule.says is Says.DRAWN:
+            every = tuple(dict.fromkeys(form for place in told for form in place.differs))
+            look = Look.BLANK if rule.linetype is None else Look.DRAWN
+            return Saying(look, (Place(every, ()),) if every else ())
+        places: list[Place] = []
+        last = 0
+        covering: set[Form] = set()
+        for place in told:
+            new = tuple(form for form in place.covers if form not in covering)
+            covering.update(new)
+            if place.differs or new:
+                places.append(Place(place.differs, new))
+            if place.differs:
+                last = len(places)
+        # Behind the last difference nothing is to be hidden.
+        places = [*places[: last - 1], Place(places[last - 1].differs, ())] if last else []
+        look = Look.VISIBLE if rule.linetype is Linetype.VISIBLE else Look.HIDDEN
+        return Saying(look, tuple(places), rule.says is Says.KIND)
+
+    def _place(self, group: Group) -> Place:
+        known = self._places.get(id(group))
+        if known is None:
+            surface = self._blocks.surface
+            differs = [surface(one) ^ surface(other) for one, other in group.pairs]
+            differs += map(surface, group.lone)
+            place = Place(_known(differs), _known(map(surface, group.all)))
+            known = self._places[id(group)] = place, group
+        return known[0]
 
 
-def _differing(
-    pairs: Iterable[tuple[Transition, Transition]], lone: Iterable[Transition], blocks: Blocks
-) -> dict[Form, None]:
-    found: dict[Form, None] = {}
-    for one, other in pairs:
-        form = blocks.surface(one) ^ blocks.surface(other)
-        if form:
-            found[form] = None
-    for transition in lone:
-        form = blocks.surface(transition)
-        if form:
-            found[form] = None
-    return found
+def _known(forms: Iterable[Form]) -> tuple[Form, ...]:
+    """Different forms but that of void."""
+    return tuple(form for form in dict.fromkeys(forms) if form)

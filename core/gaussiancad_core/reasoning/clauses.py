@@ -10,9 +10,9 @@ from gaussiancad_core.reasoning.blocks import (
     Form,
     Look,
     Saying,
+    Sayings,
     find_blocks,
     independent,
-    saying,
 )
 from gaussiancad_core.reasoning.columns import Cell
 from gaussiancad_core.reasoning.rules import Rule
@@ -69,9 +69,10 @@ class Model:
         self._false = self.model.new_constant(0)
         self._literals: dict[Form, cp_model.IntVar] = {0: self._false}
         self._literals.update((1 << k, literal) for k, literal in enumerate(self._free))
+        sayings = Sayings(self._blocks)
         told: dict[Saying, list[int]] = {}
         for number, rule in enumerate(rules):
-            told.setdefault(saying(rule, self._blocks), []).append(number)
+            told.setdefault(sayings.of(rule), []).append(number)
         escapes: list[cp_model.IntVar] = []
         costs: list[int] = []
         for said, numbers in told.items():

@@ -12,10 +12,10 @@ from gaussiancad_core.reasoning.blocks import (
     Form,
     Look,
     Saying,
+    Sayings,
     eliminated,
     find_blocks,
     independent,
-    saying,
 )
 from gaussiancad_core.reasoning.clauses import SURFACES, Labels, Model, every, lighter, points
 from gaussiancad_core.reasoning.columns import Cell
@@ -123,7 +123,8 @@ def test_what_is_said_of_blocks_is_what_rules_say(
     chosen = data.draw(st.integers(0, 2 ** len(blocks.free) - 1))
     cells = _cells_of(rules)
     labels = {cell: _sum(blocks.forms[cell], chosen) for cell in cells}
-    told = [(saying(rule, blocks), rule) for rule in rules]
+    sayings = Sayings(blocks)
+    told = [(sayings.of(rule), rule) for rule in rules]
     for said, rule in told:
         assert _holds(said, chosen) == holds(rule, labels)
         if rule.weight >= lightest and rule.linetype is None:
@@ -204,7 +205,7 @@ def test_cells_of_one_block_make_one_clause() -> None:
     rules = [_lone((one, two), None, 4.0), _lone((three, two), None, 4.0), *edges]
     blocks = find_blocks(rules, lambda rule: rule.weight > 1.0)
     assert blocks.free == (one,)
-    assert len({saying(rule, blocks) for rule in edges}) == 1
+    assert len(set(map(Sayings(blocks).of, edges))) == 1
     model = Model(rules, lighter(1.0))
     assert set(model.given_up) == {2, 3, 4}
     assert len({literal.index for literal in model.given_up.values()}) == 1
