@@ -79,8 +79,17 @@ def _model_lines(report: Report) -> list[str]:
         text = translate("GaussianCAD", "Solid: {faces} faces, {volume} mm³")
         lines.append(text.format(faces=solid.get("faces"), volume=_volume(solid)))
     if surface:
-        text = translate("GaussianCAD", "Surface: {triangles} triangles, {volume} mm³")
+        text = translate(
+            "GaussianCAD", "Surface of the Gaussians: {triangles} triangles, {volume} mm³"
+        )
         lines.append(text.format(triangles=surface.get("triangles"), volume=_volume(surface)))
+        if surface.get("nearer") == "hull":
+            lines.append(
+                translate(
+                    "GaussianCAD",
+                    "The hull on which the Gaussians started is nearer to the drawing's outlines.",
+                )
+            )
     return lines
 
 

@@ -5,7 +5,7 @@ import json
 import FreeCAD
 import FreeCADGui
 
-from freecad.gaussiancad.engine.report import parse_report
+from freecad.gaussiancad.engine.report import Status, parse_report
 from freecad.gaussiancad.engine.summary import report_lines, status_text
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.solutions import SolutionSet, has_choice
@@ -14,6 +14,15 @@ from freecad.gaussiancad.panels.solutions import open_solutions
 from freecad.gaussiancad.qt import QtCore, QtWidgets
 
 DIALOG_NAME = "GaussianCADReport"
+
+
+def _told(group: FreeCAD.DocumentObject) -> tuple[Status, list[str]]:
+    """Status and details; where a run did not come to its end there is no report of it."""
+    text = getattr(group, "ReportJson", "")
+    if not text:
+        return Status(group.Status), [f"• {reason}" for reason in group.Reasons]
+    report = parse_report(text, json.loads(text))
+    return report.status, report_lines(report)
 
 
 class ReportDialog(QtWidgets.QDialog):
@@ -30,15 +39,15 @@ class ReportDialog(QtWidgets.QDialog):
         self.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(group.Label)
         self.resize(900, 700)
-        report = parse_report(group.ReportJson, json.loads(group.ReportJson))
-        headline = QtWidgets.QLabel(status_text(report.status))
+        status, lines = _told(group)
+        headline = QtWidgets.QLabel(status_text(status))
         headline.setObjectName("headline")
         headline.setWordWrap(True)
         picture = SheetPreview()
         picture.show_file(getattr(group, "Overlay", "") or group.Sheet)
         expanding = QtWidgets.QSizePolicy.Policy.Expanding
         picture.setSizePolicy(expanding, expanding)
-        text = QtWidgets.QPlainTextEdit("\n".join(report_lines(report)))
+        text = QtWidgets.QPlainTextEdit("\n".join(lines))
         text.setObjectName("text")
         text.setReadOnly(True)
         text.setMaximumHeight(200)
