@@ -141,7 +141,15 @@ class Cancellation:
     def _insist(self, number: int) -> None:
         if not self._arrived.wait(_AGAIN_S):
             self._is_due = True
-            signal.raise_signal(number)
+            _signal_main_thread(number)
+
+
+def _signal_main_thread(number: int) -> None:
+    """Send a signal to the main thread, out of whatever it waits for where the system can."""
+    if hasattr(signal, "pthread_kill"):
+        signal.pthread_kill(threading.main_thread().ident, number)
+    else:
+        signal.raise_signal(number)
 
 
 def cancel_on_stdin() -> None:
@@ -151,6 +159,6 @@ def cancel_on_stdin() -> None:
         for line in sys.stdin:
             if line.strip() == "cancel":
                 break
-        signal.raise_signal(signal.SIGTERM)
+        _signal_main_thread(signal.SIGTERM)
 
     threading.Thread(target=watch, name="stdin", daemon=True).start()
