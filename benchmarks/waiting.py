@@ -6,7 +6,7 @@ before the next one, so that a busy machine is busy for all.  An engine without 
 has its solid when it ends.  ``missing`` are the seconds until a sheet that does not exist is told.
 
     .venv/bin/python benchmarks/waiting.py [--samples NAME ...] [--repeat 3] [--result both]
-    .venv/bin/python benchmarks/waiting.py --engines before=OTHER/.venv/bin/python after=.venv/bin/python
+    .venv/bin/python benchmarks/waiting.py --engines before=OTHER/bin/python after=.venv/bin/python
 """
 
 import argparse

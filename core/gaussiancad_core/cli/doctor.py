@@ -116,10 +116,11 @@ def run_warm_up(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
     """Compile the kernels into their cache."""
     from gaussiancad_core.sheet import growth
     from gaussiancad_core.splatting import tiles
-    from gaussiancad_core.verification import crossings, rays
+    from gaussiancad_core.verification import crossings, preview, rays
 
     growth.warm_up()
     tiles.warm_up()
     crossings.warm_up()
     rays.warm_up()
+    preview.warm_up()
     return ExitCode.DONE
