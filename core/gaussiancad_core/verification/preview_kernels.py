@@ -71,7 +71,7 @@ def mark_edges(depth, normals, axes, rule):  # noqa: ANN001, ANN201
                     continue
                 a, b = normals[y, x], normals[v, u]
                 if a[0] * b[0] + a[1] * b[1] + a[2] * b[2] < crease:
-                    marked[y, x] = marked[v, u] = 1
+                    marked[y, x] = 1
                 step = depth[v, u] - depth[y, x]
                 if abs(step) <= room:
                     continue
