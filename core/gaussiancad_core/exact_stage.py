@@ -11,14 +11,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, replace
 
 from gaussiancad_core.axes import Projection
+from gaussiancad_core.line_noise import bound_of_seen_px, noise_px
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, views_as_read
 from gaussiancad_core.reasoning.labelling import Effort
-from gaussiancad_core.sheet.pixel_grids import Rounding, rounding_step, seen_rounding
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.sheet.scale.estimate import Measure
-from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
+from gaussiancad_core.solid.exact import ExactResult, exact_solid
+from gaussiancad_core.solid.limits import Limits
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.sweep import swept_solid
 from gaussiancad_core.solid.verify import verify
@@ -30,29 +31,6 @@ _ROUGH_PX = 1.0
 _APART_PX = 0.3
 """px from which the coordinates of such strokes are different ones: lines are read to a twentieth
 of a pixel, and what is one over the views has been made equal."""
-
-_MEAN = 0.15
-"""Least median of how far views contradict each other, as a share of the farthest: programs that
-place lines on quarters of a pixel draw most coordinates alike in two views, and wrong alike."""
-
-_LEAST_NOISE_PX = 0.015
-"""The same in px at least: what two views round alike is seen in neither."""
-
-_ROUNDED_NOISE_PX = 0.03
-"""The same where lines are rounded, mostly to quarters of a pixel: they are off by a sixteenth of a
-pixel at the mean, and all faces together by up to a thirteenth, of parts whose solids are known."""
-
-_ROUGH_NOISE = 0.12
-"""The same as a share of the step that they are rounded to: programs that place lines on whole
-pixels misplace them by four times as much."""
-
-_FREE_NOISE_PX = 0.0075
-"""px of noise of pictures in which nothing is rounded, at least: neighbours and corners move lines
-alike in all views."""
-
-_FINE_PX, _FINE_COORDINATES = 0.02, 5
-"""px that so many coordinates differ by at most which one view shows along rows and another along
-columns of the sheet: then nothing is rounded."""
 
 TOLERANCE_PX = {StrokesSource.RASTER: 1.0, StrokesSource.PLOT: 0.3, StrokesSource.VECTOR: 0.05}
 """px by which lines of a sheet may miss where they belong, by where they come from."""
@@ -85,8 +63,8 @@ _BRIEF = 0.25
 """Share of the usual effort for what carves the hull alone: a few seconds on usual parts."""
 
 _BRIEF_ALTERNATIVES = 2
-_BRIEF_SECONDS = 10.0
-"""Solids that are looked at beside the first then, and s after which none is begun."""
+_BRIEF_WORK = 10.0
+"""Solids that are looked at beside the first then, and units of work after which none is begun."""
 
 _MOST_BRIEF = 300
 """Lines of all views up to which such a search is cheap enough."""
@@ -144,20 +122,20 @@ def find_exact(
         return ExactModel(own, result, False)
     strict = replace(limits, relaxed=False)
     contrary = _solved(other, strict)
-    if not _holds(contrary) and (result.relaxed or not _holds(result)):
+    if not contrary.explains and (result.relaxed or not result.explains):
         # What was given up for the one reading may be given up for the other.
         contrary = _solved(other, limits)
-    if _holds(contrary) and not _holds(result):
+    if contrary.explains and not result.explains:
         # The reading that was likelier must have no solid either, for this one to be certain.
-        if not _is_settled(_solved(own, strict)):
-            contrary = _doubted(contrary, _UNSETTLED)
+        if not _solved(own, strict).is_settled:
+            contrary = contrary.doubted(_UNSETTLED)
         return ExactModel(other, contrary, True)
-    if likelier and _holds(contrary) is _holds(result) and likelier() is other:
+    if likelier and contrary.explains is result.explains and likelier() is other:
         own, result, contrary = other, contrary, result
-    if not _holds(contrary):
-        if not _is_settled(contrary):
-            result = _doubted(result, _UNSETTLED)
-        return ExactModel(own, result, _holds(result))
+    if not contrary.explains:
+        if not contrary.is_settled:
+            result = result.doubted(_UNSETTLED)
+        return ExactModel(own, result, result.explains)
     further = [
         (shape, share)
         for shape, share in zip(
@@ -175,7 +153,7 @@ def find_exact(
         agreements=(*result.agreements, *(share for _, share in further)),
         contrary=len(further),
     )
-    return ExactModel(own, _doubted(result, _AMBIGUOUS), False)
+    return ExactModel(own, result.doubted(_AMBIGUOUS), False)
 
 
 def find_for_hull(own: Reading, other: Reading | None) -> ExactModel | None:
@@ -193,7 +171,7 @@ def find_for_hull(own: Reading, other: Reading | None) -> ExactModel | None:
     limits = Limits(
         effort,
         alternatives=_BRIEF_ALTERNATIVES,
-        seconds=_BRIEF_SECONDS,
+        work=_BRIEF_WORK,
         conflict=_BRIEF * Limits().conflict,
     )
     return find_exact(own, other, limits)
@@ -232,8 +210,9 @@ def drawn_views(registered: RegisteredSheet, measures: Sequence[Measure] = ()) -
     tolerance = max(TOLERANCE_PX[view.source] for view in registered.drawn)
     pixel = registered.mm_per_pixel
     if tolerance < _ROUGH_PX:
-        return views_as_read(registered.views, tolerance * pixel)
-    noise = _noise_px(registered)
+        exact = views_as_read(registered.views, tolerance * pixel)
+        return replace(exact, bound=bound_of_seen_px(registered) * pixel)
+    noise, bound = noise_px(registered)
     dashes = [view.dash * pixel for view in registered.drawn if view.dash is not None]
     drawn = views_as_read(
         registered.views,
@@ -243,34 +222,7 @@ def drawn_views(registered: RegisteredSheet, measures: Sequence[Measure] = ()) -
         max(dashes, default=None),
     )
     numbers = told_numbers(registered, measures, noise)
-    return replace(drawn, told=numbers, known=registered.told)
-
-
-def _noise_px(registered: RegisteredSheet) -> float:
-    """px by which lines of a picture may miss where they belong, as far as it tells."""
-    residuals = registered.extents.residuals.values()
-    seen = max((max(own.median, _MEAN * own.largest) for own in residuals), default=0.0)
-    strokes = [view.strokes for view in registered.drawn]
-    well_read = seen <= _FREE_NOISE_PX
-    rounding = seen_rounding(strokes, well_read=well_read)
-    if rounding is Rounding.TOLD:
-        step = rounding_step(strokes, well_read=well_read)
-        least = max(_ROUNDED_NOISE_PX, _ROUGH_NOISE * step)
-    elif rounding is Rounding.NONE or _is_fine(registered):
-        least = _FREE_NOISE_PX
-    else:
-        least = _LEAST_NOISE_PX
-    return max(least, seen)
-
-
-def _is_fine(registered: RegisteredSheet) -> bool:
-    """Whether views that would be rounded each in its own way agree."""
-    frames = [role.frame for role in registered.views.roles]
-    turned = {own.right_axis[0] for own in frames} & {own.up_axis[0] for own in frames}
-    told = [own for axis, own in registered.extents.residuals.items() if axis in turned]
-    return any(
-        own.coordinates >= _FINE_COORDINATES and own.largest <= _FINE_PX for own in told
-    ) and all(own.largest <= _FINE_PX for own in told)
+    return replace(drawn, bound=bound * pixel, told=numbers, known=registered.told)
 
 
 def _solved(reading: Reading, limits: Limits) -> ExactResult:
@@ -293,20 +245,3 @@ def _solved(reading: Reading, limits: Limits) -> ExactResult:
         agreements=(),
         reasons=(reason,),
     )
-
-
-def _holds(result: ExactResult) -> bool:
-    return result.shape is not None and bool(result.verification and result.verification.explains)
-
-
-def _is_settled(result: ExactResult) -> bool:
-    """Whether it is certain that no solid has a reading's lines, given one without a solid."""
-    if result.verification is not None:
-        return result.verification.sound
-    return result.reasons[0][0] == "no-solid-fits"
-
-
-def _doubted(result: ExactResult, reason: tuple[str, str]) -> ExactResult:
-    if result.status is Status.FAILED or reason in result.reasons:
-        return result
-    return replace(result, status=Status.APPROXIMATE, reasons=(*result.reasons, reason))

@@ -18,6 +18,7 @@ from gaussiancad_core.events import Listener, Progress
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
 from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
+from gaussiancad_core.reading_file import READING_FILE, reading_values, write_reading
 from gaussiancad_core.report import Report, ViewReport
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
@@ -126,8 +127,7 @@ class _Run:
                 return earlier
             clean = upright_sheet(clean_sheet(image.grey, self.job.reading.median_kernel))
         found = read_drawing(self.job, image, clean, self.notes)
-        # Lines of a section are no edges, and a broken view is no measure: nothing verifies them.
-        plain = not any(view.used for view in found.special)
+        self._write_reading(found, clean.turn)
         exact = None
         if "solid" in stages_of(self.job.result, self.job.recipe):
             with self.notes.stage("solid"):
@@ -137,7 +137,7 @@ class _Run:
         asked = exact is not None and self.job.result is not ResultKind.SURFACE
         solid = exact if asked and exact.result.shape is not None else None
         if solid:
-            self._publish(solid, _status(solid, plain))
+            self._publish(solid, self._status(solid))
         models = self._make_models(own.registered, exact, solid, clean.turn)
         with self.notes.stage("check"):
             checked = self._check(own.registered, models, solid, clean.turn)
@@ -150,14 +150,14 @@ class _Run:
                 from gaussiancad_core.models import write_models
 
                 write_models(models, self.job, self.folder.staging, self.progress)
-        self._finish(_status(solid, plain))
+        self._finish(self._status(solid))
         return self.notes.report
 
     def write_failure(self, error: GaussianCadError) -> None:
         """Leave a report of how far the run came and why it ended there."""
         self.notes.doubt(error.code, error.message)
         for entry in self.folder.staging.iterdir():
-            if entry.is_file():
+            if entry.is_file() and entry.name != READING_FILE:
                 entry.unlink()
         self._finish(Status.APPROXIMATE if self.folder.ahead else Status.FAILED)
 
@@ -191,6 +191,17 @@ class _Run:
         except (OSError, ValueError, KeyError):
             return None
         return replace(report, status=Status(found["status"])) if same else None
+
+    def _status(self, solid: "ExactModel | None") -> Status:
+        """How far the result can be trusted; whatever is in doubt, of the sheet or of the solid,
+        is a reason."""
+        certain = solid is not None and not self.notes.report.reasons
+        return solid.result.status if certain else Status.APPROXIMATE
+
+    def _write_reading(self, found: "SheetFindings", turn: Turn) -> None:
+        beside = found.marks, found.special
+        values = reading_values(self.notes.report, found.own.registered.drawn, beside, turn)
+        write_reading(values, self.folder.staging)
 
     def _find_solid(
         self, found: "SheetFindings", turn: Turn
@@ -367,7 +378,11 @@ class _Run:
             else check_surface(registered, models.surface.mesh, self.progress)
         )
         reports = {
-            view.role: ViewReport(view.stored_box(turn), checked.matched[view.role].agreement)
+            view.role: ViewReport(
+                view.stored_box(turn),
+                checked.matched[view.role].agreement,
+                "drawn" if view.has_hidden_lines else "none",
+            )
             for view in registered.drawn
         }
         self.notes.tell(views=reports, tolerance_px=checked.tolerance_px)
@@ -381,11 +396,6 @@ class _Run:
         path = self.folder.staging / "preview.png"
         path.write_bytes(preview)
         self.progress.listener.send("preview", path=str(path.resolve()))
-
-
-def _status(solid: "ExactModel | None", plain: bool) -> Status:
-    """How far a result can be trusted; ``plain`` where all views are plain ones."""
-    return solid.result.status if solid and plain else Status.APPROXIMATE
 
 
 def _check_device(device: Device) -> None:

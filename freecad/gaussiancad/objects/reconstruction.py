@@ -325,6 +325,15 @@ def _report_properties(report: Report) -> list[PropertySpec]:
     return [
         *_status_properties(report.status, [str(reason) for reason in report.reasons]),
         PropertySpec(
+            "Float",
+            "MeasuresToMillimetres",
+            group,
+            QT_TRANSLATE_NOOP(
+                "App::Property", "Bound that 95 % of the faces' places keep; 0 if it is not known"
+            ),
+            float(report.group("measures").get("uncertainty_mm") or 0.0),
+        ),
+        PropertySpec(
             "StringList",
             "Warnings",
             group,

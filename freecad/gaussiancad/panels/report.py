@@ -6,7 +6,12 @@ import FreeCAD
 import FreeCADGui
 
 from freecad.gaussiancad.engine.report import Status, parse_report
-from freecad.gaussiancad.engine.summary import report_lines, status_text
+from freecad.gaussiancad.engine.summary import (
+    explanation_lines,
+    report_lines,
+    status_text,
+    verdict_text,
+)
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.solutions import SolutionSet, has_choice
 from freecad.gaussiancad.panels.sheet_preview import SheetPreview
@@ -16,17 +21,17 @@ from freecad.gaussiancad.qt import QtCore, QtWidgets
 DIALOG_NAME = "GaussianCADReport"
 
 
-def _told(group: FreeCAD.DocumentObject) -> tuple[Status, list[str]]:
-    """Status and details; where a run did not come to its end there is no report of it."""
+def _told(group: FreeCAD.DocumentObject) -> tuple[str, list[str], list[str]]:
+    """What is known, details, and why; where a run did not come to its end it left no report."""
     text = getattr(group, "ReportJson", "")
     if not text:
-        return Status(group.Status), [f"• {reason}" for reason in group.Reasons]
+        return status_text(Status(group.Status)), [f"• {own}" for own in group.Reasons], []
     report = parse_report(text, json.loads(text))
-    return report.status, report_lines(report)
+    return verdict_text(report), report_lines(report), explanation_lines(report)
 
 
 class ReportDialog(QtWidgets.QDialog):
-    """Status, the sheet with the part's own lines over it, and the figures.
+    """What is known, the sheet with the part's own lines over it, the figures, and why.
 
     Args:
         group: the reconstruction.
@@ -39,25 +44,30 @@ class ReportDialog(QtWidgets.QDialog):
         self.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(group.Label)
         self.resize(900, 700)
-        status, lines = _told(group)
-        headline = QtWidgets.QLabel(status_text(status))
+        headline_text, lines, why = _told(group)
+        headline = QtWidgets.QLabel(headline_text)
         headline.setObjectName("headline")
         headline.setWordWrap(True)
         picture = SheetPreview()
         picture.show_file(getattr(group, "Overlay", "") or group.Sheet)
         expanding = QtWidgets.QSizePolicy.Policy.Expanding
         picture.setSizePolicy(expanding, expanding)
-        text = QtWidgets.QPlainTextEdit("\n".join(lines))
-        text.setObjectName("text")
-        text.setReadOnly(True)
-        text.setMaximumHeight(200)
+        tabs = QtWidgets.QTabWidget()
+        tabs.setMaximumHeight(240)
+        for name, title, own in (
+            ("text", translate("GaussianCAD", "Details"), lines),
+            ("why", translate("GaussianCAD", "Why"), why),
+        ):
+            text = QtWidgets.QPlainTextEdit("\n".join(own))
+            text.setObjectName(name)
+            text.setReadOnly(True)
+            tabs.addTab(text, title)
         close = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.StandardButton.Close)
         close.rejected.connect(self.reject)
         layout = QtWidgets.QVBoxLayout(self)
         layout.addWidget(headline)
         layout.addWidget(picture)
-        layout.addWidget(QtWidgets.QLabel(translate("GaussianCAD", "Details")))
-        layout.addWidget(text)
+        layout.addWidget(tabs)
         if has_choice(group):
             action = QtWidgets.QDialogButtonBox.ButtonRole.ActionRole
             close.addButton(self._choice_button(group), action)

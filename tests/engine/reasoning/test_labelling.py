@@ -1,9 +1,8 @@
 """Labels that fulfil rules, and what is given up where they contradict each other."""
 
-import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from itertools import pairwise, product
+from itertools import combinations, pairwise, product
 from math import inf
 
 import pytest
@@ -23,7 +22,8 @@ from gaussiancad_core.reasoning.labelling import (
 )
 from gaussiancad_core.reasoning.part import model_part
 from gaussiancad_core.reasoning.rules import Group, Rule, Transition, drawn_under
-from gaussiancad_core.reasoning.solvers import Deadline, relaxing_solver, solver_for
+from gaussiancad_core.reasoning.solvers import relaxing_solver, solver_for
+from gaussiancad_core.reasoning.work import OVER, Deadline, Meter
 from gaussiancad_core.views import Linetype
 
 _CELLS: tuple[Cell, ...] = tuple((k, 1, 1, 0) for k in range(1, 5))
@@ -236,15 +236,42 @@ def _forced(rules: tuple[Rule, ...], wrong: int) -> bool:
     return _best(told, relaxed=False).labels is None
 
 
-def test_no_time_no_labels(rules: tuple[Rule, ...]) -> None:
+def _more_than_places(places: int, weight: float) -> list[Rule]:
+    """That each of some things is in one of fewer places, and no two in one: for clauses alone
+    that is hard to refute."""
+    solid = (0, 1, 1, 0)
+    at = [[(thing + 1, place + 1, 1, 0) for place in range(places)] for thing in range(places + 1)]
+    rules = [_edge((None, solid), Linetype.VISIBLE, weight)]
+    for own in at:
+        somewhere = Group((), tuple((None, cell) for cell in own), ())
+        rules.append(replace(rules[0], groups=(somewhere,)))
+    always = (None, solid)
+    for place in range(places):
+        for one, other in combinations([own[place] for own in at], 2):
+            unless = Group((), (), ((one, solid),))
+            here = Group((), ((None, other),), ((None, other),))
+            behind = Group((), (), (always,)), Group((), (always,), (always,))
+            groups = (unless, here, *behind)
+            rules.append(replace(rules[0], groups=groups, linetype=Linetype.HIDDEN))
+    return rules
+
+
+def test_more_things_than_places_contradict_each_other() -> None:
+    found = _best(_more_than_places(3, 1.0))
+    assert found.complete and found.labels is not None
+    assert len(found.given_up) == 1
+
+
+def test_no_time_no_labels() -> None:
+    rules = _more_than_places(9, 20.0)
     none = Effort(hard=1e-9, relaxed=1e-9, simplest=1e-9)
     found = _best(rules, none, relaxed=False)
     assert found == Labelling(None, (), False)
-    assert _best(rules, none) == Labelling(None, (), False)
+    assert not _best(rules, none).complete
 
 
 def test_no_labels_after_the_deadline(rules: tuple[Rule, ...]) -> None:
-    search, over = Search(rules, _EFFORT), Deadline(0.0)
+    search, over = Search(rules, _EFFORT), OVER
     assert over.left == 0.0
     assert search.fulfilled(over) == Labelling(None, (), False)
     assert search.least(over) == Labelling(None, (), False)
@@ -253,7 +280,7 @@ def test_no_labels_after_the_deadline(rules: tuple[Rule, ...]) -> None:
 
 
 def test_a_deadline_that_is_not_reached_changes_nothing(rules: tuple[Rule, ...]) -> None:
-    late = Deadline(time.perf_counter() + 1e6)
+    late = Meter(guard=1e6).until(1e6)
     assert Search(rules, _EFFORT).fulfilled(late) == _best(rules)
 
 
@@ -268,7 +295,7 @@ def test_what_was_found_until_the_deadline_is_kept(monkeypatch: pytest.MonkeyPat
 
     def solver(effort: float, deadline: Deadline) -> object:
         calls.append(effort)
-        return relaxing_solver(effort, deadline if len(calls) == 1 else Deadline(0.0))
+        return relaxing_solver(effort, deadline if len(calls) == 1 else OVER)
 
     monkeypatch.setattr(labelling, "relaxing_solver", solver)
     found = Search(rules, _EFFORT).least()
@@ -285,9 +312,9 @@ def test_a_worse_answer_of_a_wider_search_is_not_taken(monkeypatch: pytest.Monke
     search = Search(rules, replace(_EFFORT, simplest=1e-9))
     giving_up, weights = search._giving_up, []
 
-    def interrupted(lightest: float, deadline: Deadline) -> object:
+    def interrupted(lightest: float, deadline: Deadline, most: float) -> object:
         weights.append(lightest)
-        found, effort = giving_up(lightest, deadline)
+        found, effort = giving_up(lightest, deadline, most)
         if lightest == inf and found is not None:
             worse = dict.fromkeys(_CELLS[:3], False)
             found = replace(found, labels=worse, cost=found.cost + 1)
@@ -308,9 +335,9 @@ def test_what_takes_too_long_with_light_rules_is_not_tried_with_heavy_ones(
     search = Search(rules, _EFFORT)
     giving_up, weights = search._giving_up, []
 
-    def unproved(lightest: float, deadline: Deadline) -> object:
+    def unproved(lightest: float, deadline: Deadline, most: float) -> object:
         weights.append(lightest)
-        found, _ = giving_up(lightest, deadline)
+        found, _ = giving_up(lightest, deadline, most)
         return (None if found is None else replace(found, is_least=False, is_proved=False)), 2.0
 
     monkeypatch.setattr(search, "_giving_up", unproved)
@@ -330,7 +357,6 @@ def test_rules_that_contradict_each_other_without_some_are_told() -> None:
     search = Search(rules, _EFFORT)
     assert search.contradict([]) and search.contradict([2])
     assert not search.contradict([0]) and not search.contradict([1, 2])
-    assert not search.contradict([], Deadline(0.0))
     # Afterwards the least is found as ever.
     assert search.least() == _best(rules)
 
