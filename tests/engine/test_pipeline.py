@@ -289,7 +289,7 @@ def test_gaussians_that_bound_no_body_take_nothing_from_the_solid(
     assert [warning["code"] for warning in report["warnings"]] == ["no-surface"]
     with pytest.raises(NoModelError):
         reconstruct(_job(sheet, tmp_path, ResultKind.SURFACE), Silence())
-    assert [path.name for path in tmp_path.iterdir()] == ["report.json"]
+    assert {path.name for path in tmp_path.iterdir()} == {"report.json", "reading.json"}
 
 
 def test_a_limit_after_the_solid_leaves_the_solid_and_says_so(
@@ -298,7 +298,11 @@ def test_a_limit_after_the_solid_leaves_the_solid_and_says_so(
     monkeypatch.setattr(surface_stage, "train_on", _raising(MemoryError()))
     with pytest.raises(LimitError):
         reconstruct(_job(sheet, tmp_path), Silence())
-    assert {path.name for path in tmp_path.iterdir()} == {"report.json", "solid.step"}
+    assert {path.name for path in tmp_path.iterdir()} == {
+        "report.json",
+        "reading.json",
+        "solid.step",
+    }
     report = json.loads((tmp_path / "report.json").read_text("utf-8"))
     assert report["status"] == "approximate"
     assert [reason["code"] for reason in report["reasons"]] == ["out-of-memory"]
@@ -349,8 +353,10 @@ def test_a_run_that_is_cancelled_later_leaves_its_solid_and_nothing_of_an_earlie
     process.stdin.flush()
     events = _events(process.stdout.read())
     assert process.wait() == 130
-    assert "gaussians (7 of 10): only the solid was written" in events[-1]["message"]
-    assert {path.name for path in tmp_path.iterdir()} == {"mine.txt", "solid.step"}
+    assert (
+        "gaussians (7 of 10): only the reading and the solid were written" in events[-1]["message"]
+    )
+    assert {path.name for path in tmp_path.iterdir()} == {"mine.txt", "reading.json", "solid.step"}
     state = soundness(read_solid(tmp_path / "solid.step"))
     assert state.valid and state.closed
 
@@ -360,10 +366,10 @@ def test_a_killed_run_leaves_no_half_file_and_is_swept(sheet: Path, tmp_path: Pa
     process.kill()
     process.wait()
     left = {path.name for path in (tmp_path / "out").iterdir()}
-    assert left == {"solid.step", f"{STAGING_PREFIX}{process.pid}"}
+    assert left == {"reading.json", "solid.step", f"{STAGING_PREFIX}{process.pid}"}
     again = _started(sheet, tmp_path / "out", "views")
     left = {path.name for path in (tmp_path / "out").iterdir()}
-    assert left == {"solid.step", f"{STAGING_PREFIX}{again.pid}"}
+    assert left == {"reading.json", "solid.step", f"{STAGING_PREFIX}{again.pid}"}
     again.kill()
     again.wait()
 
