@@ -171,7 +171,8 @@ def test_the_surface_is_made_of_the_gaussians(run: tuple) -> None:
 def test_the_surface_is_the_part_in_its_own_axes(run: tuple) -> None:
     surface = load_model(run[0] / "surface.stl")
     assert surface.watertight
-    assert surface.bounds == pytest.approx(np.array([[0, 0, 0], [80, 50, 60]]), abs=0.6)
+    # Along edges Poisson stands out by a hundredth of the longest one.
+    assert surface.bounds == pytest.approx(np.array([[0, 0, 0], [80, 50, 60]]), abs=1.0)
     part = next(sample for sample in SAMPLES if sample.name == "l-bracket")
     truth = TriangleMesh(*tessellate(moved_to_origin(part.build()), 0.02))
     streams = random_streams(0, 3)
