@@ -16,6 +16,7 @@ from gaussiancad_core.reasoning.chamfers import with_untold_chamfers
 from gaussiancad_core.reasoning.columns import Space
 from gaussiancad_core.reasoning.curves import axis_line
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.grid_rows import count_pieces, find_rows
 from gaussiancad_core.reasoning.incidences import Facet
 from gaussiancad_core.reasoning.lost_lines import as_if_drawn, with_lost_lines
 from gaussiancad_core.reasoning.oblique import find_half_spaces
@@ -168,10 +169,14 @@ def _looks_into(rule: Rule, bodies: Sequence[RevolvedBody]) -> bool:
 
 def _part(supports: PartSupports, space: Space, near: float, deadline: Deadline) -> PartModel:
     near = max(near, 2.0 * supports.tolerance)
-    found = _until(find_pieces(space, supports.planes, near, supports.tolerance), deadline)
     most = _MOST_PIECES if supports.tolerance <= _EXACT else _MOST_READ
-    pieces = list(islice(found, most + 1))
-    if len(pieces) > most:
+    rows = {normal: find_rows(space, normal) for normal in supports.planes}
+    planes = supports.planes.items()
+    # Counted before any is made: most lie on the grid.
+    count = sum(len(plane.roles) * count_pieces(rows[normal]) for normal, plane in planes)
+    found = find_pieces(space, supports.planes, near, supports.tolerance, rows)
+    pieces = list(islice(_until(found, deadline), most + 1)) if count <= most else []
+    if max(count, len(pieces)) > most:
         raise _too_complex(f"its lines divide the views into more than {most:,} pieces")
     return PartModel(supports, space, tuple(rules_of(space, pieces)))
 

@@ -6,7 +6,7 @@ pieces along which nothing changes, and one point stands for each piece.
 """
 
 from collections import defaultdict
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain, groupby, pairwise, product
 from math import hypot
@@ -14,16 +14,16 @@ from math import hypot
 import numpy as np
 
 from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.reasoning.arrangement import CHAIN, OUTSIDE, Arrangement
+from gaussiancad_core.reasoning.arrangement import OUTSIDE, Arrangement
 from gaussiancad_core.reasoning.chains import chain_distances
 from gaussiancad_core.reasoning.columns import Space
 from gaussiancad_core.reasoning.curves import (
-    LineCurve,
     PlaneCurve,
     Point,
     axis_line,
     meetings,
 )
+from gaussiancad_core.reasoning.grid_rows import NEAR, SHORT, SIDE, Row, find_rows
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.reasoning.spans import Support
 from gaussiancad_core.reasoning.supports import PlaneSupports
@@ -32,21 +32,12 @@ from gaussiancad_core.views import Linetype
 SHARE = 0.43819
 """Where in a piece its point lies: at middles symmetric parts have coincidences."""
 
-_SHORT = 1e-3
-"""Units that a piece is long at least."""
-
-_NEAR = 1e-5
-"""Units within which a value is that of a support."""
-
 _LOOSE_ENDS = {Linetype.VISIBLE: 1.5, Linetype.HIDDEN: 4.0}
 """Tolerances by which a stroke may end early or late: a hidden one by a gap of its dashes."""
 
 _DASH = 10.0
 """Tolerances of an outline's length up to which it is taken for a dash of the hidden line that goes
 on from it."""
-
-_SIDE = 2e-5
-"""Units beside a line at which its sides are looked up."""
 
 _RIM = 0.01
 """Units within which the rim of a body is a support's curve."""
@@ -89,7 +80,11 @@ class Piece:
 
 
 def find_pieces(
-    space: Space, planes: dict[Axis, PlaneSupports], near: float, tolerance: float = 0.0
+    space: Space,
+    planes: dict[Axis, PlaneSupports],
+    near: float,
+    tolerance: float = 0.0,
+    rows: Mapping[Axis, Sequence[Row]] | None = None,
 ) -> Iterator[Piece]:
     """All pieces of all views.
 
@@ -99,9 +94,11 @@ def find_pieces(
         near: units within which a curve of two surfaces is one that is drawn.
         tolerance: units by which ends of strokes may be off; where they end, shorter pieces say
             nothing.
+        rows: of the planes' grids, where they are known.
     """
     for normal, plane in planes.items():
-        for point, across, support, length in _lines(space, normal):
+        own = find_rows(space, normal) if rows is None else rows[normal]
+        for point, across, support, length in _lines(space, normal, own):
             for role in plane.roles:
                 if support is not None and _may_be_drawn(support, role, point, length, tolerance):
                     continue
@@ -122,7 +119,7 @@ def find_pieces(
 def _is_outline(arrangement: Arrangement, point: Point, across: Point) -> bool:
     """Whether the outside begins at a piece: nothing hides it, whatever it looks like."""
     (a, b), (da, db) = point, across
-    one, other = (arrangement.locate(a + way * da, b + way * db) for way in (-_SIDE, _SIDE))
+    one, other = (arrangement.locate(a + way * da, b + way * db) for way in (-SIDE, SIDE))
     return (one == OUTSIDE) != (other == OUTSIDE)
 
 
@@ -132,7 +129,7 @@ def _is_outside(arrangement: Arrangement, point: Point, across: Point) -> bool:
     An outline that is a curve of two surfaces is known as a chain of chords, a hair inside of it.
     """
     (a, b), (da, db) = point, across
-    return all(arrangement.locate(a + way * da, b + way * db) == OUTSIDE for way in (-_SIDE, _SIDE))
+    return all(arrangement.locate(a + way * da, b + way * db) == OUTSIDE for way in (-SIDE, SIDE))
 
 
 def _drawn(support: Support | None, role: Role, point: Point) -> tuple[Linetype | None, float]:
@@ -163,56 +160,22 @@ def _may_be_drawn(
     return False
 
 
-def _lines(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, Support | None, float]]:
+def _lines(
+    space: Space, normal: Axis, rows: Sequence[Row]
+) -> Iterator[tuple[Point, Point, Support | None, float]]:
     """Pieces of the grid of values, and of the supports that are not parallel to an axis."""
     plane = space.planes[normal]
     values = [space.values[Axis(index)] for index in IN_PLANE[normal]]
-    for coordinate in (0, 1):
-        on_axis = [s for s in plane.supports if s.curve.axis == coordinate]
-        across = (1.0, 0.0) if coordinate == 0 else (0.0, 1.0)
-        for value in values[coordinate]:
-            support = next((s for s in on_axis if _is_at(s.curve, coordinate, value)), None)
-            if support is None and not _changes_at(space, normal, coordinate, value):
-                continue
-            slanted = [
-                position
-                for position, number in _met(plane, coordinate, value)
-                if number != CHAIN and plane.supports[number].curve.axis is None
-            ]
-            for low, high in pairwise(sorted([*values[1 - coordinate], *slanted])):
-                if high - low < _SHORT:
-                    continue
-                at = low + SHARE * (high - low)
-                point = (value, at) if coordinate == 0 else (at, value)
-                yield point, across, support, high - low
+    for row in rows:
+        across = (1.0, 0.0) if row.coordinate == 0 else (0.0, 1.0)
+        for low, high in row.pieces():
+            at = low + SHARE * (high - low)
+            point = (row.value, at) if row.coordinate == 0 else (at, row.value)
+            yield point, across, row.support, high - low
     for index, low, high in plane.stretches:
         support = plane.supports[index]
         if support.curve.axis is None:
             yield from _cut(support, (low, high), values)
-
-
-def _met(plane: Arrangement, coordinate: int, value: float) -> Iterator[tuple[float, int]]:
-    """Where a line of the grid meets supports, and which."""
-    trace = plane.trace(coordinate, value)
-    return zip(trace.positions, trace.supports, strict=True)
-
-
-def _changes_at(space: Space, normal: Axis, coordinate: int, value: float) -> bool:
-    """Whether columns differ on both sides of a value at which the plane itself has no line.
-
-    Of the planes beside, only the one that shows this coordinate can tell the sides apart.
-    """
-    if any(body.outlines(normal) is None for body in space.bodies):
-        return True
-    axis = Axis(IN_PLANE[normal][coordinate])
-    beside = next(plane for plane in Axis if plane not in (normal, axis))
-    place = IN_PLANE[beside].index(axis.value)
-    one, other = (space.planes[beside].trace(place, value + way) for way in (-_SIDE, _SIDE))
-    return one.supports != other.supports or one.regions != other.regions
-
-
-def _is_at(curve: PlaneCurve, coordinate: int, value: float) -> bool:
-    return isinstance(curve, LineCurve) and abs(curve.point[coordinate] - value) < _NEAR
 
 
 def _cut(
@@ -235,7 +198,7 @@ def _cuts(
                 cuts.add(curve.parameter(point))
     inside = sorted(t for t in cuts if stretch[0] - 1e-9 <= t <= stretch[1] + 1e-9)
     for low, high in pairwise(inside):
-        if (high - low) * curve.speed >= _SHORT:
+        if (high - low) * curve.speed >= SHORT:
             yield low, high
 
 
@@ -325,7 +288,7 @@ def _meeting_curves(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, 
             point, slope_a, slope_b = run[len(run) // 2]
             steep = hypot(slope_a, slope_b)
             length = (high - low) * len(run) / _SAMPLES * steep
-            if length > _SHORT:
+            if length > SHORT:
                 yield point, (-slope_b / steep, slope_a / steep), length
 
 
@@ -355,7 +318,7 @@ def _meeting_lines(space: Space, normal: Axis) -> Iterator[tuple[Point, Point, f
         for depth, drawn in _planes_across(space.planes[facing], facing, normal):
             found = {at for branch in branches for at, _ in branch.over(depth, place)}
             for value in found:
-                if any(abs(value - known) < _NEAR for known in space.values[facing]):
+                if any(abs(value - known) < NEAR for known in space.values[facing]):
                     continue
                 for low, high in pairwise(space.values[beside]):
                     at = low + SHARE * (high - low)

@@ -37,6 +37,7 @@ from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.reasoning.labelling import Effort, Labelling, Others, Search
 from gaussiancad_core.reasoning.work import Deadline
+from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
 from gaussiancad_core.sheet.files.fitting import circle_through
 from gaussiancad_core.solid import candidates, exact
@@ -296,9 +297,9 @@ def test_a_thousand_strokes_come_to_an_end() -> None:
     result = exact_solid(views, limits)
     assert result.status is Status.FAILED and result.shape is None
     assert _codes(result) == {"part-too-complex"}
-    # Without time it is not even counted how complex it is.
+    # How complex it is is counted before anything takes time.
     result = exact_solid(views, replace(limits, work=0.0))
-    assert result.status is Status.FAILED and _codes(result) == {"search-unfinished"}
+    assert result.status is Status.FAILED and _codes(result) == {"part-too-complex"}
 
 
 def _cube_without(*cells: tuple[int, int, int]) -> TopoDS_Shape:
@@ -370,9 +371,12 @@ def test_without_alternatives_nothing_is_verified_that_is_ambiguous(
     assert result.status is Status.APPROXIMATE and _codes(result) == {"search-unfinished"}
 
 
-def test_without_time_there_is_no_solid_and_the_reason_says_so(sample_views: Views) -> None:
+def test_without_time_there_is_no_solid_and_the_reason_says_so(
+    drawn: Callable[..., DrawnViews],
+) -> None:
+    # Labels of simpler parts follow before any time is counted.
     limits = Limits(Effort(hard=1e-9, relaxed=1e-9, simplest=1e-9))
-    result = exact_solid(sample_views("l-bracket"), limits)
+    result = exact_solid(drawn(classed_part(PartClass.PLANES, 0, 0)), limits)
     assert result.status is Status.FAILED and _codes(result) == {"search-unfinished"}
 
 
