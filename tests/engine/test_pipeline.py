@@ -36,6 +36,7 @@ from gaussiancad_core.sheet.options import ReadingOptions
 
 FILES = {
     "report.json",
+    "reading.json",
     "solid.step",
     "surface.stl",
     "surface.ply",
@@ -94,7 +95,7 @@ def test_every_file_is_there_and_nothing_else(run: tuple) -> None:
 
 def test_the_report_has_what_others_rely_on(run: tuple) -> None:
     report = json.loads((run[0] / "report.json").read_text("utf-8"))
-    assert report["schema"] == 1 and report["status"] == "verified"
+    assert report["schema"] == 2 and report["status"] == "verified"
     assert report["reasons"] == report["warnings"] == []
     assert (report["projection"], report["projection_source"]) == ("first", "given")
     assert report["projection_alternatives"] == []
@@ -200,7 +201,7 @@ def test_a_run_for_the_solid_alone_makes_no_surface(sheet: Path, tmp_path: Path)
     options = ("--projection", "first", "--length", "x=80", "--result", "solid")
     subprocess.run(_command(sheet, tmp_path, *options), check=True, capture_output=True)
     found = {path.name for path in tmp_path.iterdir()}
-    assert found == {"report.json", "solid.step", "overlay.png", "preview.png"}
+    assert found == {"report.json", "reading.json", "solid.step", "overlay.png", "preview.png"}
     report = json.loads((tmp_path / "report.json").read_text("utf-8"))
     assert report["status"] == "verified"
     assert report["surface"] is None and report["gaussians"] is None
