@@ -1,0 +1,233 @@
+"""Parts of benchmarks/verified.py as exact lines under some policy, solved and judged.
+
+Of the parts of a family, and of those of a grid, it is known which have one drawing: where another
+one has, none may be called verified.
+"""
+
+import itertools
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict
+from functools import cache
+from random import Random
+
+import numpy as np
+from grid_parts import Grid, Places, grid_solid, grid_strokes, looks, sound_parts
+from OCP.TopoDS import TopoDS_Shape
+from sheet_policies import (
+    IN_FIRST,
+    POLICIES,
+    Drawing,
+    Policy,
+    Size,
+    as_drawn,
+    in_first,
+    readings,
+    same_drawing,
+)
+from twin_parts import twins
+from verified_judging import verdict
+from workers import Row
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.drawing.brep import bounding_box
+from gaussiancad_core.drawing.hlr import LineDrawing, LineOptions
+from gaussiancad_core.exact_stage import ExactModel, drawn_views, find_exact
+from gaussiancad_core.samples.classed import PartClass, classed_part
+from gaussiancad_core.samples.random_parts import random_part
+
+_GRIDS = ((3, 3, 2), (3, 2, 3), (2, 3, 3), (4, 2, 2), (2, 4, 2), (2, 2, 4), (3, 2, 2), (2, 3, 2))
+
+_GRID_PARTS = 4
+"""Parts of a grid that are solved for one seed."""
+
+_ASKED = 3
+"""Policies beside the first one under which one of a family's parts is drawn."""
+
+_SMALL = 2
+"""Levels of the classes of parts that are small."""
+
+RANDOM = "random"
+"""What is asked for instead of a class."""
+
+_STEPS = 3
+"""Features of the smallest parts by chance."""
+
+
+def solved(drawn: Drawing, size: Size, policy: Policy) -> tuple[ExactModel, Row]:
+    """The solid of exact lines, and what is said of it."""
+    own, other = readings(drawn, size, policy)
+    started = time.perf_counter()
+    model = find_exact(own, other)
+    return model, {
+        "policy": policy.name,
+        "status": model.result.status.value,
+        "reasons": [code for code, _ in model.result.reasons],
+        "seconds": time.perf_counter() - started,
+    }
+
+
+def judged(drawn: Drawing, size: Size, policy: Policy, truth: TopoDS_Shape, *, unique: bool) -> Row:
+    """One drawing: solved, and judged where it is called verified."""
+    model, row = solved(drawn, size, policy)
+    row["unique"] = unique
+    found = verdict(model.result, truth, drawn_views(model.reading.registered, ()), unique=unique)
+    return row | (asdict(found) if found is not None else {})
+
+
+def twin_cases(family: str, seed: int) -> Iterator[Row]:
+    """The variants of a family under the plain policy, and some under others."""
+    variants = twins(family, seed)
+    pages = [Page(shape) for shape in variants]
+    lot = Random(f"{family} {seed}")
+    plain, *others = POLICIES
+    asked = [(plain, number) for number in range(len(pages))]
+    asked += [(own, lot.randrange(len(pages))) for own in lot.sample(others, _ASKED)]
+    for policy, number in asked:
+        page = pages[number]
+        alike = [
+            index
+            for index, other in enumerate(pages)
+            if index != number and page.looks_like(other, policy)
+        ]
+        row = judged(page.drawn(policy), page.size, policy, page.shape, unique=not alike)
+        yield {"member": number, "alike": alike, **row}
+
+
+class Page:
+    """A part and its lines, drawn as they are asked for."""
+
+    def __init__(self, shape: TopoDS_Shape) -> None:
+        self.shape = shape
+        x, y, z = bounding_box(shape)[1].tolist()
+        self.size: Size = (x, y, z)
+        self._drawings = {
+            tangent: LineDrawing(shape, LineOptions(tangent_edges=tangent))
+            for tangent in (False, True)
+        }
+        self._views: dict[tuple[Role, bool], tuple] = {}
+
+    def drawn(self, policy: Policy) -> Drawing:
+        """Its views under a policy."""
+        return as_drawn({role: self._view(role, policy.tangent) for role in policy.roles}, policy)
+
+    def looks_like(self, other: "Page", policy: Policy) -> bool:
+        """Whether another part has the same drawing, in first angle where that is not told."""
+        own, extent = self.drawn(policy), max(self.size)
+        if same_drawing(own, other.drawn(policy), extent):
+            return True
+        if policy.told:
+            return False
+        swapped = {IN_FIRST[role]: self._moved(other, IN_FIRST[role], policy) for role in own}
+        return same_drawing(in_first(own, self.size), swapped, extent)
+
+    def _moved(self, other: "Page", role: Role, policy: Policy) -> tuple:
+        return as_drawn({role: other._view(role, policy.tangent)}, _only(role, policy))[role]
+
+    def _view(self, role: Role, tangent: bool) -> tuple:
+        if (role, tangent) not in self._views:
+            self._views[role, tangent] = self._drawings[tangent].view(role)
+        return self._views[role, tangent]
+
+
+def _only(role: Role, policy: Policy) -> Policy:
+    """The policy for a view that is read as another one."""
+    shown = IN_FIRST[role] in policy.hidden
+    return Policy(policy.name, (role,), frozenset({role} if shown else ()), policy.tangent)
+
+
+def grid_cases(seed: int) -> Iterator[Row]:
+    """Some parts of a grid, each under a policy, half of them the plain one."""
+    lot = np.random.default_rng([seed, 11])
+    grid = Grid(_GRIDS[seed % len(_GRIDS)])
+    numbers = sound_parts(grid)
+    policies = [own for own in POLICIES if not own.tangent]
+    for _ in range(_GRID_PARTS):
+        places = _places(grid, lot)
+        policy = policies[0 if lot.random() < 0.6 else int(lot.integers(len(policies)))]
+        index = int(lot.integers(len(numbers)))
+        if policy is not policies[0] and lot.random() < 0.5:
+            # Most parts are the only ones with their lines: the others are asked more often.
+            common = np.flatnonzero(_counts(grid, policy) > 1)
+            index = int(lot.choice(common)) if len(common) else index
+        part = int(numbers[index])
+        alike = _alike(grid, places, policy, index)
+        drawn = {role: grid_strokes(grid, part, places, role) for role in policy.roles}
+        truth = grid_solid(grid, part, places)
+        x, y, z = (own[-1] for own in places)
+        row = judged(as_drawn(drawn, policy), (x, y, z), policy, truth, unique=not alike)
+        told = {"grid": list(grid.shape), "part": part, "places": [list(own) for own in places]}
+        yield {**told, "alike": alike, **row}
+
+
+def _places(grid: Grid, lot: np.random.Generator) -> Places:
+    """Where the boxes of a grid begin and end, in whole mm from 0."""
+    x, y, z = (
+        (0.0, *np.cumsum(lot.integers(3, 25, count)).astype(float).tolist()) for count in grid.shape
+    )
+    return x, y, z
+
+
+@cache
+def _counts(grid: Grid, policy: Policy) -> np.ndarray:
+    """(k,) how many parts look like each sound part, itself included."""
+    keys = _keys(grid, policy.roles, policy.hidden)
+    _, inverse, counts = np.unique(keys, return_inverse=True, return_counts=True)
+    return counts[inverse]
+
+
+def _keys(grid: Grid, roles: Sequence[Role], hidden: frozenset[Role]) -> np.ndarray:
+    """(k,) what each sound part looks like in some views, as a number."""
+    seen = looks(grid)
+    return _mixed([seen[role, role in hidden] for role in roles])
+
+
+def _mixed(views: Sequence[np.ndarray]) -> np.ndarray:
+    """Numbers of several views as one, in which their order counts."""
+    mixed = np.zeros_like(views[0])
+    for own in views:
+        mixed = mixed * np.uint64(0x9E3779B97F4A7C15) + own
+    return mixed
+
+
+def _alike(grid: Grid, places: Places, policy: Policy, index: int) -> list[int]:
+    """Other parts of the grid with the drawing of one, under either projection if not told."""
+    numbers = sound_parts(grid)
+    keys = _keys(grid, policy.roles, policy.hidden)
+    same = numbers[np.flatnonzero(keys == keys[index])].tolist()
+    alike = [part for part in same if part != numbers[index]]
+    if not policy.told:
+        others = [IN_FIRST[role] for role in policy.roles]
+        shown = frozenset(IN_FIRST[role] for role in policy.roles if role in policy.hidden)
+        turned = _keys(grid, others, shown)
+        mirrored = _mirrored(places[1])
+        for part in numbers[np.flatnonzero(turned == keys[index])].tolist():
+            # The depths of the other reading run backwards.
+            if part != numbers[index] or not mirrored:
+                alike.append(part)
+    return alike
+
+
+def _mirrored(places: Sequence[float]) -> bool:
+    """Whether places are the same from either end."""
+    steps = [b - a for a, b in itertools.pairwise(places)]
+    return steps == steps[::-1]
+
+
+def part_shape(kind: str, seed: int) -> TopoDS_Shape:
+    """A small part of a class, or by chance if ``kind`` is :data:`RANDOM`."""
+    if kind == RANDOM:
+        return random_part(seed, 1 + seed % _STEPS)
+    return classed_part(PartClass(kind), seed, seed % _SMALL)
+
+
+def part_cases(kind: str, seed: int) -> Iterator[Row]:
+    """A part of a class, or by chance if there is no such class, under two policies.
+
+    No other part with its drawing is known.
+    """
+    shape = part_shape(kind, seed)
+    page = Page(shape)
+    lot = Random(f"{kind} {seed}")
+    for policy in (POLICIES[0], lot.choice(POLICIES[1:])):
+        yield judged(page.drawn(policy), page.size, policy, shape, unique=True)
