@@ -22,6 +22,8 @@ from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.nominal import NominalStep
 from gaussiancad_core.reasoning.supports import find_supports
 from gaussiancad_core.samples.classed import PartClass, classed_part
+from gaussiancad_core.sheet.pixel_grids import rounding_step, seen_rounding
+from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
 
 _SMALL = 3
@@ -109,6 +111,7 @@ def read(drawing: Input) -> Row:
     row: Row = {"px_mm": px, "noise": views.noise / px}
     for axis, own in registered.extents.residuals.items():
         row[f"residual_{axis.name.lower()}"] = [own.median, own.largest, own.coordinates]
+    row |= _rounding(registered)
     row["told_axis"] = views.known.name.lower() if views.known is not None else ""
     row["numbers"] = len(views.told.lengths) if views.told is not None else 0
     row["digit"] = views.told.digit if views.told is not None else 0.0
@@ -126,6 +129,16 @@ def read(drawing: Input) -> Row:
             f"{name}beside": places.beside / pixel if places is not None else 0.0,
         }
     return row
+
+
+def _rounding(registered: RegisteredSheet) -> Row:
+    """Whether lines lie on a grid of the program that drew them, and its step in px."""
+    strokes = [view.strokes for view in registered.drawn]
+    kinds = {well: seen_rounding(strokes, well_read=well) for well in (False, True)}
+    return {
+        "rounding": [kinds[False].value, kinds[True].value],
+        "rounding_step": [rounding_step(strokes, well_read=well) for well in (False, True)],
+    }
 
 
 def _step(step: NominalStep | None, scale: float, pixel: float) -> Iterator[tuple[str, float]]:

@@ -27,6 +27,6 @@ def test_a_cavity_is_far_off_from_a_solid_without() -> None:
     block = box((0, 0, 0), (50, 50, 50))
     hollow = cut(block, sphere((25, 25, 25), 5.0))
     there, back = displacements(block, hollow), displacements(hollow, block)
-    # The nearest side of the block is 20 mm from the ball's poles, 22.1 mm from where it is flattest.
+    # The block's nearest side is 20 mm from the ball's poles, 22.1 mm from what lies between.
     assert 20.5 < there.farthest < 22.2 and 20.5 < back.farthest < 22.2
     assert np.sort(there.medians)[-2] == pytest.approx(0.0, abs=1e-9)
