@@ -25,7 +25,8 @@ from workers import FIRST, SOLVE, Row
 from gaussiancad_core.drawing.brep import faces_of
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.modes import Status
-from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
+from gaussiancad_core.solid.exact import ExactResult, exact_solid
+from gaussiancad_core.solid.limits import Limits
 
 CLOSE_IOU = 0.98
 """From here on a solid with the right number of faces is the truth but for its measures."""

@@ -18,7 +18,8 @@ from gaussiancad_core.sheet.pixel_grids import Rounding, rounding_step, seen_rou
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.sheet.scale.estimate import Measure
-from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
+from gaussiancad_core.solid.exact import ExactResult, exact_solid
+from gaussiancad_core.solid.limits import Limits
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.sweep import swept_solid
 from gaussiancad_core.solid.verify import verify
@@ -85,8 +86,8 @@ _BRIEF = 0.25
 """Share of the usual effort for what carves the hull alone: a few seconds on usual parts."""
 
 _BRIEF_ALTERNATIVES = 2
-_BRIEF_SECONDS = 10.0
-"""Solids that are looked at beside the first then, and s after which none is begun."""
+_BRIEF_WORK = 10.0
+"""Solids that are looked at beside the first then, and units of work after which none is begun."""
 
 _MOST_BRIEF = 300
 """Lines of all views up to which such a search is cheap enough."""
@@ -138,18 +139,18 @@ def find_exact(own: Reading, other: Reading | None, limits: Limits | None = None
         return ExactModel(own, result, False)
     strict = replace(limits, relaxed=False)
     contrary = _solved(other, strict)
-    if not _holds(contrary) and (result.relaxed or not _holds(result)):
+    if not contrary.explains and (result.relaxed or not result.explains):
         # What was given up for the one reading may be given up for the other.
         contrary = _solved(other, limits)
-    if _holds(contrary) and not _holds(result):
+    if contrary.explains and not result.explains:
         # The reading that was likelier must have no solid either, for this one to be certain.
-        if not _is_settled(_solved(own, strict)):
-            contrary = _doubted(contrary, _UNSETTLED)
+        if not _solved(own, strict).is_settled:
+            contrary = contrary.doubted(_UNSETTLED)
         return ExactModel(other, contrary, True)
-    if not _holds(contrary):
-        if not _is_settled(contrary):
-            result = _doubted(result, _UNSETTLED)
-        return ExactModel(own, result, _holds(result))
+    if not contrary.explains:
+        if not contrary.is_settled:
+            result = result.doubted(_UNSETTLED)
+        return ExactModel(own, result, result.explains)
     further = [
         (shape, share)
         for shape, share in zip(
@@ -167,7 +168,7 @@ def find_exact(own: Reading, other: Reading | None, limits: Limits | None = None
         agreements=(*result.agreements, *(share for _, share in further)),
         contrary=len(further),
     )
-    return ExactModel(own, _doubted(result, _AMBIGUOUS), False)
+    return ExactModel(own, result.doubted(_AMBIGUOUS), False)
 
 
 def find_for_hull(own: Reading, other: Reading | None) -> ExactModel | None:
@@ -185,7 +186,7 @@ def find_for_hull(own: Reading, other: Reading | None) -> ExactModel | None:
     limits = Limits(
         effort,
         alternatives=_BRIEF_ALTERNATIVES,
-        seconds=_BRIEF_SECONDS,
+        work=_BRIEF_WORK,
         conflict=_BRIEF * Limits().conflict,
     )
     return find_exact(own, other, limits)
@@ -285,20 +286,3 @@ def _solved(reading: Reading, limits: Limits) -> ExactResult:
         agreements=(),
         reasons=(reason,),
     )
-
-
-def _holds(result: ExactResult) -> bool:
-    return result.shape is not None and bool(result.verification and result.verification.explains)
-
-
-def _is_settled(result: ExactResult) -> bool:
-    """Whether it is certain that no solid has a reading's lines, given one without a solid."""
-    if result.verification is not None:
-        return result.verification.sound
-    return result.reasons[0][0] == "no-solid-fits"
-
-
-def _doubted(result: ExactResult, reason: tuple[str, str]) -> ExactResult:
-    if result.status is Status.FAILED or reason in result.reasons:
-        return result
-    return replace(result, status=Status.APPROXIMATE, reasons=(*result.reasons, reason))

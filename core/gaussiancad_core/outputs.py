@@ -20,6 +20,7 @@ CHECKPOINT_FILE = f"{STAGING_PREFIX}checkpoint.npz"
 """State of a training that was not finished."""
 
 RUN_FILES = (
+    "reading.json",
     "solid.step",
     "alternatives",
     "surface.stl",

@@ -18,6 +18,7 @@ from gaussiancad_core.job import Job
 from gaussiancad_core.models import Models, write_models, write_solids
 from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
 from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
+from gaussiancad_core.reading_file import READING_FILE, reading_values, write_reading
 from gaussiancad_core.report import Report, ViewReport
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
@@ -125,6 +126,7 @@ class _Run:
                 return earlier
             clean = upright_sheet(clean_sheet(image.grey, self.job.reading.median_kernel))
         found = read_drawing(self.job, image, clean, self.notes)
+        self._write_reading(found, clean.turn)
         own, exact = found.own, None
         if "solid" in stages_of(self.job.result, self.job.recipe):
             with self.notes.stage("solid"):
@@ -146,16 +148,16 @@ class _Run:
                 write_solids(solid.result, self.folder.staging)
             if models:
                 write_models(models, self.job, self.folder.staging, self.progress)
-        # Lines of a section are no edges, and a broken view is no measure: nothing verifies them.
-        plain = not any(view.used for view in found.special)
-        self._finish(solid.result.status if solid and plain else Status.APPROXIMATE)
+        # Whatever is in doubt, of the sheet or of the solid, is a reason.
+        certain = solid is not None and not self.notes.report.reasons
+        self._finish(solid.result.status if certain else Status.APPROXIMATE)
         return self.notes.report
 
     def write_failure(self, error: GaussianCadError) -> None:
         """Leave a report of how far the run came and why it ended there."""
         self.notes.doubt(error.code, error.message)
         for entry in self.folder.staging.iterdir():
-            if entry.is_file():
+            if entry.is_file() and entry.name != READING_FILE:
                 entry.unlink()
         self._finish(Status.FAILED)
 
@@ -188,6 +190,11 @@ class _Run:
         except (OSError, ValueError, KeyError):
             return None
         return replace(report, status=Status(found["status"])) if same else None
+
+    def _write_reading(self, found: "SheetFindings", turn: Turn) -> None:
+        beside = found.marks, found.special
+        values = reading_values(self.notes.report, found.own.registered.drawn, beside, turn)
+        write_reading(values, self.folder.staging)
 
     def _find_solid(self, found: "SheetFindings", turn: Turn) -> "ExactModel | None":
         """The exact solid, or what stands for it, and what it says about the projection."""
@@ -302,7 +309,11 @@ class _Run:
             else check_surface(registered, models, self.progress)
         )
         reports = {
-            view.role: ViewReport(view.stored_box(turn), checked.matched[view.role].agreement)
+            view.role: ViewReport(
+                view.stored_box(turn),
+                checked.matched[view.role].agreement,
+                "drawn" if view.has_hidden_lines else "none",
+            )
             for view in registered.drawn
         }
         self.notes.tell(views=reports, tolerance_px=checked.tolerance_px, solid=checked.solid)

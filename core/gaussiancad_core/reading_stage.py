@@ -1,5 +1,6 @@
 """The stages views, lines and masks: a clean sheet to registered views, and what is told of it."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from gaussiancad_core.axes import Projection, mutually_orthogonal
@@ -7,21 +8,26 @@ from gaussiancad_core.exact_stage import Reading
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import Recipe, ResultKind
 from gaussiancad_core.projection_choice import choose_projection
-from gaussiancad_core.report import ViewReport
+from gaussiancad_core.report import Unused, ViewReport
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.layout import Layout
+from gaussiancad_core.sheet.layout import Layout, may_be_views
 from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, RegisteredSheet, read_views, register_views
 from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale, find_scale
 from gaussiancad_core.sheet.special_views.kinds import SpecialView
-from gaussiancad_core.sheet.special_views.telling import tellings
+from gaussiancad_core.sheet.special_views.telling import UNUSED, tellings, why_unused
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.sheet.view_search import find_views
 from gaussiancad_core.told_measures import contradicts, trusted
+
+_MOST_PLACES = 5
+"""Boxes that one message names at most."""
+
+_WHY_UNUSED = "if they show the part, what they show may be missing"
 
 
 @dataclass(frozen=True, eq=False)
@@ -196,13 +202,32 @@ def _tell_layout(notes: RunNotes, layout: Layout, turn: Turn) -> None:
     )
     for told in tellings(special):
         (notes.doubt if told.doubt else notes.warn)(told.code, told.message)
-    if layout.left_out:
-        boxes = ("({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*b) for b in layout.left_out[:5])
+    left_out = [turn.box_to_stored(box) for box in layout.left_out]
+    view_like = [turn.box_to_stored(box) for box in may_be_views(layout.left_out)]
+    if left_out:
         notes.warn(
             "lines-left-out",
-            f"{len(layout.left_out)} group(s) of lines belong to no view and were left out: "
-            f"{'; '.join(boxes)} px",
+            f"{len(left_out)} group(s) of lines belong to no view and were left out: "
+            f"{_places(left_out)} px",
         )
+    if view_like:
+        notes.doubt(
+            UNUSED,
+            f"{len(view_like)} group(s) of lines at {_places(view_like)} px belong to no view, and "
+            f"are large enough to be one: {_WHY_UNUSED}",
+        )
+    rest = [view for view in special if not view.used]
+    notes.tell(
+        unused=(
+            *(Unused(view.kind.value, view.box, why_unused(view.kind)) for view in rest),
+            *(Unused("lines", box, _WHY_UNUSED) for box in view_like),
+        )
+    )
+
+
+def _places(boxes: Sequence[Box]) -> str:
+    places = ("({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*box) for box in boxes[:_MOST_PLACES])
+    return "; ".join(places)
 
 
 def _tell_registration(notes: RunNotes, registered: RegisteredSheet) -> None:

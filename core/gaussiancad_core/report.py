@@ -1,4 +1,4 @@
-"""``report.json`` (schema 1): what a run made, how sure it is, and what it cost."""
+"""``report.json`` (schema 2): what a run made, how sure it is, and what it cost."""
 
 import json
 import platform
@@ -12,12 +12,13 @@ import psutil
 
 from gaussiancad_core import __version__
 from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.explanation import explained, verdict
 from gaussiancad_core.modes import Status
 from gaussiancad_core.sheet.scale.estimate import ReadDimension
 from gaussiancad_core.sheet.special_views.kinds import SpecialView
 from gaussiancad_core.verification.agreement import Agreement
 
-SCHEMA = 1
+SCHEMA = 2
 
 ENGINE_PACKAGES = (
     "torch",
@@ -40,16 +41,92 @@ class Remark:
     message: str
 
 
+Box = tuple[float, float, float, float]
+
+
+@dataclass(frozen=True)
+class Unused:
+    """Something on the sheet that was not used.
+
+    Attributes:
+        kind: what it is: one of :class:`SpecialKind`, or ``lines``.
+        box: around it, px of the sheet.
+        why: and what that means.
+    """
+
+    kind: str
+    box: Box
+    why: str
+
+
+@dataclass(frozen=True)
+class Assumption:
+    """Something that was taken to be so, as nothing on the sheet says otherwise.
+
+    Attributes:
+        code: kebab-case.
+        message: what was assumed.
+        at: where on the sheet, a box in px; None where that is the whole sheet.
+        alternative: what else might be.
+    """
+
+    code: str
+    message: str
+    at: Box | None
+    alternative: str
+
+
+@dataclass(frozen=True)
+class Disagreement:
+    """A stretch of line that the sheet and the solid do not share.
+
+    Attributes:
+        view: its role.
+        at: px of the sheet, a point of it.
+        length_mm: of the stretch.
+        missing: whether the solid lacks it; otherwise the sheet does.
+    """
+
+    view: str
+    at: tuple[float, float]
+    length_mm: float
+    missing: bool
+
+
+@dataclass(frozen=True)
+class MeasuresReport:
+    """How well the places of the solid's faces are known.
+
+    Attributes:
+        uncertainty_mm: a bound that 95 % of all faces' places keep.
+        source: ``numbers``, ``drawing`` or ``mixed``.
+        by_axis_mm: the same along x, y and z.
+    """
+
+    uncertainty_mm: float
+    source: str
+    by_axis_mm: dict[str, float]
+
+
 @dataclass(frozen=True)
 class ViewReport:
-    """One view: its box in sheet px, and the agreement once the result was drawn again."""
+    """One view.
 
-    box: tuple[float, float, float, float]
+    Attributes:
+        box: around its lines, px of the sheet.
+        agreement: of the result's lines, once it was drawn again.
+        hidden_lines: ``drawn`` if it has some, ``none`` otherwise.
+    """
+
+    box: Box
     agreement: Agreement | None = None
+    hidden_lines: str | None = None
 
     def as_json(self) -> dict[str, Any]:
         """JSON values."""
         entry: dict[str, Any] = {"box": [round(value, 2) for value in self.box]}
+        if self.hidden_lines:
+            entry["hidden_lines"] = self.hidden_lines
         if self.agreement:
             entry.update({k: round(v, 4) for k, v in asdict(self.agreement).items()})
         return entry
@@ -187,6 +264,11 @@ class Report:
         residuals_px: axis -> (median, largest) distance of what the views show from the coordinates
             that they share, for axes that two views show.
         special_views: drawings that are no plain principal views; boxes in sheet px.
+        unused: what else is on the sheet and was not used.
+        assumptions: what the result rests on that no line says.
+        measures: how well the places of the solid's faces are known.
+        disagreements: where the solid's lines and the sheet's differ, the longest first.
+        trace: what was tried for the solid, in order, JSON values.
         tolerance_px: within which lines were matched.
         alternatives: other solids, best first.
         conflict: lines that contradict each other, the suspects first.
@@ -207,6 +289,11 @@ class Report:
     strokes_source: str = "raster"
     residuals_px: dict[str, tuple[float, float]] = field(default_factory=dict)
     special_views: tuple[SpecialView, ...] = ()
+    unused: tuple[Unused, ...] = ()
+    assumptions: tuple[Assumption, ...] = ()
+    measures: MeasuresReport | None = None
+    disagreements: tuple[Disagreement, ...] = ()
+    trace: tuple[dict[str, Any], ...] = ()
     tolerance_px: float = 0.0
     scale_mm_per_pixel: float | None = None
     scale_source: str = "default"
@@ -234,6 +321,10 @@ class Report:
 
     def as_json(self) -> dict[str, Any]:
         """The report as JSON values, as the schema has them."""
+        values = self._values()
+        return {**values, "verdict": verdict(values), "explanation": explained(values)}
+
+    def _values(self) -> dict[str, Any]:
         return {
             "schema": SCHEMA,
             "status": self.status.value,
@@ -261,6 +352,10 @@ class Report:
                 }
                 for view in self.special_views
             ],
+            "sections": [],
+            "notes": [],
+            "unused": [_with_box(asdict(own), "box") for own in self.unused],
+            "assumptions": [_with_box(asdict(own), "at") for own in self.assumptions],
             "tolerance_px": self.tolerance_px,
             "scale_mm_per_pixel": self.scale_mm_per_pixel,
             "scale_source": self.scale_source,
@@ -269,15 +364,20 @@ class Report:
                 for own in self.dimensions
             ],
             "bounding_box_mm": self.bounding_box_mm,
+            "measures": asdict(self.measures) if self.measures else None,
             "solid": asdict(self.solid) if self.solid else None,
             "alternatives": [asdict(other) for other in self.alternatives],
             "conflict": [
                 {**asdict(line), "box": [round(value, 1) for value in line.box]}
                 for line in self.conflict
             ],
+            "disagreements": [
+                {**asdict(own), "length_mm": round(own.length_mm, 2)} for own in self.disagreements
+            ],
             "hull": asdict(self.hull) if self.hull else None,
             "surface": asdict(self.surface) if self.surface else None,
             "gaussians": asdict(self.gaussians) if self.gaussians else None,
+            "trace": list(self.trace),
             "seconds": self.seconds,
             "peak_memory_mb": peak_memory_mb(),
             "settings": self.settings,
@@ -288,6 +388,12 @@ class Report:
         """Write the report as UTF-8 JSON."""
         text = json.dumps(self.as_json(), indent=2, ensure_ascii=False)
         path.write_text(text + "\n", encoding="utf-8")
+
+
+def _with_box(entry: dict[str, Any], name: str) -> dict[str, Any]:
+    """An entry with a box in rounded px, if there is one."""
+    box = entry[name]
+    return {**entry, name: None if box is None else [round(value, 1) for value in box]}
 
 
 def engine_facts(

@@ -1,27 +1,121 @@
 """What the report says of solids and of lines that contradict each other."""
 
 from dataclasses import replace
+from typing import Any
 
+import numpy as np
+
+from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.drawing.brep import soundness
 from gaussiancad_core.exact_stage import ExactModel
 from gaussiancad_core.models import alternative_file
 from gaussiancad_core.reasoning.conflict_lines import Conflict
-from gaussiancad_core.report import AlternativeReport, ConflictReport, Report
+from gaussiancad_core.reasoning.curves import Point
+from gaussiancad_core.report import (
+    AlternativeReport,
+    Assumption,
+    ConflictReport,
+    Disagreement,
+    MeasuresReport,
+    Report,
+)
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.solid.contradiction import conflict_reason
+from gaussiancad_core.solid.measures import Measures
+from gaussiancad_core.solid.reasons import UNDRAWN
+from gaussiancad_core.solid.trace import Attempt
 from gaussiancad_core.verification.overlay import view_to_sheet
 from gaussiancad_core.views import Linetype
 
+_NOTHING_HIDDEN = Assumption(
+    "nothing-hidden",
+    "nothing lies within the part that no view shows",
+    None,
+    "bores, pockets or cavities that would show in hidden lines only",
+)
+"""What a solid rests on that was made from views without any hidden line."""
+
 
 def with_solid_facts(report: Report, model: ExactModel, turn: Turn) -> Report:
-    """The report with a model's other solids, and with lines that contradict each other."""
-    report = replace(report, alternatives=_alternatives(model))
-    conflict = model.result.conflict
+    """The report with what was tried for a model, how well it is known, and what else there is."""
+    result, sheet = model.result, _Sheet(model.reading.registered, turn)
+    verification = result.verification
+    report = replace(
+        report,
+        alternatives=_alternatives(model),
+        measures=_measures(result.measures) if result.measures else None,
+        assumptions=(_NOTHING_HIDDEN,) if UNDRAWN in result.reasons else (),
+        disagreements=tuple(
+            Disagreement(own.role.value, sheet.place(own.role, own.place), own.length, own.missing)
+            for own in (verification.flaws if verification is not None else ())
+        ),
+        trace=tuple(_attempt(own, sheet) for own in result.trace),
+    )
+    conflict = result.conflict
     if conflict is None:
         return report
-    lines = _conflict_lines(conflict, model.reading.registered, turn)
+    lines = _conflict_lines(conflict, sheet)
     return replace(report, conflict=lines).doubted(*conflict_reason(conflict))
+
+
+class _Sheet:
+    """Where points of the views lie on the sheet as stored.
+
+    Args:
+        registered: the views.
+        turn: of the upright sheet.
+    """
+
+    def __init__(self, registered: RegisteredSheet, turn: Turn) -> None:
+        self._views = registered.views
+        self._turn = turn
+
+    def points(self, role: Role, points: np.ndarray) -> np.ndarray:
+        """(n, 2) px of points (n, 2) mm of a view."""
+        found = view_to_sheet(self._views[role], self._views.size, points)
+        return self._turn.to_stored(found)
+
+    def place(self, role: Role, place: Point) -> tuple[float, float]:
+        """The px of a point in mm of a view."""
+        ((x, y),) = self.points(role, np.array([place])).tolist()
+        return round(x, 1), round(y, 1)
+
+
+def _measures(measures: Measures) -> MeasuresReport:
+    # Four digits say more than anybody can measure.
+    along = {
+        axis.name.lower(): float(f"{bound:.4g}")
+        for axis, bound in zip(Axis, measures.by_axis, strict=True)
+    }
+    return MeasuresReport(float(f"{measures.uncertainty:.4g}"), measures.source.value, along)
+
+
+def _attempt(own: Attempt, sheet: _Sheet) -> dict[str, Any]:
+    """An attempt as JSON values."""
+    return {
+        "model": own.model.value,
+        "outcome": own.outcome.value,
+        "taken": own.taken,
+        "rules": own.rules,
+        "cells": own.cells,
+        "work": round(own.work, 3),
+        "given_up_mm": round(own.cost, 2),
+        "given_up": [
+            {
+                "view": each.role.value,
+                "at": list(sheet.place(each.role, each.place)),
+                "length_mm": round(each.length, 2),
+                "drawn": _name(each.drawn),
+            }
+            for each in own.given_up
+        ],
+        "faces": own.faces,
+        "agreement": round(own.share, 4),
+        "disagreements": own.flaws,
+        "others": own.others,
+        "open_at_mm": [[round(value, 2) for value in place] for place in own.open_at],
+    }
 
 
 def _alternatives(model: ExactModel) -> tuple[AlternativeReport, ...]:
@@ -45,14 +139,11 @@ def _alternatives(model: ExactModel) -> tuple[AlternativeReport, ...]:
     return tuple(reports)
 
 
-def _conflict_lines(
-    conflict: Conflict, registered: RegisteredSheet, turn: Turn
-) -> tuple[ConflictReport, ...]:
+def _conflict_lines(conflict: Conflict, sheet: _Sheet) -> tuple[ConflictReport, ...]:
     """Lines that contradict each other, with their boxes on the sheet as stored."""
     reports = []
     for line in conflict.lines:
-        view = registered.views[line.role]
-        points = turn.to_stored(view_to_sheet(view, registered.views.size, line.points))
+        points = sheet.points(line.role, line.points)
         (x0, y0), (x1, y1) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
         drawn, fitting = _name(line.drawn), _name(line.fitting)
         reports.append(

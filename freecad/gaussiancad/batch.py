@@ -120,10 +120,12 @@ def convert_sheet(engine: Engine, job: ReconstructJob, target: Path) -> tuple[Sh
     run = EngineRun(engine, job.arguments())
     run.start()
     result = run.wait()
-    state, status, message = result.state, "failed", result.message
+    state, message = result.state, result.message
+    status, measures = "failed", ""
     if state is RunState.DONE:
         try:
-            status, message = _store(job, target), ""
+            status, measures = _store(job, target)
+            message = ""
         except WorkbenchError as error:
             state, message = RunState.FAILED, error.message
         except Exception as error:  # FreeCAD raises its own types; the next sheet goes on
@@ -133,6 +135,7 @@ def convert_sheet(engine: Engine, job: ReconstructJob, target: Path) -> tuple[Sh
         sheet=job.sheet,
         folder=job.output,
         status=status,
+        measures_mm=measures,
         exit_code=result.exit_code,
         code=result.code,
         message=message,
@@ -141,8 +144,12 @@ def convert_sheet(engine: Engine, job: ReconstructJob, target: Path) -> tuple[Sh
     return row, state
 
 
-def _store(job: ReconstructJob, target: Path) -> str:
-    """Write the document and the exchange files; return the status."""
+def _store(job: ReconstructJob, target: Path) -> tuple[str, str]:
+    """Write the document and the exchange files.
+
+    Returns:
+        The status, and the bound of the measures in mm; empty where it is not known.
+    """
     with tempfile.TemporaryDirectory(prefix="gaussiancad-views-") as scratch:
         run = load_run(job, Path(scratch))
         document = FreeCAD.newDocument(hidden=True)
@@ -152,7 +159,8 @@ def _store(job: ReconstructJob, target: Path) -> str:
         finally:
             FreeCAD.closeDocument(document.Name)
     _export(run, Path(job.output), target)
-    return run.report.status.value
+    bound = run.report.group("measures").get("uncertainty_mm")
+    return run.report.status.value, f"{bound:g}" if isinstance(bound, int | float) else ""
 
 
 def _export(run: LoadedRun, output: Path, target: Path) -> None:

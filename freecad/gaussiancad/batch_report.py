@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 
-SCHEMA = 1
+SCHEMA = 2
 
 
 @dataclass(frozen=True)
@@ -19,7 +19,8 @@ class SheetRow:
         name: of its results.
         sheet: its path.
         folder: of the engine's files.
-        status: verified, approximate or failed.
+        status: verified, approximate or failed; it speaks of the shape.
+        measures_mm: bound that 95 % of the faces' places keep; empty where it is not known.
         exit_code: of the engine; -1 if it was killed.
         code: kebab-case code of the error, or empty.
         message: a sentence about the error, or empty.
@@ -30,6 +31,7 @@ class SheetRow:
     sheet: str
     folder: str
     status: str
+    measures_mm: str
     exit_code: int
     code: str
     message: str

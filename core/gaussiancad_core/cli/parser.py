@@ -9,6 +9,7 @@ from gaussiancad_core.cli import (
     compare,
     doctor,
     draw,
+    explain,
     reconstruct,
 )
 from gaussiancad_core.errors import ExitCode
@@ -33,6 +34,6 @@ def build_parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"gaussiancad {__version__}")
     parser.set_defaults(events=False)
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
-    for module in (reconstruct, compare, draw, batch, doctor):
+    for module in (reconstruct, explain, compare, draw, batch, doctor):
         module.add_command(commands)
     return parser

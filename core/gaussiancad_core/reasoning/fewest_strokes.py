@@ -21,13 +21,8 @@ from gaussiancad_core.reasoning.part import PartModel
 from gaussiancad_core.reasoning.pieces import Piece
 from gaussiancad_core.reasoning.planes import role_plane
 from gaussiancad_core.reasoning.rules import Says, holds
-from gaussiancad_core.reasoning.solvers import (
-    FOUND,
-    NEVER,
-    Deadline,
-    relaxing_solver,
-    solver_for,
-)
+from gaussiancad_core.reasoning.solvers import FOUND, relaxing_solver, solver_for
+from gaussiancad_core.reasoning.work import NEVER, Deadline
 
 _MOST = 8.0
 """Units of line from which strokes, and lines that a view lacks, count alike."""

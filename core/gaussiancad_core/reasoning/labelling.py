@@ -15,13 +15,8 @@ from ortools.sat.python import cp_model
 from gaussiancad_core.reasoning.clauses import SURFACES, Labels, Model, points, points_of
 from gaussiancad_core.reasoning.columns import Cell
 from gaussiancad_core.reasoning.rules import Rule, Says, holds
-from gaussiancad_core.reasoning.solvers import (
-    FOUND,
-    NEVER,
-    Deadline,
-    relaxing_solver,
-    solver_for,
-)
+from gaussiancad_core.reasoning.solvers import FOUND, relaxing_solver, solver_for
+from gaussiancad_core.reasoning.work import NEVER, Deadline
 
 SLIGHT = 1.0
 """Units of line below which a rule is given up before anything else is.

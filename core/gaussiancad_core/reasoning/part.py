@@ -26,10 +26,10 @@ from gaussiancad_core.reasoning.retraced import retraced
 from gaussiancad_core.reasoning.revolved import find_bodies
 from gaussiancad_core.reasoning.rules import BESIDE, Rule, rules_of
 from gaussiancad_core.reasoning.smooth_edges import with_smooth_edges
-from gaussiancad_core.reasoning.solvers import NEVER, Deadline
 from gaussiancad_core.reasoning.spans import Span, Support
 from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports, find_supports
 from gaussiancad_core.reasoning.untold import with_untold_lines
+from gaussiancad_core.reasoning.work import NEVER, Counted, Deadline
 from gaussiancad_core.views import Linetype
 
 _MOST_STROKES = 900
@@ -173,15 +173,18 @@ def _part(supports: PartSupports, space: Space, near: float, deadline: Deadline)
     pieces = list(islice(found, most + 1))
     if len(pieces) > most:
         raise _too_complex(f"its lines divide the views into more than {most:,} pieces")
-    return PartModel(supports, space, tuple(rules_of(space, _until(pieces, deadline))))
+    return PartModel(supports, space, tuple(rules_of(space, pieces)))
 
 
 def _until(pieces: Iterable[Piece], deadline: Deadline) -> Iterator[Piece]:
+    """The pieces, each counted as it is made."""
     for piece in pieces:
+        deadline.count(Counted.PIECE)
         if not deadline.left:
             raise LimitError(
                 "search-unfinished",
-                "the drawing's lines were not all understood in time: draw less in one sheet",
+                "the drawing has more lines than are understood with the work allowed for one "
+                "sheet: draw less in one sheet",
             )
         yield piece
 

@@ -1,35 +1,37 @@
-"""CP-SAT for rules: deterministic time, and a clock that only ends what would take far too long."""
+"""CP-SAT for rules: deterministic time that is counted as work, and a clock that only guards."""
 
-import time
-from dataclasses import dataclass
-from math import inf, isfinite
+from math import isfinite
+from typing import Any
 
 from ortools.sat.python import cp_model
+
+from gaussiancad_core.reasoning.work import NEVER, Deadline
 
 FOUND = (cp_model.OPTIMAL, cp_model.FEASIBLE)
 """What a solver says that has a solution."""
 
+_LOADED = 2e-6
+"""Units of work of a constraint each time that a model is solved: reading it is not counted by the
+solver itself."""
 
-@dataclass(frozen=True)
-class Deadline:
-    """A time by which solvers end.
 
-    The same input ends at the same labels as long as it is not reached: deterministic time ends
-    solvers earlier, but on a machine that is busy with other things.
+class CountingSolver(cp_model.CpSolver):
+    """A solver whose deterministic time counts towards a deadline.
 
-    Attributes:
-        at: s of ``time.perf_counter``.
+    Args:
+        deadline: that it counts towards.
     """
 
-    at: float = inf
+    def __init__(self, deadline: Deadline) -> None:
+        super().__init__()
+        self._deadline = deadline
 
-    @property
-    def left(self) -> float:
-        """s until then; 0 when it is over."""
-        return max(0.0, self.at - time.perf_counter())
-
-
-NEVER = Deadline()
+    def solve(self, model: cp_model.CpModel, *callbacks: Any) -> cp_model.CpSolverStatus:  # noqa: ANN401
+        """Solve, and count what that took."""
+        status = super().solve(model, *callbacks)
+        loaded = _LOADED * len(model.proto.constraints)
+        self._deadline.add(float(self.response_proto.deterministic_time) + loaded)
+        return status
 
 
 def solver_for(effort: float, workers: int = 1, deadline: Deadline = NEVER) -> cp_model.CpSolver:
@@ -38,17 +40,17 @@ def solver_for(effort: float, workers: int = 1, deadline: Deadline = NEVER) -> c
     It makes no linear relaxation: rules are clauses, of which that tells nothing.  Nor does it look
     for symmetries, or try literals one by one, which took a fifth of the time.
     """
-    solver = cp_model.CpSolver()
+    solver = CountingSolver(deadline)
     solver.parameters.linearization_level = 0
     solver.parameters.cp_model_probing_level = 0
     solver.parameters.symmetry_level = 0
-    solver.parameters.max_deterministic_time = effort
+    solver.parameters.max_deterministic_time = min(effort, deadline.left)
     solver.parameters.num_workers = workers
     solver.parameters.interleave_search = workers > 1
     solver.parameters.random_seed = 0
     solver.parameters.max_memory_in_mb = 2000
-    if isfinite(deadline.at):
-        solver.parameters.max_time_in_seconds = deadline.left
+    if isfinite(deadline.seconds_left):
+        solver.parameters.max_time_in_seconds = deadline.seconds_left
     return solver
 
 

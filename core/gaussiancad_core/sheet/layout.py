@@ -6,7 +6,7 @@ front view, and the others' roles follow from where they stand and from the proj
 5456-2).
 """
 
-from collections.abc import Container
+from collections.abc import Container, Iterable
 from dataclasses import dataclass
 
 import cv2
@@ -118,6 +118,11 @@ def arrange_clusters(
     rest = tuple(box for box in clusters if box not in boxes.values())
     alternatives = (chosen.other,) if projection is None else ()
     return Layout(boxes, chosen, source, alternatives, rest)
+
+
+def may_be_views(clusters: Iterable[Box]) -> list[Box]:
+    """Those of some clusters that are as large as a view is at least, both ways."""
+    return [box for box in clusters if min(_width(box), _height(box)) >= _MIN_VIEW]
 
 
 def is_unusual(roles: Container[Role]) -> bool:

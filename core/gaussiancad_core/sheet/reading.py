@@ -68,6 +68,11 @@ class ReadView:
     source: StrokesSource = StrokesSource.RASTER
     dash: float | None = None
 
+    @property
+    def has_hidden_lines(self) -> bool:
+        """Whether it has any."""
+        return any(stroke.linetype is Linetype.HIDDEN for stroke in self.strokes)
+
     def stored_box(self, turn: Turn) -> Box:
         """The view's box in px of the sheet as stored, before it was turned."""
         solid = [s for s in self.strokes if s.linetype is Linetype.VISIBLE]

@@ -10,7 +10,7 @@ from math import cos, pi, sin
 import numpy as np
 from OCP.BOPAlgo import BOPAlgo_Builder
 from OCP.BOPTools import BOPTools_AlgoTools3D
-from OCP.BRepAdaptor import BRepAdaptor_Surface
+from OCP.BRepAdaptor import BRepAdaptor_Curve, BRepAdaptor_Surface
 from OCP.BRepBuilderAPI import (
     BRepBuilderAPI_MakeFace,
     BRepBuilderAPI_MakeSolid,
@@ -31,9 +31,10 @@ from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Shape
 from gaussiancad_core.drawing.brep import ShapeTable, bounding_box, faces_of, subshapes, volume
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.drawing.surfaces import normal_at
+from gaussiancad_core.reasoning.columns import Vector
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve
 from gaussiancad_core.reasoning.planes import IN_PLANE, lifted
-from gaussiancad_core.reasoning.solvers import NEVER, Deadline
+from gaussiancad_core.reasoning.work import NEVER, Counted, Deadline
 from gaussiancad_core.solid.bodies import body_faces
 from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.solid.patches import NARROW, Patch, PlanePatch, SweptPatch, find_patches
@@ -81,12 +82,31 @@ class BuiltSolid:
         bodies: number of separate pieces of material.
         closed: whether the faces closed; if they did not, it is not known what they would bound.
         largest: the largest of several pieces, in mm.
+        open_at: mm, middles of edges that bound one face only, where the faces did not close.
     """
 
     shape: TopoDS_Shape | None
     bodies: int
     closed: bool = True
     largest: TopoDS_Shape | None = None
+    open_at: tuple[Vector, ...] = ()
+
+
+@dataclass(frozen=True)
+class _Sewn:
+    """Faces sewn together.
+
+    Attributes:
+        solid: the largest one; None if they bound none.
+        count: number of outer shells.
+        closed: whether the faces close; nothing is bounded where they do not.
+        open_at: middles of edges that bound one face only.
+    """
+
+    solid: TopoDS_Shape | None = None
+    count: int = 0
+    closed: bool = True
+    open_at: tuple[Vector, ...] = ()
 
 
 def build_solid(space: LabelledSpace, scale: float, deadline: Deadline = NEVER) -> BuiltSolid:
@@ -95,7 +115,7 @@ def build_solid(space: LabelledSpace, scale: float, deadline: Deadline = NEVER) 
     Args:
         space: in units.
         scale: units per mm.
-        deadline: after which it is not tried again.
+        deadline: after which it is not tried again; faces are counted towards it.
     """
     built = _tried(space, scale, _FITS[0], deadline)
     for fit in _FITS[1:]:
@@ -128,23 +148,24 @@ def _built(space: LabelledSpace, scale: float, fit: _Fit, deadline: Deadline) ->
         return BuiltSolid(None, 0)
     sides = _Sides(space)
     while True:
+        deadline.count(Counted.PATCH, len(faces))
         fused = _fused(faces, fit.fuzzy)
         kept = [face for face in faces_of(fused.Shape()) if sides.is_border(face)]
-        sewn = None if _is_split_in_vain(kept) else _sewn_best(sides, kept, fit.sewing)
-        if sewn is not None:
+        sewn = _sewn_best(sides, kept, fit.sewing)
+        if sewn.closed and not _is_split_in_vain(kept):
             break
         # Faces that only touch others may have split them where nothing meets.
         bounding = [face for face in faces if _gives_one_of(kept, face, fused)]
         if len(bounding) == len(faces) or not deadline.left:
-            break
+            places = tuple(tuple(value / scale for value in place) for place in sewn.open_at)
+            return BuiltSolid(None, 0, closed=False, open_at=places)
         faces = bounding
-    if sewn is None:
-        return BuiltSolid(None, 0, closed=False)
-    solid, count = sewn
-    if solid is None:
-        return BuiltSolid(None, count)
-    finished = _scaled(_simplified(solid), 1.0 / scale)
-    return BuiltSolid(finished, 1) if count == 1 else BuiltSolid(None, count, largest=finished)
+    if sewn.solid is None:
+        return BuiltSolid(None, sewn.count)
+    finished = _scaled(_simplified(sewn.solid), 1.0 / scale)
+    if sewn.count == 1:
+        return BuiltSolid(finished, 1)
+    return BuiltSolid(None, sewn.count, largest=finished)
 
 
 def _face(patch: Patch) -> TopoDS_Face:
@@ -258,45 +279,51 @@ class _Sides:
         return behind, before
 
 
-def _sewn_best(
-    sides: _Sides, faces: list[TopoDS_Face], within: float
-) -> tuple[TopoDS_Shape | None, int] | None:
+def _sewn_best(sides: _Sides, faces: list[TopoDS_Face], within: float) -> _Sewn:
     """The same as :func:`_sewn`, without faces narrower than the seams where that is better.
 
     Both edges of such a face are sewn to both of its neighbours: what is one body falls apart.
     """
     sewn = _sewn(sides, faces, within)
-    if sewn is not None and sewn[1] <= 1:
+    if sewn.closed and sewn.count <= 1:
         return sewn
     wide = [face for face in faces if not _is_sliver(face, within)]
     if len(wide) == len(faces):
         return sewn
     other = _sewn(sides, wide, within)
-    is_better = other is not None and (sewn is None or 0 < other[1] < sewn[1])
+    is_better = other.closed and (not sewn.closed or 0 < other.count < sewn.count)
     return other if is_better else sewn
 
 
-def _sewn(
-    sides: _Sides, faces: list[TopoDS_Face], within: float
-) -> tuple[TopoDS_Shape | None, int] | None:
-    """The solid, the largest of several, and the number of outer shells; None if open."""
+def _sewn(sides: _Sides, faces: list[TopoDS_Face], within: float) -> _Sewn:
+    """The solid that faces bound, or where they are open."""
     sewing = BRepBuilderAPI_Sewing(within)
     for face in faces:
         sewing.Add(face)
     sewing.Perform()
     shells = subshapes(sewing.SewedShape(), TopAbs_ShapeEnum.TopAbs_SHELL)
     if not shells or sewing.NbFreeEdges() > 0:
-        return None
+        return _Sewn(open_at=_open_at(sewing), closed=False)
     signed = [_outward(sides, shell) for shell in shells]
     outer = [(size, shell) for size, shell in signed if size > 0.0]
     if not outer:
-        return None, 0
+        return _Sewn()
     _, largest = max(outer, key=lambda item: item[0])
     maker = BRepBuilderAPI_MakeSolid(TopoDS.Shell(largest))
     for size, shell in signed:
         if size < 0.0 and (len(outer) == 1 or _lies_within(shell, largest)):
             maker.Add(TopoDS.Shell(shell))
-    return maker.Solid(), len(outer)
+    return _Sewn(maker.Solid(), len(outer))
+
+
+def _open_at(sewing: BRepBuilderAPI_Sewing) -> tuple[Vector, ...]:
+    """Middles of the edges that bound one face only."""
+    found = []
+    for number in range(1, sewing.NbFreeEdges() + 1):
+        curve = BRepAdaptor_Curve(sewing.FreeEdge(number))
+        point = curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2.0)
+        found.append((point.X(), point.Y(), point.Z()))
+    return tuple(found)
 
 
 def _lies_within(one: TopoDS_Shape, other: TopoDS_Shape) -> bool:

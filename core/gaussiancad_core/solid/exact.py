@@ -8,92 +8,50 @@ from math import inf
 
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.axes import mutually_orthogonal
-from gaussiancad_core.drawing.brep import soundness
-from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.drawing.brep import area, soundness, volume
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.modes import Status
-from gaussiancad_core.reasoning.columns import Cell
 from gaussiancad_core.reasoning.conflict_lines import Conflict
 from gaussiancad_core.reasoning.conflicts import find_conflict
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.labelling import (
-    Labelling,
-    Labels,
-)
-from gaussiancad_core.reasoning.part import (
-    PartModel,
-    model_part,
-)
-from gaussiancad_core.reasoning.solvers import Deadline
+from gaussiancad_core.reasoning.labelling import Labelling
+from gaussiancad_core.reasoning.part import model_part
 from gaussiancad_core.reasoning.supports import find_supports
-from gaussiancad_core.reasoning.unsaid import with_unsaid
-from gaussiancad_core.solid.build import BuiltSolid, build_solid
-from gaussiancad_core.solid.certainty import certainties
-from gaussiancad_core.solid.labelled import LabelledSpace
-from gaussiancad_core.solid.models import Clock, Limits, Work, labelled
-from gaussiancad_core.solid.same import same_solid
-from gaussiancad_core.solid.verify import Verification, verify
-
-_COUNTING = 0.15
-"""Units of thickness from which a cell makes a different solid."""
-
+from gaussiancad_core.reasoning.work import Deadline, Meter
+from gaussiancad_core.solid.candidates import Candidate, Found, candidates_of
+from gaussiancad_core.solid.limits import Limits, Work
+from gaussiancad_core.solid.measures import Measures, measures_of
+from gaussiancad_core.solid.models import first_work, labelled
+from gaussiancad_core.solid.reasons import GUARDED, LOOSE, NONE, UNBUILT, UNFINISHED, reasons_of
+from gaussiancad_core.solid.trace import (
+    Attempt,
+    Journal,
+    ModelKind,
+    Outcome,
+    cells_of,
+    given_up_places,
+)
+from gaussiancad_core.solid.verify import Verification
 
 _PATIENT = 0.25
-"""Share of the time after which it is not asked any more which lines contradict each other."""
+"""Share of the work after which it is not asked any more which lines contradict each other."""
 
 _FIRST, _OTHERS = 0.6, 0.9
-"""Shares of the time at which building, and the search for others, end: of the first model's labels
+"""Shares of the work at which building, and the search for others, end: of the first model's labels
 and of others'."""
-
-_UNLIKELY = 0.02
-"""Share of the search for others that is left where neither lines nor labels agree: they may,
-but are found at once or not at all."""
 
 _WHOLE = 0.08
 """Share of the longest extent from which lines that are wrong, or lacking, count alike."""
 
-_NONE = "no-solid-fits", "no solid has these lines: they contradict each other"
-_UNBUILT = (
-    "no-valid-solid",
-    "the cells that fit the lines best bound no closed solid: lines are missing or wrong",
-)
-_RETOLD = (
-    "linetypes-retold",
-    "hidden lines no longer than a dash look like visible ones: some are taken for the other kind, "
-    "as the other views have it",
-)
-_LOOSE = (
-    "lines-inexact",
-    "lines miss each other by more than they should: those that are close by were taken to meet, "
-    "so that small steps may be missing",
-)
-_THIN = (
-    "faces-thin",
-    "long faces narrower than two pixels, which no view can show: they may be left between lines "
-    "that belong together",
-)
-_UNFINISHED = "search-unfinished", "the search for solids with these lines was not completed"
-
-
 _QUICK = 0.25
-"""Share of the time that a search took at most for another one, with likely measures."""
+"""Share of the work that a search took at most for another one, with likely measures."""
 
 _LESS = 0.002
 """Share of the lines that a solid may show less then."""
 
-
-@dataclass(frozen=True)
-class Candidate:
-    """A solid that may be the part.
-
-    Attributes:
-        shape: mm, in the model's axes.
-        verification: how its lines agree with the views.
-    """
-
-    shape: TopoDS_Shape
-    verification: Verification
+_IN_DOUBT = 2e-3
+"""Share of the volume that the bound of the faces' places makes of their area from which likely
+measures are asked for."""
 
 
 @dataclass(frozen=True)
@@ -113,6 +71,9 @@ class ExactResult:
         contrary: how many of the alternatives, the last ones, are under the other projection.
         relaxed: whether rules that the lines make had to be given up: the solid may show them all
             nevertheless, where coordinates that are meant to be one were read as two.
+        complete: whether all solids that there may be were looked at.
+        measures: how well the places of the solid's faces are known; None without a solid.
+        trace: what was tried, in order.
     """
 
     status: Status
@@ -125,6 +86,25 @@ class ExactResult:
     conflict: Conflict | None = None
     contrary: int = 0
     relaxed: bool = False
+    complete: bool = False
+    measures: Measures | None = None
+    trace: tuple[Attempt, ...] = ()
+
+    @property
+    def explains(self) -> bool:
+        """Whether there is a sound solid whose lines are those of the views."""
+        return self.verification is not None and self.verification.explains
+
+    @property
+    def is_settled(self) -> bool:
+        """Whether it is certain that no solid has all lines."""
+        return self.complete and not self.explains
+
+    def doubted(self, reason: tuple[str, str]) -> "ExactResult":
+        """The same with a reason why it is not certain."""
+        if self.status is Status.FAILED or reason in self.reasons:
+            return self
+        return replace(self, status=Status.APPROXIMATE, reasons=(*self.reasons, reason))
 
 
 def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
@@ -136,7 +116,11 @@ def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
     """
     limits = limits or Limits()
     with _uncollected():
-        return _with_likely_measures(_found(views, limits), views, limits)
+        meter = Meter(limits.guard)
+        result = _found(views, limits, meter)
+        if meter.spent <= _QUICK * limits.work:
+            result = _with_likely_measures(result, views, limits)
+        return result.doubted(GUARDED) if meter.is_overrun else result
 
 
 @contextmanager
@@ -155,51 +139,77 @@ def _uncollected() -> Iterator[None]:
             gc.enable()
 
 
-def _found(views: DrawnViews, limits: Limits) -> ExactResult:
-    clock = Clock()
+def _found(views: DrawnViews, limits: Limits, meter: Meter) -> ExactResult:
+    journal = Journal()
     try:
-        part = model_part(views, deadline=clock.deadline(_OTHERS * limits.seconds))
+        part = model_part(views, deadline=meter.until(_OTHERS * limits.work))
     except LimitError as error:
-        reason = error.code, error.message
-        return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
-    clock.lap("model")
+        attempt = Attempt(ModelKind.AS_DRAWN, Outcome.TOO_LARGE, work=meter.spent)
+        return _failed((error.code, error.message), meter, (attempt,))
+    meter.lap("model")
     result: ExactResult | None = None
-    for work, labelling in labelled(part, views, limits, clock):
-        clock.lap("label")
-        # Other models may be the better ones: time has to remain for them.
-        latest = clock.deadline((_OTHERS if result else _FIRST) * limits.seconds)
-        found = _searched(work, labelling, limits, latest)
+    best = -1
+    for work, labelling in labelled(first_work(part, views, limits, meter, journal), limits):
+        meter.lap("label")
+        if labelling.labels is None:
+            if limits.relaxed:
+                work.failed(labelling)
+            result = result or _failed(NONE if labelling.complete else UNFINISHED, meter)
+            result = replace(result, complete=result.complete or labelling.complete)
+            continue
+        # Other models may be the better ones: work has to remain for them.
+        share = _OTHERS if result is not None else _FIRST
+        found = _searched(work, labelling, limits, meter.until(share * limits.work))
         if result is None or _worth(found, views) > _worth(result, views):
-            result = found
+            result, best = found, len(journal.attempts) - 1
         if _is_neat(found) or (work.fewest and labelling.complete and _is_sound(found)):
             break
-    clock.lap("label")
-    if _explains(result) or not limits.relaxed or clock.total > _PATIENT * limits.seconds:
+    meter.lap("label")
+    result = replace(result, trace=journal.told(best), seconds=meter.seconds)
+    if result.explains or not limits.relaxed or meter.spent > _PATIENT * limits.work:
         return result
     conflict = find_conflict(part, views, limits.conflict)
-    clock.lap("conflict")
+    meter.lap("conflict")
     return replace(result, conflict=conflict)
+
+
+def _failed(reason: tuple[str, str], meter: Meter, trace: tuple[Attempt, ...] = ()) -> ExactResult:
+    return ExactResult(Status.FAILED, None, None, (), (reason,), meter.seconds, trace=trace)
 
 
 def _with_likely_measures(found: ExactResult, views: DrawnViews, limits: Limits) -> ExactResult:
     """The same solid with measures that most likely are round, where a picture leaves some open.
 
-    They stay in doubt, and so does the solid: only its shape changes, and what is said of it.
+    They stay in doubt: only the shape changes, and what is said of its lines.
     """
     own = found.verification
-    if own is None or not own.sound or own.close:
-        return found
-    if sum(found.seconds.values()) > _QUICK * limits.seconds:
+    if not views.noise or own is None or not own.sound or not _is_in_doubt(found):
         return found
     likely = replace(views, likely=True)
     if not find_supports(likely).moved:
         return found
-    other = _found(likely, replace(limits, seconds=_QUICK * limits.seconds))
+    less = replace(limits, work=_QUICK * limits.work)
+    other = _found(likely, less, Meter(limits.guard))
     if not _is_as_good(other, found):
         return found
     # What else there may be was looked for among the first ones.
     reasons = other.reasons if other.reasons and not found.alternatives else found.reasons
-    return replace(found, shape=other.shape, verification=other.verification, reasons=reasons)
+    status = Status.APPROXIMATE if reasons else found.status
+    attempts = (replace(each, model=ModelKind.LIKELY_MEASURES) for each in other.trace[-1:])
+    return replace(
+        found,
+        status=status,
+        shape=other.shape,
+        verification=other.verification,
+        reasons=reasons,
+        trace=(*(replace(each, taken=False) for each in found.trace), *attempts),
+    )
+
+
+def _is_in_doubt(found: ExactResult) -> bool:
+    """Whether the places of the faces are known too little for the size of the part."""
+    doubtful = found.measures.uncertainty * area(found.shape)
+    return doubtful > _IN_DOUBT * abs(volume(found.shape))
 
 
 def _is_as_good(other: ExactResult, found: ExactResult) -> bool:
@@ -209,10 +219,6 @@ def _is_as_good(other: ExactResult, found: ExactResult) -> bool:
         return False
     same_lines = len(new.flaws) <= len(old.flaws)
     return same_lines and soundness(other.shape).faces <= soundness(found.shape).faces
-
-
-def _explains(result: ExactResult) -> bool:
-    return result.verification is not None and result.verification.explains
 
 
 def _is_neat(result: ExactResult) -> bool:
@@ -238,19 +244,19 @@ def _worth(result: ExactResult, views: DrawnViews) -> tuple[bool, bool, bool, fl
 
 def _searched(work: Work, labelling: Labelling, limits: Limits, latest: Deadline) -> ExactResult:
     """The solid of labels, or of others that are as good."""
-    clock, views = work.clock, work.views
-    if labelling.labels is None:
-        reason = _NONE if labelling.complete else _UNFINISHED
-        return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
-    candidates, complete = _candidates(work, labelling, limits, latest)
+    meter, views = work.meter, work.views
+    found = candidates_of(work, labelling, limits, latest)
+    candidates, complete = found.candidates, found.complete
     if not candidates:
-        reason = _NONE if complete else _UNBUILT
-        return ExactResult(Status.FAILED, None, None, (), (reason,), clock.seconds)
+        _note(work, labelling, found, None)
+        failed = _failed(NONE if complete else UNBUILT, meter)
+        return replace(failed, complete=complete)
     agreeing = [c for c in candidates if c.verification.explains]
     best = agreeing[0] if agreeing else candidates[0]
-    reasons = _reasons(best, agreeing, complete, views)
-    if work.loose and best.verification.close:
-        reasons.append(_LOOSE)
+    _note(work, labelling, found, best)
+    reasons = reasons_of(best.verification, len(agreeing), complete, views)
+    if work.loose:
+        reasons.append(LOOSE)
     others = sorted((c for c in agreeing if c is not best), key=_rank)
     return ExactResult(
         Status.APPROXIMATE if reasons else Status.VERIFIED,
@@ -258,137 +264,41 @@ def _searched(work: Work, labelling: Labelling, limits: Limits, latest: Deadline
         best.verification,
         tuple(other.shape for other in others),
         tuple(reasons),
-        clock.seconds,
+        meter.seconds,
         tuple(other.verification.share for other in others),
         relaxed=bool(labelling.given_up),
+        complete=complete,
+        measures=measures_of(best.shape, work.part.supports, views, best.verification),
     )
+
+
+def _note(work: Work, labelling: Labelling, found: Found, best: Candidate | None) -> None:
+    """Put what came of a model into the journal."""
+    rules, scale = work.part.rules, work.part.supports.scale
+    attempt = Attempt(
+        work.kind,
+        found.outcome,
+        len(rules),
+        cells_of(rules),
+        work.meter.spent,
+        sum(rule.weight for rule in labelling.given_up) / scale,
+        given_up_places(labelling.given_up, scale),
+        others=found.others,
+        open_at=found.open_at,
+    )
+    if best is not None:
+        verification = best.verification
+        outcome = Outcome.DEVIATES if verification.sound else Outcome.UNSOUND
+        attempt = replace(
+            attempt,
+            outcome=Outcome.ALL_LINES if verification.explains else outcome,
+            faces=soundness(best.shape).faces,
+            share=verification.share,
+            flaws=len(verification.flaws),
+        )
+    work.journal.add(attempt)
 
 
 def _rank(candidate: Candidate) -> tuple[float, int]:
     """Solids with more lines that agree come first, then those with fewer faces."""
     return -round(candidate.verification.share, 3), soundness(candidate.shape).faces
-
-
-def _candidates(
-    work: Work, labelling: Labelling, limits: Limits, latest: Deadline
-) -> tuple[list[Candidate], bool]:
-    """Solids of the labels and of others, simplest first; whether all there are were looked at.
-
-    Labels whose faces do not close, or bound something unsound, are not looked at: there may be a
-    solid that could not be built.
-    """
-    thickness = work.part.space.thickness()
-    counting: list[Cell] = [cell for cell, units in thickness.items() if units > _COUNTING]
-    built = _build(work, labelling.labels, latest)
-    first, settled = _candidate(work, built)
-    candidates = [first] if first is not None else []
-    explained = first is not None and first.verification.explains
-    if not explained and (likelier := _likelier(work.part, labelling.labels)) is not None:
-        second, looked_at = _candidate(work, _build(work, likelier, latest))
-        settled &= looked_at
-        explained = second is not None and second.verification.explains
-        if second is not None and not (first and same_solid(second.shape, first.shape)):
-            candidates.append(second)
-    share = 1.0 if explained or not labelling.given_up else _UNLIKELY
-    others = work.search.others(labelling, counting, limits.alternatives, share, latest)
-    work.clock.lap("others")
-    for labels in others.labels:
-        if work.clock.total > limits.seconds:
-            return candidates, False
-        candidate, looked_at = _candidate(work, _build(work, labels, latest))
-        settled &= looked_at
-        if candidate and not any(same_solid(candidate.shape, c.shape) for c in candidates):
-            candidates.append(candidate)
-    if not candidates and built.largest is not None:
-        # Where lines are missing or wrong, specks of material may lie beside the part.
-        candidate, _ = _candidate(work, replace(built, shape=built.largest))
-        return [candidate] if candidate else [], False
-    return candidates, settled and others.complete and labelling.complete
-
-
-def _likelier(part: PartModel, labels: Labels) -> Labels | None:
-    """Labels under which the same rules hold and surfaces go on; None if they are the same."""
-    settled = with_unsaid(part.space, part.rules, labels)
-    likelier = with_unsaid(part.space, part.rules, labels, inf)
-    return None if likelier == settled else likelier
-
-
-def _build(work: Work, labels: Labels, deadline: Deadline) -> BuiltSolid:
-    part = work.part
-    labels = with_unsaid(part.space, part.rules, labels)
-    built = build_solid(LabelledSpace(part.space, labels), part.supports.scale, deadline)
-    work.clock.lap("build")
-    return built
-
-
-def _candidate(work: Work, built: BuiltSolid) -> tuple[Candidate | None, bool]:
-    """What was built, drawn again; and whether it is certain what the labels bound."""
-    if built.shape is None:
-        return None, built.closed
-    try:
-        candidate = _verified(work, built.shape)
-    except KERNEL_FAILURES:
-        # What cannot be drawn again cannot be checked.
-        return None, False
-    return candidate, candidate.verification.sound
-
-
-def _verified(work: Work, shape: TopoDS_Shape) -> Candidate:
-    known, certain = certainties(work.part.supports, work.views, shape)
-    # Rounded to the step of its design, a part is as large as meant however small it is drawn.
-    views = replace(work.views, noise=0.0) if known else work.views
-    candidate = Candidate(shape, verify(shape, views, certain))
-    work.clock.lap("verify")
-    return candidate
-
-
-def _inexact(verification: Verification) -> str:
-    spread, misfit = verification.spread, verification.misfit
-    if not verification.off:
-        share = 100.0 * verification.doubt
-        where = f"so thin a part is drawn too small: its volume may be wrong by {share:.1g} %"
-    elif misfit > spread:
-        where = f"the views reach up to {misfit:.2g} mm beyond the solid, or less far"
-    else:
-        where = f"the views' lines lie up to {spread:.2g} mm beside the solid's"
-    if verification.flaws or not verification.sound:
-        return f"{where}: its measures are in doubt"
-    return f"{where}: its faces are right, its measures may not be"
-
-
-def _reasons(
-    best: Candidate, agreeing: list[Candidate], complete: bool, views: DrawnViews
-) -> list[tuple[str, str]]:
-    reasons = []
-    if not mutually_orthogonal(views.roles):
-        reasons.append(
-            ("two-views", "only two directions of view: what a third would show is not known")
-        )
-    if not best.verification.sound:
-        reasons.append(("solid-unsound", "the solid is not one valid closed body"))
-    if best.verification.flaws:
-        worst = best.verification.flaws[0]
-        what = "does not show" if worst.missing else "shows"
-        others = len(best.verification.flaws) - 1
-        more = f", and {others} more" if others else ""
-        reasons.append(
-            (
-                "lines-unexplained",
-                f"the solid {what} a line of {worst.length:.1f} mm that the {worst.role.value} "
-                f"view has{'' if worst.missing else ' not'}, at ({worst.place[0]:.1f}, "
-                f"{worst.place[1]:.1f}) mm{more}",
-            )
-        )
-    if best.verification.retold:
-        reasons.append(_RETOLD)
-    if not best.verification.close:
-        reasons.append(("lines-inexact", _inexact(best.verification)))
-    if best.verification.thin:
-        reasons.append(_THIN)
-    if len(agreeing) > 1:
-        reasons.append(
-            ("ambiguous", f"{len(agreeing)} different solids have these lines: see alternatives/")
-        )
-    if not complete:
-        reasons.append(_UNFINISHED)
-    return reasons

@@ -5,7 +5,6 @@ corners whose coordinates are known, a cylinder has such an axis and radius; a c
 and goes through known corners at two heights.
 """
 
-from collections import defaultdict
 from typing import Protocol
 
 import numpy as np
@@ -15,9 +14,9 @@ from OCP.BRepAdaptor import BRepAdaptor_Surface
 from OCP.GeomAbs import GeomAbs_SurfaceType
 from OCP.gp import gp_Ax1, gp_Pnt
 from OCP.TopAbs import TopAbs_ShapeEnum
-from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Shape
+from OCP.TopoDS import TopoDS, TopoDS_Face
 
-from gaussiancad_core.drawing.brep import area, faces_of, subshapes
+from gaussiancad_core.drawing.brep import subshapes
 
 Points = npt.NDArray[np.float64]
 Known = npt.NDArray[np.bool_]
@@ -37,20 +36,6 @@ class KnownMeasures(Protocol):
 
     def radii(self, numbers: Points) -> Known:
         """(n,) which radii are known."""
-
-
-def areas(shape: TopoDS_Shape, measures: KnownMeasures) -> tuple[float, float, float]:
-    """mm2 of faces that do not follow from what is known, of those that do, and of the largest of
-    these: all that lie in one plane, or are of one radius.
-    """
-    unknown = 0.0
-    known: dict[tuple[object, ...], float] = defaultdict(float)
-    for face in faces_of(shape):
-        if is_known(face, measures):
-            known[_surface(face)] += area(face)
-        else:
-            unknown += area(face)
-    return unknown, sum(known.values()), max(known.values(), default=0.0)
 
 
 def is_known(face: TopoDS_Face, measures: KnownMeasures) -> bool:
@@ -77,20 +62,19 @@ def is_known(face: TopoDS_Face, measures: KnownMeasures) -> bool:
     return False
 
 
-def _surface(face: TopoDS_Face) -> tuple[object, ...]:
-    """What faces of one plane or cylinder have in common."""
+def axes_of(face: TopoDS_Face) -> tuple[bool, bool, bool]:
+    """Along which of x, y and z a coordinate tells where a face is."""
     surface = BRepAdaptor_Surface(face)
     kind = surface.GetType()
     if kind == GeomAbs_SurfaceType.GeomAbs_Plane:
         normal = _direction(surface.Plane().Axis())
-        place = float(normal @ _coordinates(surface.Plane().Location()))
-        if normal[np.abs(normal).argmax()] < 0.0:
-            normal, place = -normal, -place
-        return kind, *np.round(normal, 4).tolist(), round(place / _APART)
-    if kind == GeomAbs_SurfaceType.GeomAbs_Cylinder:
-        # Bores of one radius may have been given it by one number.
-        return kind, round(surface.Cylinder().Radius() / _APART)
-    return (kind,)
+        return tuple(bool(abs(value) > _ALONG) for value in normal)
+    if kind in (GeomAbs_SurfaceType.GeomAbs_Cylinder, GeomAbs_SurfaceType.GeomAbs_Cone):
+        cylinder = kind == GeomAbs_SurfaceType.GeomAbs_Cylinder
+        axis = (surface.Cylinder() if cylinder else surface.Cone()).Axis()
+        along = _along_axis(axis)
+        return tuple(k != along for k in range(3))
+    return True, True, True
 
 
 def _is_plane_known(corners: Points, normal: Points, measures: KnownMeasures) -> bool:

@@ -1,8 +1,7 @@
 """A solid drawn again and compared with the views it was made from."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -17,7 +16,6 @@ from gaussiancad_core.drawing.brep import (
     edges_of,
     faces_of,
     soundness,
-    volume,
 )
 from gaussiancad_core.drawing.hlr import LineDrawing
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
@@ -43,19 +41,8 @@ _UNREAD = 8.0
 not tell it: it is one dash at most."""
 
 _CLOSE = 0.14
-"""Share of the matching tolerance within which every line, and every side of the bounding box,
-lies if the measures are right: a third of a pixel."""
-
-_UNSURE = 3.0
-"""Mean distance of the faces of a solid from where they belong, in the median by which the views
-contradict each other; in pictures of parts whose solids are known it was up to four times."""
-
-_BESIDE = 12.0
-"""Part of how far the worst stroke lies beside the solid that its faces may be off in the mean, at
-that factor: slanted lines are read less exactly than what views share."""
-
-_LOST = 1e-3
-"""Share of the volume that may be wrong by that."""
+"""Share of the matching tolerance within which every line of a file, and every side of the bounding
+box, lies; those of a picture lie within the tolerance of its views."""
 
 _STEADY = 24.0
 """Matching tolerances of length from which a stroke is read that well; a shorter one may be off by
@@ -89,13 +76,6 @@ class Flaw:
     missing: bool
 
 
-class Certainty(Protocol):
-    """Something that makes measures of a solid known."""
-
-    def volume_in_doubt(self, shape: TopoDS_Shape, unsure: float) -> float:
-        """mm3 by which a solid may be wrong, where other faces may be off by ``unsure`` mm."""
-
-
 @dataclass(frozen=True, eq=False)
 class Verification:
     """How a solid's lines agree with the views.
@@ -108,10 +88,8 @@ class Verification:
             are found at all; short lines count less.
         misfit: mm between the solid's bounding box and that of the views, where they differ most.
             The scale is that of the box: if a line sticks out of the part, all measures are off.
-        doubt: share of the volume that may be wrong, as far as the views contradict each other or
-            the solid: the thinner a part is in px, the more.  Faces that follow from round
-            measures, or from numbers on the sheet, are certain, but for one.
-        off: whether lines or box are too far off to rely on the measures.
+        apart: whether a line, or a side of the bounding box, lies farther beside than lines of the
+            sheet may miss where they belong: then there may be a small step.
         thin: how many faces are slivers: no view can show them.
         retold: whether strokes whose linetype nothing tells are of the other one.
     """
@@ -121,15 +99,9 @@ class Verification:
     flaws: tuple[Flaw, ...]
     spread: float
     misfit: float
-    doubt: float
-    off: bool
+    apart: bool
     thin: int = 0
     retold: bool = False
-
-    @property
-    def close(self) -> bool:
-        """Whether the measures can be relied on."""
-        return not self.off and self.doubt <= _LOST
 
     @property
     def share(self) -> float:
@@ -146,24 +118,18 @@ class Verification:
         """Whether it explains the views, and without slivers."""
         return self.explains and not self.thin
 
-    @property
-    def holds(self) -> bool:
-        """Whether its measures are those of the views, too."""
-        return self.neat and self.close
-
 
 def matching_tolerance(views: DrawnViews) -> float:
     """mm within which a line of a solid is a line of the views."""
     return max(LOOSE * views.tolerance, _LEAST * max(views.size))
 
 
-def verify(shape: TopoDS_Shape, views: DrawnViews, known: Sequence[Certainty] = ()) -> Verification:
+def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
     """Draw a solid in the views' directions and match the lines both ways.
 
     Args:
         shape: mm, in the model's axes.
         views: that it was made from.
-        known: what makes measures known; what leaves the least in doubt counts.
     """
     facts = soundness(shape)
     tolerance = matching_tolerance(views)
@@ -191,15 +157,10 @@ def verify(shape: TopoDS_Shape, views: DrawnViews, known: Sequence[Certainty] = 
     flaws.sort(key=lambda flaw: -flaw.length)
     sound = facts.valid and facts.closed and facts.solids == 1
     misfit = _misfit(shape, views)
-    noise = max(views.noise, spread / _BESIDE) if views.noise else 0.0
-    unsure = _UNSURE * noise
-    doubtful = unsure * area(shape)
-    if doubtful > _LOST * abs(volume(shape)):
-        doubtful = min([doubtful, *(own.volume_in_doubt(shape, unsure) for own in known)])
-    doubt = doubtful / max(abs(volume(shape)), 1e-12)
-    off = max(spread, misfit) > _CLOSE * tolerance
+    most = views.tolerance if views.noise else _CLOSE * tolerance
+    apart = max(spread, misfit) > most
     return Verification(
-        sound, matched, tuple(flaws), spread, misfit, doubt, off, _thin(shape, views), retold
+        sound, matched, tuple(flaws), spread, misfit, apart, _thin(shape, views), retold
     )
 
 

@@ -6,17 +6,38 @@ from freecad.gaussiancad.engine.report import Report, Status
 from freecad.gaussiancad.language import translate
 
 
-def status_text(status: Status) -> str:
-    """The status as a sentence."""
-    return {
-        Status.VERIFIED: translate(
-            "GaussianCAD", "Verified: the part, drawn again, agrees with the sheet in every view."
-        ),
+def verdict_text(report: Report) -> str:
+    """What is known of the part: its shape, and how well its measures are."""
+    shape = {
+        Status.VERIFIED: translate("GaussianCAD", "Shape verified."),
         Status.APPROXIMATE: translate(
-            "GaussianCAD", "Approximate: check the part against the drawing."
+            "GaussianCAD", "Shape not certain: check the part against the drawing."
         ),
         Status.FAILED: translate("GaussianCAD", "Failed: no part follows from this drawing."),
-    }[status]
+    }[report.status]
+    measures = measures_text(report)
+    return f"{shape} {measures}" if measures else shape
+
+
+def measures_text(report: Report) -> str:
+    """How well the measures are known; empty if that is not told."""
+    measures = report.group("measures")
+    bound = measures.get("uncertainty_mm")
+    if not isinstance(bound, int | float):
+        return ""
+    source = {
+        "numbers": translate("GaussianCAD", "from the sheet's numbers"),
+        "drawing": translate("GaussianCAD", "from the drawing"),
+        "mixed": translate("GaussianCAD", "from the sheet's numbers and the drawing"),
+    }.get(str(measures.get("source")), "?")
+    text = translate("GaussianCAD", "Measures to ±{bound} mm ({source}).")
+    return text.format(bound=f"{bound:.2g}", source=source)
+
+
+def explanation_lines(report: Report) -> list[str]:
+    """What was tried and why the shape is not certain, as the engine says it."""
+    lines = report.values.get("explanation")
+    return [str(line) for line in lines] if isinstance(lines, list) else []
 
 
 def role_name(role: str) -> str:

@@ -242,6 +242,15 @@ def _report_properties(report: Report) -> list[PropertySpec]:
             report.status.value,
         ),
         PropertySpec(
+            "Float",
+            "MeasuresToMillimetres",
+            group,
+            QT_TRANSLATE_NOOP(
+                "App::Property", "Bound that 95 % of the faces' places keep; 0 if it is not known"
+            ),
+            float(report.group("measures").get("uncertainty_mm") or 0.0),
+        ),
+        PropertySpec(
             "StringList",
             "Reasons",
             group,

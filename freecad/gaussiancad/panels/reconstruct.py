@@ -8,7 +8,7 @@ import FreeCADGui
 
 from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.engine.job import SHEET_SUFFIXES, ReconstructJob
-from freecad.gaussiancad.engine.summary import report_lines, status_text
+from freecad.gaussiancad.engine.summary import report_lines, verdict_text
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.document_sheets import export_sheet, first_sheet_object
@@ -92,7 +92,7 @@ class ReconstructPanel(EnginePanel):
         _show_all(document)
         if has_choice(group):
             self._offer_choice(group)
-        return Success(status_text(run.report.status), tuple(report_lines(run.report)))
+        return Success(verdict_text(run.report), tuple(report_lines(run.report)))
 
     def set_editable(self, editable: bool) -> None:
         """Let the user change drawing and settings, or not."""

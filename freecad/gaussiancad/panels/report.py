@@ -6,7 +6,7 @@ import FreeCAD
 import FreeCADGui
 
 from freecad.gaussiancad.engine.report import parse_report
-from freecad.gaussiancad.engine.summary import report_lines, status_text
+from freecad.gaussiancad.engine.summary import explanation_lines, report_lines, verdict_text
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.solutions import SolutionSet, has_choice
 from freecad.gaussiancad.panels.sheet_preview import SheetPreview
@@ -17,7 +17,7 @@ DIALOG_NAME = "GaussianCADReport"
 
 
 class ReportDialog(QtWidgets.QDialog):
-    """Status, the sheet with the part's own lines over it, and the figures.
+    """What is known, the sheet with the part's own lines over it, the figures, and why.
 
     Args:
         group: the reconstruction.
@@ -31,24 +31,29 @@ class ReportDialog(QtWidgets.QDialog):
         self.setWindowTitle(group.Label)
         self.resize(900, 700)
         report = parse_report(group.ReportJson, json.loads(group.ReportJson))
-        headline = QtWidgets.QLabel(status_text(report.status))
+        headline = QtWidgets.QLabel(verdict_text(report))
         headline.setObjectName("headline")
         headline.setWordWrap(True)
         picture = SheetPreview()
         picture.show_file(getattr(group, "Overlay", "") or group.Sheet)
         expanding = QtWidgets.QSizePolicy.Policy.Expanding
         picture.setSizePolicy(expanding, expanding)
-        text = QtWidgets.QPlainTextEdit("\n".join(report_lines(report)))
-        text.setObjectName("text")
-        text.setReadOnly(True)
-        text.setMaximumHeight(200)
+        tabs = QtWidgets.QTabWidget()
+        tabs.setMaximumHeight(240)
+        for name, title, lines in (
+            ("text", translate("GaussianCAD", "Details"), report_lines(report)),
+            ("why", translate("GaussianCAD", "Why"), explanation_lines(report)),
+        ):
+            text = QtWidgets.QPlainTextEdit("\n".join(lines))
+            text.setObjectName(name)
+            text.setReadOnly(True)
+            tabs.addTab(text, title)
         close = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.StandardButton.Close)
         close.rejected.connect(self.reject)
         layout = QtWidgets.QVBoxLayout(self)
         layout.addWidget(headline)
         layout.addWidget(picture)
-        layout.addWidget(QtWidgets.QLabel(translate("GaussianCAD", "Details")))
-        layout.addWidget(text)
+        layout.addWidget(tabs)
         if has_choice(group):
             action = QtWidgets.QDialogButtonBox.ButtonRole.ActionRole
             close.addButton(self._choice_button(group), action)

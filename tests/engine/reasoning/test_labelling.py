@@ -1,6 +1,5 @@
 """Labels that fulfil rules, and what is given up where they contradict each other."""
 
-import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import pairwise, product
@@ -23,7 +22,8 @@ from gaussiancad_core.reasoning.labelling import (
 )
 from gaussiancad_core.reasoning.part import model_part
 from gaussiancad_core.reasoning.rules import Group, Rule, Transition, drawn_under
-from gaussiancad_core.reasoning.solvers import Deadline, relaxing_solver, solver_for
+from gaussiancad_core.reasoning.solvers import relaxing_solver, solver_for
+from gaussiancad_core.reasoning.work import OVER, Deadline, Meter
 from gaussiancad_core.views import Linetype
 
 _CELLS: tuple[Cell, ...] = tuple((k, 1, 1, 0) for k in range(1, 5))
@@ -244,7 +244,7 @@ def test_no_time_no_labels(rules: tuple[Rule, ...]) -> None:
 
 
 def test_no_labels_after_the_deadline(rules: tuple[Rule, ...]) -> None:
-    search, over = Search(rules, _EFFORT), Deadline(0.0)
+    search, over = Search(rules, _EFFORT), OVER
     assert over.left == 0.0
     assert search.fulfilled(over) == Labelling(None, (), False)
     assert search.least(over) == Labelling(None, (), False)
@@ -253,7 +253,7 @@ def test_no_labels_after_the_deadline(rules: tuple[Rule, ...]) -> None:
 
 
 def test_a_deadline_that_is_not_reached_changes_nothing(rules: tuple[Rule, ...]) -> None:
-    late = Deadline(time.perf_counter() + 1e6)
+    late = Meter(guard=1e6).until(1e6)
     assert Search(rules, _EFFORT).fulfilled(late) == _best(rules)
 
 
@@ -268,7 +268,7 @@ def test_what_was_found_until_the_deadline_is_kept(monkeypatch: pytest.MonkeyPat
 
     def solver(effort: float, deadline: Deadline) -> object:
         calls.append(effort)
-        return relaxing_solver(effort, deadline if len(calls) == 1 else Deadline(0.0))
+        return relaxing_solver(effort, deadline if len(calls) == 1 else OVER)
 
     monkeypatch.setattr(labelling, "relaxing_solver", solver)
     found = Search(rules, _EFFORT).least()
@@ -330,7 +330,7 @@ def test_rules_that_contradict_each_other_without_some_are_told() -> None:
     search = Search(rules, _EFFORT)
     assert search.contradict([]) and search.contradict([2])
     assert not search.contradict([0]) and not search.contradict([1, 2])
-    assert not search.contradict([], Deadline(0.0))
+    assert not search.contradict([], OVER)
     # Afterwards the least is found as ever.
     assert search.least() == _best(rules)
 

@@ -15,7 +15,7 @@ from gaussiancad_core.reasoning import part as reasoning_part
 from gaussiancad_core.reasoning.arrangement import OUTSIDE
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.reasoning.part import PartModel, model_part, with_lone_bodies
-from gaussiancad_core.reasoning.solvers import Deadline
+from gaussiancad_core.reasoning.work import OVER
 from gaussiancad_core.views import Arc, Linetype, Segment
 
 _NAMES = ("l-bracket", "counterbored-block", "filleted-block", "cross-bored-pin")
@@ -83,7 +83,7 @@ def test_a_part_that_is_not_modelled_in_time_says_so(
     sample_views: Callable[[str], DrawnViews],
 ) -> None:
     with pytest.raises(LimitError) as caught:
-        model_part(sample_views("l-bracket"), deadline=Deadline(0.0))
+        model_part(sample_views("l-bracket"), deadline=OVER)
     assert caught.value.code == "search-unfinished"
 
 
@@ -125,5 +125,5 @@ def test_no_bodies_are_added_where_the_other_rules_contradict_each_other(
 ) -> None:
     assert with_lone_bodies(blunt_cone, lambda but: True) is None
     with pytest.raises(LimitError) as caught:
-        with_lone_bodies(blunt_cone, lambda but: False, Deadline(0.0))
+        with_lone_bodies(blunt_cone, lambda but: False, OVER)
     assert caught.value.code == "search-unfinished"

@@ -18,13 +18,14 @@ from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.reasoning.labelling import Effort
 from gaussiancad_core.reasoning.open_outlines import find_gaps
 from gaussiancad_core.solid.contradiction import conflict_reason
-from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
+from gaussiancad_core.solid.exact import ExactResult, exact_solid
+from gaussiancad_core.solid.limits import Limits
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.views import Linetype, Segment
 
 Views = Callable[[str], DrawnViews]
 
-_LIMITS = Limits(Effort(hard=2.0), alternatives=2, seconds=1e6)
+_LIMITS = Limits(Effort(hard=2.0), alternatives=2, work=1e6)
 """Ended by deterministic efforts only: on a busy machine, conflicts are looked for too."""
 
 _NAMES = ("l-bracket", "stepped-block", "wedge-block")

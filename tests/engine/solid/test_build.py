@@ -27,7 +27,7 @@ from gaussiancad_core.reasoning.bodies import ArcProfile, RevolvedBody
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.reasoning.labelling import Effort, Search
 from gaussiancad_core.reasoning.part import PartModel, model_part
-from gaussiancad_core.reasoning.solvers import Deadline
+from gaussiancad_core.reasoning.work import OVER
 from gaussiancad_core.solid import build
 from gaussiancad_core.solid.bodies import revolved_face
 from gaussiancad_core.solid.build import BuiltSolid, build_solid
@@ -140,7 +140,7 @@ def _low_step(height: float) -> tuple[PartModel, LabelledSpace]:
 def test_where_faces_do_not_close_narrower_ones_are_taken_along_if_there_is_time() -> None:
     height = 0.04
     part, space = _low_step(height)
-    assert not build_solid(space, part.supports.scale, Deadline(0.0)).closed
+    assert not build_solid(space, part.supports.scale, OVER).closed
     built = build_solid(space, part.supports.scale)
     assert built.shape is not None and soundness(built.shape).faces == 8
     assert volume(built.shape) == pytest.approx(60 * (100 * 30 + 50 * height), rel=1e-9)

@@ -13,7 +13,7 @@ from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.solid.exact import exact_solid
-from gaussiancad_core.solid.models import Limits
+from gaussiancad_core.solid.limits import Limits
 from gaussiancad_core.views import Arc, Linetype, Segment
 
 Draw = Callable[[TopoDS_Shape], DrawnViews]

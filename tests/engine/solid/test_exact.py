@@ -36,13 +36,14 @@ from gaussiancad_core.drawing.brep import (
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.reasoning.labelling import Effort, Labelling, Others, Search
-from gaussiancad_core.reasoning.solvers import Deadline
+from gaussiancad_core.reasoning.work import Deadline
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
 from gaussiancad_core.sheet.files.fitting import circle_through
-from gaussiancad_core.solid import exact
+from gaussiancad_core.solid import candidates, exact
 from gaussiancad_core.solid.build import BuiltSolid, build_solid
-from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
+from gaussiancad_core.solid.exact import ExactResult, exact_solid
 from gaussiancad_core.solid.labelled import LabelledSpace
+from gaussiancad_core.solid.limits import Limits
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.verify import verify
 from gaussiancad_core.views import Arc, Linetype, Segment
@@ -66,7 +67,7 @@ _NAMES = (
     "chamfered-block",
 )
 
-_SMALL = Limits(Effort(hard=4.0, relaxed=4.0, simplest=2.0), alternatives=3, seconds=10.0)
+_SMALL = Limits(Effort(hard=4.0, relaxed=4.0, simplest=2.0), alternatives=3, work=10.0)
 """Enough for what follows, and an end to it in any case."""
 
 
@@ -84,7 +85,7 @@ def test_a_sample_part_comes_back(name: str, sample_solid: Solid, solved: Solved
     assert state.faces == expected.faces
     assert bounding_box(result.shape) == pytest.approx(bounding_box(truth), abs=1e-4)
     assert iou(truth, result.shape) == pytest.approx(1.0, abs=1e-6)
-    assert result.verification is not None and result.verification.holds
+    assert result.verification is not None and result.verification.neat
 
 
 def test_a_groove_that_a_bore_hides_in_one_view_is_found(
@@ -201,7 +202,7 @@ def test_two_views_are_solved_and_told(
     views = drawn(solid, (Role.FRONT, Role.TOP))
     result = exact_solid(views, _SMALL)
     assert result.status is Status.APPROXIMATE and "two-views" in _codes(result)
-    assert result.verification is not None and result.verification.holds
+    assert result.verification is not None and result.verification.neat
     assert soundness(result.shape).valid
     assert bounding_box(result.shape) == pytest.approx(bounding_box(solid), abs=1e-4)
 
@@ -291,12 +292,12 @@ def test_a_thousand_strokes_come_to_an_end() -> None:
         outline = [Segment(box[k - 1], box[k], Linetype.VISIBLE) for k in range(4)]
         strokes[role] = (*outline, *lines)
     views = exact_views(strokes, (100.0, 100.0, 100.0))
-    limits = Limits(Effort(hard=0.5, relaxed=0.4, simplest=0.2), alternatives=1, seconds=1e6)
+    limits = Limits(Effort(hard=0.5, relaxed=0.4, simplest=0.2), alternatives=1, work=1e6)
     result = exact_solid(views, limits)
     assert result.status is Status.FAILED and result.shape is None
     assert _codes(result) == {"part-too-complex"}
     # Without time it is not even counted how complex it is.
-    result = exact_solid(views, replace(limits, seconds=0.0))
+    result = exact_solid(views, replace(limits, work=0.0))
     assert result.status is Status.FAILED and _codes(result) == {"search-unfinished"}
 
 
@@ -323,7 +324,7 @@ def test_two_solids_with_the_same_lines_are_both_told(
     for truth in truths:
         assert sum(same_solid(truth, solid) for solid in solids) == 1
     for solid in solids:
-        assert soundness(solid).valid and verify(solid, views).holds
+        assert soundness(solid).valid and verify(solid, views).neat
 
 
 def test_what_could_not_be_built_may_be_another_solid(
@@ -337,7 +338,7 @@ def test_what_could_not_be_built_may_be_another_solid(
         )
         return built[-1]
 
-    monkeypatch.setattr(exact, "build_solid", first_only)
+    monkeypatch.setattr(candidates, "build_solid", first_only)
     result = exact_solid(drawn(_cube_without((0, 0, 1), (0, 2, 2), (2, 2, 1))))
     assert len(built) == 2 and result.alternatives == ()
     assert result.status is Status.APPROXIMATE and _codes(result) == {"search-unfinished"}
@@ -375,8 +376,8 @@ def test_without_time_there_is_no_solid_and_the_reason_says_so(sample_views: Vie
     assert result.status is Status.FAILED and _codes(result) == {"search-unfinished"}
 
 
-def test_solvers_end_with_the_seconds(sample_views: Views) -> None:
-    result = exact_solid(sample_views("l-bracket"), Limits(seconds=0.0))
+def test_the_search_ends_with_the_work(sample_views: Views) -> None:
+    result = exact_solid(sample_views("l-bracket"), Limits(work=0.0))
     assert result.status is Status.FAILED and _codes(result) == {"search-unfinished"}
 
 
@@ -419,8 +420,8 @@ def test_a_part_designed_in_steps_is_as_large_as_meant(
     )
     found = exact_solid(_misplaced(drawn(solid), pixel))
     assert found.verification is not None and found.verification.explains
-    assert found.verification.close == sure
-    assert (found.status is Status.VERIFIED) == sure
+    assert found.status is Status.VERIFIED
+    assert (found.measures.uncertainty == pytest.approx(1e-3)) == (sure and not off)
     if sure:
         within = 1e-3 if off else 1e-6
         assert volume(found.shape) == pytest.approx(volume(solid), rel=within)
@@ -441,8 +442,8 @@ def test_edges_that_follow_from_round_faces_are_no_odd_measures(
     )
     solid = cut(bar, box((10, -1, 34 + odd), (40, 41, 41)), cylinder(Axis.X, (20, 20), 6, -1, 90))
     found = exact_solid(_misplaced(drawn(solid), 0.2))
-    assert found.verification is not None and found.verification.explains
-    assert (found.status is Status.VERIFIED) == sure
+    assert found.status is Status.VERIFIED
+    assert (found.measures.uncertainty == pytest.approx(1e-3)) == sure
     if sure:
         assert volume(found.shape) == pytest.approx(volume(solid), rel=1e-6)
 

@@ -8,17 +8,21 @@ from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.solid import exact
-from gaussiancad_core.solid.exact import ExactResult, Limits
+from gaussiancad_core.solid.exact import ExactResult
+from gaussiancad_core.solid.limits import Limits
+from gaussiancad_core.solid.measures import Measures, MeasureSource
 
 _VIEWS = DrawnViews({}, (50.0, 40.0, 30.0), 0.1, noise=0.02)
-_INEXACT = ("lines-inexact", "its measures may not be right")
+_DOUBT = ("ambiguous", "there are others")
 
 
-def _solved(share: float = 0.99, *, sound: bool = True, close: bool = False) -> ExactResult:
-    verification = SimpleNamespace(sound=sound, close=close, share=share, flaws=())
-    status = Status.VERIFIED if close else Status.APPROXIMATE
+def _solved(share: float = 0.99, *, sound: bool = True, bound: float = 0.3) -> ExactResult:
+    verification = SimpleNamespace(sound=sound, share=share, flaws=())
+    measures = Measures(bound, (bound,) * 3, MeasureSource.DRAWING)
     box = BRepPrimAPI_MakeBox(50.0, 40.0, 30.0).Shape()
-    return ExactResult(status, box, verification, (), () if close else (_INEXACT,), {"label": 1.0})
+    return ExactResult(
+        Status.VERIFIED, box, verification, (), (), {"label": 1.0}, measures=measures
+    )
 
 
 @pytest.fixture
@@ -27,17 +31,21 @@ def likely(monkeypatch: pytest.MonkeyPatch):  # noqa: ANN201
 
     def arrange(other: ExactResult, moved: float = 0.1) -> None:
         monkeypatch.setattr(exact, "find_supports", lambda views: SimpleNamespace(moved=moved))
-        monkeypatch.setattr(exact, "_found", lambda views, limits: other if views.likely else None)
+        monkeypatch.setattr(exact, "_found", lambda views, *_: other if views.likely else None)
 
     return arrange
 
 
 def test_a_solid_with_likely_measures_is_no_surer(likely) -> None:  # noqa: ANN001
-    found, other = _solved(), _solved(close=True)
+    found, other = _solved(), _solved(bound=0.001)
     likely(other)
     result = exact._with_likely_measures(found, _VIEWS, Limits())
     assert result.shape is other.shape
-    assert result.status is Status.APPROXIMATE and result.reasons == (_INEXACT,)
+    assert (result.status, result.measures) == (Status.VERIFIED, found.measures)
+    doubted = found.doubted(_DOUBT)
+    result = exact._with_likely_measures(doubted, _VIEWS, Limits())
+    assert result.shape is other.shape
+    assert (result.status, result.reasons) == (Status.APPROXIMATE, (_DOUBT,))
 
 
 def test_one_that_agrees_less_or_is_unsound_is_not_taken(likely) -> None:  # noqa: ANN001
@@ -49,7 +57,7 @@ def test_one_that_agrees_less_or_is_unsound_is_not_taken(likely) -> None:  # noq
 
 
 def test_certain_measures_stay(likely) -> None:  # noqa: ANN001
-    found = _solved(close=True)
+    found = _solved(bound=0.001)
     likely(_solved())
     assert exact._with_likely_measures(found, _VIEWS, Limits()) is found
     doubted = _solved()

@@ -30,7 +30,7 @@ def _slotted(width: float) -> TopoDS_Shape:
 def test_a_solid_shows_its_own_lines(drawn: Draw) -> None:
     solid = _slotted(10)
     found = verify(solid, drawn(solid))
-    assert found.holds and found.sound and found.flaws == ()
+    assert found.neat and found.flaws == ()
     assert set(found.matched) == {Role.FRONT, Role.TOP, Role.RIGHT}
     assert all(match.agreement.worst == 1.0 for match in found.matched.values())
 
@@ -38,7 +38,7 @@ def test_a_solid_shows_its_own_lines(drawn: Draw) -> None:
 def test_missing_and_surplus_lines_are_told_by_place_and_length(drawn: Draw) -> None:
     views = drawn(_slotted(10))
     found = verify(_box(0, 0, 0, 40, 30, 20), views)
-    assert found.sound and not found.holds
+    assert found.sound and not found.explains
     front = [flaw for flaw in found.flaws if flaw.role is Role.FRONT]
     surplus = [flaw for flaw in front if not flaw.missing]
     assert sum(flaw.length for flaw in surplus) == pytest.approx(10.0, rel=0.05)
@@ -64,13 +64,13 @@ def test_flaws_swap_their_sense_with_solid_and_views(drawn: Draw) -> None:
 def test_a_difference_beyond_the_tolerance_is_a_flaw(drawn: Draw) -> None:
     views = drawn(_slotted(10))
     off = 2.0 * matching_tolerance(views)
-    assert not verify(_slotted(10 + off), views).holds
+    assert not verify(_slotted(10 + off), views).explains
     loose = replace(views, tolerance=off)
     assert matching_tolerance(loose) > off
     found = verify(_slotted(10 + off), loose)
     assert found.explains and found.spread == pytest.approx(off, rel=0.03)
     exact = verify(_slotted(10), loose)
-    assert exact.holds and exact.spread == pytest.approx(0.0, abs=1e-6)
+    assert exact.neat and exact.spread == pytest.approx(0.0, abs=1e-6)
 
 
 def test_two_solids_are_not_one_sound_body(drawn: Draw) -> None:
@@ -80,7 +80,7 @@ def test_two_solids_are_not_one_sound_body(drawn: Draw) -> None:
     for x in (0, 25):
         builder.Add(solids, _box(x, 0, 0, 15, 30, 20))
     found = verify(solids, drawn(solids))
-    assert not found.sound and not found.holds
+    assert not found.sound and not found.explains
     assert found.flaws == ()
 
 
@@ -117,8 +117,8 @@ def test_what_little_was_read_of_a_rounding_is_not_overlooked(drawn: Draw) -> No
     assert [(flaw.role, flaw.missing) for flaw in found.flaws] == [(Role.FRONT, True)]
 
 
-@pytest.mark.parametrize(("length", "close"), [(6.0, True), (38.0, False)])
-def test_a_short_line_may_be_read_less_exactly(length: float, close: bool, drawn: Draw) -> None:
+@pytest.mark.parametrize(("length", "apart"), [(6.0, False), (38.0, True)])
+def test_a_short_line_may_be_read_less_exactly(length: float, apart: bool, drawn: Draw) -> None:
     solid = BRepAlgoAPI_Cut(_box(0, 0, 0, 40, 30, 20), _box(0, 0, 10, length, 30, 10)).Shape()
     exact = drawn(solid)
     off = 0.1
@@ -131,58 +131,26 @@ def test_a_short_line_may_be_read_less_exactly(length: float, close: bool, drawn
     views = replace(exact, strokes={**exact.strokes, Role.FRONT: front}, tolerance=0.2)
     found = verify(solid, views)
     assert found.explains
-    assert found.close == close
+    assert found.apart == apart
 
 
-@pytest.mark.parametrize(("beyond", "close"), [(0.3, True), (0.4, False), (0.9, False)])
+@pytest.mark.parametrize(
+    ("beyond", "noise", "apart"),
+    [(0.3, 0.0, False), (0.4, 0.0, True), (0.9, 0.01, False), (1.1, 0.01, True)],
+)
 def test_a_solid_that_does_not_fill_the_views_has_other_measures(
-    beyond: float, close: bool, drawn: Draw
+    beyond: float, noise: float, apart: bool, drawn: Draw
 ) -> None:
     # As if an edge reached over a corner: the box is too long, and all lines are where they were.
     solid = _slotted(10)
     exact = drawn(solid)
     pixel = 0.1
-    views = replace(exact, size=(40.0, 30.0 + beyond * pixel, 20.0), tolerance=pixel)
+    views = replace(exact, size=(40.0, 30.0 + beyond * pixel, 20.0), tolerance=pixel, noise=noise)
     found = verify(solid, views)
     assert found.explains
     assert found.spread == pytest.approx(0.0, abs=1e-6)
     assert found.misfit == pytest.approx(beyond * pixel, abs=1e-6)
-    assert found.close == close
-
-
-@pytest.mark.parametrize(("thickness", "close"), [(20.0, True), (3.0, True), (0.8, False)])
-def test_the_volume_of_a_thin_part_is_known_less_exactly(
-    thickness: float, close: bool, drawn: Draw
-) -> None:
-    """The views of a picture contradict each other by some thousandths of a millimetre."""
-    solid = _box(0, 0, 0, 40, 30, thickness)
-    views = replace(drawn(solid), tolerance=0.1, noise=2e-4)
-    found = verify(solid, views)
-    assert found.explains and not found.off
-    sides = 40 * 30 + 40 * thickness + 30 * thickness
-    assert found.doubt == pytest.approx(3 * 2e-4 * 2 * sides / (40 * 30 * thickness))
-    assert found.close == found.holds == close
-    assert verify(solid, replace(views, noise=0.0)).doubt == 0.0
-
-
-@pytest.mark.parametrize("beside", [0.0, 0.005, 0.024])
-def test_a_line_beside_the_solid_tells_of_its_faces(beside: float, drawn: Draw) -> None:
-    solid = _slotted(10)
-    exact = drawn(solid)
-    longest = max(exact.strokes[Role.TOP], key=lambda own: own.length)
-    moved = replace(
-        longest,
-        start=(longest.start[0], longest.start[1] + beside),
-        end=(longest.end[0], longest.end[1] + beside),
-    )
-    top = tuple(moved if own is longest else own for own in exact.strokes[Role.TOP])
-    strokes = {**exact.strokes, Role.TOP: top}
-    views = replace(exact, strokes=strokes, tolerance=0.1, noise=5e-4)
-    plain, found = verify(solid, replace(exact, tolerance=0.1, noise=5e-4)), verify(solid, views)
-    assert found.spread == pytest.approx(beside, abs=1e-6) and not found.off
-    assert found.doubt == pytest.approx(plain.doubt * max(1.0, beside / 12.0 / 5e-4))
-    # Where all measures are round nothing is asked.
-    assert verify(solid, replace(views, noise=0.0)).doubt == 0.0
+    assert found.apart == apart
 
 
 @pytest.mark.parametrize(("width", "thin"), [(0.3, 2), (1.5, 0)])
@@ -194,4 +162,4 @@ def test_faces_narrower_than_pixels_can_tell_are_slivers(
     found = verify(solid, replace(drawn(solid), tolerance=0.25))
     assert found.explains and found.thin == thin
     assert found.neat == (not thin)
-    assert verify(solid, drawn(solid)).holds
+    assert verify(solid, drawn(solid)).neat

@@ -9,6 +9,9 @@ from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 _MOST_PLACES = 5
 """Boxes that one message names at most."""
 
+UNUSED = "unused-view"
+"""Code of whatever shows the part and was not used."""
+
 _SECTIONS = (SpecialKind.SECTION, SpecialKind.HALF_SECTION, SpecialKind.PARTIAL_SECTION)
 
 
@@ -45,10 +48,10 @@ def tellings(special: Sequence[SpecialView]) -> list[Telling]:
 def _told(kind: SpecialKind, used: bool, boxes: list[Box]) -> Telling:
     places = _places(boxes)
     if not used:
-        why = _WHY.get(kind, "it is none of the part's views")
-        return Telling(
-            _LEFT_OUT[kind], f"{_NAMES[kind]} at {places} px: left out, {why}", doubt=False
-        )
+        illustrates = kind in _ILLUSTRATIONS
+        code = _ILLUSTRATIONS[kind][0] if illustrates else UNUSED
+        what = f"{_NAMES[kind]} at {places} px was not used: {why_unused(kind)}"
+        return Telling(code, what, doubt=not illustrates)
     if kind in _SECTIONS:
         return Telling(
             "section-used",
@@ -57,6 +60,13 @@ def _told(kind: SpecialKind, used: bool, boxes: list[Box]) -> Telling:
             doubt=True,
         )
     return Telling(_USED[kind], f"{_NAMES[kind]} at {places} px: {_DOUBTS[kind]}", doubt=True)
+
+
+def why_unused(kind: SpecialKind) -> str:
+    """What leaving out a drawing of a kind means, in a clause."""
+    if kind in _ILLUSTRATIONS:
+        return _ILLUSTRATIONS[kind][1]
+    return "it shows the part as well: what it shows may be missing"
 
 
 def _places(boxes: list[Box]) -> str:
@@ -77,22 +87,14 @@ _NAMES = {
     SpecialKind.THREAD: "a thread symbol",
 }
 
-_WHY = {
-    SpecialKind.THREAD: "the model has the plain cylinder that the wide lines show",
+_ILLUSTRATIONS = {
+    SpecialKind.PICTORIAL: ("pictorial-left-out", "it illustrates what the views show"),
+    SpecialKind.THREAD: (
+        "thread-left-out",
+        "the model has the plain cylinder that the wide lines show",
+    ),
 }
-
-_LEFT_OUT = {
-    SpecialKind.SECTION: "section-left-out",
-    SpecialKind.HALF_SECTION: "half-section-left-out",
-    SpecialKind.PARTIAL_SECTION: "partial-section-left-out",
-    SpecialKind.PICTORIAL: "pictorial-left-out",
-    SpecialKind.DETAIL: "detail-left-out",
-    SpecialKind.AUXILIARY: "auxiliary-view-left-out",
-    SpecialKind.OTHER_PART: "other-part-left-out",
-    SpecialKind.BROKEN: "broken-view-left-out",
-    SpecialKind.HALF: "half-view-left-out",
-    SpecialKind.THREAD: "thread-left-out",
-}
+"""Code, and why nothing is missing without it, of what shows no more than the views do."""
 
 _USED = {
     SpecialKind.BROKEN: "broken-view",

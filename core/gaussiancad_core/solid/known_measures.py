@@ -1,23 +1,19 @@
-"""How much of a solid is in doubt whose measures are round but for a few.
+"""What makes some measures of a solid known: the step that it was designed in, the sheet's numbers.
 
-What a picture tells to a tenth of a pixel is known exactly where it was rounded to the step that
-the part was designed in.  Faces that do not follow from such multiples may lie as far from where
-they were read as numbers were rounded at most.
-
-Where a measure is odd, another one may be near a round one by chance, and odd as well.  How likely
-that is follows from how many odd ones were seen: where more than one is unlikely, the largest face
-is in doubt, too, whichever it may be.  Where all faces are round, odd coordinates are none of
-these: an edge in which faces meet, as that of a flat on a cylinder, is where they have it.
+What a picture tells to a tenth of a pixel is known exactly where it was rounded to the step of the
+design.  Where a measure is odd, another one may be near a round one by chance, and odd as well; how
+likely that is follows from how many odd ones were seen.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.drawing.brep import faces_of
+from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.nominal import ROUND_MM
-from gaussiancad_core.solid.known_faces import Known, Points, areas, is_known
+from gaussiancad_core.reasoning.told_places import ToldPlaces
+from gaussiancad_core.solid.known_faces import Known, Points
 
 _ON = 1e-4
 """Share of the step within which a number is a multiple of it: what was rounded is exact but for
@@ -68,20 +64,32 @@ class RoundMeasures:
         """Multiples of the step."""
         return np.abs(numbers - self.step * np.round(numbers / self.step)) <= _ON * self.step
 
-    def volume_in_doubt(self, shape: TopoDS_Shape, unsure: float) -> float:
-        """mm3 by which a solid may be wrong, or infinity where too much may be round by chance.
-
-        Args:
-            shape: mm; its bounding box starts at the origin.
-            unsure: by how much a face may be off if nothing tells it: no multiple lies as far off.
-        """
-        if self.by_chance > _MOST_BY_CHANCE:
-            return np.inf
-        unknown, _, largest = areas(shape, self)
-        return self.reach * (unknown + largest)
+    @property
+    def is_chance(self) -> bool:
+        """Whether too much may be round by chance for any of it to be known."""
+        return self.by_chance > _MOST_BY_CHANCE
 
 
-def is_round(shape: TopoDS_Shape, step: float) -> bool:
-    """Whether all faces of a solid follow from multiples of a step in mm."""
-    measures = RoundMeasures(step, 0.0, 0)
-    return all(is_known(face, measures) for face in faces_of(shape))
+@dataclass(frozen=True)
+class ToldMeasures:
+    """What numbers on the sheet tell of a part.
+
+    Attributes:
+        places: that follow from them, mm.
+        near: mm within which a coordinate is a told one.
+    """
+
+    places: ToldPlaces
+    near: float
+
+    def coordinates(self, axis: int, numbers: Points) -> Known:
+        """Those that numbers tell."""
+        return self._told(self.places.values[Axis(axis)], numbers)
+
+    def radii(self, numbers: Points) -> Known:
+        """Those that numbers tell."""
+        return self._told(self.places.radii, numbers)
+
+    def _told(self, told: Sequence[float], numbers: Points) -> Known:
+        apart = np.abs(numbers[:, None] - np.array(told)[None, :])
+        return apart.min(axis=1, initial=np.inf) <= self.near

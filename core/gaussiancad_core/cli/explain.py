@@ -1,0 +1,70 @@
+"""``gaussiancad explain``: why a result is what it is, in sentences."""
+
+import argparse
+import json
+from pathlib import Path
+from typing import Any
+
+from gaussiancad_core.errors import ExitCode, UnreadableError, UsageError
+from gaussiancad_core.events import Listener
+
+
+def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the subcommand ``explain``."""
+    parser = commands.add_parser(
+        "explain", help="say what was tried for a sheet, and why its solid is not certain"
+    )
+    parser.add_argument("folder", metavar="DIR", type=Path, help="output folder of a run")
+    place = parser.add_mutually_exclusive_group()
+    place.add_argument("--at", metavar="X,Y", help="what is known of a place, px of the sheet")
+    place.add_argument("--view", metavar="ROLE", help="what is known of a view: front, top, ...")
+    parser.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
+    """Print the explanation."""
+    from gaussiancad_core.explanation import explained, explained_place, explained_view
+
+    report = _values(options.folder / "report.json")
+    if options.at is not None:
+        lines = explained_place(report, _reading(options.folder), _place(options.at))
+    elif options.view is not None:
+        if options.view not in report["views"]:
+            known = ", ".join(report["views"]) or "none"
+            raise UsageError(
+                "unknown-view", f"the sheet has no view {options.view}; it has: {known}"
+            )
+        lines = explained_view(report, _reading(options.folder), options.view)
+    else:
+        lines = explained(report)
+    print("\n".join(lines))
+    return ExitCode.DONE
+
+
+def _reading(folder: Path) -> dict[str, Any]:
+    return _values(folder / "reading.json")
+
+
+def _values(path: Path) -> dict[str, Any]:
+    """The JSON object of a file that a run wrote."""
+    try:
+        values = json.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise UnreadableError(
+            "no-report", f"{path} does not exist: give the output folder of a run"
+        ) from None
+    except (OSError, ValueError) as error:
+        raise UnreadableError("damaged-report", f"{path} cannot be read: {error}") from error
+    if not isinstance(values, dict) or values.get("schema") not in (2, "gaussiancad-reading/1"):
+        raise UnreadableError(
+            "old-report", f"{path} was written by another version: run the sheet again"
+        )
+    return values
+
+
+def _place(text: str) -> tuple[float, float]:
+    try:
+        x, y = (float(part) for part in text.split(","))
+    except ValueError:
+        raise UsageError("wrong-usage", f"--at {text}: give X,Y in px of the sheet") from None
+    return x, y

@@ -1,0 +1,255 @@
+"""A run in sentences: what is known, why no more, and what was tried.
+
+Everything is taken from ``report.json`` and ``reading.json``, so that a run can be explained long
+after it ended.
+"""
+
+from collections.abc import Iterable, Sequence
+from math import hypot
+
+from gaussiancad_core.pointing import Values, distance, holds, length
+
+_MOST = 6
+"""Places that one sentence names at most."""
+
+_NEAR_PX = 12.0
+"""px within which a stroke is the one that is pointed at."""
+
+_SOURCES = {
+    "numbers": "from the sheet's numbers",
+    "drawing": "from the drawing",
+    "mixed": "from the sheet's numbers and the drawing",
+}
+
+_MODELS = {
+    "as-drawn": "the lines as they are drawn",
+    "open-linetypes": "the same where a line no longer than a dash may be of either kind",
+    "closed-outline": "the same with the outline that is open closed by a straight line",
+    "lone-bodies": "with bodies of revolution that one view alone speaks of",
+    "without-rough-arcs": "with arcs that only follow a curve of intersection taken for such",
+    "wider-places": "with places as one that are farther apart than lines should miss each other",
+    "lost-lines": "with lines that a view may lack, where the other views show them",
+    "finer-places": "with places as one only if they are closer together",
+    "followed-curves": "with strokes led onto the curves in which two surfaces meet",
+    "open-ends": "with strokes that may go on beyond their ends",
+    "merged-values": "the same with places as one that are less than a pixel apart",
+    "likely-measures": "with measures that most likely are round",
+}
+
+_OUTCOMES = {
+    "all-lines": "a solid that has all lines",
+    "deviates": "a solid whose lines differ from the sheet's",
+    "unsound": "a solid that is not one valid closed body",
+    "faces-open": "faces that do not close",
+    "no-material": "nothing that bounds a body",
+    "contradictory": "no solid: its lines contradict each other",
+    "unfinished": "no answer within the work that is allowed",
+    "too-large": "not tried: it is too large",
+}
+
+
+def verdict(report: Values) -> str:
+    """What is known of the part, in one line."""
+    status = report["status"]
+    if status == "failed":
+        return f"No model. {_first_reason(report)}"
+    certain = "Shape verified." if status == "verified" else "Shape not certain."
+    measures = report.get("measures")
+    if measures is None:
+        return certain
+    bound = f"{measures['uncertainty_mm']:.2g}"
+    return f"{certain} Measures to \u00b1{bound} mm ({_SOURCES[measures['source']]})."
+
+
+def explained(report: Values) -> list[str]:
+    """Why the result is what it is, one sentence a line.
+
+    Args:
+        report: of a run.
+    """
+    lines = [verdict(report)]
+    if report["reasons"]:
+        lines += ["", "Why it is not certain:" if report["solid"] else "Why:"]
+        lines += [f"- {reason['message']} [{reason['code']}]" for reason in report["reasons"]]
+    if report.get("assumptions"):
+        lines += ["", "What was assumed:"]
+        lines += [
+            f"- {own['message']}; otherwise: {own['alternative']}" for own in report["assumptions"]
+        ]
+    lines += ["", "What was read:", *_read(report)]
+    if report.get("trace"):
+        lines += ["", "What was tried:"]
+        for number, attempt in enumerate(report["trace"], start=1):
+            lines += _attempt(number, attempt)
+    if report.get("disagreements"):
+        lines += ["", "Where the solid's lines and the sheet's differ:"]
+        lines += _named(map(_disagreement, report["disagreements"]))
+    if report.get("conflict"):
+        lines += ["", "Lines that contradict each other:"]
+        lines += _named(map(_conflict, report["conflict"]))
+    return lines
+
+
+def explained_view(report: Values, reading: Values, role: str) -> list[str]:
+    """What is known of a view.
+
+    Args:
+        report: of a run.
+        reading: of the same.
+        role: of the view.
+    """
+    view = report["views"][role]
+    box = _box(view["box"])
+    own = [stroke for stroke in reading["strokes"] if stroke["view"] == role]
+    kinds = {kind: sum(stroke["kind"] == kind for stroke in own) for kind in ("visible", "hidden")}
+    lines = [
+        f"The {role} view at {box} px has {kinds['visible']} visible and {kinds['hidden']} hidden "
+        "lines."
+    ]
+    if "visible_recall" in view:
+        lines.append(
+            f"Of its visible lines the result has {_percent(view['visible_recall'])}, of its "
+            f"hidden ones {_percent(view['hidden_recall'])}; of the result's lines it has "
+            f"{_percent(view['visible_precision'])} and {_percent(view['hidden_precision'])}."
+        )
+    lines += [_disagreement(own) for own in report["disagreements"] if own["view"] == role]
+    lines += [_conflict(own) for own in report["conflict"] if own["view"] == role]
+    for attempt in report["trace"]:
+        places = [own for own in attempt["given_up"] if own["view"] == role]
+        if places:
+            lines.append(f"Given up with {_MODELS[attempt['model']]}:")
+            lines += _named(map(_given_up, places))
+    return lines
+
+
+def explained_place(report: Values, reading: Values, at: tuple[float, float]) -> list[str]:
+    """What is known of a place on the sheet.
+
+    Args:
+        report: of a run.
+        reading: of the same.
+        at: px of the sheet as stored.
+    """
+    where = f"({at[0]:.0f}, {at[1]:.0f})"
+    lines = []
+    near = sorted(
+        ((distance(stroke, at), stroke) for stroke in reading["strokes"]), key=lambda own: own[0]
+    )
+    found = [stroke for away, stroke in near if away <= _NEAR_PX]
+    lines += [_stroke(stroke) for stroke in found[:_MOST]]
+    if not found:
+        away = f"; the nearest is {near[0][0]:.0f} px away" if near else ""
+        lines.append(f"No line was read at {where} px{away}.")
+    for role, view in report["views"].items():
+        if holds(view["box"], at):
+            lines.append(f"It lies within the {role} view.")
+    for own in report["unused"]:
+        if holds(own["box"], at):
+            lines.append(f"It lies within a {own['kind']} that was not used: {own['why']}.")
+    for attempt in report["trace"]:
+        for own in attempt["given_up"]:
+            if hypot(own["at"][0] - at[0], own["at"][1] - at[1]) <= 2.0 * _NEAR_PX:
+                lines.append(f"With {_MODELS[attempt['model']]}: {_given_up(own)} was given up.")
+    for own in report["disagreements"]:
+        if hypot(own["at"][0] - at[0], own["at"][1] - at[1]) <= 2.0 * _NEAR_PX:
+            lines.append(_disagreement(own))
+    for own in report["conflict"]:
+        if holds(own["box"], at, _NEAR_PX):
+            lines.append(_conflict(own))
+    return lines
+
+
+def _first_reason(report: Values) -> str:
+    reasons = report["reasons"]
+    return f"{reasons[0]['message'][:1].upper()}{reasons[0]['message'][1:]}." if reasons else ""
+
+
+def _read(report: Values) -> list[str]:
+    lines = []
+    for role, view in report["views"].items():
+        hidden = "" if view.get("hidden_lines") != "none" else ", no hidden line in it"
+        lines.append(f"- the {role} view at {_box(view['box'])} px{hidden}")
+    source = {"given": "told", "symbol": "by its symbol", "inferred": "its lines tell it"}
+    how = source.get(report["projection_source"], "assumed")
+    lines.append(f"- {report['projection']} angle projection ({how})")
+    scale = report.get("scale_mm_per_pixel")
+    if scale:
+        lines.append(f"- scale {scale:.4g} mm a pixel ({report['scale_source']})")
+    lines += [
+        f"- not used: {own['kind']} at {_box(own['box'])} px, {own['why']}"
+        for own in report["unused"]
+    ]
+    return lines
+
+
+def _attempt(number: int, attempt: Values) -> list[str]:
+    size = f" ({attempt['rules']} rules over {attempt['cells']} cells)" if attempt["rules"] else ""
+    taken = "; this one was taken" if attempt["taken"] else ""
+    lines = [
+        f"{number}. {_MODELS[attempt['model']]}{size}: {_OUTCOMES[attempt['outcome']]}{taken}."
+    ]
+    if attempt["faces"]:
+        lines.append(
+            f"   {attempt['faces']} faces; {_percent(attempt['agreement'])} of all lines agree, "
+            f"{attempt['disagreements']} places differ."
+        )
+    if attempt["others"]:
+        lines.append(f"   {attempt['others']} other ways to fill the cells were built as well.")
+    if attempt["given_up"]:
+        lines.append(f"   {attempt['given_up_mm']:.1f} mm of line were given up:")
+        lines += [f"   {line}" for line in _named(map(_given_up, attempt["given_up"]))]
+    if attempt["open_at_mm"]:
+        places = "; ".join(
+            "({:.1f}, {:.1f}, {:.1f})".format(*place) for place in attempt["open_at_mm"][:_MOST]
+        )
+        lines.append(f"   Edges that bound one face only, at (x, y, z) mm: {places}.")
+    return lines
+
+
+def _named(sentences: Iterable[str]) -> list[str]:
+    """The first of some sentences as a list, and how many there are beside."""
+    every = list(sentences)
+    more = [f"- and {len(every) - _MOST} more"] if len(every) > _MOST else []
+    return [*(f"- {sentence}" for sentence in every[:_MOST]), *more]
+
+
+def _given_up(own: Values) -> str:
+    kind = f"a {own['drawn']} line" if own["drawn"] else "a stretch where nothing is drawn"
+    return (
+        f"{kind} of {own['length_mm']:.1f} mm in the {own['view']} view at "
+        f"({own['at'][0]:.0f}, {own['at'][1]:.0f}) px"
+    )
+
+
+def _disagreement(own: Values) -> str:
+    what = "the solid lacks" if own["missing"] else "the sheet lacks"
+    return (
+        f"{what} {own['length_mm']:.1f} mm of line in the {own['view']} view, at "
+        f"({own['at'][0]:.0f}, {own['at'][1]:.0f}) px"
+    )
+
+
+def _conflict(own: Values) -> str:
+    kind = f"a {own['drawn']} line" if own["drawn"] else "a stretch where nothing is drawn"
+    fitting = f"as {own['fitting']}" if own["fitting"] else "not at all"
+    suspect = f": all others agree where it is drawn {fitting}" if own["suspect"] else ""
+    return f"{kind} in the {own['view']} view at {_box(own['box'])} px{suspect}"
+
+
+def _stroke(stroke: Values) -> str:
+    long = length(stroke)
+    size = f" of {long:.0f} px" if long else ""
+    if stroke["view"] is None:
+        return f"A {stroke['kind']}{size}: no line of the part ({stroke['id']})."
+    sure = f", {_percent(stroke['confidence'])} sure" if stroke["confidence"] < 1.0 else ""
+    shape = next(name for name in ("line", "arc", "ellipse") if name in stroke)
+    return f"A {stroke['kind']} {shape}{size} of the {stroke['view']} view{sure} ({stroke['id']})."
+
+
+def _box(box: Sequence[float]) -> str:
+    return "({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*box)
+
+
+def _percent(share: float) -> str:
+    # What is not all is not called all.
+    return f"{100.0 * share:.1f} %" if share < 0.9995 or share == 1.0 else "99.9 %"

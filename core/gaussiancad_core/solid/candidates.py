@@ -1,0 +1,131 @@
+"""Solids that labels bound: built, drawn again, and others that are as good."""
+
+from dataclasses import dataclass, replace
+from math import inf
+
+from OCP.TopoDS import TopoDS_Shape
+
+from gaussiancad_core.drawing.brep import edges_of
+from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.reasoning.columns import Cell, Vector
+from gaussiancad_core.reasoning.labelling import Labelling, Labels
+from gaussiancad_core.reasoning.part import PartModel
+from gaussiancad_core.reasoning.unsaid import with_unsaid
+from gaussiancad_core.reasoning.work import Counted, Deadline
+from gaussiancad_core.solid.build import BuiltSolid, build_solid
+from gaussiancad_core.solid.labelled import LabelledSpace
+from gaussiancad_core.solid.limits import Limits, Work
+from gaussiancad_core.solid.same import same_solid
+from gaussiancad_core.solid.trace import Outcome
+from gaussiancad_core.solid.verify import Verification, verify
+
+_COUNTING = 0.15
+"""Units of thickness from which a cell makes a different solid."""
+
+_UNLIKELY = 0.02
+"""Share of the search for others that is left where neither lines nor labels agree: they may,
+but are found at once or not at all."""
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A solid that may be the part.
+
+    Attributes:
+        shape: mm, in the model's axes.
+        verification: how its lines agree with the views.
+    """
+
+    shape: TopoDS_Shape
+    verification: Verification
+
+
+@dataclass(frozen=True)
+class Found:
+    """Solids of one model.
+
+    Attributes:
+        candidates: simplest first.
+        complete: whether all there are were looked at.  Labels whose faces do not close, or bound
+            something unsound, are not looked at: there may be a solid that could not be built.
+        others: how many labels were built beside the first.
+        outcome: of the first labels, where they bound no solid.
+        open_at: mm, where their faces do not close.
+    """
+
+    candidates: list[Candidate]
+    complete: bool
+    others: int
+    outcome: Outcome
+    open_at: tuple[Vector, ...]
+
+
+def candidates_of(work: Work, labelling: Labelling, limits: Limits, latest: Deadline) -> Found:
+    """Solids of the labels and of others.
+
+    Args:
+        work: with the model whose labels they are.
+        labelling: with labels.
+        limits: of the search.
+        latest: by which building, and the search for others, end.
+    """
+    thickness = work.part.space.thickness()
+    counting: list[Cell] = [cell for cell, units in thickness.items() if units > _COUNTING]
+    built = _build(work, labelling.labels, latest)
+    first, settled = _candidate(work, built)
+    candidates = [first] if first is not None else []
+    explained = first is not None and first.verification.explains
+    if not explained and (likelier := _likelier(work.part, labelling.labels)) is not None:
+        second, looked_at = _candidate(work, _build(work, likelier, latest))
+        settled &= looked_at
+        explained = second is not None and second.verification.explains
+        if second is not None and not (first and same_solid(second.shape, first.shape)):
+            candidates.append(second)
+    share = 1.0 if explained or not labelling.given_up else _UNLIKELY
+    others = work.search.others(labelling, counting, limits.alternatives, share, latest)
+    work.meter.lap("others")
+    done = 0
+    for labels in others.labels:
+        if work.meter.spent > limits.work or work.meter.is_overrun:
+            break
+        done += 1
+        candidate, looked_at = _candidate(work, _build(work, labels, latest))
+        settled &= looked_at
+        if candidate and not any(same_solid(candidate.shape, c.shape) for c in candidates):
+            candidates.append(candidate)
+    complete = settled and others.complete and labelling.complete and done == len(others.labels)
+    if not candidates and built.largest is not None:
+        # Where lines are missing or wrong, specks of material may lie beside the part.
+        candidate, _ = _candidate(work, replace(built, shape=built.largest))
+        candidates, complete = [candidate] if candidate else [], False
+    outcome = Outcome.NOTHING if built.closed else Outcome.OPEN
+    return Found(candidates, complete, done, outcome, built.open_at)
+
+
+def _likelier(part: PartModel, labels: Labels) -> Labels | None:
+    """Labels under which the same rules hold and surfaces go on; None if they are the same."""
+    settled = with_unsaid(part.space, part.rules, labels)
+    likelier = with_unsaid(part.space, part.rules, labels, inf)
+    return None if likelier == settled else likelier
+
+
+def _build(work: Work, labels: Labels, deadline: Deadline) -> BuiltSolid:
+    part = work.part
+    labels = with_unsaid(part.space, part.rules, labels)
+    built = build_solid(LabelledSpace(part.space, labels), part.supports.scale, deadline)
+    work.meter.lap("build")
+    return built
+
+
+def _candidate(work: Work, built: BuiltSolid) -> tuple[Candidate | None, bool]:
+    """What was built, drawn again; and whether it is certain what the labels bound."""
+    if built.shape is None:
+        return None, built.closed
+    try:
+        work.meter.count(Counted.EDGE, len(edges_of(built.shape)))
+        candidate = Candidate(built.shape, verify(built.shape, work.views))
+    except KERNEL_FAILURES:
+        # What cannot be drawn again cannot be checked.
+        return None, False
+    work.meter.lap("verify")
+    return candidate, candidate.verification.sound
