@@ -164,7 +164,7 @@ def _line(name: tuple[str, str], rows: list[Row]) -> str:
 
 _PLAIN = (
     *("group", "family", "seed", "input", "px_mm", "noise", "rounding", "rounding_step"),
-    *("spread", "misfit", "doubt", "off", "status", "reasons", "explains", "neat"),
+    *("spread", "misfit", "apart", "status", "reasons", "explains", "neat"),
     *("numbers", "digit", "places", "beside", "nominal", "step_mm", "step_moved", "step_reach"),
     *("odd", "unread", "likely_step_mm", "likely_moved", "likely_odd"),
     *("residual_x", "residual_y", "residual_z", "iou", "faces", "true_faces"),

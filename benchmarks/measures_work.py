@@ -25,7 +25,8 @@ from gaussiancad_core.reasoning.supports import find_supports
 from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.sheet.pixel_grids import rounding_step, seen_rounding
 from gaussiancad_core.sheet.reading import RegisteredSheet
-from gaussiancad_core.solid.exact import ExactResult, Limits, exact_solid
+from gaussiancad_core.solid.exact import ExactResult, exact_solid
+from gaussiancad_core.solid.limits import Limits
 
 _SMALL = 3
 """Levels of the classes of parts that are small."""
@@ -161,18 +162,17 @@ def told(result: ExactResult, views: DrawnViews) -> Row:
         row |= {
             "spread": own.spread / px,
             "misfit": own.misfit / px,
-            "doubt": own.doubt,
-            "off": own.off,
+            "apart": bool(own.apart),
             "explains": own.explains,
             "neat": own.neat,
             "flaws": len(own.flaws),
         }
-    measures = getattr(result, "measures", None)
+    measures = result.measures
     if measures is not None:
         row |= {
-            "uncertainty_mm": measures.uncertainty_mm,
-            "measures_source": getattr(measures.source, "value", measures.source),
-            "by_axis_mm": list(measures.by_axis_mm),
+            "uncertainty_mm": measures.uncertainty,
+            "measures_source": measures.source.value,
+            "by_axis_mm": list(measures.by_axis),
         }
     return row
 

@@ -33,11 +33,8 @@ FAR = 3.0
 
 EXACT_IOU = 0.999
 
-UNTOLD_PX = 0.25
-"""Tolerances by which faces may be off where a result tells no bound: a quarter of a pixel."""
-
 _EXACT = 5.0
-"""The same of exact lines, whose places are known to a tolerance."""
+"""Tolerances of exact lines by which faces may be off at least."""
 
 
 @dataclass(frozen=True)
@@ -108,9 +105,6 @@ def judgement(
 
 
 def bound_mm(result: ExactResult, views: DrawnViews) -> float:
-    """mm within which 95 % of the faces of a result are said to lie."""
+    """mm within which 95 % of the faces of a result are said to lie, as far as lines are known."""
     least = _EXACT * views.tolerance if views.apart is None else 0.0
-    measures = getattr(result, "measures", None)
-    if measures is None:
-        return max(least, UNTOLD_PX * views.tolerance)
-    return max(least, float(measures.uncertainty_mm))
+    return max(least, result.measures.uncertainty if result.measures is not None else 0.0)

@@ -18,7 +18,7 @@ from OCP.TopoDS import TopoDS_Shape
 from sheet_policies import POLICIES
 from textbook_dxf import write_dxf
 from twin_parts import FAMILIES, twins
-from verified_judging import UNTOLD_PX, judgement
+from verified_judging import judgement
 from verified_sources import Page, part_shape
 from workers import Row
 
@@ -101,9 +101,8 @@ def _reconstructed(job: Job, truth: TopoDS_Shape, *, unique: bool) -> Row:
     if report["status"] != Status.VERIFIED.value:
         return row
     shape = read_solid(job.output / "solid.step")
-    measures = report.get("measures") or {}
-    bound = measures.get("uncertainty_mm") or UNTOLD_PX * report["scale_mm_per_pixel"]
-    return row | asdict(judgement(shape, truth, float(bound), unique=unique))
+    bound = float(report["measures"]["uncertainty_mm"])
+    return row | asdict(judgement(shape, truth, bound, unique=unique))
 
 
 def _draw(lines: PartLines, file: File, angle: Projection, seed: int, folder: Path) -> Path:
