@@ -29,11 +29,13 @@ def project_edge(
     """The stroke of one edge in a view's plane (right, up) in mm; None where it is a point."""
     curve = BRepAdaptor_Curve(edge)
     plane = np.array([frame.right, frame.up], dtype=np.float64)
-    parameters = np.linspace(curve.FirstParameter(), curve.LastParameter(), _DENSE)
-    points = np.array([_flat(curve, plane, at) for at in parameters])
+    is_line = curve.GetType() == GeomAbs_CurveType.GeomAbs_Line
+    count = 2 if is_line else _DENSE
+    parameters = np.linspace(curve.FirstParameter(), curve.LastParameter(), count)
+    points = _all_flat(curve, plane, parameters)
     if np.ptp(points, axis=0).max() < precision.fit:
         return None
-    if curve.GetType() == GeomAbs_CurveType.GeomAbs_Line:
+    if is_line:
         return Segment(_pair(points[0]), _pair(points[-1]), linetype)
     straight = _straight(curve, plane, parameters, points, precision.fit)
     if straight is not None:
@@ -58,6 +60,16 @@ def _flat(
 ) -> npt.NDArray[np.float64]:
     point: gp_Pnt = curve.Value(float(parameter))
     return plane @ np.array([point.X(), point.Y(), point.Z()])
+
+
+def _all_flat(
+    curve: BRepAdaptor_Curve,
+    plane: npt.NDArray[np.float64],
+    parameters: npt.NDArray[np.float64],
+) -> npt.NDArray[np.float64]:
+    """(n, 2) the points of a curve at parameters (n,)."""
+    found = (curve.Value(at) for at in parameters.tolist())
+    return np.array([(point.X(), point.Y(), point.Z()) for point in found]) @ plane.T
 
 
 def _pair(point: npt.NDArray[np.float64]) -> tuple[float, float]:

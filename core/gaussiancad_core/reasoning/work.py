@@ -27,7 +27,7 @@ class Counted(Enum):
     PATCH = 5e-3
     """A face that is fused with the others."""
 
-    EDGE = 1.2e-2
+    EDGE = 8e-3
     """An edge of a solid that is drawn again, and matched."""
 
 

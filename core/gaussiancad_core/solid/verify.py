@@ -20,8 +20,13 @@ from gaussiancad_core.drawing.brep import (
 from gaussiancad_core.drawing.hlr import LineDrawing
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.unsure_kinds import as_drawn, with_unsure_kinds
-from gaussiancad_core.verification.agreement import MatchedLines, agreeing_share, match_lines
-from gaussiancad_core.verification.lines import Curve, LinePoints, Lines, lines_of_strokes
+from gaussiancad_core.verification.agreement import (
+    STEPS_PER_TOLERANCE,
+    MatchedLines,
+    agreeing_share,
+    match_lines,
+)
+from gaussiancad_core.verification.lines import Curve, LinePoints, Lines, lines_of_strokes, tree_of
 from gaussiancad_core.views import Linetype
 
 LOOSE = 2.5
@@ -138,7 +143,7 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
     matched, flaws, spread = {}, [], 0.0
     told, retold = with_unsure_kinds(views) or views, False
     for role in views.roles:
-        lines = lines_of_strokes(drawing.view(role), tolerance / 8.0)
+        lines = lines_of_strokes(drawing.view(role), tolerance / STEPS_PER_TOLERANCE)
         strokes = as_drawn(told.strokes[role], lines, tolerance)
         retold |= strokes != tuple(told.strokes[role])
         found = matched[role] = match_lines(strokes, lines, tolerance)
@@ -186,7 +191,7 @@ def _spread(strokes: Iterable[Curve], result: Lines, tolerance: float, least: fl
     What counts is where most of a stroke runs: ends are known less exactly.
     """
     kinds = {Linetype.VISIBLE: result.visible, Linetype.HIDDEN: result.hidden}
-    trees = {kind: cKDTree(lines.points) for kind, lines in kinds.items() if len(lines.points) > 1}
+    trees = {kind: tree_of(lines.points) for kind, lines in kinds.items() if len(lines.points) > 1}
     worst = 0.0
     for stroke in strokes:
         if stroke.linetype in trees and stroke.length >= least:

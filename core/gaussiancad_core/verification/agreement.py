@@ -14,8 +14,8 @@ import numpy.typing as npt
 
 from gaussiancad_core.verification.lines import Curve, Lines, lines_of_strokes
 
-_STEPS_PER_TOLERANCE = 8.0
-"""Strokes become points this much closer than the tolerance: distances are then good to 0.2 %."""
+STEPS_PER_TOLERANCE = 4.0
+"""Strokes become points this much closer than the tolerance: distances are then good to 0.8 %."""
 
 
 @dataclass(frozen=True)
@@ -90,7 +90,7 @@ def match_lines(strokes: Iterable[Curve], result: Lines, tolerance: float) -> Ma
         result: the result's lines in the same plane.
         tolerance: mm.
     """
-    sheet = lines_of_strokes(strokes, tolerance / _STEPS_PER_TOLERANCE)
+    sheet = lines_of_strokes(strokes, tolerance / STEPS_PER_TOLERANCE)
     covered = sheet.hidden.near(sheet.visible, tolerance)
     asked = Lines(sheet.visible, sheet.hidden.only(~covered))
     return MatchedLines(

@@ -2,12 +2,15 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.views import Linetype
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
 
 
 class Curve(Protocol):
@@ -39,13 +42,11 @@ class LinePoints:
 
     def near(self, others: "LinePoints", tolerance: float) -> npt.NDArray[np.bool_]:
         """(n,) which of the points have one of the others within ``tolerance`` mm."""
-        from scipy.spatial import cKDTree
-
         if not len(self.points) or not len(others.points):
             return np.zeros(len(self.points), dtype=bool)
         # The search takes less than its bound; what is exactly at it is to count.
         bound = np.nextafter(tolerance, np.inf)
-        distances, _ = cKDTree(others.points).query(self.points, distance_upper_bound=bound)
+        distances, _ = tree_of(others.points).query(self.points, distance_upper_bound=bound)
         return distances <= tolerance
 
     def share(self, chosen: npt.NDArray[np.bool_]) -> float:
@@ -69,6 +70,13 @@ class Lines:
 
     visible: LinePoints
     hidden: LinePoints
+
+
+def tree_of(points: npt.NDArray[np.float64]) -> "cKDTree":
+    """A tree of points (n, 2) along lines: even ones need no balance, which takes time to make."""
+    from scipy.spatial import cKDTree
+
+    return cKDTree(points, balanced_tree=False, compact_nodes=False)
 
 
 def lines_of_strokes(strokes: Iterable[Curve], step: float) -> Lines:

@@ -5,17 +5,22 @@ import re
 import pytest
 
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
-from gaussiancad_core.sheet.special_views.telling import tellings
+from gaussiancad_core.sheet.special_views.telling import tellings, why_unused
 
 BOX = (10.4, 20.0, 110.0, 220.6)
 
 
+ILLUSTRATIONS = (SpecialKind.PICTORIAL, SpecialKind.THREAD)
+
+
 @pytest.mark.parametrize("kind", SpecialKind)
-def test_what_is_left_out_is_a_warning(kind: SpecialKind) -> None:
+def test_what_shows_the_part_and_is_not_used_is_a_reason_for_doubt(kind: SpecialKind) -> None:
     (told,) = tellings([SpecialView(kind, BOX)])
-    assert told.code == f"{kind.value}-left-out"
-    assert not told.doubt
+    illustrates = kind in ILLUSTRATIONS
+    assert told.doubt == (not illustrates)
+    assert told.code == (f"{kind.value}-left-out" if illustrates else "unused-view")
     assert "(10, 20)-(110, 221) px" in told.message
+    assert told.message.endswith(why_unused(kind))
     assert "\n" not in told.message
 
 
@@ -39,5 +44,5 @@ def test_one_message_names_all_of_a_kind() -> None:
     views = [SpecialView(SpecialKind.DETAIL, (k, 0.0, k + 5.0, 5.0)) for k in range(7)]
     views.append(SpecialView(SpecialKind.PICTORIAL, BOX))
     told = tellings(views)
-    assert [t.code for t in told] == ["pictorial-left-out", "detail-left-out"]
+    assert [t.code for t in told] == ["pictorial-left-out", "unused-view"]
     assert len(re.findall(r"\(\d+, \d+\)-\(\d+, \d+\)", told[1].message)) == 5
