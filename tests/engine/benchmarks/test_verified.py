@@ -18,7 +18,7 @@ _RIGHT: Row = {
 }  # fmt: skip
 _FALSE = {**_RIGHT, "policy": "some", "why": "off by 3 mm, bound 0.01 mm", "within": 6}
 _DOUBTED: Row = {"policy": "all", "status": "approximate", "reasons": ["assumed"]}
-_CHANGED = {**_RIGHT, "policy": "split", "changed": "12 faces became 11"}
+_CHANGED = {**_RIGHT, "policy": "split", "changed": "volume 5.0 became 4.0"}
 _CELLS: Row = {"policy": "all", "free": 4, "fits": 2, "claimed": 1, "why": "2 labels fulfil"}
 
 
@@ -40,7 +40,7 @@ def test_table_counts_by_source_and_policy_and_names_what_is_wrong() -> None:
     assert ["all", "5", "3", "1", "0", "1", "2", "77.8", "%"] in lines
     text = table(rows)
     assert "FALSE twins 0 case 1 (some): off by 3 mm" in text
-    assert "CHANGED changes 7 case 0 (split): 12 faces became 11" in text
+    assert "CHANGED changes 7 case 0 (split): volume 5.0 became 4.0" in text
     assert "CHANGED cells 1 case 0 (all): 2 labels fulfil" in text
     assert "grids 2: prepare-crashed" in text
 
