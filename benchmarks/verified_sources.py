@@ -41,8 +41,11 @@ _GRIDS = ((3, 3, 2), (3, 2, 3), (2, 3, 3), (4, 2, 2), (2, 4, 2), (2, 2, 4), (3, 
 _GRID_PARTS = 4
 """Parts of a grid that are solved for one seed."""
 
-_ASKED = 3
+_ASKED = 2
 """Policies beside the first one under which one of a family's parts is drawn."""
+
+_OTHERS = 0.4
+"""Share of the classes' parts that are drawn under another policy as well."""
 
 _SMALL = 2
 """Levels of the classes of parts that are small."""
@@ -222,12 +225,13 @@ def part_shape(kind: str, seed: int) -> TopoDS_Shape:
 
 
 def part_cases(kind: str, seed: int) -> Iterator[Row]:
-    """A part of a class, or by chance if there is no such class, under two policies.
+    """A part of a class, or by chance, under the plain policy and perhaps another one.
 
     No other part with its drawing is known.
     """
     shape = part_shape(kind, seed)
     page = Page(shape)
     lot = Random(f"{kind} {seed}")
-    for policy in (POLICIES[0], lot.choice(POLICIES[1:])):
+    others = [lot.choice(POLICIES[1:])] if lot.random() < _OTHERS else []
+    for policy in (POLICIES[0], *others):
         yield judged(page.drawn(policy), page.size, policy, shape, unique=True)
