@@ -38,6 +38,9 @@ from gaussiancad_core.samples.random_parts import random_part
 
 _GRIDS = ((3, 3, 2), (3, 2, 3), (2, 3, 3), (4, 2, 2), (2, 4, 2), (2, 2, 4), (3, 2, 2), (2, 3, 2))
 
+_TELLING = 0.5
+"""Share of the grids' drawings under other policies for which parts are chosen that look alike."""
+
 _GRID_PARTS = 4
 """Parts of a grid that are solved for one seed."""
 
@@ -149,10 +152,9 @@ def grid_cases(seed: int) -> Iterator[Row]:
         places = _places(grid, lot)
         policy = policies[0 if lot.random() < 0.6 else int(lot.integers(len(policies)))]
         index = int(lot.integers(len(numbers)))
-        if policy is not policies[0] and lot.random() < 0.5:
+        if policy is not policies[0] and lot.random() < _TELLING:
             # Most parts are the only ones with their lines: the others are asked more often.
-            common = np.flatnonzero(_counts(grid, policy) > 1)
-            index = int(lot.choice(common)) if len(common) else index
+            index = int(lot.choice(_confusable(grid, policy)))
         part = int(numbers[index])
         alike = _alike(grid, places, policy, index)
         drawn = {role: grid_strokes(grid, part, places, role) for role in policy.roles}
@@ -172,11 +174,20 @@ def _places(grid: Grid, lot: np.random.Generator) -> Places:
 
 
 @cache
-def _counts(grid: Grid, policy: Policy) -> np.ndarray:
-    """(k,) how many parts look like each sound part, itself included."""
+def _confusable(grid: Grid, policy: Policy) -> np.ndarray:
+    """(k,) sound parts by number of their place that look like another one; all, if none does.
+
+    Where there are such, those whose lines are all that another part has: that one would explain
+    them as well if nothing had been left out.
+    """
     keys = _keys(grid, policy.roles, policy.hidden)
+    whole = _keys(grid, policy.roles, frozenset(Role))
+    mistaken = np.flatnonzero(np.isin(keys, whole) & (keys != whole))
+    if len(mistaken):
+        return mistaken
     _, inverse, counts = np.unique(keys, return_inverse=True, return_counts=True)
-    return counts[inverse]
+    common = np.flatnonzero(counts[inverse] > 1)
+    return common if len(common) else np.arange(len(keys))
 
 
 def _keys(grid: Grid, roles: Sequence[Role], hidden: frozenset[Role]) -> np.ndarray:
