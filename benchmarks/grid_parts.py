@@ -8,7 +8,7 @@ they do not share is one, visible if no shared surface comes before it.
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -30,6 +30,9 @@ Codes = npt.NDArray[np.uint8]
 Hashes = npt.NDArray[np.uint64]
 Bools = npt.NDArray[np.bool_]
 
+Looks = dict[tuple[Role, bool], Hashes]
+"""What parts look like in a view, with hidden lines or without."""
+
 
 @dataclass(frozen=True)
 class Grid:
@@ -46,11 +49,6 @@ class Grid:
         """How many boxes."""
         return int(np.prod(self.shape))
 
-    @cached_property
-    def labels(self) -> Bools:
-        """(2^n, nx, ny, nz) which boxes each part has."""
-        return self.boxes(np.arange(1 << self.cells))
-
     def boxes(self, parts: npt.NDArray[np.int64]) -> Bools:
         """(k, nx, ny, nz) which boxes some parts have."""
         bits = (parts[:, None] >> np.arange(self.cells)) & 1
@@ -60,11 +58,17 @@ class Grid:
 
 @cache
 def sound_parts(grid: Grid) -> npt.NDArray[np.int64]:
-    """(k,) numbers of the parts that are one solid each, and fill the grid's extents.
+    """(k,) numbers of all parts that are sound, of a grid of up to 18 boxes or so."""
+    numbers = np.arange(1 << grid.cells)
+    return numbers[are_sound(grid, numbers)]
+
+
+def are_sound(grid: Grid, numbers: npt.NDArray[np.int64]) -> Bools:
+    """(k,) whether parts are one solid each, and fill the grid's extents.
 
     Boxes of one hang together by faces, and nowhere touch by an edge or a corner alone.
     """
-    labels = grid.labels
+    labels = grid.boxes(numbers)
     fine = np.ones(len(labels), bool)
     for axis in range(3):
         others = tuple(1 + k for k in range(3) if k != axis)
@@ -76,8 +80,9 @@ def sound_parts(grid: Grid) -> npt.NDArray[np.int64]:
     for x, y, z in np.ndindex(nx, ny, nz):
         around = padded[:, x : x + 2, y : y + 2, z : z + 2].reshape(-1, 8)
         fine &= corner[around @ (1 << np.arange(8))]
-    numbers = np.flatnonzero(fine)
-    return numbers[_hang_together(grid, numbers)]
+    found = np.flatnonzero(fine)
+    fine[found] = _hang_together(grid, numbers[found])
+    return fine
 
 
 def _is_fine_corner(code: int) -> bool:
@@ -122,13 +127,18 @@ def _hang_together(grid: Grid, numbers: npt.NDArray[np.int64]) -> Bools:
 
 
 @cache
-def looks(grid: Grid) -> dict[tuple[Role, bool], Hashes]:
-    """(k,) what each sound part looks like in a view, as a number; with hidden lines, or without.
+def looks(grid: Grid) -> Looks:
+    """What each sound part looks like, of a grid of up to 18 boxes or so."""
+    return looks_of(grid, sound_parts(grid))
+
+
+def looks_of(grid: Grid, numbers: npt.NDArray[np.int64]) -> Looks:
+    """(k,) what parts look like in each view, as a number; with hidden lines, or without.
 
     Parts look alike where the numbers are equal, but for a chance of one in 10^13; numbers of views
     from opposite sides are of one kind.
     """
-    labels = grid.boxes(sound_parts(grid))
+    labels = grid.boxes(numbers)
     found = {}
     for role in Role:
         random = np.random.default_rng(role.frame.look_axis[0].value)

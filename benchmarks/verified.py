@@ -3,11 +3,13 @@
     .venv/bin/python benchmarks/verified.py [--sources NAME ...] [--seeds N] [--first N]
         [--workers N] [--json FILE] [--resume]
 
-Parts come from six sources, each with its seeds in turn:
+Parts come from seven sources, each with its seeds in turn:
 
 - ``twins``: families of variants that hardly differ in what is seen of them, drawn under policies
   that leave lines out: where two have one drawing neither may be verified;
 - ``grids``: sets of boxes of a small grid, of all of which it is known who looks like whom;
+- ``pairs``: parts of larger grids that differ in a box or two and have one drawing, hidden lines
+  and all;
 - ``parts``: small parts of the classes, and by chance;
 - ``changes``: the same drawing with strokes permuted or split, views turned, mirrored or added, on
   a busy machine: what is said of it must stay the same;

@@ -1,18 +1,14 @@
 """Parts of benchmarks/verified.py as exact lines under some policy, solved and judged.
 
-Of the parts of a family, and of those of a grid, it is known which have one drawing: where another
-one has, none may be called verified.
+Of the parts of a family it is known which have one drawing: where another one has, none may be
+called verified.
 """
 
-import itertools
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import asdict
-from functools import cache
 from random import Random
 
-import numpy as np
-from grid_parts import Grid, Places, grid_solid, grid_strokes, looks, sound_parts
 from OCP.TopoDS import TopoDS_Shape
 from sheet_policies import (
     IN_FIRST,
@@ -35,14 +31,6 @@ from gaussiancad_core.drawing.hlr import LineDrawing, LineOptions
 from gaussiancad_core.exact_stage import ExactModel, drawn_views, find_exact
 from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.samples.random_parts import random_part
-
-_GRIDS = ((3, 3, 2), (3, 2, 3), (2, 3, 3), (4, 2, 2), (2, 4, 2), (2, 2, 4), (3, 2, 2), (2, 3, 2))
-
-_TELLING = 0.5
-"""Share of the grids' drawings under other policies for which parts are chosen that look alike."""
-
-_GRID_PARTS = 4
-"""Parts of a grid that are solved for one seed."""
 
 _ASKED = 2
 """Policies beside the first one under which one of a family's parts is drawn."""
@@ -140,92 +128,6 @@ def _only(role: Role, policy: Policy) -> Policy:
     """The policy for a view that is read as another one."""
     shown = IN_FIRST[role] in policy.hidden
     return Policy(policy.name, (role,), frozenset({role} if shown else ()), policy.tangent)
-
-
-def grid_cases(seed: int) -> Iterator[Row]:
-    """Some parts of a grid, each under a policy, half of them the plain one."""
-    lot = np.random.default_rng([seed, 11])
-    grid = Grid(_GRIDS[seed % len(_GRIDS)])
-    numbers = sound_parts(grid)
-    policies = [own for own in POLICIES if not own.tangent]
-    for _ in range(_GRID_PARTS):
-        places = _places(grid, lot)
-        policy = policies[0 if lot.random() < 0.6 else int(lot.integers(len(policies)))]
-        index = int(lot.integers(len(numbers)))
-        if policy is not policies[0] and lot.random() < _TELLING:
-            # Most parts are the only ones with their lines: the others are asked more often.
-            index = int(lot.choice(_confusable(grid, policy)))
-        part = int(numbers[index])
-        alike = _alike(grid, places, policy, index)
-        drawn = {role: grid_strokes(grid, part, places, role) for role in policy.roles}
-        truth = grid_solid(grid, part, places)
-        x, y, z = (own[-1] for own in places)
-        row = judged(as_drawn(drawn, policy), (x, y, z), policy, truth, unique=not alike)
-        told = {"grid": list(grid.shape), "part": part, "places": [list(own) for own in places]}
-        yield {**told, "alike": alike, **row}
-
-
-def _places(grid: Grid, lot: np.random.Generator) -> Places:
-    """Where the boxes of a grid begin and end, in whole mm from 0."""
-    x, y, z = (
-        (0.0, *np.cumsum(lot.integers(3, 25, count)).astype(float).tolist()) for count in grid.shape
-    )
-    return x, y, z
-
-
-@cache
-def _confusable(grid: Grid, policy: Policy) -> np.ndarray:
-    """(k,) sound parts by number of their place that look like another one; all, if none does.
-
-    Where there are such, those whose lines are all that another part has: that one would explain
-    them as well if nothing had been left out.
-    """
-    keys = _keys(grid, policy.roles, policy.hidden)
-    whole = _keys(grid, policy.roles, frozenset(Role))
-    mistaken = np.flatnonzero(np.isin(keys, whole) & (keys != whole))
-    if len(mistaken):
-        return mistaken
-    _, inverse, counts = np.unique(keys, return_inverse=True, return_counts=True)
-    common = np.flatnonzero(counts[inverse] > 1)
-    return common if len(common) else np.arange(len(keys))
-
-
-def _keys(grid: Grid, roles: Sequence[Role], hidden: frozenset[Role]) -> np.ndarray:
-    """(k,) what each sound part looks like in some views, as a number."""
-    seen = looks(grid)
-    return _mixed([seen[role, role in hidden] for role in roles])
-
-
-def _mixed(views: Sequence[np.ndarray]) -> np.ndarray:
-    """Numbers of several views as one, in which their order counts."""
-    mixed = np.zeros_like(views[0])
-    for own in views:
-        mixed = mixed * np.uint64(0x9E3779B97F4A7C15) + own
-    return mixed
-
-
-def _alike(grid: Grid, places: Places, policy: Policy, index: int) -> list[int]:
-    """Other parts of the grid with the drawing of one, under either projection if not told."""
-    numbers = sound_parts(grid)
-    keys = _keys(grid, policy.roles, policy.hidden)
-    same = numbers[np.flatnonzero(keys == keys[index])].tolist()
-    alike = [part for part in same if part != numbers[index]]
-    if not policy.told:
-        others = [IN_FIRST[role] for role in policy.roles]
-        shown = frozenset(IN_FIRST[role] for role in policy.roles if role in policy.hidden)
-        turned = _keys(grid, others, shown)
-        mirrored = _mirrored(places[1])
-        for part in numbers[np.flatnonzero(turned == keys[index])].tolist():
-            # The depths of the other reading run backwards.
-            if part != numbers[index] or not mirrored:
-                alike.append(part)
-    return alike
-
-
-def _mirrored(places: Sequence[float]) -> bool:
-    """Whether places are the same from either end."""
-    steps = [b - a for a, b in itertools.pairwise(places)]
-    return steps == steps[::-1]
 
 
 def part_shape(kind: str, seed: int) -> TopoDS_Shape:

@@ -7,8 +7,9 @@ from enum import Enum
 from twin_parts import FAMILIES
 from verified_cells import cell_cases
 from verified_changes import change_cases
+from verified_grids import grid_cases, pair_cases
 from verified_sheets import sheet_cases
-from verified_sources import RANDOM, grid_cases, part_cases, twin_cases
+from verified_sources import RANDOM, part_cases, twin_cases
 from workers import FIRST, Row
 
 from gaussiancad_core.cli.libraries import silence_opencascade
@@ -25,6 +26,7 @@ class Source(Enum):
 
     TWINS = "twins"
     GRIDS = "grids"
+    PAIRS = "pairs"
     PARTS = "parts"
     CHANGES = "changes"
     CELLS = "cells"
@@ -34,6 +36,7 @@ class Source(Enum):
 _CASES: dict[Source, Callable[[int], Iterator[Row]]] = {
     Source.TWINS: lambda seed: twin_cases(*_named(tuple(FAMILIES), seed)),
     Source.GRIDS: grid_cases,
+    Source.PAIRS: pair_cases,
     Source.PARTS: lambda seed: part_cases(*_named(_KINDS, seed)),
     Source.CHANGES: lambda seed: change_cases(*_named(_KINDS, seed)),
     Source.CELLS: lambda seed: cell_cases(*_named(_ALL, seed)),
