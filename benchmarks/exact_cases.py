@@ -11,8 +11,8 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.drawing.brep import moved_to_origin, read_solid, subshapes
 from gaussiancad_core.samples.classed import LEVEL_FACES, PartClass, classed_part
 
-USUAL_LEVELS = len(LEVEL_FACES) - 1
-"""Levels of the usual parts, up to 120 faces; the last one goes to 150."""
+USUAL_LEVELS = 7
+"""Levels of the usual parts, up to 120 faces; the next one goes to 150, all others are huge."""
 
 
 @dataclass(frozen=True)
@@ -44,8 +44,10 @@ class Case:
         return moved_to_origin(solids[0] if len(solids) == 1 else unifier.Shape())
 
 
-def classed_cases(classes: list[PartClass], parts: int, seed: int, large: int) -> Iterator[Case]:
-    """Parts of all usual levels in turn, and large ones with planes."""
+def classed_cases(
+    classes: list[PartClass], parts: int, seed: int, large: int, huge: int = 0
+) -> Iterator[Case]:
+    """Parts of all usual levels in turn; large ones with planes, and huge ones of all classes."""
     for kind in classes:
         for number in range(seed, seed + parts):
             level = number % USUAL_LEVELS
@@ -54,6 +56,11 @@ def classed_cases(classes: list[PartClass], parts: int, seed: int, large: int) -
         for number in range(seed, seed + large):
             name = f"{PartClass.PLANES.value}-large-{number}"
             yield Case(name, PartClass.PLANES.value, number, USUAL_LEVELS)
+    levels = range(USUAL_LEVELS + 1, len(LEVEL_FACES))
+    for kind in classes:
+        for number in range(seed, seed + huge):
+            level = levels[number % len(levels)]
+            yield Case(f"{kind.value}-huge-{number}", kind.value, number, level)
 
 
 def folder_cases(folder: Path, parts: int) -> Iterator[Case]:

@@ -4,7 +4,7 @@ Parts of six classes of surfaces, 8 to 120 faces, are drawn with their visible a
 solved as exact lines, with noise, and through sheets that are written to files and read again.
 
     .venv/bin/python benchmarks/exact_solid.py [--classes NAME ...] [--parts N] [--large N]
-        [--inputs KIND ...] [--workers N] [--json FILE] [--resume] [--plot FILE.svg]
+        [--huge N] [--inputs KIND ...] [--workers N] [--json FILE] [--resume] [--plot FILE.svg]
     .venv/bin/python benchmarks/exact_solid.py --data DIR [--parts N] [--inputs KIND ...]
 
 ``exact`` is the share of parts that came out as one valid closed solid with a volume IoU of .999
@@ -62,6 +62,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--classes", nargs="*", default=kinds, choices=kinds, metavar="NAME")
     parser.add_argument("--parts", type=int, default=21, help="of each class, or of the folder")
     parser.add_argument("--large", type=int, default=0, help="parts of 121 to 150 planes beside")
+    parser.add_argument("--huge", type=int, default=0, help="parts of 151 to 320 faces beside")
     parser.add_argument("--seed", type=int, default=0, help="of the first part of each class")
     parser.add_argument("--inputs", nargs="*", choices=inputs, metavar="KIND")
     parser.add_argument("--limit", type=float, default=90.0, help="seconds for each part")
@@ -82,7 +83,8 @@ def _tasks(options: argparse.Namespace) -> Iterator[Task]:
         usual = FILE_KINDS if any(case.dxf for case in cases) else DRAWN_KINDS
     else:
         classes = [PartClass(name) for name in options.classes]
-        cases = list(classed_cases(classes, options.parts, options.seed, options.large))
+        more = options.large, options.huge
+        cases = list(classed_cases(classes, options.parts, options.seed, *more))
         usual = DRAWN_KINDS
     kinds = [InputKind(name) for name in options.inputs or ()] or usual
     peers = tuple(Peer(name) for name in options.peers)

@@ -11,10 +11,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 
 from gaussiancad_core.axes import Projection
+from gaussiancad_core.line_noise import bound_of_seen_px, noise_px
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, views_as_read
 from gaussiancad_core.reasoning.labelling import Effort
-from gaussiancad_core.sheet.pixel_grids import Rounding, rounding_step, seen_rounding
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.sheet.scale.estimate import Measure
@@ -31,29 +31,6 @@ _ROUGH_PX = 1.0
 _APART_PX = 0.3
 """px from which the coordinates of such strokes are different ones: lines are read to a twentieth
 of a pixel, and what is one over the views has been made equal."""
-
-_MEAN = 0.15
-"""Least median of how far views contradict each other, as a share of the farthest: programs that
-place lines on quarters of a pixel draw most coordinates alike in two views, and wrong alike."""
-
-_LEAST_NOISE_PX = 0.015
-"""The same in px at least: what two views round alike is seen in neither."""
-
-_ROUNDED_NOISE_PX = 0.03
-"""The same where lines are rounded, mostly to quarters of a pixel: they are off by a sixteenth of a
-pixel at the mean, and all faces together by up to a thirteenth, of parts whose solids are known."""
-
-_ROUGH_NOISE = 0.12
-"""The same as a share of the step that they are rounded to: programs that place lines on whole
-pixels misplace them by four times as much."""
-
-_FREE_NOISE_PX = 0.0075
-"""px of noise of pictures in which nothing is rounded, at least: neighbours and corners move lines
-alike in all views."""
-
-_FINE_PX, _FINE_COORDINATES = 0.02, 5
-"""px that so many coordinates differ by at most which one view shows along rows and another along
-columns of the sheet: then nothing is rounded."""
 
 TOLERANCE_PX = {StrokesSource.RASTER: 1.0, StrokesSource.PLOT: 0.3, StrokesSource.VECTOR: 0.05}
 """px by which lines of a sheet may miss where they belong, by where they come from."""
@@ -225,8 +202,9 @@ def drawn_views(registered: RegisteredSheet, measures: Sequence[Measure] = ()) -
     tolerance = max(TOLERANCE_PX[view.source] for view in registered.drawn)
     pixel = registered.mm_per_pixel
     if tolerance < _ROUGH_PX:
-        return views_as_read(registered.views, tolerance * pixel)
-    noise = _noise_px(registered)
+        exact = views_as_read(registered.views, tolerance * pixel)
+        return replace(exact, bound=bound_of_seen_px(registered) * pixel)
+    noise, bound = noise_px(registered)
     dashes = [view.dash * pixel for view in registered.drawn if view.dash is not None]
     drawn = views_as_read(
         registered.views,
@@ -236,34 +214,7 @@ def drawn_views(registered: RegisteredSheet, measures: Sequence[Measure] = ()) -
         max(dashes, default=None),
     )
     numbers = told_numbers(registered, measures, noise)
-    return replace(drawn, told=numbers, known=registered.told)
-
-
-def _noise_px(registered: RegisteredSheet) -> float:
-    """px by which lines of a picture may miss where they belong, as far as it tells."""
-    residuals = registered.extents.residuals.values()
-    seen = max((max(own.median, _MEAN * own.largest) for own in residuals), default=0.0)
-    strokes = [view.strokes for view in registered.drawn]
-    well_read = seen <= _FREE_NOISE_PX
-    rounding = seen_rounding(strokes, well_read=well_read)
-    if rounding is Rounding.TOLD:
-        step = rounding_step(strokes, well_read=well_read)
-        least = max(_ROUNDED_NOISE_PX, _ROUGH_NOISE * step)
-    elif rounding is Rounding.NONE or _is_fine(registered):
-        least = _FREE_NOISE_PX
-    else:
-        least = _LEAST_NOISE_PX
-    return max(least, seen)
-
-
-def _is_fine(registered: RegisteredSheet) -> bool:
-    """Whether views that would be rounded each in its own way agree."""
-    frames = [role.frame for role in registered.views.roles]
-    turned = {own.right_axis[0] for own in frames} & {own.up_axis[0] for own in frames}
-    told = [own for axis, own in registered.extents.residuals.items() if axis in turned]
-    return any(
-        own.coordinates >= _FINE_COORDINATES and own.largest <= _FINE_PX for own in told
-    ) and all(own.largest <= _FINE_PX for own in told)
+    return replace(drawn, bound=bound * pixel, told=numbers, known=registered.told)
 
 
 def _solved(reading: Reading, limits: Limits) -> ExactResult:

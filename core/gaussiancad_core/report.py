@@ -319,6 +319,11 @@ class Report:
             return self
         return replace(self, reasons=(*self.reasons, remark))
 
+    @property
+    def verdict(self) -> str:
+        """What is known of the part, in one line."""
+        return verdict(self._values())
+
     def as_json(self) -> dict[str, Any]:
         """The report as JSON values, as the schema has them."""
         values = self._values()

@@ -114,10 +114,12 @@ def _advice(message: str) -> str:
 
 def run_warm_up(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
     """Compile the kernels into their cache."""
+    from gaussiancad_core.reasoning import sight_lines
     from gaussiancad_core.sheet import growth
     from gaussiancad_core.splatting import tiles
     from gaussiancad_core.verification import crossings
 
+    sight_lines.warm_up()
     growth.warm_up()
     tiles.warm_up()
     crossings.warm_up()

@@ -4,6 +4,7 @@ import argparse
 import sys
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from gaussiancad_core.axes import Projection
 from gaussiancad_core.cli import values
@@ -12,6 +13,9 @@ from gaussiancad_core.events import PROTOCOL, Listener
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind
 from gaussiancad_core.sheet.options import MEDIAN_KERNEL, Finder, ReadingOptions
+
+if TYPE_CHECKING:
+    from gaussiancad_core.report import Report
 
 
 def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -146,13 +150,14 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     path = (options.output / REPORT_FILE).resolve()
     listener.send("result", path=str(path), status=report.status.value)
     if not options.events:
-        _print_summary(report.status.value, [r.message for r in report.reasons], path)
+        _print_summary(report, path)
         for warning in report.warnings:
             print(f"gaussiancad: warning: {warning.message} [{warning.code}]", file=sys.stderr)
     return ExitCode.DONE
 
 
-def _print_summary(status: str, reasons: list[str], report: Path) -> None:
-    print(f"{status}: {report}")
-    for reason in reasons:
-        print(f"  {reason}")
+def _print_summary(report: "Report", path: Path) -> None:
+    print(f"{report.status.value}: {path}")
+    print(f"  {report.verdict}")
+    for reason in report.reasons:
+        print(f"  {reason.message}")

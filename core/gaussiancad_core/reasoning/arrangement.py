@@ -12,9 +12,13 @@ from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 from math import hypot, pi, sin, sqrt
 
+import numpy as np
+
+from gaussiancad_core.reasoning.arrangement_kernels import CHAIN, Table
 from gaussiancad_core.reasoning.chains import Chain, crossings_with_chain, crossings_with_curves
 from gaussiancad_core.reasoning.curves import TURN, CircleCurve, LineCurve, Point, meetings
 from gaussiancad_core.reasoning.spans import Support, merged_stretches
@@ -27,9 +31,6 @@ _ON = 1e-5
 
 _OPENING = 2e-5
 """Gap on a slab's border from which regions join through it."""
-
-CHAIN = -1
-"""Stands for the support of a chain's links."""
 
 OUTSIDE = 0
 
@@ -96,6 +97,12 @@ class _Bow:
 
 
 _Piece = _Link | _Bow
+
+
+def _row(piece: _Piece) -> tuple[float, ...]:
+    if isinstance(piece, _Link):
+        return 0.0, piece.a0, piece.b0, piece.a1, piece.b1, piece.start, piece.end
+    return 1.0, piece.x, piece.y, piece.radius, piece.side, piece.start, piece.end
 
 
 @dataclass(frozen=True)
@@ -297,6 +304,24 @@ class Arrangement:
         ]
         void = sets.root(outside)
         return [pair for pair in pairs if void not in (sets.root(pair[0]), sets.root(pair[1]))]
+
+    @cached_property
+    def table(self) -> Table:
+        """The regions as arrays, for the kernels."""
+        number = {id(piece): index for index, piece in enumerate(self._pieces)}
+        counts = [len(own) for own in self._slabs]
+        pieces = np.array([_row(piece) for piece in self._pieces]).reshape(-1, 7)
+        uprights = np.array([upright[:3] for upright in self._uprights]).reshape(-1, 3)
+        return Table(
+            np.array(self._borders),
+            np.concatenate([[0], np.cumsum(counts, dtype=np.int64)]),
+            np.array([number[id(one)] for own in self._slabs for one in own], dtype=np.int64),
+            pieces,
+            np.array([piece.support for piece in self._pieces], dtype=np.int64),
+            uprights,
+            np.array([upright[3] for upright in self._uprights], dtype=np.int64),
+            np.array(self._region, dtype=np.int64),
+        )
 
     def locate(self, a: float, b: float) -> int:
         """The region of a point; what lies on a line may be told as either of its sides."""

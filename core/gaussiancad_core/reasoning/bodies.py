@@ -16,13 +16,13 @@ from gaussiancad_core.reasoning.planes import IN_PLANE
 RIM = 1e-3
 """Units of radius from which an end of a body is a circle."""
 
-_FAR = 1e3
+FAR = 1e3
 """Units; farther than any part."""
 
 _SMOOTH = 0.01
 """Units from its widest place within which an arc ends along the axis."""
 
-_AXIS = 1e-9
+AXIS = 1e-9
 """Distance from the axis below which there is no radial direction."""
 
 
@@ -140,10 +140,11 @@ class RevolvedBody:
         a, b = point[first] - self.centre[0], point[second] - self.centre[1]
         if self.sector and not self._in_sector(a, b):
             return False
-        return (hypot(a, b) > self.profile.radius(z)) == self._is_beyond
+        return (hypot(a, b) > self.profile.radius(z)) == self.is_beyond
 
     @property
-    def _is_beyond(self) -> bool:
+    def is_beyond(self) -> bool:
+        """Whether the body is the space beyond the profile."""
         profile = self.profile
         if not isinstance(profile, ArcProfile):
             return self.sector is not None
@@ -169,13 +170,13 @@ class RevolvedBody:
     def _along(self, a: float, b: float) -> list[tuple[float, Vector]]:
         profile = self.profile
         # On the axis itself a cone would be entered at its apex, which is no crossing.
-        r = max(hypot(a - self.centre[0], b - self.centre[1]), _AXIS)
+        r = max(hypot(a - self.centre[0], b - self.centre[1]), AXIS)
         flat = self._vector((0.0, 0.0), 1.0)
         ends = (profile.low, profile.high)
-        found = [(z, flat) for z in ends if (r > profile.radius(z)) == self._is_beyond]
+        found = [(z, flat) for z in ends if (r > profile.radius(z)) == self.is_beyond]
         for z in profile.heights(r):
             along_r, along_z = profile.normal(z)
-            out = (0.0, 0.0) if r <= _AXIS else ((a - self.centre[0]) / r, (b - self.centre[1]) / r)
+            out = (0.0, 0.0) if r <= AXIS else ((a - self.centre[0]) / r, (b - self.centre[1]) / r)
             found.append((z, self._vector((along_r * out[0], along_r * out[1]), along_z)))
         return found
 
@@ -199,9 +200,9 @@ class RevolvedBody:
             found.append((self.centre[place] + way, direction))
         if self.sector is not None:
             return self._of_sector(found, place, off)
-        if self._is_beyond:
+        if self.is_beyond:
             # The space beyond reaches far away on both sides.
-            found += [(way, self._vector((1.0, 0.0), 0.0)) for way in (-_FAR, _FAR)]
+            found += [(way, self._vector((1.0, 0.0), 0.0)) for way in (-FAR, FAR)]
         return found
 
     def _of_sector(
@@ -214,11 +215,11 @@ class RevolvedBody:
             place: of the line's axis in the projection plane.
             off: the line's other coordinate, from the centre.
         """
-        low, high = -_FAR, _FAR
+        low, high = -FAR, FAR
         sides: dict[float, Vector] = {}
         for inward in self._inward():
             slope, rest = inward[place], inward[1 - place] * off
-            if abs(slope) < _AXIS:
+            if abs(slope) < AXIS:
                 if rest <= 0.0:
                     return []
                 continue
@@ -236,7 +237,7 @@ class RevolvedBody:
         # Between its meetings with the circle the line is below the profile.
         below = [bool(circle) and circle[0][0] < end[0] < circle[1][0] for end in ends]
         kept = [
-            end for end, is_below in zip(ends, below, strict=True) if is_below != self._is_beyond
+            end for end, is_below in zip(ends, below, strict=True) if is_below != self.is_beyond
         ]
         return kept + inside
 

@@ -1,12 +1,21 @@
-"""Rules as clauses over the Booleans of cells, for CP-SAT."""
+"""Rules as clauses over the Booleans of blocks, for CP-SAT."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from math import inf
 
 from ortools.sat.python import cp_model
 
+from gaussiancad_core.reasoning.blocks import (
+    Form,
+    Look,
+    Saying,
+    Sayings,
+    find_blocks,
+    independent,
+)
 from gaussiancad_core.reasoning.columns import Cell
-from gaussiancad_core.reasoning.rules import Group, Rule, Says, Transition
-from gaussiancad_core.views import Linetype
+from gaussiancad_core.reasoning.rules import Rule
 
 SURFACES = 10
 """Surfaces that weigh as much as a tenth of a unit of line that is given up."""
@@ -14,153 +23,163 @@ SURFACES = 10
 Labels = dict[Cell, bool]
 """True is material."""
 
+Chosen = Callable[[Rule], bool]
+"""Tells some rules from others."""
+
+
+def none(_: Rule) -> bool:
+    """No rule."""
+    return False
+
+
+def every(_: Rule) -> bool:
+    """Any rule."""
+    return True
+
+
+def lighter(lightest: float, most: float = inf) -> Chosen:
+    """Rules of a weight below one, and of a cost of at most so much."""
+    return lambda rule: rule.weight < lightest and SURFACES * points(rule) <= most
+
 
 class Model:
     """Rules as clauses over the labels of cells.
 
+    Rules that have to hold and say that nothing is drawn are solved beforehand: there are Booleans
+    of free cells only (see :mod:`gaussiancad_core.reasoning.blocks`).
+
     Args:
         rules: to be fulfilled.
-        lightest: rules of a weight below this get a literal that gives them up.
+        giveable: those that may be given up.
 
     Attributes:
-        cells: the Boolean of each cell.
-        given_up: those literals, by the number of the rule.
+        model: CP-SAT's.
+        given_up: literals that give up rules, by the number of the rule.  Rules that say the same
+            share one; those that hold in any case, or say what another one says that has to hold,
+            have none.
+        cost: of what is given up, ``SURFACES`` for a tenth of a unit of line.
     """
 
-    def __init__(self, rules: Sequence[Rule], *, lightest: float = 0.0) -> None:
+    def __init__(self, rules: Sequence[Rule], giveable: Chosen = none) -> None:
         self.model = cp_model.CpModel()
-        self.cells: dict[Cell, cp_model.IntVar] = {}
         self.given_up: dict[int, cp_model.IntVar] = {}
+        may_go = [giveable(rule) for rule in rules]
+        self._blocks = find_blocks(rules, lambda rule: not giveable(rule))
+        self._free = [self.model.new_bool_var("") for _ in self._blocks.free]
         self._false = self.model.new_constant(0)
-        # By the identities of literals, which are all kept: their indices take long to look up.
-        self._different: dict[tuple[int, int], cp_model.IntVar] = {}
-        self._surfaces: dict[Transition, cp_model.IntVar] = {}
-        self.surfaces: list[cp_model.IntVar] = []
-        self._counted: set[int] = set()
+        self._literals: dict[Form, cp_model.IntVar] = {0: self._false}
+        self._literals.update((1 << k, literal) for k, literal in enumerate(self._free))
+        sayings = Sayings(self._blocks)
+        told: dict[Saying, list[int]] = {}
         for number, rule in enumerate(rules):
+            told.setdefault(sayings.of(rule), []).append(number)
+        escapes: list[cp_model.IntVar] = []
+        costs: list[int] = []
+        for said, numbers in told.items():
+            if said.is_trivial:
+                continue
             escape: list[cp_model.IntVar] = []
-            if rule.weight < lightest:
+            if all(may_go[number] for number in numbers):
                 escape = [self.model.new_bool_var("")]
-                self.given_up[number] = escape[0]
-            self._add(rule, escape)
+                self.given_up.update((number, escape[0]) for number in numbers)
+                escapes += escape
+                costs.append(SURFACES * sum(points(rules[number]) for number in numbers))
+            self._add(said, escape)
+        self.cost = cp_model.LinearExpr.weighted_sum(escapes, costs)
 
-        self.cost = sum(
-            SURFACES * points(rules[number]) * escape for number, escape in self.given_up.items()
-        )
-        self._weights = {number: rules[number].weight for number in self.given_up}
-        self._budget: cp_model.Constraint | None = None
+    @property
+    def cells(self) -> list[Cell]:
+        """Those that have labels."""
+        return [cell for cell in self._blocks.forms if cell is not None]
 
-    def allow(self, lightest: float) -> None:
-        """Let only rules of a weight below this be given up."""
-        self.allow_only([n for n, weight in self._weights.items() if weight < lightest])
-
-    def allow_only(self, numbers: Iterable[int]) -> None:
-        """Let only the rules of these numbers be given up."""
-        chosen = set(numbers)
-        for number, literal in self.given_up.items():
-            literal.proto.domain[1] = int(number in chosen)
-
-    def spend(self, most: int) -> None:
-        """Let what is given up cost no more."""
-        if self._budget is None:
-            self._budget = self.model.add(self.cost <= most)
-        else:
-            self._budget.proto.linear.domain[1] = most
+    @cached_property
+    def surfaces(self) -> cp_model.LinearExprT:
+        """How many pairs of neighbours differ."""
+        counts = self._blocks.surfaces
+        literals = [self._literal(form) for form in counts]
+        return cp_model.LinearExpr.weighted_sum(literals, list(counts.values()))
 
     def hint(self, labels: Labels) -> None:
         """Labels to start from."""
         self.model.clear_hints()
-        for cell, literal in self.cells.items():
+        for cell, literal in zip(self._blocks.free, self._free, strict=True):
             self.model.add_hint(literal, labels.get(cell, False))
-
-    def cell(self, cell: Cell | None) -> cp_model.IntVar:
-        """The Boolean of a cell; void for None."""
-        if cell is None:
-            return self._false
-        if cell not in self.cells:
-            self.cells[cell] = self.model.new_bool_var("")
-        return self.cells[cell]
-
-    def _surface(self, transition: Transition) -> cp_model.IntVar:
-        literal = self._surfaces.get(transition)
-        if literal is None:
-            literal = self._differ(self.cell(transition[0]), self.cell(transition[1]))
-            self._surfaces[transition] = literal
-            if literal is not self._false and id(literal) not in self._counted:
-                self._counted.add(id(literal))
-                self.surfaces.append(literal)
-        return literal
-
-    def _differ(self, one: cp_model.IntVar, other: cp_model.IntVar) -> cp_model.IntVar:
-        if one is other:
-            return self._false
-        if one is self._false:
-            return other
-        if other is self._false:
-            return one
-        key = id(one), id(other)
-        literal = self._different.get(key)
-        if literal is None:
-            literal = self.model.new_bool_var("")
-            self.model.add_bool_or([~literal, one, other])
-            self.model.add_bool_or([~literal, ~one, ~other])
-            self.model.add_bool_or([literal, ~one, other])
-            self.model.add_bool_or([literal, one, ~other])
-            self._different[key] = self._different[key[::-1]] = literal
-        return literal
-
-    def _discrepancies(self, group: Group) -> list[cp_model.IntVar]:
-        found = []
-        for one, other in group.pairs:
-            literal = self._differ(self._surface(one), self._surface(other))
-            if literal is not self._false:
-                found.append(literal)
-        for transition in group.lone:
-            literal = self._surface(transition)
-            if literal is not self._false:
-                found.append(literal)
-        return found
-
-    def _add(self, rule: Rule, escape: list[cp_model.IntVar]) -> None:
-        add = self.model.add_bool_or
-        if rule.linetype is None:
-            for group in rule.groups:
-                for literal in self._discrepancies(group):
-                    add([~literal, *escape])
-            return
-        if rule.says is Says.DRAWN:
-            either = [d for group in rule.groups for d in self._discrepancies(group)]
-            add([*either, *escape] or [self._false])
-            return
-        covering: dict[int, cp_model.IntVar] = {}
-        places: list[cp_model.IntVar] = []
-        for group in rule.groups:
-            literals = self._discrepancies(group)
-            if literals:
-                place = self.model.new_bool_var("")
-                add([*literals, ~place])
-                places.append(place)
-                if rule.linetype is Linetype.VISIBLE:
-                    for literal in covering.values():
-                        self.model.add_implication(place, ~literal)
-                else:
-                    for literal in literals:
-                        add([~literal, *covering.values(), *escape])
-            for transition in group.all:
-                literal = self._surface(transition)
-                if literal is not self._false:
-                    covering[id(literal)] = literal
-        add([*places, *escape] or [self._false])
 
     def forbid(self, labels: Labels, cells: Sequence[Cell]) -> None:
         """Ask for labels that differ in at least one of some cells."""
+        forms = self._blocks.forms
+        told = {forms[cell]: labels[cell] for cell in cells}
         self.model.add_bool_or(
-            [~self.cells[cell] if labels[cell] else self.cells[cell] for cell in cells]
+            [
+                ~self._literal(form) if told[form] else self._literal(form)
+                for form in independent(told)
+            ]
         )
 
     def labels(self, solver: cp_model.CpSolver) -> Labels:
         """The labels of a solution."""
-        return {cell: bool(solver.value(literal)) for cell, literal in self.cells.items()}
+        chosen = sum(solver.boolean_value(literal) << k for k, literal in enumerate(self._free))
+        return {
+            cell: (form & chosen).bit_count() % 2 == 1
+            for cell, form in self._blocks.forms.items()
+            if cell is not None
+        }
+
+    def _literal(self, form: Form) -> cp_model.IntVar:
+        """Which is true where a form is 1."""
+        found = self._literals.get(form)
+        if found is None:
+            halves = self._blocks.halves.get(form)
+            if halves is None:
+                return self._summed(form)
+            one, other = halves
+            found = self._literals[form] = self._differ(self._literal(one), self._literal(other))
+        return found
+
+    def _summed(self, form: Form) -> cp_model.IntVar:
+        """The same, made up of free cells."""
+        found = self._literals.get(form)
+        if found is None:
+            last = 1 << form.bit_length() - 1
+            rest = self._summed(form ^ last)
+            found = self._literals[form] = self._differ(rest, self._literals[last])
+        return found
+
+    def _differ(self, one: cp_model.IntVar, other: cp_model.IntVar) -> cp_model.IntVar:
+        literal = self.model.new_bool_var("")
+        self.model.add_bool_or([~literal, one, other])
+        self.model.add_bool_or([~literal, ~one, ~other])
+        self.model.add_bool_or([literal, ~one, other])
+        self.model.add_bool_or([literal, one, ~other])
+        return literal
+
+    def _add(self, said: Saying, escape: list[cp_model.IntVar]) -> None:
+        add = self.model.add_bool_or
+        if said.look is Look.BLANK:
+            for place in said.places:
+                for form in place.differs:
+                    add([~self._literal(form), *escape])
+            return
+        if said.look is Look.DRAWN:
+            either = [self._literal(form) for place in said.places for form in place.differs]
+            add([*either, *escape] or [self._false])
+            return
+        covering: list[cp_model.IntVar] = []
+        seen: list[cp_model.IntVar] = []
+        for place in said.places:
+            literals = [self._literal(form) for form in place.differs]
+            if literals:
+                here = self.model.new_bool_var("")
+                add([*literals, ~here])
+                seen.append(here)
+                if said.look is Look.VISIBLE:
+                    for literal in covering:
+                        self.model.add_implication(here, ~literal)
+                else:
+                    for literal in literals:
+                        add([~literal, *covering, *escape])
+            covering += [self._literal(form) for form in place.covers]
+        add([*seen, *escape] or [self._false])
 
 
 def points(rule: Rule) -> int:

@@ -10,7 +10,8 @@ from itertools import pairwise
 from typing import NamedTuple, Protocol
 
 from gaussiancad_core.axes import Axis
-from gaussiancad_core.reasoning.arrangement import CHAIN, OUTSIDE, Arrangement, distinct
+from gaussiancad_core.reasoning.arrangement import OUTSIDE, Arrangement, distinct
+from gaussiancad_core.reasoning.arrangement_kernels import CHAIN, ROUGH
 from gaussiancad_core.reasoning.curves import PlaneCurve, Point
 from gaussiancad_core.reasoning.planes import IN_PLANE
 
@@ -27,15 +28,11 @@ Surface = tuple[int, int]
 
 BODY = 3
 
-_FUSED = 1e-6
+FUSED = 1e-6
 """Depths closer than this, with parallel normals, are one crossing."""
 
-_PARALLEL = 1.0 - 2e-4
+PARALLEL = 1.0 - 2e-4
 """Cosine of the angle within which normals are parallel."""
-
-
-_ROUGH = 0.05
-"""Units by which a chain may be off."""
 
 
 class Body(Protocol):
@@ -75,7 +72,7 @@ _Step = tuple[float, Vector, Surface, int]
 """(depth, normal, surface, the region of the surface's plane behind it; any for a body)."""
 
 
-def _beside(normal: Axis) -> tuple[tuple[Axis, int], tuple[Axis, int]]:
+def beside(normal: Axis) -> tuple[tuple[Axis, int], tuple[Axis, int]]:
     """For each coordinate of a plane the other plane that shows it, and its place there.
 
     Depth runs along that plane's other coordinate.
@@ -87,7 +84,23 @@ def _beside(normal: Axis) -> tuple[tuple[Axis, int], tuple[Axis, int]]:
     return found[0], found[1]
 
 
-_BESIDE = {normal: _beside(normal) for normal in Axis}
+_BESIDE = {normal: beside(normal) for normal in Axis}
+
+
+class SeenColumns(Protocol):
+    """Columns along one axis that were looked at.
+
+    Attributes:
+        normal: the axis.
+    """
+
+    normal: Axis
+
+    def longest(self) -> Iterator[tuple[Cell, float]]:
+        """Cells, each with its longest stretch along the axis."""
+
+    def crossed(self) -> Iterator[tuple[Cell | None, Cell | None, Surface]]:
+        """Pairs of cells that follow each other, and the surfaces between them."""
 
 
 class Space:
@@ -100,14 +113,16 @@ class Space:
     Attributes:
         planes, bodies: as given.
         values: of each axis where an arrangement has a corner, ascending.
+        counting: of each plane the bits of the bodies that count in each of its regions.
     """
 
     def __init__(self, planes: Mapping[Axis, Arrangement], bodies: Sequence[Body] = ()) -> None:
         self.planes = dict(planes)
         self.bodies = tuple(bodies)
         self.values = {axis: self._values(axis) for axis in Axis}
-        self._counting = tuple(self._counting_in(axis) for axis in Axis)
+        self.counting = tuple(self._counting_in(axis) for axis in Axis)
         self._columns: dict[tuple[Axis, float, float], tuple[Crossing, ...]] = {}
+        self._seen: list[SeenColumns] = []
         self._steps: dict[tuple[Axis, int, float], tuple[int, tuple[_Step, ...], bool]] = {}
 
     def _values(self, axis: Axis) -> list[float]:
@@ -138,7 +153,7 @@ class Space:
         if OUTSIDE in (x, y, z):
             return None
         if bits:
-            by_x, by_y, by_z = self._counting
+            by_x, by_y, by_z = self.counting
             bits &= by_x[x] & by_y[y] & by_z[z]
         return x, y, z, bits
 
@@ -151,9 +166,17 @@ class Space:
         bits = sum(1 << i for i, body in enumerate(self.bodies) if body.holds(point))
         return self._cell(regions, bits)
 
+    def look_at(self, seen: "SeenColumns") -> None:
+        """Columns count as looked at."""
+        self._seen.append(seen)
+
     def thickness(self) -> dict[Cell, float]:
         """Units of each cell in its thinnest direction, as far as columns have met it."""
         longest: dict[Cell, dict[Axis, float]] = {}
+        for seen in self._seen:
+            for cell, depth in seen.longest():
+                own = longest.setdefault(cell, {})
+                own[seen.normal] = max(own.get(seen.normal, 0.0), depth)
         for (normal, _, _), column in self._columns.items():
             for one, other in pairwise(column):
                 if one.after is not None:
@@ -161,9 +184,13 @@ class Space:
                     own[normal] = max(own.get(normal, 0.0), other.depth - one.depth)
         return {cell: min(own.values()) for cell, own in longest.items()}
 
-    def met(self) -> Iterator[tuple[Crossing, ...]]:
-        """The columns that were looked at."""
-        yield from self._columns.values()
+    def crossed(self) -> Iterator[tuple[Cell | None, Cell | None, Surface]]:
+        """From which cells columns that were looked at pass into which, and through what."""
+        for seen in self._seen:
+            yield from seen.crossed()
+        for column in self._columns.values():
+            for crossing in column:
+                yield crossing.before, crossing.after, crossing.surface
 
     def column(self, normal: Axis, a: float, b: float) -> tuple[Crossing, ...]:
         """The crossings of the line through (a, b) of a plane, in ascending depth."""
@@ -187,7 +214,7 @@ class Space:
             steps += own_steps
             chained |= has_chain
         bits = 0
-        counting = self._counting[normal.value][own]
+        counting = self.counting[normal.value][own]
         for number, body in enumerate(self.bodies):
             if not counting >> number & 1:
                 continue
@@ -206,7 +233,7 @@ class Space:
                 before = after
                 continue
             last = crossings[-1] if crossings else None
-            if last and abs(last.depth - depth) < _FUSED and parallel(last.normal, direction):
+            if last and abs(last.depth - depth) < FUSED and parallel(last.normal, direction):
                 crossings[-1] = Crossing(last.depth, last.normal, last.surface, last.before, after)
             else:
                 crossings.append(Crossing(depth, direction, surface, before, after))
@@ -250,7 +277,7 @@ def _without_slivers(steps: list[_Step]) -> list[_Step]:
         if (
             last is not None
             and last[3] == OUTSIDE
-            and step[0] - last[0] < _ROUGH
+            and step[0] - last[0] < ROUGH
             and (last[2][1] == CHAIN) != (step[2][1] == CHAIN)
         ):
             support = step if last[2][1] == CHAIN else last
@@ -271,17 +298,17 @@ def _within_chains(steps: list[_Step]) -> list[_Step]:
     for step in steps:
         depth = step[0]
         for at, region in chains if step[2][1] != CHAIN else ():
-            if region != OUTSIDE and at - _ROUGH < depth <= at:
-                depth = at + _FUSED
-            elif region == OUTSIDE and at <= depth < at + _ROUGH:
-                depth = at - _FUSED
+            if region != OUTSIDE and at - ROUGH < depth <= at:
+                depth = at + FUSED
+            elif region == OUTSIDE and at <= depth < at + ROUGH:
+                depth = at - FUSED
         moved.append((depth, *step[1:]))
     return sorted(moved, key=_depth)
 
 
 def parallel(one: Vector, other: Vector) -> bool:
     """Whether unit normals are parallel, whichever way they point."""
-    return abs(one[0] * other[0] + one[1] * other[1] + one[2] * other[2]) > _PARALLEL
+    return abs(one[0] * other[0] + one[1] * other[1] + one[2] * other[2]) > PARALLEL
 
 
 def _surrounds(polygon: Sequence[Point], point: Point) -> bool:

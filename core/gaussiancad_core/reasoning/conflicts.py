@@ -18,7 +18,7 @@ from ortools.sat.python import cp_model
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.errors import LimitError
-from gaussiancad_core.reasoning.clauses import Labels, Model
+from gaussiancad_core.reasoning.clauses import Labels, Model, every
 from gaussiancad_core.reasoning.conflict_lines import Conflict, ConflictLine
 from gaussiancad_core.reasoning.curves import Point
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
@@ -258,13 +258,13 @@ class _Switched:
     """
 
     def __init__(self, rules: Sequence[Rule], grouped: Mapping[Key, Iterable[_Member]]) -> None:
-        self._model = Model(rules, lightest=float("inf"))
+        self._model = Model(rules, every)
         self._switches: dict[Key, cp_model.IntVar] = {}
         self._numbers = {key: {m.number for m in members} for key, members in grouped.items()}
         for key, numbers in self._numbers.items():
             switch = self._model.model.new_bool_var("")
             self._switches[key] = switch
-            for number in sorted(numbers):
+            for number in sorted(numbers & self._model.given_up.keys()):
                 self._model.model.add_implication(switch, ~self._model.given_up[number])
 
     def solve(
@@ -276,7 +276,8 @@ class _Switched:
         model.clear_objective()
         model.add_assumptions([self._switches[key] for key in on])
         if least is not None:
-            model.minimize(sum(self._model.given_up[n] for n in sorted(self._numbers[least])))
+            given_up = self._model.given_up
+            model.minimize(sum(given_up[n] for n in sorted(self._numbers[least] & given_up.keys())))
         status = solver.solve(model)
         if status != cp_model.INFEASIBLE:
             return status, []

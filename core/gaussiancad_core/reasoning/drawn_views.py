@@ -23,6 +23,7 @@ class DrawnViews:
             tells.  The reader has made equal what is one.
         noise: mm by which views contradict each other about a coordinate that they share, at the
             median, on the axis on which they do most; 0 for exact lines.
+        bound: mm within which 95 % of what is measured between lines lies from what it is.
         likely: whether measures become round ones where they most likely are.
         dash: mm up to which a hidden line may be one dash, as solid as a visible one; None where
             all linetypes are known.
@@ -35,6 +36,7 @@ class DrawnViews:
     tolerance: float
     apart: float | None = None
     noise: float = 0.0
+    bound: float = 0.0
     likely: bool = False
     dash: float | None = None
     told: ToldNumbers | None = None

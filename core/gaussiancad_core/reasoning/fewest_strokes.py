@@ -9,12 +9,11 @@ counts for more than another.  That is far fewer choices than rules, and proved 
 from bisect import bisect_right
 from collections import defaultdict
 from collections.abc import Hashable, Sequence
-from math import inf
 
 from ortools.sat.python import cp_model
 
 from gaussiancad_core.axes import Role
-from gaussiancad_core.reasoning.clauses import Model, points_of
+from gaussiancad_core.reasoning.clauses import Model, every, points_of
 from gaussiancad_core.reasoning.curves import CircleCurve, Point
 from gaussiancad_core.reasoning.labelling import Effort, Labelling
 from gaussiancad_core.reasoning.part import PartModel
@@ -48,7 +47,7 @@ def fewest_strokes(part: PartModel, effort: Effort, deadline: Deadline = NEVER) 
     Returns:
         The labels; they are complete where no others give up less.
     """
-    model = Model(part.rules, lightest=inf)
+    model = Model(part.rules, every)
     cost = _cost(model, part)
     model.model.minimize(cost)
     solver = relaxing_solver(effort.relaxed, deadline)
@@ -59,7 +58,7 @@ def fewest_strokes(part: PartModel, effort: Effort, deadline: Deadline = NEVER) 
     labels, least = model.labels(solver), round(solver.objective_value)
     model.model.add(cost <= least)
     model.hint(labels)
-    model.model.minimize(sum(model.surfaces))
+    model.model.minimize(model.surfaces)
     simplest = solver_for(_SURFACES * effort.simplest, deadline=deadline)
     if simplest.solve(model.model) in FOUND:
         labels = model.labels(simplest)
@@ -73,7 +72,9 @@ def _cost(model: Model, part: PartModel) -> cp_model.LinearExpr:
     weights: dict[Hashable, float] = defaultdict(float)
     literals: dict[Hashable, cp_model.IntVar] = {}
     for number, rule in enumerate(part.rules):
-        escape = model.given_up[number]
+        escape = model.given_up.get(number)
+        if escape is None:
+            continue
         keys = {lines.of(piece) for piece in rule.pieces}
         if keys == {None} or rule.says is Says.KIND:
             literals[number] = escape

@@ -12,7 +12,14 @@ from math import inf
 
 from ortools.sat.python import cp_model
 
-from gaussiancad_core.reasoning.clauses import SURFACES, Labels, Model, points, points_of
+from gaussiancad_core.reasoning.clauses import (
+    SURFACES,
+    Labels,
+    Model,
+    lighter,
+    points,
+    points_of,
+)
 from gaussiancad_core.reasoning.columns import Cell
 from gaussiancad_core.reasoning.rules import Rule, Says, holds
 from gaussiancad_core.reasoning.solvers import FOUND, relaxing_solver, solver_for
@@ -123,7 +130,6 @@ class Search:
     def __init__(self, rules: Sequence[Rule], effort: Effort) -> None:
         self._rules = tuple(rules)
         self._effort = effort
-        self._model = Model(rules, lightest=SLIGHT)
 
     def best(self, deadline: Deadline = NEVER, *, relaxed: bool = True) -> Labelling:
         """Labels under which all rules hold, or, if ``relaxed``, all but the least."""
@@ -136,11 +142,8 @@ class Search:
         Simple means few surfaces: of parts that look alike in all views, the drawn one is nearly
         always the one with the fewest.  There are none where the rules contradict each other.
         """
-        model = self._model.model
-        model.add_assumptions([~escape for escape in self._model.given_up.values()])
         solver = solver_for(self._effort.hard, self._effort.workers, deadline)
-        status = solver.solve(model)
-        model.clear_assumptions()
+        status = solver.solve(self._strictly.model)
         if status in FOUND:
             return self._simplest(solver, deadline)
         return Labelling(None, (), status == cp_model.INFEASIBLE)
@@ -148,38 +151,28 @@ class Search:
     def retold(self, deadline: Deadline = NEVER) -> Labelling:
         """Labels under which all rules hold but for linetypes that nothing tells; as few of these
         as possible become the other one."""
-        kinds = self._kinds
-        if not kinds:
+        held = self._but_kinds
+        if not held.given_up:
             return Labelling(None, (), False)
-        held, model = self._model, self._model.model
-        model.add_assumptions([~e for n, e in held.given_up.items() if n not in kinds])
         solver = solver_for(self._effort.hard, self._effort.workers, deadline)
-        if solver.solve(model) not in FOUND:
-            model.clear_assumptions()
+        if solver.solve(held.model) not in FOUND:
             return Labelling(None, (), False)
         first = held.labels(solver)
         held.hint(first)
-        given_up = sum(points(self._rules[n]) * held.given_up[n] for n in kinds)
-        model.minimize(SURFACES * given_up + sum(held.surfaces))
+        held.model.minimize(held.cost + held.surfaces)
         solver = solver_for(self._effort.hard, self._effort.workers, deadline)
-        status = solver.solve(model)
-        model.clear_objective()
-        model.clear_hints()
-        model.clear_assumptions()
+        status = solver.solve(held.model)
+        held.model.clear_objective()
+        held.model.clear_hints()
         labels = held.labels(solver) if status in FOUND else first
         return Labelling(labels, _broken(self._rules, labels), status == cp_model.OPTIMAL)
 
-    @cached_property
-    def _kinds(self) -> frozenset[int]:
-        """Numbers of the rules that say of which linetype a line most likely is."""
-        return frozenset(n for n, rule in enumerate(self._rules) if rule.says is Says.KIND)
-
     def contradict(self, but: Sequence[int], deadline: Deadline = NEVER) -> bool:
         """Whether rules contradict each other for certain, those of some numbers left out."""
-        self._softly.allow_only(but)
-        self._softly.model.clear_objective()
+        left_out = set(but)
+        rules = [rule for number, rule in enumerate(self._rules) if number not in left_out]
         solver = solver_for(self._effort.hard, deadline=deadline)
-        return solver.solve(self._softly.model) == cp_model.INFEASIBLE
+        return solver.solve(Model(rules).model) == cp_model.INFEASIBLE
 
     def least(self, deadline: Deadline = NEVER) -> Labelling:
         """Labels that give up rules of the least weight, or of little where time is over."""
@@ -189,7 +182,9 @@ class Search:
             # The clauses alone take seconds.
             if not deadline.left:
                 break
-            found, spent = self._giving_up(lightest, deadline)
+            # What weighs more than all that was given up is not given up for less.
+            most = best.cost if best else inf
+            found, spent = self._giving_up(lightest, deadline, most)
             effort += spent
             if found is not None and (best is None or found.cost <= best.cost):
                 best = found
@@ -204,11 +199,12 @@ class Search:
         labels = self._simpler(best, deadline)
         return Labelling(labels, _broken(self._rules, labels), best.is_least, effort)
 
-    def _giving_up(self, lightest: float, deadline: Deadline) -> "tuple[_Given | None, float]":
-        """The least that can be given up of rules below a weight, and the deterministic time that
-        it took."""
-        soft = self._softly
-        soft.allow(lightest)
+    def _giving_up(
+        self, lightest: float, deadline: Deadline, most: float
+    ) -> "tuple[_Given | None, float]":
+        """The least that can be given up of rules below a weight and a cost, and the deterministic
+        time that it took."""
+        soft = Model(self._rules, lighter(lightest, most))
         soft.model.minimize(soft.cost)
         solver = relaxing_solver(self._effort.relaxed, deadline)
         status = solver.solve(soft.model)
@@ -222,33 +218,37 @@ class Search:
 
     def _simpler(self, found: "_Given", deadline: Deadline) -> Labels:
         """Labels that give up hardly more, with few surfaces."""
-        soft = self._softly
-        soft.spend(found.cost + SURFACES * points_of(_TRADED))
+        most = found.cost + SURFACES * points_of(_TRADED)
+        soft = Model(self._rules, lighter(inf, most))
+        soft.model.add(soft.cost <= most)
         soft.hint(found.labels)
-        soft.model.minimize(soft.cost + sum(soft.surfaces))
+        soft.model.minimize(soft.cost + soft.surfaces)
         much = found.cost > SURFACES * points_of(_MUCH)
         effort = self._effort.simplest * (_IN_VAIN if much else 1.0)
         solver = solver_for(effort, deadline=deadline)
         return soft.labels(solver) if solver.solve(soft.model) in FOUND else found.labels
 
     @cached_property
-    def _softly(self) -> Model:
-        """Clauses that may all be given up."""
-        return Model(self._rules, lightest=inf)
+    def _strictly(self) -> Model:
+        """Clauses of all rules, of which none may be given up."""
+        return Model(self._rules)
+
+    @cached_property
+    def _but_kinds(self) -> Model:
+        """The same, but for linetypes that nothing tells."""
+        return Model(self._rules, lambda rule: rule.says is Says.KIND)
 
     def _simplest(self, found: cp_model.CpSolver, deadline: Deadline) -> Labelling:
         """Of all labels under which the rules hold those with the fewest surfaces."""
-        model = self._model.model
-        first = self._model.labels(found)
-        self._model.hint(first)
-        model.add_assumptions([~escape for escape in self._model.given_up.values()])
-        model.minimize(sum(self._model.surfaces))
+        held = self._strictly
+        first = held.labels(found)
+        held.hint(first)
+        held.model.minimize(held.surfaces)
         solver = solver_for(self._effort.simplest, self._effort.workers, deadline)
-        status = solver.solve(model)
-        model.clear_objective()
-        model.clear_hints()
-        model.clear_assumptions()
-        return Labelling(self._model.labels(solver) if status in FOUND else first, (), True)
+        status = solver.solve(held.model)
+        held.model.clear_objective()
+        held.model.clear_hints()
+        return Labelling(held.labels(solver) if status in FOUND else first, (), True)
 
     def others(
         self,
@@ -274,9 +274,10 @@ class Search:
         elif found.given_up:
             held, solver_of = self._within(found), relaxing_solver
         else:
-            held, solver_of = self._strict(), solver_for
+            held, solver_of = self._strictly, solver_for
         left = share * self._effort.hard
-        counting = [cell for cell in cells if cell in held.cells and cell in found.labels]
+        known = set(held.cells)
+        counting = [cell for cell in cells if cell in known and cell in found.labels]
         if not counting:
             return Others((), True)
         others: list[Labels] = []
@@ -294,35 +295,26 @@ class Search:
             others.append(latest)
         return Others(tuple(others), False)
 
-    def _strict(self) -> Model:
-        """The clauses of all rules; they can be used once."""
-        for escape in self._model.given_up.values():
-            self._model.model.add(escape == 0)
-        return self._model
-
     def _retelling(self, found: Labelling) -> Model:
         """The clauses of all rules but linetypes that nothing tells, of which hardly more may be
         other ones than of the found labels; they can be used once."""
-        held = self._model
-        given_up = sum(points(rule) for rule in found.given_up)
-        more = max(_MORE * given_up, points_of(_MORE_UNITS))
-        for number, escape in held.given_up.items():
-            if number not in self._kinds:
-                held.model.add(escape == 0)
-        spent = sum(points(self._rules[n]) * held.given_up[n] for n in self._kinds)
-        held.model.add(spent <= round(given_up + more))
+        held = self._but_kinds
+        held.model.add(held.cost <= _hardly_more(found))
         return held
 
     def _within(self, found: Labelling) -> Model:
-        """Clauses that give up little more than the found labels do; they can be used once."""
-        soft = self._softly
-        given_up = sum(points(rule) for rule in found.given_up)
-        more = max(_MORE * given_up, points_of(_MORE_UNITS))
-        soft.allow(inf)
-        soft.spend(SURFACES * round(given_up + more))
-        soft.model.clear_hints()
+        """Clauses that give up little more than the found labels do."""
+        most = _hardly_more(found)
+        soft = Model(self._rules, lighter(inf, most))
+        soft.model.add(soft.cost <= most)
         soft.model.minimize(soft.cost)
         return soft
+
+
+def _hardly_more(found: Labelling) -> int:
+    """The cost of what other labels may give up at most."""
+    given_up = sum(points(rule) for rule in found.given_up)
+    return SURFACES * round(given_up + max(_MORE * given_up, points_of(_MORE_UNITS)))
 
 
 def _broken(rules: Sequence[Rule], labels: Labels) -> tuple[Rule, ...]:

@@ -6,6 +6,7 @@ extent.  In these units the room's tolerances are numbers.
 """
 
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 import numpy.typing as npt
@@ -34,6 +35,7 @@ class RolePlane:
     signs: tuple[int, int]
 
 
+@cache
 def role_plane(role: Role) -> RolePlane:
     """The plane of a view and how the view lies in it."""
     frame = role.frame

@@ -7,27 +7,21 @@ partner and is a surface, there is something to be drawn.  A line is visible if 
 anything that both columns share, and hidden if each such place lies behind a surface.
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 from math import inf
+from typing import TypeVar
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.reasoning.column_kernels import BESIDE, CLEAR, GROUP
 from gaussiancad_core.reasoning.columns import Cell, Crossing, Space, parallel
 from gaussiancad_core.reasoning.curves import Point
 from gaussiancad_core.reasoning.pieces import Piece
 from gaussiancad_core.reasoning.planes import role_plane
+from gaussiancad_core.reasoning.sight_lines import Keys, SightLines
 from gaussiancad_core.reasoning.unsure_kinds import is_unsure
 from gaussiancad_core.views import Linetype
-
-BESIDE = 2e-5
-"""Units between a line and the columns beside it."""
-
-_GROUP = 0.06
-"""Units of depth within which crossings of both columns are looked at together."""
-
-_CLEAR = 2e-3
-"""Units around a piece's point within which nothing else may run."""
 
 _KIND = 0.03
 _MOST_KIND = 0.9
@@ -85,14 +79,86 @@ class Rule:
 
 def rules_of(space: Space, pieces: Iterable[Piece]) -> list[Rule]:
     """Rules of pieces; those that say the same become one."""
-    found: dict[tuple[tuple[Group, ...], Linetype | None, bool], list[Piece]] = {}
+    lines = SightLines(space)
+    pieces = list(pieces)
+    if lines.fit:
+        return _merged(lines.said(pieces), _Decoder(lines.keys).groups)
+    return _merged(_said(space, pieces), _as_they_are)
+
+
+Groups = tuple[Group, ...]
+
+_Said = TypeVar("_Said", bound=Hashable)
+"""Groups, or what tells them."""
+
+
+def _said(space: Space, pieces: Sequence[Piece]) -> Iterator[tuple[Piece, Groups]]:
+    """Pieces that say something, and what: the plain way, for cells without keys."""
     for piece in pieces:
-        groups = _groups(space, piece)
+        groups = groups_beside(space, piece)
         if groups is not None:
-            unsure = piece.linetype is not None and is_unsure(piece)
-            found.setdefault((groups, piece.linetype, unsure), []).append(piece)
+            yield piece, groups
+
+
+def _as_they_are(groups: Groups) -> Groups:
+    return groups
+
+
+class _Decoder:
+    """What the kernels tell of pieces, as groups.  Equal ones are the same objects.
+
+    Args:
+        keys: of the cells.
+    """
+
+    def __init__(self, keys: Keys) -> None:
+        self._keys = keys
+        self._transitions: dict[tuple[int, int], Transition] = {}
+        self._groups: dict[tuple[int, ...], Group] = {}
+
+    def groups(self, told: bytes) -> Groups:
+        """The groups of a piece."""
+        numbers = memoryview(told).cast("q").tolist()
+        found = []
+        start = 0
+        while start < len(numbers):
+            pairs, lone, every = numbers[start : start + 3]
+            end = start + 3 + 4 * pairs + 2 * (lone + every)
+            own = tuple(numbers[start:end])
+            group = self._groups.get(own)
+            if group is None:
+                group = self._groups[own] = self._group(own)
+            found.append(group)
+            start = end
+        return tuple(found)
+
+    def _group(self, numbers: tuple[int, ...]) -> Group:
+        pairs, lone, _ = numbers[:3]
+        every = [
+            self._transition(one, other)
+            for one, other in zip(numbers[3::2], numbers[4::2], strict=True)
+        ]
+        both, rest = every[: 2 * pairs], every[2 * pairs :]
+        return Group(
+            tuple(zip(both[::2], both[1::2], strict=True)), tuple(rest[:lone]), tuple(rest[lone:])
+        )
+
+    def _transition(self, one: int, other: int) -> Transition:
+        found = self._transitions.get((one, other))
+        if found is None:
+            found = self._keys.cell(one), self._keys.cell(other)
+            self._transitions[one, other] = found
+        return found
+
+
+def _merged(said: Iterable[tuple[Piece, _Said]], decoded: Callable[[_Said], Groups]) -> list[Rule]:
+    found: dict[tuple[_Said, Linetype | None, bool], list[Piece]] = {}
+    for piece, told in said:
+        unsure = piece.linetype is not None and is_unsure(piece)
+        found.setdefault((told, piece.linetype, unsure), []).append(piece)
     rules = []
-    for (groups, linetype, unsure), own in found.items():
+    for (told, linetype, unsure), own in found.items():
+        groups = decoded(told)
         place = own[0].role, own[0].point, tuple(own)
         if unsure:
             length = sum(piece.length for piece in own)
@@ -105,17 +171,20 @@ def rules_of(space: Space, pieces: Iterable[Piece]) -> list[Rule]:
     return rules
 
 
-def _groups(space: Space, piece: Piece) -> tuple[Group, ...] | None:
-    """Groups from the viewer on; None if the piece says nothing."""
+def groups_beside(space: Space, piece: Piece) -> tuple[Group, ...] | None:
+    """Groups from the viewer on; None if the piece says nothing.
+
+    The plain reference of what :mod:`.sight_lines` does with many pieces at once.
+    """
     plane = role_plane(piece.role)
     (a, b), (da, db) = piece.point, piece.across
     arrangement = space.planes[plane.normal]
     sides = [(a + way * da, b + way * db) for way in (-BESIDE, BESIDE)]
     if piece.linetype is None and all(arrangement.locate(*side) == 0 for side in sides):
         return None
-    for way in (-_CLEAR, _CLEAR):
+    for way in (-CLEAR, CLEAR):
         here = arrangement.locate(a + 0.01 * way * da, b + 0.01 * way * db)
-        for along in (-_CLEAR, 0.0, _CLEAR):
+        for along in (-CLEAR, 0.0, CLEAR):
             at = a + way * da - along * db, b + way * db + along * da
             if arrangement.locate(*at) != here:
                 return None
@@ -153,8 +222,8 @@ def _aligned(
             near, far = far, near
         if (
             this.surface != that.surface
-            or far - near > _GROUP
-            or near - last <= _GROUP
+            or far - near > GROUP
+            or near - last <= GROUP
             or not parallel(this.normal, that.normal)
         ):
             return None
@@ -173,7 +242,7 @@ def _by_depth(
     groups: list[tuple[list[Crossing], list[Crossing]]] = []
     last: float | None = None
     for depth, side, index in events:
-        if last is None or depth - last > _GROUP:
+        if last is None or depth - last > GROUP:
             groups.append(([], []))
         groups[-1][side].append((one, other)[side][index])
         last = depth

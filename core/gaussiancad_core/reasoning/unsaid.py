@@ -66,13 +66,11 @@ def with_unsaid(
 
 def _neighbours(space: Space) -> Neighbours:
     found: dict[Cell, dict[tuple[Cell | None, Surface], None]] = defaultdict(dict)
-    for column in space.met():
-        for crossing in column:
-            one, other = crossing.before, crossing.after
-            if one is not None:
-                found[one][other, crossing.surface] = None
-            if other is not None:
-                found[other][one, crossing.surface] = None
+    for one, other, surface in space.crossed():
+        if one is not None:
+            found[one][other, surface] = None
+        if other is not None:
+            found[other][one, surface] = None
     return {cell: tuple(own) for cell, own in found.items()}
 
 

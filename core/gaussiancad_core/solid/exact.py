@@ -255,7 +255,7 @@ def _searched(work: Work, labelling: Labelling, limits: Limits, latest: Deadline
     best = agreeing[0] if agreeing else candidates[0]
     _note(work, labelling, found, best)
     reasons = reasons_of(best.verification, len(agreeing), complete, views)
-    if work.loose:
+    if work.loose and not best.verification.apart:
         reasons.append(LOOSE)
     others = sorted((c for c in agreeing if c is not best), key=_rank)
     return ExactResult(

@@ -22,13 +22,6 @@ from gaussiancad_core.solid.verify import Verification
 _SHARE = 0.95
 """Share of the faces that keep the bound."""
 
-_TIMES = 6.0
-"""Standard deviations of what is drawn that a face lies beside its place at most."""
-
-_BESIDE = 12.0
-"""Part of how far the worst stroke lies beside the solid by which the others do in the mean:
-slanted lines are read less exactly than what views share."""
-
 _ROUNDED = 0.5
 """Error of a rounded number, in its last digit, at most."""
 
@@ -87,7 +80,10 @@ def measures_of(
         verification: how the solid's lines lie beside those of the views.
     """
     least = max(_FLOOR_MM, _FLOOR * max(views.size))
-    drawn = max(least, _bound_of_lines(views, verification))
+    drawn = max(least, views.bound)
+    if not views.noise:
+        # Lines of a file are where they belong but for how far they contradict each other.
+        drawn = max(drawn, verification.spread, verification.misfit)
     sources = _sources(supports, views, least)
     faces = faces_of(shape)
     places = [_place(face, sources, drawn) for face in faces]
@@ -99,14 +95,6 @@ def measures_of(
     if counted.mean() >= _SHARE:
         source = MeasureSource.NUMBERS
     return Measures(_most(bounds, drawn), tuple(by_axis), source)
-
-
-def _bound_of_lines(views: DrawnViews, verification: Verification) -> float:
-    """mm by which a face may be off of which only lines tell."""
-    if not views.noise:
-        # Lines of a file: they are where they belong but for how far they contradict each other.
-        return max(verification.spread, verification.misfit)
-    return _TIMES * max(views.noise, verification.spread / _BESIDE)
 
 
 def _sources(supports: PartSupports, views: DrawnViews, least: float) -> list[_Told]:

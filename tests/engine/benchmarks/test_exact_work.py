@@ -60,8 +60,10 @@ def test_the_picture_has_a_mark_for_each_timed_part() -> None:
 
 
 def test_cases_go_through_all_levels() -> None:
-    cases = list(classed_cases([PartClass.PLANES, PartClass.HOLES], 2 * USUAL_LEVELS, 0, 3))
-    assert len(cases) == len({(case.group, case.name) for case in cases}) == 4 * USUAL_LEVELS + 3
+    classes = [PartClass.PLANES, PartClass.HOLES]
+    cases = list(classed_cases(classes, 2 * USUAL_LEVELS, 0, 3, 2))
+    names = {(case.group, case.name) for case in cases}
+    assert len(cases) == len(names) == 4 * USUAL_LEVELS + 3 + 4
     assert {case.level for case in cases} == set(range(len(LEVEL_FACES)))
     assert {case.group for case in cases if case.level == USUAL_LEVELS} == {"planes"}
 

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.reasoning.arrangement import CHAIN, OUTSIDE, Arrangement, distinct
+from gaussiancad_core.reasoning.arrangement_kernels import locate, traces
 from gaussiancad_core.reasoning.curves import (
     TURN,
     CircleCurve,
@@ -258,6 +259,24 @@ def test_traces_agree_with_locate(sheet: Arrangement, coordinate: int, value: fl
     }
     told = {(s, round(p, 6)) for s, p in zip(trace.supports, trace.positions, strict=True)}
     assert told == hits
+
+
+@pytest.mark.parametrize("coordinate", [0, 1])
+@given(st.lists(st.integers(-5000, 105000).map(lambda x: x / 1000.0), min_size=1, max_size=5))
+def test_the_kernels_tell_the_same_of_many_lines_and_points(
+    sheet: Arrangement, coordinate: int, values: list[float]
+) -> None:
+    found = traces(sheet.table, coordinate, np.array(values))
+    assert found.starts[0] == 0 and found.starts[-1] == len(found.positions)
+    assert not found.chained.any()
+    for number, value in enumerate(values):
+        trace, own = sheet.trace(coordinate, value), slice(*found.starts[number : number + 2])
+        assert tuple(found.positions[own]) == trace.positions
+        assert tuple(map(tuple, found.normals[own])) == trace.normals
+        assert tuple(found.supports[own]) == trace.supports
+        assert (found.first[number], *found.regions[own]) == trace.regions
+        for other in values:
+            assert locate(sheet.table, value, other) == sheet.locate(value, other)
 
 
 @given(st.tuples(st.floats(-0.3, 0.3), st.floats(-40.0, 40.0), st.floats(-40.0, 40.0)))

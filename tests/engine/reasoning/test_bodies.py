@@ -9,8 +9,10 @@ from hypothesis import strategies as st
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.bodies import ArcProfile, LineProfile, Profile, RevolvedBody
+from gaussiancad_core.reasoning.body_kernels import MOST, crossings
 from gaussiancad_core.reasoning.curves import TURN
 from gaussiancad_core.reasoning.planes import IN_PLANE, lifted
+from gaussiancad_core.reasoning.sight_lines import body_table
 
 _COUNT = 161
 
@@ -99,6 +101,22 @@ def test_crossings_part_what_is_held_from_what_is_not(
             continue
         inside = sum(at < depth for at in depths) % 2 == 1
         assert inside == body.holds(point) == _holds(body, point)
+
+
+@pytest.mark.parametrize("normal", Axis)
+@given(_BODY, st.floats(0.0, 80.0), st.floats(0.0, 80.0))
+def test_the_kernel_meets_them_at_the_same_places(
+    normal: Axis, body: RevolvedBody, a: float, b: float
+) -> None:
+    depths, normals = np.empty(MOST), np.empty((MOST, 3))
+    (row,) = body_table([body])
+    count = crossings(row, normal.value, (a, b), (depths, normals))
+    expected = sorted(body.crossings(normal, a, b))
+    assert count == len(expected)
+    found = sorted(zip(depths[:count].tolist(), map(tuple, normals.tolist()), strict=False))
+    assert np.array([d for d, _ in found]) == pytest.approx(np.array([d for d, _ in expected]))
+    for (_, own), (_, other) in zip(found, expected, strict=True):
+        assert own == pytest.approx(other)
 
 
 def _near_border(body: RevolvedBody, point: tuple[float, ...]) -> bool:

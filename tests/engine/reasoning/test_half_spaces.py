@@ -8,10 +8,12 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.body_kernels import MOST, crossings
 from gaussiancad_core.reasoning.columns import Vector
 from gaussiancad_core.reasoning.curves import LineCurve
 from gaussiancad_core.reasoning.half_spaces import HalfSpace
 from gaussiancad_core.reasoning.planes import IN_PLANE, lifted
+from gaussiancad_core.reasoning.sight_lines import body_table
 
 _PART = st.floats(-1.0, 1.0).filter(lambda x: abs(x) > 0.05)
 _COORDINATE = st.floats(-100.0, 100.0)
@@ -36,6 +38,19 @@ def test_crossings_tell_what_lies_below(
     # One end of the half space is far away, so that a line starts outside of it.
     assert (before % 2 == 1) == body.holds(lifted(normal, a, b, depth))
     assert all(direction == body.normal for _, direction in crossings)
+
+
+@given(_half_spaces(), st.sampled_from(Axis), _COORDINATE, _COORDINATE)
+def test_the_kernel_meets_them_at_the_same_places(
+    body: HalfSpace, normal: Axis, a: float, b: float
+) -> None:
+    depths, normals = np.empty(MOST), np.empty((MOST, 3))
+    (row,) = body_table([body])
+    count = crossings(row, normal.value, (a, b), (depths, normals))
+    expected = body.crossings(normal, a, b)
+    assert count == len(expected) == 2
+    assert depths[:2].tolist() == pytest.approx([depth for depth, _ in expected])
+    assert normals[:2].tolist() == [list(direction) for _, direction in expected]
 
 
 @given(_half_spaces(), st.sampled_from(Axis), _COORDINATE, _COORDINATE)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import pytest
 
 from gaussiancad_core.axes import Role
-from gaussiancad_core.reasoning.columns import Cell, Crossing
+from gaussiancad_core.reasoning.columns import Cell, Surface
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.labelling import Effort, Search
 from gaussiancad_core.reasoning.part import model_part
@@ -15,7 +15,6 @@ from gaussiancad_core.reasoning.unsaid import with_unsaid
 from gaussiancad_core.views import Linetype
 
 _FACE, _OTHER = (0, 1), (0, 2)
-_ALONG = (0.0, 0.0, 1.0)
 
 
 def _cell(number: int) -> Cell:
@@ -28,16 +27,14 @@ class _Columns:
 
     thin: float = 1.0
 
-    def met(self) -> Iterator[tuple[Crossing, ...]]:
+    def crossed(self) -> Iterator[tuple[Cell, Cell, Surface]]:
         for place in range(3):
             # Elsewhere the face is one of the part's, and the other surface is none.
             one, other = _cell(10 + place), _cell(20 + place)
-            yield (Crossing(0.0, _ALONG, _FACE, one, other),)
-            yield (Crossing(0.0, _ALONG, _OTHER, one, _cell(30 + place)),)
-        yield (
-            Crossing(0.0, _ALONG, _FACE, _cell(1), _cell(2)),
-            Crossing(1.0, _ALONG, _OTHER, _cell(2), _cell(3)),
-        )
+            yield one, other, _FACE
+            yield one, _cell(30 + place), _OTHER
+        yield _cell(1), _cell(2), _FACE
+        yield _cell(2), _cell(3), _OTHER
 
     def thickness(self) -> dict[Cell, float]:
         return {_cell(2): self.thin}

@@ -140,7 +140,8 @@ def _low_step(height: float) -> tuple[PartModel, LabelledSpace]:
 def test_where_faces_do_not_close_narrower_ones_are_taken_along_if_there_is_time() -> None:
     height = 0.04
     part, space = _low_step(height)
-    assert not build_solid(space, part.supports.scale, OVER).closed
+    still_open = build_solid(space, part.supports.scale, OVER)
+    assert not still_open.closed and still_open.open_at
     built = build_solid(space, part.supports.scale)
     assert built.shape is not None and soundness(built.shape).faces == 8
     assert volume(built.shape) == pytest.approx(60 * (100 * 30 + 50 * height), rel=1e-9)
@@ -237,6 +238,6 @@ def test_faces_that_the_kernel_cannot_make_do_not_close(
 
 def test_strips_narrower_than_seams_do_not_part_a_body() -> None:
     rod = _Rod()
-    solid, count = build._sewn_best(build._Sides(rod), rod.faces(), 1e-4)
-    assert count == 1
-    assert volume(solid) == pytest.approx(pi * (1000.0 + 2000.0 / 3.0), rel=1e-4)
+    sewn = build._sewn_best(build._Sides(rod), rod.faces(), 1e-4)
+    assert sewn.closed and sewn.count == 1
+    assert volume(sewn.solid) == pytest.approx(pi * (1000.0 + 2000.0 / 3.0), rel=1e-4)

@@ -62,6 +62,7 @@ def test_a_slanted_end_is_seen_as_an_ellipse(
     rod = cut(cylinder(Axis.Y, (0, 0), 10, 0, 100), prism(Axis.Z, beyond, -20, 20))
     solid = moved_to_origin(rod)
     result = exact_solid(drawn(solid))
-    assert result.status is Status.VERIFIED
+    # Seen from above the slope faces the viewer: no line is hidden then.
+    assert {code for code, _ in result.reasons} == ({"assumed"} if degrees < 0.0 else set())
     assert result.shape is not None
     assert same_solid(result.shape, solid)

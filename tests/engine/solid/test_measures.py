@@ -15,7 +15,6 @@ from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.told import ToldLength, ToldNumbers
 from gaussiancad_core.reasoning.told_places import ToldPlaces
-from gaussiancad_core.solid import measures
 from gaussiancad_core.solid.exact import exact_solid
 from gaussiancad_core.solid.known_faces import axes_of, is_known
 from gaussiancad_core.solid.known_measures import ToldMeasures
@@ -23,7 +22,7 @@ from gaussiancad_core.solid.measures import MeasureSource
 
 Draw = Callable[..., DrawnViews]
 
-_NOISE = 0.005
+_BOUND = 0.03
 
 
 def _known(shape: TopoDS_Shape, *told: tuple[float, ...], radii: tuple[float, ...] = ()) -> int:
@@ -56,8 +55,8 @@ def test_a_bore_is_told_by_its_axis_and_radius() -> None:
     assert axes_of(wall) == (True, True, False)
 
 
-def _picture(views: DrawnViews, noise: float = _NOISE) -> DrawnViews:
-    return replace(views, tolerance=0.2, apart=0.3, noise=noise)
+def _picture(views: DrawnViews, bound: float = _BOUND) -> DrawnViews:
+    return replace(views, tolerance=0.2, apart=0.3, noise=0.005, bound=bound)
 
 
 def test_exact_lines_leave_nothing_in_doubt(drawn: Draw) -> None:
@@ -67,16 +66,16 @@ def test_exact_lines_leave_nothing_in_doubt(drawn: Draw) -> None:
     assert found.source is MeasureSource.DRAWING
 
 
-@pytest.mark.parametrize("noise", [0.005, 0.02])
-def test_the_lines_of_a_picture_leave_as_much_in_doubt_as_they_contradict_each_other(
-    noise: float, drawn: Draw
+@pytest.mark.parametrize("bound", [0.03, 0.2])
+def test_the_lines_of_a_picture_leave_as_much_in_doubt_as_its_grid(
+    bound: float, drawn: Draw
 ) -> None:
     """Nothing is round here: the places are multiples of no likely step."""
     block = BRepPrimAPI_MakeBox(60.417, 41.173, 24.171).Solid()
     slot = BRepPrimAPI_MakeBox(gp_Pnt(12.137, -1.0, 11.333), 20.873, 60.0, 60.0).Solid()
-    result = exact_solid(_picture(drawn(BRepAlgoAPI_Cut(block, slot).Shape()), noise))
+    result = exact_solid(_picture(drawn(BRepAlgoAPI_Cut(block, slot).Shape()), bound))
     assert result.status is Status.VERIFIED
-    assert result.measures.uncertainty == pytest.approx(measures._TIMES * noise)
+    assert result.measures.uncertainty == pytest.approx(bound)
     assert result.measures.source is MeasureSource.DRAWING
 
 
@@ -101,8 +100,8 @@ def test_numbers_tell_measures_but_for_their_rounding(numbered: bool, drawn: Dra
     result = exact_solid(replace(_picture(drawn(solid)), told=numbers))
     assert volume(result.shape) == pytest.approx(volume(solid), rel=1e-9)
     assert (result.status, result.reasons) == (Status.VERIFIED, ())
-    found, lines = result.measures, measures._TIMES * _NOISE
+    found = result.measures
     assert found.source is (MeasureSource.NUMBERS if numbered else MeasureSource.MIXED)
-    assert found.uncertainty == pytest.approx(0.002 if numbered else lines)
+    assert found.uncertainty == pytest.approx(0.002 if numbered else _BOUND)
     assert found.by_axis[1] == pytest.approx(0.002)
-    assert found.by_axis[2] == pytest.approx(0.002 if numbered else lines)
+    assert found.by_axis[2] == pytest.approx(0.002 if numbered else _BOUND)

@@ -20,13 +20,16 @@ from gaussiancad_core.samples.classed.stock import CELL, Stock
 from gaussiancad_core.samples.classed.surfaces import SurfaceKind, surface_kinds
 from gaussiancad_core.samples.classed.turning import TURNED, turned_body
 
-LEVEL_FACES = ((8, 12), (13, 20), (21, 32), (33, 48), (49, 70), (71, 95), (96, 120), (121, 150))
+LEVEL_FACES = (
+    (8, 12), (13, 20), (21, 32), (33, 48), (49, 70), (71, 95), (96, 120), (121, 150), (151, 220),
+    (221, 320),
+)  # fmt: skip
 """Fewest and most faces of a part of each level."""
 
-_EXTENTS = (60.0, 70.0, 80.0, 100.0, 120.0, 150.0, 180.0, 200.0)
+_EXTENTS = (60.0, 70.0, 80.0, 100.0, 120.0, 150.0, 180.0, 200.0, 240.0, 280.0)
 """mm of the longest edge of a body of each level, about."""
 
-_FEATURE = (20.0, 20.0, 20.0, 20.0, 20.0, 18.0, 18.0, 16.0)
+_FEATURE = (20.0, 20.0, 20.0, 20.0, 20.0, 18.0, 18.0, 16.0, 14.0, 14.0)
 """mm of a usual feature of each level."""
 
 _TRIES = 60

@@ -31,9 +31,11 @@ def test_seed_class_and_level_are_the_part() -> None:
     assert len(volumes) == len(PartClass)
 
 
-def test_planes_go_to_150_faces() -> None:
-    faces = soundness(classed_part(PartClass.PLANES, 0, len(LEVEL_FACES) - 1)).faces
-    assert 121 <= faces <= 150
+@pytest.mark.parametrize("level", range(7, len(LEVEL_FACES)))
+def test_planes_go_to_320_faces(level: int) -> None:
+    fewest, most = LEVEL_FACES[level]
+    assert fewest <= soundness(classed_part(PartClass.PLANES, 0, level)).faces <= most
+    assert LEVEL_FACES[7][0] == 121 and LEVEL_FACES[-1][1] == 320
 
 
 def test_there_is_no_level_beyond_the_last() -> None:
