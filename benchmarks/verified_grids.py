@@ -42,6 +42,9 @@ _PLAIN = 0.6
 _FULL = (0.55, 0.9)
 """Shares of the boxes that larger parts have, from and to."""
 
+_THIN = (0.02, 0.05, 0.1, 0.3)
+"""mm, thicknesses of thin boxes."""
+
 _TRIED, _FLIPPED = 1000, 10
 """Sets of boxes that are tried at a time, and sound ones of them whose neighbours are looked at."""
 
@@ -67,7 +70,7 @@ def grid_cases(seed: int) -> Iterator[Row]:
 
 def pair_cases(seed: int) -> Iterator[Row]:
     """Two parts of a larger grid that differ in a box or two and have one drawing, hidden lines
-    and all; and one of them with a fourth view, which may tell them apart."""
+    and all; one of them with a fourth view, which may tell them apart; and with a thin box."""
     lot = np.random.default_rng([seed, 13])
     grid = Grid(_LARGER[seed % len(_LARGER)])
     pair = _pair(grid, POLICIES[0], lot)
@@ -77,6 +80,21 @@ def pair_cases(seed: int) -> Iterator[Row]:
     more = next(own for own in POLICIES if own.name == "four views")
     keys = _keys(looks_of(grid, np.array(pair)), more.roles, more.hidden)
     yield _judged(grid, pair[0], places, more, [pair[1]] if keys[0] == keys[1] else [])
+    thin = _with_thin_box(grid, pair, places, lot)
+    yield _judged(grid, pair[0], thin, POLICIES[0], [pair[1]])
+
+
+def _with_thin_box(
+    grid: Grid, pair: tuple[int, int], places: Places, lot: np.random.Generator
+) -> Places:
+    """Places at which a box that two parts differ in is as thin as many bounds of exact lines."""
+    one, other = grid.boxes(np.array(pair))
+    box = np.argwhere(one != other)[0]
+    axis = int(lot.integers(3))
+    steps = [np.diff(own) for own in places]
+    steps[axis][box[axis]] = lot.choice(_THIN)
+    x, y, z = ((0.0, *np.cumsum(own).tolist()) for own in steps)
+    return x, y, z
 
 
 def _judged(grid: Grid, part: int, places: Places, policy: Policy, alike: Sequence[int]) -> Row:
