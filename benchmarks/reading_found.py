@@ -10,7 +10,7 @@ from stroke_matching import Box, Floats, Marks, ends_of
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.strokes import DrawnStroke, turned
-from gaussiancad_core.projection_choice import choose_projection
+from gaussiancad_core.projection_choice import both_readings, choose_projection
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.options import ReadingOptions
@@ -59,7 +59,7 @@ def read(path: Path, reading: ReadingOptions, direct: bool = True) -> Found:
     drawn = read_views(separated.part, layout, finder=reading.finder, vectors=vectors)
     projection, alternatives = layout.projection, layout.alternatives
     if alternatives:
-        choice = choose_projection(drawn, projection, reading)
+        choice = choose_projection(*both_readings(drawn, reading), projection)
         registered, projection = choice.registered, choice.projection
         alternatives = () if choice.inferred else (projection.other,)
     else:

@@ -10,9 +10,11 @@ The placement of views follows ISO 5456-2 (first angle, third angle).
 
 from dataclasses import dataclass
 from enum import Enum
+from typing import TYPE_CHECKING
 
-import numpy as np
-import numpy.typing as npt
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
 
 
 class Axis(Enum):
@@ -64,8 +66,10 @@ class ViewFrame:
         """The axis along which the view looks, and its sign (+1 or -1)."""
         return _axis_of(self.look)
 
-    def world_to_camera(self) -> npt.NDArray[np.float64]:
+    def world_to_camera(self) -> "npt.NDArray[np.float64]":
         """(3, 3) rotation whose rows are right, down and look: the camera axes of COLMAP."""
+        import numpy as np
+
         return np.array([self.right, -np.array(self.up), self.look], dtype=np.float64)
 
 

@@ -9,7 +9,6 @@ from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.brep import bounding_box, soundness, tessellate
 from gaussiancad_core.exact_stage import ExactModel, drawn_views
 from gaussiancad_core.meshes import TriangleMesh
-from gaussiancad_core.models import Models
 from gaussiancad_core.reasoning.conflict_lines import Conflict
 from gaussiancad_core.report import SolidReport
 from gaussiancad_core.sheet.annotations.marks import Mark
@@ -51,25 +50,32 @@ class CheckedModel:
         matched: its lines and the sheet's, of each view.
         tolerance_px: within which they were matched.
         reasons: (code, sentence) why the model is not verified, beyond what is known.
-        solid: facts of the exact solid, if it is one.
     """
 
     mesh: TriangleMesh
     matched: Mapping[Role, MatchedLines]
     tolerance_px: float
     reasons: tuple[tuple[str, str], ...] = ()
-    solid: SolidReport | None = None
 
 
 def check_solid(registered: RegisteredSheet, model: ExactModel) -> CheckedModel:
     """A solid, whose lines were matched when it was found."""
     result = model.result
     tolerance = matching_tolerance(drawn_views(registered)) / registered.mm_per_pixel
+    low, high = bounding_box(result.shape)
+    deflection = _PREVIEW_DEFLECTION * float((high - low).max())
+    vertices, triangles = tessellate(result.shape, deflection)
+    mesh = TriangleMesh(vertices.astype(np.float64), triangles)
+    return CheckedModel(mesh, result.verification.matched, round(tolerance, 3))
+
+
+def solid_report(model: ExactModel) -> SolidReport:
+    """Facts of a solid."""
+    result = model.result
     facts = soundness(result.shape)
-    box = bounding_box(result.shape)
-    size = box[1] - box[0]
-    vertices, triangles = tessellate(result.shape, _PREVIEW_DEFLECTION * float(size.max()))
-    report = SolidReport(
+    low, high = bounding_box(result.shape)
+    size = high - low
+    return SolidReport(
         facts.valid,
         facts.closed,
         facts.faces,
@@ -79,19 +85,17 @@ def check_solid(registered: RegisteredSheet, model: ExactModel) -> CheckedModel:
         "sweeps" if model.swept else "lines",
         round(result.verification.share, 4),
     )
-    mesh = TriangleMesh(vertices.astype(np.float64), triangles)
-    return CheckedModel(mesh, result.verification.matched, round(tolerance, 3), solid=report)
 
 
 def check_surface(
-    registered: RegisteredSheet, models: Models, progress: Callable[[float], None]
+    registered: RegisteredSheet, surface: TriangleMesh, progress: Callable[[float], None]
 ) -> CheckedModel:
     """Draw a surface again and match its lines with the sheet's."""
     pitch = registered.mm_per_pixel
     views = registered.views.views
     matched: dict[Role, MatchedLines] = {}
     for index, view in enumerate(views):
-        lines = redraw_mesh(models.surface, view.role, pitch)
+        lines = redraw_mesh(surface, view.role, pitch)
         matched[view.role] = match_lines(view.strokes, lines, SURFACE_TOLERANCE_PX * pitch)
         progress((index + 1) / (len(views) + 1))
     unexplained = [
@@ -106,7 +110,7 @@ def check_surface(
                 "shows others: see overlay.png",
             )
         )
-    return CheckedModel(models.surface, matched, SURFACE_TOLERANCE_PX, tuple(reasons))
+    return CheckedModel(surface, matched, SURFACE_TOLERANCE_PX, tuple(reasons))
 
 
 def overlay_picture(

@@ -7,7 +7,7 @@ can tell from the sheet which is meant.
 Where there is none, what the outlines' sweeps have in common is a solid that is told to be no more.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, replace
 
 from gaussiancad_core.axes import Projection
@@ -102,13 +102,19 @@ class ExactModel:
     swept: bool = False
 
 
-def find_exact(own: Reading, other: Reading | None, limits: Limits | None = None) -> ExactModel:
+def find_exact(
+    own: Reading,
+    other: Reading | None,
+    limits: Limits | None = None,
+    likelier: Callable[[], Reading] | None = None,
+) -> ExactModel:
     """The exact solid of a sheet.
 
     Args:
         own: the reading that was told, inferred or assumed.
         other: the other one, if it is possible.
         limits: of the search.
+        likelier: tells which of the two is likelier; asked only where the solids do not tell.
     """
     limits = limits or Limits()
     result = _solved(own, limits)
@@ -124,6 +130,8 @@ def find_exact(own: Reading, other: Reading | None, limits: Limits | None = None
         if not _solved(own, strict).is_settled:
             contrary = contrary.doubted(_UNSETTLED)
         return ExactModel(other, contrary, True)
+    if likelier and contrary.explains is result.explains and likelier() is other:
+        own, result, contrary = other, contrary, result
     if not contrary.explains:
         if not contrary.is_settled:
             result = result.doubted(_UNSETTLED)

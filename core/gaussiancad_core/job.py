@@ -5,6 +5,8 @@ from pathlib import Path
 from typing import Any
 
 from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind
+from gaussiancad_core.outputs import check_writable
+from gaussiancad_core.sheet.files.opening import head_of
 from gaussiancad_core.sheet.options import ReadingOptions
 
 
@@ -39,6 +41,16 @@ class Job:
     resume: bool = False
     scale_down: int = 1
     transforms: bool = False
+
+    def check(self) -> None:
+        """Tell what is wrong with the paths before anything is loaded.
+
+        Raises:
+            UnreadableError: the sheet is missing, empty, or of a kind that is not read.
+            UsageError: ``output-not-writable``.
+        """
+        head_of(self.sheet)
+        check_writable(self.output)
 
     def settings(self) -> dict[str, Any]:
         """What determines the result beside the sheet, as JSON values."""

@@ -70,6 +70,18 @@ class TriangleMesh:
         mesh = self.to_trimesh()
         return bool(mesh.is_watertight and mesh.is_winding_consistent)
 
+    @cached_property
+    def shared_edges(self) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
+        """(k, 2) pairs of triangles and (k, 2) vertices of their edge, where just two meet."""
+        edges = np.sort(self.triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+        keys = edges[:, 0] * len(self.vertices) + edges[:, 1]
+        order = np.argsort(keys, kind="stable")
+        alike = np.diff(keys[order]) == 0
+        before, after = np.append(False, alike[:-1]), np.append(alike[1:], False)
+        first = np.flatnonzero(alike & ~before & ~after)
+        pairs = np.stack([order[first], order[first + 1]], axis=1)
+        return pairs // 3, edges[pairs[:, 0]]
+
     def to_trimesh(self) -> "trimesh.Trimesh":
         """The same mesh for trimesh, vertices and triangles in the same order."""
         import trimesh

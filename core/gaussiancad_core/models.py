@@ -9,14 +9,14 @@ import numpy as np
 
 from gaussiancad_core.cameras import Camera, orthographic_camera, paper_camera
 from gaussiancad_core.job import Job
-from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.modes import Recipe
 from gaussiancad_core.sheet.reading import RegisteredSheet
-from gaussiancad_core.splatting.training import TrainingResult
 from gaussiancad_core.views import ViewSet
 
 if TYPE_CHECKING:
     from gaussiancad_core.solid.exact import ExactResult
+    from gaussiancad_core.splatting.training import TrainingResult
+    from gaussiancad_core.surface.nearness import WeighedSurface
 
 _IMAGE_PX = 1024
 """Side of the orthographic images in the cameras folder."""
@@ -29,12 +29,16 @@ class Models:
     Attributes:
         registered: the views.
         training: the Gaussians.
-        surface: their Poisson mesh, or the hull.
+        surface: their Poisson mesh, and the hull on which they started.
     """
 
     registered: RegisteredSheet
-    training: TrainingResult
-    surface: TriangleMesh
+    training: "TrainingResult"
+    surface: "WeighedSurface"
+
+
+SOLID_FILE = "solid.step"
+"""The exact solid in the output folder."""
 
 
 def alternative_file(number: int) -> str:
@@ -43,7 +47,7 @@ def alternative_file(number: int) -> str:
 
 
 def write_solids(result: "ExactResult", folder: Path) -> None:
-    """Write the exact solid as ``solid.step``, and others that fit under ``alternatives``.
+    """Write the exact solid as :data:`SOLID_FILE`, and others that fit under ``alternatives``.
 
     Raises:
         EngineError: the STEP writer refuses.
@@ -51,7 +55,7 @@ def write_solids(result: "ExactResult", folder: Path) -> None:
     """
     from gaussiancad_core.drawing.brep import write_step
 
-    write_step(result.shape, folder / "solid.step")
+    write_step(result.shape, folder / SOLID_FILE)
     if result.alternatives:
         (folder / "alternatives").mkdir(exist_ok=True)
     for number, shape in enumerate(result.alternatives, start=1):
@@ -60,6 +64,8 @@ def write_solids(result: "ExactResult", folder: Path) -> None:
 
 def write_models(models: Models, job: Job, folder: Path, progress: Callable[[float], None]) -> None:
     """Write surface, Gaussians and cameras under their names into a folder.
+
+    The hull goes with them where it is nearer to the drawing than the surface is.
 
     Args:
         models: of one run.
@@ -73,11 +79,16 @@ def write_models(models: Models, job: Job, folder: Path, progress: Callable[[flo
     """
     from gaussiancad_core.splatting.ply import write_gaussians
     from gaussiancad_core.surface.files import write_faceted_step, write_ply, write_stl
+    from gaussiancad_core.surface.nearness import Nearer
 
-    write_stl(models.surface, folder / "surface.stl")
-    write_ply(models.surface, folder / "surface.ply")
-    progress(0.2)
-    write_faceted_step(models.surface, folder / "surface.step")
+    surface = models.surface
+    if surface.nearer is Nearer.HULL:
+        write_stl(surface.hull, folder / "hull.stl")
+    if surface.mesh is not None:
+        write_stl(surface.mesh, folder / "surface.stl")
+        write_ply(surface.mesh, folder / "surface.ply")
+        progress(0.2)
+        write_faceted_step(surface.mesh, folder / "surface.step")
     progress(0.7)
     write_gaussians(models.training.gaussians, folder / "gaussians.ply")
     _write_cameras(folder / "cameras", models, job)

@@ -1,9 +1,11 @@
 """Files appear under their name only when whole.
 
 A run writes into a staging folder inside its output folder and moves the finished files to their
-names at the end, ``report.json`` last.  A failed or cancelled run removes the staging folder and
-leaves what was there before; what a killed one left behind is swept by the next run.  Only the
-checkpoint of a long training stays, for a run that is to go on from it.
+names at the end, ``report.json`` last.  What is final before may go ahead: all that an earlier run
+left is removed first, so that files of two runs never lie side by side.  A failed or cancelled run
+removes the staging folder and leaves what was there before, or what went ahead; what a killed one
+left behind is swept by the next run.  Only the checkpoint of a long training stays, for a run that
+is to go on from it.
 """
 
 import errno
@@ -26,6 +28,7 @@ RUN_FILES = (
     "surface.stl",
     "surface.ply",
     "surface.step",
+    "hull.stl",
     "gaussians.ply",
     "cameras",
     "overlay.png",
@@ -51,6 +54,7 @@ class OutputFolder:
         self._owned = owned
         self._report = report
         self._made = not path.exists()
+        self._ahead: set[str] = set()
         try:
             path.mkdir(parents=True, exist_ok=True)
             _sweep(path)
@@ -64,6 +68,24 @@ class OutputFolder:
         """Where the state of an unfinished training is kept."""
         return self.path / CHECKPOINT_FILE
 
+    @property
+    def ahead(self) -> bool:
+        """Whether files of this run lie under their names already."""
+        return bool(self._ahead)
+
+    def publish(self) -> None:
+        """Move what is in the staging folder to its names ahead of the rest.
+
+        What an earlier run left is removed, its report first.
+
+        Raises:
+            UsageError, LimitError: the folder can no longer be written, or the disk is full.
+        """
+        try:
+            self._put_in_place()
+        except OSError as error:
+            raise _folder_error(self.path, error) from error
+
     def commit(self) -> None:
         """Move what is in the staging folder to its names, the report last.
 
@@ -71,20 +93,24 @@ class OutputFolder:
             UsageError, LimitError: the folder can no longer be written, or the disk is full.
         """
         try:
-            (self.path / self._report).unlink(missing_ok=True)
             self.checkpoint.unlink(missing_ok=True)
-            for name in self._owned:
-                if not (self.staging / name).exists():
-                    _remove(self.path / name)
-            entries = sorted(self.staging.iterdir(), key=lambda entry: entry.name == self._report)
-            for entry in entries:
-                target = self.path / entry.name
-                if target.is_dir():
-                    _remove(target)
-                entry.replace(target)
+            self._put_in_place()
             self.staging.rmdir()
         except OSError as error:
             raise _folder_error(self.path, error) from error
+
+    def _put_in_place(self) -> None:
+        (self.path / self._report).unlink(missing_ok=True)
+        for name in self._owned:
+            if name not in self._ahead and not (self.staging / name).exists():
+                _remove(self.path / name)
+        entries = sorted(self.staging.iterdir(), key=lambda entry: entry.name == self._report)
+        for entry in entries:
+            target = self.path / entry.name
+            if target.is_dir():
+                _remove(target)
+            entry.replace(target)
+            self._ahead.add(entry.name)
 
     def discard(self, *, keep_checkpoint: bool = False) -> None:
         """Remove the staging folder and what is in it, and the folder if it was made in vain."""
@@ -94,6 +120,22 @@ class OutputFolder:
         if self._made:
             with suppress(OSError):
                 self.path.rmdir()
+
+
+def check_writable(path: Path) -> None:
+    """Tell early that a folder cannot be made or written; nothing is made for it.
+
+    Raises:
+        UsageError: ``output-not-writable``.
+    """
+    try:
+        there = next(own for own in (path, *path.absolute().parents) if own.exists())
+    except OSError as error:
+        raise _folder_error(path, error) from error
+    if not there.is_dir():
+        raise _folder_error(path, NotADirectoryError(errno.ENOTDIR, os.strerror(errno.ENOTDIR)))
+    if not os.access(there, os.W_OK):
+        raise _folder_error(path, PermissionError(errno.EACCES, os.strerror(errno.EACCES)))
 
 
 def os_error(path: Path, error: OSError) -> GaussianCadError:

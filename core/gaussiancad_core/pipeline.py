@@ -5,6 +5,7 @@ read -> views -> lines -> masks -> solid -> hull -> gaussians -> surface -> chec
 
 import json
 from dataclasses import replace
+from functools import cache
 from typing import TYPE_CHECKING
 
 from gaussiancad_core.errors import (
@@ -15,7 +16,6 @@ from gaussiancad_core.errors import (
 )
 from gaussiancad_core.events import Listener, Progress
 from gaussiancad_core.job import Job
-from gaussiancad_core.models import Models, write_models, write_solids
 from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
 from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
 from gaussiancad_core.reading_file import READING_FILE, reading_values, write_reading
@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from gaussiancad_core.check_stage import CheckedModel
     from gaussiancad_core.exact_stage import ExactModel
     from gaussiancad_core.meshes import TriangleMesh
+    from gaussiancad_core.models import Models
     from gaussiancad_core.reading_stage import SheetFindings
     from gaussiancad_core.splatting.training import TrainingResult
     from gaussiancad_core.views import ViewSet
@@ -127,16 +128,17 @@ class _Run:
             clean = upright_sheet(clean_sheet(image.grey, self.job.reading.median_kernel))
         found = read_drawing(self.job, image, clean, self.notes)
         self._write_reading(found, clean.turn)
-        own, exact = found.own, None
+        exact = None
         if "solid" in stages_of(self.job.result, self.job.recipe):
             with self.notes.stage("solid"):
-                exact = self._find_solid(found, clean.turn)
-                own = exact.reading if exact else own
+                found, exact = self._find_solid(found, clean.turn)
+        own = exact.reading if exact else found.own
         tell_symbol(self.notes, found, own.projection)
         asked = exact is not None and self.job.result is not ResultKind.SURFACE
         solid = exact if asked and exact.result.shape is not None else None
-        with_surface = self.job.result is not ResultKind.SOLID
-        models = self._make_models(own.registered, exact, clean.turn) if with_surface else None
+        if solid:
+            self._publish(solid, self._status(solid))
+        models = self._make_models(own.registered, exact, solid, clean.turn)
         with self.notes.stage("check"):
             checked = self._check(own.registered, models, solid, clean.turn)
             conflict = exact.result.conflict if asked else None
@@ -144,13 +146,11 @@ class _Run:
             overlay = overlay_picture(checked, own.registered, clean, beside, conflict)
             self._write_pictures(overlay, preview_picture(checked, self.job.reading.colour))
         with self.notes.stage("write"):
-            if solid:
-                write_solids(solid.result, self.folder.staging)
             if models:
+                from gaussiancad_core.models import write_models
+
                 write_models(models, self.job, self.folder.staging, self.progress)
-        # Whatever is in doubt, of the sheet or of the solid, is a reason.
-        certain = solid is not None and not self.notes.report.reasons
-        self._finish(solid.result.status if certain else Status.APPROXIMATE)
+        self._finish(self._status(solid))
         return self.notes.report
 
     def write_failure(self, error: GaussianCadError) -> None:
@@ -159,7 +159,7 @@ class _Run:
         for entry in self.folder.staging.iterdir():
             if entry.is_file() and entry.name != READING_FILE:
                 entry.unlink()
-        self._finish(Status.FAILED)
+        self._finish(Status.APPROXIMATE if self.folder.ahead else Status.FAILED)
 
     def how_far(self) -> str:
         """Where the run was when it was stopped, for a message."""
@@ -168,9 +168,10 @@ class _Run:
             return "before its first stage: nothing was written"
         stages = stages_of(self.job.result, self.job.recipe)
         where = f"{name} ({stages.index(name) + 1} of {len(stages)})"
-        kept = self.job.resume and self.folder.checkpoint.is_file()
-        written = "only a checkpoint was written, --resume goes on from it"
-        return f"in the stage {where}: {written if kept else 'nothing was written'}"
+        written = "only the solid was written" if self.folder.ahead else "nothing was written"
+        if self.job.resume and self.folder.checkpoint.is_file():
+            written += ", but for a checkpoint: --resume goes on from it"
+        return f"in the stage {where}: {written}"
 
     def _finish(self, status: Status) -> None:
         self.notes.tell(status=status, seconds=dict(self.progress.seconds))
@@ -191,12 +192,20 @@ class _Run:
             return None
         return replace(report, status=Status(found["status"])) if same else None
 
+    def _status(self, solid: "ExactModel | None") -> Status:
+        """How far the result can be trusted; whatever is in doubt, of the sheet or of the solid,
+        is a reason."""
+        certain = solid is not None and not self.notes.report.reasons
+        return solid.result.status if certain else Status.APPROXIMATE
+
     def _write_reading(self, found: "SheetFindings", turn: Turn) -> None:
         beside = found.marks, found.special
         values = reading_values(self.notes.report, found.own.registered.drawn, beside, turn)
         write_reading(values, self.folder.staging)
 
-    def _find_solid(self, found: "SheetFindings", turn: Turn) -> "ExactModel | None":
+    def _find_solid(
+        self, found: "SheetFindings", turn: Turn
+    ) -> "tuple[SheetFindings, ExactModel | None]":
         """The exact solid, or what stands for it, and what it says about the projection."""
         from gaussiancad_core.exact_stage import (
             OPEN_ENDED,
@@ -204,16 +213,24 @@ class _Run:
             find_for_hull,
             with_fallback,
         )
-        from gaussiancad_core.reading_stage import tell_projection
+        from gaussiancad_core.reading_stage import tell_projection, weigh_readings
         from gaussiancad_core.solid_reports import with_solid_facts
 
+        @cache
+        def weighed() -> "SheetFindings":
+            return weigh_readings(found, self.notes)
+
         surface_alone = self.job.result is ResultKind.SURFACE
-        find = find_for_hull if surface_alone else find_exact
-        exact = find(found.own, found.other)
+        if surface_alone:
+            exact = find_for_hull(found.own, found.other)
+        else:
+            exact = find_exact(found.own, found.other, likelier=lambda: weighed().own)
         if exact and exact.decided:
             tell_projection(self.notes, exact.reading.projection, inferred=True)
+        elif found.other and not surface_alone:
+            found = weighed()
         if exact is None or surface_alone:
-            return exact
+            return found, exact
         exact = with_fallback(exact)
         for code, message in exact.result.reasons:
             self.notes.doubt(code, message)
@@ -221,13 +238,51 @@ class _Run:
         if self.job.result is ResultKind.SOLID and exact.result.shape is None:
             code, message = exact.result.reasons[0]
             raise (LimitError if code in OPEN_ENDED else NoModelError)(code, message)
-        return exact
+        return found, exact
+
+    def _publish(self, solid: "ExactModel", status: Status) -> None:
+        """Put the solids under their names, and say so: nothing that follows changes them."""
+        from gaussiancad_core.check_stage import solid_report
+        from gaussiancad_core.models import SOLID_FILE, write_solids
+
+        self.notes.tell(solid=solid_report(solid))
+        write_solids(solid.result, self.folder.staging)
+        self.folder.publish()
+        path = (self.folder.path / SOLID_FILE).resolve()
+        self.progress.listener.send("solid", path=str(path), status=status.value)
 
     def _make_models(
-        self, registered: RegisteredSheet, exact: "ExactModel | None", turn: Turn
-    ) -> Models:
-        """Hull, Gaussians and surface."""
+        self,
+        registered: RegisteredSheet,
+        exact: "ExactModel | None",
+        solid: "ExactModel | None",
+        turn: Turn,
+    ) -> "Models | None":
+        """Hull, Gaussians and surface, if they are asked for.
+
+        Raises:
+            NoModelError: they are no body, and there is no solid either.
+        """
+        if self.job.result is ResultKind.SOLID:
+            return None
+        try:
+            return self._surface_models(registered, exact, solid, turn)
+        except NoModelError as error:
+            if solid is None:
+                raise
+            self.notes.warn(error.code, f"{error.message}: there is no surface beside the solid")
+            return None
+
+    def _surface_models(
+        self,
+        registered: RegisteredSheet,
+        exact: "ExactModel | None",
+        solid: "ExactModel | None",
+        turn: Turn,
+    ) -> "Models":
         from gaussiancad_core import surface_stage
+        from gaussiancad_core.models import Models
+        from gaussiancad_core.surface.nearness import weighed
 
         with self.notes.stage("hull"):
             registered = self._with_whole_outlines(registered, exact)
@@ -243,9 +298,23 @@ class _Run:
                 device=surface_stage.training_device(self.job),
             )
         with self.notes.stage("surface"):
-            surface = surface_stage.make_surface(training, hull.mesh, self.job, views)
+            surface = weighed(self._poisson(training, solid), hull.mesh, views)
             self.notes.tell(surface=surface_stage.surface_report(surface))
-        return Models(registered, training, surface.mesh)
+        return Models(registered, training, surface)
+
+    def _poisson(
+        self, training: "TrainingResult", solid: "ExactModel | None"
+    ) -> "TriangleMesh | None":
+        """The mesh of the Gaussians; where there is a solid it may be missing."""
+        from gaussiancad_core.surface_stage import make_surface
+
+        try:
+            return make_surface(training, self.job)
+        except NoModelError as error:
+            if solid is None:
+                raise
+            self.notes.warn(error.code, f"{error.message}: hull.stl stands for their mesh")
+            return None
 
     def _with_whole_outlines(
         self, registered: RegisteredSheet, exact: "ExactModel | None"
@@ -288,7 +357,7 @@ class _Run:
     def _check(
         self,
         registered: RegisteredSheet,
-        models: Models | None,
+        models: "Models | None",
         solid: "ExactModel | None",
         turn: Turn,
     ) -> "CheckedModel":
@@ -306,7 +375,7 @@ class _Run:
         checked = (
             check_solid(registered, solid)
             if solid
-            else check_surface(registered, models, self.progress)
+            else check_surface(registered, models.surface.mesh, self.progress)
         )
         reports = {
             view.role: ViewReport(
@@ -316,7 +385,7 @@ class _Run:
             )
             for view in registered.drawn
         }
-        self.notes.tell(views=reports, tolerance_px=checked.tolerance_px, solid=checked.solid)
+        self.notes.tell(views=reports, tolerance_px=checked.tolerance_px)
         for code, message in checked.reasons:
             self.notes.doubt(code, message)
         return checked

@@ -1,23 +1,19 @@
 """First or third angle: the reading under which the sheet's lines fit together.
 
-Under the other reading each view beside the front is its opposite, and the part is mirrored.  The
-outlines do not tell the two apart, but what hides what does: the visual hull of either reading is
-drawn again, and its visible and hidden lines are matched with those of the sheet.  A hull has no
-pockets, so that a small difference may be due to what it lacks: an unusual reading needs a larger
-one.
+Where exact solids do not tell (:mod:`.exact_stage`), the lines do.  Under the other reading each
+view beside the front is its opposite, and the part is mirrored.  The outlines do not tell the two
+apart, but what hides what does: the visual hull of either reading is drawn again, and its visible
+and hidden lines are matched with those of the sheet.  A hull has no pockets, so that a small
+difference may be due to what it lacks: an unusual reading needs a larger one.
 """
 
 from dataclasses import dataclass, replace
 
 from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.cameras import orthographic_camera
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.hull import visual_hull
 from gaussiancad_core.sheet.layout import is_unusual
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.reading import ReadView, RegisteredSheet, register_views
-from gaussiancad_core.verification.agreement import match_lines
-from gaussiancad_core.verification.redraw import RedrawSettings, redraw_mesh
 
 _CELLS = 96
 """Grid cells of the hulls that are compared."""
@@ -65,28 +61,44 @@ class Choice:
         return Choice(self.other, self.registered, projection, True, self.scores[::-1])
 
 
-def choose_projection(
-    drawn: tuple[ReadView, ...], assumed: Projection, options: ReadingOptions
-) -> Choice:
-    """Decide between two readings of the same views.
+def both_readings(
+    drawn: tuple[ReadView, ...], options: ReadingOptions
+) -> tuple[RegisteredSheet, RegisteredSheet | None]:
+    """Views on shared axes, as they are named and as the other projection names them.
 
     Args:
         drawn: views with the roles that they have under the assumed projection.
-        assumed: what to take where nothing tells.
         options: of the registration.
 
+    Returns:
+        The two; None for the other one where the views contradict each other then.
+
     Raises:
-        NoModelError: the views contradict each other under both.
+        NoModelError: the views contradict each other as they are named.
     """
     registered = register_views(drawn, options)
     mirrored = tuple(replace(view, role=opposite(view.role)) for view in drawn)
     try:
-        other = register_views(mirrored, options)
+        return registered, register_views(mirrored, options)
     except NoModelError:
+        return registered, None
+
+
+def choose_projection(
+    registered: RegisteredSheet, other: RegisteredSheet | None, assumed: Projection
+) -> Choice:
+    """Decide between two readings of the same views.
+
+    Args:
+        registered: the views under the assumed projection.
+        other: under the other one; None where that is not possible.
+        assumed: what to take where nothing tells.
+    """
+    if other is None:
         return Choice(registered, None, assumed, True, (1.0, 0.0))
     scores = _agreement(registered), _agreement(other)
     contrary = scores[1] > scores[0]
-    better = {view.role for view in (mirrored if contrary else drawn)}
+    better = {view.role for view in (other if contrary else registered).drawn}
     least = _CLEAR_UNUSUAL if is_unusual(better) else _CLEAR
     clear = abs(scores[0] - scores[1]) > least and max(scores) >= _TELLING
     if clear and contrary:
@@ -109,6 +121,11 @@ _OPPOSITES = {
 
 def _agreement(registered: RegisteredSheet) -> float:
     """Share of the sheet's lines that its hull shows, visible as visible and hidden as hidden."""
+    from gaussiancad_core.cameras import orthographic_camera
+    from gaussiancad_core.hull import visual_hull
+    from gaussiancad_core.verification.agreement import match_lines
+    from gaussiancad_core.verification.redraw import RedrawSettings, redraw_mesh
+
     views = registered.views
     cameras = tuple(orthographic_camera(role, views.size, _PIXELS) for role in views.roles)
     try:

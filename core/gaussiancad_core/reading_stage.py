@@ -7,7 +7,7 @@ from gaussiancad_core.axes import Projection, mutually_orthogonal
 from gaussiancad_core.exact_stage import Reading
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import Recipe, ResultKind
-from gaussiancad_core.projection_choice import choose_projection
+from gaussiancad_core.projection_choice import both_readings, choose_projection
 from gaussiancad_core.report import Unused, ViewReport
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.annotations.marks import Mark
@@ -54,6 +54,8 @@ class SheetFindings:
 def read_drawing(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) -> SheetFindings:
     """Views, lines and masks of a sheet, on shared axes, under one or two projections.
 
+    Where a solid is asked for, it may tell which of two is right: they are not weighed yet.
+
     Args:
         job: with what the user says of the sheet.
         image: as stored.
@@ -80,11 +82,13 @@ def read_drawing(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes
         if job.recipe is Recipe.PAPER:
             options = replace(options, open_holes=False)
         if layout.alternatives and not reading.views:
-            found = _choose_projection(drawn, layout, options, notes)
+            found = _both(drawn, layout, options, notes)
         else:
             own = Reading(register_views(drawn, options), notes.report.projection)
             found = SheetFindings(own, None, (), ())
         found = _with_measures(found, scale, notes)
+        if found.other and job.result is ResultKind.SURFACE:
+            found = weigh_readings(found, notes)
         _tell_views(notes, found.own.registered, clean.turn)
         _tell_registration(notes, found.own.registered)
     return replace(found, marks=separated.marks, special=layout.special)
@@ -112,19 +116,33 @@ def tell_symbol(notes: RunNotes, found: SheetFindings, taken: Projection) -> Non
     )
 
 
-def _choose_projection(
+def weigh_readings(found: SheetFindings, notes: RunNotes) -> SheetFindings:
+    """The same with the likelier of both readings first, by the lines that its hull shows.
+
+    What the sheet's symbol says stays first; the findings then tell whether lines contradict it.
+    """
+    own, other = found.own, found.other
+    choice = choose_projection(own.registered, other.registered, own.projection)
+    contradicted = False
+    if found.symbol is not None:
+        contradicted = choice.inferred and choice.projection is not found.symbol
+        choice = choice.told(found.symbol)
+    tell_projection(notes, choice.projection, choice.inferred)
+    if choice.projection is not own.projection:
+        own, other = other, own
+    return replace(found, own=own, other=other, contradicted=contradicted)
+
+
+def _both(
     drawn: tuple[ReadView, ...], layout: Layout, options: ReadingOptions, notes: RunNotes
 ) -> SheetFindings:
-    """The likelier reading of the views, and the other one where it is possible."""
-    choice = choose_projection(drawn, layout.projection, options)
-    contradicted = False
-    if layout.symbol is not None:
-        contradicted = choice.inferred and choice.projection is not layout.symbol
-        choice = choice.told(layout.symbol)
-    tell_projection(notes, choice.projection, choice.inferred)
-    own = Reading(choice.registered, choice.projection)
-    other = Reading(choice.other, choice.projection.other) if choice.other else None
-    return SheetFindings(own, other, (), (), layout.symbol, contradicted)
+    """The views as they are named, and as the other projection names them where that may be."""
+    registered, contrary = both_readings(drawn, options)
+    own = Reading(registered, layout.projection)
+    other = Reading(contrary, layout.projection.other) if contrary else None
+    if other is None:
+        tell_projection(notes, own.projection, inferred=True)
+    return SheetFindings(own, other, (), (), layout.symbol)
 
 
 def _sheet_scale(

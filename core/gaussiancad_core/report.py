@@ -4,7 +4,6 @@ import json
 import platform
 import sys
 from dataclasses import asdict, dataclass, field, replace
-from importlib import metadata
 from pathlib import Path
 from typing import Any
 
@@ -17,20 +16,9 @@ from gaussiancad_core.modes import Status
 from gaussiancad_core.sheet.scale.estimate import ReadDimension
 from gaussiancad_core.sheet.special_views.kinds import SpecialView
 from gaussiancad_core.verification.agreement import Agreement
+from gaussiancad_core.versions import ENGINE_PACKAGES, installed_versions
 
 SCHEMA = 2
-
-ENGINE_PACKAGES = (
-    "torch",
-    "numpy",
-    "opencv-python-headless",
-    "numba",
-    "open3d",
-    "trimesh",
-    "cadquery-ocp-novtk",
-    "ortools",
-    "gsplat",
-)
 
 
 @dataclass(frozen=True)
@@ -213,8 +201,8 @@ class SurfaceReport:
     """The surface.
 
     Attributes:
-        source: ``gaussians`` for their Poisson mesh, ``hull`` where the hull on which they started
-            has the outlines of the views better.
+        nearer: what has the outlines of the views better: ``gaussians``, whose Poisson mesh this
+            is, or the ``hull`` on which they started, which is written beside it then.
         outline_difference: of the shadows of either from the masks, as a share of these.
     """
 
@@ -222,7 +210,7 @@ class SurfaceReport:
     triangles: int
     watertight: bool
     volume_mm3: float
-    source: str = "gaussians"
+    nearer: str = "gaussians"
     outline_difference: dict[str, float] = field(default_factory=dict)
 
 
@@ -414,17 +402,6 @@ def engine_facts(
         "seed": settings.get("seed"),
         "sheet_sha256": sheet_sha256,
     }
-
-
-def installed_versions(names: tuple[str, ...]) -> dict[str, str]:
-    """Versions of the packages that are installed; the others are left out."""
-    found = {}
-    for name in names:
-        try:
-            found[name] = metadata.version(name)
-        except metadata.PackageNotFoundError:
-            continue
-    return found
 
 
 def peak_memory_mb() -> float:

@@ -9,7 +9,7 @@ from gaussiancad_core.carving import CarvedHull, carved_hull
 from gaussiancad_core.exact_stage import ExactModel
 from gaussiancad_core.job import Job
 from gaussiancad_core.meshes import TriangleMesh
-from gaussiancad_core.modes import Preset, Recipe
+from gaussiancad_core.modes import Preset
 from gaussiancad_core.report import GaussiansReport, HullReport, SurfaceReport
 from gaussiancad_core.residual_reports import residual_entries
 from gaussiancad_core.sheet.deskew import Turn
@@ -25,7 +25,7 @@ from gaussiancad_core.splatting.settings import (
 )
 from gaussiancad_core.splatting.targets import mean_colour, targets_of
 from gaussiancad_core.splatting.training import TrainingResult, train
-from gaussiancad_core.surface.choice import ChosenSurface, better_surface
+from gaussiancad_core.surface.nearness import WeighedSurface
 from gaussiancad_core.surface.poisson import DENSE, PoissonSettings, gaussian_surface
 from gaussiancad_core.views import ViewSet
 
@@ -84,20 +84,14 @@ def takes_long(job: Job) -> bool:
     return work > _MUCH_WORK and training_device(job) == "cpu"
 
 
-def make_surface(
-    training: TrainingResult, hull: TriangleMesh, job: Job, views: ViewSet
-) -> ChosenSurface:
-    """The Poisson mesh of trained Gaussians, or the hull where that has the masks' outlines better.
-
-    The paper's recipe has the former always.
+def make_surface(training: TrainingResult, job: Job) -> TriangleMesh:
+    """The Poisson mesh of trained Gaussians.
 
     Raises:
         NoModelError: ``no-surface``.
     """
     settings = DENSE if job.preset is Preset.FINE else PoissonSettings()
-    if job.recipe is Recipe.PAPER:
-        return ChosenSurface(gaussian_surface(training.gaussians, settings))
-    return better_surface(hull, training.gaussians, views, settings)
+    return gaussian_surface(training.gaussians, settings)
 
 
 def training_device(job: Job) -> str:
@@ -124,17 +118,19 @@ def gaussians_report(training: TrainingResult, job: Job, views: ViewSet) -> Gaus
     )
 
 
-def surface_report(surface: ChosenSurface) -> SurfaceReport:
-    """What the report says of a surface."""
+def surface_report(surface: WeighedSurface) -> SurfaceReport | None:
+    """What the report says of a surface; None where there is none."""
     mesh = surface.mesh
+    if mesh is None:
+        return None
     return SurfaceReport(
         len(mesh.vertices),
         len(mesh.triangles),
         mesh.watertight,
         float(mesh.volume),
-        source=surface.source.value,
+        nearer=surface.nearer.value,
         outline_difference={
-            source.value: round(share, 6) for source, share in surface.differences.items()
+            which.value: round(share, 6) for which, share in surface.differences.items()
         },
     )
 

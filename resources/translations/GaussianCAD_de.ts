@@ -299,8 +299,16 @@
         <translation>Die GaussianCAD-Engine endete mit dem Code {code}.</translation>
     </message>
     <message>
-        <source>The GaussianCAD engine was ended from outside, or ran out of memory. The document is unchanged. Close other programs or choose a simpler preset, then try again.</source>
-        <translation>Die GaussianCAD-Engine wurde von außen beendet, oder der Speicher reichte nicht. Das Dokument ist unverändert. Schließen Sie andere Programme oder wählen Sie eine einfachere Qualität, und versuchen Sie es noch einmal.</translation>
+        <source>The part stays in the document.</source>
+        <translation>Das Teil bleibt im Dokument.</translation>
+    </message>
+    <message>
+        <source>The hull on which the Gaussians started is nearer to the drawing&apos;s outlines.</source>
+        <translation>Die Hülle, auf der die Gaußfunktionen begannen, kommt den Umrissen der Zeichnung näher.</translation>
+    </message>
+    <message>
+        <source>The GaussianCAD engine was ended from outside, or ran out of memory. Close other programs or choose a simpler preset, then try again.</source>
+        <translation>Die GaussianCAD-Engine wurde von außen beendet, oder der Speicher reichte nicht. Schließen Sie andere Programme oder wählen Sie eine einfachere Qualität, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>Verified: the part, drawn again, agrees with the sheet in every view.</source>
@@ -379,8 +387,8 @@
         <translation>Festkörper: {faces} Flächen, {volume} mm³</translation>
     </message>
     <message>
-        <source>Surface: {triangles} triangles, {volume} mm³</source>
-        <translation>Oberfläche: {triangles} Dreiecke, {volume} mm³</translation>
+        <source>Surface of the Gaussians: {triangles} triangles, {volume} mm³</source>
+        <translation>Oberfläche der Gaußfunktionen: {triangles} Dreiecke, {volume} mm³</translation>
     </message>
     <message>
         <source>No Python from 3.11 to 3.14 with its venv module was found. Install one (on Debian: apt-get install python3-venv), then try again.</source>

@@ -270,3 +270,38 @@ def test_what_views_round_alike_is_told_by_their_places(
     )
     views = drawn_views(replace(third.registered, extents=agreed, drawn=drawn))
     assert views.noise == pytest.approx(noise * third.registered.mm_per_pixel)
+
+
+@pytest.mark.parametrize("strokes", [_wedge(), _block()])
+def test_where_both_readings_have_a_solid_the_likelier_one_goes_first(strokes: Strokes) -> None:
+    third, first = _both(strokes)
+    plain, turned = (
+        find_exact(third, first, likelier=lambda own=own: own) for own in (third, first)
+    )
+    assert (plain.reading, turned.reading) == (third, first)
+    assert not plain.decided and not turned.decided
+    assert same_solid(plain.result.shape, find_exact(third, None).result.shape)
+    assert same_solid(turned.result.shape, find_exact(first, None).result.shape)
+    assert plain.result.contrary == turned.result.contrary == len(plain.result.alternatives)
+    assert [code for code, _ in plain.result.reasons] == [code for code, _ in turned.result.reasons]
+
+
+def test_where_the_solids_tell_nobody_asks_what_is_likelier() -> None:
+    third, first = _both(_step())
+
+    def never() -> Reading:
+        raise AssertionError
+
+    for own, other in ((third, first), (first, third)):
+        assert find_exact(own, other, likelier=never).reading is third
+
+
+def test_where_no_reading_has_a_solid_the_likelier_one_is_told_of() -> None:
+    # A stroke across the front view that no other view has.
+    odd = _block()
+    odd[Role.FRONT] += _chain((5, 3), (33, 11))
+    third, first = _both(odd)
+    for own in (third, first):
+        found = find_exact(third, first, likelier=lambda own=own: own)
+        assert found.reading is own
+        assert not found.decided

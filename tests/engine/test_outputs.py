@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from gaussiancad_core.errors import UsageError
-from gaussiancad_core.outputs import STAGING_PREFIX, OutputFolder
+from gaussiancad_core.outputs import STAGING_PREFIX, OutputFolder, check_writable
 
 
 def _folder(path: Path) -> OutputFolder:
@@ -31,6 +31,53 @@ def test_what_a_new_run_does_not_write_anew_is_removed(tmp_path: Path) -> None:
     (folder.staging / "report.json").write_text("{}")
     folder.commit()
     assert {p.name for p in tmp_path.iterdir()} == {"mine.txt", "report.json"}
+
+
+def test_what_goes_ahead_sweeps_away_an_earlier_run_and_stays(tmp_path: Path) -> None:
+    for name in ("model.stl", "report.json", "mine.txt"):
+        (tmp_path / name).write_text("old")
+    folder = _folder(tmp_path)
+    assert not folder.ahead
+    (folder.staging / "pictures").mkdir()
+    (folder.staging / "pictures" / "1.png").write_text("new")
+    folder.publish()
+    assert folder.ahead
+    assert {p.name for p in tmp_path.iterdir()} == {"mine.txt", "pictures", folder.staging.name}
+    (folder.staging / "model.stl").write_text("new")
+    (folder.staging / "report.json").write_text("{}")
+    folder.commit()
+    assert {p.name for p in tmp_path.iterdir()} == {
+        "mine.txt",
+        "pictures",
+        "model.stl",
+        "report.json",
+    }
+    assert (tmp_path / "pictures" / "1.png").read_text() == "new"
+
+
+def test_what_went_ahead_outlives_a_run_that_stops(tmp_path: Path) -> None:
+    folder = _folder(tmp_path / "out")
+    (folder.staging / "model.stl").write_text("new")
+    folder.publish()
+    (folder.staging / "report.json").write_text("half")
+    folder.discard()
+    assert [p.name for p in (tmp_path / "out").iterdir()] == ["model.stl"]
+
+
+@pytest.mark.parametrize("below", ["file", "file/below", "file/far/below"])
+def test_a_folder_that_cannot_be_is_told_before_anything_is_made(
+    tmp_path: Path, below: str
+) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(UsageError, match="cannot write") as caught:
+        check_writable(tmp_path / below)
+    assert caught.value.code == "output-not-writable"
+
+
+def test_a_folder_that_can_be_made_is_not_made_by_the_question(tmp_path: Path) -> None:
+    check_writable(tmp_path / "a" / "b")
+    check_writable(tmp_path)
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_discarding_leaves_earlier_results_alone(tmp_path: Path) -> None:

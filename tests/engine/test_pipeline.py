@@ -10,6 +10,7 @@ from pathlib import Path
 
 import cv2
 import numpy as np
+import plyfile
 import pytest
 
 from gaussiancad_core.axes import Projection, Role
@@ -33,6 +34,7 @@ FILES = {
     "surface.stl",
     "surface.ply",
     "surface.step",
+    "hull.stl",
     "gaussians.ply",
     "cameras",
     "overlay.png",
@@ -110,8 +112,9 @@ def test_the_report_has_what_others_rely_on(run: tuple) -> None:
     assert report["hull"] == {"carved_from": None, "regions": 0, "doubted": 0, "refused": ""}
     assert report["surface"]["watertight"] is True
     # Masks that agree leave nothing to mend: the hull has the sharper edges.
-    assert report["surface"]["source"] == "hull"
-    assert set(report["surface"]["outline_difference"]) == {"hull", "gaussians"}
+    assert report["surface"]["nearer"] == "hull"
+    shares = report["surface"]["outline_difference"]
+    assert 0.0 < shares["hull"] < shares["gaussians"] < 0.02
     gaussians = report["gaussians"]
     assert gaussians["count"] > 0 and gaussians["loss"] < 0.2
     assert gaussians["image_px"] == [128, 128] and gaussians["resumed"] == 0
@@ -134,6 +137,29 @@ def test_events_tell_the_stages_in_order(run: tuple) -> None:
     assert any("loss" in event for event in progress)
     assert events[-1]["event"] == "result"
     assert Path(events[-1]["path"]) == (output / "report.json").resolve()
+
+
+def test_the_solid_is_told_before_any_gaussian(run: tuple) -> None:
+    output, events = run
+    at = next(i for i, event in enumerate(events) if event["event"] == "solid")
+    stages = [event["name"] for event in events[:at] if event["event"] == "stage"]
+    assert stages[-1] == "solid"
+    assert Path(events[at]["path"]) == (output / "solid.step").resolve()
+    assert events[at]["status"] == "verified" == events[-1]["status"]
+
+
+def test_the_surface_is_made_of_the_gaussians(run: tuple) -> None:
+    surface, hull = (load_model(run[0] / name) for name in ("surface.stl", "hull.stl"))
+    points = plyfile.PlyData.read(run[0] / "gaussians.ply")["vertex"]
+    centres = np.column_stack([points[axis] for axis in "xyz"])
+    truth = next(sample for sample in SAMPLES if sample.name == "l-bracket").build()
+    expected = soundness(truth).volume_mm3
+    # Poisson's vertices are many and lie where the Gaussians do; a hull of planes needs few.
+    assert len(hull.triangles) < len(surface.triangles) / 4
+    assert np.median(SurfaceQueries(surface).distances(centres)) < 0.1
+    for mesh in (surface, hull):
+        assert mesh.watertight
+        assert mesh.volume == pytest.approx(expected, rel=0.03)
 
 
 def test_the_surface_is_the_part_in_its_own_axes(run: tuple) -> None:
@@ -262,18 +288,35 @@ def test_a_cancelled_run_leaves_nothing(sheet: Path, tmp_path: Path, way: str) -
     events = _events(process.stdout.read())
     assert process.wait() == 130
     assert events[-1]["event"] == "error" and events[-1]["code"] == "cancelled"
-    assert "lines (3 of 10)" in events[-1]["message"]
+    assert "lines (3 of 10): nothing was written" in events[-1]["message"]
     assert not output.exists()
+
+
+def test_a_run_that_is_cancelled_later_leaves_its_solid_and_nothing_of_an_earlier_run(
+    sheet: Path, tmp_path: Path
+) -> None:
+    for name in ("report.json", "surface.stl", "mine.txt"):
+        (tmp_path / name).write_text("of an earlier run")
+    process = _started(sheet, tmp_path, "gaussians")
+    process.stdin.write("cancel\n")
+    process.stdin.flush()
+    events = _events(process.stdout.read())
+    assert process.wait() == 130
+    assert "gaussians (7 of 10): only the solid was written" in events[-1]["message"]
+    assert {path.name for path in tmp_path.iterdir()} == {"mine.txt", "solid.step"}
+    state = soundness(read_solid(tmp_path / "solid.step"))
+    assert state.valid and state.closed
 
 
 def test_a_killed_run_leaves_no_half_file_and_is_swept(sheet: Path, tmp_path: Path) -> None:
     process = _started(sheet, tmp_path / "out", "gaussians")
     process.kill()
     process.wait()
-    left = list((tmp_path / "out").iterdir())
-    assert [path.name.startswith(STAGING_PREFIX) for path in left] == [True]
+    left = {path.name for path in (tmp_path / "out").iterdir()}
+    assert left == {"solid.step", f"{STAGING_PREFIX}{process.pid}"}
     again = _started(sheet, tmp_path / "out", "views")
-    assert [path.name for path in (tmp_path / "out").iterdir()] == [f"{STAGING_PREFIX}{again.pid}"]
+    left = {path.name for path in (tmp_path / "out").iterdir()}
+    assert left == {"solid.step", f"{STAGING_PREFIX}{again.pid}"}
     again.kill()
     again.wait()
 

@@ -6,13 +6,19 @@ import pytest
 
 import gaussiancad_core.projection_choice as choice
 from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.projection_choice import choose_projection
+from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.projection_choice import both_readings, choose_projection
 from gaussiancad_core.sheet.options import ReadingOptions
 
 
 @dataclass(frozen=True)
 class _View:
     role: Role
+
+
+@dataclass(frozen=True)
+class _Sheet:
+    drawn: tuple[_View, ...]
 
 
 @pytest.mark.parametrize(
@@ -35,9 +41,8 @@ def test_a_reading_is_told_where_it_explains_the_lines(
     inferred: bool,
 ) -> None:
     told = iter(scores)
-    monkeypatch.setattr(choice, "register_views", lambda drawn, options: object())
     monkeypatch.setattr(choice, "_agreement", lambda registered: next(told))
-    found = choose_projection((), Projection.THIRD, ReadingOptions())
+    found = choose_projection(_Sheet(()), _Sheet(()), Projection.THIRD)
     assert (found.projection, found.inferred) == (projection, inferred)
 
 
@@ -61,8 +66,26 @@ def test_an_unusual_reading_must_explain_more(
     inferred: bool,
 ) -> None:
     told = iter(scores)
-    monkeypatch.setattr(choice, "register_views", lambda drawn, options: object())
+    monkeypatch.setattr(choice, "register_views", lambda drawn, options: _Sheet(drawn))
     monkeypatch.setattr(choice, "_agreement", lambda registered: next(told))
     views = tuple(_View(role) for role in (Role.FRONT, *below))
-    found = choose_projection(views, Projection.FIRST, ReadingOptions())
+    found = choose_projection(*both_readings(views, ReadingOptions()), Projection.FIRST)
     assert (found.projection, found.inferred) == (projection, inferred)
+
+
+def test_views_that_contradict_each_other_otherwise_leave_one_reading(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def register(drawn: tuple[_View, ...], _options: ReadingOptions) -> _Sheet:
+        if Role.BOTTOM in {view.role for view in drawn}:
+            raise NoModelError("views-contradict", "")
+        return _Sheet(drawn)
+
+    monkeypatch.setattr(choice, "register_views", register)
+    views = (_View(Role.FRONT), _View(Role.TOP))
+    readings = both_readings(views, ReadingOptions())
+    assert readings == (_Sheet(views), None)
+    # No hull is drawn where there is nothing to choose.
+    monkeypatch.setattr(choice, "_agreement", None)
+    found = choose_projection(*readings, Projection.FIRST)
+    assert (found.projection, found.inferred, found.other) == (Projection.FIRST, True, None)

@@ -154,6 +154,49 @@ class Panel(WindowCase):
         self.assertEqual((self.boxes(), self.document.Objects), ([], []))
         self.assertEqual(self.document.UndoCount, 0)
 
+    def test_the_part_is_there_while_the_engine_works_and_stays_when_it_is_cancelled(self) -> None:
+        self.behave("long")
+        self.choose_sheet(self.sheet)
+        button = self.start()
+        self.wait_for(lambda: self.document.getObject("Part"))
+        self.wait_for_stage("3 of 3")
+        self.assertFalse(button.isEnabled())
+        self.assertEqual(len(self.document.Objects), 2)
+        self.assertTrue(is_shown(self.document, "Part"))
+        self.picture("panel-part-early")
+        widget(QtWidgets.QPushButton, "cancel").click()
+        self.wait_for(button.isEnabled)
+        self.assertEqual(
+            widget(QtWidgets.QLabel, "stage").text(),
+            "The run was cancelled. The part stays in the document.",
+        )
+        self.assertEqual(self.boxes(), [])
+        group = self.document.getObject("Reconstruction")
+        self.assertEqual(group.Reasons, ["The run was cancelled."])
+        group.ViewObject.Proxy.doubleClicked(group.ViewObject)
+        self.assertIn("cancelled", widget(QtWidgets.QPlainTextEdit, "text").toPlainText())
+        widget(QtWidgets.QDialog, "GaussianCADReport").reject()
+        self.assertEqual(self.document.UndoNames, ["Reconstruct from Drawing"])
+        self.document.undo()
+        self.assertEqual(self.document.Objects, [])
+
+    def test_an_engine_that_dies_later_leaves_its_part_with_a_note(self) -> None:
+        self.behave("dies-late")
+        self.choose_sheet(self.sheet)
+        self.finish()
+        (box,) = self.boxes()
+        self.assertIn("ended from outside", box.text())
+        self.assertEqual(
+            widget(QtWidgets.QLabel, "stage").text(), "Stopped. The part stays in the document."
+        )
+        group = self.document.getObject("Reconstruction")
+        self.assertIn("ended from outside", group.Reasons[0])
+        box.close()
+        # The next run is another one.
+        self.behave("ok")
+        self.finish()
+        self.assertEqual(len(self.document.Objects), 9)
+
     def test_closing_the_panel_cancels_first(self) -> None:
         self.behave("slow")
         self.choose_sheet(self.sheet)

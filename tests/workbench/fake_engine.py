@@ -27,6 +27,8 @@ BEHAVIOURS = (
     "several",  # approximate, with two other solids that fit, one of them in first angle
     "noisy",  # ok, among noise: split characters, half JSON, binary
     "slow",  # runs until it is cancelled
+    "long",  # tells its solid, then runs until it is cancelled
+    "dies-late",  # tells its solid, then is killed
     "deaf",  # runs until it is killed
     "refuse",  # exit 4 with a report
     "dies",  # killed in the middle
@@ -78,6 +80,7 @@ def report(sheet: str, status: str, reasons: list[dict[str, str]]) -> dict[str, 
         "triangles": 20,
         "watertight": True,
         "volume_mm3": fake_part.VOLUME,
+        "nearer": "hull",
     }
     return {
         "schema": 1,
@@ -124,9 +127,24 @@ def write_models(output: Path, behaviour: str) -> None:
     (output / "gaussians.ply").write_bytes(fake_part.gaussians_bytes())
 
 
-def run_stages(behaviour: str, sheet: str) -> None:
-    """Tell of three stages, and misbehave in the second one."""
+TELL_SOLID = ("ok", "contradicts", "swept", "ambiguous", "several", "noisy", "long", "dies-late")
+"""Behaviours that write the solid before anything else."""
+
+
+def tell_solid(output: Path, behaviour: str) -> None:
+    """Write the solid, and say so."""
+    output.mkdir(parents=True, exist_ok=True)
+    path = output / "solid.step"
+    shutil.copy(fake_part.STEP_FILE, path)
+    verified = behaviour not in ("contradicts", "swept", "ambiguous", "several")
+    send("solid", path=str(path), status="verified" if verified else "approximate")
+
+
+def run_stages(behaviour: str, sheet: str, output: Path) -> None:
+    """Tell of three stages, and misbehave in the second or third one."""
     for index, name in enumerate(("read", "solid", "gaussians"), start=1):
+        if index == 3 and behaviour in TELL_SOLID:
+            tell_solid(output, behaviour)
         send("stage", name=name, index=index, of=3)
         if behaviour == "noisy":
             sys.stdout.buffer.write('{"event": "progress"\n文件 caf'.encode())
@@ -144,6 +162,11 @@ def run_stages(behaviour: str, sheet: str) -> None:
             while behaviour in ("slow", "deaf"):
                 time.sleep(0.05)
             send("preview", path=sheet)
+        if index == 3:
+            if behaviour == "dies-late":
+                os.kill(os.getpid(), signal.SIGKILL)
+            while behaviour == "long":
+                time.sleep(0.05)
 
 
 def reconstruct(arguments: list[str]) -> int:
@@ -162,7 +185,7 @@ def reconstruct(arguments: list[str]) -> int:
         return refuse("sheet-missing", f"there is no file {sheet}: check its name", 3)
     if sheet.read_bytes()[:4] not in (b"\x89PNG", b"\xff\xd8\xff\xe0"):
         return refuse("not-an-image", f"{sheet.name} is no image: choose a drawing", 3)
-    run_stages(behaviour, str(sheet))
+    run_stages(behaviour, str(sheet), output)
     output.mkdir(parents=True, exist_ok=True)
     if behaviour == "refuse":
         reason = {"code": "one-view", "message": "only one view was found: draw at least two"}

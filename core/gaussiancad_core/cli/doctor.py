@@ -117,10 +117,11 @@ def run_warm_up(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
     from gaussiancad_core.reasoning import sight_lines
     from gaussiancad_core.sheet import growth
     from gaussiancad_core.splatting import tiles
-    from gaussiancad_core.verification import crossings
+    from gaussiancad_core.verification import crossings, rays
 
     sight_lines.warm_up()
     growth.warm_up()
     tiles.warm_up()
     crossings.warm_up()
+    rays.warm_up()
     return ExitCode.DONE

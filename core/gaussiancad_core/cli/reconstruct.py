@@ -135,17 +135,20 @@ def job_of(options: argparse.Namespace, sheet: Path, output: Path) -> Job:
 def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     """Reconstruct one sheet."""
     from gaussiancad_core import __version__
-    from gaussiancad_core.cli.libraries import silence_opencascade
-    from gaussiancad_core.pipeline import REPORT_FILE, reconstruct
-    from gaussiancad_core.report import ENGINE_PACKAGES, installed_versions
+    from gaussiancad_core.versions import ENGINE_PACKAGES, installed_versions
 
     listener.send(
         "hello",
         protocol=PROTOCOL,
         versions={"gaussiancad": __version__, **installed_versions(ENGINE_PACKAGES)},
     )
-    silence_opencascade()
     job = job_of(options, options.sheet, options.output)
+    job.check()
+
+    from gaussiancad_core.cli.libraries import silence_opencascade
+    from gaussiancad_core.pipeline import REPORT_FILE, reconstruct
+
+    silence_opencascade()
     report = reconstruct(job, listener)
     path = (options.output / REPORT_FILE).resolve()
     listener.send("result", path=str(path), status=report.status.value)

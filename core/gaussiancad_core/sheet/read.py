@@ -7,16 +7,10 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.errors import UnreadableError
 from gaussiancad_core.sheet.files.content import MAX_PIXELS, MIN_SIDE, Note
 from gaussiancad_core.sheet.files.isolation import read_isolated
-from gaussiancad_core.sheet.files.kinds import (
-    HEAD_BYTES,
-    VECTOR_SUFFIXES,
-    FileKind,
-    detect,
-    unsupported,
-)
+from gaussiancad_core.sheet.files.kinds import VECTOR_SUFFIXES, FileKind, detect
+from gaussiancad_core.sheet.files.opening import cannot_open, head_of
 from gaussiancad_core.sheet.files.raster import read_raster
 from gaussiancad_core.sheet.files.vectors import VectorDrawing
 
@@ -64,14 +58,8 @@ def read_sheet(path: Path, page: int = 1) -> SheetImage:
             large, or has no such page.
         LimitError: reading it would take too long.
     """
-    head, sha256 = _look_at(path)
-    kind = detect(head, path.suffix)
-    known = unsupported(head)
-    if known is not None:
-        name, advice = known
-        raise UnreadableError(
-            "format-not-supported", f"{path} is a {name} file, which is not read: {advice}"
-        )
+    kind = detect(head_of(path), path.suffix)
+    sha256 = _sha256(path)
     if kind is FileKind.RASTER:
         content = read_raster(path, page)
     else:
@@ -82,23 +70,9 @@ def read_sheet(path: Path, page: int = 1) -> SheetImage:
     return SheetImage(path, grey, sha256, content.pixels_per_inch, content.vectors, content.notes)
 
 
-def _look_at(path: Path) -> tuple[bytes, str]:
-    """The first bytes of a file, and its SHA-256."""
-    if path.is_dir():
-        raise UnreadableError("not-a-file", f"{path} is a folder: name a drawing file")
-    if not path.exists():
-        raise UnreadableError("file-missing", f"{path} does not exist: check the name of the sheet")
-    if not path.is_file():
-        raise UnreadableError("not-a-file", f"{path} is a device or pipe: name a drawing file")
+def _sha256(path: Path) -> str:
     try:
         with path.open("rb") as file:
-            head = file.read(HEAD_BYTES)
-            file.seek(0)
-            sha256 = hashlib.file_digest(file, "sha256").hexdigest()
+            return hashlib.file_digest(file, "sha256").hexdigest()
     except OSError as error:
-        raise UnreadableError(
-            "file-unreadable", f"{path} cannot be opened ({error.strerror}): check its permissions"
-        ) from error
-    if not head:
-        raise UnreadableError("empty-file", f"{path} is empty: export the drawing again")
-    return head, sha256
+        raise cannot_open(path, error) from error

@@ -82,7 +82,8 @@ class TrainingSettings:
         rates: of the optimiser.
         weights: of the loss.
         optics: of the rasteriser.
-        anchor: weight of the mean distance from the tangent plane of the start (scene units).
+        anchor: weight of the mean distance of discs from the tangent planes of their starts, that
+            of their centres and that to which a tilt lifts their rims (scene units).
         thin_axis_locked: whether the third scale keeps its start value.
         patience: iterations without a better loss (by ``least_gain``) after which it ends early.
         least_gain: share of the loss that counts as better.

@@ -16,7 +16,7 @@ from gaussiancad_core.splatting.density import Density
 from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.splatting.losses import Targets, total_loss
 from gaussiancad_core.splatting.projection import CameraBatch, batch_of
-from gaussiancad_core.splatting.rasteriser import rasteriser
+from gaussiancad_core.splatting.rasteriser import Parameters, rasteriser
 from gaussiancad_core.splatting.settings import TrainingSettings
 from gaussiancad_core.splatting.ssim import FastSsim, plain_ssim
 from gaussiancad_core.splatting.trainee import Arrays, Roots, Trainee
@@ -162,7 +162,7 @@ class _Training:
             shifts = parameters.means.new_zeros(shape).requires_grad_()
         rendering = self._draw(parameters, look.cameras, settings.optics, shifts)
         loss = total_loss(rendering, look.targets, look.similarity, settings.weights)
-        (loss + _strayed(parameters.means, self.trainee.roots, settings.anchor)).backward()
+        (loss + _strayed(parameters, self.trainee.roots, settings.anchor)).backward()
         if settings.thin_axis_locked:
             parameters.log_scales.grad[:, 2] = 0.0
         self.trainee.step(self._position_rate())
@@ -221,11 +221,25 @@ def _extent(cameras: tuple[Camera, ...]) -> float:
     return _EXTENT_MARGIN * float(away.max())
 
 
-def _strayed(means: Tensor, roots: Roots, weight: float) -> Tensor | float:
-    """Weighted mean distance from the tangent planes in which the Gaussians started."""
+def _strayed(parameters: Parameters, roots: Roots, weight: float) -> Tensor | float:
+    """Weighted mean distance of the discs from the tangent planes in which they started.
+
+    That of their centres, and that by which a disc that tilts lifts its rim: what the views see of
+    a tilt is less than what it does to the surface.
+    """
     if weight == 0.0:
         return 0.0
-    return weight * ((means - roots.points) * roots.normals).sum(1).abs().mean()
+    lifted = ((parameters.means - roots.points) * roots.normals).sum(1).abs()
+    thin = _third_axes(parameters.quaternions)
+    tilts = torch.linalg.cross(thin, roots.normals).norm(dim=1)
+    radii = parameters.log_scales.detach()[:, :2].exp().mean(1)
+    return weight * (lifted + radii * tilts).mean()
+
+
+def _third_axes(quaternions: Tensor) -> Tensor:
+    """(n, 3) the third axis of rotations given as (n, 4) quaternions, scalar first."""
+    w, x, y, z = torch.nn.functional.normalize(quaternions, dim=1).unbind(1)
+    return torch.stack([2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)], dim=1)
 
 
 def _similarity_with(targets: Tensor) -> Callable[[Tensor], Tensor]:

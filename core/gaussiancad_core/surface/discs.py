@@ -19,6 +19,9 @@ _ALIKE = 0.97
 _OF_TWO = 0.7
 """Share of the neighbours that belong to one of two faces where these meet in an edge."""
 
+_SPACED = 8
+"""Neighbours by which it is told how far discs are apart."""
+
 _ROUND = 90.0
 """Bend in degrees where neighbours face in many directions."""
 
@@ -30,6 +33,8 @@ class DiscSampling:
     Attributes:
         per_disc: points on each.
         reach: the farthest from the centre, in standard deviations.
+        share: largest standard deviation, as a share of the distance between discs: training
+            enlarges discs until they hang over edges, where others stand for the surface.
         smallest_opacity: Gaussians that are more transparent show no surface.
         steepest: largest angle between a disc's normal and that of its start, degrees; a disc that
             turned farther no longer lies on the surface that it stood for.
@@ -40,6 +45,7 @@ class DiscSampling:
 
     per_disc: int = 6
     reach: float = 1.2
+    share: float = 0.5
     smallest_opacity: float = 0.02
     steepest: float = 60.0
     crease: float = 30.0
@@ -128,7 +134,7 @@ def disc_normals(gaussians: Gaussians) -> Array:
 
 
 def discs_of(gaussians: Gaussians, sampling: DiscSampling) -> Discs:
-    """The discs of all Gaussians that show a surface."""
+    """The discs of all Gaussians that show a surface, each about as large as its share of it."""
     normals = disc_normals(gaussians)
     upright = np.cos(np.radians(sampling.steepest))
     kept = gaussians.opacities >= sampling.smallest_opacity
@@ -138,7 +144,34 @@ def discs_of(gaussians: Gaussians, sampling: DiscSampling) -> Discs:
     axes = gaussians.rotations.transpose(0, 2, 1)[rows, order]
     lengths = np.exp(gaussians.log_scales.astype(np.float64))[rows, order]
     flat = (axes * lengths[:, :, None]).transpose(0, 2, 1)
-    return Discs(gaussians.means[kept].astype(np.float64), normals[kept], flat[kept])
+    discs = Discs(gaussians.means[kept].astype(np.float64), normals[kept], flat[kept])
+    return _shared_out(_without_lone(discs, sampling), sampling)
+
+
+def _without_lone(discs: Discs, sampling: DiscSampling) -> Discs:
+    """The discs but those that face as none around them does.
+
+    Hulls are bevelled along their edges by a cell of their grid: a disc that started there belongs
+    to neither face, and its plane would make edges where there are none.
+    """
+    if len(discs) <= _BESIDE:
+        return discs
+    _, near = cKDTree(discs.centres).query(discs.centres, k=_BESIDE + 1)
+    cosines = np.einsum("nj,nkj->nk", discs.normals, discs.normals[near[:, 1:]])
+    kept = (cosines > np.cos(np.radians(sampling.crease))).any(axis=1)
+    return Discs(discs.centres[kept], discs.normals[kept], discs.axes[kept])
+
+
+def _shared_out(discs: Discs, sampling: DiscSampling) -> Discs:
+    """The discs, none larger than its share of the surface."""
+    if len(discs) <= _SPACED:
+        return discs
+    distances, _ = cKDTree(discs.centres).query(discs.centres, k=_SPACED + 1)
+    # So many neighbours lie in the circle through the farthest of them.
+    spacing = distances[:, -1] * np.sqrt(np.pi / _SPACED)
+    sigmas = np.linalg.norm(discs.axes, axis=1)
+    scales = np.minimum(1.0, sampling.share * spacing[:, None] / sigmas)
+    return Discs(discs.centres, discs.normals, discs.axes * scales[:, None, :])
 
 
 def crossing(

@@ -136,7 +136,7 @@ def _compound(solids: list[TopoDS_Solid]) -> TopoDS_Compound:
 def _has_flat_edges(mesh: TriangleMesh) -> bool:
     """Whether any two neighbouring triangles lie in one plane."""
     normals = mesh.area_vectors / mesh.areas[:, None]
-    pairs = mesh.to_trimesh().face_adjacency
+    pairs, _ = mesh.shared_edges
     sines = np.linalg.norm(np.cross(normals[pairs[:, 0]], normals[pairs[:, 1]]), axis=1)
     return bool((sines < _FLAT_ANGLE).any())
 

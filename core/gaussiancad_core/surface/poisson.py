@@ -9,7 +9,7 @@ from gaussiancad_core.meshes import TriangleMesh, connected_pieces, joined, make
 from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.surface.discs import DiscSampling, creases_of, discs_of
 from gaussiancad_core.surface.points import OrientedPoints, disc_points
-from gaussiancad_core.surface.repair import intersection, made_manifold, simplified
+from gaussiancad_core.surface.repair import made_manifold, simplified
 from gaussiancad_core.surface.sharpen import Sharpening, sharpened
 
 _SCALE = 1.1
@@ -18,9 +18,6 @@ _SCALE = 1.1
 _TOLERANCE = 1e-4
 """By how much the surface may be simplified, as a share of the longest edge: what the eye does not
 see, and a third or more of the triangles."""
-
-_CUT_TOLERANCE = 2e-4
-"""The same for the cut surface, where slivers have to go."""
 
 
 @dataclass(frozen=True)
@@ -46,16 +43,12 @@ DENSE = PoissonSettings(sampling=DiscSampling(per_disc=12))
 """A fifth nearer to the discs' surface, in twice the time (``benchmarks/poisson_settings.py``)."""
 
 
-def gaussian_surface(
-    gaussians: Gaussians, settings: PoissonSettings, within: TriangleMesh | None = None
-) -> TriangleMesh:
+def gaussian_surface(gaussians: Gaussians, settings: PoissonSettings) -> TriangleMesh:
     """The closed surface on which trained Gaussians lie.
 
     Args:
         gaussians: mm.
         settings: how fine.
-        within: a watertight mesh; what Poisson puts outside of it is cut off.  Outside the hull of
-            parallel projections there is no material, so that the hull is a good choice.
 
     Returns:
         A watertight mesh in mm, oriented outward; the same input gives the same mesh.
@@ -66,20 +59,13 @@ def gaussian_surface(
     discs = discs_of(gaussians, settings.sampling)
     creases = creases_of(discs, settings.sampling)
     points = disc_points(discs, creases, settings.sampling)
-    rounded = surface = poisson_surface(points, settings)
+    surface = poisson_surface(points, settings)
     if settings.sharpening is not None:
         cell = _SCALE * float(np.ptp(points.points, axis=0).max()) / 2**settings.depth
         reach = settings.sampling.edge_reach * float(discs.sigmas.mean())
-        surface = sharpened(rounded, creases, cell, reach, settings.sharpening)
+        surface = sharpened(surface, creases, cell, reach, settings.sharpening)
     longest = float(np.ptp(surface.bounds, axis=0).max())
-    if within is None:
-        return simplified(surface, _TOLERANCE * longest) or surface
-    # Sharp faces lie in those of a hull: what two such bodies have in common may touch itself.
-    for body in (surface, rounded):
-        common = intersection(body, within, _CUT_TOLERANCE * longest)
-        if common is not None:
-            return common
-    raise _no_surface()
+    return simplified(surface, _TOLERANCE * longest) or surface
 
 
 def poisson_surface(points: OrientedPoints, settings: PoissonSettings) -> TriangleMesh:

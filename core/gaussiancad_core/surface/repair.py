@@ -28,20 +28,6 @@ def made_manifold(mesh: TriangleMesh) -> TriangleMesh | None:
     return _from_manifold(_to_manifold(_filled(mesh)))
 
 
-def intersection(
-    one: TriangleMesh, other: TriangleMesh, tolerance: float = 0.0
-) -> TriangleMesh | None:
-    """What two closed bodies have in common, or nothing where that is nothing.
-
-    Args:
-        one, other: watertight, oriented outward, mm.
-        tolerance: mm by which the surface may move to be rid of slivers, where two nearly equal
-            surfaces cut each other many times, and of triangles that flat faces do not need.
-    """
-    common = _to_manifold(one) ^ _to_manifold(other)
-    return _from_manifold(common.simplify(tolerance) if tolerance else common)
-
-
 def simplified(mesh: TriangleMesh, tolerance: float) -> TriangleMesh | None:
     """A closed body with fewer triangles, or nothing where it is none.
 

@@ -16,9 +16,10 @@ def is_rounded(mesh: TriangleMesh) -> bool:
     solids bend along edges that are long, or sharp (more than 45 degrees); Poisson's are neither.
     Flat faces say nothing: cut to a hull, a Poisson surface has triangles of any size there.
     """
-    measured = mesh.to_trimesh()
-    angles = measured.face_adjacency_angles
-    ends = mesh.vertices[measured.face_adjacency_edges]
+    pairs, edges = mesh.shared_edges
+    normals = triangle_normals(mesh, smoothed=False)[pairs]
+    angles = np.arccos(np.clip((normals[:, 0] * normals[:, 1]).sum(axis=1), -1.0, 1.0))
+    ends = mesh.vertices[edges]
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     bent = angles > _BEND
     short = lengths < _SHORT_SHARE * float(np.ptp(mesh.bounds, axis=0).max())

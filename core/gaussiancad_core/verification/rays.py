@@ -1,16 +1,13 @@
 """Parallel rays through a grid of pixels, and what they hit of a mesh."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.meshes import TriangleMesh
-
-if TYPE_CHECKING:
-    import open3d
+from gaussiancad_core.verification.scan_kernels import scan_all, scan_first
 
 _OFF_CENTRE = (0.0137, 0.0071)
 """Rays leave the pixels' centres by this share of a pixel, or they would run along triangle edges
@@ -65,17 +62,19 @@ class RayGrid:
         """(n, 2) px from the upper left corner (x right, y down) -> (n, 2) mm (right, up)."""
         return np.array([self.left, self.top]) + lattice * np.array([self.pitch, -self.pitch])
 
-    def rays(self, mesh: TriangleMesh, rows: slice) -> npt.NDArray[np.float32]:
-        """(k, 6) origins before the mesh, relative to its middle, and directions; row by row."""
-        columns = (np.arange(self.width) + 0.5 + _OFF_CENTRE[0]) * self.pitch + self.left
-        lines = self.top - (np.arange(self.height)[rows] + 0.5 + _OFF_CENTRE[1]) * self.pitch
-        right, up, look = (np.array(each) for each in (self.right, self.up, self.look))
-        nearest = (mesh.vertices @ look).min() - 0.01 * np.ptp(mesh.bounds)
-        start = nearest * look - mesh.bounds.mean(axis=0)
-        rays = np.empty((len(lines), len(columns), 6), dtype=np.float32)
-        rays[..., :3] = (columns[:, None] * right) + (lines[:, None] * up + start)[:, None]
-        rays[..., 3:] = look
-        return rays.reshape(-1, 6)
+    def corners(self, mesh: TriangleMesh) -> npt.NDArray[np.float64]:
+        """(m, 3, 3) of the triangles: px right and down from where the first ray runs, mm deep."""
+        axes = np.array([self.right, self.up, self.look], dtype=np.float64)
+        across, along, deep = axes @ mesh.vertices.T
+        places = np.stack(
+            [
+                (across - self.left) / self.pitch - 0.5 - _OFF_CENTRE[0],
+                (self.top - along) / self.pitch - 0.5 - _OFF_CENTRE[1],
+                deep - deep.min() + 0.01 * np.ptp(mesh.bounds),
+            ],
+            axis=1,
+        )
+        return places[mesh.triangles]
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,52 +110,29 @@ class AllHits:
 
 
 class RayCaster:
-    """A mesh made ready for rays.
+    """A mesh, and the rays that are sent through it.
 
     Args:
         mesh: at least one triangle.
     """
 
     def __init__(self, mesh: TriangleMesh) -> None:
-        import open3d
-
         self.mesh = mesh
-        self._scene = open3d.t.geometry.RaycastingScene()
-        # About the middle, where single precision is finest.
-        middle = mesh.bounds.mean(axis=0)
-        self._scene.add_triangles(
-            (mesh.vertices - middle).astype(np.float32), mesh.triangles.astype(np.uint32)
-        )
 
     def first_hits(self, grid: RayGrid) -> FirstHits:
         """What each ray of the grid hits first."""
-        depth = np.full((grid.height, grid.width), np.inf, dtype=np.float32)
+        depth = np.full((grid.height, grid.width), np.inf)
         triangle = np.full(depth.shape, -1, dtype=np.int64)
         weights = np.zeros((*depth.shape, 3), dtype=np.float32)
-        for rows in _strips(grid):
-            answer = self._scene.cast_rays(_tensor(grid.rays(self.mesh, rows)))
-            shape = depth[rows].shape
-            depth[rows] = answer["t_hit"].numpy().reshape(shape)
-            hit = np.isfinite(depth[rows])
-            found = answer["primitive_ids"].numpy().reshape(shape).astype(np.int64)
-            triangle[rows] = np.where(hit, found, -1)
-            second_third = answer["primitive_uvs"].numpy().reshape(*shape, 2)
-            weights[rows, :, 0] = 1.0 - second_third.sum(axis=-1)
-            weights[rows, :, 1:] = second_third
-        return FirstHits(depth, triangle, weights)
+        scan_first(grid.corners(self.mesh), depth, triangle, weights)
+        return FirstHits(depth.astype(np.float32), triangle, weights)
 
     def all_hits(self, grid: RayGrid) -> AllHits:
         """All crossings of each ray of the grid; those of one surface at one depth count once."""
         look = np.array(grid.look, dtype=np.float64)
         facing = self.mesh.area_vectors @ look < 0.0
         same = 1e-5 * float(np.ptp(self.mesh.bounds, axis=0).max())
-        rays, depths, triangles = [], [], []
-        for rows in _strips(grid):
-            answer = self._scene.list_intersections(_tensor(grid.rays(self.mesh, rows)))
-            rays.append(answer["ray_ids"].numpy().astype(np.int64) + rows.start * grid.width)
-            depths.append(answer["t_hit"].numpy())
-            triangles.append(answer["primitive_ids"].numpy().astype(np.int64))
-        ray, depth, triangle = (np.concatenate(parts) for parts in (rays, depths, triangles))
+        ray, depth, triangle = scan_all(grid.corners(self.mesh), grid.height, grid.width)
         order = np.lexsort((depth, ray))
         ray, depth, triangle = ray[order], depth[order], triangle[order]
         entering = facing[triangle]
@@ -173,13 +149,10 @@ class RayCaster:
         return AllHits(splits, depth[keep], triangle[keep], entering[keep])
 
 
-def _strips(grid: RayGrid, most: int = 1_000_000) -> list[slice]:
-    """Rows in portions of at most about ``most`` rays, which bounds the memory."""
-    rows = max(1, most // grid.width)
-    return [slice(start, min(start + rows, grid.height)) for start in range(0, grid.height, rows)]
-
-
-def _tensor(values: npt.NDArray[np.float32]) -> "open3d.core.Tensor":
-    import open3d
-
-    return open3d.core.Tensor(np.ascontiguousarray(values))
+def warm_up() -> None:
+    """Compile the kernels, or load them from numba's cache, so that the first picture is quick."""
+    corners = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+    caster = RayCaster(TriangleMesh(corners, np.array([[0, 1, 2]])))
+    grid = RayGrid.of_view(Role.TOP, (0.0, 0.0, 1.0, 1.0), 0.5)
+    caster.first_hits(grid)
+    caster.all_hits(grid)

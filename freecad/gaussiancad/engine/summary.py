@@ -6,16 +6,20 @@ from freecad.gaussiancad.engine.report import Report, Status
 from freecad.gaussiancad.language import translate
 
 
-def verdict_text(report: Report) -> str:
-    """What is known of the part: its shape, and how well its measures are."""
-    shape = {
+def status_text(status: Status) -> str:
+    """What a status says of the part's shape."""
+    return {
         Status.VERIFIED: translate("GaussianCAD", "Shape verified."),
         Status.APPROXIMATE: translate(
             "GaussianCAD", "Shape not certain: check the part against the drawing."
         ),
         Status.FAILED: translate("GaussianCAD", "Failed: no part follows from this drawing."),
-    }[report.status]
-    measures = measures_text(report)
+    }[status]
+
+
+def verdict_text(report: Report) -> str:
+    """What is known of the part: its shape, and how well its measures are."""
+    shape, measures = status_text(report.status), measures_text(report)
     return f"{shape} {measures}" if measures else shape
 
 
@@ -100,8 +104,17 @@ def _model_lines(report: Report) -> list[str]:
         text = translate("GaussianCAD", "Solid: {faces} faces, {volume} mm³")
         lines.append(text.format(faces=solid.get("faces"), volume=_volume(solid)))
     if surface:
-        text = translate("GaussianCAD", "Surface: {triangles} triangles, {volume} mm³")
+        text = translate(
+            "GaussianCAD", "Surface of the Gaussians: {triangles} triangles, {volume} mm³"
+        )
         lines.append(text.format(triangles=surface.get("triangles"), volume=_volume(surface)))
+        if surface.get("nearer") == "hull":
+            lines.append(
+                translate(
+                    "GaussianCAD",
+                    "The hull on which the Gaussians started is nearer to the drawing's outlines.",
+                )
+            )
     return lines
 
 

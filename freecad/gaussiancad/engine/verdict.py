@@ -109,6 +109,6 @@ def _refusal(ending: Ending) -> Verdict:
 def _killed_text() -> str:
     return translate(
         "GaussianCAD",
-        "The GaussianCAD engine was ended from outside, or ran out of memory. The document is "
-        "unchanged. Close other programs or choose a simpler preset, then try again.",
+        "The GaussianCAD engine was ended from outside, or ran out of memory. Close other "
+        "programs or choose a simpler preset, then try again.",
     )

@@ -45,7 +45,7 @@ class LoadedRun:
         report: what the engine says.
         part: the exact solid if there is one, else the faceted one, else None.
         alternatives: other solids that fit the sheet, best first.
-        mesh: the surface, or None.
+        mesh: the surface of the Gaussians, or None.
         cloud: the Gaussians, or None.
         views: pieces of the sheet.
         overlay: the sheet with the result's lines over it, or None.
@@ -98,13 +98,13 @@ def _load_part(folder: Path) -> LoadedPart | None:
     for source in PartSource:
         path = folder / source.value
         if path.is_file():
-            return LoadedPart(_read_shape(path), source)
+            return LoadedPart(read_shape(path), source)
     return None
 
 
 def _load_alternatives(folder: Path) -> tuple[Part.Shape, ...]:
     numbered = [path for path in folder.glob("*.step") if path.stem.isdigit()]
-    return tuple(_read_shape(path) for path in sorted(numbered, key=lambda path: int(path.stem)))
+    return tuple(read_shape(path) for path in sorted(numbered, key=lambda path: int(path.stem)))
 
 
 def _load_mesh(folder: Path) -> Mesh.Mesh | None:
@@ -120,7 +120,12 @@ def _load_mesh(folder: Path) -> Mesh.Mesh | None:
     return mesh
 
 
-def _read_shape(path: Path) -> Part.Shape:
+def read_shape(path: Path) -> Part.Shape:
+    """The shape in a STEP file of the engine.
+
+    Raises:
+        WorkbenchError: it cannot be read, or has no faces.
+    """
     shape = Part.Shape()
     try:
         shape.read(str(path))

@@ -39,9 +39,10 @@ class PropertySpec:
 
 
 def add_properties(target: FreeCAD.DocumentObject, specs: Iterable[PropertySpec]) -> None:
-    """Add and set the properties, in order."""
+    """Add the properties that are not there yet, and set all of them, in order."""
     for spec in specs:
-        target.addProperty(f"App::Property{spec.type_name}", spec.name, spec.group, spec.tip)
+        if spec.name not in target.PropertiesList:
+            target.addProperty(f"App::Property{spec.type_name}", spec.name, spec.group, spec.tip)
         setattr(target, spec.name, spec.value)
         target.setEditorMode(spec.name, int(spec.access))
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import FreeCAD
 import Part
 
+from freecad.gaussiancad.engine.job import ReconstructJob
 from freecad.gaussiancad.engine.report import AlternativeReport, Report, Status
 from freecad.gaussiancad.engine.summary import role_name
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
@@ -44,6 +45,11 @@ class Reconstruction(GroupProxy):
     view_proxy = ReconstructionView
 
 
+def undo_step() -> str:
+    """Name of the undo step, as the user reads it."""
+    return translate("GaussianCAD", "Reconstruct from Drawing")
+
+
 def add_reconstruction(document: FreeCAD.Document, run: LoadedRun) -> FreeCAD.DocumentObject:
     """Add a run's result to a document, in one undo step.
 
@@ -54,20 +60,66 @@ def add_reconstruction(document: FreeCAD.Document, run: LoadedRun) -> FreeCAD.Do
     Returns:
         The group.
     """
-    step = translate("GaussianCAD", "Reconstruct from Drawing")
-    with transaction(document, step):
-        group = document.addObject("App::DocumentObjectGroupPython", "Reconstruction")
-        Reconstruction(group)
-        name = Path(run.job.sheet).stem
-        label = translate("GaussianCAD", "Reconstruction of {name}")
-        group.Label = label.format(name=name)
-        add_properties(group, _properties(run))
-        group.addObjects(_features(document, run))
-        hidden = [child.Name for child in group.Group if not child.Visibility]
-        add_properties(group, [_hidden_property(hidden)])
+    with transaction(document, undo_step()):
+        group = _new_group(document, run.job)
+        _fill(group, run, _features(document, run))
+    return group
+
+
+def add_part_alone(
+    document: FreeCAD.Document, job: ReconstructJob, part: LoadedPart, status: Status
+) -> FreeCAD.DocumentObject:
+    """Add the part of a run that goes on, in one undo step.
+
+    Args:
+        document: receives a group with the part in it.
+        job: what was asked.
+        part: the exact solid.
+        status: how far it can be trusted.
+
+    Returns:
+        The group.
+    """
+    with transaction(document, undo_step()):
+        group = _new_group(document, job)
+        add_properties(group, [*_drawing_properties(job), *_status_properties(status, [])])
+        group.addObject(_add_part(document, part, _solid_label(status, swept=False), status))
         document.recompute()
         group.Proxy.show(group)
     return group
+
+
+def extend_reconstruction(group: FreeCAD.DocumentObject, run: LoadedRun) -> FreeCAD.DocumentObject:
+    """Add to a part that stands alone what else its run left, in an undo step of its own."""
+    with transaction(group.Document, undo_step()):
+        part = find_part(group)
+        features = _features(group.Document, run, with_part=part is None)
+        if part is not None and run.report.agreement is not None:
+            add_properties(part, [_agreement_property(run.report.agreement)])
+        if part is not None:
+            part.Label = _part_label(run.part, run.report)
+        _fill(group, run, features)
+    return group
+
+
+def _new_group(document: FreeCAD.Document, job: ReconstructJob) -> FreeCAD.DocumentObject:
+    group = document.addObject("App::DocumentObjectGroupPython", "Reconstruction")
+    Reconstruction(group)
+    label = translate("GaussianCAD", "Reconstruction of {name}")
+    group.Label = label.format(name=Path(job.sheet).stem)
+    return group
+
+
+def _fill(
+    group: FreeCAD.DocumentObject, run: LoadedRun, features: list[FreeCAD.DocumentObject]
+) -> None:
+    """Give a group the properties and features of a run that has ended."""
+    add_properties(group, _properties(run))
+    group.addObjects(features)
+    hidden = [child.Name for child in group.Group if not child.Visibility]
+    add_properties(group, [_hidden_property(hidden)])
+    group.Document.recompute()
+    group.Proxy.show(group)
 
 
 def _hidden_property(names: list[str]) -> PropertySpec:
@@ -87,11 +139,13 @@ def find_part(group: FreeCAD.DocumentObject) -> FreeCAD.DocumentObject | None:
     return next((child for child in group.Group if child.Name.startswith("Part")), None)
 
 
-def _features(document: FreeCAD.Document, run: LoadedRun) -> list[FreeCAD.DocumentObject]:
+def _features(
+    document: FreeCAD.Document, run: LoadedRun, with_part: bool = True
+) -> list[FreeCAD.DocumentObject]:
     features = []
     exact = run.part is not None and run.part.source is PartSource.SOLID
-    if run.part is not None:
-        features.append(_add_part(document, run))
+    if run.part is not None and with_part:
+        features.append(_add_run_part(document, run))
     for number, shape in enumerate(run.alternatives, start=1):
         features.append(_add_alternative(document, number, shape, run.report))
     if run.mesh is not None:
@@ -112,12 +166,22 @@ def _features(document: FreeCAD.Document, run: LoadedRun) -> list[FreeCAD.Docume
     return features
 
 
-def _add_part(document: FreeCAD.Document, run: LoadedRun) -> FreeCAD.DocumentObject:
-    feature = document.addObject("Part::Feature", "Part")
+def _add_run_part(document: FreeCAD.Document, run: LoadedRun) -> FreeCAD.DocumentObject:
+    label = _part_label(run.part, run.report)
+    feature = _add_part(document, run.part, label, run.report.status)
     if run.part.source is PartSource.SURFACE and run.mesh is not None:
         feature.Visibility = False
-    feature.Shape = run.part.shape
-    feature.Label = _part_label(run.part, run.report)
+    if run.part.source is PartSource.SOLID and run.report.agreement is not None:
+        add_properties(feature, [_agreement_property(run.report.agreement)])
+    return feature
+
+
+def _add_part(
+    document: FreeCAD.Document, part: LoadedPart, label: str, status: Status
+) -> FreeCAD.DocumentObject:
+    feature = document.addObject("Part::Feature", "Part")
+    feature.Shape = part.shape
+    feature.Label = label
     add_properties(
         feature,
         [
@@ -126,19 +190,17 @@ def _add_part(document: FreeCAD.Document, run: LoadedRun) -> FreeCAD.DocumentObj
                 "Status",
                 "GaussianCAD",
                 QT_TRANSLATE_NOOP("App::Property", "Whether the part was checked on the drawing"),
-                run.report.status.value,
+                status.value,
             ),
             PropertySpec(
                 "Bool",
                 "Exact",
                 "GaussianCAD",
                 QT_TRANSLATE_NOOP("App::Property", "Whether the faces are exact, not triangles"),
-                run.part.source is PartSource.SOLID,
+                part.source is PartSource.SOLID,
             ),
         ],
     )
-    if run.part.source is PartSource.SOLID and run.report.agreement is not None:
-        add_properties(feature, [_agreement_property(run.report.agreement)])
     return feature
 
 
@@ -179,16 +241,28 @@ def _alternative_properties(told: AlternativeReport) -> list[PropertySpec]:
 def _part_label(part: LoadedPart, report: Report) -> str:
     if part.source is PartSource.SURFACE:
         return translate("GaussianCAD", "Part (faceted, approximate)")
-    if report.swept:
+    return _solid_label(report.status, report.swept)
+
+
+def _solid_label(status: Status, swept: bool) -> str:
+    if swept:
         return translate("GaussianCAD", "Part (outlines only, approximate)")
-    if report.status is Status.VERIFIED:
+    if status is Status.VERIFIED:
         return translate("GaussianCAD", "Part")
     return translate("GaussianCAD", "Part (approximate)")
 
 
 def _properties(run: LoadedRun) -> list[PropertySpec]:
     report, engine = run.report, text_map(run.report.group("engine"))
-    drawing = [
+    drawing = _drawing_properties(run.job)
+    if run.overlay is not None:
+        tip = QT_TRANSLATE_NOOP("App::Property", "The drawing with the part's own lines over it")
+        drawing.append(PropertySpec("FileIncluded", "Overlay", "Drawing", tip, str(run.overlay)))
+    return [*drawing, *_report_properties(report), *_engine_properties(report, engine)]
+
+
+def _drawing_properties(job: ReconstructJob) -> list[PropertySpec]:
+    return [
         PropertySpec(
             "Integer",
             "SchemaVersion",
@@ -202,27 +276,42 @@ def _properties(run: LoadedRun) -> list[PropertySpec]:
             "SheetPath",
             "Drawing",
             QT_TRANSLATE_NOOP("App::Property", "Where the drawing was when it was read"),
-            str(Path(run.job.sheet).absolute()),
+            str(Path(job.sheet).absolute()),
         ),
         PropertySpec(
             "FileIncluded",
             "Sheet",
             "Drawing",
             QT_TRANSLATE_NOOP("App::Property", "The drawing, stored in this document"),
-            run.job.sheet,
+            job.sheet,
         ),
         PropertySpec(
             "Map",
             "Settings",
             "Drawing",
             QT_TRANSLATE_NOOP("App::Property", "What the engine was asked to do"),
-            run.job.settings(),
+            job.settings(),
         ),
     ]
-    if run.overlay is not None:
-        tip = QT_TRANSLATE_NOOP("App::Property", "The drawing with the part's own lines over it")
-        drawing.append(PropertySpec("FileIncluded", "Overlay", "Drawing", tip, str(run.overlay)))
-    return [*drawing, *_report_properties(report), *_engine_properties(report, engine)]
+
+
+def _status_properties(status: Status, reasons: list[str]) -> list[PropertySpec]:
+    return [
+        PropertySpec(
+            "String",
+            "Status",
+            "Report",
+            QT_TRANSLATE_NOOP("App::Property", "Verified, approximate or failed"),
+            status.value,
+        ),
+        PropertySpec(
+            "StringList",
+            "Reasons",
+            "Report",
+            QT_TRANSLATE_NOOP("App::Property", "Why the part is not verified"),
+            reasons,
+        ),
+    ]
 
 
 def _report_properties(report: Report) -> list[PropertySpec]:
@@ -234,13 +323,7 @@ def _report_properties(report: Report) -> list[PropertySpec]:
         if view.box is not None
     }
     return [
-        PropertySpec(
-            "String",
-            "Status",
-            group,
-            QT_TRANSLATE_NOOP("App::Property", "Verified, approximate or failed"),
-            report.status.value,
-        ),
+        *_status_properties(report.status, [str(reason) for reason in report.reasons]),
         PropertySpec(
             "Float",
             "MeasuresToMillimetres",
@@ -249,13 +332,6 @@ def _report_properties(report: Report) -> list[PropertySpec]:
                 "App::Property", "Bound that 95 % of the faces' places keep; 0 if it is not known"
             ),
             float(report.group("measures").get("uncertainty_mm") or 0.0),
-        ),
-        PropertySpec(
-            "StringList",
-            "Reasons",
-            group,
-            QT_TRANSLATE_NOOP("App::Property", "Why the part is not verified"),
-            [str(reason) for reason in report.reasons],
         ),
         PropertySpec(
             "StringList",

@@ -1,7 +1,7 @@
 """A task panel that runs the engine: what *Reconstruct* and *Compare* have in common.
 
-The engine works in a process of its own, and the window stays alive.  The document is touched once,
-when the run has succeeded and its files are read.
+The engine works in a process of its own, and the window stays alive.  The document is touched when
+the run has succeeded and its files are read, or with a file that is told to be final.
 """
 
 import os
@@ -106,6 +106,17 @@ class EnginePanel(ABC):
         """Show an event."""
         self.run_view.take_event(event)
 
+    def give_up(self, reason: str) -> str:
+        """Deal with what a run that did not succeed left in the document.
+
+        Args:
+            reason: why it did not.
+
+        Returns:
+            A sentence on what stays, or nothing.
+        """
+        return ""
+
     @property
     def running(self) -> bool:
         """Whether the engine works for this panel."""
@@ -182,6 +193,7 @@ class EnginePanel(ABC):
 
     def _finish(self, result: RunResult) -> None:
         if self._closed:
+            self.give_up(result.message)
             self._forget_run()
             return
         success, complaint = self._outcome(result)
@@ -189,8 +201,9 @@ class EnginePanel(ABC):
             self.run_view.show_report(success.lines)
             self.run_view.end(success.headline, whole=True)
         else:
-            stopped = translate("GaussianCAD", "Stopped")
-            self.run_view.end(stopped if complaint else result.message, whole=False)
+            stopped = translate("GaussianCAD", "Stopped") if complaint else result.message
+            left = self.give_up(complaint or result.message)
+            self.run_view.end(f"{stopped.rstrip('.')}. {left}" if left else stopped, whole=False)
         self._forget_run()
         if complaint:
             self._complain(complaint)

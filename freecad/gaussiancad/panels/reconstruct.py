@@ -1,6 +1,7 @@
 """The task panel of *Reconstruct from Drawing…*."""
 
 import tempfile
+import traceback
 from pathlib import Path
 
 import FreeCAD
@@ -8,12 +9,13 @@ import FreeCADGui
 
 from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.engine.job import SHEET_SUFFIXES, ReconstructJob
+from freecad.gaussiancad.engine.report import Status
 from freecad.gaussiancad.engine.summary import report_lines, verdict_text
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.document_sheets import export_sheet, first_sheet_object
+from freecad.gaussiancad.objects.early_part import EarlyPart, complete, leave, show_early
 from freecad.gaussiancad.objects.loading import load_run
-from freecad.gaussiancad.objects.reconstruction import add_reconstruction
 from freecad.gaussiancad.objects.solutions import SolutionSet, has_choice
 from freecad.gaussiancad.panels.document_source import DocumentSource
 from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts, Success
@@ -50,6 +52,7 @@ class ReconstructPanel(EnginePanel):
         self.dress()
         self._job: ReconstructJob | None = None
         self._document_name = ""
+        self._early: EarlyPart | None = None
         selected = first_sheet_object(FreeCADGui.Selection.getSelection())
         if selected is not None:
             self.take_source(selected)
@@ -77,6 +80,7 @@ class ReconstructPanel(EnginePanel):
         folder = Path(chosen).expanduser() / Path(sheet).stem if chosen else scratch / "run"
         document = FreeCAD.ActiveDocument
         self._document_name = document.Name if document is not None else ""
+        self._early = None
         self._job = self.settings.job(sheet, str(folder))
         return self._job.arguments()
 
@@ -85,11 +89,12 @@ class ReconstructPanel(EnginePanel):
         views = scratch / "views"
         views.mkdir()
         run = load_run(self._job, views)
-        document = self._document()
-        group = add_reconstruction(document, run)
+        group = complete(self._early, self._document(), run)
         if run.overlay is not None:
             self.preview.show_file(str(run.overlay))
-        _show_all(document)
+        if self._early is None:
+            _show_all(group.Document)
+        self._early = None
         if has_choice(group):
             self._offer_choice(group)
         return Success(verdict_text(run.report), tuple(report_lines(run.report)))
@@ -102,10 +107,31 @@ class ReconstructPanel(EnginePanel):
         self.source.setEnabled(editable)
 
     def take_event(self, event: Event) -> None:
-        """Show an event; a preview replaces the picture of the sheet."""
+        """Show an event; a preview replaces the picture of the sheet, a solid becomes the part."""
         super().take_event(event)
         if event.kind is EventKind.PREVIEW:
             self.preview.show_file(event.text("path"))
+        elif event.kind is EventKind.SOLID and self._early is None:
+            self._show_part(event)
+
+    def give_up(self, reason: str) -> str:
+        """Leave the part that was shown, with a note."""
+        early, self._early = self._early, None
+        if leave(early, reason):
+            return translate("GaussianCAD", "The part stays in the document.")
+        return ""
+
+    def _show_part(self, event: Event) -> None:
+        """Add the part as soon as it is final; the rest follows when the run ends."""
+        document = self._document()
+        try:
+            status = Status(event.text("status"))
+            self._early = show_early(document, self._job, Path(event.text("path")), status)
+        except Exception:  # the end of the run tells what cannot be read
+            FreeCAD.Console.PrintLog(traceback.format_exc())
+            return
+        self._document_name = document.Name
+        _show_all(document)
 
     def _leave(self) -> None:
         super()._leave()

@@ -5,8 +5,13 @@ import json
 import FreeCAD
 import FreeCADGui
 
-from freecad.gaussiancad.engine.report import parse_report
-from freecad.gaussiancad.engine.summary import explanation_lines, report_lines, verdict_text
+from freecad.gaussiancad.engine.report import Status, parse_report
+from freecad.gaussiancad.engine.summary import (
+    explanation_lines,
+    report_lines,
+    status_text,
+    verdict_text,
+)
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.solutions import SolutionSet, has_choice
 from freecad.gaussiancad.panels.sheet_preview import SheetPreview
@@ -14,6 +19,15 @@ from freecad.gaussiancad.panels.solutions import open_solutions
 from freecad.gaussiancad.qt import QtCore, QtWidgets
 
 DIALOG_NAME = "GaussianCADReport"
+
+
+def _told(group: FreeCAD.DocumentObject) -> tuple[str, list[str], list[str]]:
+    """What is known, details, and why; where a run did not come to its end it left no report."""
+    text = getattr(group, "ReportJson", "")
+    if not text:
+        return status_text(Status(group.Status)), [f"• {own}" for own in group.Reasons], []
+    report = parse_report(text, json.loads(text))
+    return verdict_text(report), report_lines(report), explanation_lines(report)
 
 
 class ReportDialog(QtWidgets.QDialog):
@@ -30,8 +44,8 @@ class ReportDialog(QtWidgets.QDialog):
         self.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(group.Label)
         self.resize(900, 700)
-        report = parse_report(group.ReportJson, json.loads(group.ReportJson))
-        headline = QtWidgets.QLabel(verdict_text(report))
+        headline_text, lines, why = _told(group)
+        headline = QtWidgets.QLabel(headline_text)
         headline.setObjectName("headline")
         headline.setWordWrap(True)
         picture = SheetPreview()
@@ -40,11 +54,11 @@ class ReportDialog(QtWidgets.QDialog):
         picture.setSizePolicy(expanding, expanding)
         tabs = QtWidgets.QTabWidget()
         tabs.setMaximumHeight(240)
-        for name, title, lines in (
-            ("text", translate("GaussianCAD", "Details"), report_lines(report)),
-            ("why", translate("GaussianCAD", "Why"), explanation_lines(report)),
+        for name, title, own in (
+            ("text", translate("GaussianCAD", "Details"), lines),
+            ("why", translate("GaussianCAD", "Why"), why),
         ):
-            text = QtWidgets.QPlainTextEdit("\n".join(lines))
+            text = QtWidgets.QPlainTextEdit("\n".join(own))
             text.setObjectName(name)
             text.setReadOnly(True)
             tabs.addTab(text, title)

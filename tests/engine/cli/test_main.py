@@ -52,7 +52,9 @@ def test_wrong_usage_is_one_line_and_exit_code_2(
         (["reconstruct", "{tmp}/text.png", "--output", "{tmp}/o"], 3, "not-an-image"),
         (["reconstruct", "{tmp}/a.pdf", "--output", "{tmp}/o"], 3, "damaged-pdf"),
         (["reconstruct", "{tmp}/text.png", "--output", "{tmp}/text.png/o"], 2, "output-not-wri"),
-        (["reconstruct", "a.png", "--output", "{tmp}/o", "--device", "cuda"], 6, "cuda-unavail"),
+        (["reconstruct", "{tmp}/text.png", "--output", "{tmp}/o", "--device", "cuda"], 6, "cuda-"),
+        (["reconstruct", "{tmp}/empty.png", "--output", "{tmp}/o"], 3, "empty-file"),
+        (["reconstruct", "{tmp}", "--output", "{tmp}/o"], 3, "not-a-file"),
         (["compare", "{tmp}/text.png", "missing.step"], 3, "model-format-unknown"),
         (["draw", "missing.step", "{tmp}/a.png"], 3, "file-missing"),
         (["draw", "missing.step", "{tmp}/a.png", "--style", "rough"], 2, "style-unknown"),
@@ -68,6 +70,7 @@ def test_errors_are_one_line_with_their_code(
 ) -> None:
     (tmp_path / "text.png").write_text("this is text")
     (tmp_path / "a.pdf").write_bytes(b"%PDF-1.7")
+    (tmp_path / "empty.png").write_bytes(b"")
     assert main([argument.format(tmp=tmp_path) for argument in arguments]) == exit_code
     assert f"[{code}" in _line(capsys)
 
@@ -100,16 +103,57 @@ def test_the_doctor_finds_this_engine_complete(capsys: pytest.CaptureFixture[str
     assert "the engine is complete" in capsys.readouterr().out
 
 
-def test_help_loads_no_heavy_library() -> None:
+HEAVY = {
+    *("numpy", "scipy", "cv2", "skimage", "PIL", "numba", "torch", "open3d", "trimesh"),
+    *("manifold3d", "OCP", "ortools", "pandas", "psutil"),
+}
+
+
+def _loaded(*arguments: str) -> tuple[int, set[str]]:
+    """Exit code of the command in a process of its own, and the heavy libraries that it loaded."""
     program = (
-        "import sys; from gaussiancad_core.cli import main\n"
-        "try: main(['reconstruct', '--help'])\n"
-        "except SystemExit: pass\n"
-        "heavy = {'torch', 'open3d', 'OCP', 'numba', 'scipy', 'trimesh'} & set(sys.modules)\n"
-        "sys.exit(len(heavy))"
+        "import sys\n"
+        "from gaussiancad_core.cli import main\n"
+        "code = 0\n"
+        "try: code = main(sys.argv[1:])\n"
+        "except SystemExit as end: code = end.code\n"
+        "print('\\n' + ' '.join(sys.modules))\n"
+        "sys.exit(code)"
     )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, check=False)
-    assert done.returncode == 0
+    command = [sys.executable, "-c", program, *arguments]
+    done = subprocess.run(command, capture_output=True, encoding="utf-8", check=False)
+    return done.returncode, HEAVY & set(done.stdout.splitlines()[-1].split())
+
+
+@pytest.mark.parametrize(
+    ("arguments", "exit_code"),
+    [
+        (["--help"], 0),
+        (["reconstruct", "--help"], 0),
+        (["reconstruct"], 2),
+        (["reconstruct", "{tmp}/a.png", "--output", "{tmp}/o", "--seed", "x"], 2),
+        (["reconstruct", "{tmp}/missing.png", "--output", "{tmp}/o"], 3),
+        (["reconstruct", "{tmp}/a.dwg", "--output", "{tmp}/o"], 3),
+        (["reconstruct", "{tmp}/a.png", "--output", "{tmp}/a.png/o"], 2),
+    ],
+)
+def test_what_can_be_told_at_once_loads_no_heavy_library(
+    arguments: list[str], exit_code: int, tmp_path: Path
+) -> None:
+    (tmp_path / "a.png").write_bytes(b"\x89PNG\r\n\x1a\n")
+    (tmp_path / "a.dwg").write_bytes(b"AC1032")
+    told = _loaded(*(argument.format(tmp=tmp_path) for argument in arguments))
+    assert told == (exit_code, set())
+    assert {path.name for path in tmp_path.iterdir()} == {"a.png", "a.dwg"}
+
+
+def test_a_run_for_the_solid_alone_loads_nothing_that_makes_surfaces(tmp_path: Path) -> None:
+    sheet = Path(__file__).parents[3] / "resources" / "samples" / "l-bracket.png"
+    options = ("--result", "solid", "--length", "x=80")
+    code, heavy = _loaded("reconstruct", str(sheet), "--output", str(tmp_path / "o"), *options)
+    assert code == 0
+    assert "OCP" in heavy
+    assert not heavy & {"torch", "open3d", "trimesh", "manifold3d"}
 
 
 def test_batch_goes_on_after_a_sheet_that_fails(

@@ -1,6 +1,7 @@
 """STEP files as other programs write them: units, schemas, assemblies, surfaces, names, colours."""
 
 import io
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -72,6 +73,34 @@ def written(path: Path, shape: TopoDS_Shape, mode: STEPControl_StepModelType = A
     return path
 
 
+TO_AP203 = (
+    (rb"FILE_SCHEMA\s*\(.*?\);", b"FILE_SCHEMA(('CONFIG_CONTROL_DESIGN'));"),
+    (rb"'automotive_design',\d+", b"'config_control_design',1994"),
+    (
+        rb"'core data for automotive mechanical design\s*processes'",
+        b"'configuration controlled 3D'",
+    ),
+    (rb"=\s*PRODUCT_CONTEXT\(", b"= MECHANICAL_CONTEXT("),
+    (rb"=\s*PRODUCT_DEFINITION_CONTEXT\(", b"= DESIGN_CONTEXT("),
+    (
+        rb"=\s*PRODUCT_DEFINITION_FORMATION\((.*?)\);",
+        rb"= PRODUCT_DEFINITION_FORMATION_WITH_SPECIFIED_SOURCE(\1,.NOT_KNOWN.);",
+    ),
+)
+"""What of a file by AP214 is different by AP203.  OpenCASCADE's own writer of AP203 asks the system
+for the computer's name, and ends the process where that has no address."""
+
+
+def by_ap203(path: Path) -> Path:
+    """The file, of which AP214 was the schema."""
+    content = path.read_bytes()
+    for pattern, replacement in TO_AP203:
+        content, count = re.subn(pattern, replacement, content, flags=re.DOTALL)
+        assert count == 1
+    path.write_bytes(content)
+    return path
+
+
 def compared(result: Model, reference: Model) -> Comparison:
     """All protocols, few points."""
     asked = CompareOptions(points=500, protocols=tuple(Protocol))
@@ -95,8 +124,11 @@ def test_units_are_converted_whatever_the_schema(
     tmp_path: Path, unit: str, word: bytes, schema: str
 ) -> None:
     Interface_Static.SetCVal_s("write.step.unit", unit)
-    Interface_Static.SetCVal_s("write.step.schema", schema)
+    written_by = "AP214IS" if schema == "AP203" else schema
+    Interface_Static.SetCVal_s("write.step.schema", written_by)
     path = written(tmp_path / "part.step", box())
+    if schema == "AP203":
+        by_ap203(path)
     assert word in path.read_bytes()
     model = read_model(path)
     assert model.exact.valid and model.closed

@@ -6,6 +6,7 @@ import trimesh
 
 from gaussiancad_core.meshes import TriangleMesh, make_mesh
 from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on
+from gaussiancad_core.surface.poisson import PoissonSettings, gaussian_surface
 
 
 @pytest.fixture(scope="session")
@@ -44,3 +45,9 @@ def bracket() -> TriangleMesh:
 def bracket_gaussians(bracket: TriangleMesh) -> Gaussians:
     """Flat Gaussians on the bracket, as they start."""
     return gaussians_on(bracket, Start(count=2_000, thickness=0.04))
+
+
+@pytest.fixture(scope="session")
+def bracket_surface(bracket_gaussians: Gaussians) -> TriangleMesh:
+    """Their Poisson mesh."""
+    return gaussian_surface(bracket_gaussians, PoissonSettings(depth=7))

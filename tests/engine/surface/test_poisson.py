@@ -5,9 +5,8 @@ import pytest
 import trimesh
 
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.meshes import TriangleMesh, connected_pieces, make_mesh
+from gaussiancad_core.meshes import TriangleMesh, connected_pieces
 from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on
-from gaussiancad_core.surface import poisson
 from gaussiancad_core.surface.points import OrientedPoints
 from gaussiancad_core.surface.poisson import (
     DENSE,
@@ -15,31 +14,25 @@ from gaussiancad_core.surface.poisson import (
     gaussian_surface,
     poisson_surface,
 )
-from gaussiancad_core.surface.repair import intersection
 
 SETTINGS = PoissonSettings(depth=7)
 
 
-@pytest.fixture(scope="module")
-def surface(bracket_gaussians: Gaussians) -> TriangleMesh:
-    return gaussian_surface(bracket_gaussians, SETTINGS)
-
-
 def test_surface_is_one_closed_piece_about_the_solid(
-    surface: TriangleMesh, bracket: TriangleMesh
+    bracket_surface: TriangleMesh, bracket: TriangleMesh
 ) -> None:
-    assert surface.watertight
-    assert len(connected_pieces(surface)) == 1
-    assert surface.to_trimesh().euler_number == 2
-    assert surface.volume == pytest.approx(bracket.volume, rel=0.01)
-    assert surface.bounds == pytest.approx(bracket.bounds, abs=0.4)
+    assert bracket_surface.watertight
+    assert len(connected_pieces(bracket_surface)) == 1
+    assert bracket_surface.to_trimesh().euler_number == 2
+    assert bracket_surface.volume == pytest.approx(bracket.volume, rel=0.01)
+    assert bracket_surface.bounds == pytest.approx(bracket.bounds, abs=0.4)
 
 
 def test_surface_lies_close_to_the_solid_both_ways(
-    surface: TriangleMesh, bracket: TriangleMesh
+    bracket_surface: TriangleMesh, bracket: TriangleMesh
 ) -> None:
-    there = _mean_distance(surface, bracket)
-    back = _mean_distance(bracket, surface)
+    there = _mean_distance(bracket_surface, bracket)
+    back = _mean_distance(bracket, bracket_surface)
     # In a box whose longest edge is 5 units, as the drawn 20 mm are here.
     assert (there + back) * 5.0 / 20.0 < 0.01
 
@@ -55,43 +48,17 @@ def test_more_points_bring_the_surface_nearer_and_leave_one_piece(
     assert _mean_distance(many, bracket) < _mean_distance(few, bracket)
 
 
-def test_what_lies_outside_the_hull_is_cut_off(
-    surface: TriangleMesh, bracket: TriangleMesh, bracket_gaussians: Gaussians
-) -> None:
-    cut = gaussian_surface(bracket_gaussians, SETTINGS, within=bracket)
-    assert cut.watertight
-    assert cut.bounds == pytest.approx(bracket.bounds, abs=1e-6)
-    assert cut.volume < min(surface.volume, bracket.volume)
-    assert cut.volume == pytest.approx(bracket.volume, rel=0.01)
-    far = make_mesh(bracket.vertices + 100.0, bracket.triangles)
-    with pytest.raises(NoModelError):
-        gaussian_surface(bracket_gaussians, SETTINGS, within=far)
-
-
-def test_where_sharp_edges_cannot_be_cut_round_ones_are(
-    bracket: TriangleMesh, bracket_gaussians: Gaussians, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    bodies = []
-
-    def refuse_once(body: TriangleMesh, *others: object) -> TriangleMesh | None:
-        bodies.append(body)
-        return intersection(body, *others) if len(bodies) > 1 else None
-
-    monkeypatch.setattr(poisson, "intersection", refuse_once)
-    assert gaussian_surface(bracket_gaussians, SETTINGS, within=bracket).watertight
-    sharp, rounded = bodies
-    assert _mean_distance(sharp, bracket) < _mean_distance(rounded, bracket)
-
-
 def _mean_distance(source: TriangleMesh, target: TriangleMesh) -> float:
     points = trimesh.sample.sample_surface(source.to_trimesh(), 2000, seed=0)[0]
     return float(trimesh.proximity.closest_point(target.to_trimesh(), points)[1].mean())
 
 
-def test_same_gaussians_same_mesh(surface: TriangleMesh, bracket_gaussians: Gaussians) -> None:
+def test_same_gaussians_same_mesh(
+    bracket_surface: TriangleMesh, bracket_gaussians: Gaussians
+) -> None:
     again = gaussian_surface(bracket_gaussians, SETTINGS)
-    assert np.array_equal(again.vertices, surface.vertices)
-    assert np.array_equal(again.triangles, surface.triangles)
+    assert np.array_equal(again.vertices, bracket_surface.vertices)
+    assert np.array_equal(again.triangles, bracket_surface.triangles)
 
 
 def test_a_hole_stays_a_hole() -> None:

@@ -5,7 +5,7 @@ import pytest
 import trimesh
 
 from gaussiancad_core.meshes import TriangleMesh, make_mesh
-from gaussiancad_core.surface.repair import intersection
+from gaussiancad_core.surface.repair import simplified
 from gaussiancad_core.verification.fineness import is_rounded, triangle_normals
 
 
@@ -21,14 +21,12 @@ def test_a_finely_split_solid_is_sharp(box: Callable[..., TriangleMesh]) -> None
     assert not is_rounded(make_mesh(solid.vertices, solid.faces))
 
 
-def test_what_is_cut_to_its_hull_stays_rounded(
-    blind_hole: TriangleMesh, rounded_block: TriangleMesh
-) -> None:
-    cut = intersection(rounded_block, blind_hole, 0.01)
-    assert cut is not None and cut.watertight
-    # The cut leaves the hull's large flat faces, which is what makes this case hard.
-    assert np.sort(cut.areas)[-2:].sum() > 20 * np.sort(rounded_block.areas)[-2:].sum()
-    assert is_rounded(cut)
+def test_what_is_simplified_stays_rounded(rounded_block: TriangleMesh) -> None:
+    fewer = simplified(rounded_block, 0.01)
+    assert fewer is not None and fewer.watertight
+    # Large flat faces are left, which is what makes this case hard.
+    assert np.sort(fewer.areas)[-2:].sum() > 8 * np.sort(rounded_block.areas)[-2:].sum()
+    assert is_rounded(fewer)
 
 
 def test_normals_are_units_and_point_out(blind_hole: TriangleMesh) -> None:

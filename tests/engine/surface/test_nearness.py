@@ -1,4 +1,4 @@
-"""The surface that is nearer to the masks is taken."""
+"""Which of a surface and the hull that it came from is nearer to the masks."""
 
 import numpy as np
 import pytest
@@ -6,8 +6,7 @@ from scipy.ndimage import binary_erosion
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.meshes import TriangleMesh, make_mesh
-from gaussiancad_core.splatting.gaussians import Gaussians
-from gaussiancad_core.surface.choice import SurfaceSource, better_surface
+from gaussiancad_core.surface.nearness import Nearer, weighed
 from gaussiancad_core.surface.silhouettes import silhouette_difference
 from gaussiancad_core.verification.rays import RayCaster, RayGrid
 from gaussiancad_core.views import View, ViewSet
@@ -31,40 +30,40 @@ def views_of(mesh: TriangleMesh, worn: int = 0) -> ViewSet:
     return ViewSet(tuple(found), tuple(float(extent) for extent in mesh.bounds[1]))
 
 
-def few(gaussians: Gaussians) -> Gaussians:
-    return Gaussians(*(getattr(gaussians, name)[:3] for name in gaussians.__dataclass_fields__))
-
-
-def test_a_hull_with_the_outlines_of_the_masks_is_kept_with_its_edges(
-    bracket: TriangleMesh, bracket_gaussians: Gaussians
+def test_a_hull_with_the_outlines_of_the_masks_is_nearer_and_loses_no_edge(
+    bracket: TriangleMesh, bracket_surface: TriangleMesh
 ) -> None:
-    chosen = better_surface(bracket, bracket_gaussians, views_of(bracket))
-    assert chosen.source is SurfaceSource.HULL
-    assert chosen.differences[SurfaceSource.HULL] < 1e-3
-    assert chosen.differences[SurfaceSource.GAUSSIANS] > 5e-3
-    assert chosen.mesh.watertight
-    assert chosen.mesh.volume == pytest.approx(bracket.volume, rel=1e-6)
-    assert len(chosen.mesh.triangles) == 20 < len(bracket.triangles)
+    found = weighed(bracket_surface, bracket, views_of(bracket))
+    assert found.nearer is Nearer.HULL
+    assert found.differences[Nearer.HULL] < 1e-3 < found.differences[Nearer.GAUSSIANS]
+    assert found.mesh is bracket_surface
+    assert found.hull.watertight
+    assert found.hull.volume == pytest.approx(bracket.volume, rel=1e-6)
+    assert len(found.hull.triangles) == 20 < len(bracket.triangles)
 
 
-def test_gaussians_that_mend_a_hull_are_kept(
-    bracket: TriangleMesh, bracket_gaussians: Gaussians
+def test_gaussians_that_mend_a_hull_are_nearer(
+    bracket: TriangleMesh, bracket_surface: TriangleMesh
 ) -> None:
     worn = make_mesh(bracket.vertices * 0.9 + 0.8, bracket.triangles)
     views = views_of(bracket)
-    chosen = better_surface(worn, bracket_gaussians, views)
-    assert chosen.source is SurfaceSource.GAUSSIANS
-    assert chosen.mesh.watertight
-    assert chosen.differences[SurfaceSource.GAUSSIANS] == silhouette_difference(chosen.mesh, views)
-    assert chosen.differences[SurfaceSource.GAUSSIANS] < chosen.differences[SurfaceSource.HULL]
+    found = weighed(bracket_surface, worn, views)
+    assert found.nearer is Nearer.GAUSSIANS
+    assert found.differences == {
+        Nearer.GAUSSIANS: silhouette_difference(bracket_surface, views),
+        Nearer.HULL: silhouette_difference(found.hull, views),
+    }
 
 
-def test_gaussians_that_bound_no_body_leave_the_hull(
-    bracket: TriangleMesh, bracket_gaussians: Gaussians
-) -> None:
-    chosen = better_surface(bracket, few(bracket_gaussians), views_of(bracket))
-    assert chosen.source is SurfaceSource.HULL
-    assert set(chosen.differences) == {SurfaceSource.HULL}
+def test_without_a_surface_the_hull_is_what_there_is(bracket: TriangleMesh) -> None:
+    found = weighed(None, bracket, views_of(bracket))
+    assert found.nearer is Nearer.HULL
+    assert set(found.differences) == {Nearer.HULL}
+
+
+def test_a_hull_that_is_open_is_weighed_as_it_is(bracket: TriangleMesh) -> None:
+    broken = make_mesh(bracket.vertices, bracket.triangles[:-1])
+    assert weighed(None, broken, views_of(bracket)).hull is broken
 
 
 def test_the_difference_is_the_share_of_the_mask(ball: TriangleMesh) -> None:

@@ -1,0 +1,42 @@
+"""What can be told of a sheet's file before any library is loaded to read it."""
+
+from pathlib import Path
+
+from gaussiancad_core.errors import UnreadableError
+from gaussiancad_core.sheet.files.kinds import HEAD_BYTES, unsupported
+
+
+def head_of(path: Path) -> bytes:
+    """The first bytes of a file that may be a sheet.
+
+    Raises:
+        UnreadableError: ``file-missing``, ``not-a-file``, ``file-unreadable``, ``empty-file``,
+            ``format-not-supported``.
+    """
+    if path.is_dir():
+        raise UnreadableError("not-a-file", f"{path} is a folder: name a drawing file")
+    if not path.exists():
+        raise UnreadableError("file-missing", f"{path} does not exist: check the name of the sheet")
+    if not path.is_file():
+        raise UnreadableError("not-a-file", f"{path} is a device or pipe: name a drawing file")
+    try:
+        with path.open("rb") as file:
+            head = file.read(HEAD_BYTES)
+    except OSError as error:
+        raise cannot_open(path, error) from error
+    if not head:
+        raise UnreadableError("empty-file", f"{path} is empty: export the drawing again")
+    known = unsupported(head)
+    if known is not None:
+        name, advice = known
+        raise UnreadableError(
+            "format-not-supported", f"{path} is a {name} file, which is not read: {advice}"
+        )
+    return head
+
+
+def cannot_open(path: Path, error: OSError) -> UnreadableError:
+    """The error for a file that the system does not let one read."""
+    return UnreadableError(
+        "file-unreadable", f"{path} cannot be opened ({error.strerror}): check its permissions"
+    )

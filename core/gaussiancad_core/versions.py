@@ -1,0 +1,26 @@
+"""Versions of what a run is made with."""
+
+from importlib import metadata
+
+ENGINE_PACKAGES = (
+    "torch",
+    "numpy",
+    "opencv-python-headless",
+    "numba",
+    "open3d",
+    "trimesh",
+    "cadquery-ocp-novtk",
+    "ortools",
+    "gsplat",
+)
+
+
+def installed_versions(names: tuple[str, ...]) -> dict[str, str]:
+    """Versions of the packages that are installed; the others are left out."""
+    found = {}
+    for name in names:
+        try:
+            found[name] = metadata.version(name)
+        except metadata.PackageNotFoundError:
+            continue
+    return found

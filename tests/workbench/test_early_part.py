@@ -1,0 +1,137 @@
+"""The part of a run that goes on: there at once, one undo step with the rest, never taken away."""
+
+import shutil
+import tempfile
+from pathlib import Path
+
+import fake_part
+import FreeCAD
+from support import FolderCase, draw_sheet, run_fake
+
+from freecad.gaussiancad.engine.events import EventKind
+from freecad.gaussiancad.engine.job import ReconstructJob
+from freecad.gaussiancad.engine.report import Status
+from freecad.gaussiancad.errors import WorkbenchError
+from freecad.gaussiancad.objects.early_part import EarlyPart, complete, leave, show_early
+from freecad.gaussiancad.objects.loading import LoadedRun, load_run
+from freecad.gaussiancad.objects.reconstruction import find_part
+
+STEP = "Reconstruct from Drawing"
+
+
+class EarlyParts(FolderCase):
+    def setUp(self) -> None:
+        super().setUp()
+        self.job = ReconstructJob(
+            str(draw_sheet(self.folder / "bracket.png")), str(self.folder / "out")
+        )
+        self.document = FreeCAD.newDocument("Test")
+        self.document.UndoMode = 1
+        self.addCleanup(self.close_all)
+
+    def close_all(self) -> None:
+        for name in list(FreeCAD.listDocuments()):
+            FreeCAD.closeDocument(name)
+
+    def show(self, status: Status = Status.VERIFIED) -> EarlyPart:
+        path = self.folder / "solid.step"
+        shutil.copy(fake_part.STEP_FILE, path)
+        early = show_early(self.document, self.job, path, status)
+        # The document holds the part, not the file.
+        path.unlink()
+        return early
+
+    def finished(self, behaviour: str = "ok") -> LoadedRun:
+        self.behave(behaviour)
+        run_fake(self.job.arguments())
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        return load_run(self.job, Path(scratch.name))
+
+    def test_the_part_is_there_at_once(self) -> None:
+        group = self.show(Status.APPROXIMATE).find()
+        part = find_part(group)
+        self.assertEqual(group.Group, [part])
+        self.assertAlmostEqual(part.Shape.Volume, fake_part.VOLUME, places=6)
+        self.assertEqual((part.Label, part.Exact), ("Part (approximate)", True))
+        self.assertEqual((part.Status, group.Status), ("approximate", "approximate"))
+        self.assertEqual(group.Label, "Reconstruction of bracket")
+        self.assertEqual(group.Settings["preset"], "standard")
+        self.assertEqual(self.document.UndoNames, [STEP])
+
+    def test_the_rest_comes_in_the_same_step(self) -> None:
+        early = self.show()
+        group = complete(early, self.document, self.finished())
+        self.assertEqual(self.document.UndoNames, [STEP])
+        self.assertEqual(len(self.document.Objects), 7)
+        self.assertEqual((group.Name, find_part(group).Name), ("Reconstruction", "Part"))
+        self.document.undo()
+        self.assertEqual(self.document.Objects, [])
+        self.document.redo()
+        self.assertEqual(len(self.document.Objects), 7)
+
+    def test_what_the_user_did_between_is_left_alone(self) -> None:
+        early = self.show()
+        part = find_part(early.find())
+        self.document.openTransaction("Mine")
+        mine = self.document.addObject("Part::Feature", "Mine")
+        mine.Shape = part.Shape
+        self.document.commitTransaction()
+        group = complete(early, self.document, self.finished("contradicts"))
+        self.assertEqual(self.document.UndoNames, [STEP, "Mine", STEP])
+        self.assertEqual(find_part(group).Name, part.Name)
+        self.assertEqual(part.Label, "Part (approximate)")
+        kinds = sorted(child.TypeId for child in group.Group)
+        expected = ["Image::ImagePlane"] * 3
+        expected += ["Mesh::Feature", "Part::Feature", "Points::Feature"]
+        self.assertEqual(kinds, expected)
+        self.assertTrue(group.ReportJson)
+        self.document.undo()
+        names = {child.Name for child in self.document.Objects}
+        self.assertEqual(names, {"Reconstruction", "Part", "Mine"})
+
+    def test_what_was_undone_comes_whole(self) -> None:
+        early = self.show()
+        self.document.undo()
+        group = complete(early, self.document, self.finished())
+        self.assertEqual(len(group.Group), 6)
+        self.assertEqual(self.document.UndoNames, [STEP])
+
+    def test_without_undo_steps_the_part_is_kept_and_completed(self) -> None:
+        self.document.UndoMode = 0
+        early = self.show()
+        group = complete(early, self.document, self.finished())
+        self.assertEqual((len(group.Group), len(self.document.Objects)), (6, 7))
+        self.assertEqual([child.Name for child in group.Group].count("Part"), 1)
+
+    def test_a_run_that_stops_leaves_the_part_with_a_note(self) -> None:
+        early = self.show()
+        self.assertTrue(leave(early, "The run was cancelled."))
+        group = early.find()
+        self.assertEqual(group.Reasons, ["The run was cancelled."])
+        self.assertEqual(len(group.Group), 1)
+        self.document.undo()
+        self.assertEqual(self.document.Objects, [])
+        self.assertFalse(leave(early, "The run was cancelled."))
+
+    def test_where_the_document_is_gone_all_goes_to_the_other_one(self) -> None:
+        early = self.show()
+        FreeCAD.closeDocument(self.document.Name)
+        self.assertFalse(leave(early, "x"))
+        other = FreeCAD.newDocument("Other")
+        self.assertIs(complete(early, other, self.finished()).Document, other)
+
+    def test_a_file_that_is_no_solid_leaves_the_document_alone(self) -> None:
+        path = self.folder / "solid.step"
+        path.write_text("no solid")
+        with self.assertRaises(WorkbenchError):
+            show_early(self.document, self.job, path, Status.VERIFIED)
+        self.assertEqual((self.document.Objects, self.document.UndoCount), ([], 0))
+
+    def test_the_engine_tells_its_solid_while_it_works(self) -> None:
+        self.behave("dies-late")
+        result, events, _ = run_fake(self.job.arguments())
+        told = [event for event in events if event.kind is EventKind.SOLID]
+        self.assertEqual([event.text("status") for event in told], ["verified"])
+        self.assertTrue(Path(told[0].text("path")).is_file())
+        self.assertEqual(result.code, "engine-killed")
