@@ -63,8 +63,8 @@ def grid_cases(seed: int) -> Iterator[Row]:
         index = int(lot.integers(len(numbers)))
         if policy is not policies[0] and lot.random() < _TELLING:
             # Most parts are the only ones with their lines: the others are asked more often.
-            index = int(lot.choice(_confusable(grid, policy)))
-        alike = _alike(grid, places, policy, index)
+            index = int(lot.choice(confusable(grid, policy)))
+        alike = alike_in_grid(grid, places, policy, index)
         yield _judged(grid, int(numbers[index]), places, policy, alike)
 
 
@@ -73,18 +73,18 @@ def pair_cases(seed: int) -> Iterator[Row]:
     and all; one of them with a fourth view, which may tell them apart; and with a thin box."""
     lot = np.random.default_rng([seed, 13])
     grid = Grid(_LARGER[seed % len(_LARGER)])
-    pair = _pair(grid, POLICIES[0], lot)
+    pair = pair_of(grid, POLICIES[0], lot)
     places = _places(grid, lot)
     for part, other in (pair, pair[::-1]):
         yield _judged(grid, part, places, POLICIES[0], [other])
     more = next(own for own in POLICIES if own.name == "four views")
     keys = _keys(looks_of(grid, np.array(pair)), more.roles, more.hidden)
     yield _judged(grid, pair[0], places, more, [pair[1]] if keys[0] == keys[1] else [])
-    thin = _with_thin_box(grid, pair, places, lot)
+    thin = with_thin_box(grid, pair, places, lot)
     yield _judged(grid, pair[0], thin, POLICIES[0], [pair[1]])
 
 
-def _with_thin_box(
+def with_thin_box(
     grid: Grid, pair: tuple[int, int], places: Places, lot: np.random.Generator
 ) -> Places:
     """Places at which a box that two parts differ in is as thin as many bounds of exact lines."""
@@ -114,7 +114,7 @@ def _places(grid: Grid, lot: np.random.Generator) -> Places:
     return x, y, z
 
 
-def _pair(grid: Grid, policy: Policy, lot: np.random.Generator) -> tuple[int, int]:
+def pair_of(grid: Grid, policy: Policy, lot: np.random.Generator) -> tuple[int, int]:
     """Two sound parts that look alike."""
     bits = np.array([1 << cell for cell in range(grid.cells)])
     twos = [one | other for one, other in itertools.combinations(bits.tolist(), 2)]
@@ -133,7 +133,7 @@ def _pair(grid: Grid, policy: Policy, lot: np.random.Generator) -> tuple[int, in
 
 
 @cache
-def _confusable(grid: Grid, policy: Policy) -> Numbers:
+def confusable(grid: Grid, policy: Policy) -> Numbers:
     """(k,) sound parts by number of their place that look like another one; all, if none does.
 
     Where there are such, those whose lines are all that another part has: that one would explain
@@ -158,7 +158,7 @@ def _keys(seen: Looks, roles: Sequence[Role], hidden: frozenset[Role]) -> Hashes
     return mixed
 
 
-def _alike(grid: Grid, places: Places, policy: Policy, index: int) -> list[int]:
+def alike_in_grid(grid: Grid, places: Places, policy: Policy, index: int) -> list[int]:
     """Other parts of the grid with the drawing of one, under either projection if not told."""
     numbers = sound_parts(grid)
     keys = _keys(looks(grid), policy.roles, policy.hidden)
