@@ -7,6 +7,7 @@ does not have, it is by how much the shapes differ.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 import numpy.typing as npt
@@ -17,7 +18,9 @@ from OCP.BRepBndLib import BRepBndLib
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeVertex
 from OCP.BRepExtrema import BRepExtrema_DistShapeShape
 from OCP.GeomAbs import GeomAbs_SurfaceType
-from OCP.gp import gp_Pnt
+from OCP.gp import gp_Pnt, gp_Pnt2d
+from OCP.IntTools import IntTools_FClass2d
+from OCP.TopAbs import TopAbs_State
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape
 
@@ -26,9 +29,15 @@ from gaussiancad_core.drawing.brep import area, faces_of, tessellate
 POINTS = 20
 """Points of a face, as a rule."""
 
+_TRIED = 2
+"""Points that are tried for each of them."""
+
 _DEFLECTION = 1e-3
 """Distance of the triangles that tell where a face is, as a share of the longest extent; points
 are taken on the surface itself."""
+
+_UV_TOLERANCE = 1e-7
+"""Parameters of a surface within which a point is on a face's border."""
 
 _ALONG = 1e-6
 """Components of a unit normal across an axis, at most, of planes across it."""
@@ -164,7 +173,11 @@ def _displacement(
 
 
 def points_inside(face: TopoDS_Face, count: int, random: np.random.Generator) -> Floats:
-    """(count, 3) mm of points on a face that has been triangulated, evenly by area."""
+    """(n, 3) mm of up to ``count`` points on a face that has been triangulated, evenly by area.
+
+    Triangles reach out of a face where its border is hollow: such points are left out.  There is
+    one point at least, be it outside.
+    """
     mesh = BRep_Tool.Triangulation_s(face, TopLoc_Location())
     indices = np.array([mesh.Triangle(n + 1).Get() for n in range(mesh.NbTriangles())]) - 1
     nodes = np.array([[*mesh.Node(n + 1).Coord()] for n in range(mesh.NbNodes())])
@@ -172,14 +185,18 @@ def points_inside(face: TopoDS_Face, count: int, random: np.random.Generator) ->
     corners = nodes[indices]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     areas = np.linalg.norm(normals, axis=1)
-    chosen = random.choice(len(areas), count, p=areas / areas.sum())
+    tried = _TRIED * count
+    chosen = random.choice(len(areas), tried, p=areas / areas.sum())
     # Even in a triangle: a parallelogram folded along its diagonal.
-    one, two = random.random((2, count))
+    one, two = random.random((2, tried))
     one, two = np.where(one + two > 1.0, [1.0 - one, 1.0 - two], [one, two])
     shares = np.stack([1.0 - one - two, one, two], axis=1)
-    places = np.einsum("nk,nkd->nd", shares, flat[indices[chosen]])
+    places = np.einsum("nk,nkd->nd", shares, flat[indices[chosen]]).tolist()
+    border = IntTools_FClass2d(face, _UV_TOLERANCE)
+    inside = (at for at in places if border.Perform(gp_Pnt2d(*at)) == TopAbs_State.TopAbs_IN)
+    kept = list(islice(inside, count)) or places[:1]
     surface = BRepAdaptor_Surface(face)
-    return np.array([[*surface.Value(u, v).Coord()] for u, v in places.tolist()])
+    return np.array([[*surface.Value(u, v).Coord()] for u, v in kept])
 
 
 def _box(face: TopoDS_Face) -> Floats:

@@ -30,3 +30,12 @@ def test_a_cavity_is_far_off_from_a_solid_without() -> None:
     # The block's nearest side is 20 mm from the ball's poles, 22.1 mm from what lies between.
     assert 20.5 < there.farthest < 22.2 and 20.5 < back.farthest < 22.2
     assert np.sort(there.medians)[-2] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_points_are_inside_where_borders_are_hollow() -> None:
+    # Triangles between the holes cut across their circles.
+    centres = [(10 + 12 * i, 10 + 12 * j) for i in range(4) for j in range(3)]
+    bores = [cylinder(Axis.Z, centre, 5.9, -1, 11) for centre in centres]
+    plate = cut(box((0, 0, 0), (56, 44, 10)), *bores)
+    found = displacements(plate, plate, points=400)
+    assert found.farthest < 1e-9
