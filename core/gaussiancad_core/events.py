@@ -110,16 +110,46 @@ def open_event_stream() -> JsonLines:
     return JsonLines(os.fdopen(own, "w", encoding="utf-8", newline="\n"))
 
 
-def cancel_on_signals() -> None:
-    """Let SIGINT and SIGTERM raise :class:`CancelledError` in the main thread, once."""
+_AGAIN_S = 5.0
+"""s after which a run that is to stop and did not is stopped again."""
 
-    def handle(number: int, _frame: object) -> None:
+
+class Cancellation:
+    """Lets SIGINT and SIGTERM raise :class:`CancelledError` in the main thread.
+
+    What is raised within a callback of a library is lost there, so that it is raised again until
+    it arrived.
+    """
+
+    def __init__(self) -> None:
+        self._arrived = threading.Event()
+        self._is_due = True
         for name in (signal.SIGINT, signal.SIGTERM):
-            signal.signal(name, signal.SIG_IGN)
+            signal.signal(name, self._handle)
+
+    def end(self) -> None:
+        """The run has ended, however it did: nothing is raised any more."""
+        self._arrived.set()
+
+    def _handle(self, number: int, _frame: object) -> None:
+        if self._arrived.is_set() or not self._is_due:
+            return
+        self._is_due = False
+        threading.Thread(target=self._insist, args=(number,), name="cancel", daemon=True).start()
         raise CancelledError("cancelled", f"cancelled by {signal.Signals(number).name}")
 
-    for name in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(name, handle)
+    def _insist(self, number: int) -> None:
+        if not self._arrived.wait(_AGAIN_S):
+            self._is_due = True
+            _signal_main_thread(number)
+
+
+def _signal_main_thread(number: int) -> None:
+    """Send a signal to the main thread, out of whatever it waits for where the system can."""
+    if hasattr(signal, "pthread_kill"):
+        signal.pthread_kill(threading.main_thread().ident, number)
+    else:
+        signal.raise_signal(number)
 
 
 def cancel_on_stdin() -> None:
@@ -129,6 +159,6 @@ def cancel_on_stdin() -> None:
         for line in sys.stdin:
             if line.strip() == "cancel":
                 break
-        signal.raise_signal(signal.SIGTERM)
+        _signal_main_thread(signal.SIGTERM)
 
     threading.Thread(target=watch, name="stdin", daemon=True).start()

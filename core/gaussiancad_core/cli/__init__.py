@@ -10,16 +10,25 @@ from collections.abc import Sequence
 from gaussiancad_core.cli.libraries import prepare_environment
 from gaussiancad_core.cli.parser import build_parser
 from gaussiancad_core.errors import CancelledError, ExitCode, GaussianCadError
-from gaussiancad_core.events import Listener, Silence
+from gaussiancad_core.events import (
+    Cancellation,
+    Listener,
+    Silence,
+    cancel_on_stdin,
+    open_event_stream,
+)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code."""
     options = build_parser().parse_args(arguments)
     prepare_environment()
-    listener = Silence()
+    listener: Listener = Silence()
+    cancellation = Cancellation()
     try:
-        listener = _listener(options.events)
+        if options.events:
+            listener = open_event_stream()
+            cancel_on_stdin()
         return int(options.run(options, listener))
     except GaussianCadError as error:
         return _tell(listener, error.code, error.message, error.exit_code)
@@ -31,18 +40,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except ImportError as error:
         message = f"the engine is incomplete ({error}): run `gaussiancad doctor`"
         return _tell(listener, "engine-incomplete", message, ExitCode.ENGINE)
-
-
-def _listener(events: bool) -> Listener:
-    """Events and ways to cancel as the options ask for."""
-    from gaussiancad_core.events import cancel_on_signals, cancel_on_stdin, open_event_stream
-
-    cancel_on_signals()
-    if not events:
-        return Silence()
-    listener = open_event_stream()
-    cancel_on_stdin()
-    return listener
+    finally:
+        cancellation.end()
 
 
 def _tell(listener: Listener, code: str, message: str, exit_code: ExitCode) -> int:

@@ -23,6 +23,9 @@ SURFACES = 10
 Labels = dict[Cell, bool]
 """True is material."""
 
+_UNCOVERED = 0
+"""Number of the literal of what nothing lies before."""
+
 Chosen = Callable[[Rule], bool]
 """Tells some rules from others."""
 
@@ -69,13 +72,17 @@ class Model:
         self._false = self.model.new_constant(0)
         self._literals: dict[Form, cp_model.IntVar] = {0: self._false}
         self._literals.update((1 << k, literal) for k, literal in enumerate(self._free))
+        # By the depths that are nearer, whether something there is the part's.
+        self._covers = [self._false]
+        self._behind: dict[tuple[int, tuple[Form, ...]], int] = {}
         sayings = Sayings(self._blocks)
         told: dict[Saying, list[int]] = {}
         for number, rule in enumerate(rules):
             told.setdefault(sayings.of(rule), []).append(number)
         escapes: list[cp_model.IntVar] = []
         costs: list[int] = []
-        for said, numbers in told.items():
+        # Literals of differences are those of drawn lines: blank ones need none.
+        for said, numbers in sorted(told.items(), key=lambda own: own[0].look is Look.BLANK):
             if said.is_trivial:
                 continue
             escape: list[cp_model.IntVar] = []
@@ -158,28 +165,57 @@ class Model:
         if said.look is Look.BLANK:
             for place in said.places:
                 for form in place.differs:
-                    add([~self._literal(form), *escape])
+                    self._add_void(form, escape)
             return
         if said.look is Look.DRAWN:
             either = [self._literal(form) for place in said.places for form in place.differs]
             add([*either, *escape] or [self._false])
             return
-        covering: list[cp_model.IntVar] = []
+        covered = _UNCOVERED
         seen: list[cp_model.IntVar] = []
         for place in said.places:
             literals = [self._literal(form) for form in place.differs]
+            cover = self._covers[covered]
             if literals:
                 here = self.model.new_bool_var("")
                 add([*literals, ~here])
                 seen.append(here)
-                if said.look is Look.VISIBLE:
-                    for literal in covering:
-                        self.model.add_implication(here, ~literal)
-                else:
+                if said.look is Look.VISIBLE and covered != _UNCOVERED:
+                    self.model.add_implication(here, ~cover)
+                elif said.look is Look.HIDDEN:
                     for literal in literals:
-                        add([~literal, *covering, *escape])
-            covering += [self._literal(form) for form in place.covers]
+                        add([~literal, cover, *escape])
+            if place.covers:
+                covered = self._covered(covered, place.covers)
         add([*seen, *escape] or [self._false])
+
+    def _add_void(self, form: Form, escape: list[cp_model.IntVar]) -> None:
+        """Ask for a form to be 0, without a literal of its own."""
+        halves = None if form in self._literals else self._blocks.halves.get(form)
+        if halves is None:
+            self.model.add_bool_or([~self._literal(form), *escape])
+            return
+        one, other = map(self._literal, halves)
+        self.model.add_bool_or([~one, other, *escape])
+        self.model.add_bool_or([one, ~other, *escape])
+
+    def _covered(self, before: int, covers: tuple[Form, ...]) -> int:
+        """Number of the literal that tells whether one of these forms is 1, or that of a number is
+        true; rules whose nearest depths are the same share it."""
+        number = self._behind.get((before, covers))
+        if number is None:
+            either = [self._literal(form) for form in covers]
+            if before != _UNCOVERED:
+                either.append(self._covers[before])
+            cover = either[0]
+            if len(either) > 1:
+                cover = self.model.new_bool_var("")
+                self.model.add_bool_or([*either, ~cover])
+                for literal in either:
+                    self.model.add_implication(literal, cover)
+            number = self._behind[before, covers] = len(self._covers)
+            self._covers.append(cover)
+        return number
 
 
 def points(rule: Rule) -> int:
