@@ -4,9 +4,10 @@ Sample parts are drawn once, and reconstructed by processes of their own, one at
 several engines, each the Python of another installation, every sample goes through all of them
 before the next one, so that a busy machine is busy for all.  An engine without the event ``solid``
 has its solid when it ends.  ``missing`` are the seconds until a sheet that does not exist is told.
+With ``--processor`` they are seconds of processor time, which is what counts on a busy machine.
 
     .venv/bin/python benchmarks/waiting.py [--samples NAME ...] [--repeat 3] [--result both]
-    .venv/bin/python benchmarks/waiting.py --engines before=OTHER/.venv/bin/python after=.venv/bin/python
+    .venv/bin/python benchmarks/waiting.py --engines before=OTHER/bin/python after=.venv/bin/python
 """
 
 import argparse
@@ -20,6 +21,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+import psutil
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.command import write_image
@@ -32,7 +34,7 @@ ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 
 @dataclass(frozen=True)
 class Wait:
-    """Seconds by the clock.
+    """Seconds by the clock, or of processor time.
 
     Attributes:
         solid: until the solid is told, or the run ends.
@@ -52,6 +54,7 @@ def main() -> None:
     parser.add_argument("--engines", nargs="*", default=[f"this={sys.executable}"])
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--result", default="both")
+    parser.add_argument("--processor", action="store_true")
     options = parser.parse_args()
     engines = dict(pair.split("=", 1) for pair in options.engines)
     waits: dict[str, dict[str, list[Wait]]] = {name: defaultdict(list) for name in engines}
@@ -61,36 +64,37 @@ def main() -> None:
         for sample, sheet in sheets.items():
             for _ in range(options.repeat):
                 for name, python in engines.items():
-                    asked = (sheet, Path(folder) / name, options.result)
-                    waits[name][sample].append(waited(python, *asked))
+                    waits[name][sample].append(waited(python, sheet, Path(folder) / name, options))
             _print_row(sample, [_median(waits[name][sample]) for name in engines])
         _print_row("median", [_median_of_all(waits[name]) for name in engines])
         gone = Path(folder) / "missing.png"
         told = {name: [] for name in engines}
         for _ in range(options.repeat):
             for name, python in engines.items():
-                told[name].append(waited(python, gone, Path(folder) / name, options.result))
+                told[name].append(waited(python, gone, Path(folder) / name, options))
         _print_row("missing", [_median(told[name]) for name in engines])
 
 
-def waited(python: str, sheet: Path, output: Path, result: str) -> Wait:
+def waited(python: str, sheet: Path, output: Path, options: argparse.Namespace) -> Wait:
     """Reconstruct a sheet in a process of its own."""
     command = [python, "-I", "-m", "gaussiancad_core", "reconstruct", str(sheet), "--events"]
     started = time.monotonic()
     process = subprocess.Popen(
-        [*command, "--output", str(output), "--result", result],
+        [*command, "--output", str(output), "--result", options.result],
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
         encoding="utf-8",
     )
-    solid = None
+    watched = psutil.Process(process.pid)
+    solid, end = None, 0.0
     # Standard input stays open: its end would stop the run.
     for line in process.stdout:
-        if solid is None and json.loads(line)["event"] == "solid":
-            solid = time.monotonic() - started
+        # A process that has ended tells no processor time: the last event is taken for the end.
+        end = sum(watched.cpu_times()[:2]) if options.processor else time.monotonic() - started
+        if json.loads(line)["event"] == "solid":
+            solid = end
     process.wait()
-    end = time.monotonic() - started
     return Wait(end if solid is None else solid, end)
 
 

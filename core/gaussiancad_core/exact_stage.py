@@ -117,23 +117,22 @@ def find_exact(
         likelier: tells which of the two is likelier; asked only where the solids do not tell.
     """
     limits = limits or Limits()
-    result = _solved(own, limits)
     if other is None:
-        return ExactModel(own, result, False)
+        return ExactModel(own, _solved(own, limits), False)
     strict = replace(limits, relaxed=False)
-    contrary = _solved(other, strict)
-    if not contrary.explains and (result.relaxed or not result.explains):
-        # What was given up for the one reading may be given up for the other.
-        contrary = _solved(other, limits)
-    if contrary.explains and not result.explains:
-        # The reading that was likelier must have no solid either, for this one to be certain.
-        if not _solved(own, strict).is_settled:
-            contrary = contrary.doubted(_UNSETTLED)
-        return ExactModel(other, contrary, True)
-    if likelier and contrary.explains is result.explains and likelier() is other:
-        own, result, contrary = other, contrary, result
+    result, contrary = _solved(own, strict), _solved(other, strict)
+    settled = {own: result.is_settled, other: contrary.is_settled}
+    if not result.explains and not contrary.explains:
+        # What is given up for the one reading may be given up for the other.
+        result, contrary = _solved(own, limits), _solved(other, limits)
+    turned = contrary.explains and not result.explains
+    if likelier is not None and contrary.explains == result.explains:
+        turned = likelier() is other
+    if turned:
+        own, result, other, contrary = other, contrary, own, result
     if not contrary.explains:
-        if not contrary.is_settled:
+        # The other reading must have no solid for this one to be certain.
+        if not settled[other]:
             result = result.doubted(_UNSETTLED)
         return ExactModel(own, result, result.explains)
     further = [

@@ -168,7 +168,8 @@ class _Run:
             return "before its first stage: nothing was written"
         stages = stages_of(self.job.result, self.job.recipe)
         where = f"{name} ({stages.index(name) + 1} of {len(stages)})"
-        written = "only the solid was written" if self.folder.ahead else "nothing was written"
+        ahead = self.folder.ahead
+        written = f"{'only the reading and the solid were' if ahead else 'nothing was'} written"
         if self.job.resume and self.folder.checkpoint.is_file():
             written += ", but for a checkpoint: --resume goes on from it"
         return f"in the stage {where}: {written}"

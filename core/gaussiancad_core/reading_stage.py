@@ -35,7 +35,8 @@ class SheetFindings:
     """What was read on a sheet.
 
     Attributes:
-        own: the views on shared axes, under the likelier projection.
+        own: the views on shared axes, as they are named; once the readings are weighed, under the
+            likelier projection.
         other: the same under the other projection, where that is possible.
         marks: annotations, in px of the upright sheet.
         special: views that are no plain projections.

@@ -23,18 +23,13 @@ from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.solid.contradiction import conflict_reason
 from gaussiancad_core.solid.measures import Measures
-from gaussiancad_core.solid.reasons import UNDRAWN
+from gaussiancad_core.solid.reasons import ASSUMED
 from gaussiancad_core.solid.trace import Attempt
 from gaussiancad_core.verification.overlay import view_to_sheet
 from gaussiancad_core.views import Linetype
 
-_NOTHING_HIDDEN = Assumption(
-    "nothing-hidden",
-    "nothing lies within the part that no view shows",
-    None,
-    "bores, pockets or cavities that would show in hidden lines only",
-)
-"""What a solid rests on that was made from views without any hidden line."""
+_INSIDE = "bores, pockets or cavities that would show in hidden lines only"
+"""What else there may be where a solid rests on hidden lines that no view has."""
 
 
 def with_solid_facts(report: Report, model: ExactModel, turn: Turn) -> Report:
@@ -45,7 +40,11 @@ def with_solid_facts(report: Report, model: ExactModel, turn: Turn) -> Report:
         report,
         alternatives=_alternatives(model),
         measures=_measures(result.measures) if result.measures else None,
-        assumptions=(_NOTHING_HIDDEN,) if UNDRAWN in result.reasons else (),
+        assumptions=tuple(
+            Assumption("nothing-hidden", message, None, _INSIDE)
+            for code, message in result.reasons
+            if code == ASSUMED
+        ),
         disagreements=tuple(
             Disagreement(own.role.value, sheet.place(own.role, own.place), own.length, own.missing)
             for own in (verification.flaws if verification is not None else ())

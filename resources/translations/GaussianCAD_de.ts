@@ -179,6 +179,10 @@
         <source>The result, coloured by its deviation</source>
         <translation>Das Ergebnis in den Farben seiner Abweichung</translation>
     </message>
+    <message>
+        <source>Bound that 95 % of the faces&apos; places keep; 0 if it is not known</source>
+        <translation>Grenze, die 95 % der Flächen in ihrer Lage einhalten; 0, wenn sie nicht bekannt ist</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCAD</name>
@@ -309,14 +313,6 @@
     <message>
         <source>The GaussianCAD engine was ended from outside, or ran out of memory. Close other programs or choose a simpler preset, then try again.</source>
         <translation>Die GaussianCAD-Engine wurde von außen beendet, oder der Speicher reichte nicht. Schließen Sie andere Programme oder wählen Sie eine einfachere Qualität, und versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
-        <source>Verified: the part, drawn again, agrees with the sheet in every view.</source>
-        <translation>Geprüft: Das Bauteil, neu gezeichnet, stimmt in jeder Ansicht mit dem Blatt überein.</translation>
-    </message>
-    <message>
-        <source>Approximate: check the part against the drawing.</source>
-        <translation>Angenähert: Prüfen Sie das Bauteil an der Zeichnung.</translation>
     </message>
     <message>
         <source>Failed: no part follows from this drawing.</source>
@@ -1105,6 +1101,34 @@
     <message>
         <source>{width} x {height} px, about {minutes} min on a processor</source>
         <translation>{width} x {height} px, auf einem Prozessor etwa {minutes} min</translation>
+    </message>
+    <message>
+        <source>Shape verified.</source>
+        <translation>Form bestätigt.</translation>
+    </message>
+    <message>
+        <source>Shape not certain: check the part against the drawing.</source>
+        <translation>Die Form ist nicht sicher: Prüfen Sie das Teil an der Zeichnung.</translation>
+    </message>
+    <message>
+        <source>from the sheet&apos;s numbers</source>
+        <translation>aus den Zahlen des Blatts</translation>
+    </message>
+    <message>
+        <source>from the drawing</source>
+        <translation>aus der Zeichnung</translation>
+    </message>
+    <message>
+        <source>from the sheet&apos;s numbers and the drawing</source>
+        <translation>aus den Zahlen des Blatts und der Zeichnung</translation>
+    </message>
+    <message>
+        <source>Measures to ±{bound} mm ({source}).</source>
+        <translation>Maße auf ±{bound} mm genau ({source}).</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Warum</translation>
     </message>
 </context>
 <context>

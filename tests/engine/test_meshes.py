@@ -37,6 +37,25 @@ def test_volume_of_a_tetrahedron_is_a_sixth_of_its_determinant_wherever_it_stand
     assert mesh.volume == pytest.approx(determinant / 6.0, abs=1e-6)
 
 
+def test_shared_edges_are_those_where_just_two_triangles_meet() -> None:
+    mesh = box((2.0, 3.0, 5.0))
+    pairs, edges = mesh.shared_edges
+    assert len(pairs) == len(edges) == 18
+    expected = mesh.to_trimesh()
+    assert {tuple(sorted(pair)) for pair in pairs.tolist()} == {
+        tuple(sorted(pair)) for pair in expected.face_adjacency.tolist()
+    }
+    for pair, edge in zip(pairs, edges, strict=True):
+        assert set(edge) <= set(mesh.triangles[pair[0]]) & set(mesh.triangles[pair[1]])
+    # A third triangle at an edge, and one that stands alone.
+    fan = make_mesh(np.eye(3).repeat(2, axis=0), [[0, 1, 2], [1, 0, 3], [0, 1, 4], [5, 4, 3]])
+    pairs, edges = fan.shared_edges
+    assert len(pairs) == 0
+    open_fan = make_mesh(fan.vertices, [[0, 1, 2], [1, 0, 3], [5, 4, 3]])
+    pairs, edges = open_fan.shared_edges
+    assert (pairs.tolist(), edges.tolist()) == ([[0, 1]], [[0, 1]])
+
+
 def test_turning_inside_out_changes_the_sign_only() -> None:
     mesh = box((1.0, 2.0, 3.0))
     assert mesh.flipped().volume == pytest.approx(-6.0)

@@ -117,11 +117,12 @@ def run_warm_up(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
     from gaussiancad_core.reasoning import sight_lines
     from gaussiancad_core.sheet import growth
     from gaussiancad_core.splatting import tiles
-    from gaussiancad_core.verification import crossings, rays
+    from gaussiancad_core.verification import crossings, preview, rays
 
     sight_lines.warm_up()
     growth.warm_up()
     tiles.warm_up()
     crossings.warm_up()
     rays.warm_up()
+    preview.warm_up()
     return ExitCode.DONE

@@ -59,7 +59,7 @@ def find_blocks(rules: Sequence[Rule], must_hold: Callable[[Rule], bool]) -> Blo
     equal = {
         id(group): group
         for rule in rules
-        if rule.linetype is None and must_hold(rule)
+        if rule.linetype is None and rule.says is Says.ALL and must_hold(rule)
         for group in rule.groups
     }
     pairs: dict[tuple[Transition, Transition], None] = {}
@@ -194,6 +194,7 @@ class Look(Enum):
     """How pieces of lines look."""
 
     BLANK = "blank"
+    UNSEEN = "unseen"
     DRAWN = "drawn"
     VISIBLE = "visible"
     HIDDEN = "hidden"
@@ -230,7 +231,7 @@ class Saying:
     @property
     def is_trivial(self) -> bool:
         """Whether it holds under all labels."""
-        return self.look is Look.BLANK and not self.places
+        return self.look in (Look.BLANK, Look.UNSEEN) and not self.places
 
 
 class Sayings:
@@ -248,9 +249,10 @@ class Sayings:
     def of(self, rule: Rule) -> Saying:
         """What a rule says of blocks."""
         told = [self._place(group) for group in rule.groups]
-        if rule.linetype is None or rule.says is Says.DRAWN:
+        blank = rule.linetype is None and rule.says is not Says.UNSEEN
+        if blank or rule.says is Says.DRAWN:
             every = tuple(dict.fromkeys(form for place in told for form in place.differs))
-            look = Look.BLANK if rule.linetype is None else Look.DRAWN
+            look = Look.BLANK if blank else Look.DRAWN
             return Saying(look, (Place(every, ()),) if every else ())
         places: list[Place] = []
         last = 0
@@ -264,7 +266,9 @@ class Sayings:
                 last = len(places)
         # Behind the last difference nothing is to be hidden.
         places = [*places[: last - 1], Place(places[last - 1].differs, ())] if last else []
-        look = Look.VISIBLE if rule.linetype is Linetype.VISIBLE else Look.HIDDEN
+        look = Look.UNSEEN
+        if rule.linetype is not None:
+            look = Look.VISIBLE if rule.linetype is Linetype.VISIBLE else Look.HIDDEN
         return Saying(look, tuple(places), rule.says is Says.KIND)
 
     def _place(self, group: Group) -> Place:

@@ -176,18 +176,19 @@ class Model:
         for place in said.places:
             literals = [self._literal(form) for form in place.differs]
             cover = self._covers[covered]
-            if literals:
+            if said.look in (Look.HIDDEN, Look.UNSEEN):
+                for literal in literals:
+                    add([~literal, cover, *escape])
+            if literals and said.look is not Look.UNSEEN:
                 here = self.model.new_bool_var("")
                 add([*literals, ~here])
                 seen.append(here)
                 if said.look is Look.VISIBLE and covered != _UNCOVERED:
                     self.model.add_implication(here, ~cover)
-                elif said.look is Look.HIDDEN:
-                    for literal in literals:
-                        add([~literal, cover, *escape])
             if place.covers:
                 covered = self._covered(covered, place.covers)
-        add([*seen, *escape] or [self._false])
+        if said.look is not Look.UNSEEN:
+            add([*seen, *escape] or [self._false])
 
     def _add_void(self, form: Form, escape: list[cp_model.IntVar]) -> None:
         """Ask for a form to be 0, without a literal of its own."""

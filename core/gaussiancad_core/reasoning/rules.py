@@ -7,8 +7,8 @@ partner and is a surface, there is something to be drawn.  A line is visible if 
 anything that both columns share, and hidden if each such place lies behind a surface.
 """
 
-from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Collection, Hashable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from math import inf
 from typing import TypeVar
@@ -48,11 +48,12 @@ class Group:
 
 class Says(Enum):
     """What a rule says of its pieces: how they look; that a line is there; of which linetype it
-    most likely is."""
+    most likely is; that nothing is visible there, be there hidden lines or not."""
 
     ALL = "all"
     DRAWN = "drawn"
     KIND = "kind"
+    UNSEEN = "unseen"
 
 
 @dataclass(frozen=True)
@@ -305,6 +306,16 @@ def _is_trivial(group: Group) -> bool:
     return not group.lone and all(set(one) == set(other) for one, other in group.pairs)
 
 
+def without_hidden(rules: Iterable[Rule], roles: Collection[Role]) -> tuple[Rule, ...]:
+    """The rules where some views draw no hidden lines: what is blank there is only not visible."""
+    return tuple(
+        replace(rule, says=Says.UNSEEN)
+        if rule.linetype is None and all(piece.role in roles for piece in rule.pieces)
+        else rule
+        for rule in rules
+    )
+
+
 def drawn_under(rule: Rule, labels: dict[Cell, bool]) -> Linetype | None:
     """What would be drawn at a rule's pieces if cells had these labels."""
 
@@ -326,4 +337,6 @@ def drawn_under(rule: Rule, labels: dict[Cell, bool]) -> Linetype | None:
 def holds(rule: Rule, labels: dict[Cell, bool]) -> bool:
     """Whether labels fulfil a rule."""
     drawn = drawn_under(rule, labels)
+    if rule.says is Says.UNSEEN:
+        return drawn is not Linetype.VISIBLE
     return drawn is not None if rule.says is Says.DRAWN else drawn is rule.linetype

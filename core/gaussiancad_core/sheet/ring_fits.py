@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 from scipy.optimize import least_squares, nnls
-from scipy.signal import find_peaks
 from scipy.special import ndtr
 
 Floats = npt.NDArray[np.float64]
@@ -99,6 +98,8 @@ def fit_rings(ink: InkAbout, told: Sequence[float], width: float) -> list[Ring]:
         told: radii at which there may be one, px.
         width: of the sheet's lines, px.
     """
+    from scipy.signal import find_peaks
+
     peaks = ink.radii[find_peaks(ink.mean, height=_DASHED / 2.0, prominence=_RISING)[0]]
     known = [ink.ring_at(radius, _HELD_TOLD) for radius in told]
     rings = _distinct([*known, *(ink.ring_at(radius) for radius in peaks)])

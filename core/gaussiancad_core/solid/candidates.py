@@ -13,14 +13,16 @@ from gaussiancad_core.reasoning.part import PartModel
 from gaussiancad_core.reasoning.unsaid import with_unsaid
 from gaussiancad_core.reasoning.work import Counted, Deadline
 from gaussiancad_core.solid.build import BuiltSolid, build_solid
+from gaussiancad_core.solid.known_measures import FLOOR_MM
 from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.solid.limits import Limits, Work
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.trace import Outcome
 from gaussiancad_core.solid.verify import Verification, verify
 
-_COUNTING = 0.15
-"""Units of thickness from which a cell makes a different solid."""
+_SLIM = 0.15
+"""Units of thickness from which a cell of a picture makes a different solid: thinner ones lie
+between lines that may be one."""
 
 _UNLIKELY = 0.02
 """Share of the search for others that is left where neither lines nor labels agree: they may,
@@ -69,8 +71,7 @@ def candidates_of(work: Work, labelling: Labelling, limits: Limits, latest: Dead
         limits: of the search.
         latest: by which building, and the search for others, end.
     """
-    thickness = work.part.space.thickness()
-    counting: list[Cell] = [cell for cell, units in thickness.items() if units > _COUNTING]
+    counting = counting_cells(work)
     built = _build(work, labelling.labels, latest)
     first, settled = _candidate(work, built)
     candidates = [first] if first is not None else []
@@ -89,7 +90,7 @@ def candidates_of(work: Work, labelling: Labelling, limits: Limits, latest: Dead
         if work.meter.spent > limits.work or work.meter.is_overrun:
             break
         done += 1
-        candidate, looked_at = _candidate(work, _build(work, labels, latest))
+        candidate, looked_at = candidate_of(work, labels, latest)
         settled &= looked_at
         if candidate and not any(same_solid(candidate.shape, c.shape) for c in candidates):
             candidates.append(candidate)
@@ -100,6 +101,20 @@ def candidates_of(work: Work, labelling: Labelling, limits: Limits, latest: Dead
         candidates, complete = [candidate] if candidate else [], False
     outcome = Outcome.NOTHING if built.closed else Outcome.OPEN
     return Found(candidates, complete, done, outcome, built.open_at)
+
+
+def counting_cells(work: Work) -> list[Cell]:
+    """Cells that make a different solid: those thicker than how well places are known."""
+    views = work.views
+    units = max(FLOOR_MM, views.bound) * work.part.supports.scale
+    if views.noise:
+        units = max(units, _SLIM)
+    return [cell for cell, own in work.part.space.thickness().items() if own > units]
+
+
+def candidate_of(work: Work, labels: Labels, latest: Deadline) -> tuple[Candidate | None, bool]:
+    """What labels bound, drawn again; and whether that is certain."""
+    return _candidate(work, _build(work, labels, latest))
 
 
 def _likelier(part: PartModel, labels: Labels) -> Labels | None:

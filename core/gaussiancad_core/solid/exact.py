@@ -22,7 +22,15 @@ from gaussiancad_core.solid.candidates import Candidate, Found, candidates_of
 from gaussiancad_core.solid.limits import Limits, Work
 from gaussiancad_core.solid.measures import Measures, measures_of
 from gaussiancad_core.solid.models import first_work, labelled
-from gaussiancad_core.solid.reasons import GUARDED, LOOSE, NONE, UNBUILT, UNFINISHED, reasons_of
+from gaussiancad_core.solid.reasons import (
+    GUARDED,
+    LOOSE,
+    NONE,
+    UNBUILT,
+    UNFINISHED,
+    reasons_of,
+    undrawn_in,
+)
 from gaussiancad_core.solid.trace import (
     Attempt,
     Journal,
@@ -30,6 +38,10 @@ from gaussiancad_core.solid.trace import (
     Outcome,
     cells_of,
     given_up_places,
+)
+from gaussiancad_core.solid.undrawn import (
+    other_with_undrawn_lines,
+    views_without_hidden_lines,
 )
 from gaussiancad_core.solid.verify import Verification
 
@@ -258,6 +270,12 @@ def _searched(work: Work, labelling: Labelling, limits: Limits, latest: Deadline
     if work.loose and not best.verification.apart:
         reasons.append(LOOSE)
     others = sorted((c for c in agreeing if c is not best), key=_rank)
+    if not reasons:
+        undrawn = other_with_undrawn_lines(work, best.shape, limits)
+        meter.lap("undrawn")
+        if undrawn is not None:
+            reasons.append(undrawn_in(views_without_hidden_lines(views)))
+            others.append(undrawn)
     return ExactResult(
         Status.APPROXIMATE if reasons else Status.VERIFIED,
         best.shape,

@@ -16,7 +16,7 @@ from gaussiancad_core.drawing.brep import faces_of
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.supports import PartSupports
 from gaussiancad_core.solid.known_faces import KnownMeasures, axes_of, is_known
-from gaussiancad_core.solid.known_measures import RoundMeasures, ToldMeasures
+from gaussiancad_core.solid.known_measures import FLOOR_MM, RoundMeasures, ToldMeasures
 from gaussiancad_core.solid.verify import Verification
 
 _SHARE = 0.95
@@ -32,8 +32,8 @@ _ASIDE = 3.0
 """Times the noise that numbers may have been moved by to become round, at least; at most where the
 step is none that parts are designed in: they may have been round in another one."""
 
-_FLOOR_MM, _FLOOR = 1e-3, 2e-6
-"""Least bound, in mm and as a share of the longest extent: what the kernel computes with."""
+_FLOOR = 2e-6
+"""Least bound as a share of the longest extent: what the kernel computes with."""
 
 
 class MeasureSource(Enum):
@@ -79,7 +79,7 @@ def measures_of(
         views: of these.
         verification: how the solid's lines lie beside those of the views.
     """
-    least = max(_FLOOR_MM, _FLOOR * max(views.size))
+    least = max(FLOOR_MM, _FLOOR * max(views.size))
     drawn = max(least, views.bound)
     if not views.noise:
         # Lines of a file are where they belong but for how far they contradict each other.

@@ -1,12 +1,17 @@
 """Why a solid is not verified: codes, and a sentence for each."""
 
-from gaussiancad_core.axes import mutually_orthogonal
+from collections.abc import Sequence
+
+from gaussiancad_core.axes import Role, mutually_orthogonal
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.solid.verify import Verification
 from gaussiancad_core.views import Linetype
 
 Reason = tuple[str, str]
 """A kebab-case code, and a sentence."""
+
+ASSUMED = "assumed"
+"""Code of what rests on something that no line says."""
 
 NONE: Reason = "no-solid-fits", "no solid has these lines: they contradict each other"
 UNBUILT: Reason = (
@@ -28,9 +33,20 @@ GUARDED: Reason = (
     "the sheet again where less else is running",
 )
 UNDRAWN: Reason = (
-    "assumed",
+    ASSUMED,
     "no view has a hidden line: that nothing lies within the part that no view shows was assumed",
 )
+
+
+def undrawn_in(roles: Sequence[Role]) -> Reason:
+    """That another solid has all lines if some views, which have no hidden line, draw none."""
+    names = " and ".join(role.value for role in roles)
+    return (
+        ASSUMED,
+        f"the {names} view{'s have' if len(roles) > 1 else ' has'} no hidden line: that none was "
+        "left out there was assumed; otherwise another solid has all lines, too: see alternatives/",
+    )
+
 
 _RETOLD: Reason = (
     "linetypes-retold",

@@ -1,6 +1,6 @@
 """A solid drawn again and compared with the views it was made from."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -73,12 +73,14 @@ class Flaw:
         place: (right, up) mm, a point of the place.
         length: mm of line.
         missing: the sheet has the line and the solid does not; otherwise the other way round.
+        linetype: of the line.
     """
 
     role: Role
     place: tuple[float, float]
     length: float
     missing: bool
+    linetype: Linetype = Linetype.VISIBLE
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,6 +120,13 @@ class Verification:
         """Whether the solid is sound and its lines are those of the views."""
         return self.sound and not self.flaws
 
+    def explains_but_hidden(self, roles: Collection[Role]) -> bool:
+        """Whether it explains the views, some of which draw no hidden lines."""
+        return self.sound and all(
+            own.role in roles and own.linetype is Linetype.HIDDEN and not own.missing
+            for own in self.flaws
+        )
+
     @property
     def neat(self) -> bool:
         """Whether it explains the views, and without slivers."""
@@ -150,15 +159,15 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
         spread = max(spread, _spread(strokes, lines, tolerance, _TELLING * tolerance))
         unread = max(least, _UNREAD * views.tolerance)
         seen = max(_SEEN * tolerance, _SMALLEST_FLAW * max(views.size))
-        for points, agree, missing, shortest in (
-            (found.sheet.visible, found.visible_found, True, seen),
-            (found.sheet.hidden, found.hidden_found, True, least),
-            (found.result.visible, found.visible_explained, False, least),
-            (found.result.hidden, found.hidden_explained, False, unread),
+        for points, agree, missing, shortest, kind in (
+            (found.sheet.visible, found.visible_found, True, seen, Linetype.VISIBLE),
+            (found.sheet.hidden, found.hidden_found, True, least, Linetype.HIDDEN),
+            (found.result.visible, found.visible_explained, False, least, Linetype.VISIBLE),
+            (found.result.hidden, found.hidden_explained, False, unread, Linetype.HIDDEN),
         ):
             for place, length in _places(points, ~agree, tolerance):
                 if length >= shortest:
-                    flaws.append(Flaw(role, place, length, missing))
+                    flaws.append(Flaw(role, place, length, missing, kind))
     flaws.sort(key=lambda flaw: -flaw.length)
     sound = facts.valid and facts.closed and facts.solids == 1
     misfit = _misfit(shape, views)

@@ -7,6 +7,12 @@ import numpy.typing as npt
 
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.verification.fineness import is_rounded
+from gaussiancad_core.verification.preview_kernels import (
+    interpolated,
+    make_units,
+    mark_edges,
+    shaded,
+)
 from gaussiancad_core.verification.rays import FirstHits, RayCaster, RayGrid
 
 Image = npt.NDArray[np.uint8]
@@ -56,23 +62,23 @@ def render_preview(
 
     grid = _fitted_grid(mesh, size)
     hits = RayCaster(mesh).first_hits(grid)
-    hit = hits.triangle >= 0
-    normals = np.zeros((*hit.shape, 3), dtype=np.float32)
-    normals[hit] = _unit(_interpolated(smooth_corner_normals(mesh), hits, hit))
+    corner_normals = smooth_corner_normals(mesh).astype(np.float32)
+    normals = interpolated(hits.triangle, hits.weights, corner_normals)
+    make_units(normals)
     contrast = _CONTRAST
     if isinstance(colours, tuple):
-        base = np.broadcast_to(np.array(colours, dtype=np.float32), (int(hit.sum()), 3))
+        base = np.array(colours, dtype=np.float32)[None, None]
     else:
-        base = _interpolated(colours[mesh.triangles], hits, hit)
+        corner_colours = colours[mesh.triangles].astype(np.float32)
+        base = interpolated(hits.triangle, hits.weights, corner_colours)
         # Colours that mean something must stay what they are.
         contrast = _CONTRAST / 2.0
-    # Half-Lambert: faces that look away from the light keep their form.
-    facing = (1.0 + normals[hit] @ (_LIGHT / np.linalg.norm(_LIGHT)).astype(np.float32)) / 2.0
-    shade = 1.02 - contrast * (1.0 - facing[:, None] ** 1.3)
-    image = np.full((*hit.shape, 3), _BACKGROUND, dtype=np.float32)
     # A rounded mesh has no creases to draw, only scraps of them.
     edges = _edges(hits, normals, grid, creases=not is_rounded(mesh))
-    image[hit] = np.where(edges[hit][:, None], _edge_colours(base), base * shade)
+    light = (_LIGHT / np.linalg.norm(_LIGHT)).astype(np.float32)
+    background = np.array(_BACKGROUND, dtype=np.float32)
+    lighting = light, np.float32(contrast), background
+    image = shaded(hits.triangle, normals, base, edges, lighting)
     small = cv2.resize(image, (size.width, size.height), interpolation=cv2.INTER_AREA)
     return np.rint(np.clip(small, 0.0, 255.0)).astype(np.uint8)
 
@@ -130,60 +136,22 @@ def _fitted_grid(mesh: TriangleMesh, size: PreviewSize) -> RayGrid:
     return RayGrid(*vectors, float(left), float(top), float(pitch), width, height)
 
 
-def _interpolated(
-    corner_values: npt.NDArray, hits: FirstHits, hit: npt.NDArray[np.bool_]
-) -> npt.NDArray[np.float32]:
-    """(n, k) of (m, 3, k) values at the triangles' corners, at the pixels that hit something."""
-    values = corner_values.astype(np.float32)[hits.triangle[hit]]
-    return np.einsum("nij,ni->nj", values, hits.weights[hit])
-
-
-def _unit(vectors: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
-    lengths = np.sqrt(np.einsum("ij,ij->i", vectors, vectors))
-    return vectors / np.maximum(lengths, 1e-12)[:, None]
-
-
-def _edge_colours(base: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
-    """Darker than the part, or lighter where the part is nearly black."""
-    dark = base.mean(axis=1, keepdims=True) < 48.0
-    return np.where(dark, 0.55 * base + 80.0, 0.28 * base)
-
-
 def _edges(
     hits: FirstHits, normals: npt.NDArray[np.float32], grid: RayGrid, creases: bool
-) -> npt.NDArray[np.bool_]:
-    """(h, w) outlines, and where neighbouring pixels differ in depth or, for creases, bend."""
+) -> npt.NDArray[np.uint8]:
+    """(h, w) not 0 at outlines, at steps of depth and, for creases, where the surface bends."""
     import cv2
 
-    hit = hits.triangle >= 0
-    depth = np.where(hit, hits.depth, 0.0)
-    marked = np.zeros(hit.shape, dtype=np.uint8)
     # Without creases the surface is bumpy, and its limbs would be full of small steps.
     room = (2.0 if creases else 10.0) * grid.pitch
-    look = np.array(grid.look, dtype=np.float32)
-    for axis, across in ((1, np.array(grid.right)), (0, -np.array(grid.up))):
-        one = tuple(slice(None, -1) if k == axis else slice(None) for k in range(2))
-        two = tuple(slice(1, None) if k == axis else slice(None) for k in range(2))
-        both = hit[one] & hit[two]
-        rim = hit[one] != hit[two]
-        marked[one] |= rim
-        marked[two] |= rim
-        if creases:
-            bend = np.einsum("ijk,ijk->ij", normals[one], normals[two])
-            marked[one] |= both & (bend < _CREASE)
-        step = depth[two] - depth[one]
-        far = np.nonzero(both & (np.abs(step) > room))
-        reach = across.astype(np.float32) * grid.pitch
-        slopes = [_slope(normals[part][far], reach, look) for part in (one, two)]
-        step = step[far]
-        jump = (step < np.minimum(*slopes) - room) | (step > np.maximum(*slopes) + room)
-        marked[one][tuple(index[jump] for index in far)] = 1
-    return cv2.dilate(marked, np.ones((3, 3), np.uint8)) > 0
+    axes = np.array([grid.right, grid.up, grid.look], dtype=np.float32)
+    crease = _CREASE if creases else -2.0
+    marked = mark_edges(hits.depth, normals, axes, (grid.pitch, room, crease))
+    return cv2.dilate(marked, np.ones((3, 3), np.uint8))
 
 
-def _slope(
-    normals: npt.NDArray[np.float32], reach: npt.NDArray[np.float32], look: npt.NDArray[np.float32]
-) -> npt.NDArray[np.float32]:
-    """Growth of depth along ``reach`` on surfaces with (n, 3) normals; at most 10 times it."""
-    facing = np.minimum(normals @ look, -0.1)
-    return -(normals @ reach) / facing
+def warm_up() -> None:
+    """Compile the kernels, or load them from numba's cache, so that the first picture is quick."""
+    corners = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+    mesh = TriangleMesh(corners, np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]))
+    render_preview(mesh, (120, 160, 210), PreviewSize(16, 12))

@@ -7,6 +7,9 @@ ray slips through between them; one that runs through the edge itself crosses bo
 import numpy as np
 from numba import njit
 
+_NARROW = 8
+"""px of a triangle's width below which all its pixels are looked at."""
+
 
 @njit(cache=True, error_model="numpy")
 def scan_first(corners, depth, triangle, weights):  # noqa: ANN001, ANN201
@@ -28,7 +31,8 @@ def scan_first(corners, depth, triangle, weights):  # noqa: ANN001, ANN201
         if area == 0.0:
             continue
         for y in range(top, bottom + 1):
-            for x in range(left, right + 1):
+            begin, end = _span(corner, area, left, right, y)
+            for x in range(begin, end + 1):
                 first = _edge(corner, 1, 2, x, y) / area
                 second = _edge(corner, 2, 0, x, y) / area
                 third = _edge(corner, 0, 1, x, y) / area
@@ -78,7 +82,8 @@ def _cross(corners, height, width, hits):  # noqa: ANN001, ANN202
         if area == 0.0:
             continue
         for y in range(top, bottom + 1):
-            for x in range(left, right + 1):
+            begin, end = _span(corner, area, left, right, y)
+            for x in range(begin, end + 1):
                 first = _edge(corner, 1, 2, x, y) / area
                 second = _edge(corner, 2, 0, x, y) / area
                 third = _edge(corner, 0, 1, x, y) / area
@@ -100,6 +105,25 @@ def _bounds(corner, width, height):  # noqa: ANN001, ANN202
     top = max(0, int(np.ceil(min(corner[0, 1], corner[1, 1], corner[2, 1]))))
     bottom = min(height - 1, int(np.floor(max(corner[0, 1], corner[1, 1], corner[2, 1]))))
     return left, right, top, bottom
+
+
+@njit(cache=True, error_model="numpy")
+def _span(corner, area, left, right, y):  # noqa: ANN001, ANN202
+    """First and last column of a row that a triangle may cover, at most a pixel too many."""
+    if right - left < _NARROW:
+        return left, right
+    begin, end = left, right
+    for start in range(3):
+        stop = (start + 1) % 3
+        first = _edge(corner, start, stop, left, y) / area
+        last = _edge(corner, start, stop, right, y) / area
+        if first < 0.0 and last < 0.0:
+            return right, left
+        if first < 0.0:
+            begin = max(begin, left + int((right - left) * (first / (first - last))) - 1)
+        elif last < 0.0:
+            end = min(end, left + int((right - left) * (first / (first - last))) + 2)
+    return begin, end
 
 
 @njit(cache=True, error_model="numpy")

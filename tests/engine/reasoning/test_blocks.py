@@ -49,7 +49,9 @@ _RULES = st.lists(_RULE, min_size=1, max_size=8)
 
 
 def _whole(rule: Rule) -> Rule:
-    return Rule(rule.groups, None, rule.weight, rule.role, rule.point)
+    """Where nothing is drawn: blank, or only not visible."""
+    says = Says.UNSEEN if rule.says is Says.KIND else Says.ALL
+    return Rule(rule.groups, None, rule.weight, rule.role, rule.point, says=says)
 
 
 def _cells_of(rules: Sequence[Rule]) -> list[Cell]:
@@ -102,13 +104,17 @@ def test_blocks_are_all_labels_under_which_blank_rules_hold(
     fitting = [
         labels
         for labels in _all_labels(cells)
-        if all(holds(rule, labels) for rule in hard if rule.linetype is None)
+        if all(holds(rule, labels) for rule in hard if _is_blank(rule))
     ]
     told = [
         {cell: _sum(blocks.forms[cell], chosen) for cell in cells}
         for chosen in range(2 ** len(blocks.free))
     ]
     assert sorted(told, key=_order) == sorted(fitting, key=_order)
+
+
+def _is_blank(rule: Rule) -> bool:
+    return rule.linetype is None and rule.says is Says.ALL
 
 
 def _order(labels: Labels) -> list[tuple[Cell, bool]]:
@@ -127,7 +133,7 @@ def test_what_is_said_of_blocks_is_what_rules_say(
     told = [(sayings.of(rule), rule) for rule in rules]
     for said, rule in told:
         assert _holds(said, chosen) == holds(rule, labels)
-        if rule.weight >= lightest and rule.linetype is None:
+        if rule.weight >= lightest and _is_blank(rule):
             assert said.is_trivial
         assert not (said.is_trivial and not holds(rule, labels))
     pairs = {frozenset(t) for r in rules for g in r.groups for t in (*g.all, *g.lone)}
@@ -140,10 +146,10 @@ def _holds(said: Saying, chosen: int) -> bool:
     covered = False
     for place in said.places:
         if any(_sum(form, chosen) for form in place.differs):
-            hidden = said.look is Look.HIDDEN
+            hidden = said.look in (Look.HIDDEN, Look.UNSEEN)
             return said.look is Look.DRAWN or (said.look is not Look.BLANK and hidden == covered)
         covered |= any(_sum(form, chosen) for form in place.covers)
-    return said.look is Look.BLANK
+    return said.look in (Look.BLANK, Look.UNSEEN)
 
 
 @settings(max_examples=60)

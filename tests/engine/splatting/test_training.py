@@ -64,6 +64,10 @@ def test_gaussians_stay_on_the_surface_they_started_on(
     # In a thousandth of the longest edge.
     assert np.abs(away).mean() < 1e-3 * 20.0
     assert np.array_equal(result.normals, start.normals)
+    tilts = np.abs((result.rotations[:, :, 2] * start.normals).sum(axis=1))
+    # Most do not tilt at all, and none by as much as two degrees.
+    assert np.degrees(np.arccos(np.minimum(np.median(tilts), 1.0))) < 0.05
+    assert np.degrees(np.arccos(tilts.min())) < 2.0
     assert result.log_scales[:, 2] == pytest.approx(start.log_scales[:, 2], abs=1e-5)
     assert np.linalg.norm(result.quaternions, axis=1) == pytest.approx(1.0, abs=1e-5)
 

@@ -7,7 +7,7 @@ import pytest
 import trimesh
 
 from gaussiancad_core.meshes import TriangleMesh, make_mesh
-from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on
+from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on, quaternions_to
 from gaussiancad_core.surface.discs import (
     Creases,
     DiscSampling,
@@ -34,11 +34,37 @@ def test_normals_are_the_thin_axes_on_the_side_of_the_start(bracket_gaussians: G
     assert disc_normals(turned) == pytest.approx(turned.normals, abs=1e-6)
 
 
-def test_discs_are_as_wide_as_their_gaussians(bracket_gaussians: Gaussians) -> None:
-    discs = discs_of(bracket_gaussians, SAMPLING)
-    assert len(discs) == len(bracket_gaussians)
-    assert discs.sigmas == pytest.approx(np.exp(bracket_gaussians.log_scales[:, 0]), rel=1e-5)
+def test_discs_are_as_wide_as_their_gaussians_but_for_their_share(
+    bracket_gaussians: Gaussians,
+) -> None:
+    small = replace(bracket_gaussians, log_scales=bracket_gaussians.log_scales - np.float32(1.0))
+    discs = discs_of(small, SAMPLING)
+    assert len(discs) == len(small)
+    assert discs.sigmas == pytest.approx(np.exp(small.log_scales[:, 0]), rel=1e-5)
+    # However large they become, together they cover the surface about once.
+    large = replace(bracket_gaussians, log_scales=bracket_gaussians.log_scales + np.float32(1.0))
+    discs = discs_of(large, SAMPLING)
+    covered = np.pi * (SAMPLING.reach * discs.sigmas) ** 2
+    assert covered.sum() == pytest.approx(bracket_area(), rel=0.3)
     assert np.abs(np.einsum("nij,ni->nj", discs.axes, discs.normals)).max() < 1e-6
+
+
+def bracket_area() -> float:
+    """Of the bracket's surface, mm^2."""
+    outline, section = 2 * (20.0 + 16.0), 20.0 * 5.0 + 6.0 * 11.0
+    return outline * 12.0 + 2.0 * section
+
+
+def test_a_disc_that_faces_as_none_around_it_is_left_out(bracket_gaussians: Gaussians) -> None:
+    """Such as starts on the bevel along a hull's edge."""
+    turned = bracket_gaussians.normals.copy()
+    quaternions = bracket_gaussians.quaternions.copy()
+    turned[7] = np.array([1.0, 1.0, 1.0], np.float32) / np.float32(np.sqrt(3.0))
+    quaternions[7] = quaternions_to(turned[7:8].astype(np.float64))[0]
+    odd = replace(bracket_gaussians, normals=turned, quaternions=quaternions)
+    discs = discs_of(odd, SAMPLING)
+    assert len(discs) == len(odd) - 1
+    assert not (discs.centres == odd.means[7]).all(axis=1).any()
 
 
 def test_creases_lie_on_the_edges_and_know_their_planes(creases: Creases) -> None:

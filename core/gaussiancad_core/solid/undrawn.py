@@ -1,0 +1,85 @@
+"""Another solid that has all lines where some views draw no hidden lines.
+
+A sheet that has hidden lines in one view is taken to draw them in all.  It may have left them out
+in a view that has none, though, where the part is clear without them (ISO 128-3): what is blank
+there only means that nothing is visible.  Edges that are not drawn divide no regions, so that the
+views are divided as well where the other ones show an edge.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import chain
+
+from OCP.TopoDS import TopoDS_Shape
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.errors import LimitError
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.part import PartModel, model_part
+from gaussiancad_core.reasoning.rules import without_hidden
+from gaussiancad_core.reasoning.work import Deadline
+from gaussiancad_core.solid.candidates import Candidate, candidate_of, counting_cells
+from gaussiancad_core.solid.limits import Limits, Work, search_for
+from gaussiancad_core.solid.same import same_solid
+from gaussiancad_core.views import Linetype
+
+_MOST = 2
+"""Other labels that are looked at."""
+
+_SHARE = 0.1
+"""Share of the work that it may take."""
+
+
+def views_without_hidden_lines(views: DrawnViews) -> tuple[Role, ...]:
+    """Views that have no hidden line, where others have some."""
+    silent = tuple(
+        role
+        for role, strokes in views.strokes.items()
+        if all(stroke.linetype is not Linetype.HIDDEN for stroke in strokes)
+    )
+    return silent if len(silent) < len(views.roles) else ()
+
+
+def other_with_undrawn_lines(work: Work, shape: TopoDS_Shape, limits: Limits) -> Candidate | None:
+    """Another solid that has all lines where views without hidden lines draw none.
+
+    Args:
+        work: of the solid.
+        shape: the solid, mm.
+        limits: of the search.
+
+    Returns:
+        None if there is none, or none was found among the first that the cells have.
+    """
+    roles = views_without_hidden_lines(work.views)
+    if not roles:
+        return None
+    deadline = work.meter.until(work.meter.spent + _SHARE * limits.work)
+    for part in _parts(work, deadline):
+        weaker = replace(part, rules=without_hidden(part.rules, roles))
+        own = replace(work, part=weaker, search=search_for(weaker, limits, work.meter))
+        found = own.search.fulfilled(deadline)
+        if found.labels is not None:
+            others = own.search.others(found, counting_cells(own), _MOST, deadline=deadline)
+            candidates = (candidate_of(own, labels, deadline)[0] for labels in others.labels)
+            first, _ = candidate_of(own, found.labels, deadline)
+            return next(
+                (
+                    other
+                    for other in chain([first], candidates)
+                    if other is not None
+                    and other.verification.explains_but_hidden(roles)
+                    and not same_solid(other.shape, shape)
+                ),
+                None,
+            )
+    return None
+
+
+def _parts(work: Work, deadline: Deadline) -> Iterator[PartModel]:
+    """The part with what views may lack, and, where no labels fit that, as it is."""
+    try:
+        yield model_part(work.views, deadline=deadline, lost_lines=True)
+    except LimitError:
+        return
+    yield work.part
