@@ -25,7 +25,7 @@ from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.sheet.reading import read_views, register_views
+from gaussiancad_core.sheet.reading import RegisteredSheet, read_views, register_views
 from gaussiancad_core.sheet.scale.find import find_scale
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.sheet.view_search import find_views
@@ -70,12 +70,14 @@ class Input:
         outlines: the views with their filled outlines as masks, where they come from a sheet.
         masks: the same with the through holes that the hidden lines prove.
         source: whether the strokes were fitted to pixels or are those of a file.
+        registered: the views on shared axes, where they come from a sheet.
     """
 
     views: DrawnViews
     outlines: ViewSet | None = None
     masks: ViewSet | None = None
     source: str = ""
+    registered: RegisteredSheet | None = None
 
 
 def make_input(case: Case, truth: TopoDS_Shape, kind: InputKind, folder: Path) -> Input:
@@ -188,4 +190,5 @@ def read_input(
         plain.views,
         registered.views,
         source=registered.source.value,
+        registered=registered,
     )

@@ -1,0 +1,55 @@
+"""Parts of grids that look alike."""
+
+import numpy as np
+import pytest
+from grid_parts import Grid, are_sound, grid_solid, grid_strokes, sound_parts
+from sheet_policies import POLICIES, as_drawn, same_drawing
+from verified_grids import alike_in_grid, confusable, pair_of, with_thin_box
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.solid.same import same_solid
+
+_PLACES = ((0.0, 7.0, 20.0, 29.0), (0.0, 4.0, 15.0, 24.0), (0.0, 9.0, 14.0, 30.0))
+_POLICIES = {policy.name: policy for policy in POLICIES}
+
+
+def test_a_pair_has_one_drawing_and_is_two_parts() -> None:
+    grid = Grid((3, 3, 3))
+    pair = pair_of(grid, POLICIES[0], np.random.default_rng(1))
+    assert are_sound(grid, np.array(pair)).all()
+    drawings = [
+        {role: grid_strokes(grid, part, _PLACES, role) for role in POLICIES[0].roles}
+        for part in pair
+    ]
+    assert same_drawing(*drawings, 30.0)
+    assert not same_solid(*(grid_solid(grid, part, _PLACES) for part in pair))
+    thin = with_thin_box(grid, pair, _PLACES, np.random.default_rng(0))
+    steps = np.concatenate([np.diff(own) for own in thin])
+    assert (steps < 0.5).sum() == 1 and len(steps) == 9
+
+
+def test_confusable_parts_leave_out_what_another_one_does_not_have() -> None:
+    grid, policy = Grid((3, 3, 2)), _POLICIES["hidden lines in front only"]
+    numbers = sound_parts(grid)
+    places = (*_PLACES[:2], (0.0, 9.0, 14.0))
+    index = int(confusable(grid, policy)[5])
+    others = alike_in_grid(grid, places, policy, index)
+    whole = [
+        {role: grid_strokes(grid, int(part), places, role) for role in policy.roles}
+        for part in (numbers[index], *others)
+    ]
+    drawn = [as_drawn(own, policy) for own in whole]
+    assert len(others) >= 1 and all(same_drawing(drawn[0], own, 30.0) for own in drawn[1:])
+    assert any(same_drawing(drawn[0], own, 30.0) for own in whole[1:])
+
+
+@pytest.mark.parametrize("mirrored", [True, False])
+def test_a_block_is_another_part_in_first_angle_but_where_it_is_its_own_mirror(
+    mirrored: bool,
+) -> None:
+    grid, policy = Grid((2, 2, 2)), _POLICIES["projection not told"]
+    numbers = sound_parts(grid)
+    block = int(np.flatnonzero(numbers == 255)[0])
+    places = ((0.0, 7.0, 20.0), (0.0, 4.0, 8.0 if mirrored else 9.0), (0.0, 9.0, 14.0))
+    assert Role.FRONT in policy.roles
+    assert alike_in_grid(grid, places, policy, block) == ([] if mirrored else [255])
