@@ -13,9 +13,6 @@ from gaussiancad_core.reasoning.clauses import Labels
 from gaussiancad_core.reasoning.columns import Cell, Space, Surface
 from gaussiancad_core.reasoning.rules import Rule, holds
 
-_SLIM = 0.15
-"""Units of thickness below which cells make no different solid."""
-
 _ROUNDS = 3
 """Times that slim cells are looked at: the labels of neighbours may change."""
 
@@ -23,9 +20,7 @@ Neighbours = Mapping[Cell, Sequence[tuple[Cell | None, Surface]]]
 """Of each cell those that columns enter from it, or leave into it, and through which surface."""
 
 
-def with_unsaid(
-    space: Space, rules: Sequence[Rule], labels: Labels, thickest: float = _SLIM
-) -> Labels:
+def with_unsaid(space: Space, rules: Sequence[Rule], labels: Labels, thickest: float) -> Labels:
     """Labels for all cells; slim ones changed where all rules hold that held before.
 
     Args:

@@ -9,20 +9,14 @@ from gaussiancad_core.drawing.brep import edges_of
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.reasoning.columns import Cell, Vector
 from gaussiancad_core.reasoning.labelling import Labelling, Labels
-from gaussiancad_core.reasoning.part import PartModel
 from gaussiancad_core.reasoning.unsaid import with_unsaid
 from gaussiancad_core.reasoning.work import Counted, Deadline
 from gaussiancad_core.solid.build import BuiltSolid, build_solid
-from gaussiancad_core.solid.known_measures import FLOOR_MM
 from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.solid.limits import Limits, Work
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.trace import Outcome
 from gaussiancad_core.solid.verify import Verification, verify
-
-_SLIM = 0.15
-"""Units of thickness from which a cell of a picture makes a different solid: thinner ones lie
-between lines that may be one."""
 
 _UNLIKELY = 0.02
 """Share of the search for others that is left where neither lines nor labels agree: they may,
@@ -76,7 +70,7 @@ def candidates_of(work: Work, labelling: Labelling, limits: Limits, latest: Dead
     first, settled = _candidate(work, built)
     candidates = [first] if first is not None else []
     explained = first is not None and first.verification.explains
-    if not explained and (likelier := _likelier(work.part, labelling.labels)) is not None:
+    if not explained and (likelier := _likelier(work, labelling.labels)) is not None:
         second, looked_at = _candidate(work, _build(work, likelier, latest))
         settled &= looked_at
         explained = second is not None and second.verification.explains
@@ -105,11 +99,8 @@ def candidates_of(work: Work, labelling: Labelling, limits: Limits, latest: Dead
 
 def counting_cells(work: Work) -> list[Cell]:
     """Cells that make a different solid: those thicker than how well places are known."""
-    views = work.views
-    units = max(FLOOR_MM, views.bound) * work.part.supports.scale
-    if views.noise:
-        units = max(units, _SLIM)
-    return [cell for cell, own in work.part.space.thickness().items() if own > units]
+    slim = work.slim
+    return [cell for cell, units in work.part.space.thickness().items() if units > slim]
 
 
 def candidate_of(work: Work, labels: Labels, latest: Deadline) -> tuple[Candidate | None, bool]:
@@ -117,16 +108,17 @@ def candidate_of(work: Work, labels: Labels, latest: Deadline) -> tuple[Candidat
     return _candidate(work, _build(work, labels, latest))
 
 
-def _likelier(part: PartModel, labels: Labels) -> Labels | None:
+def _likelier(work: Work, labels: Labels) -> Labels | None:
     """Labels under which the same rules hold and surfaces go on; None if they are the same."""
-    settled = with_unsaid(part.space, part.rules, labels)
+    part = work.part
+    settled = with_unsaid(part.space, part.rules, labels, work.slim)
     likelier = with_unsaid(part.space, part.rules, labels, inf)
     return None if likelier == settled else likelier
 
 
 def _build(work: Work, labels: Labels, deadline: Deadline) -> BuiltSolid:
     part = work.part
-    labels = with_unsaid(part.space, part.rules, labels)
+    labels = with_unsaid(part.space, part.rules, labels, work.slim)
     built = build_solid(LabelledSpace(part.space, labels), part.supports.scale, deadline)
     work.meter.lap("build")
     return built
