@@ -8,11 +8,11 @@ there is still a rule, and the labels decide which of these rules are wrong.
 """
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 
-from gaussiancad_core.axes import Axis
+from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.reasoning.arrangement import Arrangement, distinct
 from gaussiancad_core.reasoning.curves import (
     CircleCurve,
@@ -36,13 +36,16 @@ Stretch = tuple[PlaneCurve, float, float]
 """A curve and its parameters from a low to a high one."""
 
 
-def with_lost_lines(supports: PartSupports, *, along_axes: bool = False) -> PartSupports:
+def with_lost_lines(
+    supports: PartSupports, *, along_axes: bool = False, undrawn: Collection[Role] = ()
+) -> PartSupports:
     """The supports with stretches that views may lack; only of three planes these are known.
 
     Args:
         supports: of the strokes.
         along_axes: whether only lines along the axes are looked for, which meet others where
             values are known already.
+        undrawn: views that may lack any line along the axes.
     """
     if len(supports.planes) < len(Axis):
         return supports
@@ -51,6 +54,8 @@ def with_lost_lines(supports: PartSupports, *, along_axes: bool = False) -> Part
     planes = {}
     for axis, plane in supports.planes.items():
         edges = _edges(supports, corners, axis, near)
+        if all(role in undrawn for role in plane.roles):
+            edges = chain(edges, _grid(supports, axis))
         if along_axes:
             planes[axis] = _divided(plane, edges)
             continue
@@ -96,6 +101,14 @@ def _edges(
             curve = axis_line(coordinate, value)
             for low, high in merged_stretches(own, near):
                 yield curve, low, high
+
+
+def _grid(supports: PartSupports, normal: Axis) -> Iterator[Stretch]:
+    """All lines through a plane at the coordinates that any view shows."""
+    for coordinate, index in enumerate(IN_PLANE[normal]):
+        along = supports.values[Axis(IN_PLANE[normal][1 - coordinate])]
+        for value in supports.values[Axis(index)]:
+            yield axis_line(coordinate, value), min(along), max(along)
 
 
 def _lines_by_depth(beside: _Beside, near: float) -> dict[int, list[tuple[float, float]]]:

@@ -1,6 +1,6 @@
 """A drawing as cells and rules: what the labelling starts from."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
 
@@ -82,6 +82,7 @@ def model_part(
     open_ends: bool = False,
     lost_lines: bool = False,
     along_axes: bool = False,
+    undrawn: Collection[Role] = (),
 ) -> PartModel:
     """Supports, cells and rules of views.
 
@@ -92,6 +93,7 @@ def model_part(
         open_ends: whether strokes may go on beyond their ends.
         lost_lines: whether regions are divided as well where a view may lack a line.
         along_axes: whether only such lines count as run along an axis.
+        undrawn: views that may lack any line along an axis.
 
     Raises:
         LimitError: ``part-too-complex``, or ``search-unfinished`` after the deadline.
@@ -116,7 +118,7 @@ def model_part(
     if open_ends:
         supports = with_open_ends(supports)
     if lost_lines:
-        supports = with_lost_lines(supports, along_axes=along_axes)
+        supports = with_lost_lines(supports, along_axes=along_axes, undrawn=undrawn)
     planes = {axis: _arranged(plane, supports.tolerance) for axis, plane in supports.planes.items()}
     for axis in Axis:
         if axis not in planes:

@@ -55,7 +55,7 @@ def other_with_undrawn_lines(work: Work, shape: TopoDS_Shape, limits: Limits) ->
     if not roles:
         return None
     deadline = work.meter.until(work.meter.spent + _SHARE * limits.work)
-    for part in _parts(work, deadline):
+    for part in _parts(work, roles, deadline):
         weaker = replace(part, rules=without_hidden(part.rules, roles))
         own = replace(work, part=weaker, search=search_for(weaker, limits, work.meter))
         found = own.search.fulfilled(deadline)
@@ -76,10 +76,10 @@ def other_with_undrawn_lines(work: Work, shape: TopoDS_Shape, limits: Limits) ->
     return None
 
 
-def _parts(work: Work, deadline: Deadline) -> Iterator[PartModel]:
+def _parts(work: Work, roles: tuple[Role, ...], deadline: Deadline) -> Iterator[PartModel]:
     """The part with what views may lack, and, where no labels fit that, as it is."""
     try:
-        yield model_part(work.views, deadline=deadline, lost_lines=True)
+        yield model_part(work.views, deadline=deadline, lost_lines=True, undrawn=roles)
     except LimitError:
         return
     yield work.part
