@@ -425,7 +425,8 @@ def test_a_part_designed_in_steps_is_as_large_as_meant(
     found = exact_solid(_misplaced(drawn(solid), pixel))
     assert found.verification is not None and found.verification.explains
     assert found.status is Status.VERIFIED
-    assert (found.measures.uncertainty == pytest.approx(1e-3)) == (sure and not off)
+    known = pytest.approx(1e-3)
+    assert found.measures.uncertainty == (known if sure and not off else pytest.approx(_BOUND))
     if sure:
         within = 1e-3 if off else 1e-6
         assert volume(found.shape) == pytest.approx(volume(solid), rel=within)
@@ -447,9 +448,12 @@ def test_edges_that_follow_from_round_faces_are_no_odd_measures(
     solid = cut(bar, box((10, -1, 34 + odd), (40, 41, 41)), cylinder(Axis.X, (20, 20), 6, -1, 90))
     found = exact_solid(_misplaced(drawn(solid), 0.2))
     assert found.status is Status.VERIFIED
-    assert (found.measures.uncertainty == pytest.approx(1e-3)) == sure
+    assert found.measures.uncertainty == pytest.approx(1e-3 if sure else _BOUND)
     if sure:
         assert volume(found.shape) == pytest.approx(volume(solid), rel=1e-6)
+
+
+_BOUND = 0.04
 
 
 def _misplaced(views: DrawnViews, pixel: float) -> DrawnViews:
@@ -467,4 +471,4 @@ def _misplaced(views: DrawnViews, pixel: float) -> DrawnViews:
         return replace(stroke, start=tuple(start), end=tuple(end))
 
     strokes = {role: tuple(map(moved, own)) for role, own in views.strokes.items()}
-    return replace(views, strokes=strokes, tolerance=pixel, apart=0.02, noise=0.01)
+    return replace(views, strokes=strokes, tolerance=pixel, apart=0.02, noise=0.01, bound=_BOUND)
