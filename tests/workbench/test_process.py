@@ -75,7 +75,7 @@ class Runs(FolderCase):
         for act in ("SIGKILL", "SIGSEGV"):
             result = self.run_until_second_stage(self.job.arguments(), act)
             self.assertIs(result.state, RunState.KILLED)
-            self.assertIn("unchanged", result.message)
+            self.assertIn("ended from outside", result.message)
         self.behave("dies")
         result, _, _ = run_fake(self.job.arguments())
         self.assertIs(result.state, RunState.KILLED)
