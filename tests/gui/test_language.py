@@ -25,6 +25,6 @@ class German(WindowCase):
         button = self.start()
         self.wait_for(button.isEnabled)
         self.picture("panel-german")
-        self.assertIn("Geprüft", widget(QtWidgets.QLabel, "stage").text())
+        self.assertIn("Form bestätigt.", widget(QtWidgets.QLabel, "stage").text())
         self.assertEqual(document.getObject("Part").Label, "Bauteil")
         self.assertEqual(document.UndoNames, ["Aus Zeichnung rekonstruieren"])

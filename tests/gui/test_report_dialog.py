@@ -27,9 +27,11 @@ class Report(WindowCase):
     def test_a_double_click_shows_status_picture_and_figures(self) -> None:
         dialog = self.open_report("ambiguous")
         headline = dialog.findChild(QtWidgets.QLabel, "headline").text()
-        self.assertIn("Approximate", headline)
+        self.assertIn("Shape not certain", headline)
         text = dialog.findChild(QtWidgets.QPlainTextEdit, "text").toPlainText()
         self.assertIn("another solid fits the sheet", text)
+        why = dialog.findChild(QtWidgets.QPlainTextEdit, "why").toPlainText()
+        self.assertEqual(why.splitlines(), ["Shape not certain."])
         self.assertTrue(dialog.findChild(QtWidgets.QLabel, "preview").has_picture)
         self.picture("report")
         dialog.reject()
