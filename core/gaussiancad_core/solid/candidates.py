@@ -18,6 +18,9 @@ from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.trace import Outcome
 from gaussiancad_core.solid.verify import Verification, verify
 
+_SLIM = 0.15
+"""Units of thickness up to which cells most likely are what continues the surfaces around them."""
+
 _UNLIKELY = 0.02
 """Share of the search for others that is left where neither lines nor labels agree: they may,
 but are found at once or not at all."""
@@ -66,12 +69,14 @@ def candidates_of(work: Work, labelling: Labelling, limits: Limits, latest: Dead
         latest: by which building, and the search for others, end.
     """
     counting = counting_cells(work)
-    built = _build(work, labelling.labels, latest)
+    built = _build(work, labelling.labels, latest, _SLIM)
     first, settled = _candidate(work, built)
     candidates = [first] if first is not None else []
     explained = first is not None and first.verification.explains
-    if not explained and (likelier := _likelier(work, labelling.labels)) is not None:
-        second, looked_at = _candidate(work, _build(work, likelier, latest))
+    likely = _continued(work, labelling.labels, _SLIM)
+    likelier = _continued(work, labelling.labels, inf)
+    if not explained and likelier != likely:
+        second, looked_at = _candidate(work, _build(work, likelier, latest, _SLIM))
         settled &= looked_at
         explained = second is not None and second.verification.explains
         if second is not None and not (first and same_solid(second.shape, first.shape)):
@@ -79,8 +84,11 @@ def candidates_of(work: Work, labelling: Labelling, limits: Limits, latest: Dead
     share = 1.0 if explained or not labelling.given_up else _UNLIKELY
     others = work.search.others(labelling, counting, limits.alternatives, share, latest)
     work.meter.lap("others")
+    # What slim cells were likely to be is not what they have to be.
+    plain = [labelling.labels] if likely != _continued(work, labelling.labels, work.slim) else []
+    further = [*(plain if explained else ()), *others.labels]
     done = 0
-    for labels in others.labels:
+    for labels in further:
         if work.meter.spent > limits.work or work.meter.is_overrun:
             break
         done += 1
@@ -88,7 +96,7 @@ def candidates_of(work: Work, labelling: Labelling, limits: Limits, latest: Dead
         settled &= looked_at
         if candidate and not any(same_solid(candidate.shape, c.shape) for c in candidates):
             candidates.append(candidate)
-    complete = settled and others.complete and labelling.complete and done == len(others.labels)
+    complete = settled and others.complete and labelling.complete and done == len(further)
     if not candidates and built.largest is not None:
         # Where lines are missing or wrong, specks of material may lie beside the part.
         candidate, _ = _candidate(work, replace(built, shape=built.largest))
@@ -105,21 +113,18 @@ def counting_cells(work: Work) -> list[Cell]:
 
 def candidate_of(work: Work, labels: Labels, latest: Deadline) -> tuple[Candidate | None, bool]:
     """What labels bound, drawn again; and whether that is certain."""
-    return _candidate(work, _build(work, labels, latest))
+    return _candidate(work, _build(work, labels, latest, work.slim))
 
 
-def _likelier(work: Work, labels: Labels) -> Labels | None:
-    """Labels under which the same rules hold and surfaces go on; None if they are the same."""
+def _continued(work: Work, labels: Labels, thickest: float) -> Labels:
+    """Labels for all cells; slim ones continue the surfaces around them, where as many rules hold."""
+    return with_unsaid(work.part.space, work.part.rules, labels, thickest)
+
+
+def _build(work: Work, labels: Labels, deadline: Deadline, thickest: float) -> BuiltSolid:
     part = work.part
-    settled = with_unsaid(part.space, part.rules, labels, work.slim)
-    likelier = with_unsaid(part.space, part.rules, labels, inf)
-    return None if likelier == settled else likelier
-
-
-def _build(work: Work, labels: Labels, deadline: Deadline) -> BuiltSolid:
-    part = work.part
-    labels = with_unsaid(part.space, part.rules, labels, work.slim)
-    built = build_solid(LabelledSpace(part.space, labels), part.supports.scale, deadline)
+    space = LabelledSpace(part.space, _continued(work, labels, thickest))
+    built = build_solid(space, part.supports.scale, deadline)
     work.meter.lap("build")
     return built
 
