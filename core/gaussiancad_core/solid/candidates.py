@@ -117,7 +117,7 @@ def candidate_of(work: Work, labels: Labels, latest: Deadline) -> tuple[Candidat
 
 
 def _continued(work: Work, labels: Labels, thickest: float) -> Labels:
-    """Labels for all cells; slim ones continue the surfaces around them, where as many rules hold."""
+    """Labels for all cells; slim ones go on as what is around them, where as many rules hold."""
     return with_unsaid(work.part.space, work.part.rules, labels, thickest)
 
 
