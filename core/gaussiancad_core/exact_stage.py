@@ -1,8 +1,8 @@
 """The exact solid of a sheet, under the reading of its projection that has one.
 
-First and third angle are two readings of the same views.  Where the user says neither, the solid
-decides: the reading is right whose lines a solid has.  If both have one, and the two differ, nobody
-can tell from the sheet which is meant.
+First and third angle are two readings of the same views.  Where neither the user nor a symbol says
+which, the solid decides: the reading is right whose lines a solid has.  If both have one, and the
+two differ, nobody can tell from the sheet which is meant.
 
 Where there is none, what the outlines' sweeps have in common is a solid that is told to be no more.
 """
@@ -107,6 +107,8 @@ def find_exact(
     other: Reading | None,
     limits: Limits | None = None,
     likelier: Callable[[], Reading] | None = None,
+    *,
+    by_symbol: bool = False,
 ) -> ExactModel:
     """The exact solid of a sheet.
 
@@ -115,11 +117,15 @@ def find_exact(
         other: the other one, if it is possible.
         limits: of the search.
         likelier: tells which of the two is likelier; asked only where the solids do not tell.
+        by_symbol: whether the sheet's projection symbol tells the first: the other is tried only
+            where lines contradict it.
     """
     limits = limits or Limits()
     result = _solved(own, limits)
     if other is None:
         return ExactModel(own, result, False)
+    if by_symbol and result.explains and not result.relaxed:
+        return ExactModel(own, result, True)
     strict = replace(limits, relaxed=False)
     contrary = _solved(other, strict)
     if not contrary.explains and (result.relaxed or not result.explains):
@@ -136,6 +142,7 @@ def find_exact(
         if not contrary.is_settled:
             result = result.doubted(_UNSETTLED)
         return ExactModel(own, result, result.explains)
+    indistinct = drawn_views(own.registered, own.measures).indistinct
     further = [
         (shape, share)
         for shape, share in zip(
@@ -143,7 +150,7 @@ def find_exact(
             (contrary.verification.share, *contrary.agreements),
             strict=True,
         )
-        if not same_solid(shape, result.shape)
+        if not same_solid(shape, result.shape, indistinct)
     ]
     if not further:
         return ExactModel(own, result, False)

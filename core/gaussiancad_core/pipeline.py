@@ -159,7 +159,7 @@ class _Run:
         for entry in self.folder.staging.iterdir():
             if entry.is_file() and entry.name != READING_FILE:
                 entry.unlink()
-        self._finish(Status.APPROXIMATE if self.folder.ahead else Status.FAILED)
+        self._finish(Status.APPROXIMATE if self.notes.report.solid else Status.FAILED)
 
     def how_far(self) -> str:
         """Where the run was when it was stopped, for a message."""
@@ -168,11 +168,13 @@ class _Run:
             return "before its first stage: nothing was written"
         stages = stages_of(self.job.result, self.job.recipe)
         where = f"{name} ({stages.index(name) + 1} of {len(stages)})"
-        ahead = self.folder.ahead
-        written = f"{'only the reading and the solid were' if ahead else 'nothing was'} written"
+        written = f"only {self._ahead()} written" if self.folder.ahead else "nothing was written"
         if self.job.resume and self.folder.checkpoint.is_file():
             written += ", but for a checkpoint: --resume goes on from it"
         return f"in the stage {where}: {written}"
+
+    def _ahead(self) -> str:
+        return "the reading and the solid were" if self.notes.report.solid else "the reading was"
 
     def _finish(self, status: Status) -> None:
         self.notes.tell(status=status, seconds=dict(self.progress.seconds))
@@ -203,6 +205,8 @@ class _Run:
         beside = found.marks, found.special
         values = reading_values(self.notes.report, found.own.registered.drawn, beside, turn)
         write_reading(values, self.folder.staging)
+        self.folder.publish()
+        self._send("reading", READING_FILE)
 
     def _find_solid(
         self, found: "SheetFindings", turn: Turn
@@ -225,7 +229,12 @@ class _Run:
         if surface_alone:
             exact = find_for_hull(found.own, found.other)
         else:
-            exact = find_exact(found.own, found.other, likelier=lambda: weighed().own)
+            exact = find_exact(
+                found.own,
+                found.other,
+                likelier=lambda: weighed().own,
+                by_symbol=found.symbol is not None,
+            )
         if exact and exact.decided:
             tell_projection(self.notes, exact.reading.projection, inferred=True)
         elif found.other and not surface_alone:
@@ -249,8 +258,12 @@ class _Run:
         self.notes.tell(solid=solid_report(solid))
         write_solids(solid.result, self.folder.staging)
         self.folder.publish()
-        path = (self.folder.path / SOLID_FILE).resolve()
-        self.progress.listener.send("solid", path=str(path), status=status.value)
+        self._send("solid", SOLID_FILE, status=status.value)
+
+    def _send(self, event: str, name: str, **more: str) -> None:
+        """Send where a file lies that is final."""
+        path = (self.folder.path / name).resolve()
+        self.progress.listener.send(event, path=str(path), **more)
 
     def _make_models(
         self,

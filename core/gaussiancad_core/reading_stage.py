@@ -105,11 +105,15 @@ def tell_projection(notes: RunNotes, projection: Projection, inferred: bool) -> 
 
 
 def tell_symbol(notes: RunNotes, found: SheetFindings, taken: Projection) -> None:
-    """Say where the projection symbol and the lines do not agree."""
+    """Say that the symbol told the projection, or that the lines do not agree with it."""
     symbol = found.symbol
-    if symbol is None or (taken is symbol and not found.contradicted):
+    if symbol is None:
         return
-    notes.warn(
+    if taken is symbol:
+        notes.tell(projection_source="symbol")
+        if not found.contradicted:
+            return
+    notes.doubt(
         "symbol-contradicts-lines",
         f"the projection symbol says {symbol.value} angle, but the visible and hidden "
         f"lines fit {symbol.other.value} angle better: {taken.value} angle was taken; "
@@ -158,6 +162,8 @@ def _sheet_scale(
         return None
     scale = find_scale(image, clean, *found)
     notes.tell(dimensions=scale.dimensions)
+    for note in scale.contradictions:
+        notes.doubt(note.code, note.message)
     return scale
 
 
@@ -181,7 +187,7 @@ def _with_measures(
 ) -> SheetFindings:
     """The readings with what the dimensions say of lengths, where they fit the scale."""
     if contradicts(found.own.registered, scale):
-        notes.warn(
+        notes.doubt(
             "scale-contradicts-dimensions",
             f"the dimensions on the sheet agree on {scale.mm_per_pixel:.4g} mm a pixel, but "
             f"{found.own.registered.mm_per_pixel:.4g} was told: check --length or --mm-per-pixel; "

@@ -47,6 +47,14 @@ class DrawnViews:
         """The views in their order."""
         return tuple(self.strokes)
 
+    @property
+    def indistinct(self) -> float:
+        """mm up to which surfaces are not told apart: how well places are known."""
+        return max(FLOOR_MM, self.bound, self.tolerance)
+
+
+FLOOR_MM = 1e-3
+"""mm that nobody asks a bound of measures to be less than."""
 
 EXACT_TOLERANCE = 2e-6
 """Tolerance of lines known to rounding, as a share of the part's longest extent."""

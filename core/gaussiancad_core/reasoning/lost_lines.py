@@ -10,7 +10,7 @@ there is still a rule, and the labels decide which of these rules are wrong.
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import chain
+from itertools import chain, pairwise
 
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.reasoning.arrangement import Arrangement, distinct
@@ -51,11 +51,18 @@ def with_lost_lines(
         return supports
     near = max(NEAR, supports.tolerance)
     corners = {axis: Arrangement(plane.supports).corners for axis, plane in supports.planes.items()}
+    silent = {
+        axis
+        for axis in Axis
+        if all(
+            role in undrawn for own in IN_PLANE[axis] for role in supports.planes[Axis(own)].roles
+        )
+    }
     planes = {}
     for axis, plane in supports.planes.items():
         edges = _edges(supports, corners, axis, near)
         if all(role in undrawn for role in plane.roles):
-            edges = chain(edges, _grid(supports, axis))
+            edges = chain(edges, _grid(supports, axis, silent))
         if along_axes:
             planes[axis] = _divided(plane, edges)
             continue
@@ -103,11 +110,18 @@ def _edges(
                 yield curve, low, high
 
 
-def _grid(supports: PartSupports, normal: Axis) -> Iterator[Stretch]:
-    """All lines through a plane at the coordinates that any view shows."""
+def _grid(supports: PartSupports, normal: Axis, silent: Collection[Axis]) -> Iterator[Stretch]:
+    """All lines through a plane at the coordinates that any view shows.
+
+    Along ``silent`` axes, of which only views that may lack lines tell, surfaces may lie anywhere
+    between: the middle stands for that.
+    """
     for coordinate, index in enumerate(IN_PLANE[normal]):
         along = supports.values[Axis(IN_PLANE[normal][1 - coordinate])]
-        for value in supports.values[Axis(index)]:
+        values = sorted(supports.values[Axis(index)])
+        if Axis(index) in silent:
+            values += [0.5 * (low + high) for low, high in pairwise(values)]
+        for value in values:
             yield axis_line(coordinate, value), min(along), max(along)
 
 

@@ -79,7 +79,7 @@ def candidates_of(work: Work, labelling: Labelling, limits: Limits, latest: Dead
         second, looked_at = _candidate(work, _build(work, likelier, latest, _SLIM))
         settled &= looked_at
         explained = second is not None and second.verification.explains
-        if second is not None and not (first and same_solid(second.shape, first.shape)):
+        if second is not None and not (first and _are_one(work, second, first)):
             candidates.append(second)
     share = 1.0 if explained or not labelling.given_up else _UNLIKELY
     others = work.search.others(labelling, counting, limits.alternatives, share, latest)
@@ -94,7 +94,7 @@ def candidates_of(work: Work, labelling: Labelling, limits: Limits, latest: Dead
         done += 1
         candidate, looked_at = candidate_of(work, labels, latest)
         settled &= looked_at
-        if candidate and not any(same_solid(candidate.shape, c.shape) for c in candidates):
+        if candidate and not any(_are_one(work, candidate, c) for c in candidates):
             candidates.append(candidate)
     complete = settled and others.complete and labelling.complete and done == len(further)
     if not candidates and built.largest is not None:
@@ -114,6 +114,10 @@ def counting_cells(work: Work) -> list[Cell]:
 def candidate_of(work: Work, labels: Labels, latest: Deadline) -> tuple[Candidate | None, bool]:
     """What labels bound, drawn again; and whether that is certain."""
     return _candidate(work, _build(work, labels, latest, work.slim))
+
+
+def _are_one(work: Work, one: Candidate, other: Candidate) -> bool:
+    return same_solid(one.shape, other.shape, work.views.indistinct)
 
 
 def _continued(work: Work, labels: Labels, thickest: float) -> Labels:

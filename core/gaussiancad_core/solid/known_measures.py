@@ -15,9 +15,6 @@ from gaussiancad_core.reasoning.nominal import ROUND_MM
 from gaussiancad_core.reasoning.told_places import ToldPlaces
 from gaussiancad_core.solid.known_faces import Known, Points
 
-FLOOR_MM = 1e-3
-"""mm that nobody asks a bound of measures to be less than."""
-
 _ON = 1e-4
 """Share of the step within which a number is a multiple of it: what was rounded is exact but for
 rounding errors, what was not is one to this by chance in one of five thousand."""

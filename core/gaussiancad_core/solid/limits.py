@@ -6,7 +6,6 @@ from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.labelling import Effort, Labelling, Search
 from gaussiancad_core.reasoning.part import PartModel
 from gaussiancad_core.reasoning.work import Counted, Meter
-from gaussiancad_core.solid.known_measures import FLOOR_MM
 from gaussiancad_core.solid.trace import Attempt, Journal, ModelKind, Outcome, cells_of
 
 OTHERWISE = 0.55
@@ -69,8 +68,7 @@ class Work:
     def slim(self) -> float:
         """Units of thickness up to which cells lie between lines that may be one: a solid that
         differs in such cells only is no other one."""
-        views = self.views
-        return max(FLOOR_MM, views.bound, views.tolerance) * self.part.supports.scale
+        return self.views.indistinct * self.part.supports.scale
 
     def allows_another(self, limits: Limits, times: float = 1.0) -> bool:
         """Whether work is left for a model that takes some times as much as the first one did."""

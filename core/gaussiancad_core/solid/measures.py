@@ -13,10 +13,10 @@ import numpy as np
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape
 
 from gaussiancad_core.drawing.brep import faces_of
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.drawn_views import FLOOR_MM, DrawnViews
 from gaussiancad_core.reasoning.supports import PartSupports
 from gaussiancad_core.solid.known_faces import KnownMeasures, axes_of, is_known
-from gaussiancad_core.solid.known_measures import FLOOR_MM, RoundMeasures, ToldMeasures
+from gaussiancad_core.solid.known_measures import RoundMeasures, ToldMeasures
 from gaussiancad_core.solid.verify import Verification
 
 _SHARE = 0.95

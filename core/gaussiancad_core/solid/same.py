@@ -1,37 +1,37 @@
-"""Whether two solids are the same."""
+"""Whether two solids are the same, as far as their places are known."""
 
-from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
-from OCP.BRepGProp import BRepGProp
-from OCP.GProp import GProp_GProps
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
+from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.drawing.brep import volume
+from gaussiancad_core.drawing.brep import area, subshapes, volume
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
-
-_VOLUME = 1e-5
-"""Relative difference of volumes below which they are equal."""
-
-_PLACE = 1e-4
-"""The same for centres of mass, relative to the cube root of the volume."""
+from gaussiancad_core.reasoning.drawn_views import FLOOR_MM
 
 
-def same_solid(one: TopoDS_Shape, other: TopoDS_Shape) -> bool:
-    """Whether two solids fill the same space; both are in mm and in place."""
-    first, second = _properties(one), _properties(other)
-    size = abs(first.Mass())
-    if abs(first.Mass() - second.Mass()) > _VOLUME * size:
-        return False
-    if first.CentreOfMass().Distance(second.CentreOfMass()) > _PLACE * size ** (1.0 / 3.0):
+def same_solid(one: TopoDS_Shape, other: TopoDS_Shape, apart: float = FLOOR_MM) -> bool:
+    """Whether two solids fill the same space, but for layers thinner than a distance.
+
+    A body that one of them has alone is as thick as twice its volume over its area: a layer's
+    thickness, a third of a cube's edge.  However small it is, it makes another solid.
+
+    Args:
+        one, other: mm, in place.
+        apart: mm.
+    """
+    # A layer all around changes the volume by no more.
+    if abs(volume(one) - volume(other)) > apart * max(area(one), area(other)):
         return False
     try:
-        common = BRepAlgoAPI_Common(one, other)
-        common.Build()
-        return abs(volume(common.Shape()) - size) <= 10.0 * _VOLUME * size
+        return all(_are_layers(*pair, apart) for pair in ((one, other), (other, one)))
     except KERNEL_FAILURES:
         return False
 
 
-def _properties(shape: TopoDS_Shape) -> GProp_GProps:
-    properties = GProp_GProps()
-    BRepGProp.VolumeProperties_s(shape, properties)
-    return properties
+def _are_layers(one: TopoDS_Shape, other: TopoDS_Shape, apart: float) -> bool:
+    """Whether all that one solid has alone is thinner than a distance."""
+    cut = BRepAlgoAPI_Cut(one, other)
+    if not cut.IsDone():
+        return False
+    bodies = subshapes(cut.Shape(), TopAbs_ShapeEnum.TopAbs_SOLID)
+    return all(2.0 * abs(volume(body)) <= apart * area(body) for body in bodies)

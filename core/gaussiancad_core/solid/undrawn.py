@@ -3,16 +3,19 @@
 A sheet that has hidden lines in one view is taken to draw them in all.  It may have left them out
 in a view that has none, though, where the part is clear without them (ISO 128-3): what is blank
 there only means that nothing is visible.  Edges that are not drawn divide no regions, so that the
-views are divided as well where the other ones show an edge.
+views are divided as well where the other ones show an edge.  Hollows that are closed all around do
+not count: they can hardly be made, and nobody who had one would leave its lines out.
 """
 
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import chain
 
+from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.drawing.brep import subshapes
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.part import PartModel, model_part
@@ -23,8 +26,9 @@ from gaussiancad_core.solid.limits import Limits, Work, search_for
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.views import Linetype
 
-_MOST = 2
-"""Other labels that are looked at."""
+_MOST, _MOST_ALONE = 2, 8
+"""Other labels that are looked at; where a single direction of view has hidden lines, which leaves
+all depths along it open, and many labels bound nothing sound."""
 
 _SHARE = 0.1
 """Share of the work that it may take."""
@@ -54,13 +58,16 @@ def other_with_undrawn_lines(work: Work, shape: TopoDS_Shape, limits: Limits) ->
     roles = views_without_hidden_lines(work.views)
     if not roles:
         return None
+    shells = _shells(shape)
+    telling = {role.frame.look_axis[0] for role in work.views.roles if role not in roles}
+    most = _MOST_ALONE if len(telling) == 1 else _MOST
     deadline = work.meter.until(work.meter.spent + _SHARE * limits.work)
     for part in _parts(work, roles, deadline):
         weaker = replace(part, rules=without_hidden(part.rules, roles))
         own = replace(work, part=weaker, search=search_for(weaker, limits, work.meter))
         found = own.search.fulfilled(deadline)
         if found.labels is not None:
-            others = own.search.others(found, counting_cells(own), _MOST, deadline=deadline)
+            others = own.search.others(found, counting_cells(own), most, deadline=deadline)
             candidates = (candidate_of(own, labels, deadline)[0] for labels in others.labels)
             first, _ = candidate_of(own, found.labels, deadline)
             return next(
@@ -69,11 +76,17 @@ def other_with_undrawn_lines(work: Work, shape: TopoDS_Shape, limits: Limits) ->
                     for other in chain([first], candidates)
                     if other is not None
                     and other.verification.explains_but_hidden(roles)
-                    and not same_solid(other.shape, shape)
+                    and _shells(other.shape) <= shells
+                    and not same_solid(other.shape, shape, work.views.indistinct)
                 ),
                 None,
             )
     return None
+
+
+def _shells(shape: TopoDS_Shape) -> int:
+    """One, and one more for each closed hollow."""
+    return len(subshapes(shape, TopAbs_ShapeEnum.TopAbs_SHELL))
 
 
 def _parts(work: Work, roles: tuple[Role, ...], deadline: Deadline) -> Iterator[PartModel]:

@@ -19,6 +19,7 @@ class EventKind(Enum):
     HELLO = "hello"
     STAGE = "stage"
     PROGRESS = "progress"
+    READING = "reading"
     SOLID = "solid"
     PREVIEW = "preview"
     WARNING = "warning"

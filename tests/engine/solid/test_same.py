@@ -1,5 +1,6 @@
 """Whether solids are the same."""
 
+import pytest
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox, BRepPrimAPI_MakeCylinder
 from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt
@@ -30,6 +31,19 @@ def test_another_volume_or_place_is_another_solid() -> None:
     assert not same_solid(block, _bored(10, 10))
     assert not same_solid(block, _box(0.1, 0, 0, 40, 30, 20))
     assert not same_solid(_bored(10, 10), _bored(30, 10))
+
+
+@pytest.mark.parametrize("at", [(20, 30, 10), (1, 2, 20)])
+def test_a_small_body_makes_another_solid_but_a_layer_that_is_thin_does_not(
+    at: tuple[float, float, float],
+) -> None:
+    block = _box(0, 0, 0, 40, 30, 20)
+    for thickness, same in ((0.02, False), (0.1, False), (0.0005, True)):
+        size = [3.0, 3.0, 3.0]
+        size[1 if at[1] == 30 else 2] = thickness
+        other = BRepAlgoAPI_Fuse(block, _box(*at, *size)).Shape()
+        assert same_solid(block, other) is same_solid(other, block) is same
+        assert same_solid(block, other, apart=0.2)
 
 
 def test_same_volume_and_centre_is_not_enough() -> None:

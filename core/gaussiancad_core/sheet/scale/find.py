@@ -72,6 +72,8 @@ class SheetScale:
         source: where it is from.
         dimensions: those that were read; boxes in px of the sheet as stored.
         notes: warnings.
+        contradictions: numbers that the drawing contradicts; those that were read from pixels may
+            have been misread, and are among the warnings.
         measures: what dimensions that agree say of lengths on the upright sheet.
     """
 
@@ -79,6 +81,7 @@ class SheetScale:
     source: ScaleSource
     dimensions: tuple[ReadDimension, ...] = ()
     notes: tuple[Note, ...] = ()
+    contradictions: tuple[Note, ...] = ()
     measures: tuple[Measure, ...] = ()
 
 
@@ -110,8 +113,16 @@ def find_scale(
     told = tuple(replace(own, box=sheet.turn.box_to_stored(own.box)) for own in found.dimensions)
     found = replace(found, dimensions=told)
     if found.mm_per_pixel is not None:
-        notes += _disagreement(found)
-        return SheetScale(found.mm_per_pixel, ScaleSource.DIMENSION, told, notes, found.measures)
+        apart = _disagreement(found)
+        surely = _has_texts(image)
+        return SheetScale(
+            found.mm_per_pixel,
+            ScaleSource.DIMENSION,
+            told,
+            notes if surely else notes + apart,
+            apart if surely else (),
+            found.measures,
+        )
     if paper_scale is None:
         return SheetScale(None, ScaleSource.DEFAULT, told, notes)
     if assumed:
@@ -128,7 +139,7 @@ def find_scale(
 def _texts(
     image: SheetImage, sheet: CleanSheet, marks: Sequence[Mark]
 ) -> tuple[tuple[SheetText, ...], tuple[Note, ...]]:
-    if image.vectors is not None and image.vectors.texts:
+    if _has_texts(image):
         fields = fields_of(marks, sheet.ink.size)
         return file_texts(image.vectors.texts, sheet.turn, fields), ()
     if not any(mark.kind is AnnotationKind.TEXT for mark in marks):
@@ -138,6 +149,11 @@ def _texts(
         message = f"the dimensions on the sheet were not read, as OCR is {problem}"
         return (), (Note("dimensions-not-read", message),)
     return pixel_texts(sheet, marks), ()
+
+
+def _has_texts(image: SheetImage) -> bool:
+    """Whether the file has its texts as such."""
+    return image.vectors is not None and bool(image.vectors.texts)
 
 
 def _paper_scale(image: SheetImage, texts: Sequence[SheetText]) -> tuple[float | None, bool]:

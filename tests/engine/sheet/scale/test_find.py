@@ -144,7 +144,8 @@ def test_a_wrong_dimension_is_named_with_its_place() -> None:
     texts = tuple(replace(text, text="88") if text.text == "80" else text for text in own.texts)
     found = own.scale(vectors=VectorDrawing((), texts))
     assert found.mm_per_pixel == pytest.approx(own.drawn.mm_per_pixel, rel=0.002)
-    (note,) = found.notes
+    (note,) = found.contradictions
+    assert note not in found.notes
     (place,) = (text.box for text in texts if text.text == "88")
     assert note.code == "dimensions-disagree"
     assert f"'88' at ({place[0]:.0f}, {place[1]:.0f})" in note.message
