@@ -7,6 +7,9 @@ from sheet_policies import POLICIES, as_drawn, same_drawing
 from verified_grids import alike_in_grid, confusable, pair_of, with_thin_box
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.modes import Status
+from gaussiancad_core.reasoning.drawn_views import exact_views
+from gaussiancad_core.solid.exact import exact_solid
 from gaussiancad_core.solid.same import same_solid
 
 _PLACES = ((0.0, 7.0, 20.0, 29.0), (0.0, 4.0, 15.0, 24.0), (0.0, 9.0, 14.0, 30.0))
@@ -53,3 +56,26 @@ def test_a_block_is_another_part_in_first_angle_but_where_it_is_its_own_mirror(
     places = ((0.0, 7.0, 20.0), (0.0, 4.0, 8.0 if mirrored else 9.0), (0.0, 9.0, 14.0))
     assert Role.FRONT in policy.roles
     assert alike_in_grid(grid, places, policy, block) == ([] if mirrored else [255])
+
+
+@pytest.mark.parametrize(
+    ("shape", "part", "policy", "reason"),
+    [
+        ((2, 4, 2), 62391, "hidden lines in front only", "assumed"),
+        ((2, 4, 2), 61877, "hidden lines in front only", "assumed"),
+        ((3, 3, 4), 68132274087, "all hidden lines", "ambiguous"),
+    ],
+)
+@pytest.mark.parametrize("thin", [0.02, 9.0])
+def test_a_part_that_looks_like_another_one_is_not_verified(
+    shape: tuple[int, int, int], part: int, policy: str, reason: str, thin: float
+) -> None:
+    grid, drawn_by = Grid(shape), _POLICIES[policy]
+    steps = ((10.0, 7.0, 23.0), (24.0, 8.0, 11.0, thin), (4.0, 17.0, 16.0, 7.0))
+    cut = [own[: count - 1] + own[-1:] for own, count in zip(steps, shape, strict=True)]
+    x, y, z = ((0.0, *np.cumsum(own).tolist()) for own in cut)
+    drawn = {role: grid_strokes(grid, part, (x, y, z), role) for role in drawn_by.roles}
+    result = exact_solid(exact_views(as_drawn(drawn, drawn_by), (x[-1], y[-1], z[-1])))
+    assert result.status is Status.APPROXIMATE
+    assert [code for code, _ in result.reasons] == [reason]
+    assert not same_solid(result.shape, result.alternatives[0])
