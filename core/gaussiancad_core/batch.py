@@ -6,6 +6,7 @@ A sheet that fails, or whose process is killed, does not touch the others.
 import csv
 import io
 import json
+import os
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -15,8 +16,14 @@ from pathlib import Path
 from gaussiancad_core.drawing.files import write_whole
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import Status
+from gaussiancad_core.sheet_names import folder_names
 
 REPORT_FILE = "report.csv"
+
+_FORMULA = ("=", "+", "-", "@", "\t", "\r")
+"""What formulas begin with."""
+
+_LINK = "the sheet's folder is a link to elsewhere: remove it, or choose another --output"
 
 
 @dataclass(frozen=True)
@@ -48,52 +55,40 @@ def run_batch(sheets: list[Path], job: Job, workers: int) -> list[BatchRow]:
     """Reconstruct sheets into ``job.output/NAME`` and write ``report.csv`` there.
 
     Args:
-        sheets: in the order of the report.
+        sheets: in the order of the report; one that is named twice counts once.
         job: settings for all; its sheet is not used.
         workers: processes at a time.
 
     Raises:
         UsageError, LimitError: the report cannot be written.
     """
-    names = unique_names(sheets)
+    sheets = list({os.path.abspath(sheet): sheet for sheet in sheets}.values())
+    names = folder_names(sheets)
     with ThreadPoolExecutor(workers) as pool:
         rows = list(pool.map(lambda pair: _run_one(*pair, job), zip(sheets, names, strict=True)))
     write_whole(job.output / REPORT_FILE, _csv(rows))
     return rows
 
 
-def unique_names(sheets: list[Path]) -> list[str]:
-    """The sheets' stems; ``-2``, ``-3`` ... tell equal ones apart."""
-    names: list[str] = []
-    taken: set[str] = set()
-    for sheet in sheets:
-        name, number = sheet.stem, 1
-        # Some file systems know no case.
-        while name.casefold() in taken:
-            number += 1
-            name = f"{sheet.stem}-{number}"
-        taken.add(name.casefold())
-        names.append(name)
-    return names
-
-
 def _run_one(sheet: Path, name: str, job: Job) -> BatchRow:
     folder = job.output / name
+    if folder.is_symlink():
+        failed = BatchRow(name, str(sheet), str(folder), Status.FAILED.value, "", 2, _LINK, 0.0)
+        return failed
     command = [
         sys.executable,
         "-I",
         "-m",
         "gaussiancad_core",
         "reconstruct",
-        str(sheet),
         "--output",
-        str(folder),
+        os.path.abspath(folder),
         *job_arguments(job),
+        # A name may begin like an option.
+        os.path.abspath(sheet),
     ]
-    finished = subprocess.run(
-        command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
-    )
-    lines = finished.stderr.strip().splitlines()
+    finished = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, check=False)
+    lines = finished.stderr.decode("utf-8", "replace").strip().splitlines()
     message = "" if finished.returncode == 0 else (lines[-1] if lines else "no message")
     status, seconds, bound = Status.FAILED.value, 0.0, ""
     if finished.returncode == 0:
@@ -134,5 +129,10 @@ def _csv(rows: list[BatchRow]) -> bytes:
     text = io.StringIO()
     writer = csv.writer(text)
     writer.writerow([field.name for field in fields(BatchRow)])
-    writer.writerows(astuple(row) for row in rows)
-    return text.getvalue().encode("utf-8")
+    writer.writerows([_cell(value) for value in astuple(row)] for row in rows)
+    return text.getvalue().encode("utf-8", "backslashreplace")
+
+
+def _cell(value: object) -> object:
+    """A cell that no spreadsheet takes for a formula."""
+    return f"'{value}" if isinstance(value, str) and value.startswith(_FORMULA) else value

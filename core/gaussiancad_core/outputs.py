@@ -11,12 +11,18 @@ is to go on from it.
 import errno
 import os
 import shutil
+import tempfile
 from contextlib import suppress
 from pathlib import Path
+
+from filelock import FileLock, Timeout
 
 from gaussiancad_core.errors import GaussianCadError, LimitError, UsageError
 
 STAGING_PREFIX = ".gaussiancad-"
+
+_LOCK = "lock"
+"""File in a staging folder that is locked as long as its process lives."""
 
 CHECKPOINT_FILE = f"{STAGING_PREFIX}checkpoint.npz"
 """State of a training that was not finished."""
@@ -58,9 +64,11 @@ class OutputFolder:
         try:
             path.mkdir(parents=True, exist_ok=True)
             _sweep(path)
-            self.staging = path / f"{STAGING_PREFIX}{os.getpid()}"
-            self.staging.mkdir(exist_ok=True)
-        except OSError as error:
+            # A new folder that nobody can have put there, nor a link in its place.
+            self.staging = Path(tempfile.mkdtemp(prefix=STAGING_PREFIX, dir=path))
+            self._lock = _lock_of(self.staging)
+            self._lock.acquire(blocking=False)
+        except (OSError, Timeout) as error:
             raise _folder_error(path, error) from error
 
     @property
@@ -95,7 +103,7 @@ class OutputFolder:
         try:
             self.checkpoint.unlink(missing_ok=True)
             self._put_in_place()
-            self.staging.rmdir()
+            self._remove_staging()
         except OSError as error:
             raise _folder_error(self.path, error) from error
 
@@ -104,22 +112,33 @@ class OutputFolder:
         for name in self._owned:
             if name not in self._ahead and not (self.staging / name).exists():
                 _remove(self.path / name)
-        entries = sorted(self.staging.iterdir(), key=lambda entry: entry.name == self._report)
-        for entry in entries:
+        for entry in sorted(self._staged(), key=lambda entry: entry.name == self._report):
             target = self.path / entry.name
             if target.is_dir():
                 _remove(target)
             entry.replace(target)
             self._ahead.add(entry.name)
 
+    def clear(self) -> None:
+        """Remove what is in the staging folder."""
+        for entry in self._staged():
+            _remove(entry)
+
+    def _staged(self) -> list[Path]:
+        return [entry for entry in self.staging.iterdir() if entry.name != _LOCK]
+
     def discard(self, *, keep_checkpoint: bool = False) -> None:
         """Remove the staging folder and what is in it, and the folder if it was made in vain."""
-        shutil.rmtree(self.staging, ignore_errors=True)
+        self._remove_staging()
         if not keep_checkpoint:
             self.checkpoint.unlink(missing_ok=True)
         if self._made:
             with suppress(OSError):
                 self.path.rmdir()
+
+    def _remove_staging(self) -> None:
+        self._lock.release()
+        shutil.rmtree(self.staging, ignore_errors=True)
 
 
 def check_writable(path: Path) -> None:
@@ -162,14 +181,21 @@ def _remove(path: Path) -> None:
 
 
 def _sweep(path: Path) -> None:
-    """Remove staging folders whose process is gone."""
+    """Remove staging folders whose process is gone: nobody holds their locks.
+
+    That of a run on another machine is told where the file system shares locks.
+    """
     for entry in path.glob(f"{STAGING_PREFIX}*"):
-        suffix = entry.name.removeprefix(STAGING_PREFIX)
-        if suffix.isdigit() and not _alive(int(suffix)):
-            shutil.rmtree(entry, ignore_errors=True)
+        if entry.is_symlink() or not (entry / _LOCK).is_file():
+            continue
+        lock = _lock_of(entry)
+        try:
+            lock.acquire(blocking=False)
+        except Timeout:
+            continue
+        lock.release()
+        shutil.rmtree(entry, ignore_errors=True)
 
 
-def _alive(pid: int) -> bool:
-    import psutil
-
-    return psutil.pid_exists(pid)
+def _lock_of(staging: Path) -> FileLock:
+    return FileLock(staging / _LOCK)

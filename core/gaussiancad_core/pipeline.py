@@ -156,9 +156,7 @@ class _Run:
     def write_failure(self, error: GaussianCadError) -> None:
         """Leave a report of how far the run came and why it ended there."""
         self.notes.doubt(error.code, error.message)
-        for entry in self.folder.staging.iterdir():
-            if entry.is_file() and entry.name != READING_FILE:
-                entry.unlink()
+        self.folder.clear()
         self._finish(Status.APPROXIMATE if self.notes.report.solid else Status.FAILED)
 
     def how_far(self) -> str:

@@ -11,7 +11,6 @@ A sheet that fails does not stop the others.  The exit status is 0 if all sheets
 import os
 import shutil
 import signal
-import tempfile
 import time
 from collections.abc import Sequence
 from dataclasses import replace
@@ -31,6 +30,15 @@ from freecad.gaussiancad.objects.exporting import write_step, write_stl
 from freecad.gaussiancad.objects.loading import LoadedRun, load_run
 from freecad.gaussiancad.objects.reconstruction import add_reconstruction
 from freecad.gaussiancad.preferences import read_preferences
+from freecad.gaussiancad.sheet_names import folder_names
+from freecad.gaussiancad.staging import staging
+
+_SUFFIXES = (".FCStd", ".step", ".stl")
+
+_LINK = (
+    "output-is-link",
+    "the sheet's folder is a link to elsewhere: remove it, or choose another --output",
+)
 
 
 class ExitCode(IntEnum):
@@ -66,28 +74,18 @@ def main(arguments: Sequence[str]) -> int:
     return _convert_all(engine, options)
 
 
-def unique_names(sheets: Sequence[Path]) -> list[str]:
-    """The stems of the sheets; a number tells equal ones apart, whatever their case."""
-    names: list[str] = []
-    taken: set[str] = set()
-    for sheet in sheets:
-        name, number = sheet.stem, 1
-        while name.casefold() in taken:
-            number += 1
-            name = f"{sheet.stem}-{number}"
-        taken.add(name.casefold())
-        names.append(name)
-    return names
-
-
 def _convert_all(engine: Engine, options: BatchOptions) -> int:
     rows: list[SheetRow] = []
     code = ExitCode.DONE
-    names = unique_names(options.sheets)
+    names = folder_names(options.sheets)
     for number, (sheet, name) in enumerate(zip(options.sheets, names, strict=True), 1):
         folder = options.output if options.flat else options.output / name
         job = replace(options.job, sheet=str(sheet), output=str(folder))
-        row, state = convert_sheet(engine, job, options.output / name)
+        if folder.is_symlink() and not options.flat:
+            row = SheetRow(name, job.sheet, job.output, "failed", "", 2, *_LINK, 0.0)
+            state = RunState.FAILED
+        else:
+            row, state = convert_sheet(engine, job, options.output / name)
         rows.append(row)
         _say(f"{number}/{len(names)} {name}: {row.message or row.status}")
         if state is RunState.BROKEN:
@@ -115,7 +113,7 @@ def convert_sheet(engine: Engine, job: ReconstructJob, target: Path) -> tuple[Sh
         What became of it; whatever went wrong is in there.
     """
     started = time.monotonic()
-    for suffix in (".FCStd", ".step", ".stl"):
+    for suffix in _SUFFIXES:
         _with_suffix(target, suffix).unlink(missing_ok=True)
     run = EngineRun(engine, job.arguments())
     run.start()
@@ -150,15 +148,18 @@ def _store(job: ReconstructJob, target: Path) -> tuple[str, str]:
     Returns:
         The status, and the bound of the measures in mm; empty where it is not known.
     """
-    with tempfile.TemporaryDirectory(prefix="gaussiancad-views-") as scratch:
-        run = load_run(job, Path(scratch))
+    with staging(target.parent) as scratch:
+        run = load_run(job, scratch)
+        staged = scratch / target.name
         document = FreeCAD.newDocument(hidden=True)
         try:
             add_reconstruction(document, run)
-            document.saveAs(str(_with_suffix(target, ".FCStd")))
+            document.saveAs(str(_with_suffix(staged, ".FCStd")))
         finally:
             FreeCAD.closeDocument(document.Name)
-    _export(run, Path(job.output), target)
+        _export(run, Path(job.output), staged)
+        for suffix in _SUFFIXES:
+            _with_suffix(staged, suffix).replace(_with_suffix(target, suffix))
     bound = run.report.group("measures").get("uncertainty_mm")
     return run.report.status.value, f"{bound:g}" if isinstance(bound, int | float) else ""
 

@@ -1,6 +1,7 @@
 """The options of a batch."""
 
 import argparse
+import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import Enum
@@ -67,14 +68,14 @@ def parse_options(arguments: Sequence[str]) -> BatchOptions:
 
 
 def collect_sheets(paths: Iterable[Path]) -> list[Path]:
-    """The files, and of each folder the drawings in it, in the order of their names."""
+    """The files, and of each folder the drawings in it, in the order of their names; each once."""
     sheets: list[Path] = []
     for path in paths:
         if path.is_dir():
             sheets += sorted(entry for entry in path.iterdir() if _is_sheet(entry))
         else:
             sheets.append(path)
-    return sheets
+    return list({os.path.abspath(sheet): sheet for sheet in sheets}.values())
 
 
 def _is_sheet(path: Path) -> bool:

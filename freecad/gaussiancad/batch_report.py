@@ -3,12 +3,16 @@
 import csv
 import io
 import json
-import os
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, astuple, dataclass, fields
 from pathlib import Path
 
+from freecad.gaussiancad.staging import staging
+
 SCHEMA = 2
+
+_FORMULA = ("=", "+", "-", "@", "\t", "\r")
+"""What formulas begin with."""
 
 
 @dataclass(frozen=True)
@@ -41,15 +45,22 @@ class SheetRow:
 def write_report(rows: Sequence[SheetRow], folder: Path) -> None:
     """Write ``report.csv`` and ``report.json``; each appears whole or not at all."""
     text = io.StringIO()
-    writer = csv.DictWriter(text, [field.name for field in fields(SheetRow)])
-    writer.writeheader()
-    writer.writerows(asdict(row) for row in rows)
+    writer = csv.writer(text)
+    writer.writerow([field.name for field in fields(SheetRow)])
+    writer.writerows([_cell(value) for value in astuple(row)] for row in rows)
     _write_whole(folder / "report.csv", text.getvalue())
     values = {"schema": SCHEMA, "sheets": [asdict(row) for row in rows]}
     _write_whole(folder / "report.json", json.dumps(values, indent=2, ensure_ascii=False) + "\n")
 
 
+def _cell(value: object) -> object:
+    """A cell that no spreadsheet takes for a formula."""
+    return f"'{value}" if isinstance(value, str) and value.startswith(_FORMULA) else value
+
+
 def _write_whole(path: Path, text: str) -> None:
-    staged = path.with_name(f".{path.name}.{os.getpid()}")
-    staged.write_text(text, encoding="utf-8", newline="")
-    staged.replace(path)
+    # What is no text, as in a name of bytes, is written as JSON and Python write it.
+    with staging(path.parent) as folder:
+        staged = folder / path.name
+        staged.write_bytes(text.encode("utf-8", "backslashreplace"))
+        staged.replace(path)

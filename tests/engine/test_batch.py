@@ -1,22 +1,17 @@
+import csv
+import os
 from pathlib import Path
 
-from hypothesis import given
-from hypothesis import strategies as st
+import pytest
 
 from gaussiancad_core.axes import Axis, Projection, Role
-from gaussiancad_core.batch import job_arguments, unique_names
+from gaussiancad_core.batch import job_arguments
+from gaussiancad_core.cli import main
 from gaussiancad_core.cli.parser import build_parser
 from gaussiancad_core.cli.reconstruct import job_of
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import Preset, Recipe, ResultKind
 from gaussiancad_core.sheet.options import Finder, ReadingOptions
-
-
-@given(st.lists(st.text("abAB", min_size=1, max_size=2), max_size=12))
-def test_every_sheet_has_a_folder_of_its_own(stems: list[str]) -> None:
-    names = unique_names([Path(f"{i}/{stem}.png") for i, stem in enumerate(stems)])
-    assert len({name.casefold() for name in names}) == len(stems)
-    assert all(name.startswith(stem) for name, stem in zip(names, stems, strict=True))
 
 
 def test_options_give_the_same_job_again() -> None:
@@ -44,3 +39,43 @@ def test_options_give_the_same_job_again() -> None:
     command = ["reconstruct", "sheet.png", "--output", "out", *job_arguments(job)]
     options = build_parser().parse_args(command)
     assert job_of(options, options.sheet, options.output) == job
+
+
+HOSTILE = ("..", "-dash", "=1+1", "report.csv", "a\nb")
+
+
+def test_no_name_and_no_link_leads_out_of_the_folder(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    sheets = tmp_path / "sheets"
+    sheets.mkdir()
+    raw = os.fsencode(sheets) + b"/caf\xe9.png"
+    for path in [*(sheets / f"{name}.png" for name in HOSTILE), Path(os.fsdecode(raw))]:
+        path.write_bytes(b"no picture")
+    output = tmp_path / "deep" / "out"
+    output.mkdir(parents=True)
+    victim = tmp_path / "victim"
+    (victim / "cameras").mkdir(parents=True)
+    (victim / "cameras" / "mine.txt").write_text("mine")
+    (sheets / "linked.png").write_bytes(b"no picture")
+    (output / "linked").symlink_to(victim)
+    before = _tree(tmp_path, output)
+    found = sorted(sheets.iterdir())
+    assert (
+        main(["batch", *map(str, found), str(found[0]), "--output", str(output), "--workers", "2"])
+        == 1
+    )
+    assert _tree(tmp_path, output) == before
+    with open(output / "report.csv", encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == len(found)
+    codes = {row["name"]: row["exit_code"] for row in rows}
+    assert codes.pop("linked") == "2" and set(codes.values()) == {"3"}
+    assert not any(cell.startswith(("=", "+", "-", "@")) for row in rows for cell in row.values())
+    assert "Traceback" not in capfd.readouterr().err
+
+
+def _tree(root: Path, but: Path) -> dict[Path, bytes]:
+    """All files under a folder but those under another one."""
+    files = (path for path in root.rglob("*") if path.is_file() and but not in path.parents)
+    return {path: path.read_bytes() for path in files}

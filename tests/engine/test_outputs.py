@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from gaussiancad_core.errors import UsageError
-from gaussiancad_core.outputs import STAGING_PREFIX, OutputFolder, check_writable
+from gaussiancad_core.outputs import RUN_FILES, STAGING_PREFIX, OutputFolder, check_writable
 
 
 def _folder(path: Path) -> OutputFolder:
@@ -95,15 +95,57 @@ def test_a_folder_made_in_vain_goes_again(tmp_path: Path) -> None:
     assert not (tmp_path / "new").exists()
 
 
+def _staged_elsewhere(path: Path) -> "tuple[subprocess.Popen[bytes], Path]":
+    """A process that has begun to write into a folder, and where."""
+    known = set(path.iterdir())
+    code = (
+        "import sys\nfrom pathlib import Path\n"
+        "from gaussiancad_core.outputs import OutputFolder\n"
+        "folder = OutputFolder(Path(sys.argv[1]), (), 'report.json')\n"
+        "print('ready', flush=True)\nsys.stdin.read()"
+    )
+    process = subprocess.Popen(
+        [sys.executable, "-c", code, str(path)], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    )
+    assert process.stdout.readline() == b"ready\n"
+    (staging,) = set(path.iterdir()) - known
+    return process, staging
+
+
 def test_leftovers_of_dead_processes_are_swept_and_of_living_ones_kept(tmp_path: Path) -> None:
-    dead = subprocess.Popen([sys.executable, "-c", ""])
+    dead, gone = _staged_elsewhere(tmp_path)
+    dead.kill()
     dead.wait()
-    gone = tmp_path / f"{STAGING_PREFIX}{dead.pid}"
-    kept = tmp_path / f"{STAGING_PREFIX}{os.getppid()}"
-    gone.mkdir()
-    kept.mkdir()
+    alive, kept = _staged_elsewhere(tmp_path)
+    try:
+        assert not gone.exists()
+        _folder(tmp_path).discard()
+        assert kept.exists()
+    finally:
+        alive.kill()
+        alive.wait()
     _folder(tmp_path).discard()
-    assert not gone.exists() and kept.exists()
+    assert not kept.exists()
+
+
+def test_links_that_lie_where_a_run_writes_are_not_followed(tmp_path: Path) -> None:
+    outside, output = tmp_path / "outside", tmp_path / "out"
+    outside.mkdir()
+    output.mkdir()
+    (outside / "mine.txt").write_text("mine")
+    for name in ("cameras", "solid.step", "report.json", f"{STAGING_PREFIX}{os.getpid()}"):
+        target = outside if name == "cameras" else outside / "mine.txt"
+        (output / name).symlink_to(outside if name.startswith(STAGING_PREFIX) else target)
+    folder = OutputFolder(output, RUN_FILES, "report.json")
+    (folder.staging / "cameras").mkdir()
+    (folder.staging / "cameras" / "cameras.txt").write_text("new")
+    for name in ("solid.step", "report.json"):
+        (folder.staging / name).write_text("new")
+    folder.commit()
+    assert [path.name for path in outside.iterdir()] == ["mine.txt"]
+    assert (outside / "mine.txt").read_text() == "mine"
+    assert (output / "report.json").read_text() == "new"
+    assert (output / "cameras" / "cameras.txt").read_text() == "new"
 
 
 def test_a_file_in_the_way_is_the_users_to_solve(tmp_path: Path) -> None:

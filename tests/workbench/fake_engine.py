@@ -173,7 +173,7 @@ def run_stages(behaviour: str, sheet: str, output: Path) -> None:
 def reconstruct(arguments: list[str]) -> int:
     """What ``gaussiancad reconstruct`` does."""
     behaviour = os.environ.get("GAUSSIANCAD_FAKE", "ok")
-    sheet = Path(arguments[0])
+    sheet = Path(arguments[-1])
     output = Path(arguments[arguments.index("--output") + 1])
     if behaviour == "broken":
         sys.stderr.write(f"{sys.argv[0]}: No module named gaussiancad_core\n")

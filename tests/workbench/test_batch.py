@@ -10,6 +10,7 @@ import sys
 import time
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
+from typing import Any
 
 import fake_part
 import FreeCAD
@@ -17,11 +18,12 @@ import Mesh
 import Part
 from support import FAKE_ENGINE, FolderCase, draw_sheet
 
-from freecad.gaussiancad.batch import main, unique_names
+from freecad.gaussiancad.batch import main
 from freecad.gaussiancad.batch_options import parse_options
 from freecad.gaussiancad.engine.job import Preset, Recipe, ScaleKind
 from freecad.gaussiancad.objects.exporting import write_step, write_stl
 from freecad.gaussiancad.paths import ADDON_ROOT
+from freecad.gaussiancad.sheet_names import folder_names
 
 SCRIPT = ADDON_ROOT / "resources" / "scripts" / "gaussiancad_batch.py"
 
@@ -190,9 +192,44 @@ class Batches(FolderCase):
         self.assertEqual((job.recipe, job.scale_down), (Recipe.PAPER, 4))
         self.assertEqual((job.scale.kind, job.scale.value), (ScaleKind.MM_PER_PIXEL, 0.5))
 
-    def test_names_are_unique_whatever_their_case(self) -> None:
-        sheets = [Path("a/x.png"), Path("b/X.jpg"), Path("c/x.png"), Path("y.1.png")]
-        self.assertEqual(unique_names(sheets), ["x", "X-2", "x-3", "y.1"])
+    def test_names_are_those_of_the_engines_batch(self) -> None:
+        path = ADDON_ROOT / "core" / "gaussiancad_core" / "sheet_names.py"
+        engine: dict[str, Any] = {"__name__": "sheet_names"}
+        exec(compile(path.read_text(encoding="utf-8"), str(path), "exec"), engine)
+        stems = (
+            "x",
+            "X",
+            "..",
+            "-a",
+            "nul",
+            "report.csv",
+            "y.1",
+            "Tra\u0308ger",
+            "a\nb",
+            "a\udcff",
+        )
+        sheets = [Path(f"{folder}/{stem}.png") for folder in "ab" for stem in stems]
+        self.assertEqual(folder_names(sheets), engine["folder_names"](sheets))
+        self.assertEqual(len(set(folder_names(sheets))), len(sheets))
+
+    def test_no_name_and_no_link_leads_out_of_the_folder(self) -> None:
+        outside = self.folder / "outside"
+        (outside / "cameras").mkdir(parents=True)
+        (outside / "cameras" / "mine.txt").write_text("mine")
+        sheets = [draw_sheet(self.sheets / f"{name}.png") for name in ("..", "-x", "=1+1")]
+        linked = draw_sheet(self.sheets / "linked.png")
+        self.output.mkdir()
+        (self.output / "linked").symlink_to(outside)
+        before = sorted(path for path in self.folder.rglob("*") if self.output not in path.parents)
+        arguments = [*map(str, sheets), str(sheets[0]), str(linked), "--output", str(self.output)]
+        self.assertEqual(main(arguments), 1)
+        after = sorted(path for path in self.folder.rglob("*") if self.output not in path.parents)
+        self.assertEqual(after, before)
+        rows = {row["name"]: row for row in self.rows()}
+        self.assertEqual(list(rows), ["_", "_-x", "'=1+1", "linked"])
+        self.assertEqual(rows.pop("linked")["code"], "output-is-link")
+        self.assertEqual({row["status"] for row in rows.values()}, {"verified"})
+        self.assertTrue((self.output / "=1+1.FCStd").is_file())
 
 
 class Exports(FolderCase):

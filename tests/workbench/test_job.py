@@ -31,9 +31,9 @@ class Arguments(unittest.TestCase):
         )
         self.assertEqual(
             " ".join(job.arguments()),
-            "reconstruct a b.png --output out --projection first --preset fine --result solid "
+            "reconstruct --output out --projection first --preset fine --result solid "
             "--recipe paper --colour #102030 --page 2 --seed 7 "
-            "--scale-down 4 --length y=12.5 --events",
+            "--scale-down 4 --length y=12.5 --events -- a b.png",
         )
 
     def test_scales(self) -> None:

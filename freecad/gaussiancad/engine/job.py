@@ -102,14 +102,15 @@ class ReconstructJob:
     scale_down: int = 1
 
     def arguments(self) -> list[str]:
-        """``reconstruct SHEET --output DIR ... --events``."""
+        """``reconstruct --output DIR ... -- SHEET``, whose name may begin with a dash."""
         return [
             "reconstruct",
-            self.sheet,
             "--output",
             self.output,
             *self.options(),
             "--events",
+            "--",
+            self.sheet,
         ]
 
     def options(self) -> list[str]:
