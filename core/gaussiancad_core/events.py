@@ -144,6 +144,17 @@ class Cancellation:
             _signal_main_thread(number)
 
 
+def cancellation_behind(error: BaseException) -> CancelledError | None:
+    """The cancellation that an error stands for, if it stands for one.
+
+    A compiled function that was interrupted ends by a ``SystemError`` with the cause beneath.
+    """
+    found: BaseException | None = error
+    while isinstance(found, SystemError):
+        found = found.__cause__ or found.__context__
+    return found if isinstance(found, CancelledError) else None
+
+
 def _signal_main_thread(number: int) -> None:
     """Send a signal to the main thread, out of whatever it waits for where the system can."""
     if hasattr(signal, "pthread_kill"):

@@ -14,7 +14,7 @@ from gaussiancad_core.errors import (
     LimitError,
     NoModelError,
 )
-from gaussiancad_core.events import Listener, Progress
+from gaussiancad_core.events import Listener, Progress, cancellation_behind
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
 from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
@@ -81,8 +81,10 @@ def reconstruct(job: Job, listener: Listener) -> Report:
     run = _Run(job, folder, Progress(listener, len(stages_of(job.result, job.recipe))))
     try:
         return run.all_stages()
-    except CancelledError as error:
-        raise CancelledError(error.code, f"{error.message} {run.how_far()}") from error
+    except (CancelledError, SystemError) as error:
+        if (cancelled := cancellation_behind(error)) is None:
+            raise
+        raise CancelledError(cancelled.code, f"{cancelled.message} {run.how_far()}") from error
     except (NoModelError, LimitError, MemoryError) as error:
         failure = _as_limit(error)
         run.write_failure(failure)

@@ -46,3 +46,12 @@ def test_after_the_end_nothing_is_raised(cancellation: Cancellation) -> None:
     cancellation.end()
     for name in _SIGNALS:
         signal.raise_signal(name)
+
+
+def test_a_compiled_function_that_was_interrupted_stands_for_the_cancellation() -> None:
+    cancelled = CancelledError("cancelled", "cancelled by SIGTERM")
+    error = SystemError("returned a result with an exception set")
+    error.__cause__ = cancelled
+    assert events.cancellation_behind(error) is cancelled
+    assert events.cancellation_behind(cancelled) is cancelled
+    assert events.cancellation_behind(SystemError("of its own")) is None

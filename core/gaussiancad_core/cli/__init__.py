@@ -15,6 +15,7 @@ from gaussiancad_core.events import (
     Listener,
     Silence,
     cancel_on_stdin,
+    cancellation_behind,
     open_event_stream,
 )
 
@@ -32,6 +33,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return int(options.run(options, listener))
     except GaussianCadError as error:
         return _tell(listener, error.code, error.message, error.exit_code)
+    except SystemError as error:
+        if (cancelled := cancellation_behind(error)) is None:
+            raise
+        return _tell(listener, cancelled.code, cancelled.message, cancelled.exit_code)
     except KeyboardInterrupt:
         return _tell(listener, "cancelled", "stopped by SIGINT", CancelledError.exit_code)
     except MemoryError:
