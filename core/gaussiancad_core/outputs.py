@@ -14,10 +14,12 @@ import shutil
 import tempfile
 from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 from filelock import FileLock, Timeout
 
 from gaussiancad_core.errors import GaussianCadError, LimitError, UsageError
+from gaussiancad_core.finished import file_facts
 
 STAGING_PREFIX = ".gaussiancad-"
 
@@ -126,6 +128,11 @@ class OutputFolder:
 
     def _staged(self) -> list[Path]:
         return [entry for entry in self.staging.iterdir() if entry.name != _LOCK]
+
+    def facts(self) -> dict[str, dict[str, Any]]:
+        """Sizes and hashes of all files of this run, by their path in the folder."""
+        whole = [self.path / name for name in self._ahead] + self._staged()
+        return file_facts(whole)
 
     def discard(self, *, keep_checkpoint: bool = False) -> None:
         """Remove the staging folder and what is in it, and the folder if it was made in vain."""

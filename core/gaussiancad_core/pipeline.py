@@ -3,7 +3,6 @@
 read -> views -> lines -> masks -> solid -> hull -> gaussians -> surface -> check -> write.
 """
 
-import json
 from dataclasses import replace
 from functools import cache
 from typing import TYPE_CHECKING
@@ -15,6 +14,7 @@ from gaussiancad_core.errors import (
     NoModelError,
 )
 from gaussiancad_core.events import Listener, Progress, cancellation_behind
+from gaussiancad_core.finished import finished_report
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
 from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
@@ -177,23 +177,17 @@ class _Run:
         return "the reading and the solid were" if self.notes.report.solid else "the reading was"
 
     def _finish(self, status: Status) -> None:
-        self.notes.tell(status=status, seconds=dict(self.progress.seconds))
+        seconds = dict(self.progress.seconds)
+        self.notes.tell(status=status, seconds=seconds, files=self.folder.facts())
         self.notes.report.write(self.folder.staging / REPORT_FILE)
         self.folder.commit()
 
     def _earlier(self) -> Report | None:
         """The report of a finished run of the same job in the same folder."""
         report = self.notes.report
-        try:
-            found = json.loads((self.folder.path / REPORT_FILE).read_text(encoding="utf-8"))
-            same = (
-                found["settings"] == report.settings
-                and found["engine"]["sheet_sha256"] == report.sheet_sha256
-                and found["status"] != Status.FAILED.value
-            )
-        except (OSError, ValueError, KeyError):
-            return None
-        return replace(report, status=Status(found["status"])) if same else None
+        path = self.folder.path / REPORT_FILE
+        found = finished_report(path, report.settings, report.sheet_sha256)
+        return replace(report, status=Status(found["status"])) if found else None
 
     def _status(self, solid: "ExactModel | None") -> Status:
         """How far the result can be trusted; whatever is in doubt, of the sheet or of the solid,

@@ -261,6 +261,7 @@ class Report:
         alternatives: other solids, best first.
         conflict: lines that contradict each other, the suspects first.
         device: where the Gaussians were trained, ``cpu`` or ``cuda``.
+        files: all others that the run wrote, with size and SHA-256, by their path in the folder.
     """
 
     sheet_sha256: str
@@ -295,6 +296,7 @@ class Report:
     gaussians: GaussiansReport | None = None
     device: str = "cpu"
     seconds: dict[str, float] = field(default_factory=dict)
+    files: dict[str, dict[str, Any]] = field(default_factory=dict)
 
     def warned(self, code: str, message: str) -> "Report":
         """The report with one more warning."""
@@ -373,6 +375,7 @@ class Report:
             "trace": list(self.trace),
             "seconds": self.seconds,
             "peak_memory_mb": peak_memory_mb(),
+            "files": self.files,
             "settings": self.settings,
             "engine": engine_facts(self.settings, self.sheet_sha256, self.device),
         }
