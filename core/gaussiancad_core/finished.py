@@ -10,6 +10,9 @@ from gaussiancad_core import __version__
 from gaussiancad_core.modes import Status
 from gaussiancad_core.versions import ENGINE_PACKAGES, installed_versions
 
+REPORT_FILE = "report.json"
+"""Of a run; it is put in place last."""
+
 _BLOCK = 1 << 20
 """Bytes that are read at a time."""
 

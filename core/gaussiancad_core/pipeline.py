@@ -14,7 +14,7 @@ from gaussiancad_core.errors import (
     NoModelError,
 )
 from gaussiancad_core.events import Listener, Progress, cancellation_behind
-from gaussiancad_core.finished import finished_report
+from gaussiancad_core.finished import REPORT_FILE, finished_report
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
 from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
@@ -49,8 +49,6 @@ STAGES = (
 )
 
 _SURFACE_STAGES = ("hull", "gaussians", "surface")
-
-REPORT_FILE = "report.json"
 
 
 def stages_of(result: ResultKind, recipe: Recipe = Recipe.ORTHOGRAPHIC) -> tuple[str, ...]:

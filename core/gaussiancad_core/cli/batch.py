@@ -1,37 +1,119 @@
 """``gaussiancad batch``: many sheets, each in a process of its own."""
 
 import argparse
+import os
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from gaussiancad_core.cli import values
 from gaussiancad_core.cli.reconstruct import add_job_options, job_of
 from gaussiancad_core.errors import ExitCode, UsageError
 from gaussiancad_core.events import Listener
+from gaussiancad_core.job import Job
+
+if TYPE_CHECKING:
+    from gaussiancad_core.batches.table import BatchRow
+
+_USUAL_MEMORY = 4.0
+"""GB that a sheet may take; few take more than 2."""
+
+_USUAL_SECONDS = 1800.0
+"""s that a sheet may take; most take less than a minute, the search for a solid 900 at most."""
+
+_BUDGET = 0.8
+"""Share of the machine's memory that all workers together take at most."""
+
+_EXPECTED = 2.0
+"""GB that workers are reckoned with."""
 
 
 def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add the subcommand."""
     parser = commands.add_parser("batch", help="make models from many sheets")
-    parser.add_argument("sheets", type=Path, nargs="+", metavar="SHEET")
+    parser.add_argument(
+        "sheets",
+        nargs="+",
+        metavar="SHEET|FOLDER|TABLE.csv",
+        help="files, folders of drawings, patterns, tables with a column 'sheet' and options",
+    )
     parser.add_argument("--output", type=Path, required=True, metavar="DIR")
-    parser.add_argument("--workers", type=values.count, default=1, metavar="N")
+    parser.add_argument(
+        "--workers",
+        type=values.count,
+        metavar="N",
+        help="sheets at a time; as many as there are cores, and memory for",
+    )
+    parser.add_argument(
+        "--memory",
+        type=values.positive,
+        default=_USUAL_MEMORY,
+        metavar="GB",
+        help="that a sheet may take",
+    )
+    parser.add_argument(
+        "--seconds",
+        type=values.positive,
+        default=_USUAL_SECONDS,
+        metavar="S",
+        help="that a sheet may take",
+    )
     parser.add_argument("--scheduler", metavar="ADDRESS", help=argparse.SUPPRESS)
     add_job_options(parser)
     parser.set_defaults(run=run)
 
 
 def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
-    """Reconstruct the sheets one by one or ``--workers`` at a time."""
-    from gaussiancad_core.batch import run_batch
-
+    """Reconstruct the sheets, some at a time."""
     if options.scheduler:
         raise UsageError(
             "scheduler-unsupported",
             "this version works on one machine only: leave --scheduler out, use --workers",
         )
-    job = job_of(options, options.sheets[0], options.output)
-    rows = run_batch(options.sheets, job, options.workers)
+    from gaussiancad_core.batches.inputs import collect_sheets
+    from gaussiancad_core.batches.running import BatchSettings, run_batch
+    from gaussiancad_core.batches.supervisor import ProcessLimits
+
+    job = job_of(options, Path(), options.output)
+    sheets = collect_sheets(options.sheets, job, lambda own: _job_with(options, own))
+    limits = ProcessLimits(int(options.memory * 2**30), options.seconds)
+    workers = min(options.workers or _usual_workers(), len(sheets))
+    settings = BatchSettings(options.output, workers, limits, options.resume)
+    rows = run_batch(sheets, settings, _say)
     failed = [row for row in rows if row.exit_code]
-    for row in rows:
-        print(f"{row.status:12} {row.name}: {row.message or row.folder}")
     return ExitCode.SOME_SHEETS_FAILED if failed else ExitCode.DONE
+
+
+def _say(done: int, count: int, row: "BatchRow") -> None:
+    line = f"{done}/{count} {row.status:12} {row.name}: {row.message or row.folder}"
+    print(line.encode("utf-8", "backslashreplace").decode(), flush=True)
+
+
+def _usual_workers() -> int:
+    import psutil
+
+    most = int(_BUDGET * psutil.virtual_memory().total / (_EXPECTED * 2**30))
+    return max(1, min(os.cpu_count() or 1, most))
+
+
+def _job_with(options: argparse.Namespace, own: Sequence[str]) -> Job:
+    """The job that options of a line of a table describe, beside those of the batch."""
+    parser = _LineParser(prog="gaussiancad batch", add_help=False)
+    add_job_options(parser)
+    # What the line says replaces what was said for all: of a length and a scale one counts.
+    told = {name for name in ("length", "mm_per_pixel") if _names(own, name)}
+    base = {**vars(options), **({"length": None, "mm_per_pixel": None} if told else {})}
+    found = parser.parse_args(list(own), argparse.Namespace(**base))
+    return job_of(found, Path(), options.output)
+
+
+def _names(own: Sequence[str], name: str) -> bool:
+    return any(each.startswith(f"--{name.replace('_', '-')}=") for each in own)
+
+
+class _LineParser(argparse.ArgumentParser):
+    """A parser whose errors are the engine's."""
+
+    def error(self, message: str) -> None:  # type: ignore[override]
+        """Raise a usage error."""
+        raise UsageError("wrong-usage", message)

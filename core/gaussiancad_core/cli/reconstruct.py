@@ -146,7 +146,8 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     job.check()
 
     from gaussiancad_core.cli.libraries import silence_opencascade
-    from gaussiancad_core.pipeline import REPORT_FILE, reconstruct
+    from gaussiancad_core.finished import REPORT_FILE
+    from gaussiancad_core.pipeline import reconstruct
 
     silence_opencascade()
     report = reconstruct(job, listener)

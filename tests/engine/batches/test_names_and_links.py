@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from gaussiancad_core.axes import Axis, Projection, Role
-from gaussiancad_core.batch import job_arguments
+from gaussiancad_core.batches.arguments import job_arguments
 from gaussiancad_core.cli import main
 from gaussiancad_core.cli.parser import build_parser
 from gaussiancad_core.cli.reconstruct import job_of

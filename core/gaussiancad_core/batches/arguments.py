@@ -1,0 +1,21 @@
+"""A job as options of the command line, for the process that does it."""
+
+from gaussiancad_core.job import Job
+
+
+def job_arguments(job: Job) -> list[str]:
+    """Options of ``gaussiancad reconstruct`` that give the same job on another sheet."""
+    settings = job.settings()
+    arguments: list[str] = []
+    for name in ("projection", "page", "result", "recipe", "preset", "seed", "colour", "finder"):
+        arguments += [f"--{name}", str(settings[name])]
+    for role, box in settings["views"].items():
+        arguments += ["--view", f"{role}={','.join(str(value) for value in box)}"]
+    if settings["length"]:
+        arguments += ["--length", f"{settings['length']['axis']}={settings['length']['mm']}"]
+    if settings["mm_per_pixel"]:
+        arguments += ["--mm-per-pixel", str(settings["mm_per_pixel"])]
+    arguments += ["--median", str(settings["median_kernel"])]
+    arguments += ["--device", job.device.value, "--scale-down", str(job.scale_down)]
+    switches = {"--resume": job.resume, "--transforms": job.transforms}
+    return [*arguments, *(name for name, wanted in switches.items() if wanted)]

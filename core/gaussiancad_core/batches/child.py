@@ -1,0 +1,39 @@
+"""The process of one sheet: limits that it sets itself, then ``gaussiancad``.
+
+``python -m gaussiancad_core.batches.child FILE_BYTES ARGUMENTS...``.  It dies with its parent, and
+leaves no core files.
+"""
+
+import contextlib
+import signal
+import sys
+
+_PR_SET_PDEATHSIG = 1
+"""Of prctl(2): the signal that a process gets when its parent ends."""
+
+
+def limit_itself(most_bytes: int) -> None:
+    """Die with the parent; write no file larger than so many bytes, and no core file.
+
+    Where the system has no such limits nothing happens.
+    """
+    if sys.platform == "linux":
+        import ctypes
+
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+    try:
+        import resource
+    except ImportError:
+        return
+    # A file that grows too large ends a write, not the process.
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    for kind, most in ((resource.RLIMIT_CORE, 0), (resource.RLIMIT_FSIZE, most_bytes)):
+        with contextlib.suppress(ValueError, OSError):
+            resource.setrlimit(kind, (most, most))
+
+
+if __name__ == "__main__":
+    limit_itself(int(sys.argv[1]))
+    from gaussiancad_core.cli import main
+
+    sys.exit(main(sys.argv[2:]))

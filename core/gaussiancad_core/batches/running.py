@@ -1,0 +1,220 @@
+"""A batch from its sheets to its report."""
+
+import json
+import os
+import signal
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from filelock import FileLock, Timeout
+
+from gaussiancad_core import __version__
+from gaussiancad_core.batches.arguments import job_arguments
+from gaussiancad_core.batches.inputs import BatchSheet
+from gaussiancad_core.batches.manifest import Key, Manifest
+from gaussiancad_core.batches.page import PAGE_FILE, page_bytes
+from gaussiancad_core.batches.supervisor import Ended, ProcessLimits, Supervisor
+from gaussiancad_core.batches.table import REPORT_FILE, BatchRow, table_bytes
+from gaussiancad_core.drawing.files import write_whole
+from gaussiancad_core.errors import CancelledError, ExitCode, LimitError, UsageError
+from gaussiancad_core.finished import REPORT_FILE as SHEET_REPORT
+from gaussiancad_core.modes import Status
+from gaussiancad_core.outputs import os_error
+from gaussiancad_core.sheet_names import folder_names
+from gaussiancad_core.versions import ENGINE_PACKAGES, installed_versions
+
+_LOCK_FILE = ".gaussiancad-batch.lock"
+
+_FULL_DISKS = 3
+"""Sheets in a row that end for want of space after which no more is begun."""
+
+_LINK = "the sheet's folder is a link to elsewhere: remove it, or choose another --output"
+
+_NOT_DONE = "the batch was stopped before this sheet was done: go on with --resume"
+
+Tell = Callable[[int, int, BatchRow], None]
+"""Called with how many sheets are done, of how many, and the last of them."""
+
+
+@dataclass(frozen=True)
+class BatchSettings:
+    """How sheets are worked off.
+
+    Attributes:
+        output: folder of the batch.
+        workers: processes at a time.
+        limits: of each.
+        resume: whether what an earlier batch finished is kept.
+    """
+
+    output: Path
+    workers: int
+    limits: ProcessLimits
+    resume: bool = False
+
+
+@dataclass(frozen=True)
+class _Place:
+    """A sheet and where its results go."""
+
+    sheet: BatchSheet
+    name: str
+    folder: Path
+    key: Key
+
+    def row(self, status: str, bound: str, ended: Ended) -> BatchRow:
+        return BatchRow(
+            self.name,
+            str(self.key.path),
+            str(self.folder),
+            status,
+            bound,
+            ended.exit_code,
+            ended.message,
+            round(ended.seconds, 2),
+        )
+
+
+def run_batch(sheets: Sequence[BatchSheet], settings: BatchSettings, tell: Tell) -> list[BatchRow]:
+    """Reconstruct sheets into ``output/NAME``; write ``report.csv`` and ``index.html`` there.
+
+    Args:
+        sheets: different ones, in the order of the report.
+        settings: of the batch.
+        tell: hears of each sheet that is done.
+
+    Returns:
+        The rows of the report.
+
+    Raises:
+        UsageError: ``batch-running``, ``output-not-writable``.
+        LimitError: ``disk-full``.
+        CancelledError: the report is written, and names the sheets that are not done.
+    """
+    output = settings.output
+    try:
+        output.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise os_error(output, error) from error
+    with _alone(output):
+        manifest = Manifest(output)
+        try:
+            return _Batch(settings, manifest, tell).run(_places(sheets, output))
+        finally:
+            manifest.close()
+
+
+@contextmanager
+def _alone(output: Path) -> Iterator[None]:
+    lock = FileLock(output / _LOCK_FILE)
+    try:
+        lock.acquire(blocking=False)
+    except Timeout:
+        raise UsageError(
+            "batch-running",
+            f"another batch writes to {output}: wait for it, or choose another --output",
+        ) from None
+    except OSError as error:
+        raise os_error(output, error) from error
+    try:
+        yield
+    finally:
+        lock.release()
+
+
+def _places(sheets: Sequence[BatchSheet], output: Path) -> list[_Place]:
+    engine = json.dumps([__version__, installed_versions(ENGINE_PACKAGES)])
+    names = folder_names([sheet.path for sheet in sheets])
+    root = Path(os.path.abspath(output))
+    return [
+        _Place(sheet, name, root / name, Key.of(sheet, engine))
+        for sheet, name in zip(sheets, names, strict=True)
+    ]
+
+
+class _Batch:
+    """A batch in progress."""
+
+    def __init__(self, settings: BatchSettings, manifest: Manifest, tell: Tell) -> None:
+        self._settings, self._manifest, self._tell = settings, manifest, tell
+        self._rows: dict[str, BatchRow] = {}
+        self._full_disks = 0
+
+    def run(self, places: list[_Place]) -> list[BatchRow]:
+        supervisor: Supervisor[_Place] = Supervisor(self._settings.workers, self._settings.limits)
+        try:
+            for place, ended in supervisor.run(self._begun(places)):
+                self._take(place, ended, len(places))
+        except (CancelledError, KeyboardInterrupt):
+            # From here on there is an end to come to: no second signal breaks it off.
+            for number in (signal.SIGINT, signal.SIGTERM):
+                with suppress(ValueError):
+                    signal.signal(number, signal.SIG_IGN)
+            supervisor.close()
+            self._write(places)
+            raise
+        except BaseException:
+            supervisor.close()
+            raise
+        return self._write(places)
+
+    def _begun(self, places: list[_Place]) -> Iterator[tuple[_Place, list[str]]]:
+        """Sheets that have to be done, with the arguments of their processes."""
+        for place in places:
+            if self._settings.resume and not place.folder.is_symlink():
+                row = self._manifest.kept(place.name, place.key, place.folder)
+                if row is not None:
+                    self._done(row, len(places))
+                    continue
+            if place.folder.is_symlink():
+                row = place.row(Status.FAILED.value, "", Ended(int(ExitCode.USAGE), _LINK, 0, 0))
+                self._done(row, len(places))
+                continue
+            job = replace(place.sheet.job, resume=self._settings.resume)
+            yield (
+                place,
+                [
+                    "reconstruct",
+                    "--events",
+                    "--output",
+                    str(place.folder),
+                    *job_arguments(job),
+                    # A name may begin like an option.
+                    "--",
+                    str(place.key.path),
+                ],
+            )
+
+    def _take(self, place: _Place, ended: Ended, count: int) -> None:
+        status, bound = _result(place.folder) if ended.exit_code == 0 else (Status.FAILED.value, "")
+        row = place.row(status, bound, ended)
+        self._manifest.note(place.key, row, ended)
+        self._done(row, count)
+        self._full_disks = self._full_disks + 1 if "[disk-full]" in ended.message else 0
+        if self._full_disks == _FULL_DISKS:
+            raise LimitError("disk-full", f"{ended.message}; the batch goes on with --resume")
+
+    def _done(self, row: BatchRow, count: int) -> None:
+        self._rows[row.name] = row
+        self._tell(len(self._rows), count, row)
+
+    def _write(self, places: list[_Place]) -> list[BatchRow]:
+        """The report, with a row for every sheet."""
+        stopped = Ended(int(ExitCode.CANCELLED), _NOT_DONE, 0.0, 0)
+        rows = [
+            self._rows.get(place.name) or place.row(Status.FAILED.value, "", stopped)
+            for place in places
+        ]
+        output = self._settings.output
+        write_whole(output / REPORT_FILE, table_bytes(rows))
+        write_whole(output / PAGE_FILE, page_bytes(rows))
+        return rows
+
+
+def _result(folder: Path) -> tuple[str, str]:
+    """Status and bound of the measures as the sheet's report has them."""
+    report = json.loads((folder / SHEET_REPORT).read_text(encoding="utf-8"))
+    measures = report["measures"]
+    return report["status"], f"{measures['uncertainty_mm']:g}" if measures else ""

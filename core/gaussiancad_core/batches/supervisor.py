@@ -1,0 +1,210 @@
+"""Processes side by side, each with limits of memory and time; none outlives its supervisor.
+
+What a process prints goes into files, so that none waits for a reader.
+"""
+
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import IO, Generic, TypeVar
+
+import psutil
+
+from gaussiancad_core.errors import ExitCode
+
+_LOOKS_EVERY = 0.1
+"""s between looks at the processes."""
+
+_GRACE_S = 4.0
+"""s in which a process that was asked to may end by itself."""
+
+_MOST_TEXT = 1 << 16
+"""Bytes of what a process said last that are kept."""
+
+Task = TypeVar("Task")
+
+
+@dataclass(frozen=True)
+class ProcessLimits:
+    """What a process may take.
+
+    Attributes:
+        memory: bytes, with its children.
+        seconds: of the clock.
+        file: bytes of the largest file.
+    """
+
+    memory: int
+    seconds: float
+    file: int = 4 << 30
+
+
+@dataclass(frozen=True)
+class Ended:
+    """How a process ended.
+
+    Attributes:
+        exit_code: as the command line has them; a process that was killed for a limit has 5, one
+            that crashed 6.
+        message: the last line that it said, or why it was ended; empty if all is well.
+        seconds: of the clock.
+        peak: bytes of memory at most, as far as was seen.
+    """
+
+    exit_code: int
+    message: str
+    seconds: float
+    peak: int
+
+
+class _Child:
+    """A process in a session of its own."""
+
+    def __init__(self, arguments: list[str], limits: ProcessLimits) -> None:
+        self._limits = limits
+        # Closed with the process, in end().
+        self._said: IO[bytes] = tempfile.TemporaryFile()  # noqa: SIM115
+        isolated = ["-I"] if sys.flags.isolated else []
+        module = "gaussiancad_core.batches.child"
+        command = [sys.executable, *isolated, "-m", module, str(limits.file), *arguments]
+        self._process = subprocess.Popen(
+            command,
+            # Its end tells the child that nobody waits for it.
+            stdin=subprocess.PIPE,
+            stdout=subprocess.DEVNULL,
+            stderr=self._said,
+            env={**os.environ, **_ONE_THREAD},
+            start_new_session=True,
+        )
+        self._seen = psutil.Process(self._process.pid)
+        self._began = time.monotonic()
+        self._peak = 0
+
+    def look(self) -> Ended | None:
+        """How it ended, if it did; it is ended where it takes too much."""
+        if self._process.poll() is not None:
+            return self._told()
+        self._peak = max(self._peak, self._memory())
+        if self._peak > self._limits.memory:
+            reason = f"it took more than {self._limits.memory / 2**30:.1f} GB of memory"
+            return self._ended_for(f"{reason}: give it more (--memory) [out-of-memory]")
+        if self.seconds > self._limits.seconds:
+            reason = f"it took more than {self._limits.seconds:g} s"
+            return self._ended_for(f"{reason}: give it more (--seconds) [takes-too-long]")
+        return None
+
+    @property
+    def seconds(self) -> float:
+        """s since it began."""
+        return time.monotonic() - self._began
+
+    def ask_to_end(self) -> None:
+        """Let it end by itself, and clean up."""
+        with suppress(OSError):
+            self._process.stdin.close()
+
+    def end(self, until: float) -> None:
+        """End it and its children, by force if it still runs at that time (monotonic clock)."""
+        with suppress(subprocess.TimeoutExpired):
+            self._process.wait(max(until - time.monotonic(), 0.0))
+        self._kill()
+        self._said.close()
+
+    def _kill(self) -> None:
+        if hasattr(os, "killpg"):
+            with suppress(OSError):
+                os.killpg(self._process.pid, signal.SIGKILL)
+        else:
+            self._process.kill()
+        self._process.wait()
+        with suppress(OSError):
+            self._process.stdin.close()
+
+    def _ended_for(self, message: str) -> Ended:
+        self.ask_to_end()
+        self.end(time.monotonic() + _GRACE_S)
+        return Ended(int(ExitCode.LIMIT), message, self.seconds, self._peak)
+
+    def _told(self) -> Ended:
+        code = self._process.returncode
+        message = "" if code == 0 else self._last_line()
+        self.end(time.monotonic())
+        if code < 0:
+            code = int(ExitCode.ENGINE)
+            message = f"its process was ended by {_name_of(-self._process.returncode)}"
+        return Ended(code, message, self.seconds, self._peak)
+
+    def _last_line(self) -> str:
+        size = self._said.seek(0, os.SEEK_END)
+        self._said.seek(max(size - _MOST_TEXT, 0))
+        lines = self._said.read().decode("utf-8", "replace").strip().splitlines()
+        return lines[-1] if lines else "no message"
+
+    def _memory(self) -> int:
+        total = 0
+        with suppress(psutil.Error):
+            for process in (self._seen, *self._seen.children(recursive=True)):
+                with suppress(psutil.Error):
+                    total += process.memory_info().rss
+        return total
+
+
+class Supervisor(Generic[Task]):
+    """Runs tasks in processes, some at a time."""
+
+    def __init__(self, workers: int, limits: ProcessLimits) -> None:
+        self._workers, self._limits = workers, limits
+        self._running: dict[int, tuple[Task, _Child]] = {}
+
+    def run(self, tasks: Iterable[tuple[Task, list[str]]]) -> Iterator[tuple[Task, Ended]]:
+        """Tasks as they end, however they do.
+
+        Args:
+            tasks: each with the arguments of its ``gaussiancad`` process; the next is taken when a
+                worker is free.
+        """
+        waiting, number = iter(tasks), 0
+        more = True
+        while more or self._running:
+            while more and len(self._running) < self._workers:
+                task = next(waiting, None)
+                if task is None:
+                    more = False
+                    break
+                number += 1
+                self._running[number] = task[0], _Child(task[1], self._limits)
+            for key, (own, child) in list(self._running.items()):
+                if (ended := child.look()) is not None:
+                    del self._running[key]
+                    yield own, ended
+            if self._running:
+                time.sleep(_LOOKS_EVERY)
+
+    def close(self) -> None:
+        """End what still runs: asked first, forced after some seconds."""
+        children = [child for _, child in self._running.values()]
+        self._running.clear()
+        for child in children:
+            child.ask_to_end()
+        until = time.monotonic() + _GRACE_S
+        for child in children:
+            child.end(until)
+
+
+_ONE_THREAD = {
+    name: "1"
+    for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
+}
+"""A sheet has one thread: the machine is full, and sums come out the same on any."""
+
+
+def _name_of(number: int) -> str:
+    with suppress(ValueError):
+        return signal.Signals(number).name
+    return f"signal {number}"
