@@ -74,3 +74,16 @@ class CancelledError(GaussianCadError):
     """The run was stopped by the user or by the end of its parent process."""
 
     exit_code = ExitCode.CANCELLED
+
+
+_CV_NO_MEMORY = -4
+"""OpenCV's ``StsNoMem``."""
+
+
+def is_out_of_memory(error: BaseException) -> bool:
+    """Whether an error, of Python or of a library, says that memory does not suffice."""
+    if isinstance(error, MemoryError):
+        return True
+    if type(error).__module__.partition(".")[0] == "cv2":
+        return getattr(error, "code", None) == _CV_NO_MEMORY
+    return isinstance(error, RuntimeError) and "allocate memory" in str(error)

@@ -12,6 +12,7 @@ from gaussiancad_core.errors import (
     GaussianCadError,
     LimitError,
     NoModelError,
+    is_out_of_memory,
 )
 from gaussiancad_core.events import Listener, Progress, cancellation_behind
 from gaussiancad_core.finished import REPORT_FILE, finished_report
@@ -46,6 +47,10 @@ STAGES = (
     "surface",
     "check",
     "write",
+)
+
+_NO_MEMORY = LimitError(
+    "out-of-memory", "the memory does not suffice: use --preset draft or a smaller sheet"
 )
 
 _SURFACE_STAGES = ("hull", "gaussians", "surface")
@@ -83,24 +88,20 @@ def reconstruct(job: Job, listener: Listener) -> Report:
         if (cancelled := cancellation_behind(error)) is None:
             raise
         raise CancelledError(cancelled.code, f"{cancelled.message} {run.how_far()}") from error
-    except (NoModelError, LimitError, MemoryError) as error:
-        failure = _as_limit(error)
-        run.write_failure(failure)
-        raise failure from error
+    except (NoModelError, LimitError) as error:
+        run.write_failure(error)
+        raise
     except OSError as error:
         if isinstance(error, GaussianCadError):
             raise
         raise os_error(job.output, error) from error
+    except Exception as error:
+        if not is_out_of_memory(error):
+            raise
+        run.write_failure(_NO_MEMORY)
+        raise _NO_MEMORY from error
     finally:
         folder.discard(keep_checkpoint=job.resume)
-
-
-def _as_limit(error: BaseException) -> GaussianCadError:
-    if isinstance(error, GaussianCadError):
-        return error
-    return LimitError(
-        "out-of-memory", "the memory does not suffice: use --preset draft or a smaller sheet"
-    )
 
 
 class _Run:
@@ -126,6 +127,7 @@ class _Run:
             if self.job.resume and (earlier := self._earlier()):
                 return earlier
             clean = upright_sheet(clean_sheet(image.grey, self.job.reading.median_kernel))
+            clean = replace(clean, turn=replace(clean.turn, scale=image.reduction))
         found = read_drawing(self.job, image, clean, self.notes)
         self._write_reading(found, clean.turn)
         exact = None

@@ -123,10 +123,11 @@ def _geometry(stroke: Stroke, turn: Turn) -> dict[str, Any]:
     (centre,) = _points(np.array([stroke.centre]), turn)
     if isinstance(stroke, Arc):
         start = stroke.start_angle + _turned(stroke, turn)
-        arc = (*centre, stroke.radius, start, stroke.sweep)
+        arc = (*centre, stroke.radius * turn.scale, start, stroke.sweep)
         return {"arc": [round(float(value), 4) for value in arc]}
     rotation = stroke.rotation + _turned(stroke, turn)
-    ellipse = (*centre, stroke.semi_major, stroke.semi_minor, rotation, stroke.start, stroke.sweep)
+    axes = stroke.semi_major * turn.scale, stroke.semi_minor * turn.scale
+    ellipse = (*centre, *axes, rotation, stroke.start, stroke.sweep)
     return {"ellipse": [round(float(value), 4) for value in ellipse]}
 
 

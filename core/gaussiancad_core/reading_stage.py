@@ -66,7 +66,7 @@ def read_drawing(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes
     Raises:
         NoModelError: the sheet has no views that belong together.
     """
-    reading = job.reading
+    reading = _in_worked_px(job.reading, clean.turn)
     with notes.stage("views"):
         given = {role: clean.turn.box_to_upright(box) for role, box in reading.views}
         # Where a file has lines of one width, those of its picture only seem to differ.
@@ -91,8 +91,15 @@ def read_drawing(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes
         if found.other and job.result is ResultKind.SURFACE:
             found = weigh_readings(found, notes)
         _tell_views(notes, found.own.registered, clean.turn)
-        _tell_registration(notes, found.own.registered)
+        _tell_registration(notes, found.own.registered, clean.turn)
     return replace(found, marks=separated.marks, special=layout.special)
+
+
+def _in_worked_px(reading: ReadingOptions, turn: Turn) -> ReadingOptions:
+    """What was told of px of the sheet as stored, of those that are worked on."""
+    if reading.mm_per_pixel is None:
+        return reading
+    return replace(reading, mm_per_pixel=reading.mm_per_pixel * turn.scale)
 
 
 def tell_projection(notes: RunNotes, projection: Projection, inferred: bool) -> None:
@@ -255,9 +262,9 @@ def _places(boxes: Sequence[Box]) -> str:
     return "; ".join(places)
 
 
-def _tell_registration(notes: RunNotes, registered: RegisteredSheet) -> None:
+def _tell_registration(notes: RunNotes, registered: RegisteredSheet, turn: Turn) -> None:
     notes.tell(
-        scale_mm_per_pixel=registered.mm_per_pixel,
+        scale_mm_per_pixel=registered.mm_per_pixel / turn.scale,
         bounding_box_mm=registered.views.size,
         strokes_source=registered.source.value,
         residuals_px={

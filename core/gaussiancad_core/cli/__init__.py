@@ -9,7 +9,12 @@ from collections.abc import Sequence
 
 from gaussiancad_core.cli.libraries import prepare_environment
 from gaussiancad_core.cli.parser import build_parser
-from gaussiancad_core.errors import CancelledError, ExitCode, GaussianCadError
+from gaussiancad_core.errors import (
+    CancelledError,
+    ExitCode,
+    GaussianCadError,
+    is_out_of_memory,
+)
 from gaussiancad_core.events import (
     Cancellation,
     Listener,
@@ -39,12 +44,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _tell(listener, cancelled.code, cancelled.message, cancelled.exit_code)
     except KeyboardInterrupt:
         return _tell(listener, "cancelled", "stopped by SIGINT", CancelledError.exit_code)
-    except MemoryError:
-        message = "the memory does not suffice: use --preset draft or a smaller file"
-        return _tell(listener, "out-of-memory", message, ExitCode.LIMIT)
     except ImportError as error:
         message = f"the engine is incomplete ({error}): run `gaussiancad doctor`"
         return _tell(listener, "engine-incomplete", message, ExitCode.ENGINE)
+    except Exception as error:
+        if not is_out_of_memory(error):
+            raise
+        message = "the memory does not suffice: use --preset draft or a smaller file"
+        return _tell(listener, "out-of-memory", message, ExitCode.LIMIT)
     finally:
         cancellation.end()
 

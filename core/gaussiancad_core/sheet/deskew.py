@@ -32,24 +32,26 @@ _NEIGHBOURHOODS = (np.radians(0.5), np.radians(0.2), np.radians(0.1))
 
 @dataclass(frozen=True)
 class Turn:
-    """A rotation of a sheet about its middle.
+    """A rotation of a sheet about its middle, and how much smaller it was read than stored.
 
     Attributes:
         angle: radians by which the drawing is turned on the sheet as stored, from x to y (clockwise
             to the eye).
-        centre: (x, y) px, pixel centres at .5.
+        centre: (x, y) px of the upright sheet, pixel centres at .5.
+        scale: px of the sheet as stored per px of the upright sheet.
     """
 
     angle: float
     centre: tuple[float, float]
+    scale: float = 1.0
 
     def to_stored(self, points: Floats) -> Floats:
         """(n, 2) px of the upright sheet -> px of the sheet as stored."""
-        return self._turned(points, self.angle)
+        return self.scale * self._turned(points, self.angle)
 
     def to_upright(self, points: Floats) -> Floats:
         """(n, 2) px of the sheet as stored -> px of the upright sheet."""
-        return self._turned(points, -self.angle)
+        return self._turned(points / self.scale, -self.angle)
 
     def box_to_stored(self, box: Box) -> Box:
         """The box on the sheet as stored around a box on the upright sheet."""
@@ -78,7 +80,7 @@ class Turn:
         return np.clip(turned, 0.0, 1.0)
 
     def _around(self, box: Box, moved: Callable[[Floats], Floats]) -> Box:
-        if not self.angle:
+        if not self.angle and self.scale == 1.0:
             return box
         x0, y0, x1, y1 = box
         corners = moved(np.array([[x0, y0], [x1, y0], [x1, y1], [x0, y1]]))

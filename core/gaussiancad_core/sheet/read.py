@@ -1,9 +1,10 @@
 """Read a sheet from a file of any kind: a grey image, and exact lines where the file has them."""
 
 import hashlib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+import cv2
 import numpy as np
 import numpy.typing as npt
 
@@ -15,6 +16,9 @@ from gaussiancad_core.sheet.files.raster import read_raster
 from gaussiancad_core.sheet.files.vectors import VectorDrawing
 
 __all__ = ["MAX_PIXELS", "MIN_SIDE", "SHEET_SUFFIXES", "SheetImage", "read_sheet"]
+
+MOST_WORKED_ON = 24_000_000
+"""Pixels of a picture that are worked on, within 2 GB of memory: A3 at 350 dpi."""
 
 SHEET_SUFFIXES = frozenset(
     {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".webp", *VECTOR_SUFFIXES}
@@ -33,6 +37,7 @@ class SheetImage:
         pixels_per_inch: of the paper, where the file says it believably.
         vectors: exact lines and texts in px of ``grey``, where the file has them.
         notes: what was left out or assumed.
+        reduction: px of the sheet as stored per px of ``grey``.
     """
 
     path: Path
@@ -41,13 +46,15 @@ class SheetImage:
     pixels_per_inch: float | None = None
     vectors: VectorDrawing | None = None
     notes: tuple[Note, ...] = ()
+    reduction: float = 1.0
 
 
 def read_sheet(path: Path, page: int = 1) -> SheetImage:
     """Read a sheet from a PNG, JPEG, TIFF, BMP, WebP, PDF, SVG or DXF file.
 
     EXIF rotation is applied, transparency becomes white paper, and light ink on dark paper is
-    inverted.  Nothing outside the file is ever opened.
+    inverted.  Pictures of more than :data:`MOST_WORKED_ON` pixels are made smaller, and a note says
+    so.  Nothing outside the file is ever opened.
 
     Args:
         path: the file; its content tells its kind, its name only where the content does not.
@@ -67,7 +74,28 @@ def read_sheet(path: Path, page: int = 1) -> SheetImage:
     grey = content.grey
     if np.median(grey) < 128:
         grey = 255 - grey
-    return SheetImage(path, grey, sha256, content.pixels_per_inch, content.vectors, content.notes)
+    image = SheetImage(path, grey, sha256, content.pixels_per_inch, content.vectors, content.notes)
+    return _reduced(image) if content.vectors is None else image
+
+
+def _reduced(image: SheetImage) -> SheetImage:
+    """The picture at a resolution for which memory suffices: about 60 bytes a pixel are needed."""
+    height, width = image.grey.shape
+    factor = float(np.sqrt(height * width / MOST_WORKED_ON))
+    if factor <= 1.0:
+        return image
+    size = (round(width / factor), round(height / factor))
+    # Both directions get the same factor but for a part of a pixel over the whole sheet.
+    factor = width / size[0]
+    grey = cv2.resize(image.grey, size, interpolation=cv2.INTER_AREA)
+    note = Note(
+        "resolution-lowered",
+        f"the sheet has {width} x {height} px and was read at {size[0]} x {size[1]}: measures are "
+        "known less well; a cut around the views is read as it is",
+    )
+    dpi = image.pixels_per_inch and image.pixels_per_inch / factor
+    notes = (*image.notes, note)
+    return replace(image, grey=grey, pixels_per_inch=dpi, notes=notes, reduction=factor)
 
 
 def _sha256(path: Path) -> str:

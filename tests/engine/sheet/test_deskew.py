@@ -107,13 +107,14 @@ def test_turns_are_clockwise_to_the_eye() -> None:
 @given(
     st.floats(-LARGEST_SKEW, LARGEST_SKEW),
     st.tuples(st.floats(0, 900), st.floats(0, 900), st.floats(1, 900), st.floats(1, 900)),
+    st.sampled_from([1.0, 2.5]),
 )
 def test_boxes_hold_what_was_in_them(
-    angle: float, place: tuple[float, float, float, float]
+    angle: float, place: tuple[float, float, float, float], scale: float
 ) -> None:
     x, y, width, height = place
     box = (x, y, x + width, y + height)
-    turn = Turn(angle, (500.0, 400.0))
+    turn = Turn(angle, (500.0, 400.0), scale)
     inside = np.array([(x + a * width, y + b * height) for a in (0, 0.3, 1) for b in (0, 0.6, 1)])
     for there, moved in (
         (turn.box_to_stored(box), turn.to_stored(inside)),
@@ -125,6 +126,7 @@ def test_boxes_hold_what_was_in_them(
         # No larger than what the corners need.
         assert moved.min(0) == pytest.approx(low)
         assert moved.max(0) == pytest.approx(high)
+    assert turn.to_upright(turn.to_stored(inside)) == pytest.approx(inside)
 
 
 def test_no_turn_keeps_boxes() -> None:

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+import gaussiancad_core.sheet.read as reading
 from gaussiancad_core.errors import UnreadableError
 from gaussiancad_core.sheet.files.vectors import CircularArc
 from gaussiancad_core.sheet.read import read_sheet
@@ -164,3 +165,18 @@ def test_bad_vector_files(tmp_path: Path, name: str, data: bytes, code: str) -> 
         read_sheet(tmp_path / name)
     assert caught.value.code == code
     assert str(tmp_path / name) in caught.value.message
+
+
+@pytest.mark.parametrize("mode", ["L", "RGBA"])
+def test_a_large_picture_is_read_smaller_and_told(
+    mode: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(reading, "MOST_WORKED_ON", 100_000)
+    image = Image.new(mode, (800, 500), "white")
+    image.paste("black", (200, 100, 400, 300))
+    image.save(tmp_path / "large.png", dpi=(200, 200))
+    found = read_sheet(tmp_path / "large.png")
+    assert found.grey.shape == (250, 400) and found.reduction == 2.0
+    assert found.pixels_per_inch == pytest.approx(100.0, rel=1e-3)
+    assert [note.code for note in found.notes] == ["resolution-lowered"]
+    assert (found.grey[50:150, 100:200] == 0).all() and found.grey.mean() > 200

@@ -22,6 +22,9 @@ _FORMATS = ("PNG", "JPEG", "TIFF", "BMP", "WEBP")
 _MIN_DPI, _MAX_DPI = 75.0, 2400.0
 """Resolutions at which drawings are scanned and exported."""
 
+_BAND = 1024
+"""Rows that are converted at a time."""
+
 _SCREEN_DPI = 96.0
 """Written by programs that know nothing of paper."""
 
@@ -91,11 +94,24 @@ def _to_grey(image: Image.Image) -> Grey:
         return _scaled(np.asarray(image), sixteen_bits=image.mode.startswith("I;16"))
     if image.mode == "LAB":
         image = image.getchannel(0)
+    if image.mode == "L" and "transparency" not in image.info:
+        return np.array(image)
+    image.load()
+    grey = np.empty((image.height, image.width), np.uint8)
+    # By bands: a large sheet as RGBA takes four bytes a pixel, and as much for each step.
+    for top in range(0, image.height, _BAND):
+        bottom = min(top + _BAND, image.height)
+        grey[top:bottom] = _on_paper(image.crop((0, top, image.width, bottom)))
+    return grey
+
+
+def _on_paper(image: Image.Image) -> Grey:
+    """(h, w) uint8 luminance; transparency becomes white."""
     if "A" in image.getbands() or "transparency" in image.info:
         rgba = image.convert("RGBA")
         paper = Image.new("RGBA", rgba.size, "white")
         image = Image.alpha_composite(paper, rgba)
-    return np.array(image.convert("L"))
+    return np.asarray(image.convert("L"))
 
 
 def _scaled(values: np.ndarray, sixteen_bits: bool) -> Grey:
