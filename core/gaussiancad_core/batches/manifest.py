@@ -14,10 +14,10 @@ from pathlib import Path
 from typing import Any
 
 from gaussiancad_core.batches.inputs import BatchSheet
-from gaussiancad_core.batches.supervisor import Ended
 from gaussiancad_core.batches.table import BatchRow
 from gaussiancad_core.errors import ExitCode, LimitError, UsageError
 from gaussiancad_core.finished import REPORT_FILE, finished_report, sha256
+from gaussiancad_core.processes.supervisor import Ended
 
 MANIFEST_FILE = "manifest.sqlite"
 

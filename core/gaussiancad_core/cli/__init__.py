@@ -28,6 +28,7 @@ from gaussiancad_core.events import (
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code."""
     options = build_parser().parse_args(arguments)
+    options.arguments = list(sys.argv[1:] if arguments is None else arguments)
     prepare_environment()
     listener: Listener = Silence()
     cancellation = Cancellation()

@@ -72,7 +72,7 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
         )
     from gaussiancad_core.batches.inputs import collect_sheets
     from gaussiancad_core.batches.running import BatchSettings, run_batch
-    from gaussiancad_core.batches.supervisor import ProcessLimits
+    from gaussiancad_core.processes.supervisor import ProcessLimits
 
     job = job_of(options, Path(), options.output)
     sheets = collect_sheets(options.sheets, job, lambda own: _job_with(options, own))

@@ -1,6 +1,8 @@
 """``gaussiancad compare``: a result against a reference."""
 
 import argparse
+import re
+import sys
 from functools import partial
 from pathlib import Path
 
@@ -11,10 +13,18 @@ from gaussiancad_core.comparison.options import (
     Protocol,
     ScaleRule,
 )
-from gaussiancad_core.errors import ExitCode
+from gaussiancad_core.errors import ExitCode, GaussianCadError, UnreadableError
 from gaussiancad_core.events import Listener
 
 _ALL = "all"
+
+_USUAL_MEMORY = 8.0
+"""GB."""
+
+_USUAL_SECONDS = 1800.0
+
+_TOLD = re.compile(r"(gaussiancad: )?(?P<message>.*) \[(?P<code>[a-z0-9-]+)\]")
+"""A line by which the command, or who watches it, tells an error."""
 
 
 def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -59,10 +69,46 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
         help="multiply the result's coordinates first, e.g. 25.4 for inches",
     )
     parser.add_argument("--json", action="store_true", help="print comparison.json")
+    parser.add_argument(
+        "--memory", type=values.positive, default=_USUAL_MEMORY, metavar="GB", help="at most"
+    )
+    parser.add_argument(
+        "--seconds", type=values.positive, default=_USUAL_SECONDS, metavar="S", help="at most"
+    )
+    parser.add_argument("--unlimited", action="store_true", help=argparse.SUPPRESS)
     parser.set_defaults(run=run)
 
 
 def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
+    """Compare two files in a limited process, as nobody knows who made them."""
+    if options.unlimited:
+        return _compare(options)
+    from gaussiancad_core.processes.supervisor import ProcessLimits, run_limited
+
+    limits = ProcessLimits(int(options.memory * 2**30), options.seconds)
+    command, *rest = options.arguments
+    ended = run_limited([command, "--unlimited", *rest], limits)
+    sys.stdout.write(ended.output.decode("utf-8", "replace"))
+    sys.stdout.flush()
+    if ended.exit_code == 0:
+        return ExitCode.DONE
+    raise _failure(ended.exit_code, ended.message)
+
+
+def _failure(exit_code: int, line: str) -> GaussianCadError:
+    """The error that the last line of a process tells of."""
+    told = _TOLD.fullmatch(line)
+    if told is not None:
+        error = GaussianCadError(told["code"], told["message"])
+        error.exit_code = ExitCode(exit_code)
+        return error
+    return UnreadableError(
+        "damaged-model",
+        f"the models cannot be compared ({line}): one is damaged; export it again",
+    )
+
+
+def _compare(options: argparse.Namespace) -> ExitCode:
     """Compare two files and print the figures."""
     from gaussiancad_core.cli.libraries import silence_opencascade
     from gaussiancad_core.comparison.command import compare_files

@@ -6,7 +6,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from OCP.BRep import BRep_Builder
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
+from OCP.BRepTools import BRepTools
+from OCP.TopoDS import TopoDS_Compound
 
 from gaussiancad_core.cli import main
 from gaussiancad_core.comparison.command import COMPARISON_FILES, compare_files
@@ -196,3 +199,33 @@ def test_one_triangle_is_told_as_one(bracket: TriangleMesh) -> None:
     found, _ = compare_meshes(single, bracket, points=200)
     assert " 1 triangle, not closed" in comparison_text(found)
     assert found.volume_iou.value == 0.0
+
+
+@pytest.fixture
+def step(tmp_path: Path) -> Path:
+    write_step(BRepPrimAPI_MakeBox(40.0, 30.0, 20.0).Solid(), tmp_path / "box.step")
+    return tmp_path / "box.step"
+
+
+def test_a_model_that_breaks_the_library_is_one_line_and_no_traceback(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str], step: Path
+) -> None:
+    empty = TopoDS_Compound()
+    BRep_Builder().MakeCompound(empty)
+    BRepTools.Write_s(empty, str(tmp_path / "empty.brep"))
+    capfd.readouterr()
+    assert main(["compare", str(tmp_path / "empty.brep"), str(step)]) == 3
+    told = capfd.readouterr()
+    assert told.out == "" and told.err.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("limit", "code"), [("--seconds", "takes-too-long"), ("--memory", "out-of-memory")]
+)
+def test_a_comparison_that_takes_too_much_is_ended(
+    limit: str, code: str, capfd: pytest.CaptureFixture[str], step: Path
+) -> None:
+    capfd.readouterr()
+    assert main(["compare", str(step), str(step), limit, "0.05"]) == 5
+    told = capfd.readouterr()
+    assert told.out == "" and told.err.count("\n") == 1 and f"[{code}]" in told.err

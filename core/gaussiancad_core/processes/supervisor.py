@@ -55,29 +55,34 @@ class Ended:
         message: the last line that it said, or why it was ended; empty if all is well.
         seconds: of the clock.
         peak: bytes of memory at most, as far as was seen.
+        output: what it printed on its standard output, where that was asked for.
     """
 
     exit_code: int
     message: str
     seconds: float
     peak: int
+    output: bytes = b""
 
 
 class _Child:
     """A process in a session of its own."""
 
-    def __init__(self, arguments: list[str], limits: ProcessLimits) -> None:
+    def __init__(
+        self, arguments: list[str], limits: ProcessLimits, *, keep_output: bool = False
+    ) -> None:
         self._limits = limits
-        # Closed with the process, in end().
+        # Both are closed with the process, in end().
         self._said: IO[bytes] = tempfile.TemporaryFile()  # noqa: SIM115
+        self._printed = tempfile.TemporaryFile() if keep_output else None  # noqa: SIM115
         isolated = ["-I"] if sys.flags.isolated else []
-        module = "gaussiancad_core.batches.child"
+        module = "gaussiancad_core.processes.child"
         command = [sys.executable, *isolated, "-m", module, str(limits.file), *arguments]
         self._process = subprocess.Popen(
             command,
             # Its end tells the child that nobody waits for it.
             stdin=subprocess.PIPE,
-            stdout=subprocess.DEVNULL,
+            stdout=self._printed or subprocess.DEVNULL,
             stderr=self._said,
             env={**os.environ, **_ONE_THREAD},
             start_new_session=True,
@@ -93,10 +98,10 @@ class _Child:
         self._peak = max(self._peak, self._memory())
         if self._peak > self._limits.memory:
             reason = f"it took more than {self._limits.memory / 2**30:.1f} GB of memory"
-            return self._ended_for(f"{reason}: give it more (--memory) [out-of-memory]")
+            return self._ended_for("out-of-memory", f"{reason}: give it more with --memory")
         if self.seconds > self._limits.seconds:
             reason = f"it took more than {self._limits.seconds:g} s"
-            return self._ended_for(f"{reason}: give it more (--seconds) [takes-too-long]")
+            return self._ended_for("takes-too-long", f"{reason}: give it more with --seconds")
         return None
 
     @property
@@ -114,7 +119,9 @@ class _Child:
         with suppress(subprocess.TimeoutExpired):
             self._process.wait(max(until - time.monotonic(), 0.0))
         self._kill()
-        self._said.close()
+        for file in (self._said, self._printed):
+            if file is not None:
+                file.close()
 
     def _kill(self) -> None:
         if hasattr(os, "killpg"):
@@ -126,19 +133,23 @@ class _Child:
         with suppress(OSError):
             self._process.stdin.close()
 
-    def _ended_for(self, message: str) -> Ended:
+    def _ended_for(self, code: str, message: str) -> Ended:
         self.ask_to_end()
         self.end(time.monotonic() + _GRACE_S)
-        return Ended(int(ExitCode.LIMIT), message, self.seconds, self._peak)
+        return Ended(int(ExitCode.LIMIT), f"{message} [{code}]", self.seconds, self._peak)
 
     def _told(self) -> Ended:
         code = self._process.returncode
         message = "" if code == 0 else self._last_line()
+        output = b""
+        if self._printed is not None:
+            self._printed.seek(0)
+            output = self._printed.read()
         self.end(time.monotonic())
         if code < 0:
             code = int(ExitCode.ENGINE)
             message = f"its process was ended by {_name_of(-self._process.returncode)}"
-        return Ended(code, message, self.seconds, self._peak)
+        return Ended(code, message, self.seconds, self._peak, output)
 
     def _last_line(self) -> str:
         size = self._said.seek(0, os.SEEK_END)
@@ -153,6 +164,24 @@ class _Child:
                 with suppress(psutil.Error):
                     total += process.memory_info().rss
         return total
+
+
+def run_limited(arguments: list[str], limits: ProcessLimits) -> Ended:
+    """Run ``gaussiancad`` in a limited process to its end, with what it prints.
+
+    Args:
+        arguments: of the command.
+        limits: of the process.
+    """
+    child = _Child(arguments, limits, keep_output=True)
+    try:
+        while (ended := child.look()) is None:
+            time.sleep(_LOOKS_EVERY)
+    except BaseException:
+        child.ask_to_end()
+        child.end(time.monotonic())
+        raise
+    return ended
 
 
 class Supervisor(Generic[Task]):

@@ -1,7 +1,7 @@
-"""The process of one sheet: limits that it sets itself, then ``gaussiancad``.
+"""A process that limits itself, and then is ``gaussiancad``.
 
-``python -m gaussiancad_core.batches.child FILE_BYTES ARGUMENTS...``.  It dies with its parent, and
-leaves no core files.
+``python -m gaussiancad_core.processes.child FILE_BYTES ARGUMENTS...``.  It dies with its parent,
+and leaves no core files.
 """
 
 import contextlib
