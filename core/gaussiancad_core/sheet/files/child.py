@@ -1,18 +1,26 @@
 """The child process of :mod:`gaussiancad_core.sheet.files.isolation`.
 
-``python -m gaussiancad_core.sheet.files.child KIND FILE PAGE`` writes one pickled object to its
-standard output: what was read, or an error's class, code and message.
+``python -m gaussiancad_core.sheet.files.child KIND FILE PAGE SECONDS`` writes what was read, or why
+nothing was, to its standard output (:mod:`.answer`).  It limits itself, and dies with its parent.
 """
 
+import math
 import os
-import pickle
 import sys
 from pathlib import Path
 
-from gaussiancad_core.errors import GaussianCadError, UnreadableError
+from gaussiancad_core.errors import GaussianCadError, LimitError, UnreadableError
+from gaussiancad_core.processes.child import limit_itself
+from gaussiancad_core.sheet.files.answer import content_bytes, error_bytes
 from gaussiancad_core.sheet.files.content import FileContent
 from gaussiancad_core.sheet.files.isolation import MEMORY_LIMIT
 from gaussiancad_core.sheet.files.kinds import FileKind
+
+_LARGEST_FILE = 1 << 30
+"""Bytes; it writes none."""
+
+_NO_MEMORY = LimitError("out-of-memory", "")
+"""Its parent finds the words."""
 
 
 def main(kind: FileKind, path: Path, page: int) -> None:
@@ -20,20 +28,19 @@ def main(kind: FileKind, path: Path, page: int) -> None:
     # Libraries print to standard output; the answer is alone on it.
     answer = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
-    _limit_memory()
     try:
-        outcome: object = read_directly(kind, path, page)
+        outcome = content_bytes(read_directly(kind, path, page))
     except GaussianCadError as error:
-        outcome = (type(error), error.code, error.message)
+        outcome = error_bytes(error)
     except MemoryError:
-        outcome = (MemoryError, "", "")
+        outcome = error_bytes(_NO_MEMORY)
     except Exception as error:
         # Broken values make parsers raise anything, a RecursionError too.
         reason = " ".join(f"{type(error).__name__}: {error}".split())
         message = f"{path} cannot be read ({reason}): export the drawing again, or as PNG"
-        outcome = (UnreadableError, f"damaged-{kind.value}", message)
+        outcome = error_bytes(UnreadableError(f"damaged-{kind.value}", message))
     with answer:
-        pickle.dump(outcome, answer, protocol=pickle.HIGHEST_PROTOCOL)
+        answer.write(outcome)
 
 
 def read_directly(kind: FileKind, path: Path, page: int) -> FileContent:
@@ -47,16 +54,22 @@ def read_directly(kind: FileKind, path: Path, page: int) -> FileContent:
     return read(path, page)
 
 
-def _limit_memory() -> None:
-    """Bound the address space, where the system can."""
+def _limit_work(seconds: float) -> None:
+    """Bound the address space and the processor's time, where the system can."""
     try:
         import resource
     except ImportError:
         return
-    _, most = resource.getrlimit(resource.RLIMIT_AS)
-    limit = MEMORY_LIMIT if most == resource.RLIM_INFINITY else min(MEMORY_LIMIT, most)
-    resource.setrlimit(resource.RLIMIT_AS, (limit, most))
+    for kind, wanted in (
+        (resource.RLIMIT_AS, MEMORY_LIMIT),
+        (resource.RLIMIT_CPU, math.ceil(seconds)),
+    ):
+        _, most = resource.getrlimit(kind)
+        limit = wanted if most == resource.RLIM_INFINITY else min(wanted, most)
+        resource.setrlimit(kind, (limit, most))
 
 
 if __name__ == "__main__":
+    limit_itself(_LARGEST_FILE)
+    _limit_work(float(sys.argv[4]))
     main(FileKind(sys.argv[1]), Path(sys.argv[2]), int(sys.argv[3]))

@@ -5,12 +5,12 @@ a limit of time and of memory; what happens to it, the user gets one clear line.
 """
 
 import os
-import pickle
 import subprocess
 import sys
 from pathlib import Path
 
-from gaussiancad_core.errors import GaussianCadError, LimitError, UnreadableError
+from gaussiancad_core.errors import LimitError, UnreadableError
+from gaussiancad_core.sheet.files.answer import outcome_of
 from gaussiancad_core.sheet.files.content import FileContent
 from gaussiancad_core.sheet.files.kinds import FileKind
 
@@ -41,7 +41,7 @@ def read_isolated(
     """
     # The child imports from where the engine does.
     isolated = ["-I"] if sys.flags.isolated else []
-    arguments = [kind.value, str(path.absolute()), str(page)]
+    arguments = [kind.value, str(path.absolute()), str(page), str(time_limit)]
     command = [sys.executable, *isolated, "-m", _CHILD, *arguments]
     # More threads than one would only take address space.
     environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
@@ -70,18 +70,18 @@ def read_isolated(
 
 def _outcome(kind: FileKind, path: Path, answer: bytes) -> FileContent:
     try:
-        outcome = pickle.loads(answer)
-    except (EOFError, pickle.UnpicklingError):
+        outcome = outcome_of(answer)
+    except ValueError:
         raise UnreadableError(
             f"damaged-{kind.value}",
             f"{path} is damaged, reading it crashed: export the drawing again, or as PNG",
         ) from None
     if isinstance(outcome, FileContent):
         return outcome
-    error, code, message = outcome
-    if issubclass(error, GaussianCadError):
-        # Messages name the file as the user did.
-        raise error(code, message.replace(str(path.absolute()), str(path)))
-    raise LimitError(
-        "out-of-memory", f"{path} takes too much memory to read: export it as PNG instead"
-    )
+    if outcome.code == "out-of-memory":
+        raise LimitError(
+            outcome.code, f"{path} takes too much memory to read: export it as PNG instead"
+        )
+    # Messages name the file as the user did.
+    message = outcome.message.replace(str(path.absolute()), str(path))
+    raise type(outcome)(outcome.code, message)

@@ -1,4 +1,3 @@
-import pickle
 from collections.abc import Callable
 from pathlib import Path
 
@@ -6,6 +5,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.errors import LimitError, UnreadableError
+from gaussiancad_core.sheet.files.answer import outcome_of
 from gaussiancad_core.sheet.files.child import main
 from gaussiancad_core.sheet.files.isolation import read_isolated
 from gaussiancad_core.sheet.files.kinds import FileKind
@@ -39,12 +39,28 @@ def test_defects_of_parsers_are_told_in_one_line(
 
     path = save("a.svg", "<svg/>")
     monkeypatch.setattr("gaussiancad_core.sheet.files.svg.read_svg", fail)
-    monkeypatch.setattr("gaussiancad_core.sheet.files.child._limit_memory", lambda: None)
     main(FileKind.SVG, path, 1)
-    error, code, message = pickle.loads(capfdbinary.readouterr().out)
-    assert (error, code) == (UnreadableError, "damaged-svg")
-    assert "\n" not in message
-    assert "KeyError" in message
+    error = outcome_of(capfdbinary.readouterr().out)
+    assert isinstance(error, UnreadableError) and error.code == "damaged-svg"
+    assert "\n" not in error.message
+    assert "KeyError" in error.message
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        b"",
+        b"\x80\x04N.",
+        b"null\n",
+        b'{"shape": [9, 9]}\n',
+        b'{"error": "SystemExit", "code": "", "message": ""}\n',
+        b'{"shape": [1, 1], "pixels_per_inch": null, "vectors": {"": ["os.system", "x"]}, '
+        b'"notes": []}\n0',
+    ],
+)
+def test_what_is_no_answer_is_refused(answer: bytes) -> None:
+    with pytest.raises(ValueError, match=r".*"):
+        outcome_of(answer)
 
 
 def test_time_is_bounded(pdf: type, save: Callable) -> None:
