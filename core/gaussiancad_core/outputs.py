@@ -114,12 +114,18 @@ class OutputFolder:
         for name in self._owned:
             if name not in self._ahead and not (self.staging / name).exists():
                 _remove(self.path / name)
-        for entry in sorted(self._staged(), key=lambda entry: entry.name == self._report):
+        staged = sorted(self._staged(), key=lambda entry: entry.name == self._report)
+        for entry in staged:
+            # On the disk before it has its name, so that no name stands for half a file.
+            for path in (entry, *(entry.rglob("*") if entry.is_dir() else ())):
+                sync(path)
+        for entry in staged:
             target = self.path / entry.name
             if target.is_dir():
                 _remove(target)
             entry.replace(target)
             self._ahead.add(entry.name)
+        sync(self.path)
 
     def clear(self) -> None:
         """Remove what is in the staging folder."""
@@ -146,6 +152,25 @@ class OutputFolder:
     def _remove_staging(self) -> None:
         self._lock.release()
         shutil.rmtree(self.staging, ignore_errors=True)
+
+
+def sync(path: Path) -> None:
+    """Have what was written to a file or folder on the disk, where the system can.
+
+    Raises:
+        OSError: it cannot be written.
+    """
+    if path.is_dir() and os.name == "nt":
+        return
+    handle = os.open(path, os.O_RDONLY | getattr(os, "O_CLOEXEC", 0))
+    try:
+        os.fsync(handle)
+    except OSError as error:
+        # Some file systems have no such thing for folders.
+        if error.errno not in (errno.EINVAL, errno.ENOTSUP, errno.EBADF):
+            raise
+    finally:
+        os.close(handle)
 
 
 def check_writable(path: Path) -> None:

@@ -20,6 +20,8 @@ def write_whole(path: Path, content: bytes) -> None:
         temporary = Path(name)
         with os.fdopen(handle, "wb") as file:
             file.write(content)
+            file.flush()
+            os.fsync(file.fileno())
         # mkstemp makes files private; a result has the permissions that the user's umask gives.
         temporary.chmod(0o666 & ~_umask())
         temporary.replace(path)
