@@ -27,7 +27,7 @@ from gaussiancad_core.verification.agreement import (
     match_lines,
 )
 from gaussiancad_core.verification.lines import Curve, LinePoints, Lines, lines_of_strokes, tree_of
-from gaussiancad_core.views import Linetype
+from gaussiancad_core.views import Linetype, Segment
 
 LOOSE = 2.5
 """Tolerances of the views within which lines are the same."""
@@ -56,9 +56,19 @@ as much more as it is shorter, and moves a face as little."""
 _TELLING = 4.0
 """Matching tolerances of length from which a stroke tells where its line runs."""
 
+_SHORT = 1.5
+"""Matching tolerances of length from which a straight stroke tells a direction."""
+
+_ASKEW = np.sin(np.radians(25.0))
+"""Sine of the angle to the solid's line from which a stroke is no part of that: a small rounding or
+chamfer, of which the solid has the corner."""
+
 _THIN, _LONG = 2.0, 15.0
 """Tolerances of width up to which a face is a sliver, and widths that it is long at least: a reader
 cannot tell its sides apart."""
+
+_NEAREST = 6
+"""Points of the solid's lines by which their direction is taken: at a corner, those of both."""
 
 _SMALLEST_FLAW = 0.002
 """The same as a share of the longest extent, at least."""
@@ -96,7 +106,8 @@ class Verification:
         misfit: mm between the solid's bounding box and that of the views, where they differ most.
             The scale is that of the box: if a line sticks out of the part, all measures are off.
         apart: whether a line, or a side of the bounding box, lies farther beside than lines of the
-            sheet may miss where they belong: then there may be a small step.
+            sheet may miss where they belong, or a stroke runs in a direction that no line near has:
+            then there may be a small step, rounding or chamfer.
         thin: how many faces are slivers: no view can show them.
         retold: whether strokes whose linetype nothing tells are of the other one.
     """
@@ -151,12 +162,14 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
     drawing = LineDrawing(shape)
     matched, flaws, spread = {}, [], 0.0
     told, retold = with_unsure_kinds(views) or views, False
+    askew = False
     for role in views.roles:
         lines = lines_of_strokes(drawing.view(role), tolerance / STEPS_PER_TOLERANCE)
         strokes = as_drawn(told.strokes[role], lines, tolerance)
         retold |= strokes != tuple(told.strokes[role])
         found = matched[role] = match_lines(strokes, lines, tolerance)
         spread = max(spread, _spread(strokes, lines, tolerance, _TELLING * tolerance))
+        askew |= _is_askew(strokes, lines, _SHORT * tolerance)
         unread = max(least, _UNREAD * views.tolerance)
         seen = max(_SEEN * tolerance, _SMALLEST_FLAW * max(views.size))
         for points, agree, missing, shortest, kind in (
@@ -172,7 +185,7 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
     sound = facts.valid and facts.closed and facts.solids == 1
     misfit = _misfit(shape, views)
     most = views.tolerance if views.noise else _CLOSE * tolerance
-    apart = max(spread, misfit) > most
+    apart = askew or max(spread, misfit) > most
     return Verification(
         sound, matched, tuple(flaws), spread, misfit, apart, _thin(shape, views), retold
     )
@@ -209,6 +222,26 @@ def _spread(strokes: Iterable[Curve], result: Lines, tolerance: float, least: fl
             if beside <= tolerance:
                 worst = max(worst, beside * min(1.0, stroke.length / (_STEADY * tolerance)))
     return worst
+
+
+def _is_askew(strokes: Iterable[Curve], result: Lines, least: float) -> bool:
+    """Whether a straight stroke of some length runs across all lines of the solid that are near."""
+    kinds = {Linetype.VISIBLE: result.visible, Linetype.HIDDEN: result.hidden}
+    trees = {kind: tree_of(lines.points) for kind, lines in kinds.items() if len(lines.points) > 1}
+    for stroke in strokes:
+        if isinstance(stroke, Segment) and stroke.linetype in trees and stroke.length >= least:
+            tree = trees[stroke.linetype]
+            start, end = np.array(stroke.start), np.array(stroke.end)
+            own = (end - start) / stroke.length
+            _, nearest = tree.query(0.5 * (start + end), k=min(_NEAREST, tree.n))
+            near = tree.data[nearest]
+            along = near[1:] - near[0]
+            length = np.hypot(*along.T)
+            some = length > 1e-9
+            across = np.abs(own[0] * along[some, 1] - own[1] * along[some, 0]) / length[some]
+            if some.any() and across.min() > _ASKEW:
+                return True
+    return False
 
 
 def _beside(points: npt.NDArray[np.float64], tree: cKDTree) -> npt.NDArray[np.float64]:

@@ -14,7 +14,7 @@ from OCP.TopoDS import TopoDS_Compound, TopoDS_Shape
 from gaussiancad_core.axes import Role
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.solid.verify import matching_tolerance, verify
-from gaussiancad_core.views import Arc, Linetype
+from gaussiancad_core.views import Arc, Linetype, Segment
 
 Draw = Callable[..., DrawnViews]
 
@@ -115,6 +115,19 @@ def test_what_little_was_read_of_a_rounding_is_not_overlooked(drawn: Draw) -> No
     front = (*views.strokes[Role.FRONT], arc)
     found = verify(solid, replace(views, strokes={**views.strokes, Role.FRONT: front}))
     assert [(flaw.role, flaw.missing) for flaw in found.flaws] == [(Role.FRONT, True)]
+
+
+@pytest.mark.parametrize(("degrees", "askew"), [(0.0, False), (15.0, False), (45.0, True)])
+def test_a_stroke_across_a_corner_is_a_rounding_that_the_solid_lacks(
+    degrees: float, askew: bool, drawn: Draw
+) -> None:
+    views = drawn(_pocketed(8.0))
+    corner = np.array((15.0, 10.0))
+    own = 1.1 * np.array((np.cos(np.radians(degrees)), np.sin(np.radians(degrees))))
+    across = Segment(tuple(corner - own), tuple(corner + own), Linetype.VISIBLE)
+    strokes = {**views.strokes, Role.TOP: (*views.strokes[Role.TOP], across)}
+    found = verify(_pocketed(8.0), replace(views, strokes=strokes, tolerance=0.4, noise=0.01))
+    assert found.explains and found.apart is askew
 
 
 @pytest.mark.parametrize(("length", "apart"), [(6.0, False), (38.0, True)])
