@@ -189,6 +189,7 @@ def tried(
         output = ["--output", str(place / "out")]
         if source.suffix in (".step", ".brep", ".stl", ".ply", ".obj"):
             command = ["compare", str(path), str(root / "good.step"), "--points", "200", *output]
+            command += ["--seconds", "60"]
         else:
             command = ["reconstruct", str(path), "--result", "solid", *output]
         code, said = _run(command)

@@ -21,7 +21,7 @@ _ALL = "all"
 _USUAL_MEMORY = 8.0
 """GB."""
 
-_USUAL_SECONDS = 1800.0
+_USUAL_SECONDS = 600.0
 
 _TOLD = re.compile(r"(gaussiancad: )?(?P<message>.*) \[(?P<code>[a-z0-9-]+)\]")
 """A line by which the command, or who watches it, tells an error."""
