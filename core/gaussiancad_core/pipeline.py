@@ -49,10 +49,6 @@ STAGES = (
     "write",
 )
 
-_NO_MEMORY = LimitError(
-    "out-of-memory", "the memory does not suffice: use --preset draft or a smaller sheet"
-)
-
 _SURFACE_STAGES = ("hull", "gaussians", "surface")
 
 
@@ -98,8 +94,11 @@ def reconstruct(job: Job, listener: Listener) -> Report:
     except Exception as error:
         if not is_out_of_memory(error):
             raise
-        run.write_failure(_NO_MEMORY)
-        raise _NO_MEMORY from error
+        failure = LimitError(
+            "out-of-memory", "the memory does not suffice: use --preset draft or a smaller sheet"
+        )
+        run.write_failure(failure)
+        raise failure from error
     finally:
         folder.discard(keep_checkpoint=job.resume)
 
