@@ -13,9 +13,6 @@ from gaussiancad_core.versions import ENGINE_PACKAGES, installed_versions
 REPORT_FILE = "report.json"
 """Of a run; it is put in place last."""
 
-_BLOCK = 1 << 20
-"""Bytes that are read at a time."""
-
 
 def file_facts(entries: Iterable[Path]) -> dict[str, dict[str, Any]]:
     """Size in bytes and SHA-256 of files, and of all files in folders, by their path from where the
@@ -37,11 +34,8 @@ def sha256(path: Path) -> str:
     Raises:
         OSError: it cannot be read.
     """
-    digest = hashlib.sha256()
     with path.open("rb") as file:
-        while block := file.read(_BLOCK):
-            digest.update(block)
-    return digest.hexdigest()
+        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def finished_report(

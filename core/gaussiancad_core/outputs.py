@@ -218,7 +218,8 @@ def _sweep(path: Path) -> None:
     That of a run on another machine is told where the file system shares locks.
     """
     for entry in path.glob(f"{STAGING_PREFIX}*"):
-        if entry.is_symlink() or not (entry / _LOCK).is_file():
+        held = entry / _LOCK
+        if entry.is_symlink() or held.is_symlink() or not held.is_file():
             continue
         lock = _lock_of(entry)
         try:

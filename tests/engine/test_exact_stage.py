@@ -157,6 +157,20 @@ def test_two_readings_with_different_solids_are_ambiguous() -> None:
     assert same_solid(other, find_exact(first, None).result.shape)
 
 
+@pytest.mark.parametrize("strokes", [_wedge(), _step()])
+def test_a_symbol_decides_where_its_reading_has_a_solid(strokes: Strokes) -> None:
+    third, first = _both(strokes)
+    found = find_exact(third, first, by_symbol=True)
+    assert found.reading is third and found.decided
+    assert found.result.reasons == (UNDRAWN,) and found.result.alternatives == ()
+
+
+def test_lines_that_only_the_other_reading_explains_contradict_a_symbol() -> None:
+    third, first = _both(_step())
+    found = find_exact(first, third, by_symbol=True)
+    assert found.reading is third and found.decided and found.result.explains
+
+
 def test_two_readings_of_one_solid_are_not() -> None:
     third, first = _both(_block())
     found = find_exact(third, first)

@@ -13,7 +13,7 @@ from filelock import FileLock, Timeout
 from gaussiancad_core import __version__
 from gaussiancad_core.batches.arguments import job_arguments
 from gaussiancad_core.batches.inputs import BatchSheet
-from gaussiancad_core.batches.manifest import Key, Manifest
+from gaussiancad_core.batches.manifest import MANIFEST_FILE, Key, Manifest
 from gaussiancad_core.batches.page import PAGE_FILE, page_bytes
 from gaussiancad_core.batches.table import REPORT_FILE, BatchRow, table_bytes
 from gaussiancad_core.drawing.files import write_whole
@@ -89,7 +89,7 @@ def run_batch(sheets: Sequence[BatchSheet], settings: BatchSettings, tell: Tell)
         The rows of the report.
 
     Raises:
-        UsageError: ``batch-running``, ``output-not-writable``.
+        UsageError: ``batch-running``, ``output-not-writable``, ``output-is-link``.
         LimitError: ``disk-full``.
         CancelledError: the report is written, and names the sheets that are not done.
     """
@@ -98,6 +98,12 @@ def run_batch(sheets: Sequence[BatchSheet], settings: BatchSettings, tell: Tell)
         output.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise os_error(output, error) from error
+    for name in (_LOCK_FILE, MANIFEST_FILE, f"{MANIFEST_FILE}-journal"):
+        if (output / name).is_symlink():
+            raise UsageError(
+                "output-is-link",
+                f"{output / name} is a link to elsewhere: remove it, or choose another --output",
+            )
     with _alone(output):
         manifest = Manifest(output)
         try:

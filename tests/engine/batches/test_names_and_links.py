@@ -75,6 +75,24 @@ def test_no_name_and_no_link_leads_out_of_the_folder(
     assert "Traceback" not in capfd.readouterr().err
 
 
+@pytest.mark.parametrize(
+    "name", ["manifest.sqlite", "manifest.sqlite-journal", ".gaussiancad-batch.lock"]
+)
+def test_no_link_stands_for_what_a_batch_keeps(
+    name: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "out").mkdir()
+    (tmp_path / "sheet.png").write_bytes(b"no picture")
+    (tmp_path / "mine").write_text("mine")
+    for target in ("mine", "nothing"):
+        link = tmp_path / "out" / name
+        link.symlink_to(tmp_path / target)
+        assert main(["batch", str(tmp_path / "sheet.png"), "--output", str(tmp_path / "out")]) == 2
+        assert "[output-is-link]" in capfd.readouterr().err
+        link.unlink()
+    assert (tmp_path / "mine").read_text() == "mine" and not (tmp_path / "nothing").exists()
+
+
 def _tree(root: Path, but: Path) -> dict[Path, bytes]:
     """All files under a folder but those under another one."""
     files = (path for path in root.rglob("*") if path.is_file() and but not in path.parents)
