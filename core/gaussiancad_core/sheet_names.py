@@ -31,12 +31,13 @@ def folder_names(sheets: Sequence[Path]) -> list[str]:
     """A name for each sheet: a safe form of its stem, which leads out of no folder.
 
     Where names are one, but for case or the way accents are written, the hash of the path follows;
-    the order of the sheets does not matter.
+    the order of the sheets does not matter.  The stem is that of :func:`os.path.splitext`, the same
+    in every Python (that of ``pathlib`` is another one for ``...png`` from 3.14 on).
 
     Args:
         sheets: different ones.
     """
-    stems = [safe_name(sheet.stem) for sheet in sheets]
+    stems = [safe_name(os.path.splitext(sheet.name)[0]) for sheet in sheets]
     names = stems
     for digits in _DIGITS:
         count = Counter(map(_folded, names))

@@ -226,7 +226,7 @@ class Batches(FolderCase):
         after = sorted(path for path in self.folder.rglob("*") if self.output not in path.parents)
         self.assertEqual(after, before)
         rows = {row["name"]: row for row in self.rows()}
-        self.assertEqual(list(rows), ["_", "_-x", "'=1+1", "linked"])
+        self.assertEqual(list(rows), ["_png", "_-x", "'=1+1", "linked"])
         self.assertEqual(rows.pop("linked")["code"], "output-is-link")
         self.assertEqual({row["status"] for row in rows.values()}, {"verified"})
         self.assertTrue((self.output / "=1+1.FCStd").is_file())
