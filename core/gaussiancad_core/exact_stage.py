@@ -28,7 +28,7 @@ from gaussiancad_core.told_measures import told_numbers
 _ROUGH_PX = 1.0
 """Tolerance of strokes that were read from a picture."""
 
-_APART_PX = 0.3
+APART_PX = 0.3
 """px from which the coordinates of such strokes are different ones: lines are read to a twentieth
 of a pixel, and what is one over the views has been made equal."""
 
@@ -224,7 +224,7 @@ def drawn_views(registered: RegisteredSheet, measures: Sequence[Measure] = ()) -
     drawn = views_as_read(
         registered.views,
         tolerance * pixel,
-        _APART_PX * pixel,
+        APART_PX * pixel,
         noise * pixel,
         max(dashes, default=None),
     )

@@ -22,7 +22,7 @@ from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
 from gaussiancad_core.reading_file import READING_FILE, reading_values, write_reading
 from gaussiancad_core.report import Report, ViewReport
 from gaussiancad_core.run_notes import RunNotes
-from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
+from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import RegisteredSheet
@@ -132,7 +132,7 @@ class _Run:
         exact = None
         if "solid" in stages_of(self.job.result, self.job.recipe):
             with self.notes.stage("solid"):
-                found, exact = self._find_solid(found, clean.turn)
+                found, exact = self._find_solid(found, clean)
         own = exact.reading if exact else found.own
         tell_symbol(self.notes, found, own.projection)
         asked = exact is not None and self.job.result is not ResultKind.SURFACE
@@ -202,7 +202,7 @@ class _Run:
         self._send("reading", READING_FILE)
 
     def _find_solid(
-        self, found: "SheetFindings", turn: Turn
+        self, found: "SheetFindings", clean: CleanSheet
     ) -> "tuple[SheetFindings, ExactModel | None]":
         """The exact solid, or what stands for it, and what it says about the projection."""
         from gaussiancad_core.exact_stage import (
@@ -211,6 +211,7 @@ class _Run:
             find_for_hull,
             with_fallback,
         )
+        from gaussiancad_core.ink_stage import compared_with_ink
         from gaussiancad_core.reading_stage import tell_projection, weigh_readings
         from gaussiancad_core.solid_reports import with_solid_facts
 
@@ -234,10 +235,10 @@ class _Run:
             found = weighed()
         if exact is None or surface_alone:
             return found, exact
-        exact = with_fallback(exact)
+        exact = compared_with_ink(with_fallback(exact), clean)
         for code, message in exact.result.reasons:
             self.notes.doubt(code, message)
-        self.notes.report = with_solid_facts(self.notes.report, exact, turn)
+        self.notes.report = with_solid_facts(self.notes.report, exact, clean.turn)
         if self.job.result is ResultKind.SOLID and exact.result.shape is None:
             code, message = exact.result.reasons[0]
             raise (LimitError if code in OPEN_ENDED else NoModelError)(code, message)

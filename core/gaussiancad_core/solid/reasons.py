@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from gaussiancad_core.axes import Role, mutually_orthogonal
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.solid.verify import Verification
+from gaussiancad_core.verification.ink_offsets import InkOffset
 from gaussiancad_core.views import Linetype
 
 Reason = tuple[str, str]
@@ -102,6 +103,21 @@ def reasons_of(
     if not complete:
         reasons.append(UNFINISHED)
     return reasons
+
+
+def beside_ink(offset: InkOffset, pixel: float) -> Reason:
+    """That the ink runs beside a line of the solid.
+
+    Args:
+        offset: where, and how far.
+        pixel: mm per px.
+    """
+    right, up = offset.place
+    return (
+        "lines-apart",
+        f"the ink lies {offset.offset * pixel:.2g} mm beside the solid's line at ({right:.1f}, "
+        f"{up:.1f}) mm of the {offset.role.value} view: a curve may have been misread there",
+    )
 
 
 def _unexplained(verification: Verification) -> Reason:

@@ -1,7 +1,7 @@
 """A solid drawn again and compared with the views it was made from."""
 
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 import numpy.typing as npt
@@ -110,6 +110,7 @@ class Verification:
             then there may be a small step, rounding or chamfer.
         thin: how many faces are slivers: no view can show them.
         retold: whether strokes whose linetype nothing tells are of the other one.
+        lines: of the solid in each view, mm.
     """
 
     sound: bool
@@ -120,6 +121,7 @@ class Verification:
     apart: bool
     thin: int = 0
     retold: bool = False
+    lines: Mapping[Role, tuple[Curve, ...]] = field(default_factory=dict)
 
     @property
     def share(self) -> float:
@@ -161,10 +163,11 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
     least = max(_FLAW * tolerance, _SMALLEST_FLAW * max(views.size))
     drawing = LineDrawing(shape)
     matched, flaws, spread = {}, [], 0.0
+    drawn = {role: tuple(drawing.view(role)) for role in views.roles}
     told, retold = with_unsure_kinds(views) or views, False
     askew = False
     for role in views.roles:
-        lines = lines_of_strokes(drawing.view(role), tolerance / STEPS_PER_TOLERANCE)
+        lines = lines_of_strokes(drawn[role], tolerance / STEPS_PER_TOLERANCE)
         strokes = as_drawn(told.strokes[role], lines, tolerance)
         retold |= strokes != tuple(told.strokes[role])
         found = matched[role] = match_lines(strokes, lines, tolerance)
@@ -187,7 +190,7 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
     most = views.tolerance if views.noise else _CLOSE * tolerance
     apart = askew or max(spread, misfit) > most
     return Verification(
-        sound, matched, tuple(flaws), spread, misfit, apart, _thin(shape, views), retold
+        sound, matched, tuple(flaws), spread, misfit, apart, _thin(shape, views), retold, drawn
     )
 
 
