@@ -10,9 +10,8 @@ import numpy.typing as npt
 
 from gaussiancad_core.sheet.files.content import MAX_PIXELS, MIN_SIDE, Note
 from gaussiancad_core.sheet.files.isolation import read_isolated
-from gaussiancad_core.sheet.files.kinds import VECTOR_SUFFIXES, FileKind, detect
+from gaussiancad_core.sheet.files.kinds import VECTOR_SUFFIXES, detect
 from gaussiancad_core.sheet.files.opening import cannot_open, head_of
-from gaussiancad_core.sheet.files.raster import read_raster
 from gaussiancad_core.sheet.files.vectors import VectorDrawing
 
 __all__ = ["MAX_PIXELS", "MIN_SIDE", "SHEET_SUFFIXES", "SheetImage", "read_sheet"]
@@ -67,10 +66,7 @@ def read_sheet(path: Path, page: int = 1) -> SheetImage:
     """
     kind = detect(head_of(path), path.suffix)
     sha256 = _sha256(path)
-    if kind is FileKind.RASTER:
-        content = read_raster(path, page)
-    else:
-        content = read_isolated(kind, path, page)
+    content = read_isolated(kind, path, page)
     grey = content.grey
     if np.median(grey) < 128:
         grey = 255 - grey

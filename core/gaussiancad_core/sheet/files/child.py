@@ -38,14 +38,16 @@ def main(kind: FileKind, path: Path, page: int) -> None:
         # Broken values make parsers raise anything, a RecursionError too.
         reason = " ".join(f"{type(error).__name__}: {error}".split())
         message = f"{path} cannot be read ({reason}): export the drawing again, or as PNG"
-        outcome = error_bytes(UnreadableError(f"damaged-{kind.value}", message))
+        outcome = error_bytes(UnreadableError(kind.damaged, message))
     with answer:
         answer.write(outcome)
 
 
 def read_directly(kind: FileKind, path: Path, page: int) -> FileContent:
-    """Read a page of a vector file in this process; errors as of the kind's reader."""
-    if kind is FileKind.PDF:
+    """Read a page of a file in this process; errors as of the kind's reader."""
+    if kind is FileKind.RASTER:
+        from gaussiancad_core.sheet.files.raster import read_raster as read
+    elif kind is FileKind.PDF:
         from gaussiancad_core.sheet.files.pdf import read_pdf as read
     elif kind is FileKind.SVG:
         from gaussiancad_core.sheet.files.svg import read_svg as read

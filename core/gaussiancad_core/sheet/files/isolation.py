@@ -1,4 +1,4 @@
-"""Vector files are read in a process of their own, so that none can hang or end the engine.
+"""Files are read in a process of their own, so that none can hang or end the engine.
 
 Their libraries parse what anybody may have written, some of it made to break them.  The child has
 a limit of time and of memory; what happens to it, the user gets one clear line.
@@ -26,10 +26,10 @@ _CHILD = "gaussiancad_core.sheet.files.child"
 def read_isolated(
     kind: FileKind, path: Path, page: int, time_limit: float = TIME_LIMIT
 ) -> FileContent:
-    """Read a page of a vector file in a child process.
+    """Read a page of a file in a child process.
 
     Args:
-        kind: PDF, SVG or DXF.
+        kind: of the file.
         path: the file.
         page: counted from 1.
         time_limit: seconds.
@@ -37,7 +37,8 @@ def read_isolated(
     Raises:
         GaussianCadError: whatever the kind's reader raises.
         LimitError: ``reading-takes-too-long``, ``out-of-memory``.
-        UnreadableError: ``damaged-pdf``, ``damaged-svg``, ``damaged-dxf``: the library crashed.
+        UnreadableError: ``damaged-image``, ``damaged-pdf``, ``damaged-svg``, ``damaged-dxf``: the
+            library crashed.
     """
     # The child imports from where the engine does.
     isolated = ["-I"] if sys.flags.isolated else []
@@ -73,14 +74,15 @@ def _outcome(kind: FileKind, path: Path, answer: bytes) -> FileContent:
         outcome = outcome_of(answer)
     except ValueError:
         raise UnreadableError(
-            f"damaged-{kind.value}",
+            kind.damaged,
             f"{path} is damaged, reading it crashed: export the drawing again, or as PNG",
         ) from None
     if isinstance(outcome, FileContent):
         return outcome
     if outcome.code == "out-of-memory":
         raise LimitError(
-            outcome.code, f"{path} takes too much memory to read: export it as PNG instead"
+            outcome.code,
+            f"{path} takes too much memory to read: export it as PNG, of fewer pixels",
         )
     # Messages name the file as the user did.
     message = outcome.message.replace(str(path.absolute()), str(path))

@@ -20,6 +20,11 @@ class FileKind(Enum):
     SVG = "svg"
     DXF = "dxf"
 
+    @property
+    def damaged(self) -> str:
+        """Code of the error of a file that is broken."""
+        return "damaged-image" if self is FileKind.RASTER else f"damaged-{self.value}"
+
 
 VECTOR_SUFFIXES = {
     ".pdf": FileKind.PDF,
