@@ -21,14 +21,16 @@ from gaussiancad_core.drawing.command import write_image
 from gaussiancad_core.drawing.sheet import PartLines, compose_sheet, part_lines
 from gaussiancad_core.drawing.style import parse_style
 from gaussiancad_core.exact_stage import drawn_views
+from gaussiancad_core.ink_stage import compared_with_ink
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
-from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
+from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import RegisteredSheet, read_views, register_views
 from gaussiancad_core.sheet.scale.find import find_scale
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.sheet.view_search import find_views
+from gaussiancad_core.solid.exact import ExactResult, exact_solid
 from gaussiancad_core.told_measures import trusted
 from gaussiancad_core.views import ViewSet
 
@@ -71,6 +73,7 @@ class Input:
         masks: the same with the through holes that the hidden lines prove.
         source: whether the strokes were fitted to pixels or are those of a file.
         registered: the views on shared axes, where they come from a sheet.
+        sheet: that, upright.
     """
 
     views: DrawnViews
@@ -78,6 +81,14 @@ class Input:
     masks: ViewSet | None = None
     source: str = ""
     registered: RegisteredSheet | None = None
+    sheet: CleanSheet | None = None
+
+    def solved(self) -> ExactResult:
+        """The exact solid, compared with the ink where there is any."""
+        result = exact_solid(self.views)
+        if self.registered is None or self.sheet is None:
+            return result
+        return compared_with_ink(result, self.registered, self.sheet)
 
 
 def make_input(case: Case, truth: TopoDS_Shape, kind: InputKind, folder: Path) -> Input:
@@ -191,4 +202,5 @@ def read_input(
         registered.views,
         source=registered.source.value,
         registered=registered,
+        sheet=clean,
     )

@@ -25,8 +25,7 @@ from workers import FIRST, SOLVE, Row
 from gaussiancad_core.drawing.brep import faces_of
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.modes import Status
-from gaussiancad_core.solid.exact import ExactResult, exact_solid
-from gaussiancad_core.solid.limits import Limits
+from gaussiancad_core.solid.exact import ExactResult
 
 CLOSE_IOU = 0.98
 """From here on a solid with the right number of faces is the truth but for its measures."""
@@ -94,7 +93,7 @@ def worked(task: Task) -> Iterator[Row]:
             yield {peer.value: mesh_iou(mesh, fine_mesh(fitted))}
     yield {"stage": SOLVE}
     started, processor = time.perf_counter(), time.process_time()
-    result = exact_solid(drawing.views, Limits())
+    result = drawing.solved()
     spent = {
         "seconds": time.perf_counter() - started,
         "processor": time.process_time() - processor,

@@ -29,7 +29,6 @@ from gaussiancad_core.drawing.brep import bounding_box
 from gaussiancad_core.errors import GaussianCadError
 from gaussiancad_core.modes import Status
 from gaussiancad_core.samples.classed import PartClass
-from gaussiancad_core.solid.exact import exact_solid
 
 _STRENGTHS = (
     SheetKind.CLEAN,
@@ -82,7 +81,7 @@ def _solved(task: tuple[Case, SheetKind]) -> Outcome:
             given = read_input(path, (Axis(longest), float(extents[longest])))
         except GaussianCadError:
             return Outcome(kind, case.name, read=False)
-    result = exact_solid(given.views)
+    result = given.solved()
     exact = result.shape is not None and closeness(result.shape, truth).exact
     return Outcome(kind, case.name, True, exact, result.status is Status.VERIFIED)
 

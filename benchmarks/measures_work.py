@@ -25,8 +25,7 @@ from gaussiancad_core.reasoning.supports import find_supports
 from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.sheet.pixel_grids import rounding_step, seen_rounding
 from gaussiancad_core.sheet.reading import RegisteredSheet
-from gaussiancad_core.solid.exact import ExactResult, exact_solid
-from gaussiancad_core.solid.limits import Limits
+from gaussiancad_core.solid.exact import ExactResult
 
 _SMALL = 3
 """Levels of the classes of parts that are small."""
@@ -97,7 +96,7 @@ def worked(task: Task) -> Iterator[Row]:
         drawing = make_input(case, truth, task.kind, Path(folder))
     yield {"true_faces": len(faces_of(truth)), "source": drawing.source, **read(drawing)}
     yield {"stage": SOLVE}
-    result = exact_solid(drawing.views, Limits())
+    result = drawing.solved()
     yield {**told(result, drawing.views), "stage": "measure"}
     if result.shape is None:
         return

@@ -1,27 +1,29 @@
 """A solid that has all lines of a sheet, compared with the ink that these were read from."""
 
-from dataclasses import replace
-
-from gaussiancad_core.exact_stage import APART_PX, ExactModel
+from gaussiancad_core.exact_stage import APART_PX
 from gaussiancad_core.modes import Status
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.precision import StrokesSource
+from gaussiancad_core.sheet.reading import RegisteredSheet
+from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.reasons import beside_ink
 from gaussiancad_core.verification.ink_offsets import ink_offsets
 
 
-def compared_with_ink(model: ExactModel, sheet: CleanSheet) -> ExactModel:
+def compared_with_ink(
+    result: ExactResult, registered: RegisteredSheet, sheet: CleanSheet
+) -> ExactResult:
     """The same, in doubt if the ink runs beside a line of the solid.
 
     Views whose lines are those of a file are not asked: their ink was drawn from them.
 
     Args:
-        model: of the sheet.
+        result: the solid of the sheet.
+        registered: its views.
         sheet: upright.
     """
-    result, registered = model.result, model.reading.registered
     if result.status is not Status.VERIFIED:
-        return model
+        return result
     found = [
         offset
         for view in registered.drawn
@@ -35,5 +37,5 @@ def compared_with_ink(model: ExactModel, sheet: CleanSheet) -> ExactModel:
     ]
     worst = max(found, key=lambda own: own.offset, default=None)
     if worst is None or worst.offset <= APART_PX:
-        return model
-    return replace(model, result=result.doubted(beside_ink(worst, registered.mm_per_pixel)))
+        return result
+    return result.doubted(beside_ink(worst, registered.mm_per_pixel))

@@ -235,7 +235,9 @@ class _Run:
             found = weighed()
         if exact is None or surface_alone:
             return found, exact
-        exact = compared_with_ink(with_fallback(exact), clean)
+        exact = with_fallback(exact)
+        checked = compared_with_ink(exact.result, exact.reading.registered, clean)
+        exact = replace(exact, result=checked)
         for code, message in exact.result.reasons:
             self.notes.doubt(code, message)
         self.notes.report = with_solid_facts(self.notes.report, exact, clean.turn)

@@ -10,16 +10,19 @@ from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.drawing.command import write_image
 from gaussiancad_core.drawing.sheet import draw_sheet
 from gaussiancad_core.drawing.style import parse_style
-from gaussiancad_core.exact_stage import ExactModel, Reading, find_exact
+from gaussiancad_core.exact_stage import Reading, find_exact
 from gaussiancad_core.ink_stage import compared_with_ink
 from gaussiancad_core.modes import Status
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.sheet.reading import read_views, register_views
+from gaussiancad_core.sheet.reading import RegisteredSheet, read_views, register_views
 from gaussiancad_core.sheet.view_search import find_views
+from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.views import Arc
+
+Read = tuple[ExactResult, RegisteredSheet, CleanSheet]
 
 _LENGTH = 80.0
 
@@ -27,7 +30,7 @@ _LENGTH = 80.0
 @pytest.fixture(scope="module")
 def read(
     sample_solid: Callable[[str], TopoDS_Shape], tmp_path_factory: pytest.TempPathFactory
-) -> tuple[ExactModel, CleanSheet]:
+) -> Read:
     """The exact solid of a sheet with holes, and the sheet."""
     path = tmp_path_factory.mktemp("ink") / "sheet.png"
     roles = (Role.FRONT, Role.TOP, Role.RIGHT)
@@ -37,46 +40,41 @@ def read(
     separated, layout = find_views(clean, {}, Projection.THIRD)
     options = ReadingOptions(projection=Projection.THIRD, length=(Axis.X, _LENGTH))
     registered = register_views(read_views(separated.part, layout), options)
-    return find_exact(Reading(registered, Projection.THIRD), None), clean
+    return find_exact(Reading(registered, Projection.THIRD), None).result, registered, clean
 
 
-def _with_radii(model: ExactModel, more: float) -> ExactModel:
-    """The same with arcs that are larger by px."""
-    mm = more * model.reading.registered.mm_per_pixel
-    verification = model.result.verification
+def _with_radii(result: ExactResult, mm: float) -> ExactResult:
+    """The same with arcs that are larger by mm."""
+    verification = result.verification
     lines = {
         role: tuple(
             replace(own, radius=own.radius + mm) if isinstance(own, Arc) else own for own in drawn
         )
         for role, drawn in verification.lines.items()
     }
-    return replace(
-        model, result=replace(model.result, verification=replace(verification, lines=lines))
-    )
+    return replace(result, verification=replace(verification, lines=lines))
 
 
-def test_a_solid_on_its_ink_stays_verified(read: tuple[ExactModel, CleanSheet]) -> None:
-    model, clean = read
-    assert model.result.status is Status.VERIFIED
-    assert compared_with_ink(model, clean) is model
+def test_a_solid_on_its_ink_stays_verified(read: Read) -> None:
+    result, registered, clean = read
+    assert result.status is Status.VERIFIED
+    assert compared_with_ink(result, registered, clean) is result
 
 
 @pytest.mark.parametrize("more", [-0.6, 0.6])
-def test_an_arc_beside_its_ink_is_doubted(read: tuple[ExactModel, CleanSheet], more: float) -> None:
-    model, clean = read
-    doubted = compared_with_ink(_with_radii(model, more), clean).result
+def test_an_arc_beside_its_ink_is_doubted(read: Read, more: float) -> None:
+    result, registered, clean = read
+    mm = more * registered.mm_per_pixel
+    doubted = compared_with_ink(_with_radii(result, mm), registered, clean)
     assert doubted.status is Status.APPROXIMATE
     ((code, message),) = doubted.reasons
     assert code == "lines-apart"
-    told = abs(more) * model.reading.registered.mm_per_pixel
     said = float(message.split(" mm beside")[0].rsplit(" ", 1)[1])
-    assert said == pytest.approx(told, rel=0.25)
+    assert said == pytest.approx(abs(mm), rel=0.25)
 
 
-def test_lines_of_a_file_are_not_asked(read: tuple[ExactModel, CleanSheet]) -> None:
-    model, clean = read
-    registered = model.reading.registered
+def test_lines_of_a_file_are_not_asked(read: Read) -> None:
+    result, registered, clean = read
     drawn = tuple(replace(view, source=StrokesSource.VECTOR) for view in registered.drawn)
-    reading = replace(model.reading, registered=replace(registered, drawn=drawn))
-    moved = _with_radii(replace(model, reading=reading), 0.6)
-    assert compared_with_ink(moved, clean) is moved
+    moved = _with_radii(result, 0.6 * registered.mm_per_pixel)
+    assert compared_with_ink(moved, replace(registered, drawn=drawn), clean) is moved
