@@ -8,16 +8,13 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.sheet.files.content import MAX_PIXELS, MIN_SIDE, Note
+from gaussiancad_core.sheet.files.content import MAX_PIXELS, MIN_SIDE, MOST_WORKED_ON, Note
 from gaussiancad_core.sheet.files.isolation import read_isolated
 from gaussiancad_core.sheet.files.kinds import VECTOR_SUFFIXES, detect
 from gaussiancad_core.sheet.files.opening import cannot_open, head_of
 from gaussiancad_core.sheet.files.vectors import VectorDrawing
 
 __all__ = ["MAX_PIXELS", "MIN_SIDE", "SHEET_SUFFIXES", "SheetImage", "read_sheet"]
-
-MOST_WORKED_ON = 24_000_000
-"""Pixels of a picture that are worked on, within 2 GB of memory: A3 at 350 dpi."""
 
 SHEET_SUFFIXES = frozenset(
     {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".webp", *VECTOR_SUFFIXES}
@@ -27,7 +24,7 @@ SHEET_SUFFIXES = frozenset(
 
 @dataclass(frozen=True)
 class SheetImage:
-    """A sheet as it was stored, upright; vector sheets as drawn at 200 dpi.
+    """A sheet as it was stored, upright; vector sheets as drawn at 200 dpi, large ones at less.
 
     Attributes:
         path: where it was read from.

@@ -12,11 +12,14 @@ from gaussiancad_core.sheet.files.vectors import VectorDrawing
 MAX_PIXELS = 150_000_000
 """Largest sheet that is read: A0 at 300 dpi has 139 million pixels."""
 
+MOST_WORKED_ON = 24_000_000
+"""Pixels that are worked on, within 2 GB of memory: A3 at 350 dpi."""
+
 MIN_SIDE = 64
 """Shortest side in px under which three views cannot be told from each other."""
 
 VECTOR_DPI = 200.0
-"""Resolution at which PDF, SVG and DXF sheets are drawn."""
+"""Resolution at which PDF, SVG and DXF sheets are drawn, if they are not too large for that."""
 
 MAX_PAGES = 1000
 """Pages of a file over which it is no drawing."""

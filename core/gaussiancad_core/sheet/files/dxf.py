@@ -33,7 +33,7 @@ from gaussiancad_core.sheet.files.dxf_entities import DrawnCurve, Exploder, Expl
 from gaussiancad_core.sheet.files.dxf_text import PlacedText
 from gaussiancad_core.sheet.files.fitting import curve_along
 from gaussiancad_core.sheet.files.painting import paint
-from gaussiancad_core.sheet.files.sizing import Sizing, size_drawing
+from gaussiancad_core.sheet.files.sizing import Sizing, notes_on, size_drawing
 from gaussiancad_core.sheet.files.vectors import (
     Box,
     Chain,
@@ -117,8 +117,9 @@ def read_dxf(path: Path, page: int) -> FileContent:
     size = tuple(int(np.ceil(side * sizing.scale - 1e-6)) for side in (width, height))
     check_pixels(path, *size)
     vectors = _placed(content.found, sheet, sizing)
-    notes = () if sizing.pixels_per_inch else (_size_note(path),)
-    return FileContent(paint(vectors, *size), sizing.pixels_per_inch, vectors, notes)
+    dpi = sizing.pixels_per_inch
+    notes = notes_on(path, dpi) if dpi else (_size_note(path),)
+    return FileContent(paint(vectors, *size), dpi, vectors, notes)
 
 
 def _size_note(path: Path) -> Note:

@@ -1,4 +1,4 @@
-"""PDF files: a page drawn by PDFium at 200 dpi, and the exact curves of its content.
+"""PDF files: a page drawn by PDFium, at 200 dpi or less, and the exact curves of its content.
 
 The page's box is widened to whole pixels before it is drawn, as PDFium would stretch the page
 instead.  Comments and form fields are no part of the drawing and stay away.
@@ -24,10 +24,11 @@ from gaussiancad_core.sheet.files.content import (
 )
 from gaussiancad_core.sheet.files.painting import shown_share
 from gaussiancad_core.sheet.files.pdf_objects import PageMap, page_objects
+from gaussiancad_core.sheet.files.sizing import notes_on, paper_dpi
 from gaussiancad_core.sheet.files.vectors import VectorDrawing
 
-_SCALE = VECTOR_DPI / 72.0
-"""px per point."""
+_POINTS = 72.0
+"""An inch has so many."""
 
 _SHOWN = 0.3
 """Share of a stroke that must show: the gaps of dashes do not, layers that are off not at all."""
@@ -60,8 +61,8 @@ class _Geometry:
         )[self.turns]
         return _Geometry(box, self.turns)
 
-    def to_pixels(self) -> npt.NDArray[np.float64]:
-        """(2, 3) matrix from points of the page to px."""
+    def to_pixels(self, scale: float) -> npt.NDArray[np.float64]:
+        """(2, 3) matrix from points of the page to px, of which ``scale`` are a point."""
         left, bottom, right, top = self.box
         matrix = (
             [[1.0, 0.0, -left], [0.0, -1.0, top]],
@@ -69,7 +70,7 @@ class _Geometry:
             [[-1.0, 0.0, right], [0.0, 1.0, -bottom]],
             [[0.0, -1.0, top], [-1.0, 0.0, right]],
         )[self.turns]
-        return np.array(matrix) * _SCALE
+        return np.array(matrix) * scale
 
 
 def read_pdf(path: Path, page: int) -> FileContent:
@@ -114,22 +115,25 @@ def _damaged(path: Path, error: Exception) -> UnreadableError:
 
 def _read_page(document: pdfium.PdfDocument, path: Path, index: int) -> FileContent:
     geometry = _geometry(document, index)
-    pixels = [side * _SCALE for side in geometry.size]
-    check_pixels(path, *pixels)
-    width, height = (int(np.ceil(side - 1e-3)) for side in pixels)
-    geometry = geometry.widened(width / _SCALE, height / _SCALE)
+    inches = [side / _POINTS for side in geometry.size]
+    check_pixels(path, *(side * VECTOR_DPI for side in inches))
+    dpi = paper_dpi(*inches)
+    scale = dpi / _POINTS
+    width, height = (int(np.ceil(side * dpi - 1e-3)) for side in inches)
+    geometry = geometry.widened(width / scale, height / scale)
     page = document[index]
     page.set_mediabox(*geometry.box)
     page.set_cropbox(*geometry.box)
     page.close()
     # PDFium reads a page's boxes when it loads the page.
     page = document[index]
-    content = page_objects(page, PageMap(geometry.to_pixels(), path))
+    content = page_objects(page, PageMap(geometry.to_pixels(scale), path))
     grey = _render(page, width, height)
     strokes = tuple(s for s in content.strokes if shown_share(s, grey) >= _SHOWN)
     page.close()
     vectors = VectorDrawing(strokes, content.texts, content.complete)
-    return FileContent(grey, VECTOR_DPI, vectors if strokes or content.texts else None)
+    shown = vectors if strokes or content.texts else None
+    return FileContent(grey, dpi, shown, notes_on(path, dpi))
 
 
 def _geometry(document: pdfium.PdfDocument, index: int) -> _Geometry:

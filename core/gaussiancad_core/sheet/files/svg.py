@@ -20,7 +20,7 @@ from gaussiancad_core.sheet.files.content import (
     page_missing,
 )
 from gaussiancad_core.sheet.files.painting import render_svg, shown_share
-from gaussiancad_core.sheet.files.sizing import size_drawing
+from gaussiancad_core.sheet.files.sizing import notes_on, paper_dpi, size_drawing
 from gaussiancad_core.sheet.files.svg_safety import SafeSvg, load_svg
 from gaussiancad_core.sheet.files.svg_shapes import svg_strokes, svg_texts
 from gaussiancad_core.sheet.files.vectors import VectorDrawing, bounds
@@ -80,7 +80,10 @@ def read_svg(path: Path, page: int) -> FileContent:
 def _read_tree(path: Path, safe: SafeSvg) -> FileContent:
     size = _size(safe.root) or _size_of_content(path, safe)
     if size.physical:
-        scale, pixels_per_inch = VECTOR_DPI / _CSS_DPI, VECTOR_DPI
+        inches = size.width / _CSS_DPI, size.height / _CSS_DPI
+        check_pixels(path, *(side * VECTOR_DPI for side in inches))
+        pixels_per_inch = paper_dpi(*inches)
+        scale = pixels_per_inch / _CSS_DPI
     else:
         scale = size_drawing(size.width, size.height, 1.0 / _CSS_DPI).scale
         pixels_per_inch = None
@@ -98,9 +101,8 @@ def _read_tree(path: Path, safe: SafeSvg) -> FileContent:
     grey = render_svg(tostring(safe.root, encoding="unicode"), width, height, scale)
     shown = tuple(stroke for stroke in strokes if shown_share(stroke, grey) >= _SHOWN)
     vectors = VectorDrawing(shown, tuple(texts), not safe.pictures)
-    return FileContent(
-        grey, pixels_per_inch, vectors if shown or texts else None, _notes(path, safe, size)
-    )
+    notes = (*_notes(path, safe, size), *notes_on(path, pixels_per_inch))
+    return FileContent(grey, pixels_per_inch, vectors if shown or texts else None, notes)
 
 
 def _notes(path: Path, safe: SafeSvg, size: _Size) -> tuple[Note, ...]:

@@ -1,6 +1,9 @@
+from pathlib import Path
+
 import pytest
 
-from gaussiancad_core.sheet.files.sizing import size_drawing
+from gaussiancad_core.sheet.files.content import MOST_WORKED_ON
+from gaussiancad_core.sheet.files.sizing import notes_on, size_drawing
 
 
 @pytest.mark.parametrize(
@@ -8,7 +11,7 @@ from gaussiancad_core.sheet.files.sizing import size_drawing
     [
         (297.0, 210.0, 1 / 25.4, 200 / 25.4, 200.0),
         (11.0, 8.5, 1.0, 200.0, 200.0),
-        (1189.0, 841.0, 1 / 25.4, 200 / 25.4, 200.0),
+        (594.0, 420.0, 1 / 25.4, 200 / 25.4, 200.0),
         # Too small and too large for paper, and more pixels than are read.
         (1.8, 1.0, 1 / 25.4, 3000 / 1.8, None),
         (1e4, 5e3, 1.0, 0.3, None),
@@ -22,3 +25,15 @@ def test_papers_have_200_dpi(
         sizing = size_drawing(*sides, inches)
         assert sizing.scale == pytest.approx(scale)
         assert sizing.pixels_per_inch == dpi
+
+
+@pytest.mark.parametrize(("width", "height"), [(1189.0, 841.0), (2378.0, 841.0)])
+def test_large_papers_have_as_many_pixels_as_memory_suffices_for(
+    width: float, height: float
+) -> None:
+    sizing = size_drawing(width, height, 1 / 25.4)
+    assert width * height * sizing.scale**2 == pytest.approx(MOST_WORKED_ON)
+    assert sizing.scale == pytest.approx(sizing.pixels_per_inch / 25.4)
+    (note,) = notes_on(Path("a.pdf"), sizing.pixels_per_inch)
+    assert note.code == "resolution-lowered"
+    assert f"{sizing.pixels_per_inch:.0f} dpi" in note.message
