@@ -7,6 +7,7 @@ ENGINE_PACKAGES = (
     "numpy",
     "opencv-python-headless",
     "numba",
+    "open3d-cpu",
     "open3d",
     "trimesh",
     "cadquery-ocp-novtk",

@@ -4,7 +4,8 @@
 * ``engine-cpu.txt``: the same versions, but PyTorch's own CPU build and no CUDA packages.
 * ``tests.txt``: what the tests need on top of either.
 
-The engine's have the extra ``ocr``: measures of a picture come from its dimensions.
+The engine's have the extra ``ocr``: measures of a picture come from its dimensions.  All lack what
+``exclude-dependencies`` names, and what only that needs.
 
 Each names every wheel by its hash, for all supported Pythons and platforms, and no index address:
 where wheels come from is up to whoever installs.  One engine has two files because pip takes the
@@ -47,6 +48,7 @@ def main(upgrade: bool) -> int:
     """
     project = tomllib.loads(PROJECT.read_text(encoding="utf-8"))
     extras = project["project"]["optional-dependencies"]
+    excluded = project["tool"]["uv"]["exclude-dependencies"]
     engine = [
         *project["project"]["dependencies"],
         *extras["ocr"],
@@ -66,10 +68,14 @@ def main(upgrade: bool) -> int:
 
     with tempfile.TemporaryDirectory() as folder:
         new = Path(folder)
+        excludes = new / "excludes.in"
+        excludes.write_text("\n".join(excluded), encoding="utf-8")
         for old in LOCKS.glob("*.txt"):
             copy(old, new)
-        resolve(engine, new / "engine-cuda.txt", upgrade)
-        resolve(tests, new / "tests.txt", upgrade, "--constraints", str(new / "engine-cuda.txt"))
+        left_out = ("--excludes", str(excludes))
+        resolve(engine, new / "engine-cuda.txt", upgrade, *left_out)
+        same = ("--constraints", str(new / "engine-cuda.txt"))
+        resolve(tests, new / "tests.txt", upgrade, *left_out, *same)
         cuda = (new / "engine-cuda.txt").read_text(encoding="utf-8")
         (new / "engine-cpu.txt").write_text(cpu_build(cuda, torch, hashes), encoding="utf-8")
         for lock in new.glob("*.txt"):

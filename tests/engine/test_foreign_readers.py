@@ -147,7 +147,7 @@ def test_gaussians_are_in_the_units_of_the_reference_format(
 
 
 def test_loaders_of_points_read_the_places(gaussians: Gaussians, tmp_path: Path) -> None:
-    import open3d
+    from gaussiancad_core.bare_open3d import open3d
 
     path = tmp_path / "gaussians.ply"
     write_gaussians(gaussians, path)

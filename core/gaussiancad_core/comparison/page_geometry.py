@@ -76,7 +76,7 @@ def _thinned(mesh: TriangleMesh, most: int) -> TriangleMesh:
     """The mesh itself, or one with fewer triangles that looks the same."""
     if len(mesh.triangles) <= most:
         return mesh
-    import open3d
+    from gaussiancad_core.bare_open3d import open3d
 
     source = open3d.geometry.TriangleMesh(
         open3d.utility.Vector3dVector(mesh.vertices),

@@ -105,7 +105,7 @@ def spread_points(
     Returns:
         (count, 3) points in mm and (count, 3) normals.
     """
-    import open3d
+    from gaussiancad_core.bare_open3d import open3d
 
     mesh = open3d.geometry.TriangleMesh(
         open3d.utility.Vector3dVector(surface.vertices),

@@ -27,7 +27,7 @@ def decimated(mesh: TriangleMesh, limit: int = FACETED_LIMIT) -> TriangleMesh:
     Raises:
         EngineError: ``decimation-failed``, no try gave a closed mesh.
     """
-    import open3d
+    from gaussiancad_core.bare_open3d import open3d
 
     if len(mesh.triangles) <= limit:
         return mesh

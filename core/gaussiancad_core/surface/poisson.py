@@ -70,7 +70,7 @@ def gaussian_surface(gaussians: Gaussians, settings: PoissonSettings) -> Triangl
 
 def poisson_surface(points: OrientedPoints, settings: PoissonSettings) -> TriangleMesh:
     """The closed surface through oriented points; see :func:`gaussian_surface`."""
-    import open3d
+    from gaussiancad_core.bare_open3d import open3d
 
     if len(points.points) < 4:
         raise _no_surface()

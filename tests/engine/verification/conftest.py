@@ -42,7 +42,7 @@ def blind_hole() -> TriangleMesh:
 @pytest.fixture(scope="session")
 def rounded_block(blind_hole: TriangleMesh) -> TriangleMesh:
     """The block with the blind hole as a Poisson surface of noisy points."""
-    import open3d
+    from gaussiancad_core.bare_open3d import open3d
 
     exact = blind_hole.to_trimesh()
     points, faces = trimesh.sample.sample_surface(exact, 20_000, seed=1)
