@@ -79,7 +79,7 @@ make_environment() {
 link_engine() {
     say "Engine: linking core/ into .venv"
     pip_install pip-core --no-deps --no-index --no-build-isolation --editable core
-    logged pip-check .venv/bin/python -m pip check
+    logged check-environment .venv/bin/python scripts/check_environment.py
     say "Engine: compiling its kernels"
     logged warm-up .venv/bin/gaussiancad warm-up
     sha256sum core/pyproject.toml >"$linked"

@@ -2,13 +2,15 @@
 
 from importlib import metadata
 
+OPEN3D_DISTRIBUTIONS = ("open3d-cpu", "open3d")
+"""Those that bring Open3D: without CUDA kernels, for Linux on x86-64, and with them, for others."""
+
 ENGINE_PACKAGES = (
     "torch",
     "numpy",
     "opencv-python-headless",
     "numba",
-    "open3d-cpu",
-    "open3d",
+    *OPEN3D_DISTRIBUTIONS,
     "trimesh",
     "cadquery-ocp-novtk",
     "ortools",

@@ -8,7 +8,6 @@ from importlib.metadata import files
 from pathlib import Path
 
 import pytest
-from packaging.markers import default_environment
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
@@ -19,10 +18,17 @@ EXTRAS = PROJECT["project"]["optional-dependencies"]
 OCR = EXTRAS["ocr"]
 ENGINE = [*PROJECT["project"]["dependencies"], *OCR, *PROJECT["build-system"]["requires"]]
 TESTS = EXTRAS["test"]
+EXCLUDED = PROJECT["tool"]["uv"]["exclude-dependencies"]
 CUDA = [re.split(r"\W", line)[0] for line in EXTRAS["cuda"]]
 """Modules of the extra for GPUs, which is not installed where there is none; named as packages."""
 
 CUDA_ONLY = ("nvidia-", "cuda-", "triton")
+
+
+def of_here(lines: list[str]) -> list[Requirement]:
+    """The requirements that count for this Python and platform."""
+    requirements = map(Requirement, lines)
+    return [r for r in requirements if r.marker is None or r.marker.evaluate()]
 
 
 def lock_text(name: str) -> str:
@@ -33,9 +39,7 @@ def lock_text(name: str) -> str:
 def pins(name: str) -> dict[str, str]:
     """Package to version, of the entries that count for this Python and platform."""
     lines = re.findall(r"^(\w[^\\\n]*)", lock_text(name), re.MULTILINE)
-    requirements = [Requirement(line.strip()) for line in lines]
-    here = default_environment()
-    counted = [r for r in requirements if r.marker is None or r.marker.evaluate(here)]
+    counted = of_here([line.strip() for line in lines])
     found = {canonicalize_name(r.name): str(r.specifier).removeprefix("==") for r in counted}
     assert len(found) == len(counted)
     return found
@@ -47,16 +51,23 @@ def pins(name: str) -> dict[str, str]:
 )
 def test_locks_pin_what_is_declared(lock: str, declared: list[str]) -> None:
     pinned = pins(lock)
-    for line in declared:
-        requirement = Requirement(line)
+    for requirement in of_here(declared):
         version = pinned[canonicalize_name(requirement.name)]
-        assert requirement.specifier.contains(version), (line, version)
+        assert requirement.specifier.contains(version), (requirement, version)
 
 
 def test_the_builds_differ_in_pytorch_alone() -> None:
     cpu, cuda = pins("engine-cpu.txt"), pins("engine-cuda.txt")
     assert cpu.pop("torch") == cuda.pop("torch") + "+cpu"
     assert cpu == {name: pin for name, pin in cuda.items() if not name.startswith(CUDA_ONLY)}
+
+
+@pytest.mark.parametrize("lock", ["engine-cpu.txt", "engine-cuda.txt", "tests.txt"])
+def test_what_is_excluded_is_in_no_lock(lock: str) -> None:
+    assert EXCLUDED
+    found = re.findall(r"^([\w.-]+)==", lock_text(lock), re.MULTILINE)
+    assert len(found) > 10
+    assert not {canonicalize_name(name) for name in (*EXCLUDED, "plotly")} & set(found)
 
 
 def test_the_tests_need_no_other_versions_than_the_engine() -> None:
@@ -80,7 +91,7 @@ def test_locks_hold_hashes_and_no_addresses(lock: str) -> None:
 )
 def test_every_import_is_declared(folder: str, declared: list[str]) -> None:
     known = {"gaussiancad_core", *sys.stdlib_module_names, *CUDA}
-    known |= {name for line in declared for name in provided(Requirement(line).name)}
+    known |= {name for package in of_here(declared) for name in provided(package.name)}
     # Scripts of a folder import each other; the benchmarks' own are tested, too, beside what helps
     # their tests.
     for scripts in (folder, "benchmarks", "tests/engine/benchmarks"):

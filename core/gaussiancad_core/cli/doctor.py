@@ -10,6 +10,7 @@ from importlib import metadata
 from gaussiancad_core import __version__
 from gaussiancad_core.errors import ExitCode
 from gaussiancad_core.events import Listener
+from gaussiancad_core.versions import OPEN3D_DISTRIBUTIONS, installed_versions
 
 _NEEDED = {
     "numpy": "numpy",
@@ -25,13 +26,12 @@ _NEEDED = {
     "psutil": "psutil",
     "torch": "torch",
     "numba": "numba",
-    "open3d": "open3d",
     "trimesh": "trimesh",
     "manifold3d": "manifold3d",
     "ot": "POT",
     "OCP": "cadquery-ocp-novtk",
 }
-"""Module -> distribution."""
+"""Module -> distribution, of all but Open3D, which has two."""
 
 _SYSTEM_LIBRARIES = {
     "libusb-1.0.so.0": "libusb-1.0-0",
@@ -56,8 +56,10 @@ def run(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
     print(f"gaussiancad {__version__}")
     print(f"Python {platform.python_version()} at {sys.executable}")
     print(f"{os.cpu_count()} cores, {platform.platform()}")
+    open3d = next(iter(installed_versions(OPEN3D_DISTRIBUTIONS)), "open3d")
+    needed = {**_NEEDED, "gaussiancad_core.bare_open3d": open3d}
     broken = 0
-    for module, distribution in _NEEDED.items():
+    for module, distribution in needed.items():
         problem = _problem(module, distribution)
         broken += problem is not None
         state = f"BROKEN: {problem}" if problem else metadata.version(distribution)
@@ -65,7 +67,7 @@ def run(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
     print(f"  {'ocr (optional)':24} {_ocr_state()}", flush=True)
     print(f"  {'gpu (optional)':24} {_gpu_state()}", flush=True)
     if broken:
-        print(f"{broken} of {len(_NEEDED)} libraries cannot be used; run `make install` again")
+        print(f"{broken} of {len(needed)} libraries cannot be used; run `make install` again")
         return ExitCode.ENGINE
     print("the engine is complete")
     return ExitCode.DONE
