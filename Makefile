@@ -2,7 +2,7 @@
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
 .PHONY: help install demo test test-engine test-workbench test-gui test-freecad-latest lint bench \
-	benchmark lock clean
+	benchmark lock licences sbom vulnerabilities clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-20s %s\n", $$1, $$2 }' Makefile
@@ -41,6 +41,15 @@ benchmark: install ## five methods on many sheets, ablations, one page; ARGS='--
 
 lock: ## pin the engine's and the tests' packages anew; UPGRADE=1 takes the newest ones
 	@sh scripts/lock.sh $(if $(UPGRADE),--upgrade)
+
+licences: ## the locked packages with their licences; fails if one is not allowed
+	@python3 scripts/licences.py
+
+sbom: ## bills of materials of the locks (CycloneDX) in build/sbom/
+	@python3 scripts/sbom.py build/sbom
+
+vulnerabilities: ## asks a public database for known vulnerabilities of the locked packages
+	@python3 scripts/vulnerabilities.py
 
 clean: ## remove what demo and the tests wrote, but keep .venv
 	@rm -rf build demo .pytest_cache .ruff_cache .hypothesis

@@ -65,8 +65,8 @@ make_environment() {
         ! offers_cpu_build || build=cpu
     fi
     case $build in
-    cpu) say "Engine: installing with PyTorch for the CPU, 0.6 GB to download and 3.2 GB on disk" ;;
-    cuda) say "Engine: installing with PyTorch for CUDA, 3.2 GB to download and 7.1 GB on disk (CONTRIBUTING.md tells how to get the CPU build)" ;;
+    cpu) say "Engine: installing with PyTorch for the CPU, 0.8 GB to download and 3.0 GB on disk" ;;
+    cuda) say "Engine: installing with PyTorch for CUDA, 3.3 GB to download and 7 GB on disk (CONTRIBUTING.md tells how to get the CPU build)" ;;
     *) fail "TORCH is cpu or cuda, not '$build'" ;;
     esac
     pip_install pip-engine --require-hashes --only-binary :all: --no-deps \

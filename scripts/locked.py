@@ -9,8 +9,8 @@ ROOT = Path(__file__).resolve().parents[1]
 LOCKS = ROOT / "core" / "locks"
 
 _ENTRY = re.compile(
-    r"^(?P<name>\w[\w.-]*)==(?P<version>[^\s;\\]+)(?: ; (?P<marker>[^\\\n]*\S))? *(?:\\)?\n"
-    r"(?P<hashes>(?: +--hash=sha256:[0-9a-f]{64} *(?:\\)?\n)*)",
+    r"^(?P<name>\w[\w.-]*)==(?P<version>[^\s;\\]+)(?: ; (?P<marker>[^\\\n]*[^\\\s]))? *\\?\n"
+    r"(?P<hashes>(?: +--hash=sha256:[0-9a-f]{64} *\\?\n)*)",
     re.MULTILINE,
 )
 

@@ -81,7 +81,7 @@ def _known(wanted: Sequence[Query], ask: Ask) -> dict[Query, tuple[str, ...]]:
         answers = _answers(ask({"queries": [_question(*q) for q in pending.items()]}), len(pending))
         following = {}
         for query, answer in zip(pending, answers, strict=True):
-            found[query] |= {_identifier(entry) for entry in answer.get("vulns") or ()}
+            found[query] |= set(_identifiers(answer.get("vulns", [])))
             if answer.get("next_page_token"):
                 following[query] = answer["next_page_token"]
         pending = following
@@ -103,10 +103,13 @@ def _answers(answer: object, count: int) -> list[dict[str, Any]]:
     return results
 
 
-def _identifier(entry: object) -> str:
-    if not isinstance(entry, dict) or not isinstance(entry.get("id"), str):
+def _identifiers(entries: object) -> list[str]:
+    if not isinstance(entries, list) or not all(isinstance(own, dict) for own in entries):
         raise NotCheckedError("the answer is of another form")
-    return entry["id"]
+    found = [own.get("id") for own in entries]
+    if not all(isinstance(identifier, str) for identifier in found):
+        raise NotCheckedError("the answer is of another form")
+    return found
 
 
 def asking(service: str, seconds: float) -> Ask:
@@ -130,6 +133,13 @@ def asking(service: str, seconds: float) -> Ask:
     return ask
 
 
+def _host(address: str) -> str:
+    try:
+        return urlsplit(address).hostname or address
+    except ValueError:
+        return address
+
+
 def main(arguments: list[str]) -> int:
     """The command; returns the exit status."""
     parser = argparse.ArgumentParser(description="known vulnerabilities of the locked packages")
@@ -140,8 +150,7 @@ def main(arguments: list[str]) -> int:
     try:
         found = known(wanted, asking(options.service, options.seconds))
     except NotCheckedError as error:
-        host = urlsplit(options.service).hostname or options.service
-        print(f"not checked: no answer from {host} ({error})", file=sys.stderr)
+        print(f"not checked: no answer from {_host(options.service)} ({error})", file=sys.stderr)
         return Status.NOT_CHECKED
     for (name, version), identifiers in found.items():
         if identifiers:

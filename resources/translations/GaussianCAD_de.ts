@@ -435,8 +435,8 @@
         <translation>Die Engine ist installiert.</translation>
     </message>
     <message>
-        <source>GaussianCAD can download the packages of its engine from the Python package index that pip is set up for: 0.6 GB, or 3.2 GB with PyTorch for NVIDIA cards. Each package is checked against a hash that comes with this addon. They go into {folder} (up to 7 GB on disk); FreeCAD&apos;s own Python stays as it is. Nothing is sent.</source>
-        <translation>GaussianCAD kann die Pakete seiner Engine aus dem Python-Paketverzeichnis laden, das für pip eingerichtet ist: 0,6 GB, oder 3,2 GB mit PyTorch für NVIDIA-Karten. Jedes Paket wird gegen eine Prüfsumme geprüft, die zu diesem Addon gehört. Sie kommen nach {folder} (bis zu 7 GB auf der Platte); FreeCADs eigenes Python bleibt, wie es ist. Gesendet wird nichts.</translation>
+        <source>GaussianCAD can download the packages of its engine from the Python package index that pip is set up for: 0.7 GB, or 3.3 GB with PyTorch for NVIDIA cards. Each package is checked against a hash that comes with this addon. They go into {folder} (up to 7 GB on disk); FreeCAD&apos;s own Python stays as it is. Nothing is sent.</source>
+        <translation>GaussianCAD kann die Pakete seiner Engine aus dem Python-Paketverzeichnis laden, das für pip eingerichtet ist: 0,7 GB, oder 3,3 GB mit PyTorch für NVIDIA-Karten. Jedes Paket wird gegen eine Prüfsumme geprüft, die zu diesem Addon gehört. Sie kommen nach {folder} (bis zu 7 GB auf der Platte); FreeCADs eigenes Python bleibt, wie es ist. Gesendet wird nichts.</translation>
     </message>
     <message>
         <source>Settings</source>

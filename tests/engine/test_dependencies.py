@@ -92,9 +92,9 @@ def test_locks_hold_hashes_and_no_addresses(lock: str) -> None:
 def test_every_import_is_declared(folder: str, declared: list[str]) -> None:
     known = {"gaussiancad_core", *sys.stdlib_module_names, *CUDA}
     known |= {name for package in of_here(declared) for name in provided(package.name)}
-    # Scripts of a folder import each other; the benchmarks' own are tested, too, beside what helps
-    # their tests.
-    for scripts in (folder, "benchmarks", "tests/engine/benchmarks"):
+    # Scripts of a folder import each other; those of the benchmarks and of make are tested, too,
+    # beside what helps their tests.
+    for scripts in (folder, "benchmarks", "scripts", "tests/engine/benchmarks"):
         known |= {path.stem for path in (CHECKOUT / scripts).glob("*.py")}
     undeclared = {
         (name, path.name)

@@ -97,7 +97,7 @@ def _consent_text() -> str:
     return translate(
         "GaussianCAD",
         "GaussianCAD can download the packages of its engine from the Python package index that "
-        "pip is set up for: 0.6 GB, or 3.2 GB with PyTorch for NVIDIA cards. Each package is "
+        "pip is set up for: 0.7 GB, or 3.3 GB with PyTorch for NVIDIA cards. Each package is "
         "checked against a hash that comes with this addon. They go into {folder} (up to 7 GB on "
         "disk); FreeCAD's own Python stays as it is. Nothing is sent.",
     )
