@@ -45,8 +45,9 @@ LibRaw (LGPL-2.1 or CDDL-1.0, to choose) in cadquery-ocp-novtk, FFmpeg (LGPL-2.1
 opencv-python-headless, GEOS (LGPL-2.1) in shapely, GCC's runtime (GPL-3.0 with an exception for
 all that uses it) in several. They are shared libraries, files of their own that one can replace.
 
-FreeCAD and the other packages of `scripts/system-packages.txt` are installed by Debian, whose texts
-are in `/usr/share/doc/NAME/copyright`.
+Not in the list, for no lock has them: gsplat, the extra `cuda`, which its user installs; FreeCAD
+and the other packages of `scripts/system-packages.txt`, which Debian installs, with their texts in
+`/usr/share/doc/NAME/copyright`.
 """
 
 
@@ -112,10 +113,10 @@ def page(listed: Iterable[Row]) -> str:
 
 
 def table(listed: Iterable[Row]) -> str:
-    """The list for a terminal."""
+    """The list for a terminal, of one row at least."""
     cells = [
         (
-            "" if row.allowed else "NOT ALLOWED",
+            "allowed" if row.allowed else "NOT ALLOWED",
             row.name,
             row.version,
             row.licence.text + (" (read)" if row.licence.source == "read" else ""),
@@ -123,9 +124,9 @@ def table(listed: Iterable[Row]) -> str:
         )
         for row in listed
     ]
-    widths = [max((len(line[column]) for line in cells), default=0) for column in range(4)]
+    widths = [max(len(line[column]) for line in cells) for column in range(4)]
     return "\n".join(
-        "  ".join([*(c.ljust(w) for c, w in zip(line, widths, strict=False)), line[4]]).lstrip()
+        "  ".join([*(c.ljust(w) for c, w in zip(line, widths, strict=False)), line[4]])
         for line in cells
     )
 
@@ -176,7 +177,8 @@ def main(arguments: list[str]) -> int:
     if record_first:
         PAGE.write_text(page(listed), encoding="utf-8")
     refused = [row for row in listed if not row.allowed]
-    print(table(refused if record_first else listed))
+    if shown := refused if record_first else listed:
+        print(table(shown))
     print(f"{len(listed)} packages, {len(refused)} of a licence that is not allowed")
     return 1 if refused else 0
 
