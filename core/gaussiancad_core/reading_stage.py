@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from gaussiancad_core.axes import Projection, mutually_orthogonal
+from gaussiancad_core.axes import Projection, Role, mutually_orthogonal
 from gaussiancad_core.exact_stage import Reading
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import Recipe, ResultKind
@@ -11,8 +11,10 @@ from gaussiancad_core.projection_choice import both_readings, choose_projection
 from gaussiancad_core.report import Unused, ViewReport
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.annotations.marks import Mark
+from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.graph.views import graph_views
 from gaussiancad_core.sheet.layout import Layout, may_be_views
 from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
 from gaussiancad_core.sheet.read import SheetImage
@@ -69,13 +71,10 @@ def read_drawing(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes
     reading = _in_worked_px(job.reading, clean.turn)
     with notes.stage("views"):
         given = {role: clean.turn.box_to_upright(box) for role, box in reading.views}
-        # Where a file has lines of one width, those of its picture only seem to differ.
-        by_weight = not (image.vectors is not None and image.vectors.has_one_width)
-        separated, layout = find_views(clean, given, reading.projection, by_weight)
+        separated, layout, vectors = _found_views(image, clean, given, reading)
         _tell_marks(notes, separated.marks, clean.turn)
         _tell_layout(notes, layout, clean.turn)
     with notes.stage("lines"):
-        vectors = _vectors(image, clean) if reading.finder is Finder.RIDGES else None
         drawn = read_views(separated.part, layout, notes.progress, reading.finder, vectors)
         scale = _sheet_scale(job, image, clean, (separated.marks, drawn), notes)
         options = _scaled(reading, scale, notes)
@@ -207,9 +206,19 @@ def _with_measures(
     return replace(found, own=measured[0], other=measured[1])
 
 
-def _vectors(image: SheetImage, clean: CleanSheet) -> VectorSheet | None:
-    """The exact lines of a sheet's file, where it has them."""
-    return VectorSheet(image.vectors, clean) if image.vectors is not None else None
+def _found_views(
+    image: SheetImage, clean: CleanSheet, given: dict[Role, Box], reading: ReadingOptions
+) -> tuple[SeparatedSheet, Layout, VectorSheet | None]:
+    """The part's ink, its views, and their exact lines where the file has them."""
+    drawing = image.vectors if reading.finder is Finder.RIDGES else None
+    if drawing is not None:
+        told = graph_views(drawing, clean, given, reading.projection)
+        if told is not None:
+            return told.separated, told.layout, told.vectors
+    # Where a file has lines of one width, those of its picture only seem to differ.
+    by_weight = not (image.vectors is not None and image.vectors.has_one_width)
+    found = find_views(clean, given, reading.projection, by_weight)
+    return *found, VectorSheet(drawing, clean) if drawing is not None else None
 
 
 def _tell_views(notes: RunNotes, registered: RegisteredSheet, turn: Turn) -> None:

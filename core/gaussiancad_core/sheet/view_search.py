@@ -15,7 +15,7 @@ from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.registration import axis_extents
 from gaussiancad_core.sheet.special_views.finding import LayoutRequest, find_named_layout
-from gaussiancad_core.sheet.special_views.symbol import find_symbol
+from gaussiancad_core.sheet.special_views.symbol import ProjectionSymbol, find_symbol
 
 _TINY = 0.02
 """Share of the sheet that its views take together at least, to be relied on at once."""
@@ -58,16 +58,20 @@ def find_views(
     """
     symbol = find_symbol(sheet) if projection is None else None
     told = symbol.projection if symbol else projection
-    separated, layout = _separated_views(sheet, given, told, by_weight)
-    if symbol is not None:
-        separated = replace(separated, marks=(*separated.marks, symbol.mark))
-        layout = replace(
-            layout,
-            symbol=symbol.projection,
-            source="inferred",
-            alternatives=(symbol.projection.other,),
-        )
-    return separated, layout
+    return with_symbol(*_separated_views(sheet, given, told, by_weight), symbol)
+
+
+def with_symbol(
+    separated: SeparatedSheet, layout: Layout, symbol: ProjectionSymbol | None
+) -> tuple[SeparatedSheet, Layout]:
+    """The same with what the projection symbol says, where there is one."""
+    if symbol is None:
+        return separated, layout
+    separated = replace(separated, marks=(*separated.marks, symbol.mark))
+    alternatives = (symbol.projection.other,)
+    return separated, replace(
+        layout, symbol=symbol.projection, source="inferred", alternatives=alternatives
+    )
 
 
 def _separated_views(
@@ -90,7 +94,7 @@ def _separated_views(
     for way in ways:
         tried = way()
         try:
-            tried, layout = _named_layout(sheet, tried, given, projection)
+            tried, layout = arranged(sheet, tried, given, projection)
         except NoModelError as error:
             first = first or error
             continue
@@ -104,7 +108,7 @@ def _separated_views(
     return best
 
 
-def _named_layout(
+def arranged(
     sheet: CleanSheet,
     separated: SeparatedSheet,
     given: dict[Role, Box],

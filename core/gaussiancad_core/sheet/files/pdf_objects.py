@@ -21,6 +21,7 @@ from gaussiancad_core.sheet.files.linetypes import role_by_dashes, role_by_name
 from gaussiancad_core.sheet.files.vectors import (
     Box,
     Chain,
+    Colour,
     Curve,
     StrokeKind,
     StrokeRole,
@@ -149,8 +150,9 @@ def _path_strokes(walk: _Walk, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> list
         if _is_paper(item):
             return []
         outlines = [_outline(pieces) for pieces in subpaths]
+        colour = _colour(item, raw.FPDFPageObj_GetFillColor)
         return [
-            VectorStroke(curve, None, (), StrokeRole.UNKNOWN, layer, StrokeKind.FILL)
+            VectorStroke(curve, None, (), StrokeRole.UNKNOWN, layer, StrokeKind.FILL, colour)
             for curve in outlines
             if curve is not None
         ]
@@ -159,8 +161,9 @@ def _path_strokes(walk: _Walk, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> list
     width = ctypes.c_float()
     raw.FPDFPageObj_GetStrokeWidth(item, width)
     role = role_by_dashes(dashes) if dashes else role_by_name(layer) or StrokeRole.UNKNOWN
+    colour = _colour(item, raw.FPDFPageObj_GetStrokeColor)
     return [
-        VectorStroke(curve, width.value * scale, dashes, role, layer)
+        VectorStroke(curve, width.value * scale, dashes, role, layer, colour=colour)
         for pieces in subpaths
         for curve in curves_from_path(pieces)
     ]
@@ -168,9 +171,16 @@ def _path_strokes(walk: _Walk, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> list
 
 def _is_paper(item: raw.FPDF_PAGEOBJECT) -> bool:
     """Whether an area is filled with white: it only covers what lies under it."""
-    channels = [ctypes.c_uint() for _ in range(4)]
-    known = raw.FPDFPageObj_GetFillColor(item, *channels)
-    return bool(known) and min(channel.value for channel in channels[:3]) >= PAPER_LEVEL
+    colour = _colour(item, raw.FPDFPageObj_GetFillColor)
+    return colour is not None and min(colour) >= PAPER_LEVEL
+
+
+def _colour(item: raw.FPDF_PAGEOBJECT, getter: Callable[..., int]) -> Colour | None:
+    """What one of PDFium's functions tells of an object's colours."""
+    red, green, blue, alpha = (ctypes.c_uint() for _ in range(4))
+    if not getter(item, red, green, blue, alpha):
+        return None
+    return red.value, green.value, blue.value
 
 
 def _subpaths(

@@ -90,10 +90,16 @@ def _shape_strokes(shape: svgelements.Shape, scale: float) -> list[VectorStroke]
         names = (layer, shape.values.get("class", ""), shape.values.get("id", ""))
         named = next((role for name in names if (role := role_by_name(str(name or "")))), None)
         role = role_by_dashes(dashes) if dashes else named or StrokeRole.UNKNOWN
-        return [VectorStroke(curve, width, dashes, role, layer) for curve in _curves(shape, matrix)]
+        colour = _channels(shape.stroke)
+        return [
+            VectorStroke(curve, width, dashes, role, layer, colour=colour)
+            for curve in _curves(shape, matrix)
+        ]
     if _is_painted(shape.fill) and min(_channels(shape.fill)) < PAPER_LEVEL:
         return [
-            VectorStroke(outline, None, (), StrokeRole.UNKNOWN, layer, StrokeKind.FILL)
+            VectorStroke(
+                outline, None, (), StrokeRole.UNKNOWN, layer, StrokeKind.FILL, _channels(shape.fill)
+            )
             for outline in _outlines(shape, matrix)
         ]
     return []

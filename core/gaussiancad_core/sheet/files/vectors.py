@@ -15,6 +15,9 @@ Point = tuple[float, float]
 Box = tuple[float, float, float, float]
 """x0, y0, x1, y1."""
 
+Colour = tuple[int, int, int]
+"""Red, green and blue, 0 to 255."""
+
 FULL_TURN = 2.0 * np.pi
 
 _ARC_NODES = 65
@@ -178,6 +181,7 @@ class VectorStroke:
         role: what names and dashes say it is.
         layer: name of its layer, empty where there is none.
         kind: from what it was made.
+        colour: (red, green, blue) 0 to 255; None where the file does not say.
     """
 
     curve: Curve
@@ -186,6 +190,7 @@ class VectorStroke:
     role: StrokeRole = StrokeRole.UNKNOWN
     layer: str = ""
     kind: StrokeKind = StrokeKind.GEOMETRY
+    colour: Colour | None = None
 
     @property
     def is_solid(self) -> bool:

@@ -1,0 +1,88 @@
+"""Frames and tables: what a sheet has before anything is drawn on it (ISO 5457, ISO 7200).
+
+Both are level and upright lines of one pen that touch.  A frame spans most of the sheet both ways;
+a table is closed and divided into cells, several of which have writing in them.  Such lines that
+hang together with either are a part of it, in whatever pen.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from gaussiancad_core.sheet.files.vectors import Line, VectorStroke, VectorText
+from gaussiancad_core.sheet.graph.touching import Flags, Ints, Touches
+
+_LEVEL = 1e-3
+"""Slope of a line up to which it is level, or upright."""
+
+_SPAN = 0.6
+"""Share of the sheet that the longest lines of a frame are long, level and upright, at least."""
+
+_CLOSED = 0.9
+"""Share of the ends of a table's lines that meet others of it, at least."""
+
+_DIVIDING = 2
+"""Lines from side to side that make a table's cells, at least."""
+
+_CELLS = 3
+"""Cells with writing that a table has at least."""
+
+
+def furniture(
+    strokes: Sequence[VectorStroke],
+    texts: Sequence[VectorText],
+    touches: Touches,
+    numbers: Ints,
+    size: tuple[int, int],
+) -> Flags:
+    """(n,) which strokes are lines of frames and tables.
+
+    Args:
+        strokes: of the sheet, px.
+        texts: on it.
+        touches: of the strokes.
+        numbers: (n,) of each stroke's pen: one pen draws the sides of a table's cells.
+        size: width and height of the sheet in px.
+    """
+    level = np.array([stroke.is_solid and _is_level(stroke) for stroke in strokes], dtype=bool)
+    found = np.zeros(len(strokes), dtype=bool)
+    middles = np.array(
+        [((t.box[0] + t.box[2]) / 2.0, (t.box[1] + t.box[3]) / 2.0) for t in texts]
+    ).reshape(-1, 2)
+    for pen in np.unique(numbers[level]):
+        groups = touches.groups(level & (numbers == pen))
+        for group in np.unique(groups[groups >= 0]):
+            own = groups == group
+            boxes = touches.boxes[own]
+            longest = (boxes[:, 2:] - boxes[:, :2]).max(axis=0)
+            is_frame = bool((longest >= _SPAN * np.array(size)).all())
+            closed = float(touches.met(own)[own].mean())
+            is_divided = closed >= _CLOSED and int(touches.dividing(own).sum()) >= _DIVIDING
+            if is_frame or (is_divided and _written_cells(boxes, middles) >= _CELLS):
+                found |= own
+    groups = touches.groups(level)
+    return found | np.isin(groups, groups[found])
+
+
+def _is_level(stroke: VectorStroke) -> bool:
+    curve = stroke.curve
+    if not isinstance(curve, Line) or curve.length <= 0.0:
+        return False
+    across = abs(np.subtract(curve.end, curve.start)).min()
+    return bool(across <= _LEVEL * curve.length)
+
+
+def _written_cells(boxes: np.ndarray, middles: np.ndarray) -> int:
+    """How many cells between level and upright lines have a text's middle in them.
+
+    A cell is bounded by lines on all four sides, which reach over the place.
+    """
+    sides = []
+    for x, y in middles:
+        level = (boxes[:, 0] <= x) & (x <= boxes[:, 2])
+        upright = (boxes[:, 1] <= y) & (y <= boxes[:, 3])
+        rows, columns = boxes[level, 1], boxes[upright, 0]
+        bounds = (rows[rows < y], -rows[rows > y], columns[columns < x], -columns[columns > x])
+        if all(len(own) for own in bounds):
+            sides.append(tuple(round(float(own.max()), 1) for own in bounds))
+    return len(set(sides))

@@ -1,0 +1,169 @@
+"""What each stroke of a file stands for."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.sheet.files.vectors import (
+    Line,
+    StrokeKind,
+    StrokeRole,
+    VectorDrawing,
+    VectorStroke,
+)
+from gaussiancad_core.sheet.graph.dashes import dashes
+from gaussiancad_core.sheet.graph.furniture import furniture
+from gaussiancad_core.sheet.graph.pens import PenEvidence, evidence, may_be_edge, pens_of
+from gaussiancad_core.sheet.graph.touching import Flags, Touches, touching
+
+_REACH = 0.6
+"""px within which an end lies on a stroke."""
+
+_SHORTEST = 0.05
+"""px: shorter strokes are dots."""
+
+_CLOSES = 0.8
+"""Share of the part's strokes that meet others at both ends, at least: else nothing tells them."""
+
+_OUTLINE = 0.6
+"""The same share of each group of strokes that touch."""
+
+_LEAST = 3
+"""Strokes of which a part's drawing consists at least."""
+
+_MOST = 20_000
+"""Strokes up to which they are looked at."""
+
+_ALONG, _LEAN = 1e-2, 0.2
+"""Sines of angles: up to the first, lines are parallel; from the second, they are slanted."""
+
+_HATCH = 3
+"""Parallel lines of a hatching at least."""
+
+
+class Label(Enum):
+    """What a stroke stands for."""
+
+    VISIBLE = "visible"
+    HIDDEN = "hidden"
+    CENTRE = "centre"
+    HATCH = "hatch"
+    FRAME = "frame"
+    DIMENSION = "dimension"
+    OTHER = "other"
+
+
+@dataclass(frozen=True, eq=False)
+class LabelledDrawing:
+    """The strokes of a file, each with what it stands for.
+
+    Attributes:
+        strokes: in the file's order, without dots.
+        labels: of each.
+        pens: what speaks for each pen, the part's first.
+        touches: of the strokes.
+    """
+
+    strokes: tuple[VectorStroke, ...]
+    labels: tuple[Label, ...]
+    pens: tuple[PenEvidence, ...]
+    touches: Touches
+
+    def of(self, *labels: Label) -> tuple[VectorStroke, ...]:
+        """The strokes that stand for any of some things."""
+        return tuple(
+            stroke
+            for stroke, label in zip(self.strokes, self.labels, strict=True)
+            if label in labels
+        )
+
+
+def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing | None:
+    """Tell what the strokes of a drawing stand for; nothing where no pen closes outlines.
+
+    Args:
+        drawing: of the sheet.
+        size: its width and height in px.
+    """
+    strokes = tuple(s for s in drawing.strokes if s.curve.length >= _SHORTEST)
+    lines = tuple(s for s in strokes if s.kind is not StrokeKind.FILL)
+    if not _LEAST <= len(lines) <= _MOST:
+        return None
+    touches = touching([stroke.curve for stroke in lines], _REACH)
+    pens, numbers = pens_of(lines)
+    framed = furniture(lines, drawing.texts, touches, numbers, size)
+    candidates = ~framed & np.array([may_be_edge(stroke) for stroke in lines], dtype=bool)
+    found = evidence(lines, pens, numbers, touches, candidates)
+    best = max(range(len(pens)), key=lambda number: found[number].weight)
+    edges = _outlines(lines, touches, candidates & (numbers == best))
+    if found[best].closed < _CLOSES or edges.sum() < _LEAST:
+        return None
+    inside = _inside(touches, edges)
+    dashed = inside & dashes(lines, touches, numbers, ~framed & ~edges)
+    hatched = _hatching(lines, touches, edges, inside & candidates & ~edges)
+    labels = [Label.OTHER] * len(lines)
+    for index, stroke in enumerate(lines):
+        if framed[index]:
+            labels[index] = Label.FRAME
+        elif edges[index]:
+            labels[index] = Label.VISIBLE
+        elif hatched[index] or stroke.kind is StrokeKind.HATCH:
+            labels[index] = Label.HATCH
+        elif stroke.role is StrokeRole.CENTRE:
+            labels[index] = Label.CENTRE
+        elif dashed[index] or (stroke.role is StrokeRole.HIDDEN and inside[index]):
+            labels[index] = Label.HIDDEN
+        elif stroke.is_solid:
+            labels[index] = Label.DIMENSION
+    order = sorted(found, key=lambda own: -own.weight)
+    return LabelledDrawing(lines, tuple(labels), tuple(order), touches)
+
+
+def _outlines(strokes: Sequence[VectorStroke], touches: Touches, edges: Flags) -> Flags:
+    """(n,) which edges belong to groups most of whose strokes meet others at both ends: cutting
+    traces and the like are drawn in the same pen, and end somewhere."""
+    lengths = np.array([stroke.curve.length for stroke in strokes])
+    meets = touches.closed | touches.met(edges).all(axis=1)
+    groups = touches.groups(edges)
+    found = np.zeros(len(strokes), dtype=bool)
+    for group in np.unique(groups[edges]):
+        own = groups == group
+        found |= own & (lengths[own & meets].sum() >= _OUTLINE * lengths[own].sum())
+    return found
+
+
+def _inside(touches: Touches, edges: Flags) -> Flags:
+    """(n,) which strokes lie within the box of a group of edges that touch."""
+    groups = touches.groups(edges)
+    found = np.zeros(len(edges), dtype=bool)
+    for group in np.unique(groups[edges]):
+        own = touches.boxes[groups == group]
+        low, high = own[:, :2].min(axis=0) - _REACH, own[:, 2:].max(axis=0) + _REACH
+        found |= ((touches.boxes[:, :2] >= low) & (touches.boxes[:, 2:] <= high)).all(axis=1)
+    return found
+
+
+def _hatching(
+    strokes: Sequence[VectorStroke], touches: Touches, edges: Flags, candidates: Flags
+) -> Flags:
+    """(n,) which lines of some are hatching: slanted, parallel, from edge to edge."""
+    ways = np.array([_way(stroke) for stroke in strokes])
+    slanted = np.abs(ways).min(axis=1) > _LEAN
+    chosen = np.flatnonzero(candidates & slanted & touches.met_by(edges).all(axis=1))
+    found = np.zeros(len(strokes), dtype=bool)
+    if len(chosen):
+        own = ways[chosen]
+        across = np.abs(own[:, None, 0] * own[None, :, 1] - own[:, None, 1] * own[None, :, 0])
+        found[chosen[(across < _ALONG).sum(axis=1) >= _HATCH]] = True
+    return found
+
+
+def _way(stroke: VectorStroke) -> npt.NDArray[np.float64]:
+    """(2,) unit vector along a straight stroke; 0 of any other."""
+    if not isinstance(stroke.curve, Line):
+        return np.zeros(2)
+    way = np.subtract(stroke.curve.end, stroke.curve.start)
+    return way / max(stroke.curve.length, 1e-12)

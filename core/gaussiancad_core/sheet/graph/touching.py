@@ -1,0 +1,112 @@
+"""Where the ends of strokes lie on other strokes."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+
+from gaussiancad_core.sheet.files.vectors import Curve, Line, bounds
+
+Floats = npt.NDArray[np.float64]
+Ints = npt.NDArray[np.int64]
+Flags = npt.NDArray[np.bool_]
+
+_CHORD = 2.0
+"""px of the chords that stand for a curve."""
+
+_CLOSED = 0.1
+"""px between the ends of a curve that is closed."""
+
+
+@dataclass(frozen=True, eq=False)
+class Touches:
+    """Which ends touch which strokes.
+
+    Attributes:
+        ends: (n, 2, 2) px of the two ends of each stroke.
+        boxes: (n, 4) px around each.
+        end: (m,) 2 i + k for end k of stroke i.
+        other: (m,) the stroke that it touches.
+        reach: px within which it does.
+    """
+
+    ends: Floats
+    boxes: Floats
+    end: Ints
+    other: Ints
+    reach: float
+
+    @property
+    def closed(self) -> Flags:
+        """(n,) which strokes end where they begin."""
+        gap = np.hypot(*(self.ends[:, 0] - self.ends[:, 1]).T)
+        extent = np.maximum(*(self.boxes[:, 2:] - self.boxes[:, :2]).T)
+        return (gap < _CLOSED) & (extent > 2.0 * _CLOSED)
+
+    def met(self, chosen: Flags) -> Flags:
+        """(n, 2) which ends of chosen strokes touch another chosen one."""
+        return self.met_by(chosen) & chosen[:, None]
+
+    def met_by(self, chosen: Flags) -> Flags:
+        """(n, 2) which ends of all strokes touch a chosen one."""
+        found = np.zeros(2 * len(self.ends), dtype=bool)
+        found[self.end[chosen[self.other]]] = True
+        return found.reshape(-1, 2)
+
+    def dividing(self, chosen: Flags) -> Flags:
+        """(n,) which chosen strokes run from within one chosen stroke to within another."""
+        own = chosen[self.end // 2] & chosen[self.other]
+        end, other = self.end[own], self.other[own]
+        place = self.ends.reshape(-1, 2)[end]
+        away = np.hypot(*np.moveaxis(self.ends[other] - place[:, None], 2, 0)).min(axis=1)
+        found = np.zeros(2 * len(self.ends), dtype=bool)
+        found[end[away > self.reach]] = True
+        return found.reshape(-1, 2).all(axis=1)
+
+    def groups(self, chosen: Flags) -> Ints:
+        """(n,) numbers of groups of chosen strokes that touch; -1 of those not chosen."""
+        own = chosen[self.end // 2] & chosen[self.other]
+        count = len(self.ends)
+        pairs = (np.ones(int(own.sum())), (self.end[own] // 2, self.other[own]))
+        _, labels = connected_components(coo_matrix(pairs, (count, count)), directed=False)
+        return np.where(chosen, labels, -1)
+
+
+def touching(curves: Sequence[Curve], reach: float) -> Touches:
+    """Find the ends that lie within ``reach`` px of other curves."""
+    chords = [_chords(curve) for curve in curves]
+    ends = np.array([(points[0], points[-1]) for points in chords]).reshape(-1, 2, 2)
+    boxes = np.array([bounds([curve]) for curve in curves], dtype=float).reshape(-1, 4)
+    places = ends.reshape(-1, 2)
+    order = np.argsort(places[:, 0], kind="stable")
+    columns = places[order, 0]
+    found_ends, found_others = [], []
+    for index, points in enumerate(chords):
+        x0, y0, x1, y1 = boxes[index] + (-reach, -reach, reach, reach)
+        near = order[slice(*np.searchsorted(columns, (x0, x1)))]
+        rows = places[near, 1]
+        near = near[(rows >= y0) & (rows <= y1) & (near // 2 != index)]
+        near = near[_distances(places[near], points) <= reach]
+        found_ends.append(near)
+        found_others.append(np.full(len(near), index))
+    empty = [np.empty(0, np.int64)]
+    end, other = (np.concatenate(found or empty) for found in (found_ends, found_others))
+    return Touches(ends, boxes, end, other, reach)
+
+
+def _chords(curve: Curve) -> Floats:
+    return curve.sample(np.inf if isinstance(curve, Line) else _CHORD)
+
+
+def _distances(places: Floats, chords: Floats) -> Floats:
+    """(n,) px between places (n, 2) and the chain through points (m, 2)."""
+    if not len(places):
+        return np.empty(0)
+    start, way = chords[:-1], np.diff(chords, axis=0)
+    squares = np.maximum((way**2).sum(axis=1), 1e-12)
+    share = np.clip(((places[:, None] - start) * way).sum(axis=2) / squares, 0.0, 1.0)
+    beside = places[:, None] - start - share[..., None] * way
+    return np.hypot(beside[..., 0], beside[..., 1]).min(axis=1)

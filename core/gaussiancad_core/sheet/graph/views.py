@@ -1,0 +1,116 @@
+"""The views of a sheet whose file tells its strokes: of the part's pen, without a look at pixels
+that annotations left."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
+from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
+from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
+from gaussiancad_core.sheet.files.painting import paint
+from gaussiancad_core.sheet.files.vectors import Line, VectorDrawing, VectorStroke, bounds
+from gaussiancad_core.sheet.graph.labels import Label, LabelledDrawing, labelled
+from gaussiancad_core.sheet.layout import Layout
+from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.special_views.symbol import find_symbol
+from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
+from gaussiancad_core.sheet.view_search import arranged, with_symbol
+
+_MARKS = {
+    Label.CENTRE: AnnotationKind.CENTRE_LINE,
+    Label.HATCH: AnnotationKind.HATCHING,
+    Label.FRAME: AnnotationKind.FRAME,
+    Label.DIMENSION: AnnotationKind.EXTENSION,
+}
+
+_PART = Label.VISIBLE, Label.HIDDEN
+
+
+@dataclass(frozen=True, eq=False)
+class GraphViews:
+    """What the strokes of a file tell of its views.
+
+    Attributes:
+        separated: the sheet with the part's strokes alone.
+        layout: of its views.
+        vectors: the part's strokes.
+    """
+
+    separated: SeparatedSheet
+    layout: Layout
+    vectors: VectorSheet
+
+
+def graph_views(
+    drawing: VectorDrawing,
+    sheet: CleanSheet,
+    given: dict[Role, Box],
+    projection: Projection | None,
+) -> GraphViews | None:
+    """The views of a sheet by its strokes; nothing where no pen tells the part, or where what it
+    drew is no views that belong together.
+
+    Args:
+        drawing: of the file, in px of the sheet as stored.
+        sheet: upright, which it has to be as stored.
+        given: boxes that the user named, in px.
+        projection: as told by the user, or nothing: then the sheet's symbol is looked for.
+
+    Raises:
+        UsageError: a given box holds no stroke.
+    """
+    height, width = sheet.ink.shape
+    found = labelled(drawing, (width, height)) if not sheet.turn.angle else None
+    if found is None:
+        return None
+    separated, vectors = _part(found, sheet)
+    symbol = find_symbol(sheet) if projection is None else None
+    try:
+        separated, layout = arranged(
+            sheet, separated, given, symbol.projection if symbol else projection
+        )
+    except NoModelError:
+        return None
+    separated, layout = with_symbol(separated, layout, symbol)
+    return GraphViews(separated, layout, vectors)
+
+
+def _part(found: LabelledDrawing, sheet: CleanSheet) -> tuple[SeparatedSheet, VectorSheet]:
+    """The sheet with the part's strokes alone, and these."""
+    height, width = sheet.ink.shape
+    drawing = VectorDrawing(found.of(*_PART), ())
+    drawn = clean_sheet(paint(drawing, width, height), 0)
+    part = replace(drawn, turn=sheet.turn, dash_gap=sheet.dash_gap)
+    marks = [
+        mark
+        for stroke, label in zip(found.strokes, found.labels, strict=True)
+        if label in _MARKS and (mark := _mark(stroke, _MARKS[label])) is not None
+    ]
+    hatched = _hatched(found.of(Label.HATCH), part.ink)
+    return SeparatedSheet(part, tuple(marks), False, hatched), VectorSheet(drawing, part)
+
+
+def _mark(stroke: VectorStroke, kind: AnnotationKind) -> Mark | None:
+    curve = stroke.curve
+    if isinstance(curve, Line):
+        return line_mark(kind, curve.start, curve.end)
+    box = bounds([curve])
+    return Mark(kind, box) if box is not None else None
+
+
+def _hatched(lines: tuple[VectorStroke, ...], ink: Mask) -> Mask | None:
+    """(h, w) the areas between edges in which hatching runs; nothing where there is none."""
+    if not lines:
+        return None
+    import cv2
+
+    _, areas = cv2.connectedComponents((~ink).astype(np.uint8), connectivity=4)
+    points = np.concatenate([stroke.curve.sample(2.0) for stroke in lines])
+    columns, rows = np.clip(np.floor(points).astype(int), 0, np.array(ink.shape)[::-1] - 1).T
+    hatched = np.unique(areas[rows, columns])
+    hatched = hatched[(hatched != 0) & (hatched != areas[0, 0])]
+    return np.isin(areas, hatched)

@@ -1,0 +1,141 @@
+"""What strokes stand for is told by how they meet, their pens, and the writing between them."""
+
+import itertools
+from math import tau
+
+import pytest
+
+from gaussiancad_core.sheet.files.vectors import (
+    CircularArc,
+    Line,
+    StrokeKind,
+    StrokeRole,
+    VectorDrawing,
+    VectorStroke,
+    VectorText,
+)
+from gaussiancad_core.sheet.graph.labels import Label, labelled
+
+Points = list[tuple[float, float]]
+
+_SIZE = (1000, 700)
+_WIDE, _THIN = 4.0, 2.0
+
+
+def _lines(*ends: tuple[float, float, float, float], width: float = _WIDE) -> list[VectorStroke]:
+    return [VectorStroke(Line((a, b), (c, d)), width) for a, b, c, d in ends]
+
+
+def _box(x: float, y: float, w: float, h: float, width: float = _WIDE) -> list[VectorStroke]:
+    corners = [(x, y), (x + w, y), (x + w, y + h), (x, y + h), (x, y)]
+    return [VectorStroke(Line(a, b), width) for a, b in itertools.pairwise(corners)]
+
+
+def _text(x: float, y: float, text: str = "12") -> VectorText:
+    return VectorText(text, (x - 10.0, y - 5.0, x + 10.0, y + 5.0))
+
+
+def _frame(width: float = _WIDE) -> list[VectorStroke]:
+    return _box(20, 20, 960, 660, width)
+
+
+def _table(x: float, y: float, width: float) -> tuple[list[VectorStroke], list[VectorText]]:
+    """Two columns and three rows of writing."""
+    dividers = [(x, y + 20, x + 200, y + 20), (x, y + 40, x + 200, y + 40)]
+    lines = _box(x, y, 200, 60, width) + _lines(*dividers, (x + 80, y, x + 80, y + 60), width=width)
+    texts = [_text(x + dx, y + dy) for dx in (40, 140) for dy in (10, 30, 50)]
+    return lines, texts
+
+
+def _dimension(x0: float, x1: float, y: float, edge: float) -> list[VectorStroke]:
+    """A dimension line with two extension lines that begin at an edge."""
+    rows = (x0, edge, x0, y - 5), (x1, edge, x1, y - 5), (x0, y, x1, y)
+    return _lines(*rows, width=_THIN)
+
+
+def _labels(strokes: list[VectorStroke], texts: list[VectorText] | None = None) -> list[Label]:
+    found = labelled(VectorDrawing(tuple(strokes), tuple(texts or ())), _SIZE)
+    assert found is not None
+    assert found.strokes == tuple(s for s in strokes if s.kind is not StrokeKind.FILL)
+    return list(found.labels)
+
+
+def test_the_wide_pen_that_closes_outlines_is_the_parts() -> None:
+    part, dimension = _box(300, 300, 200, 100), _dimension(300, 500, 250, 300)
+    labels = _labels(part + dimension, [_text(400, 240)])
+    assert labels == [Label.VISIBLE] * 4 + [Label.DIMENSION] * 3
+
+
+@pytest.mark.parametrize("width", [_WIDE, 6.0])
+def test_frames_and_tables_are_told_whatever_their_pen(width: float) -> None:
+    part = _box(300, 300, 200, 100)
+    table, texts = _table(780, 620, width)
+    labels = _labels(part + _frame(width) + table, texts)
+    assert labels == [Label.VISIBLE] * 4 + [Label.FRAME] * (4 + len(table))
+
+
+def test_a_stepped_part_with_numbers_in_it_is_no_table() -> None:
+    corners = [(300, 300), (700, 300), (700, 350), (600, 350), (600, 400), (300, 400), (300, 300)]
+    part = [VectorStroke(Line(a, b), _WIDE) for a, b in itertools.pairwise(corners)]
+    part += _lines((450, 300, 450, 400))
+    texts = [_text(350, 330), _text(500, 330), _text(650, 330)]
+    assert set(_labels(part, texts)) == {Label.VISIBLE}
+
+
+def test_a_cutting_trace_in_the_parts_pen_ends_somewhere_and_is_none_of_it() -> None:
+    part = _box(300, 300, 200, 100)
+    trace = _lines((400, 250, 400, 290), (400, 250, 360, 250))
+    assert _labels(part + trace) == [Label.VISIBLE] * 4 + [Label.DIMENSION] * 2
+
+
+def test_dashes_by_the_file_and_one_by_one_are_hidden_lines() -> None:
+    part = _box(300, 300, 200, 100)
+    by_file = [VectorStroke(Line((350, 300), (350, 400)), _THIN, (8.0, 4.0), StrokeRole.HIDDEN)]
+    one_by_one = _lines(*((430, y, 430, y + 8) for y in range(304, 396, 12)), width=1.0)
+    labels = _labels(part + by_file + one_by_one)
+    assert labels == [Label.VISIBLE] * 4 + [Label.HIDDEN] * (1 + len(one_by_one))
+
+
+def test_dashes_away_from_the_part_are_none_of_it() -> None:
+    away = [VectorStroke(Line((650, 300), (650, 400)), _THIN, (8.0, 4.0), StrokeRole.HIDDEN)]
+    assert _labels(_box(300, 300, 200, 100) + away)[-1] is Label.OTHER
+
+
+def test_slanted_parallels_from_edge_to_edge_are_hatching() -> None:
+    part = _box(300, 300, 200, 100)
+    hatching = _lines(*((x, 300, x - 40, 340) for x in (340, 380, 420, 460)), width=_THIN)
+    floor = _lines((300, 340, 500, 340))
+    labels = _labels(part + floor + hatching)
+    assert labels == [Label.VISIBLE] * 5 + [Label.HATCH] * 4
+
+
+def test_what_the_file_calls_a_dimension_is_none_of_the_part() -> None:
+    dimension = [
+        VectorStroke(own.curve, _WIDE, kind=StrokeKind.DIMENSION)
+        for own in _box(600, 300, 200, 100)
+    ]
+    labels = _labels(_box(300, 300, 200, 100) + dimension)
+    assert labels[4:] == [Label.DIMENSION] * 4
+
+
+def test_colours_are_pens() -> None:
+    red, black = (255, 0, 0), (0, 0, 0)
+    part = [VectorStroke(s.curve, _THIN, colour=black) for s in _box(300, 300, 200, 100)]
+    hole = [VectorStroke(CircularArc((400, 350), 20, 0.0, tau), _THIN, colour=black)]
+    notes = [VectorStroke(s.curve, _THIN, colour=red) for s in _dimension(300, 500, 250, 300)]
+    labels = _labels(part + hole + notes)
+    assert labels == [Label.VISIBLE] * 5 + [Label.DIMENSION] * 3
+
+
+@pytest.mark.parametrize(
+    "strokes",
+    [
+        pytest.param([], id="nothing"),
+        pytest.param(_frame(), id="a frame alone"),
+        pytest.param(
+            _lines((300, 300, 400, 300), (300, 340, 400, 340), (300, 380, 400, 380)), id="loose"
+        ),
+    ],
+)
+def test_where_nothing_closes_nothing_is_told(strokes: list[VectorStroke]) -> None:
+    assert labelled(VectorDrawing(tuple(strokes), ()), _SIZE) is None
