@@ -33,6 +33,7 @@ _MODELS = {
     "followed-curves": "with strokes led onto the curves in which two surfaces meet",
     "open-ends": "with strokes that may go on beyond their ends",
     "merged-values": "the same with places as one that are less than a pixel apart",
+    "undrawn-lines": "with hidden lines that were left out in the views that have none",
     "likely-measures": "with measures that most likely are round",
 }
 

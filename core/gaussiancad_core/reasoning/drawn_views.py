@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.reasoning.told import ToldNumbers
 from gaussiancad_core.verification.lines import Curve
-from gaussiancad_core.views import ViewSet
+from gaussiancad_core.views import Linetype, ViewSet
 
 
 @dataclass(frozen=True)
@@ -29,6 +29,7 @@ class DrawnViews:
             all linetypes are known.
         told: lengths that the sheet has in numbers, mm.
         known: the axis whose extent was told; None where none was.
+        undrawn: views that are taken to draw no hidden lines: what is blank there is not visible.
     """
 
     strokes: Mapping[Role, tuple[Curve, ...]]
@@ -41,6 +42,7 @@ class DrawnViews:
     dash: float | None = None
     told: ToldNumbers | None = None
     known: Axis | None = None
+    undrawn: tuple[Role, ...] = ()
 
     @property
     def roles(self) -> tuple[Role, ...]:
@@ -51,6 +53,15 @@ class DrawnViews:
     def indistinct(self) -> float:
         """mm up to which surfaces are not told apart: how well places are known."""
         return max(FLOOR_MM, self.bound, self.tolerance)
+
+
+def silent_views(views: DrawnViews) -> tuple[Role, ...]:
+    """Views that have no hidden line."""
+    return tuple(
+        role
+        for role, strokes in views.strokes.items()
+        if all(stroke.linetype is not Linetype.HIDDEN for stroke in strokes)
+    )
 
 
 FLOOR_MM = 1e-3

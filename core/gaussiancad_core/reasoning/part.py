@@ -1,7 +1,7 @@
 """A drawing as cells and rules: what the labelling starts from."""
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from itertools import islice
 
 import numpy as np
@@ -25,7 +25,7 @@ from gaussiancad_core.reasoning.pieces import Piece, find_pieces
 from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
 from gaussiancad_core.reasoning.retraced import retraced
 from gaussiancad_core.reasoning.revolved import find_bodies
-from gaussiancad_core.reasoning.rules import BESIDE, Rule, rules_of
+from gaussiancad_core.reasoning.rules import BESIDE, Rule, rules_of, without_hidden
 from gaussiancad_core.reasoning.smooth_edges import with_smooth_edges
 from gaussiancad_core.reasoning.spans import Span, Support
 from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports, find_supports
@@ -82,18 +82,17 @@ def model_part(
     open_ends: bool = False,
     lost_lines: bool = False,
     along_axes: bool = False,
-    undrawn: Collection[Role] = (),
 ) -> PartModel:
     """Supports, cells and rules of views.
 
     Args:
-        views: two to six.
+        views: two to six; those that draw no hidden lines may lack any line along an axis, too,
+            where lines may be lacking.
         near: units within which a computed curve is one that is drawn, at least.
         deadline: by which it has to be done.
         open_ends: whether strokes may go on beyond their ends.
         lost_lines: whether regions are divided as well where a view may lack a line.
         along_axes: whether only such lines count as run along an axis.
-        undrawn: views that may lack any line along an axis.
 
     Raises:
         LimitError: ``part-too-complex``, or ``search-unfinished`` after the deadline.
@@ -118,12 +117,20 @@ def model_part(
     if open_ends:
         supports = with_open_ends(supports)
     if lost_lines:
-        supports = with_lost_lines(supports, along_axes=along_axes, undrawn=undrawn)
+        supports = with_lost_lines(supports, along_axes=along_axes, undrawn=views.undrawn)
     planes = {axis: _arranged(plane, supports.tolerance) for axis, plane in supports.planes.items()}
     for axis in Axis:
         if axis not in planes:
             planes[axis] = _box(axis, supports.size)
-    return _part(supports, Space(planes, (*find_bodies(supports), *half_spaces)), near, deadline)
+    space = Space(planes, (*find_bodies(supports), *half_spaces))
+    return without_undrawn(_part(supports, space, near, deadline), views)
+
+
+def without_undrawn(part: PartModel, views: DrawnViews) -> PartModel:
+    """The part with what is blank only not visible in views that draw no hidden lines."""
+    if not views.undrawn:
+        return part
+    return replace(part, rules=without_hidden(part.rules, views.undrawn))
 
 
 def with_lone_bodies(

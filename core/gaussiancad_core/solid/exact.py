@@ -41,7 +41,7 @@ from gaussiancad_core.solid.trace import (
 )
 from gaussiancad_core.solid.undrawn import (
     other_with_undrawn_lines,
-    views_without_hidden_lines,
+    views_that_may_lack_lines,
 )
 from gaussiancad_core.solid.verify import Verification
 
@@ -264,9 +264,13 @@ def _searched(work: Work, labelling: Labelling, limits: Limits, latest: Deadline
         failed = _failed(NONE if complete else UNBUILT, meter)
         return replace(failed, complete=complete)
     agreeing = [c for c in candidates if c.verification.explains]
+    # Where hidden lines are left out, what has the fewest faces is likeliest: holes go through.
+    agreeing = sorted(agreeing, key=_rank) if views.undrawn else agreeing
     best = agreeing[0] if agreeing else candidates[0]
     _note(work, labelling, found, best)
     reasons = reasons_of(best.verification, len(agreeing), complete, views)
+    if views.undrawn and len(views.undrawn) < len(views.roles):
+        reasons.append(undrawn_in(views.undrawn))
     if work.loose and not best.verification.apart:
         reasons.append(LOOSE)
     others = sorted((c for c in agreeing if c is not best), key=_rank)
@@ -274,7 +278,7 @@ def _searched(work: Work, labelling: Labelling, limits: Limits, latest: Deadline
         undrawn = other_with_undrawn_lines(work, best.shape, limits)
         meter.lap("undrawn")
         if undrawn is not None:
-            reasons.append(undrawn_in(views_without_hidden_lines(views)))
+            reasons.append(undrawn_in(views_that_may_lack_lines(views)))
             others.append(undrawn)
     return ExactResult(
         Status.APPROXIMATE if reasons else Status.VERIFIED,

@@ -8,11 +8,11 @@ from collections.abc import Iterator
 from dataclasses import replace
 from math import inf
 
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.drawn_views import DrawnViews, silent_views
 from gaussiancad_core.reasoning.fewest_strokes import fewest_strokes
 from gaussiancad_core.reasoning.labelling import Labelling
 from gaussiancad_core.reasoning.open_outlines import with_closed_outlines
-from gaussiancad_core.reasoning.part import PartModel
+from gaussiancad_core.reasoning.part import PartModel, without_undrawn
 from gaussiancad_core.reasoning.unsure_kinds import with_unsure_kinds
 from gaussiancad_core.reasoning.work import Deadline, Meter
 from gaussiancad_core.solid.limits import OTHERWISE, Limits, Work, search_for
@@ -23,6 +23,7 @@ from gaussiancad_core.solid.other_models import (
     looser_models,
     misread_models,
     modelled,
+    undrawn_models,
     wider_models,
 )
 from gaussiancad_core.solid.trace import Journal, ModelKind
@@ -69,14 +70,31 @@ def labelled(work: Work, limits: Limits) -> Iterator[tuple[Work, Labelling]]:
         limits: of the search.
     """
     meter, views = work.meter, work.views
-    lines = views
     deadline = meter.until(OTHERWISE * limits.work)
     found = work.search.fulfilled(meter.until(_HARD * limits.work))
     if found.labels is not None:
         yield work, found
-        yield from _followed(work, lines, limits, deadline)
+        yield from _followed(work, views, limits, deadline)
         return
     work.failed(found)
+    silent = silent_views(views)
+    if len(silent) == len(views.roles):
+        # Practice leaves hidden lines out: nothing that follows takes them to be drawn.
+        views = replace(views, undrawn=silent)
+        works = _undrawn(work, views, limits, deadline)
+        if (first := _first_fulfilled(works, deadline)) is not None:
+            yield first
+            return
+        part = without_undrawn(work.part, views)
+        work = _remodelled(replace(work, views=views), (ModelKind.UNDRAWN_LINES, part), limits)
+    yield from _otherwise(work, found, limits)
+
+
+def _otherwise(work: Work, found: Labelling, limits: Limits) -> Iterator[tuple[Work, Labelling]]:
+    """Labels of models in which the lines, as they are drawn, do not contradict each other."""
+    meter, views = work.meter, work.views
+    lines, silent = views, silent_views(views)
+    deadline = meter.until(OTHERWISE * limits.work)
     unsure = with_unsure_kinds(views)
     model = modelled(ModelKind.OPEN_LINETYPES, unsure, work, deadline)
     if model is not None:
@@ -111,6 +129,11 @@ def labelled(work: Work, limits: Limits) -> Iterator[tuple[Work, Labelling]]:
         yield first
         yield from _followed(work, lines, limits, deadline)
         return
+    if silent and not views.undrawn:
+        works = _undrawn(work, replace(lines, undrawn=silent), limits, deadline)
+        if (first := _first_fulfilled(works, deadline)) is not None:
+            yield first
+            return
     latest = meter.until(_RELAXED * limits.work)
     # Where readers lead ends to the wrong lines nearly all strokes are a little wrong.
     if views.apart is None and (lacking := _lacking(work, views, limits, latest)) is not None:
@@ -138,6 +161,13 @@ def _clearer(
             yield other, more
         else:
             other.failed(more)
+
+
+def _undrawn(work: Work, views: DrawnViews, limits: Limits, deadline: Deadline) -> Iterator[Work]:
+    """The part where some views draw no hidden lines."""
+    own = replace(work, views=views)
+    models = _until(undrawn_models(work, views, deadline), limits, work)
+    return (_remodelled(own, model, limits) for model in models)
 
 
 def _first_fulfilled(works: Iterator[Work], deadline: Deadline) -> tuple[Work, Labelling] | None:

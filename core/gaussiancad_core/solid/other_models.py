@@ -10,7 +10,13 @@ from dataclasses import replace
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.reasoning.drawn_views import EXACT_TOLERANCE, DrawnViews
 from gaussiancad_core.reasoning.followed import with_followed_curves
-from gaussiancad_core.reasoning.part import Contradict, PartModel, model_part, with_lone_bodies
+from gaussiancad_core.reasoning.part import (
+    Contradict,
+    PartModel,
+    model_part,
+    with_lone_bodies,
+    without_undrawn,
+)
 from gaussiancad_core.reasoning.rough_arcs import ROUGHLY, without_rough_arcs
 from gaussiancad_core.reasoning.work import Deadline
 from gaussiancad_core.solid.limits import Work
@@ -33,7 +39,7 @@ Modelled = tuple[ModelKind, PartModel]
 
 
 def modelled(
-    kind: ModelKind, views: DrawnViews | None, work: Work, deadline: Deadline, **more: float
+    kind: ModelKind, views: DrawnViews | None, work: Work, deadline: Deadline, **more: object
 ) -> Modelled | None:
     """A model of some views, if there are such; None, and noted, where it is too large."""
     if views is None:
@@ -110,6 +116,21 @@ def misread_models(work: Work, lines: DrawnViews, deadline: Deadline) -> Iterato
             if model is not None and (earlier is None or model[1].rules != earlier.rules):
                 yield model
             earlier = model[1] if model is not None else None
+
+
+def undrawn_models(work: Work, views: DrawnViews, deadline: Deadline) -> Iterator[Modelled]:
+    """The part where some views draw no hidden lines: as it is, and with the lines along the axes
+    that these may lack.
+
+    Args:
+        work: with the part as all views draw them.
+        views: with those that draw none.
+        deadline: by which they have to be made.
+    """
+    yield ModelKind.UNDRAWN_LINES, without_undrawn(work.part, views)
+    model = modelled(ModelKind.UNDRAWN_LINES, views, work, deadline, lost_lines=True)
+    if model is not None:
+        yield model
 
 
 def lacking_model(work: Work, views: DrawnViews, most: int, deadline: Deadline) -> Modelled | None:

@@ -29,6 +29,7 @@ class ModelKind(Enum):
     FOLLOWED_CURVES = "followed-curves"
     OPEN_ENDS = "open-ends"
     MERGED_VALUES = "merged-values"
+    UNDRAWN_LINES = "undrawn-lines"
     LIKELY_MEASURES = "likely-measures"
 
 

@@ -17,14 +17,12 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.brep import subshapes
 from gaussiancad_core.errors import LimitError
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.part import PartModel, model_part
-from gaussiancad_core.reasoning.rules import without_hidden
+from gaussiancad_core.reasoning.drawn_views import DrawnViews, silent_views
+from gaussiancad_core.reasoning.part import PartModel, model_part, without_undrawn
 from gaussiancad_core.reasoning.work import Deadline
 from gaussiancad_core.solid.candidates import Candidate, candidate_of, counting_cells
 from gaussiancad_core.solid.limits import Limits, Work, search_for
 from gaussiancad_core.solid.same import same_solid
-from gaussiancad_core.views import Linetype
 
 _MOST, _MOST_ALONE = 2, 8
 """Other labels that are looked at; where a single direction of view has hidden lines, which leaves
@@ -34,13 +32,9 @@ _SHARE = 0.1
 """Share of the work that it may take."""
 
 
-def views_without_hidden_lines(views: DrawnViews) -> tuple[Role, ...]:
+def views_that_may_lack_lines(views: DrawnViews) -> tuple[Role, ...]:
     """Views that have no hidden line, where others have some."""
-    silent = tuple(
-        role
-        for role, strokes in views.strokes.items()
-        if all(stroke.linetype is not Linetype.HIDDEN for stroke in strokes)
-    )
+    silent = silent_views(views)
     return silent if len(silent) < len(views.roles) else ()
 
 
@@ -55,16 +49,16 @@ def other_with_undrawn_lines(work: Work, shape: TopoDS_Shape, limits: Limits) ->
     Returns:
         None if there is none, or none was found among the first that the cells have.
     """
-    roles = views_without_hidden_lines(work.views)
+    roles = views_that_may_lack_lines(work.views)
     if not roles:
         return None
     shells = _shells(shape)
     telling = {role.frame.look_axis[0] for role in work.views.roles if role not in roles}
     most = _MOST_ALONE if len(telling) == 1 else _MOST
     deadline = work.meter.until(work.meter.spent + _SHARE * limits.work)
-    for part in _parts(work, roles, deadline):
-        weaker = replace(part, rules=without_hidden(part.rules, roles))
-        own = replace(work, part=weaker, search=search_for(weaker, limits, work.meter))
+    views = replace(work.views, undrawn=roles)
+    for part in _parts(work.part, views, deadline):
+        own = replace(work, part=part, views=views, search=search_for(part, limits, work.meter))
         found = own.search.fulfilled(deadline)
         if found.labels is not None:
             others = own.search.others(found, counting_cells(own), most, deadline=deadline)
@@ -75,7 +69,7 @@ def other_with_undrawn_lines(work: Work, shape: TopoDS_Shape, limits: Limits) ->
                     other
                     for other in chain([first], candidates)
                     if other is not None
-                    and other.verification.explains_but_hidden(roles)
+                    and other.verification.explains
                     and _shells(other.shape) <= shells
                     and not same_solid(other.shape, shape, work.views.indistinct)
                 ),
@@ -89,10 +83,10 @@ def _shells(shape: TopoDS_Shape) -> int:
     return len(subshapes(shape, TopAbs_ShapeEnum.TopAbs_SHELL))
 
 
-def _parts(work: Work, roles: tuple[Role, ...], deadline: Deadline) -> Iterator[PartModel]:
+def _parts(part: PartModel, views: DrawnViews, deadline: Deadline) -> Iterator[PartModel]:
     """The part with what views may lack, and, where no labels fit that, as it is."""
     try:
-        yield model_part(work.views, deadline=deadline, lost_lines=True, undrawn=roles)
+        yield model_part(views, deadline=deadline, lost_lines=True)
     except LimitError:
         return
-    yield work.part
+    yield without_undrawn(part, views)

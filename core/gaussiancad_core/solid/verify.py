@@ -1,6 +1,6 @@
 """A solid drawn again and compared with the views it was made from."""
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -133,13 +133,6 @@ class Verification:
         """Whether the solid is sound and its lines are those of the views."""
         return self.sound and not self.flaws
 
-    def explains_but_hidden(self, roles: Collection[Role]) -> bool:
-        """Whether it explains the views, some of which draw no hidden lines."""
-        return self.sound and all(
-            own.role in roles and own.linetype is Linetype.HIDDEN and not own.missing
-            for own in self.flaws
-        )
-
     @property
     def neat(self) -> bool:
         """Whether it explains the views, and without slivers."""
@@ -170,6 +163,11 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
         lines = lines_of_strokes(drawn[role], tolerance / STEPS_PER_TOLERANCE)
         strokes = as_drawn(told.strokes[role], lines, tolerance)
         retold |= strokes != tuple(told.strokes[role])
+        if role in views.undrawn:
+            # A hidden line of the solid is none that the view lacks.
+            lines = Lines(
+                lines.visible, lines.hidden.only(np.zeros(len(lines.hidden.points), bool))
+            )
         found = matched[role] = match_lines(strokes, lines, tolerance)
         spread = max(spread, _spread(strokes, lines, tolerance, _TELLING * tolerance))
         askew |= _is_askew(strokes, lines, _SHORT * tolerance)

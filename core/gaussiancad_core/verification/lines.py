@@ -71,6 +71,10 @@ class Lines:
     visible: LinePoints
     hidden: LinePoints
 
+    def without_hidden(self) -> "Lines":
+        """The lines of a view that draws no hidden ones."""
+        return Lines(self.visible, LinePoints(np.zeros((0, 2)), np.zeros(0)))
+
 
 def tree_of(points: npt.NDArray[np.float64]) -> "cKDTree":
     """A tree of points (n, 2) along lines: even ones need no balance, which takes time to make."""

@@ -40,8 +40,12 @@ _MOST = 20_000
 _ALONG, _LEAN = 1e-2, 0.2
 """Sines of angles: up to the first, lines are parallel; from the second, they are slanted."""
 
-_HATCH = 3
+_HATCH = 4
 """Parallel lines of a hatching at least."""
+
+_UNEVEN, _EVENLY = 0.15, 0.7
+"""Share of the distance of neighbouring lines by which it may differ, and share of the lines that
+are so evenly apart."""
 
 
 class Label(Enum):
@@ -103,15 +107,15 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
         return None
     inside = _inside(touches, edges)
     dashed = inside & dashes(lines, touches, numbers, ~framed & ~edges)
-    hatched = _hatching(lines, touches, edges, inside & candidates & ~edges)
+    hatched = _hatching(lines, touches, edges, inside & candidates)
     labels = [Label.OTHER] * len(lines)
     for index, stroke in enumerate(lines):
         if framed[index]:
             labels[index] = Label.FRAME
-        elif edges[index]:
-            labels[index] = Label.VISIBLE
         elif hatched[index] or stroke.kind is StrokeKind.HATCH:
             labels[index] = Label.HATCH
+        elif edges[index]:
+            labels[index] = Label.VISIBLE
         elif stroke.role is StrokeRole.CENTRE:
             labels[index] = Label.CENTRE
         elif dashed[index] or (stroke.role is StrokeRole.HIDDEN and inside[index]):
@@ -149,15 +153,23 @@ def _inside(touches: Touches, edges: Flags) -> Flags:
 def _hatching(
     strokes: Sequence[VectorStroke], touches: Touches, edges: Flags, candidates: Flags
 ) -> Flags:
-    """(n,) which lines of some are hatching: slanted, parallel, from edge to edge."""
+    """(n,) which lines of some are hatching: slanted, parallel, from within one edge to within
+    another, and, where the part's pen drew them, evenly apart."""
     ways = np.array([_way(stroke) for stroke in strokes])
     slanted = np.abs(ways).min(axis=1) > _LEAN
-    chosen = np.flatnonzero(candidates & slanted & touches.met_by(edges).all(axis=1))
+    chosen = np.flatnonzero(candidates & slanted & touches.dividing_by(edges))
     found = np.zeros(len(strokes), dtype=bool)
-    if len(chosen):
-        own = ways[chosen]
-        across = np.abs(own[:, None, 0] * own[None, :, 1] - own[:, None, 1] * own[None, :, 0])
-        found[chosen[(across < _ALONG).sum(axis=1) >= _HATCH]] = True
+    for index in chosen:
+        if found[index]:
+            continue
+        across = np.array([-ways[index][1], ways[index][0]])
+        along = chosen[np.abs(ways[chosen] @ across) < _ALONG]
+        places = np.unique(np.round(touches.ends[along, 0] @ across, 1))
+        apart = np.diff(places)
+        if len(apart) >= _HATCH - 1:
+            steps = apart / np.median(apart)
+            even = bool((np.abs(steps - np.rint(steps)) < _UNEVEN).mean() >= _EVENLY)
+            found[along] |= even | ~edges[along]
     return found
 
 

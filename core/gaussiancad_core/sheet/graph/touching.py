@@ -58,7 +58,11 @@ class Touches:
 
     def dividing(self, chosen: Flags) -> Flags:
         """(n,) which chosen strokes run from within one chosen stroke to within another."""
-        own = chosen[self.end // 2] & chosen[self.other]
+        return self.dividing_by(chosen) & chosen
+
+    def dividing_by(self, chosen: Flags) -> Flags:
+        """(n,) which of all strokes run from within one chosen stroke to within another."""
+        own = chosen[self.other]
         end, other = self.end[own], self.other[own]
         place = self.ends.reshape(-1, 2)[end]
         away = np.hypot(*np.moveaxis(self.ends[other] - place[:, None], 2, 0)).min(axis=1)
