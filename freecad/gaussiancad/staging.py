@@ -1,5 +1,6 @@
 """Files that appear under their name only when whole."""
 
+import os
 import shutil
 import tempfile
 from collections.abc import Iterator
@@ -19,3 +20,14 @@ def staging(folder: Path) -> Iterator[Path]:
         yield path
     finally:
         shutil.rmtree(path, ignore_errors=True)
+
+
+def put_in_place(staged: Path, target: Path) -> None:
+    """Give a whole file its name, once it is on the disk; a link of that name is replaced.
+
+    Raises:
+        OSError: it cannot be put there.
+    """
+    with staged.open("rb+") as file:
+        os.fsync(file.fileno())
+    staged.replace(target)
