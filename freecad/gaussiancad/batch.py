@@ -26,6 +26,7 @@ from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
 from freecad.gaussiancad.engine.verdict import RunState
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.preferences import read_preferences
+from freecad.gaussiancad.staging import sweep
 
 _GRACE_S = 4.5
 """s between the steps of stopping the engine, which takes 4 itself to stop its workers."""
@@ -75,7 +76,7 @@ def _convert_all(engine: Engine, options: BatchOptions) -> int:
     stop = StopOnSignals(run)
     rows: list[SheetRow] = []
     is_whole = False
-    run.start()
+    stop.start()
     # Events wait here, so that documents are made between looks at the process, not within one.
     while run.result is None or told:
         run.advance(at_once=bool(told))
@@ -83,6 +84,9 @@ def _convert_all(engine: Engine, options: BatchOptions) -> int:
         if event is None:
             continue
         if event.kind is EventKind.SHEET:
+            if not rows:
+                # The engine has the folder for itself by now.
+                sweep(options.output)
             row = SheetRow.of(event)
             rows.append(row.stopped() if stop.asked else complete_sheet(row, event.is_set("kept")))
             _say(f"{event.text('done')}/{event.text('count')} {row.name}: {rows[-1].outcome}")
@@ -121,7 +125,7 @@ def _convert_one(engine: Engine, options: BatchOptions) -> int:
     job = options.one
     run = EngineRun(engine, job.arguments(), Watcher(events.append), _GRACE_S)
     stop = StopOnSignals(run)
-    run.start()
+    stop.start()
     result = run.wait()
     state, message = result.state, result.message
     name = next((event.text("name") for event in events if event.kind is EventKind.HELLO), "")

@@ -10,8 +10,11 @@ class StopOnSignals:
 
     Nothing is raised: a document that is being made is finished, while the engine stops already.
 
+    Attributes:
+        asked: whether a signal came.
+
     Args:
-        run: what is stopped; started or not.
+        run: what is stopped; not started yet.
     """
 
     def __init__(self, run: EngineRun) -> None:
@@ -19,6 +22,12 @@ class StopOnSignals:
         self._run = run
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, self._stop)
+
+    def start(self) -> None:
+        """Start the run; a signal that came before is not lost."""
+        self._run.start()
+        if self.asked:
+            self._run.cancel()
 
     def _stop(self, *_arguments: object) -> None:
         self.asked = True
