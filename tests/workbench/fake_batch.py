@@ -14,6 +14,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import ModuleType
@@ -94,6 +95,8 @@ class FakeBatch:
             rows.append(row)
             if row["exit_code"] != 130:
                 self._send("sheet", **row, files=[], kept=kept, done=number, count=len(names))
+            while behaviour == "batch-waits" and number == 2 and not self._stopped:
+                time.sleep(0.02)
             if behaviour == "batch-dies":
                 os.kill(os.getpid(), signal.SIGKILL)
         with open(self._output / "report.csv", "w", **_CSV) as file:

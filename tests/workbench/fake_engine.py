@@ -37,6 +37,7 @@ BEHAVIOURS = (
     "liar",  # exit 0 without a file
     "half",  # exit 0 with a damaged surface
     "running",  # a batch: another one runs in its folder
+    "batch-waits",  # a batch: waits after its second sheet until it is stopped
     "batch-dies",  # a batch: killed after its first sheet
 )
 

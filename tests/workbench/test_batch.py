@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from typing import Any
@@ -234,18 +235,29 @@ class Batches(BatchCase):
             self.assertEqual({row["code"] for row in self.rows().values()}, {"cancelled"})
 
     def test_a_document_that_is_being_made_is_finished_and_no_other_is_begun(self) -> None:
-        sheets = [draw_sheet(self.sheets / f"{name}.png") for name in "ab"]
+        sheets = [draw_sheet(self.sheets / f"{name}.png") for name in "abc"]
+        self.behave("batch-waits")
+        manifest = self.output / "manifest.sqlite"
 
         def interrupted(row: SheetRow, kept: bool) -> SheetRow:
+            engine = Path(f"/proc/{wait_for_child(os.getpid(), b'batch')}")
+            wait_until(lambda: '"b"' in manifest.read_text())
             os.kill(os.getpid(), signal.SIGTERM)
+            # The engine ends while FreeCAD does something else.
+            wait_until(lambda: not engine.exists())
             return batch_documents.complete_sheet(row, kept)
 
         with mock.patch.object(batch, "complete_sheet", interrupted):
             self.assertEqual(self.convert(*sheets), 130)
         self.check_files(self.output / "a")
         self.assertEqual(list(self.output.glob("b.*")), [])
-        for row in list(self.documents().values())[1:]:
-            self.assertEqual((row["status"], row["code"]), ("failed", "cancelled"))
+        rows = {name: (row["status"], row["code"]) for name, row in self.documents().items()}
+        self.assertEqual(rows, {"a": ("verified", ""), "b": ("failed", "cancelled")})
+        self.assertEqual([row["exit_code"] for row in self.rows().values()], ["0", "0", "130"])
+        self.behave("ok")
+        self.assertEqual(self.convert(*sheets, "--resume"), 0)
+        for name in "abc":
+            self.check_files(self.output / name)
 
     def test_the_console_alone_takes_its_arguments_from_the_environment(self) -> None:
         sheet = draw_sheet(self.sheets / "a.png")
@@ -459,6 +471,15 @@ def tree(root: Path, but: Path) -> dict[Path, bytes]:
 def python() -> str:
     """A Python that is not FreeCAD."""
     return "/usr/bin/python3" if os.path.exists("/usr/bin/python3") else "python3"
+
+
+def wait_until(happened: Callable[[], bool]) -> None:
+    """Wait for half a minute at most."""
+    deadline = time.monotonic() + 30.0
+    while not happened():
+        if time.monotonic() > deadline:
+            raise TimeoutError
+        time.sleep(0.02)
 
 
 def wait_for_child(parent: int, word: bytes) -> int:
