@@ -256,7 +256,7 @@ class Batches(BatchCase):
         self.assertEqual([row["exit_code"] for row in self.rows().values()], ["0", "0", "130"])
         self.behave("ok")
         self.assertEqual(self.convert(*sheets, "--resume"), 0)
-        for name in "abc":
+        for name in "bc":
             self.check_files(self.output / name)
 
     def test_the_console_alone_takes_its_arguments_from_the_environment(self) -> None:
