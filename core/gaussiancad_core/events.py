@@ -1,9 +1,9 @@
 """What a run tells while it goes on: JSON lines on stdout, and how it is stopped.
 
 The protocol (version 1) is one JSON object a line with the key ``event``: ``hello``, ``stage``,
-``progress``, ``preview``, ``warning``, ``result``, ``error``.  Logs go to stderr.  Libraries print
-to file descriptor 1 (OpenCASCADE's STEP writer does), so :func:`open_event_stream` keeps a
-duplicate of it for the events and points 1 at stderr.
+``progress``, ``preview``, ``warning``, ``sheet``, ``result``, ``error``.  Logs go to stderr.
+Libraries print to file descriptor 1 (OpenCASCADE's STEP writer does), so
+:func:`open_event_stream` keeps a duplicate of it for the events and points 1 at stderr.
 """
 
 import json
@@ -107,7 +107,9 @@ def open_event_stream() -> JsonLines:
     own = os.dup(1)
     os.dup2(2, 1)
     sys.stdout = sys.stderr
-    return JsonLines(os.fdopen(own, "w", encoding="utf-8", newline="\n"))
+    # What is no text in a name becomes an escape that JSON readers turn back.
+    lines = os.fdopen(own, "w", encoding="utf-8", errors="backslashreplace", newline="\n")
+    return JsonLines(lines)
 
 
 _AGAIN_S = 5.0

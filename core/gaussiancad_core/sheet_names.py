@@ -1,7 +1,4 @@
-"""Names of the folders that the sheets of a batch get: safe on all file systems, each its own.
-
-The workbench's batch names its results alike (``freecad/gaussiancad/sheet_names.py``).
-"""
+"""Names of the folders that the sheets of a batch get: safe on all file systems, each its own."""
 
 import hashlib
 import os

@@ -4,40 +4,36 @@ Started through ``resources/scripts/gaussiancad_batch.py``::
 
     python3 gaussiancad_batch.py SHEETS... --output DIR
 
-A sheet that fails does not stop the others.  The exit status is 0 if all sheets were converted,
-1 if some failed, 2 for wrong usage, 6 without a working engine, 130 if it was interrupted.
+The engine's ``batch`` does the work and tells of each sheet that is done; what FreeCAD can make of
+it is made then.  A sheet that fails does not stop the others.  The exit status is 0 if all sheets
+were converted, 1 if some failed, 2 for wrong usage, 5 if the disk is full, 6 without a working
+engine, 130 if it was interrupted.
 """
 
 import os
-import shutil
-import signal
-import time
+from collections import deque
 from collections.abc import Sequence
-from dataclasses import replace
 from enum import IntEnum
 from pathlib import Path
 
-import FreeCAD
-
+from freecad.gaussiancad.batch_documents import complete_sheet, make_documents, remove_documents
 from freecad.gaussiancad.batch_options import BatchOptions, parse_options
 from freecad.gaussiancad.batch_report import SheetRow, write_report
-from freecad.gaussiancad.engine.job import ReconstructJob
+from freecad.gaussiancad.batch_stop import StopOnSignals
+from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.engine.locate import Engine, SearchPlaces, find_engine
-from freecad.gaussiancad.engine.process import EngineRun
+from freecad.gaussiancad.engine.process import EngineRun, RunResult, Watcher
 from freecad.gaussiancad.engine.verdict import RunState
 from freecad.gaussiancad.errors import WorkbenchError
-from freecad.gaussiancad.objects.exporting import write_step, write_stl
-from freecad.gaussiancad.objects.loading import LoadedRun, load_run
-from freecad.gaussiancad.objects.reconstruction import add_reconstruction
 from freecad.gaussiancad.preferences import read_preferences
-from freecad.gaussiancad.sheet_names import folder_names
-from freecad.gaussiancad.staging import staging
+from freecad.gaussiancad.staging import sweep
 
-_SUFFIXES = (".FCStd", ".step", ".stl")
+_GRACE_S = 4.5
+"""s between the steps of stopping the engine, which takes 4 itself to stop its workers."""
 
-_LINK = (
-    "output-is-link",
-    "the sheet's folder is a link to elsewhere: remove it, or choose another --output",
+_NO_NAME = (
+    "the engine is older than this addon and tells no name for the files: choose GaussianCAD > "
+    "Install Engine"
 )
 
 
@@ -47,6 +43,7 @@ class ExitCode(IntEnum):
     DONE = 0
     SOME_FAILED = 1
     USAGE = 2
+    LIMIT = 5
     NO_ENGINE = 6
     CANCELLED = 130
 
@@ -70,126 +67,87 @@ def main(arguments: Sequence[str]) -> int:
     except WorkbenchError as error:
         _say(error.message)
         return ExitCode.NO_ENGINE
-    _interrupt_on_signals()
-    return _convert_all(engine, options)
+    return _convert_one(engine, options) if options.flat else _convert_all(engine, options)
 
 
 def _convert_all(engine: Engine, options: BatchOptions) -> int:
+    told: deque[Event] = deque()
+    run = EngineRun(engine, options.job.arguments(), Watcher(told.append), _GRACE_S)
+    stop = StopOnSignals(run)
     rows: list[SheetRow] = []
-    code = ExitCode.DONE
-    names = folder_names(options.sheets)
-    for number, (sheet, name) in enumerate(zip(options.sheets, names, strict=True), 1):
-        folder = options.output if options.flat else options.output / name
-        job = replace(options.job, sheet=str(sheet), output=str(folder))
-        if folder.is_symlink() and not options.flat:
-            row = SheetRow(name, job.sheet, job.output, "failed", "", 2, *_LINK, 0.0)
-            state = RunState.FAILED
-        else:
-            row, state = convert_sheet(engine, job, options.output / name)
-        rows.append(row)
-        _say(f"{number}/{len(names)} {name}: {row.message or row.status}")
-        if state is RunState.BROKEN:
-            code = ExitCode.NO_ENGINE
-            break
-        if state is RunState.CANCELLED:
-            code = ExitCode.CANCELLED
-            break
-        if state is not RunState.DONE:
-            code = ExitCode.SOME_FAILED
-    if not options.flat:
-        write_report(rows, options.output)
+    is_whole = False
+    stop.start()
+    # Events wait here, so that documents are made between looks at the process, not within one.
+    while run.result is None or told:
+        run.advance(at_once=bool(told))
+        event = told.popleft() if told else None
+        if event is None:
+            continue
+        if event.kind is EventKind.SHEET:
+            if not rows:
+                # The engine has the folder for itself by now.
+                sweep(options.output)
+            row = SheetRow.of(event)
+            rows.append(row.stopped() if stop.asked else complete_sheet(row, event.is_set("kept")))
+            _say(f"{event.text('done')}/{event.text('count')} {row.name}: {rows[-1].outcome}")
+        is_whole = is_whole or event.kind is EventKind.RESULT
+    code = _exit_code(run.result, rows, stop.asked, is_whole)
+    if rows:
+        try:
+            write_report(rows, options.output)
+        except OSError as error:
+            _say(f"the report cannot be written to {options.output}: {error.strerror}")
+            return max(code, ExitCode.LIMIT)
     return code
 
 
-def convert_sheet(engine: Engine, job: ReconstructJob, target: Path) -> tuple[SheetRow, RunState]:
-    """Convert one sheet.
+def _exit_code(result: RunResult, rows: Sequence[SheetRow], stopped: bool, is_whole: bool) -> int:
+    """The exit status of a batch.
 
     Args:
-        engine: what does the work.
-        job: the sheet and what is asked.
-        target: path of the results without suffix: ``.FCStd``, ``.step`` and ``.stl`` are written.
-
-    Returns:
-        What became of it; whatever went wrong is in there.
+        result: of the engine.
+        rows: of the sheets.
+        stopped: whether somebody stopped it.
+        is_whole: whether the engine came to its end.
     """
-    started = time.monotonic()
-    for suffix in _SUFFIXES:
-        _with_suffix(target, suffix).unlink(missing_ok=True)
-    run = EngineRun(engine, job.arguments())
-    run.start()
+    if stopped or result.state is RunState.CANCELLED:
+        return ExitCode.CANCELLED
+    if is_whole and result.exit_code in (ExitCode.DONE, ExitCode.SOME_FAILED):
+        return ExitCode.SOME_FAILED if any(row.failed for row in rows) else ExitCode.DONE
+    _say(result.message)
+    told = result.exit_code in (ExitCode.USAGE, ExitCode.LIMIT)
+    return result.exit_code if told else ExitCode.NO_ENGINE
+
+
+def _convert_one(engine: Engine, options: BatchOptions) -> int:
+    """One sheet, all of its files in one folder."""
+    events: list[Event] = []
+    job = options.one
+    run = EngineRun(engine, job.arguments(), Watcher(events.append), _GRACE_S)
+    stop = StopOnSignals(run)
+    stop.start()
     result = run.wait()
     state, message = result.state, result.message
-    status, measures = "failed", ""
-    if state is RunState.DONE:
-        try:
-            status, measures = _store(job, target)
-            message = ""
-        except WorkbenchError as error:
-            state, message = RunState.FAILED, error.message
-        except Exception as error:  # FreeCAD raises its own types; the next sheet goes on
-            state, message = RunState.FAILED, f"the result of {job.sheet} is unusable: {error}"
-    row = SheetRow(
-        name=target.name,
-        sheet=job.sheet,
-        folder=job.output,
-        status=status,
-        measures_mm=measures,
-        exit_code=result.exit_code,
-        code=result.code,
-        message=message,
-        seconds=round(time.monotonic() - started, 2),
-    )
-    return row, state
-
-
-def _store(job: ReconstructJob, target: Path) -> tuple[str, str]:
-    """Write the document and the exchange files.
-
-    Returns:
-        The status, and the bound of the measures in mm; empty where it is not known.
-    """
-    with staging(target.parent) as scratch:
-        run = load_run(job, scratch)
-        staged = scratch / target.name
-        document = FreeCAD.newDocument(hidden=True)
-        try:
-            add_reconstruction(document, run)
-            document.saveAs(str(_with_suffix(staged, ".FCStd")))
-        finally:
-            FreeCAD.closeDocument(document.Name)
-        _export(run, Path(job.output), staged)
-        for suffix in _SUFFIXES:
-            _with_suffix(staged, suffix).replace(_with_suffix(target, suffix))
-    bound = run.report.group("measures").get("uncertainty_mm")
-    return run.report.status.value, f"{bound:g}" if isinstance(bound, int | float) else ""
-
-
-def _export(run: LoadedRun, output: Path, target: Path) -> None:
-    step, stl = _with_suffix(target, ".step"), _with_suffix(target, ".stl")
-    if run.part is not None:
-        shutil.copyfile(output / run.part.source.value, step)
-    else:
-        write_step(run.mesh, step)
-    if (output / "surface.stl").is_file():
-        shutil.copyfile(output / "surface.stl", stl)
-    else:
-        write_stl(run.part.shape, stl)
-
-
-def _with_suffix(target: Path, suffix: str) -> Path:
-    """The suffix is added: names of sheets may hold dots of their own."""
-    return target.with_name(target.name + suffix)
-
-
-def _interrupt_on_signals() -> None:
-    """FreeCAD leaves SIGINT alone; let it and SIGTERM stop the run in progress."""
-
-    def interrupt(*_arguments: object) -> None:
-        raise KeyboardInterrupt
-
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, interrupt)
+    name = next((event.text("name") for event in events if event.kind is EventKind.HELLO), "")
+    if state is RunState.DONE and not name:
+        state, message = RunState.BROKEN, _NO_NAME
+    try:
+        if name:
+            remove_documents(options.output / name)
+        if state is RunState.DONE and not stop.asked:
+            message = make_documents(job, options.output / name).value
+    except (WorkbenchError, OSError) as error:
+        state, message = RunState.FAILED, str(error)
+    _say(f"1/1 {name or Path(job.sheet).name}: {message}")
+    if stop.asked:
+        return ExitCode.CANCELLED
+    codes = {
+        RunState.DONE: ExitCode.DONE,
+        RunState.BROKEN: ExitCode.NO_ENGINE,
+        RunState.CANCELLED: ExitCode.CANCELLED,
+    }
+    return codes.get(state, ExitCode.SOME_FAILED)
 
 
 def _say(line: str) -> None:
-    print(line, flush=True)
+    print(line.encode("utf-8", "backslashreplace").decode(), flush=True)

@@ -1,16 +1,16 @@
 """The options of a batch."""
 
 import argparse
-import os
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from enum import Enum
 from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
 from freecad.gaussiancad.engine.job import (
-    SHEET_SUFFIXES,
+    BatchJob,
+    BatchLimits,
     Outcome,
     Preset,
     Projection,
@@ -28,16 +28,22 @@ class BatchOptions:
     """What a batch is asked to do.
 
     Attributes:
-        sheets: at least one.
-        output: folder for everything; it exists.
-        flat: whether the one sheet's files go into ``output`` itself.
-        job: the settings; its paths are not used.
+        job: what the engine does.
+        flat: whether the files of its one sheet go into its output folder itself.
     """
 
-    sheets: tuple[Path, ...]
-    output: Path
+    job: BatchJob
     flat: bool
-    job: ReconstructJob
+
+    @property
+    def output(self) -> Path:
+        """Folder for everything; it exists."""
+        return Path(self.job.output)
+
+    @property
+    def one(self) -> ReconstructJob:
+        """The first sheet, with its files in the output folder itself."""
+        return replace(self.job.settings, sheet=self.job.sheets[0], output=self.job.output)
 
 
 def parse_options(arguments: Sequence[str]) -> BatchOptions:
@@ -48,10 +54,10 @@ def parse_options(arguments: Sequence[str]) -> BatchOptions:
     """
     parser = _parser()
     found = parser.parse_args(arguments)
-    sheets = collect_sheets(found.sheets)
-    _check(parser, found, sheets)
+    limits = BatchLimits(found.workers, found.memory, found.seconds)
+    _check(parser, found, limits)
     scale = found.length or found.mm_per_pixel or Scale()
-    job = ReconstructJob(
+    settings = ReconstructJob(
         "",
         "",
         found.projection,
@@ -64,29 +70,17 @@ def parse_options(arguments: Sequence[str]) -> BatchOptions:
         found.seed,
         found.scale_down,
     )
-    return BatchOptions(tuple(sheets), found.output, found.flat, job)
+    job = BatchJob(tuple(found.sheets), str(found.output), settings, limits, found.resume)
+    return BatchOptions(job, found.flat)
 
 
-def collect_sheets(paths: Iterable[Path]) -> list[Path]:
-    """The files, and of each folder the drawings in it, in the order of their names; each once."""
-    sheets: list[Path] = []
-    for path in paths:
-        if path.is_dir():
-            sheets += sorted(entry for entry in path.iterdir() if _is_sheet(entry))
-        else:
-            sheets.append(path)
-    return list({os.path.abspath(sheet): sheet for sheet in sheets}.values())
-
-
-def _is_sheet(path: Path) -> bool:
-    return path.suffix.lower().lstrip(".") in SHEET_SUFFIXES and path.is_file()
-
-
-def _check(parser: argparse.ArgumentParser, found: argparse.Namespace, sheets: list[Path]) -> None:
-    if not sheets:
-        parser.error("there is no drawing in the folder that was named")
-    if found.flat and len(sheets) != 1:
-        parser.error(f"--flat takes one sheet, not {len(sheets)}")
+def _check(parser: argparse.ArgumentParser, found: argparse.Namespace, limits: BatchLimits) -> None:
+    if found.flat and len(found.sheets) != 1:
+        parser.error(f"--flat takes one sheet, not {len(found.sheets)}")
+    if found.flat and Path(found.sheets[0]).is_dir():
+        parser.error("--flat takes a sheet, not a folder")
+    if found.flat and (found.resume or limits != BatchLimits()):
+        parser.error("--flat takes neither --resume nor limits")
     try:
         found.output.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -98,11 +92,20 @@ def _parser() -> argparse.ArgumentParser:
         prog="gaussiancad_batch.py",
         description="Convert drawings to FreeCAD documents, STEP and STL files.",
     )
-    parser.add_argument("sheets", type=Path, nargs="+", metavar="SHEET", help="file or folder")
+    parser.add_argument(
+        "sheets",
+        nargs="+",
+        metavar="SHEET|FOLDER|TABLE.csv",
+        help="files, folders of drawings, patterns, tables with a column 'sheet' and options",
+    )
     parser.add_argument("--output", type=Path, required=True, metavar="DIR")
     parser.add_argument(
         "--flat", action="store_true", help="one sheet, all of its files in DIR itself"
     )
+    parser.add_argument("--workers", type=_whole, metavar="N", help="sheets at a time")
+    parser.add_argument("--memory", type=_positive, metavar="GB", help="that a sheet may take")
+    parser.add_argument("--seconds", type=_positive, metavar="S", help="that a sheet may take")
+    parser.add_argument("--resume", action="store_true", help="keep what an earlier batch finished")
     for option, modes, default in (
         ("--projection", Projection, Projection.AUTO),
         ("--preset", Preset, Preset.STANDARD),

@@ -1,18 +1,18 @@
-"""One report over all sheets of a batch."""
+"""One report over all documents of a batch, beside the engine's over all sheets."""
 
-import csv
-import io
 import json
 from collections.abc import Sequence
-from dataclasses import asdict, astuple, dataclass, fields
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
-from freecad.gaussiancad.staging import staging
+from freecad.gaussiancad.engine.events import Event
+from freecad.gaussiancad.staging import put_in_place, staging
 
 SCHEMA = 2
 
-_FORMULA = ("=", "+", "-", "@", "\t", "\r")
-"""What formulas begin with."""
+_FAILED = "failed"
+
+_STOPPED = "the batch was stopped before its document was made: go on with --resume"
 
 
 @dataclass(frozen=True)
@@ -25,10 +25,10 @@ class SheetRow:
         folder: of the engine's files.
         status: verified, approximate or failed; it speaks of the shape.
         measures_mm: bound that 95 % of the faces' places keep; empty where it is not known.
-        exit_code: of the engine; -1 if it was killed.
+        exit_code: of the engine.
         code: kebab-case code of the error, or empty.
         message: a sentence about the error, or empty.
-        seconds: of the whole conversion.
+        seconds: of the engine.
     """
 
     name: str
@@ -41,26 +41,45 @@ class SheetRow:
     message: str
     seconds: float
 
+    @classmethod
+    def of(cls, event: Event) -> "SheetRow":
+        """The row that the engine tells of a sheet."""
+        words = ("name", "sheet", "folder", "status", "measures_mm", "code", "message")
+        return cls(
+            **{word: event.text(word) for word in words},
+            exit_code=int(event.number("exit_code") or 0),
+            seconds=event.number("seconds") or 0.0,
+        )
+
+    @property
+    def failed(self) -> bool:
+        """Whether there is no document."""
+        return self.status == _FAILED
+
+    @property
+    def outcome(self) -> str:
+        """What became of it, for people."""
+        return self.message or self.status
+
+    def without_document(self, code: str, message: str) -> "SheetRow":
+        """The row of a sheet of which the engine made a model, and FreeCAD no document."""
+        return replace(self, status=_FAILED, code=code, message=message)
+
+    def stopped(self) -> "SheetRow":
+        """The row of a sheet of which no document was made any more."""
+        return self if self.failed else self.without_document("cancelled", _STOPPED)
+
 
 def write_report(rows: Sequence[SheetRow], folder: Path) -> None:
-    """Write ``report.csv`` and ``report.json``; each appears whole or not at all."""
-    text = io.StringIO()
-    writer = csv.writer(text)
-    writer.writerow([field.name for field in fields(SheetRow)])
-    writer.writerows([_cell(value) for value in astuple(row)] for row in rows)
-    _write_whole(folder / "report.csv", text.getvalue())
+    """Write ``report.json``; it appears whole or not at all.
+
+    Raises:
+        OSError: it cannot be written.
+    """
     values = {"schema": SCHEMA, "sheets": [asdict(row) for row in rows]}
-    _write_whole(folder / "report.json", json.dumps(values, indent=2, ensure_ascii=False) + "\n")
-
-
-def _cell(value: object) -> object:
-    """A cell that no spreadsheet takes for a formula."""
-    return f"'{value}" if isinstance(value, str) and value.startswith(_FORMULA) else value
-
-
-def _write_whole(path: Path, text: str) -> None:
-    # What is no text, as in a name of bytes, is written as JSON and Python write it.
-    with staging(path.parent) as folder:
-        staged = folder / path.name
+    text = json.dumps(values, indent=2, ensure_ascii=False) + "\n"
+    with staging(folder) as scratch:
+        staged = scratch / "report.json"
+        # What is no text, as in a name of bytes, is written as JSON writes it.
         staged.write_bytes(text.encode("utf-8", "backslashreplace"))
-        staged.replace(path)
+        put_in_place(staged, folder / staged.name)

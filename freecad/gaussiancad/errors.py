@@ -13,6 +13,9 @@ class ErrorCode(Enum):
     NOTHING_TO_COMPARE = "nothing-to-compare"
     SOLUTIONS_GONE = "solutions-gone"
     SHEET_MISSING = "sheet-missing"
+    OUTPUT_IS_LINK = "output-is-link"
+    NAME_NO_TEXT = "name-no-text"
+    DOCUMENT_NOT_WRITTEN = "document-not-written"
     WRONG_ARGUMENTS = "wrong-arguments"
 
 

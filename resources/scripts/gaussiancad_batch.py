@@ -29,7 +29,11 @@ def launch(arguments: list[str]) -> int:
         print("freecadcmd was not found: name it in the environment variable FREECADCMD")
         return NO_FREECAD
     variables = {**os.environ, VARIABLE: json.dumps(arguments)}
-    return subprocess.call([console, str(Path(__file__).resolve())], env=variables)
+    command = [console, str(Path(__file__).resolve())]
+    if os.name == "posix":
+        # The console takes this process's place, and with it the signals that are meant for it.
+        os.execve(console, command, variables)
+    return subprocess.call(command, env=variables)
 
 
 def convert() -> int:

@@ -17,6 +17,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import fake_part
+from fake_batch import FakeBatch, folder_names, settings_of
 
 BEHAVIOURS = (
     "ok",  # verified solid, surface, Gaussians
@@ -35,13 +36,16 @@ BEHAVIOURS = (
     "broken",  # not installed
     "liar",  # exit 0 without a file
     "half",  # exit 0 with a damaged surface
+    "running",  # a batch: another one runs in its folder
+    "batch-waits",  # a batch: waits after its second sheet until it is stopped
+    "batch-dies",  # a batch: killed after its first sheet
 )
 
 
 def send(event: str, **fields: object) -> None:
     """Write one event."""
     line = json.dumps({"event": event, **fields}, ensure_ascii=False) + "\n"
-    sys.stdout.buffer.write(line.encode("utf-8"))
+    sys.stdout.buffer.write(line.encode("utf-8", "backslashreplace"))
     sys.stdout.buffer.flush()
 
 
@@ -181,7 +185,8 @@ def reconstruct(arguments: list[str]) -> int:
     if behaviour == "deaf":
         signal.signal(signal.SIGTERM, signal.SIG_IGN)
     watch_stdin(behaviour == "deaf")
-    send("hello", protocol=1, versions={"gaussiancad": "0.0"})
+    (name,) = folder_names([sheet])
+    send("hello", protocol=1, versions={"gaussiancad": "0.0"}, name=name)
     if not sheet.is_file():
         return refuse("sheet-missing", f"there is no file {sheet}: check its name", 3)
     if sheet.read_bytes()[:4] not in (b"\x89PNG", b"\xff\xd8\xff\xe0"):
@@ -216,6 +221,7 @@ def reconstruct(arguments: list[str]) -> int:
         }.get(behaviour, [])
         status = "approximate" if reasons else "verified"
         values = report(str(sheet), status, reasons)
+        values["settings"] = settings_of(arguments)
         if behaviour == "swept":
             values["solid"]["source"] = "sweeps"
         if behaviour == "several":
@@ -228,6 +234,16 @@ def reconstruct(arguments: list[str]) -> int:
     send("warning", code="scale-unknown", message="the longest edge was made 100 mm")
     send("result", path=str(output / "report.json"))
     return 0
+
+
+def batch(arguments: list[str]) -> int:
+    """What ``gaussiancad batch`` does."""
+    behaviour = os.environ.get("GAUSSIANCAD_FAKE", "ok")
+    if behaviour == "broken":
+        sys.stderr.write(f"{sys.argv[0]}: No module named gaussiancad_core\n")
+        return 1
+    send("hello", protocol=1, versions={"gaussiancad": "0.0"})
+    return FakeBatch(arguments, send).run(behaviour)
 
 
 def refuse(code: str, message: str, exit_code: int) -> int:
@@ -305,7 +321,8 @@ def main() -> int:
     if command == "doctor":
         sys.stdout.write("gaussiancad 0.0 (fake)\ntorch: missing: pip install torch\n")
         return 0
-    return {"reconstruct": reconstruct, "compare": compare}[command](arguments)
+    commands = {"reconstruct": reconstruct, "compare": compare, "batch": batch}
+    return commands[command](arguments)
 
 
 if __name__ == "__main__":

@@ -56,3 +56,41 @@ class Arguments(unittest.TestCase):
                 *("--points", "500", "--seed", "1"),
             ],
         )
+
+
+class Told(unittest.TestCase):
+    def test_the_job_that_a_report_tells_of(self) -> None:
+        settings = {
+            "projection": "first",
+            "views": {},
+            "length": {"axis": "y", "mm": 12.5},
+            "mm_per_pixel": None,
+            "colour": "#102030",
+            "median_kernel": 3,
+            "page": 2,
+            "result": "solid",
+            "recipe": "paper",
+            "preset": "fine",
+            "seed": 7,
+            "scale_down": 4,
+        }
+        expected = ReconstructJob(
+            "a.png",
+            "out",
+            Projection.FIRST,
+            Preset.FINE,
+            Outcome.SOLID,
+            Recipe.PAPER,
+            Scale(ScaleKind.LENGTH_Y, 12.5),
+            "#102030",
+            page=2,
+            seed=7,
+            scale_down=4,
+        )
+        self.assertEqual(ReconstructJob.told("a.png", "out", settings), expected)
+        pixels = {**settings, "length": None, "mm_per_pixel": 0.25}
+        scale = ReconstructJob.told("a.png", "out", pixels).scale
+        self.assertEqual(scale, Scale(ScaleKind.MM_PER_PIXEL, 0.25))
+        self.assertEqual(ReconstructJob.told("a", "b", {}), ReconstructJob("a", "b"))
+        with self.assertRaises(ValueError):
+            ReconstructJob.told("a", "b", {"preset": "huge"})

@@ -4,6 +4,7 @@ import os
 import signal
 import threading
 import time
+from pathlib import Path
 
 from support import FAKE_ENGINE, FolderCase, draw_sheet, run_fake
 
@@ -121,6 +122,19 @@ class Runs(FolderCase):
         before = signal.signal(signal.SIGINT, signal.default_int_handler)
         self.addCleanup(signal.signal, signal.SIGINT, before)
         timer.start()
+        self.assertIs(run.wait().state, RunState.CANCELLED)
+
+    def test_what_is_flushed_arrives_though_nobody_looks_at_the_process(self) -> None:
+        self.behave("slow")
+        run = EngineRun(FAKE_ENGINE, self.job.arguments())
+        run.start()
+        run.cancel()
+        run.flush()
+        deadline = time.monotonic() + 15.0
+        process = Path(f"/proc/{run.pid}")
+        while process.exists():
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.02)
         self.assertIs(run.wait().state, RunState.CANCELLED)
 
     def test_a_command_without_events_is_ended_by_a_signal(self) -> None:

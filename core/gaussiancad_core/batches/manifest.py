@@ -98,7 +98,11 @@ class Manifest:
         if row is None or row[:3] != _columns(key):
             return None
         size, mtime, digest, files, done = row[3:]
-        found = BatchRow(**{**json.loads(done), "sheet": str(key.path), "folder": str(folder)})
+        try:
+            own = {"sheet": str(key.path), "folder": str(folder)}
+            found = BatchRow(**{**json.loads(done), **own})
+        except TypeError:  # another version noted other things
+            return None
         if found.exit_code not in _FINAL or not _is_same(key.path, (size, mtime), digest):
             return None
         known = {path: tuple(facts) for path, facts in json.loads(files).items()}
@@ -119,7 +123,7 @@ class Manifest:
         done = json.dumps({**asdict(row), "sheet": "", "folder": ""})
         files = json.dumps(files_under(Path(row.folder)))
         values = (row.name, *_columns(key), *facts, files, done)
-        message = row.message.encode("utf-8", "backslashreplace").decode()
+        message = ended.message.encode("utf-8", "backslashreplace").decode()
         attempt = (row.name, row.exit_code, message, ended.seconds, ended.peak)
         try:
             with self._base:

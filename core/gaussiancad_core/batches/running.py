@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import signal
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
@@ -30,12 +31,36 @@ _LOCK_FILE = ".gaussiancad-batch.lock"
 _FULL_DISKS = 3
 """Sheets in a row that end for want of space after which no more is begun."""
 
-_LINK = "the sheet's folder is a link to elsewhere: remove it, or choose another --output"
+_LINK = (
+    "the sheet's folder is a link to elsewhere: remove it, or choose another --output "
+    "[output-is-link]"
+)
 
-_NOT_DONE = "the batch was stopped before this sheet was done: go on with --resume"
+_NOT_DONE = "the batch was stopped before this sheet was done: go on with --resume [cancelled]"
 
-Tell = Callable[[int, int, BatchRow], None]
-"""Called with how many sheets are done, of how many, and the last of them."""
+_TOLD = re.compile(r"^(?:gaussiancad: )?(?P<message>.*) \[(?P<code>[a-z0-9-]+)\]$")
+"""How a process tells its error, and a supervisor why it ended one."""
+
+
+@dataclass(frozen=True)
+class SheetDone:
+    """A sheet that is done, however it ended.
+
+    Attributes:
+        row: what became of it.
+        kept: whether an earlier batch did it.
+        done: how many sheets are done.
+        count: of how many.
+    """
+
+    row: BatchRow
+    kept: bool
+    done: int
+    count: int
+
+
+Tell = Callable[[SheetDone], None]
+"""Called for each sheet, once what became of it is kept."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +90,8 @@ class _Place:
     key: Key
 
     def row(self, status: str, bound: str, ended: Ended) -> BatchRow:
+        told = _TOLD.match(ended.message)
+        code, message = (told["code"], told["message"]) if told else ("", ended.message)
         return BatchRow(
             self.name,
             str(self.key.path),
@@ -72,7 +99,8 @@ class _Place:
             status,
             bound,
             ended.exit_code,
-            ended.message,
+            code,
+            message,
             round(ended.seconds, 2),
         )
 
@@ -153,6 +181,7 @@ class _Batch:
         try:
             for place, ended in supervisor.run(self._begun(places)):
                 self._take(place, ended, len(places))
+            return self._write(places)
         except (CancelledError, KeyboardInterrupt):
             # From here on there is an end to come to: no second signal breaks it off.
             for number in (signal.SIGINT, signal.SIGTERM):
@@ -164,7 +193,6 @@ class _Batch:
         except BaseException:
             supervisor.close()
             raise
-        return self._write(places)
 
     def _begun(self, places: list[_Place]) -> Iterator[tuple[_Place, list[str]]]:
         """Sheets that have to be done, with the arguments of their processes."""
@@ -172,7 +200,7 @@ class _Batch:
             if self._settings.resume and not place.folder.is_symlink():
                 row = self._manifest.kept(place.name, place.key, place.folder)
                 if row is not None:
-                    self._done(row, len(places))
+                    self._done(row, len(places), kept=True)
                     continue
             if place.folder.is_symlink():
                 row = place.row(Status.FAILED.value, "", Ended(int(ExitCode.USAGE), _LINK, 0, 0))
@@ -198,13 +226,13 @@ class _Batch:
         row = place.row(status, bound, ended)
         self._manifest.note(place.key, row, ended)
         self._done(row, count)
-        self._full_disks = self._full_disks + 1 if "[disk-full]" in ended.message else 0
+        self._full_disks = self._full_disks + 1 if row.code == "disk-full" else 0
         if self._full_disks == _FULL_DISKS:
-            raise LimitError("disk-full", f"{ended.message}; the batch goes on with --resume")
+            raise LimitError("disk-full", f"{row.message}; the batch goes on with --resume")
 
-    def _done(self, row: BatchRow, count: int) -> None:
+    def _done(self, row: BatchRow, count: int, *, kept: bool = False) -> None:
         self._rows[row.name] = row
-        self._tell(len(self._rows), count, row)
+        self._tell(SheetDone(row, kept, len(self._rows), count))
 
     def _write(self, places: list[_Place]) -> list[BatchRow]:
         """The report, with a row for every sheet."""

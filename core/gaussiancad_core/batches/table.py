@@ -22,6 +22,7 @@ class BatchRow:
         status: as in its report, or ``failed``; it speaks of the shape.
         measures_mm: bound that 95 % of the faces' places keep; empty where it is not known.
         exit_code: of its process; 130 where the batch ended before the sheet did.
+        code: kebab-case code of its error, or empty.
         message: of its error, or empty.
         seconds: of the run.
     """
@@ -32,6 +33,7 @@ class BatchRow:
     status: str
     measures_mm: str
     exit_code: int
+    code: str
     message: str
     seconds: float
 

@@ -3,17 +3,19 @@
 import argparse
 import os
 from collections.abc import Sequence
+from dataclasses import asdict
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gaussiancad_core.cli import values
-from gaussiancad_core.cli.reconstruct import add_job_options, job_of
+from gaussiancad_core.cli.reconstruct import add_events_option, add_job_options, greet, job_of
 from gaussiancad_core.errors import ExitCode, UsageError
 from gaussiancad_core.events import Listener
 from gaussiancad_core.job import Job
 
 if TYPE_CHECKING:
-    from gaussiancad_core.batches.table import BatchRow
+    from gaussiancad_core.batches.running import SheetDone
 
 _USUAL_MEMORY = 4.0
 """GB that a sheet may take; few take more than 2."""
@@ -60,11 +62,13 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
     )
     parser.add_argument("--scheduler", metavar="ADDRESS", help=argparse.SUPPRESS)
     add_job_options(parser)
+    add_events_option(parser)
     parser.set_defaults(run=run)
 
 
-def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
+def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     """Reconstruct the sheets, some at a time."""
+    greet(listener)
     if options.scheduler:
         raise UsageError(
             "scheduler-unsupported",
@@ -72,6 +76,7 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
         )
     from gaussiancad_core.batches.inputs import collect_sheets
     from gaussiancad_core.batches.running import BatchSettings, run_batch
+    from gaussiancad_core.batches.table import REPORT_FILE
     from gaussiancad_core.processes.supervisor import ProcessLimits
 
     job = job_of(options, Path(), options.output)
@@ -79,13 +84,34 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
     limits = ProcessLimits(int(options.memory * 2**30), options.seconds)
     workers = min(options.workers or _usual_workers(), len(sheets))
     settings = BatchSettings(options.output, workers, limits, options.resume)
-    rows = run_batch(sheets, settings, _say)
+    tell = partial(_send, listener) if options.events else _say
+    rows = run_batch(sheets, settings, tell)
     failed = [row for row in rows if row.exit_code]
+    report = os.path.abspath(options.output / REPORT_FILE)
+    listener.send("result", path=report, sheets=len(rows), failed=len(failed))
     return ExitCode.SOME_SHEETS_FAILED if failed else ExitCode.DONE
 
 
-def _say(done: int, count: int, row: "BatchRow") -> None:
-    line = f"{done}/{count} {row.status:12} {row.name}: {row.message or row.folder}"
+def _send(listener: Listener, sheet: "SheetDone") -> None:
+    """The event of a sheet: what the report has of it, and which files its folder has."""
+    from gaussiancad_core.batches.manifest import files_under
+
+    folder = Path(sheet.row.folder)
+    files = [] if folder.is_symlink() else sorted(files_under(folder))
+    listener.send(
+        "sheet",
+        **asdict(sheet.row),
+        files=files,
+        kept=sheet.kept,
+        done=sheet.done,
+        count=sheet.count,
+    )
+
+
+def _say(sheet: "SheetDone") -> None:
+    row = sheet.row
+    message = f"{row.message} [{row.code}]" if row.code else row.message
+    line = f"{sheet.done}/{sheet.count} {row.status:12} {row.name}: {message or row.folder}"
     print(line.encode("utf-8", "backslashreplace").decode(), flush=True)
 
 

@@ -26,10 +26,15 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
     )
     parser.add_argument("--output", type=Path, required=True, metavar="DIR")
     add_job_options(parser)
+    add_events_option(parser)
+    parser.set_defaults(run=run)
+
+
+def add_events_option(parser: argparse.ArgumentParser) -> None:
+    """The option for who starts the engine as a process."""
     parser.add_argument(
         "--events", action="store_true", help="JSON lines on stdout; cancel on stdin stops the run"
     )
-    parser.set_defaults(run=run)
 
 
 def add_job_options(parser: argparse.ArgumentParser) -> None:
@@ -134,14 +139,10 @@ def job_of(options: argparse.Namespace, sheet: Path, output: Path) -> Job:
 
 def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     """Reconstruct one sheet."""
-    from gaussiancad_core import __version__
-    from gaussiancad_core.versions import ENGINE_PACKAGES, installed_versions
+    from gaussiancad_core.sheet_names import folder_names
 
-    listener.send(
-        "hello",
-        protocol=PROTOCOL,
-        versions={"gaussiancad": __version__, **installed_versions(ENGINE_PACKAGES)},
-    )
+    (name,) = folder_names([options.sheet])
+    greet(listener, name=name)
     job = job_of(options, options.sheet, options.output)
     job.check()
 
@@ -158,6 +159,15 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
         for warning in report.warnings:
             print(f"gaussiancad: warning: {warning.message} [{warning.code}]", file=sys.stderr)
     return ExitCode.DONE
+
+
+def greet(listener: Listener, **fields: str) -> None:
+    """The first event: the protocol, and the versions of all that counts."""
+    from gaussiancad_core import __version__
+    from gaussiancad_core.versions import ENGINE_PACKAGES, installed_versions
+
+    versions = {"gaussiancad": __version__, **installed_versions(ENGINE_PACKAGES)}
+    listener.send("hello", protocol=PROTOCOL, versions=versions, **fields)
 
 
 def _print_summary(report: "Report", path: Path) -> None:

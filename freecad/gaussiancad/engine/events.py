@@ -23,6 +23,7 @@ class EventKind(Enum):
     SOLID = "solid"
     PREVIEW = "preview"
     WARNING = "warning"
+    SHEET = "sheet"
     RESULT = "result"
     ERROR = "error"
 
@@ -43,6 +44,10 @@ class Event:
         """The field as text, empty if it is missing."""
         value = self.fields.get(key)
         return "" if value is None else str(value)
+
+    def is_set(self, key: str) -> bool:
+        """Whether the field is true."""
+        return self.fields.get(key) is True
 
     def number(self, key: str) -> float | None:
         """The field as a finite number, or None."""

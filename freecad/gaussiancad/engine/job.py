@@ -1,7 +1,9 @@
 """What the user asks of the engine, as data, and as the engine's arguments."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from enum import Enum
+from typing import Any
 
 MODULE_ARGUMENTS = ("-I", "-u", "-m", "gaussiancad_core")
 """How the engine's interpreter is told to run the engine, isolated and unbuffered."""
@@ -101,6 +103,38 @@ class ReconstructJob:
     seed: int = 0
     scale_down: int = 1
 
+    @classmethod
+    def told(cls, sheet: str, output: str, settings: Mapping[str, Any]) -> "ReconstructJob":
+        """The job that a report tells of; what it does not tell is as usual.
+
+        Args:
+            sheet: path of the drawing.
+            output: folder of the engine's files.
+            settings: ``settings`` of the report.
+
+        Raises:
+            ValueError: a setting has no such value.
+        """
+        usual = cls(sheet, output)
+        length, mm_per_pixel = settings.get("length"), settings.get("mm_per_pixel")
+        scale = usual.scale
+        if isinstance(length, Mapping):
+            scale = Scale(ScaleKind(length.get("axis")), float(length.get("mm", "nan")))
+        elif mm_per_pixel is not None:
+            scale = Scale(ScaleKind.MM_PER_PIXEL, float(mm_per_pixel))
+        return replace(
+            usual,
+            projection=Projection(settings.get("projection", usual.projection)),
+            preset=Preset(settings.get("preset", usual.preset)),
+            outcome=Outcome(settings.get("result", usual.outcome)),
+            recipe=Recipe(settings.get("recipe", usual.recipe)),
+            scale=scale,
+            colour=str(settings.get("colour", usual.colour)),
+            page=int(settings.get("page", usual.page)),
+            seed=int(settings.get("seed", usual.seed)),
+            scale_down=int(settings.get("scale_down", usual.scale_down)),
+        )
+
     def arguments(self) -> list[str]:
         """``reconstruct --output DIR ... -- SHEET``, whose name may begin with a dash."""
         return [
@@ -145,6 +179,64 @@ class ReconstructJob:
             "seed": str(self.seed),
             "scale-down": str(self.scale_down),
         }
+
+
+@dataclass(frozen=True)
+class BatchLimits:
+    """How many sheets at a time, and what each may take; the engine's own where it is None.
+
+    Attributes:
+        workers: sheets at a time.
+        memory: GB of a sheet.
+        seconds: of a sheet.
+    """
+
+    workers: int | None = None
+    memory: float | None = None
+    seconds: float | None = None
+
+    def arguments(self) -> list[str]:
+        """The engine's options."""
+        told = {"--workers": self.workers, "--memory": self.memory, "--seconds": self.seconds}
+        return [
+            word
+            for name, value in told.items()
+            if value is not None
+            for word in (name, f"{value:.10g}")
+        ]
+
+
+@dataclass(frozen=True)
+class BatchJob:
+    """Many sheets to be reconstructed.
+
+    Attributes:
+        sheets: files, folders, patterns and tables.
+        output: folder of the batch.
+        settings: of all sheets; its paths are not used.
+        limits: of the sheets.
+        resume: whether what an earlier batch finished is kept.
+    """
+
+    sheets: tuple[str, ...]
+    output: str
+    settings: ReconstructJob
+    limits: BatchLimits = BatchLimits()
+    resume: bool = False
+
+    def arguments(self) -> list[str]:
+        """``batch --output DIR ... -- SHEETS``."""
+        return [
+            "batch",
+            "--output",
+            self.output,
+            *self.settings.options(),
+            *self.limits.arguments(),
+            *(["--resume"] if self.resume else []),
+            "--events",
+            "--",
+            *self.sheets,
+        ]
 
 
 @dataclass(frozen=True)

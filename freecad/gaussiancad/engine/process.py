@@ -144,12 +144,25 @@ class EngineRun:
             self._timer.timeout.connect(self._escalate)
             self._timer.start(_POLL_MS)
 
+    def flush(self) -> None:
+        """Have the engine asked to stop at once, whenever FreeCAD comes back to the process."""
+        if self.running:
+            self._process.waitForBytesWritten(_POLL_MS)
+
+    def advance(self, *, at_once: bool = False) -> None:
+        """Run on for a moment without an event loop.
+
+        Args:
+            at_once: whether only what has come already is told.
+        """
+        self._process.waitForFinished(0 if at_once else _POLL_MS)
+        self._escalate()
+
     def wait(self) -> RunResult:
         """Run to the end without an event loop; an interrupt from the keyboard cancels the run."""
         while self.result is None:
             try:
-                self._process.waitForFinished(_POLL_MS)
-                self._escalate()
+                self.advance()
             except KeyboardInterrupt:
                 self.cancel()
         return self.result
