@@ -54,7 +54,7 @@ def main(upgrade: bool) -> int:
         *extras["ocr"],
         *project["build-system"]["requires"],
     ]
-    tests = extras["test"]
+    tests = [*extras["test"], *extras["cluster"]]
     torch = next(line for line in engine if line.startswith("torch==")).removeprefix("torch==")
 
     hashes = sorted(offered_cpu_hashes(torch)) or locked_cpu_hashes(torch)

@@ -17,7 +17,8 @@ PROJECT = tomllib.loads((CORE / "pyproject.toml").read_text(encoding="utf-8"))
 EXTRAS = PROJECT["project"]["optional-dependencies"]
 OCR = EXTRAS["ocr"]
 ENGINE = [*PROJECT["project"]["dependencies"], *OCR, *PROJECT["build-system"]["requires"]]
-TESTS = EXTRAS["test"]
+CLUSTER = EXTRAS["cluster"]
+TESTS = [*EXTRAS["test"], *CLUSTER]
 EXCLUDED = PROJECT["tool"]["uv"]["exclude-dependencies"]
 CUDA = [re.split(r"\W", line)[0] for line in EXTRAS["cuda"]]
 """Modules of the extra for GPUs, which is not installed where there is none; named as packages."""
@@ -87,7 +88,7 @@ def test_locks_hold_hashes_and_no_addresses(lock: str) -> None:
 
 @pytest.mark.parametrize(
     ("folder", "declared"),
-    [("core", ENGINE + OCR), ("benchmarks", ENGINE), ("tests/engine", ENGINE + TESTS)],
+    [("core", ENGINE + OCR + CLUSTER), ("benchmarks", ENGINE), ("tests/engine", ENGINE + TESTS)],
 )
 def test_every_import_is_declared(folder: str, declared: list[str]) -> None:
     known = {"gaussiancad_core", *sys.stdlib_module_names, *CUDA}

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from filelock import FileLock, Timeout
 
@@ -25,6 +26,9 @@ from gaussiancad_core.outputs import os_error
 from gaussiancad_core.processes.supervisor import Ended, ProcessLimits, Supervisor
 from gaussiancad_core.sheet_names import folder_names
 from gaussiancad_core.versions import ENGINE_PACKAGES, installed_versions
+
+if TYPE_CHECKING:
+    from gaussiancad_core.batches.cluster import Cluster
 
 _LOCK_FILE = ".gaussiancad-batch.lock"
 
@@ -72,12 +76,23 @@ class BatchSettings:
         workers: processes at a time.
         limits: of each.
         resume: whether what an earlier batch finished is kept.
+        scheduler: address of a Dask scheduler whose workers do the work instead; None for this
+            machine.
     """
 
     output: Path
     workers: int
     limits: ProcessLimits
     resume: bool = False
+    scheduler: str | None = None
+
+    def processes(self) -> "Supervisor[_Place] | Cluster[_Place]":
+        """What runs the sheets' processes; errors as of either."""
+        if self.scheduler is None:
+            return Supervisor(self.workers, self.limits)
+        from gaussiancad_core.batches.cluster import Cluster
+
+        return Cluster(self.scheduler, self.limits, self.output)
 
 
 @dataclass(frozen=True)
@@ -117,7 +132,8 @@ def run_batch(sheets: Sequence[BatchSheet], settings: BatchSettings, tell: Tell)
         The rows of the report.
 
     Raises:
-        UsageError: ``batch-running``, ``output-not-writable``, ``output-is-link``.
+        UsageError: ``batch-running``, ``output-not-writable``, ``output-is-link``; as of
+            :class:`.cluster.Cluster`.
         LimitError: ``disk-full``.
         CancelledError: the report is written, and names the sheets that are not done.
     """
@@ -177,21 +193,22 @@ class _Batch:
         self._full_disks = 0
 
     def run(self, places: list[_Place]) -> list[BatchRow]:
-        supervisor: Supervisor[_Place] = Supervisor(self._settings.workers, self._settings.limits)
+        processes = self._settings.processes()
         try:
-            for place, ended in supervisor.run(self._begun(places)):
+            for place, ended in processes.run(self._begun(places)):
                 self._take(place, ended, len(places))
+            processes.close()
             return self._write(places)
         except (CancelledError, KeyboardInterrupt):
             # From here on there is an end to come to: no second signal breaks it off.
             for number in (signal.SIGINT, signal.SIGTERM):
                 with suppress(ValueError):
                     signal.signal(number, signal.SIG_IGN)
-            supervisor.close()
+            processes.close()
             self._write(places)
             raise
         except BaseException:
-            supervisor.close()
+            processes.close()
             raise
 
     def _begun(self, places: list[_Place]) -> Iterator[tuple[_Place, list[str]]]:

@@ -60,7 +60,11 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
         metavar="S",
         help="that a sheet may take",
     )
-    parser.add_argument("--scheduler", metavar="ADDRESS", help=argparse.SUPPRESS)
+    parser.add_argument(
+        "--scheduler",
+        metavar="ADDRESS",
+        help="of a Dask cluster that does the work, as tcp://host:8786; its machines share folders",
+    )
     add_job_options(parser)
     add_events_option(parser)
     parser.set_defaults(run=run)
@@ -69,11 +73,6 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
 def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     """Reconstruct the sheets, some at a time."""
     greet(listener)
-    if options.scheduler:
-        raise UsageError(
-            "scheduler-unsupported",
-            "this version works on one machine only: leave --scheduler out, use --workers",
-        )
     from gaussiancad_core.batches.inputs import collect_sheets
     from gaussiancad_core.batches.running import BatchSettings, run_batch
     from gaussiancad_core.batches.table import REPORT_FILE
@@ -83,7 +82,7 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     sheets = collect_sheets(options.sheets, job, lambda own: _job_with(options, own))
     limits = ProcessLimits(int(options.memory * 2**30), options.seconds)
     workers = min(options.workers or _usual_workers(), len(sheets))
-    settings = BatchSettings(options.output, workers, limits, options.resume)
+    settings = BatchSettings(options.output, workers, limits, options.resume, options.scheduler)
     tell = partial(_send, listener) if options.events else _say
     rows = run_batch(sheets, settings, tell)
     failed = [row for row in rows if row.exit_code]

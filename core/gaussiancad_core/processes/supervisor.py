@@ -9,7 +9,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import IO, Generic, TypeVar
@@ -26,6 +26,8 @@ _GRACE_S = 4.0
 
 _MOST_TEXT = 1 << 16
 """Bytes of what a process said last that are kept."""
+
+_UNASKED = "nobody waits for it any more [cancelled]"
 
 Task = TypeVar("Task")
 
@@ -166,17 +168,24 @@ class _Child:
         return total
 
 
-def run_limited(arguments: list[str], limits: ProcessLimits) -> Ended:
+def run_limited(
+    arguments: list[str], limits: ProcessLimits, asked_for: Callable[[], bool] = lambda: True
+) -> Ended:
     """Run ``gaussiancad`` in a limited process to its end, with what it prints.
 
     Args:
         arguments: of the command.
         limits: of the process.
+        asked_for: whether anybody still waits for it; else it is ended.
     """
     child = _Child(arguments, limits, keep_output=True)
     try:
         while (ended := child.look()) is None:
             time.sleep(_LOOKS_EVERY)
+            if not asked_for():
+                child.ask_to_end()
+                child.end(time.monotonic() + _GRACE_S)
+                return Ended(int(ExitCode.CANCELLED), _UNASKED, child.seconds, 0)
     except BaseException:
         child.ask_to_end()
         child.end(time.monotonic())

@@ -58,7 +58,6 @@ def test_wrong_usage_is_one_line_and_exit_code_2(
         (["compare", "{tmp}/text.png", "missing.step"], 3, "model-format-unknown"),
         (["draw", "missing.step", "{tmp}/a.png"], 3, "file-missing"),
         (["draw", "missing.step", "{tmp}/a.png", "--style", "rough"], 2, "style-unknown"),
-        (["batch", "a.png", "--output", "{tmp}/o", "--scheduler", "x"], 2, "scheduler-unsup"),
     ],
 )
 def test_errors_are_one_line_with_their_code(

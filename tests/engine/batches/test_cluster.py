@@ -1,0 +1,210 @@
+"""Batches on a Dask cluster: a scheduler and two workers, as processes of this machine."""
+
+import csv
+import hashlib
+import json
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+import psutil
+import pytest
+
+pytest.importorskip("distributed")
+
+SAMPLES = Path(__file__).parents[3] / "resources" / "samples"
+OPTIONS = ("--result", "solid", "--length", "x=80")
+_PATIENCE = 60.0
+
+
+def _batch(*arguments: "str | Path") -> list[str]:
+    return [sys.executable, "-m", "gaussiancad_core", "batch", *map(str, arguments)]
+
+
+def _run(*arguments: "str | Path") -> "subprocess.CompletedProcess[str]":
+    return subprocess.run(
+        _batch(*arguments), capture_output=True, encoding="utf-8", check=False, timeout=150
+    )
+
+
+def _rows(output: Path) -> dict[str, dict[str, str]]:
+    with open(output / "report.csv", encoding="utf-8", newline="") as file:
+        return {row["name"]: row for row in csv.DictReader(file)}
+
+
+def _digests(output: Path) -> dict[str, str]:
+    return {
+        path.parent.name: hashlib.sha256(path.read_bytes()).hexdigest()
+        for path in output.glob("*/solid.step")
+    }
+
+
+@dataclass
+class _Dask:
+    """A scheduler and its workers."""
+
+    address: str
+    workers: list["subprocess.Popen[bytes]"]
+
+
+def _start(module: str, *arguments: str, log: Path) -> "subprocess.Popen[bytes]":
+    return subprocess.Popen(
+        [sys.executable, "-m", f"distributed.cli.{module}", *arguments],
+        stdout=log.open("wb"),
+        stderr=subprocess.STDOUT,
+        start_new_session=True,
+    )
+
+
+@pytest.fixture(scope="module")
+def dask(tmp_path_factory: pytest.TempPathFactory) -> Iterator[_Dask]:
+    """A cluster of two workers, with a thread each; whatever is left of it is killed."""
+    folder = tmp_path_factory.mktemp("dask")
+    file = folder / "scheduler.json"
+    usual = ("--no-dashboard", "--scheduler-file", str(file))
+    started = [
+        _start(
+            "dask_scheduler", "--host", "127.0.0.1", "--port", "0", *usual, log=folder / "scheduler"
+        )
+    ]
+    try:
+        started += [
+            _start(
+                "dask_worker",
+                "--nthreads",
+                "1",
+                "--no-nanny",
+                "--local-directory",
+                str(folder / f"worker{number}"),
+                *usual,
+                log=folder / f"log{number}",
+            )
+            for number in range(2)
+        ]
+        until = time.monotonic() + _PATIENCE
+        while not file.is_file() or not file.read_text():
+            assert time.monotonic() < until and started[0].poll() is None
+            time.sleep(0.1)
+        address = json.loads(file.read_text())["address"]
+        from distributed import Client
+
+        with Client(address, timeout=_PATIENCE, set_as_default=False) as client:
+            client.wait_for_workers(2, timeout=_PATIENCE)
+        yield _Dask(address, started[1:])
+    finally:
+        for process in started:
+            with suppress(OSError):
+                os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+
+
+@pytest.fixture
+def sheets(tmp_path: Path) -> Path:
+    """Two sheets that become solids, and two that are none."""
+    folder = tmp_path / "sheets"
+    folder.mkdir()
+    for name in ("one.png", "two.png"):
+        shutil.copy(SAMPLES / "l-bracket.png", folder / name)
+    for name in ("text.png", "words.png"):
+        (folder / name).write_text("no picture")
+    return folder
+
+
+def test_the_results_are_those_of_one_machine(dask: _Dask, sheets: Path, tmp_path: Path) -> None:
+    here, there = tmp_path / "here", tmp_path / "there"
+    assert _run(sheets, "--output", here, *OPTIONS).returncode == 1
+    ran = _run(sheets, "--output", there, *OPTIONS, "--scheduler", dask.address)
+    assert (ran.returncode, ran.stderr) == (1, "")
+    assert _digests(here) == _digests(there)
+    assert len(_digests(there)) == 2
+    alike = ("status", "exit_code", "code")
+    assert [[row[name] for name in alike] for row in _rows(here).values()] == [
+        [row[name] for name in alike] for row in _rows(there).values()
+    ]
+    again = _run(sheets, "--output", there, *OPTIONS, "--resume", "--scheduler", dask.address)
+    assert again.returncode == 1
+    assert not list(there.glob(".gaussiancad-probe-*"))
+
+
+def test_a_batch_that_is_stopped_leaves_nothing_running(
+    dask: _Dask, sheets: Path, tmp_path: Path
+) -> None:
+    output = tmp_path / "out"
+    batch = subprocess.Popen(
+        _batch(sheets, "--output", output, *OPTIONS, "--scheduler", dask.address),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
+    _children_of(dask)
+    batch.send_signal(signal.SIGTERM)
+    began = time.monotonic()
+    batch.communicate(timeout=30)
+    assert time.monotonic() - began < 15.0
+    assert len(_rows(output)) == 4
+    until = time.monotonic() + 5.0
+    while any(psutil.Process(worker.pid).children() for worker in dask.workers):
+        assert time.monotonic() < until
+        time.sleep(0.1)
+
+
+def test_a_worker_that_is_lost_costs_no_sheet(dask: _Dask, sheets: Path, tmp_path: Path) -> None:
+    """The last one here: the cluster has one worker less afterwards."""
+    output = tmp_path / "out"
+    batch = subprocess.Popen(
+        _batch(sheets, "--output", output, *OPTIONS, "--scheduler", dask.address),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
+    victim, child = _children_of(dask)
+    victim.kill()
+    batch.communicate(timeout=120)
+    assert sorted(row["exit_code"] for row in _rows(output).values()) == ["0", "0", "3", "3"]
+    assert len(_digests(output)) == 2
+    assert not psutil.pid_exists(child)
+
+
+def _children_of(dask: _Dask) -> tuple["subprocess.Popen[bytes]", int]:
+    """A worker that has begun a sheet, and the process that works on it."""
+    until = time.monotonic() + _PATIENCE
+    while time.monotonic() < until:
+        for worker in dask.workers:
+            if worker.poll() is None:
+                children = psutil.Process(worker.pid).children()
+                if children:
+                    return worker, children[0].pid
+        time.sleep(0.02)
+    raise AssertionError("no sheet was begun")
+
+
+def test_where_nobody_answers_it_is_said(sheets: Path, tmp_path: Path) -> None:
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        address = f"tcp://127.0.0.1:{free.getsockname()[1]}"
+    began = time.monotonic()
+    ran = _run(sheets, "--output", tmp_path / "out", *OPTIONS, "--scheduler", address)
+    assert time.monotonic() - began < 25.0
+    assert ran.returncode == 2
+    assert ran.stderr.count("\n") == 1 and "[scheduler-unreachable]" in ran.stderr
+
+
+def test_workers_that_do_not_see_the_folder_are_named(
+    dask: _Dask, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from gaussiancad_core.batches import cluster
+    from gaussiancad_core.errors import UsageError
+    from gaussiancad_core.processes.supervisor import ProcessLimits
+
+    # Each process has a folder of its own of this name.
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(UsageError) as caught:
+        cluster.Cluster(dask.address, ProcessLimits(1 << 30, 10.0), Path("/proc/self/cwd"))
+    assert caught.value.code == "folder-not-shared"
+    assert not list(tmp_path.iterdir())
