@@ -126,6 +126,8 @@ class Cancellation:
     def __init__(self) -> None:
         self._arrived = threading.Event()
         self._is_due = True
+        self.raised: CancelledError | None = None
+        """What was raised, if anything was."""
         for name in (signal.SIGINT, signal.SIGTERM):
             signal.signal(name, self._handle)
 
@@ -138,7 +140,8 @@ class Cancellation:
             return
         self._is_due = False
         threading.Thread(target=self._insist, args=(number,), name="cancel", daemon=True).start()
-        raise CancelledError("cancelled", f"cancelled by {signal.Signals(number).name}")
+        self.raised = CancelledError("cancelled", f"cancelled by {signal.Signals(number).name}")
+        raise self.raised
 
     def _insist(self, number: int) -> None:
         if not self._arrived.wait(_AGAIN_S):

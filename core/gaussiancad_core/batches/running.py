@@ -32,6 +32,20 @@ if TYPE_CHECKING:
 
 _LOCK_FILE = ".gaussiancad-batch.lock"
 
+_MODULES = tuple(
+    f"gaussiancad_core.{name}"
+    for name in (
+        "pipeline",
+        "reading_stage",
+        "exact_stage",
+        "ink_stage",
+        "solid_reports",
+        "check_stage",
+        "models",
+    )
+)
+"""What every sheet needs: most of its start-up."""
+
 _FULL_DISKS = 3
 """Sheets in a row that end for want of space after which no more is begun."""
 
@@ -89,7 +103,7 @@ class BatchSettings:
     def processes(self) -> "Supervisor[_Place] | Cluster[_Place]":
         """What runs the sheets' processes; errors as of either."""
         if self.scheduler is None:
-            return Supervisor(self.workers, self.limits)
+            return Supervisor(self.workers, self.limits, _MODULES)
         from gaussiancad_core.batches.cluster import Cluster
 
         return Cluster(self.scheduler, self.limits, self.output)

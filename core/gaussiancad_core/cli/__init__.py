@@ -20,7 +20,6 @@ from gaussiancad_core.events import (
     Listener,
     Silence,
     cancel_on_stdin,
-    cancellation_behind,
     open_event_stream,
 )
 
@@ -39,15 +38,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return int(options.run(options, listener))
     except GaussianCadError as error:
         return _tell(listener, error.code, error.message, error.exit_code)
-    except SystemError as error:
-        if (cancelled := cancellation_behind(error)) is None:
+    except (SystemError, ImportError) as error:
+        # A compiled function or a module that is interrupted says only that it failed.
+        cancelled = cancellation.raised
+        if cancelled is not None:
+            return _tell(listener, cancelled.code, cancelled.message, cancelled.exit_code)
+        if isinstance(error, SystemError):
             raise
-        return _tell(listener, cancelled.code, cancelled.message, cancelled.exit_code)
-    except KeyboardInterrupt:
-        return _tell(listener, "cancelled", "stopped by SIGINT", CancelledError.exit_code)
-    except ImportError as error:
         message = f"the engine is incomplete ({error}): run `gaussiancad doctor`"
         return _tell(listener, "engine-incomplete", message, ExitCode.ENGINE)
+    except KeyboardInterrupt:
+        return _tell(listener, "cancelled", "stopped by SIGINT", CancelledError.exit_code)
     except Exception as error:
         if not is_out_of_memory(error):
             raise

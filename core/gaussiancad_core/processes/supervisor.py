@@ -6,10 +6,9 @@ What a process prints goes into files, so that none waits for a reader.
 import os
 import signal
 import subprocess
-import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import IO, Generic, TypeVar
@@ -17,6 +16,7 @@ from typing import IO, Generic, TypeVar
 import psutil
 
 from gaussiancad_core.errors import ExitCode
+from gaussiancad_core.processes.starting import Interpreters, Starter, starter
 
 _LOOKS_EVERY = 0.1
 """s between looks at the processes."""
@@ -71,25 +71,21 @@ class _Child:
     """A process in a session of its own."""
 
     def __init__(
-        self, arguments: list[str], limits: ProcessLimits, *, keep_output: bool = False
+        self,
+        starter: Starter,
+        arguments: list[str],
+        limits: ProcessLimits,
+        *,
+        keep_output: bool = False,
     ) -> None:
         self._limits = limits
         # Both are closed with the process, in end().
         self._said: IO[bytes] = tempfile.TemporaryFile()  # noqa: SIM115
         self._printed = tempfile.TemporaryFile() if keep_output else None  # noqa: SIM115
-        isolated = ["-I"] if sys.flags.isolated else []
-        module = "gaussiancad_core.processes.child"
-        command = [sys.executable, *isolated, "-m", module, str(limits.file), *arguments]
-        self._process = subprocess.Popen(
-            command,
-            # Its end tells the child that nobody waits for it.
-            stdin=subprocess.PIPE,
-            stdout=self._printed or subprocess.DEVNULL,
-            stderr=self._said,
-            env={**os.environ, **_ONE_THREAD},
-            start_new_session=True,
+        self._process = starter.start(
+            arguments, limits.file, self._printed or subprocess.DEVNULL, self._said
         )
-        self._seen = psutil.Process(self._process.pid)
+        self._seen = _seen(self._process.pid)
         self._began = time.monotonic()
         self._peak = 0
 
@@ -161,6 +157,8 @@ class _Child:
 
     def _memory(self) -> int:
         total = 0
+        if self._seen is None:
+            return total
         with suppress(psutil.Error):
             for process in (self._seen, *self._seen.children(recursive=True)):
                 with suppress(psutil.Error):
@@ -178,7 +176,7 @@ def run_limited(
         limits: of the process.
         asked_for: whether anybody still waits for it; else it is ended.
     """
-    child = _Child(arguments, limits, keep_output=True)
+    child = _Child(Interpreters(), arguments, limits, keep_output=True)
     try:
         while (ended := child.look()) is None:
             time.sleep(_LOOKS_EVERY)
@@ -194,10 +192,18 @@ def run_limited(
 
 
 class Supervisor(Generic[Task]):
-    """Runs tasks in processes, some at a time."""
+    """Runs tasks in processes, some at a time.
 
-    def __init__(self, workers: int, limits: ProcessLimits) -> None:
+    Args:
+        workers: processes at a time.
+        limits: of each.
+        modules: that each imports: where processes can be forked, they are imported once.
+    """
+
+    def __init__(self, workers: int, limits: ProcessLimits, modules: Sequence[str] = ()) -> None:
         self._workers, self._limits = workers, limits
+        self._modules = tuple(modules)
+        self._starter: Starter | None = None
         self._running: dict[int, tuple[Task, _Child]] = {}
 
     def run(self, tasks: Iterable[tuple[Task, list[str]]]) -> Iterator[tuple[Task, Ended]]:
@@ -216,7 +222,9 @@ class Supervisor(Generic[Task]):
                     more = False
                     break
                 number += 1
-                self._running[number] = task[0], _Child(task[1], self._limits)
+                if self._starter is None:
+                    self._starter = starter(self._modules)
+                self._running[number] = task[0], _Child(self._starter, task[1], self._limits)
             for key, (own, child) in list(self._running.items()):
                 if (ended := child.look()) is not None:
                     del self._running[key]
@@ -233,13 +241,17 @@ class Supervisor(Generic[Task]):
         until = time.monotonic() + _GRACE_S
         for child in children:
             child.end(until)
+        if self._starter is not None:
+            self._starter.close()
+            self._starter = None
 
 
-_ONE_THREAD = {
-    name: "1"
-    for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
-}
-"""A sheet has one thread: the machine is full, and sums come out the same on any."""
+def _seen(pid: int) -> psutil.Process | None:
+    """A process to be looked at; nothing if it has ended already."""
+    try:
+        return psutil.Process(pid)
+    except psutil.Error:
+        return None
 
 
 def _name_of(number: int) -> str:
