@@ -15,7 +15,8 @@ from gaussiancad_core.sheet.files.curves import (
     to_point,
     wrapped,
 )
-from gaussiancad_core.sheet.files.fitting import circle_through, lines_and_arcs
+from gaussiancad_core.sheet.files.fitting import circle_through
+from gaussiancad_core.sheet.files.plotted import lines_and_arcs
 from gaussiancad_core.sheet.files.vectors import FULL_TURN, Chain, CircularArc, Curve, Line
 
 _ARC_DEVIATION = 1.5e-3

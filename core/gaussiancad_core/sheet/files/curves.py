@@ -27,8 +27,8 @@ STRAIGHT = 5e-3
 SMALLEST_SWEEP = np.radians(2.0)
 """Under this turn, the centre of an arc is too uncertain."""
 
-_ROUND = 1e-6
-"""Relative difference of two axes under which an ellipse is a circle."""
+_ROUND = 1e-4
+"""Share of the radius by which the axes of a circle may differ: files round what is in them."""
 
 
 def to_point(value: Vector) -> Point:

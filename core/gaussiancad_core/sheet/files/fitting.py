@@ -23,15 +23,6 @@ _SMALLEST_CONIC_SWEEP = np.radians(20.0)
 _LARGEST_STEP = np.radians(15.0)
 """The points of a polygon may lie on a circle too, but turn by more at once."""
 
-_PLOTTED = 0.15
-"""px by which plotted points may lie beside their circle: plotters round to 1/1200 inch or so."""
-
-_FEWEST_PLOTTED, _SMALLEST_PLOTTED = 6, np.radians(15.0)
-"""Pieces and turn from which a chain of plotted pieces is taken for an arc."""
-
-_MOST_PLOTTED = 1024
-"""Pieces of a plotted arc that are looked at."""
-
 
 def circle_through(points: npt.NDArray[np.float64]) -> tuple[Vector, float]:
     """Centre and radius of the circle nearest to (n, 2) points by its equation (Kåsa's fit)."""
@@ -112,65 +103,3 @@ def _ellipse_along(points: npt.NDArray[np.float64]) -> Curve | None:
     if np.abs(steps).max() > _LARGEST_STEP:
         return None
     return affine_arc(centre, u, v, float(angles[0]), sweep)
-
-
-def lines_and_arcs(points: npt.NDArray[np.float64]) -> list[Curve]:
-    """Curves along a polygon that a plotter drew: arcs where many short pieces turn alike.
-
-    Args:
-        points: (n, 2) px, no two neighbours at the same place.
-    """
-    ways = np.diff(points, axis=0)
-    angles = np.arctan2(ways[:, 1], ways[:, 0])
-    turns = np.angle(np.exp(1j * np.diff(angles)))
-    curves: list[Curve] = []
-    index = 0
-    while index < len(ways):
-        window = slice(index, index + _MOST_PLOTTED)
-        count = _arc_pieces(points[index : index + _MOST_PLOTTED + 2], turns[window])
-        arc = _plotted_arc(points[index : index + count + 1]) if count else None
-        if arc is None:
-            curves.append(Line(to_point(points[index]), to_point(points[index + 1])))
-            index += 1
-        else:
-            curves.append(arc)
-            index += count
-    return curves
-
-
-def _arc_pieces(points: npt.NDArray[np.float64], turns: npt.NDArray[np.float64]) -> int:
-    """How many pieces from the first on lie on one circle; 0 if too few."""
-    if len(turns) < _FEWEST_PLOTTED - 1 or not 0.0 < abs(turns[0]) < _LARGEST_STEP:
-        return 0
-    alike = (np.abs(turns) < _LARGEST_STEP) & (turns * turns[0] > 0.0)
-    most = len(turns) + 1 if alike.all() else int(np.argmin(alike)) + 1
-    low, high = 0, most
-    # The longest run that still fits, by bisection: an arc's beginning fits where it does.
-    while low < high:
-        middle = (low + high + 1) // 2
-        if _plotted_arc(points[: middle + 1]) is None and middle >= _FEWEST_PLOTTED:
-            high = middle - 1
-        else:
-            low = middle
-    return low if low >= _FEWEST_PLOTTED else 0
-
-
-def _plotted_arc(points: npt.NDArray[np.float64]) -> CircularArc | None:
-    """The arc that (n, 2) plotted points follow, or None."""
-    if len(points) <= _FEWEST_PLOTTED:
-        return None
-    centre, radius = circle_through(points)
-    away = np.abs(np.hypot(*(points - centre).T) - radius)
-    angles = np.unwrap(np.arctan2(points[:, 1] - centre[1], points[:, 0] - centre[0]))
-    steps = np.diff(angles)
-    sweep = float(angles[-1] - angles[0])
-    one_way = (steps > 0.0).all() or (steps < 0.0).all()
-    even = np.abs(steps).max() <= 4.0 * np.median(np.abs(steps))
-    if away.max() > _PLOTTED or not (one_way and even) or abs(sweep) < _SMALLEST_PLOTTED:
-        return None
-    if np.abs(steps).max() > _LARGEST_STEP:
-        return None
-    if np.hypot(*(points[-1] - points[0])) < 1e-6:
-        sweep = FULL_TURN
-    start = float(angles[0] if sweep > 0.0 else angles[-1])
-    return CircularArc(to_point(centre), radius, wrapped(start), min(abs(sweep), FULL_TURN))

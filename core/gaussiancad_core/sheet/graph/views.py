@@ -13,6 +13,7 @@ from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
 from gaussiancad_core.sheet.files.painting import paint
 from gaussiancad_core.sheet.files.vectors import Line, VectorDrawing, VectorStroke, bounds
+from gaussiancad_core.sheet.graph.chains import with_whole_edges
 from gaussiancad_core.sheet.graph.labels import Label, LabelledDrawing, labelled
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box
@@ -26,8 +27,6 @@ _MARKS = {
     Label.FRAME: AnnotationKind.FRAME,
     Label.DIMENSION: AnnotationKind.EXTENSION,
 }
-
-_PART = Label.VISIBLE, Label.HIDDEN
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +81,9 @@ def graph_views(
 def _part(found: LabelledDrawing, sheet: CleanSheet) -> tuple[SeparatedSheet, VectorSheet]:
     """The sheet with the part's strokes alone, and these."""
     height, width = sheet.ink.shape
-    drawing = VectorDrawing(found.of(*_PART), ())
+    drawing = VectorDrawing(
+        (*with_whole_edges(found.of(Label.VISIBLE)), *found.of(Label.HIDDEN)), ()
+    )
     drawn = clean_sheet(paint(drawing, width, height), 0)
     part = replace(drawn, turn=sheet.turn, dash_gap=sheet.dash_gap)
     marks = [

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from gaussiancad_core.sheet.files.fitting import circle_through, curve_along, lines_and_arcs
+from gaussiancad_core.sheet.files.fitting import circle_through, curve_along
 from gaussiancad_core.sheet.files.vectors import Chain, CircularArc, EllipticArc, Line
 
 
@@ -52,34 +52,3 @@ def test_circle_through_scattered_points() -> None:
     centre, radius = circle_through(points + np.array([1e4, 2e4]))
     assert np.allclose(centre, (1e4, 2e4), atol=0.03)
     assert radius == pytest.approx(50, abs=0.03)
-
-
-def test_plotted_polygons_hold_lines_and_arcs() -> None:
-    """A slot: two half circles of 18 pieces each, joined by lines, and a corner."""
-    right = (400, 100) + 50 * _turning(-np.pi / 2, np.pi / 2, 19)
-    left = (100, 100) + 50 * _turning(np.pi / 2, 3 * np.pi / 2, 19)
-    points = np.round(np.concatenate([right, left, right[:1], [[400, 0]]]), 1)
-    curves = lines_and_arcs(points)
-    assert [type(curve) for curve in curves] == [CircularArc, Line, CircularArc, Line, Line]
-    for curve, centre in ((curves[0], (400, 100)), (curves[2], (100, 100))):
-        assert np.allclose(curve.centre, centre, atol=0.05)
-        assert curve.radius == pytest.approx(50, abs=0.05)
-        assert curve.sweep == pytest.approx(np.pi, abs=0.01)
-
-
-@pytest.mark.parametrize("corners", [3, 4, 6, 8, 12])
-def test_polygons_stay_polygons(corners: int) -> None:
-    points = 100 * _turning(0, 2 * np.pi, corners + 1)
-    assert [type(curve) for curve in lines_and_arcs(points)] == [Line] * corners
-
-
-def test_arcs_of_different_radius_are_told_apart() -> None:
-    small = 60 * _turning(0, np.pi / 2, 15)
-    large = (0, -60) + 120 * _turning(np.pi / 2, 0.9 * np.pi, 30)
-    first, second = lines_and_arcs(np.concatenate([small, large[1:]]))
-    assert (first.radius, second.radius) == pytest.approx((60, 120), rel=0.02)
-
-
-def _turning(start: float, end: float, count: int) -> np.ndarray:
-    t = np.linspace(start, end, count)
-    return np.stack([np.cos(t), np.sin(t)], 1)

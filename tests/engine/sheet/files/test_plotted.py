@@ -1,0 +1,67 @@
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gaussiancad_core.sheet.files.plotted import lines_and_arcs
+from gaussiancad_core.sheet.files.vectors import CircularArc, Line
+
+
+def test_plotted_polygons_hold_lines_and_arcs() -> None:
+    """A slot: two half circles of 18 pieces each, joined by lines, and a corner."""
+    right = (400, 100) + 50 * _turning(-np.pi / 2, np.pi / 2, 19)
+    left = (100, 100) + 50 * _turning(np.pi / 2, 3 * np.pi / 2, 19)
+    points = np.round(np.concatenate([right, left, right[:1], [[400, 0]]]), 1)
+    curves = lines_and_arcs(points)
+    assert [type(curve) for curve in curves] == [CircularArc, Line, CircularArc, Line, Line]
+    for curve, centre in ((curves[0], (400, 100)), (curves[2], (100, 100))):
+        assert np.allclose(curve.centre, centre, atol=0.05)
+        assert curve.radius == pytest.approx(50, abs=0.05)
+        assert curve.sweep == pytest.approx(np.pi, abs=0.01)
+
+
+@pytest.mark.parametrize("corners", [3, 4, 6, 8, 12])
+def test_polygons_stay_polygons(corners: int) -> None:
+    points = 100 * _turning(0, 2 * np.pi, corners + 1)
+    assert [type(curve) for curve in lines_and_arcs(points)] == [Line] * corners
+
+
+def test_arcs_of_different_radius_are_told_apart() -> None:
+    small = 60 * _turning(0, np.pi / 2, 15)
+    large = (0, -60) + 120 * _turning(np.pi / 2, 0.9 * np.pi, 30)
+    first, second = lines_and_arcs(np.concatenate([small, large[1:]]))
+    assert (first.radius, second.radius) == pytest.approx((60, 120), rel=0.02)
+
+
+def _turning(start: float, end: float, count: int) -> np.ndarray:
+    t = np.linspace(start, end, count)
+    return np.stack([np.cos(t), np.sin(t)], 1)
+
+
+@given(
+    radius=st.floats(12.0, 120.0),
+    sweep=st.floats(0.8, 2 * np.pi),
+    start=st.floats(0.0, 6.0),
+    step=st.sampled_from([0.0, 0.1, 0.2778]),
+)
+def test_an_arc_is_one_however_its_points_are_rounded(
+    radius: float, sweep: float, start: float, step: float
+) -> None:
+    count = max(9, int(sweep * max(radius / 2.5, 24 / np.pi)))
+    points = (300, 200) + radius * _turning(start, start + sweep, count)
+    if step:
+        points = np.round(points / step) * step
+    curves = lines_and_arcs(points)
+    assert [type(curve) for curve in curves] == [CircularArc]
+    assert curves[0].radius == pytest.approx(radius, rel=0.12, abs=1.5 * step)
+    assert curves[0].sweep == pytest.approx(sweep, rel=0.15, abs=2 * step / radius)
+
+
+def test_a_rounding_between_lines_is_an_arc_from_one_to_the_other() -> None:
+    corner = (200, 100) + 13.3 * _turning(-np.pi / 2, 0.0, 10)
+    points = np.concatenate([[[100.0, 86.7]], corner, [[213.3, 200.0]]])
+    points = np.round(points / 0.2778) * 0.2778
+    first, arc, last = lines_and_arcs(points)
+    assert isinstance(first, Line) and isinstance(last, Line)
+    assert isinstance(arc, CircularArc)
+    assert arc.radius == pytest.approx(13.3, abs=0.3)
