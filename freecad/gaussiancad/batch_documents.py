@@ -54,7 +54,7 @@ def complete_sheet(row: SheetRow, kept: bool) -> SheetRow:
         return row.without_document(error.code.value, error.message)
     except OSError as error:
         reason = f"cannot write the document of {row.name}: {error.strerror or error}"
-        return row.without_document("", reason)
+        return row.without_document(ErrorCode.DOCUMENT_NOT_WRITTEN.value, reason)
     return row
 
 

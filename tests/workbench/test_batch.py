@@ -27,6 +27,7 @@ from freecad.gaussiancad.batch_report import SheetRow
 from freecad.gaussiancad.engine.job import Preset, Recipe, ScaleKind
 from freecad.gaussiancad.objects.exporting import write_step, write_stl
 from freecad.gaussiancad.paths import ADDON_ROOT
+from freecad.gaussiancad.staging import staging
 from freecad.gaussiancad.whole_files import is_whole_document, is_whole_step, is_whole_stl
 
 SCRIPT = ADDON_ROOT / "resources" / "scripts" / "gaussiancad_batch.py"
@@ -339,6 +340,25 @@ class Resumed(BatchCase):
         document.save()
         FreeCAD.closeDocument(document.Name)
         self.assertEqual(self.resume(), set())
+
+    def test_what_a_killed_console_left_is_removed(self) -> None:
+        child = os.fork()
+        if child == 0:
+            held = staging(self.output)
+            held.__enter__()
+            os._exit(0)
+        os.waitpid(child, 0)
+        self.assertEqual(len(list(self.output.glob(".gaussiancad-*"))), 1)
+        self.assertEqual(self.resume(), set())
+        self.assertEqual(list(self.output.glob(".gaussiancad-*")), [])
+
+    def test_a_file_that_cannot_be_written_fails_one_sheet_only(self) -> None:
+        (self.output / "b.FCStd").unlink()
+        (self.output / "b.FCStd").mkdir()
+        self.assertEqual(self.convert(self.sheets, "--resume"), 1)
+        rows = {name: (row["status"], row["code"]) for name, row in self.documents().items()}
+        self.assertEqual(rows.pop("b"), ("failed", "document-not-written"))
+        self.assertEqual(set(rows.values()), {("verified", "")})
 
     def test_without_resume_all_is_new(self) -> None:
         before = self.stamps()

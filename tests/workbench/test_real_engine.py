@@ -1,7 +1,9 @@
 """The real engine, from FreeCAD's console; left out where it is not installed."""
 
+import csv
 import math
 import os
+import signal
 import tempfile
 import unittest
 from pathlib import Path
@@ -10,6 +12,7 @@ import FreeCAD
 import Part
 from support import HARD_NAME, FolderCase
 
+from freecad.gaussiancad.batch import main
 from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.engine.job import (
     CompareJob,
@@ -198,6 +201,30 @@ class Trouble(FolderCase):
             self.assertIn(path.name, result.message)
             self.assertNotIn("\n", result.message)
             self.assertNotIn("Traceback", result.log)
+
+    def test_a_batch_makes_documents_and_keeps_them(self) -> None:
+        sheets = self.folder / "sheets"
+        sheets.mkdir()
+        (sheets / "Blech 图.png").write_bytes(SAMPLE.read_bytes())
+        (sheets / "text.png").write_text("this is no picture")
+        arguments = [str(sheets), "--output", str(self.folder / "out")]
+        arguments += ["--result", "solid", "--length", "x=80"]
+        for number in (signal.SIGINT, signal.SIGTERM):
+            self.addCleanup(signal.signal, number, signal.getsignal(number))
+        self.assertEqual(main(arguments), 1)
+        with open(self.folder / "out" / "report.csv", encoding="utf-8", newline="") as file:
+            rows = {row["name"]: row for row in csv.DictReader(file)}
+        self.assertEqual((rows["text"]["exit_code"], rows["text"]["code"]), ("3", "not-an-image"))
+        self.assertEqual(rows["Blech 图"]["status"], "verified")
+        path = self.folder / "out" / "Blech 图.FCStd"
+        before = path.stat()
+        self.assertEqual(main([*arguments, "--resume"]), 1)
+        self.assertEqual(path.stat().st_ino, before.st_ino)
+        document = FreeCAD.openDocument(str(path))
+        self.addCleanup(FreeCAD.closeDocument, document.Name)
+        self.assertAlmostEqual(document.getObject("Part").Shape.BoundBox.XLength, 80.0, places=6)
+        settings = document.getObject("Reconstruction").Settings
+        self.assertEqual((settings["scale"], settings["result"]), ("x = 80", "solid"))
 
     def test_the_doctor_answers(self) -> None:
         result, _ = run(["doctor"])
