@@ -71,7 +71,7 @@ def read_drawing(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes
     reading = _in_worked_px(job.reading, clean.turn)
     with notes.stage("views"):
         given = {role: clean.turn.box_to_upright(box) for role, box in reading.views}
-        separated, layout, vectors = _found_views(image, clean, given, reading)
+        separated, layout, vectors = _found_views(image, clean, given, reading, notes)
         _tell_marks(notes, separated.marks, clean.turn)
         _tell_layout(notes, layout, clean.turn)
     with notes.stage("lines"):
@@ -207,18 +207,37 @@ def _with_measures(
 
 
 def _found_views(
-    image: SheetImage, clean: CleanSheet, given: dict[Role, Box], reading: ReadingOptions
+    image: SheetImage,
+    clean: CleanSheet,
+    given: dict[Role, Box],
+    reading: ReadingOptions,
+    notes: RunNotes,
 ) -> tuple[SeparatedSheet, Layout, VectorSheet | None]:
     """The part's ink, its views, and their exact lines where the file has them."""
     drawing = image.vectors if reading.finder is Finder.RIDGES else None
     if drawing is not None:
         told = graph_views(drawing, clean, given, reading.projection)
         if told is not None:
+            _tell_doubtful(notes, told.doubtful)
             return told.separated, told.layout, told.vectors
     # Where a file has lines of one width, those of its picture only seem to differ.
     by_weight = not (image.vectors is not None and image.vectors.has_one_width)
     found = find_views(clean, given, reading.projection, by_weight)
     return *found, VectorSheet(drawing, clean) if drawing is not None else None
+
+
+def _tell_doubtful(notes: RunNotes, boxes: Sequence[Box]) -> None:
+    """Say which lines of the views were not used for their pen alone."""
+    if boxes:
+        places = ", ".join(
+            f"({(box[0] + box[2]) / 2.0:.0f}, {(box[1] + box[3]) / 2.0:.0f})"
+            for box in boxes[:_MOST_PLACES]
+        )
+        notes.doubt(
+            "unused-view",
+            f"{len(boxes)} line(s) run from edge to edge in another pen than the part's and were "
+            f"not used, at {places} px: if they show the part, what they show is missing",
+        )
 
 
 def _tell_views(notes: RunNotes, registered: RegisteredSheet, turn: Turn) -> None:

@@ -16,7 +16,13 @@ from gaussiancad_core.sheet.files.vectors import (
 )
 from gaussiancad_core.sheet.graph.dashes import dashes
 from gaussiancad_core.sheet.graph.furniture import furniture
-from gaussiancad_core.sheet.graph.pens import PenEvidence, evidence, may_be_edge, pens_of
+from gaussiancad_core.sheet.graph.pens import (
+    PenEvidence,
+    evidence,
+    may_be_edge,
+    other_layers,
+    pens_of,
+)
 from gaussiancad_core.sheet.graph.touching import Flags, Touches, touching
 
 _REACH = 0.6
@@ -30,6 +36,10 @@ _CLOSES = 0.8
 
 _OUTLINE = 0.6
 """The same share of each group of strokes that touch."""
+
+_HEAD = 24.0
+"""Widths that the strokes of an arrowhead are long at most (ISO 129-1: up to ten times the wide
+line's)."""
 
 _LEAST = 3
 """Strokes of which a part's drawing consists at least."""
@@ -69,12 +79,15 @@ class LabelledDrawing:
         labels: of each.
         pens: what speaks for each pen, the part's first.
         touches: of the strokes.
+        doubtful: numbers of those that are no part's for their pen alone: they run from edge to
+            edge, and nothing at their ends tells a dimension.
     """
 
     strokes: tuple[VectorStroke, ...]
     labels: tuple[Label, ...]
     pens: tuple[PenEvidence, ...]
     touches: Touches
+    doubtful: tuple[int, ...] = ()
 
     def of(self, *labels: Label) -> tuple[VectorStroke, ...]:
         """The strokes that stand for any of some things."""
@@ -102,7 +115,8 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
     candidates = ~framed & np.array([may_be_edge(stroke) for stroke in lines], dtype=bool)
     found = evidence(lines, pens, numbers, touches, candidates)
     best = max(range(len(pens)), key=lambda number: found[number].weight)
-    edges = _outlines(lines, touches, candidates & (numbers == best))
+    drawn = np.isin(numbers, [best, *other_layers(pens, numbers, best, touches, candidates)])
+    edges = _outlines(lines, touches, candidates & drawn)
     if found[best].closed < _CLOSES or edges.sum() < _LEAST:
         return None
     inside = _inside(touches, edges)
@@ -122,8 +136,9 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
             labels[index] = Label.HIDDEN
         elif stroke.is_solid:
             labels[index] = Label.DIMENSION
+    doubtful = _doubtful(lines, touches, labels, edges & ~hatched)
     order = sorted(found, key=lambda own: -own.weight)
-    return LabelledDrawing(lines, tuple(labels), tuple(order), touches)
+    return LabelledDrawing(lines, tuple(labels), tuple(order), touches, doubtful)
 
 
 def _outlines(strokes: Sequence[VectorStroke], touches: Touches, edges: Flags) -> Flags:
@@ -137,6 +152,21 @@ def _outlines(strokes: Sequence[VectorStroke], touches: Touches, edges: Flags) -
         own = groups == group
         found |= own & (lengths[own & meets].sum() >= _OUTLINE * lengths[own].sum())
     return found
+
+
+def _doubtful(
+    strokes: Sequence[VectorStroke], touches: Touches, labels: Sequence[Label], edges: Flags
+) -> tuple[int, ...]:
+    """Numbers of solid strokes in other pens that run from edge to edge, without heads."""
+    annotations = np.array([label is Label.DIMENSION for label in labels], dtype=bool)
+    lengths = np.array([stroke.curve.length for stroke in strokes])
+    widths = np.array([stroke.width or 1.0 for stroke in strokes])
+    heads = annotations & (lengths < _HEAD * widths)
+    headed = np.zeros(len(strokes), dtype=bool)
+    headed[touches.other[heads[touches.end // 2]]] = True
+    headed[touches.end[heads[touches.other]] // 2] = True
+    lines = annotations & ~heads & ~headed & touches.met_by(edges).all(axis=1)
+    return tuple(np.flatnonzero(lines).tolist())
 
 
 def _inside(touches: Touches, edges: Flags) -> Flags:

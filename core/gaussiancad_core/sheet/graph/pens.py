@@ -16,6 +16,9 @@ from gaussiancad_core.sheet.graph.touching import Flags, Ints, Touches
 _ALIKE = 1.1
 """Ratio of widths up to which they are one pen's."""
 
+_ALSO_CLOSES = 0.95
+"""Share of the strokes of another layer that meet others at both ends, where it is the part's."""
+
 _EDGES = (StrokeKind.GEOMETRY, StrokeKind.BLOCK)
 """Kinds of strokes that may be edges, as the file tells."""
 
@@ -99,4 +102,30 @@ def evidence(
         meets = own & (closed | touches.met(own).all(axis=1))
         total = float(lengths[own].sum())
         found.append(PenEvidence(pen, total, float(lengths[meets].sum()) / max(total, 1e-9)))
+    return found
+
+
+def other_layers(
+    pens: Sequence[Pen], numbers: Ints, best: int, touches: Touches, candidates: Flags
+) -> list[int]:
+    """Pens that draw the part, too: they look as its pen does but for the layer, and close outlines
+    with it.
+
+    Args:
+        pens: of the sheet.
+        numbers: (n,) of each stroke's pen.
+        best: the number of the part's pen.
+        touches: of the strokes.
+        candidates: (n,) which strokes may be edges.
+    """
+    part = candidates & (numbers == best)
+    look = pens[best].width, pens[best].colour
+    found = []
+    for number, pen in enumerate(pens):
+        own = candidates & (numbers == number)
+        if number == best or (pen.width, pen.colour) != look or not own.any():
+            continue
+        meets = touches.closed | touches.met(own | part).all(axis=1)
+        if meets[own].mean() >= _ALSO_CLOSES:
+            found.append(number)
     return found

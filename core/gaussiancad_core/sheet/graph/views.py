@@ -37,11 +37,13 @@ class GraphViews:
         separated: the sheet with the part's strokes alone.
         layout: of its views.
         vectors: the part's strokes.
+        doubtful: boxes in px of strokes in other pens that may be the part's.
     """
 
     separated: SeparatedSheet
     layout: Layout
     vectors: VectorSheet
+    doubtful: tuple[Box, ...] = ()
 
 
 def graph_views(
@@ -75,7 +77,14 @@ def graph_views(
     except NoModelError:
         return None
     separated, layout = with_symbol(separated, layout, symbol)
-    return GraphViews(separated, layout, vectors)
+    boxes = [tuple(found.touches.boxes[number].tolist()) for number in found.doubtful]
+    used = [box for box in boxes if any(_overlap(box, view) for view in layout.boxes.values())]
+    return GraphViews(separated, layout, vectors, tuple(used))
+
+
+def _overlap(box: Box, other: Box) -> bool:
+    x = box[0] <= other[2] and box[2] >= other[0]
+    return x and box[1] <= other[3] and box[3] >= other[1]
 
 
 def _part(found: LabelledDrawing, sheet: CleanSheet) -> tuple[SeparatedSheet, VectorSheet]:

@@ -139,3 +139,24 @@ def test_colours_are_pens() -> None:
 )
 def test_where_nothing_closes_nothing_is_told(strokes: list[VectorStroke]) -> None:
     assert labelled(VectorDrawing(tuple(strokes), ()), _SIZE) is None
+
+
+def test_lines_of_another_pen_from_edge_to_edge_are_doubtful() -> None:
+    """Smooth edges are drawn thin by some; dimensions have heads."""
+    part = _box(300, 300, 200, 100)
+    smooth = _lines((420, 300, 420, 400), width=_THIN)
+    heads = [(x, 350, x + way * 8, 350 + up) for x, way in ((300, 1), (500, -1)) for up in (3, -3)]
+    dimension = _lines((300, 350, 500, 350), *heads, width=_THIN)
+    drawing = VectorDrawing(tuple(part + smooth + dimension), ())
+    found = labelled(drawing, _SIZE)
+    assert found is not None
+    assert found.doubtful == (4,)
+
+
+def test_layers_that_close_outlines_with_the_parts_are_it_too() -> None:
+    part = [VectorStroke(s.curve, _WIDE, layer="OUTER") for s in _box(300, 300, 200, 100)]
+    inner = [VectorStroke(Line((420, 300), (420, 400)), _WIDE, layer="INNER")]
+    other = [VectorStroke(s.curve, _WIDE, layer="SIDE") for s in _box(600, 300, 50, 100)]
+    notes = [VectorStroke(s.curve, _WIDE, layer="DIM") for s in _dimension(300, 500, 250, 300)]
+    labels = _labels(part + inner + other + notes)
+    assert labels == [Label.VISIBLE] * 9 + [Label.DIMENSION] * 3
