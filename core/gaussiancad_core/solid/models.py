@@ -77,16 +77,6 @@ def labelled(work: Work, limits: Limits) -> Iterator[tuple[Work, Labelling]]:
         yield from _followed(work, views, limits, deadline)
         return
     work.failed(found)
-    silent = silent_views(views)
-    if len(silent) == len(views.roles):
-        # Practice leaves hidden lines out: nothing that follows takes them to be drawn.
-        views = replace(views, undrawn=silent)
-        works = _undrawn(work, views, limits, deadline)
-        if (first := _first_fulfilled(works, deadline)) is not None:
-            yield first
-            return
-        part = without_undrawn(work.part, views)
-        work = _remodelled(replace(work, views=views), (ModelKind.UNDRAWN_LINES, part), limits)
     yield from _otherwise(work, found, limits)
 
 
@@ -129,11 +119,16 @@ def _otherwise(work: Work, found: Labelling, limits: Limits) -> Iterator[tuple[W
         yield first
         yield from _followed(work, lines, limits, deadline)
         return
-    if silent and not views.undrawn:
-        works = _undrawn(work, replace(lines, undrawn=silent), limits, deadline)
+    if silent and limits.relaxed:
+        undrawn = replace(lines, undrawn=silent)
+        works = _undrawn(work, undrawn, limits, deadline)
         if (first := _first_fulfilled(works, deadline)) is not None:
             yield first
-            return
+        elif len(silent) == len(views.roles):
+            # Practice leaves hidden lines out: nothing that follows takes them to be drawn.
+            views = lines = undrawn
+            model = ModelKind.UNDRAWN_LINES, without_undrawn(work.part, views)
+            work = _remodelled(replace(work, views=views), model, limits)
     latest = meter.until(_RELAXED * limits.work)
     # Where readers lead ends to the wrong lines nearly all strokes are a little wrong.
     if views.apart is None and (lacking := _lacking(work, views, limits, latest)) is not None:

@@ -31,6 +31,15 @@ and something for the chord."""
 _COARSEST = 0.4
 """px of the grid's step at most."""
 
+_FINEST, _FAR = 0.01, 4.0
+"""px: neighbouring coordinates this close, and less than this apart, tell of a grid."""
+
+_TELLING = 8
+"""Of so many at least."""
+
+_OFF_GRID, _ON_GRID = 0.1, 0.9
+"""Steps that distances may be off the grid, and share of them that are not, at least."""
+
 _MOST = 1024
 """Chords of an arc that are looked at."""
 
@@ -54,10 +63,14 @@ def lines_and_arcs(points: Points) -> list[Curve]:
 
 
 def grid_step(points: Points) -> float:
-    """px between lines of the grid to which points are rounded, as far as they tell."""
+    """px between lines of the grid to which points are rounded; 0 where they tell of none."""
     apart = np.concatenate([np.diff(np.unique(np.round(column, 3))) for column in points.T])
-    apart = apart[apart > 1e-2]
-    return float(min(np.quantile(apart, 0.1), _COARSEST)) if len(apart) else 0.0
+    apart = apart[(apart > _FINEST) & (apart < _FAR)]
+    if len(apart) < _TELLING:
+        return 0.0
+    step = float(apart.min())
+    off = np.abs(apart / step - np.rint(apart / step))
+    return step if step <= _COARSEST and (off < _OFF_GRID).mean() >= _ON_GRID else 0.0
 
 
 def _ends_of_runs(points: Points, step: float) -> npt.NDArray[np.int64]:

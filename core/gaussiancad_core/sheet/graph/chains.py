@@ -34,14 +34,15 @@ def with_whole_edges(strokes: Sequence[VectorStroke]) -> tuple[VectorStroke, ...
     """
     lines = {index: own.curve for index, own in enumerate(strokes) if isinstance(own.curve, Line)}
     kept = [own for index, own in enumerate(strokes) if index not in lines]
+    ends = np.array([end for line in lines.values() for end in (line.start, line.end)])
+    beside = _BESIDE + 0.5 * grid_step(ends.reshape(-1, 2))
     for first, points in _chains(lines):
-        kept += [replace(strokes[first], curve=curve) for curve in _whole(points)]
+        kept += [replace(strokes[first], curve=curve) for curve in _whole(points, beside)]
     return tuple(kept)
 
 
-def _whole(points: Floats) -> Iterator[Curve]:
-    """Arcs and lines along a chain, lines that go straight on as one."""
-    beside = _BESIDE + 0.5 * grid_step(points)
+def _whole(points: Floats, beside: float) -> Iterator[Curve]:
+    """Arcs and lines along a chain, lines as one that are straight within so many px."""
     run: list[Line] = []
     for curve in lines_and_arcs(points):
         if isinstance(curve, Line) and _is_straight([*run, curve], beside):
