@@ -12,7 +12,7 @@ from gaussiancad_core.reasoning.drawn_views import DrawnViews, silent_views
 from gaussiancad_core.reasoning.fewest_strokes import fewest_strokes
 from gaussiancad_core.reasoning.labelling import Labelling
 from gaussiancad_core.reasoning.open_outlines import with_closed_outlines
-from gaussiancad_core.reasoning.part import PartModel, without_undrawn
+from gaussiancad_core.reasoning.part import PartModel
 from gaussiancad_core.reasoning.unsure_kinds import with_unsure_kinds
 from gaussiancad_core.reasoning.work import Deadline, Meter
 from gaussiancad_core.solid.limits import OTHERWISE, Limits, Work, search_for
@@ -120,15 +120,10 @@ def _otherwise(work: Work, found: Labelling, limits: Limits) -> Iterator[tuple[W
         yield from _followed(work, lines, limits, deadline)
         return
     if silent and limits.relaxed:
-        undrawn = replace(lines, undrawn=silent)
-        works = _undrawn(work, undrawn, limits, deadline)
+        # Practice leaves hidden lines out.
+        works = _undrawn(work, replace(lines, undrawn=silent), limits, deadline)
         if (first := _first_fulfilled(works, deadline)) is not None:
             yield first
-        elif len(silent) == len(views.roles):
-            # Practice leaves hidden lines out: nothing that follows takes them to be drawn.
-            views = lines = undrawn
-            model = ModelKind.UNDRAWN_LINES, without_undrawn(work.part, views)
-            work = _remodelled(replace(work, views=views), model, limits)
     latest = meter.until(_RELAXED * limits.work)
     # Where readers lead ends to the wrong lines nearly all strokes are a little wrong.
     if views.apart is None and (lacking := _lacking(work, views, limits, latest)) is not None:
