@@ -31,11 +31,16 @@ _REACH = 0.6
 _SHORTEST = 0.05
 """px: shorter strokes are dots."""
 
-_CLOSES = 0.8
+_CLOSES = 0.6
 """Share of the part's strokes that meet others at both ends, at least: else nothing tells them."""
 
 _OUTLINE = 0.6
-"""The same share of each group of strokes that touch."""
+"""Share of the width and height of strokes that touch which those of them span that enclose
+something."""
+
+_LIKE_A_VIEW = 0.25
+"""Share of the width and height of the largest outline from which strokes in the part's pen may be
+a view, whose outline is open."""
 
 _HEAD = 24.0
 """Widths that the strokes of an arrowhead are long at most (ISO 129-1: up to ten times the wide
@@ -116,8 +121,9 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
     found = evidence(lines, pens, numbers, touches, candidates)
     best = max(range(len(pens)), key=lambda number: found[number].weight)
     drawn = np.isin(numbers, [best, *other_layers(pens, numbers, best, touches, candidates)])
-    edges = _outlines(lines, touches, candidates & drawn)
-    if found[best].closed < _CLOSES or edges.sum() < _LEAST:
+    edges = _outlines(touches, candidates & drawn)
+    left = candidates & drawn & ~edges
+    if found[best].closed < _CLOSES or edges.sum() < _LEAST or _is_large(touches, left, edges):
         return None
     inside = _inside(touches, edges)
     dashed = inside & dashes(lines, touches, numbers, ~framed & ~edges)
@@ -141,17 +147,38 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
     return LabelledDrawing(lines, tuple(labels), tuple(order), touches, doubtful)
 
 
-def _outlines(strokes: Sequence[VectorStroke], touches: Touches, edges: Flags) -> Flags:
-    """(n,) which edges belong to groups most of whose strokes meet others at both ends: cutting
-    traces and the like are drawn in the same pen, and end somewhere."""
-    lengths = np.array([stroke.curve.length for stroke in strokes])
-    meets = touches.closed | touches.met(edges).all(axis=1)
+def _outlines(touches: Touches, edges: Flags) -> Flags:
+    """(n,) which edges belong to groups that an outline spans: cutting traces and the like are
+    drawn in the same pen, and enclose nothing."""
+    core = edges
+    while True:
+        left = core & (touches.closed | touches.met(core).all(axis=1))
+        if (left == core).all():
+            break
+        core = left
     groups = touches.groups(edges)
-    found = np.zeros(len(strokes), dtype=bool)
+    found = np.zeros(len(edges), dtype=bool)
     for group in np.unique(groups[edges]):
         own = groups == group
-        found |= own & (lengths[own & meets].sum() >= _OUTLINE * lengths[own].sum())
+        if (core & own).any():
+            whole, closed = _extent(touches, own), _extent(touches, core & own)
+            found |= own & bool((closed >= _OUTLINE * whole).all())
     return found
+
+
+def _is_large(touches: Touches, left: Flags, edges: Flags) -> bool:
+    """Whether a group of strokes that were left out of the part is as large as a view may be."""
+    groups = touches.groups(edges)
+    largest = max((_extent(touches, groups == own) for own in np.unique(groups[edges])), key=max)
+    groups = touches.groups(left)
+    extents = (_extent(touches, groups == own) for own in np.unique(groups[left]))
+    return any(bool((extent >= _LIKE_A_VIEW * largest).all()) for extent in extents)
+
+
+def _extent(touches: Touches, chosen: Flags) -> npt.NDArray[np.float64]:
+    """(2,) px that some strokes are wide and high together."""
+    boxes = touches.boxes[chosen]
+    return boxes[:, 2:].max(axis=0) - boxes[:, :2].min(axis=0)
 
 
 def _doubtful(
