@@ -122,8 +122,10 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
     best = max(range(len(pens)), key=lambda number: found[number].weight)
     drawn = np.isin(numbers, [best, *other_layers(pens, numbers, best, touches, candidates)])
     edges = _outlines(touches, candidates & drawn)
-    left = candidates & drawn & ~edges
-    if found[best].closed < _CLOSES or edges.sum() < _LEAST or _is_large(touches, left, edges):
+    if found[best].closed < _CLOSES or edges.sum() < _LEAST:
+        return None
+    other = np.isin(numbers, [n for n, own in enumerate(found) if own.closes_outlines])
+    if _is_large(touches, candidates & (drawn | other) & ~edges, edges):
         return None
     inside = _inside(touches, edges)
     dashed = inside & dashes(lines, touches, numbers, ~framed & ~edges)
@@ -167,7 +169,7 @@ def _outlines(touches: Touches, edges: Flags) -> Flags:
 
 
 def _is_large(touches: Touches, left: Flags, edges: Flags) -> bool:
-    """Whether a group of strokes that were left out of the part is as large as a view may be."""
+    """Whether a group of strokes that are not the part's, but may be, is as large as a view."""
     groups = touches.groups(edges)
     largest = max((_extent(touches, groups == own) for own in np.unique(groups[edges])), key=max)
     groups = touches.groups(left)

@@ -17,7 +17,7 @@ _ALIKE = 1.1
 """Ratio of widths up to which they are one pen's."""
 
 _ALSO_CLOSES = 0.95
-"""Share of the strokes of another layer that meet others at both ends, where it is the part's."""
+"""Share of the strokes of a pen that meet others at both ends, where it draws outlines alone."""
 
 _EDGES = (StrokeKind.GEOMETRY, StrokeKind.BLOCK)
 """Kinds of strokes that may be edges, as the file tells."""
@@ -51,6 +51,11 @@ class PenEvidence:
     pen: Pen
     length: float
     closed: float
+
+    @property
+    def closes_outlines(self) -> bool:
+        """Whether it draws nothing else; outlines of filled shapes have no width."""
+        return self.closed >= _ALSO_CLOSES and self.pen.width != 0.0
 
     @property
     def weight(self) -> float:

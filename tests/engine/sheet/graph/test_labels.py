@@ -160,3 +160,10 @@ def test_layers_that_close_outlines_with_the_parts_are_it_too() -> None:
     notes = [VectorStroke(s.curve, _WIDE, layer="DIM") for s in _dimension(300, 500, 250, 300)]
     labels = _labels(part + inner + other + notes)
     assert labels == [Label.VISIBLE] * 9 + [Label.DIMENSION] * 3
+
+
+def test_where_another_pen_draws_what_may_be_a_view_nothing_is_told() -> None:
+    black, blue = (0, 0, 0), (0, 0, 255)
+    part = [VectorStroke(s.curve, _WIDE, colour=black) for s in _box(300, 300, 200, 100)]
+    view = [VectorStroke(s.curve, _THIN, colour=blue) for s in _box(600, 300, 100, 100)]
+    assert labelled(VectorDrawing(tuple(part + view), ()), _SIZE) is None
