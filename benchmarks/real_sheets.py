@@ -164,8 +164,10 @@ def read(output: Path) -> Row:
     row: Row = {"views": [], "from_file": False}
     reading, report = _json(output / "reading.json"), _json(output / "report.json")
     if reading:
-        row["views"] = [view["role"] for view in reading["views"]]
-        sources = {view["source"] for view in reading["views"]}
+        # Sections and details have a box and a name alone.
+        views = [view for view in reading["views"] if "source" in view]
+        row["views"] = [view["role"] for view in views]
+        sources = {view["source"] for view in views}
         row["from_file"] = bool(sources) and "raster" not in sources
     if report:
         row["status"] = report["status"]
