@@ -9,6 +9,7 @@ import tempfile
 import fake_part
 import FreeCAD
 import FreeCADGui
+from support import alive
 from window import WindowCase, dropped, spin, widget
 
 from freecad.gaussiancad.engine.job import ScaleKind
@@ -341,11 +342,3 @@ class Panel(WindowCase):
 
 def is_shown(document: FreeCAD.Document, name: str) -> bool:
     return document.getObject(name).ViewObject.isVisible()
-
-
-def alive(pid: int) -> bool:
-    try:
-        with open(f"/proc/{pid}/stat") as file:
-            return file.read().rsplit(")", 1)[1].split()[0] != "Z"
-    except OSError:
-        return False

@@ -71,3 +71,12 @@ def run_fake(arguments: list[str], grace: float = 5.0) -> tuple[RunResult, list[
     run = EngineRun(FAKE_ENGINE, arguments, Watcher(events.append, log.append), grace)
     run.start()
     return run.wait(), events, log
+
+
+def alive(pid: int) -> bool:
+    """Whether a process has not ended; one that nobody has waited for yet has."""
+    try:
+        state = Path(f"/proc/{pid}/stat").read_text()
+    except OSError:
+        return False
+    return state.rsplit(")", 1)[1].split()[0] != "Z"

@@ -18,7 +18,7 @@ import fake_part
 import FreeCAD
 import Mesh
 import Part
-from support import FAKE_ENGINE, FolderCase, draw_sheet
+from support import FAKE_ENGINE, FolderCase, alive, draw_sheet
 
 from freecad.gaussiancad import batch, batch_documents
 from freecad.gaussiancad.batch import main
@@ -33,6 +33,7 @@ from freecad.gaussiancad.whole_files import is_whole_document, is_whole_step, is
 SCRIPT = ADDON_ROOT / "resources" / "scripts" / "gaussiancad_batch.py"
 
 STOPS_S = 10.0
+SUFFIXES = (".FCStd", ".step", ".stl")  # beside them lie FreeCAD's backups
 
 
 class BatchCase(FolderCase):
@@ -232,7 +233,7 @@ class Batches(BatchCase):
             self.assertLess(time.monotonic() - started, STOPS_S)
             self.assertEqual(process.returncode, 130, text)
             for pid in (engine, sheet):
-                self.assertFalse(Path(f"/proc/{pid}").exists())
+                self.assertFalse(alive(pid))
             self.assertEqual({row["code"] for row in self.rows().values()}, {"cancelled"})
 
     def test_a_document_that_is_being_made_is_finished_and_no_other_is_begun(self) -> None:
@@ -241,11 +242,11 @@ class Batches(BatchCase):
         manifest = self.output / "manifest.sqlite"
 
         def interrupted(row: SheetRow, kept: bool) -> SheetRow:
-            engine = Path(f"/proc/{wait_for_child(os.getpid(), b'batch')}")
+            engine = wait_for_child(os.getpid(), b"batch")
             wait_until(lambda: '"b"' in manifest.read_text())
             os.kill(os.getpid(), signal.SIGTERM)
             # The engine ends while FreeCAD does something else.
-            wait_until(lambda: not engine.exists())
+            wait_until(lambda: not alive(engine))
             return batch_documents.complete_sheet(row, kept)
 
         with mock.patch.object(batch, "complete_sheet", interrupted):
@@ -307,7 +308,7 @@ class Resumed(BatchCase):
         self.assertEqual(self.convert(self.sheets), 0)
 
     def stamps(self) -> dict[str, tuple[int, int]]:
-        files = [path for path in self.output.glob("?.*") if path.suffix != ".FCStd1"]
+        files = [path for path in self.output.glob("?.*") if path.suffix in SUFFIXES]
         states = {path.name: path.stat() for path in files}
         return {name: (state.st_ino, state.st_mtime_ns) for name, state in states.items()}
 

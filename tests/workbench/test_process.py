@@ -4,9 +4,8 @@ import os
 import signal
 import threading
 import time
-from pathlib import Path
 
-from support import FAKE_ENGINE, FolderCase, draw_sheet, run_fake
+from support import FAKE_ENGINE, FolderCase, alive, draw_sheet, run_fake
 
 from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.engine.job import CompareJob, ReconstructJob
@@ -131,8 +130,8 @@ class Runs(FolderCase):
         run.cancel()
         run.flush()
         deadline = time.monotonic() + 15.0
-        process = Path(f"/proc/{run.pid}")
-        while process.exists():
+        pid = run.pid
+        while alive(pid):
             self.assertLess(time.monotonic(), deadline)
             time.sleep(0.02)
         self.assertIs(run.wait().state, RunState.CANCELLED)
