@@ -43,6 +43,7 @@ ALLOWED = frozenset({0, 3, 4, 5})
 """Exit codes that a file alone may lead to."""
 
 _LIMIT_S = 120.0
+_TOLD_EVERY = 100
 _SAG = 0.1
 """mm of the facets of meshes."""
 
@@ -80,11 +81,13 @@ def main() -> int:
         codes: dict[str, Counter[int]] = defaultdict(Counter)
         breaches: list[Breach] = []
         with ThreadPoolExecutor(options.workers) as pool:
-            for suffix, code, found in pool.map(work, seeds):
+            for count, (suffix, code, found) in enumerate(pool.map(work, seeds), start=1):
                 codes[suffix][code] += 1
                 breaches += found
                 for breach in found:
                     print(f"BREACH {breach.seed} {breach.name}: {breach.what}", flush=True)
+                if count % _TOLD_EVERY == 0:
+                    print(f"{count} of {options.mutants}", file=sys.stderr, flush=True)
     for suffix, counts in sorted(codes.items()):
         told = ", ".join(f"{code}: {count}" for code, count in sorted(counts.items()))
         print(f"{suffix:6} {sum(counts.values()):6}  {told}")

@@ -4,10 +4,20 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from gaussiancad_core.finished import sha256
 from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind
 from gaussiancad_core.outputs import check_writable
 from gaussiancad_core.sheet.files.opening import head_of
 from gaussiancad_core.sheet.options import ReadingOptions
+
+_CORRECTIONS = ".corrections.json"
+"""Ends the name of the file beside a sheet, after the sheet's whole name."""
+
+
+def corrections_beside(sheet: Path) -> Path | None:
+    """The corrections beside a sheet, if there are some."""
+    path = sheet.with_name(sheet.name + _CORRECTIONS)
+    return path if path.is_file() else None
 
 
 @dataclass(frozen=True)
@@ -25,6 +35,8 @@ class Job:
         seed: of all chance.
         device: where to train.
         resume: keep the results of an earlier run of the same job, or go on with its training.
+        given: a ``reading.json`` that is taken instead of reading the sheet.
+        corrections: a ``corrections.json`` that is applied to what was read.
         transforms: whether the cameras are written for nerfstudio, too.
         scale_down: the edges of the images that are trained on are divided by this.
     """
@@ -41,6 +53,8 @@ class Job:
     resume: bool = False
     scale_down: int = 1
     transforms: bool = False
+    given: Path | None = None
+    corrections: Path | None = None
 
     def check(self) -> None:
         """Tell what is wrong with the paths before anything is loaded.
@@ -55,7 +69,16 @@ class Job:
     def settings(self) -> dict[str, Any]:
         """What determines the result beside the sheet, as JSON values."""
         reading = self.reading
+        beside = {
+            name: sha256(path)
+            for name, path in (
+                ("reading_sha256", self.given),
+                ("corrections_sha256", self.corrections),
+            )
+            if path is not None and path.is_file()
+        }
         return {
+            **beside,
             "projection": reading.projection.value if reading.projection else "auto",
             "views": {role.value: list(box) for role, box in reading.views},
             "length": (

@@ -18,13 +18,12 @@ from gaussiancad_core.events import Listener, Progress, cancellation_behind
 from gaussiancad_core.finished import REPORT_FILE, finished_report
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
+from gaussiancad_core.opened_sheet import OpenedSheet, open_image, with_ink
 from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
-from gaussiancad_core.reading_file import READING_FILE, reading_values, write_reading
 from gaussiancad_core.report import Report, ViewReport
 from gaussiancad_core.run_notes import RunNotes
-from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
+from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import RegisteredSheet
 
 if TYPE_CHECKING:
@@ -32,7 +31,8 @@ if TYPE_CHECKING:
     from gaussiancad_core.exact_stage import ExactModel
     from gaussiancad_core.meshes import TriangleMesh
     from gaussiancad_core.models import Models
-    from gaussiancad_core.reading_stage import SheetFindings
+    from gaussiancad_core.reading_stage import SheetLines
+    from gaussiancad_core.registering_stage import SheetFindings
     from gaussiancad_core.splatting.training import TrainingResult
     from gaussiancad_core.views import ViewSet
 
@@ -115,20 +115,19 @@ class _Run:
     def all_stages(self) -> Report:
         """Read, reconstruct, check and write."""
         from gaussiancad_core.check_stage import overlay_picture, preview_picture
-        from gaussiancad_core.reading_stage import read_drawing, tell_symbol
+        from gaussiancad_core.reading_run import sheet_lines
+        from gaussiancad_core.registering_stage import registered_lines, tell_symbol
 
         _check_device(self.job.device)
         with self.notes.stage("read"):
-            image = read_sheet(self.job.sheet, self.job.page)
-            self.notes.tell(sheet_sha256=image.sha256)
-            for note in image.notes:
-                self.notes.warn(note.code, note.message)
+            image = open_image(self.job, self.notes)
             if self.job.resume and (earlier := self._earlier()):
                 return earlier
-            clean = upright_sheet(clean_sheet(image.grey, self.job.reading.median_kernel))
-            clean = replace(clean, turn=replace(clean.turn, scale=image.reduction))
-        found = read_drawing(self.job, image, clean, self.notes)
-        self._write_reading(found, clean.turn)
+            sheet = with_ink(self.job, image)
+        clean = sheet.clean
+        lines = sheet_lines(self.job, sheet, self.notes)
+        self._write_reading(lines, sheet)
+        found = registered_lines(self.job, lines, clean.turn, self.notes)
         exact = None
         if "solid" in stages_of(self.job.result, self.job.recipe):
             with self.notes.stage("solid"):
@@ -194,10 +193,11 @@ class _Run:
         certain = solid is not None and not self.notes.report.reasons
         return solid.result.status if certain else Status.APPROXIMATE
 
-    def _write_reading(self, found: "SheetFindings", turn: Turn) -> None:
-        beside = found.marks, found.special
-        values = reading_values(self.notes.report, found.own.registered.drawn, beside, turn)
-        write_reading(values, self.folder.staging)
+    def _write_reading(self, lines: "SheetLines", sheet: OpenedSheet) -> None:
+        from gaussiancad_core.readings.writing import READING_FILE, sheet_reading, write_reading
+
+        reading = sheet_reading(self.notes.report, lines, sheet.clean.turn, sheet.size)
+        write_reading(reading, self.folder.staging)
         self.folder.publish()
         self._send("reading", READING_FILE)
 
@@ -212,7 +212,7 @@ class _Run:
             with_fallback,
         )
         from gaussiancad_core.ink_stage import compared_with_ink
-        from gaussiancad_core.reading_stage import tell_projection, weigh_readings
+        from gaussiancad_core.registering_stage import tell_projection, weigh_readings
         from gaussiancad_core.solid_reports import with_solid_facts
 
         @cache

@@ -355,7 +355,14 @@ class Report:
             "scale_mm_per_pixel": self.scale_mm_per_pixel,
             "scale_source": self.scale_source,
             "dimensions": [
-                {**asdict(own), "box": [round(value, 1) for value in own.box]}
+                {
+                    "text": own.text,
+                    "type": own.sign.value or "linear",
+                    "value_mm": own.value_mm,
+                    "box": [round(value, 1) for value in own.box],
+                    "mm_per_pixel": own.mm_per_pixel,
+                    "used": own.used,
+                }
                 for own in self.dimensions
             ],
             "bounding_box_mm": self.bounding_box_mm,

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from gaussiancad_core.errors import UsageError
-from gaussiancad_core.job import Job
+from gaussiancad_core.job import Job, corrections_beside
 
 SUFFIXES = frozenset(
     (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".webp", ".pdf", ".svg", ".svgz", ".dxf")
@@ -39,7 +39,7 @@ class BatchSheet:
 
 
 def collect_sheets(named: Iterable[str], job: Job, job_of: JobOf) -> list[BatchSheet]:
-    """All sheets that were named, each once, in their order.
+    """All sheets that were named, each once, in their order, with the corrections beside them.
 
     Args:
         named: files; folders, whose drawings are taken, those of folders in them as well; patterns
@@ -54,7 +54,8 @@ def collect_sheets(named: Iterable[str], job: Job, job_of: JobOf) -> list[BatchS
     found: dict[str, BatchSheet] = {}
     for name in named:
         for sheet in _sheets(name, job, job_of):
-            found.setdefault(os.path.abspath(sheet.path), sheet)
+            own = replace(sheet.job, corrections=corrections_beside(sheet.path))
+            found.setdefault(os.path.abspath(sheet.path), replace(sheet, job=own))
     if not found:
         raise UsageError("no-sheets", "no drawing was found: name files, folders, or a table")
     return list(found.values())

@@ -16,7 +16,7 @@ from typing import Any
 from gaussiancad_core.batches.inputs import BatchSheet
 from gaussiancad_core.batches.table import BatchRow
 from gaussiancad_core.errors import ExitCode, LimitError, UsageError
-from gaussiancad_core.finished import REPORT_FILE, finished_report, sha256
+from gaussiancad_core.finished import sha256
 from gaussiancad_core.processes.supervisor import Ended
 
 MANIFEST_FILE = "manifest.sqlite"
@@ -106,12 +106,7 @@ class Manifest:
         if found.exit_code not in _FINAL or not _is_same(key.path, (size, mtime), digest):
             return None
         known = {path: tuple(facts) for path, facts in json.loads(files).items()}
-        if known == files_under(folder):
-            return found
-        if found.exit_code != ExitCode.DONE:
-            return None
-        whole = finished_report(folder / REPORT_FILE, key.settings, digest)
-        return found if whole is not None else None
+        return found if known == files_under(folder) else None
 
     def note(self, key: Key, row: BatchRow, ended: Ended) -> None:
         """Keep what became of a sheet.

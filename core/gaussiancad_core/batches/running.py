@@ -4,11 +4,12 @@ import json
 import os
 import re
 import signal
-from collections.abc import Callable, Iterator, Sequence
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from filelock import FileLock, Timeout
 
@@ -21,6 +22,7 @@ from gaussiancad_core.batches.table import REPORT_FILE, BatchRow, table_bytes
 from gaussiancad_core.drawing.files import write_whole
 from gaussiancad_core.errors import CancelledError, ExitCode, LimitError, UsageError
 from gaussiancad_core.finished import REPORT_FILE as SHEET_REPORT
+from gaussiancad_core.finished import finished_report, sha256
 from gaussiancad_core.modes import Status
 from gaussiancad_core.outputs import os_error
 from gaussiancad_core.processes.supervisor import Ended, ProcessLimits, Supervisor
@@ -69,12 +71,16 @@ class SheetDone:
         kept: whether an earlier batch did it.
         done: how many sheets are done.
         count: of how many.
+        rate: sheets per minute of this batch so far, without those that were kept.
+        left_s: s until the last one is done at that rate; None where none was done yet.
     """
 
     row: BatchRow
     kept: bool
     done: int
     count: int
+    rate: float
+    left_s: float | None
 
 
 Tell = Callable[[SheetDone], None]
@@ -205,6 +211,8 @@ class _Batch:
         self._settings, self._manifest, self._tell = settings, manifest, tell
         self._rows: dict[str, BatchRow] = {}
         self._full_disks = 0
+        self._worked = 0
+        self._started = time.monotonic()
 
     def run(self, places: list[_Place]) -> list[BatchRow]:
         processes = self._settings.processes()
@@ -229,7 +237,7 @@ class _Batch:
         """Sheets that have to be done, with the arguments of their processes."""
         for place in places:
             if self._settings.resume and not place.folder.is_symlink():
-                row = self._manifest.kept(place.name, place.key, place.folder)
+                row = self._finished(place)
                 if row is not None:
                     self._done(row, len(places), kept=True)
                     continue
@@ -252,6 +260,23 @@ class _Batch:
                 ],
             )
 
+    def _finished(self, place: _Place) -> BatchRow | None:
+        """What an earlier batch made of a sheet: by the manifest, or else by the sheet's report."""
+        row = self._manifest.kept(place.name, place.key, place.folder)
+        if row is not None:
+            return row
+        try:
+            digest = sha256(place.key.path)
+        except OSError:
+            return None
+        report = finished_report(place.folder / SHEET_REPORT, place.key.settings, digest)
+        if report is None:
+            return None
+        ended = Ended(int(ExitCode.DONE), "", float(sum(report["seconds"].values())), 0)
+        row = place.row(*_told(report), ended)
+        self._manifest.note(place.key, row, ended)
+        return row
+
     def _take(self, place: _Place, ended: Ended, count: int) -> None:
         status, bound = _result(place.folder) if ended.exit_code == 0 else (Status.FAILED.value, "")
         row = place.row(status, bound, ended)
@@ -263,7 +288,10 @@ class _Batch:
 
     def _done(self, row: BatchRow, count: int, *, kept: bool = False) -> None:
         self._rows[row.name] = row
-        self._tell(SheetDone(row, kept, len(self._rows), count))
+        self._worked += not kept
+        rate = self._worked / max(time.monotonic() - self._started, 1e-3)
+        left = (count - len(self._rows)) / rate if rate else None
+        self._tell(SheetDone(row, kept, len(self._rows), count, 60.0 * rate, left))
 
     def _write(self, places: list[_Place]) -> list[BatchRow]:
         """The report, with a row for every sheet."""
@@ -280,6 +308,9 @@ class _Batch:
 
 def _result(folder: Path) -> tuple[str, str]:
     """Status and bound of the measures as the sheet's report has them."""
-    report = json.loads((folder / SHEET_REPORT).read_text(encoding="utf-8"))
+    return _told(json.loads((folder / SHEET_REPORT).read_text(encoding="utf-8")))
+
+
+def _told(report: Mapping[str, Any]) -> tuple[str, str]:
     measures = report["measures"]
     return report["status"], f"{measures['uncertainty_mm']:g}" if measures else ""

@@ -104,14 +104,25 @@ def _send(listener: Listener, sheet: "SheetDone") -> None:
         kept=sheet.kept,
         done=sheet.done,
         count=sheet.count,
+        rate=round(sheet.rate, 2),
+        eta_s=sheet.left_s if sheet.left_s is None else round(sheet.left_s, 1),
     )
 
 
 def _say(sheet: "SheetDone") -> None:
     row = sheet.row
     message = f"{row.message} [{row.code}]" if row.code else row.message
-    line = f"{sheet.done}/{sheet.count} {row.status:12} {row.name}: {message or row.folder}"
+    pace = (
+        "" if sheet.left_s is None else f" ({sheet.rate:.1f} a minute, {_span(sheet.left_s)} left)"
+    )
+    line = f"{sheet.done}/{sheet.count} {row.status:12} {row.name}: {message or row.folder}{pace}"
     print(line.encode("utf-8", "backslashreplace").decode(), flush=True)
+
+
+def _span(seconds: float) -> str:
+    """Hours and minutes, or seconds."""
+    minutes = round(seconds / 60.0)
+    return f"{minutes // 60} h {minutes % 60:02} min" if minutes else f"{seconds:.0f} s"
 
 
 def _usual_workers() -> int:

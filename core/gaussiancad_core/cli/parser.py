@@ -10,6 +10,7 @@ from gaussiancad_core.cli import (
     doctor,
     draw,
     explain,
+    read,
     reconstruct,
 )
 from gaussiancad_core.errors import ExitCode
@@ -34,6 +35,6 @@ def build_parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"gaussiancad {__version__}")
     parser.set_defaults(events=False)
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
-    for module in (reconstruct, explain, compare, draw, batch, doctor):
+    for module in (reconstruct, read, explain, compare, draw, batch, doctor):
         module.add_command(commands)
     return parser

@@ -2,6 +2,7 @@
 
 import argparse
 import sys
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,7 +11,7 @@ from gaussiancad_core.axes import Projection
 from gaussiancad_core.cli import values
 from gaussiancad_core.errors import ExitCode, UsageError
 from gaussiancad_core.events import PROTOCOL, Listener
-from gaussiancad_core.job import Job
+from gaussiancad_core.job import Job, corrections_beside
 from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind
 from gaussiancad_core.sheet.options import MEDIAN_KERNEL, Finder, ReadingOptions
 
@@ -26,8 +27,25 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
     )
     parser.add_argument("--output", type=Path, required=True, metavar="DIR")
     add_job_options(parser)
+    add_reading_files(parser)
     add_events_option(parser)
     parser.set_defaults(run=run)
+
+
+def add_reading_files(parser: argparse.ArgumentParser) -> None:
+    """The files that say what is on a sheet."""
+    parser.add_argument(
+        "--reading",
+        type=Path,
+        metavar="READING.json",
+        help="what `gaussiancad read` wrote, taken instead of reading the sheet",
+    )
+    parser.add_argument(
+        "--corrections",
+        type=Path,
+        metavar="FILE.json",
+        help="a person's corrections; those in SHEET.corrections.json are taken anyway",
+    )
 
 
 def add_events_option(parser: argparse.ArgumentParser) -> None:
@@ -37,8 +55,8 @@ def add_events_option(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def add_job_options(parser: argparse.ArgumentParser) -> None:
-    """Options that say how sheets are read and reconstructed."""
+def add_reading_options(parser: argparse.ArgumentParser) -> None:
+    """Options that say how sheets are read."""
     parser.add_argument(
         "--projection",
         choices=("auto", "first", "third"),
@@ -62,19 +80,12 @@ def add_job_options(parser: argparse.ArgumentParser) -> None:
         help="the part's extent on x, y or z",
     )
     scale.add_argument("--mm-per-pixel", type=values.positive, metavar="S")
-    for option, kind, default in (
-        ("--result", ResultKind, ResultKind.BOTH),
-        ("--recipe", Recipe, Recipe.ORTHOGRAPHIC),
-        ("--preset", Preset, Preset.STANDARD),
-        ("--device", Device, Device.AUTO),
-        ("--finder", Finder, Finder.RIDGES),
-    ):
-        parser.add_argument(
-            option,
-            type=partial(values.choice, kind),
-            default=default,
-            metavar="|".join(member.value for member in kind),
-        )
+    parser.add_argument(
+        "--finder",
+        type=partial(values.choice, Finder),
+        default=Finder.RIDGES,
+        metavar="|".join(member.value for member in Finder),
+    )
     parser.add_argument(
         "--median",
         type=int,
@@ -82,6 +93,23 @@ def add_job_options(parser: argparse.ArgumentParser) -> None:
         default=MEDIAN_KERNEL,
         help="side in px of the filter that tells noise from ink; 0 for none",
     )
+
+
+def add_job_options(parser: argparse.ArgumentParser) -> None:
+    """Options that say how sheets are read and reconstructed."""
+    add_reading_options(parser)
+    for option, kind, default in (
+        ("--result", ResultKind, ResultKind.BOTH),
+        ("--recipe", Recipe, Recipe.ORTHOGRAPHIC),
+        ("--preset", Preset, Preset.STANDARD),
+        ("--device", Device, Device.AUTO),
+    ):
+        parser.add_argument(
+            option,
+            type=partial(values.choice, kind),
+            default=default,
+            metavar="|".join(member.value for member in kind),
+        )
     parser.add_argument("--colour", type=values.colour, default=(120, 160, 210), metavar="#RRGGBB")
     parser.add_argument("--seed", type=values.whole, default=0, metavar="N")
     parser.add_argument(
@@ -103,8 +131,8 @@ def add_job_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def job_of(options: argparse.Namespace, sheet: Path, output: Path) -> Job:
-    """The job that the options describe.
+def reading_of(options: argparse.Namespace) -> ReadingOptions:
+    """What the options say of the sheet.
 
     Raises:
         UsageError: ``view-repeated`` if two boxes name one role.
@@ -112,19 +140,26 @@ def job_of(options: argparse.Namespace, sheet: Path, output: Path) -> Job:
     named = [role for role, _ in options.view]
     if len(set(named)) < len(named):
         raise UsageError("view-repeated", "--view: each role can be named once only")
-    reading = ReadingOptions(
+    return ReadingOptions(
         projection=None if options.projection == "auto" else Projection(options.projection),
         views=tuple(options.view),
         length=options.length,
         mm_per_pixel=options.mm_per_pixel,
-        colour=options.colour,
         median_kernel=options.median,
         finder=options.finder,
     )
+
+
+def job_of(options: argparse.Namespace, sheet: Path, output: Path) -> Job:
+    """The job that the options describe.
+
+    Raises:
+        UsageError: ``view-repeated`` if two boxes name one role.
+    """
     return Job(
         sheet=sheet,
         output=output,
-        reading=reading,
+        reading=replace(reading_of(options), colour=options.colour),
         page=options.page,
         result=options.result,
         recipe=options.recipe,
@@ -143,7 +178,11 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
 
     (name,) = folder_names([options.sheet])
     greet(listener, name=name)
-    job = job_of(options, options.sheet, options.output)
+    job = replace(
+        job_of(options, options.sheet, options.output),
+        given=options.reading,
+        corrections=options.corrections or corrections_beside(options.sheet),
+    )
     job.check()
 
     from gaussiancad_core.cli.libraries import silence_opencascade

@@ -55,7 +55,7 @@ class ReadView:
         role: of the view.
         box: between the centre lines of the outermost strokes.
         strokes: visible and hidden.
-        outline: its filled contour and blank regions.
+        outline: its filled contour and blank regions; None where it is open, or encloses nothing.
         source: where its strokes come from.
         dash: px up to which a hidden stroke may be one dash, as solid as a visible one; None where
             the pens or the file tell linetypes.
@@ -64,7 +64,7 @@ class ReadView:
     role: Role
     box: Box
     strokes: tuple[Stroke, ...]
-    outline: Outline
+    outline: Outline | None
     source: StrokesSource = StrokesSource.RASTER
     dash: float | None = None
 
@@ -130,8 +130,8 @@ def read_views(
         finder: of lines and circles.
         vectors: of a file that has exact lines.
 
-    Raises:
-        NoModelError: ``open-outline`` if the outline of a view does not close.
+    Returns:
+        The views; those whose outline is open without one.
     """
     exact = vector_views(vectors, sheet, layout) if vectors is not None else {}
     shapes = {}
@@ -154,39 +154,45 @@ def read_views(
             else (classify_strokes(shapes[role], rhythm, pens), StrokesSource.RASTER)
         )
         outline = find_outline(sheet, box, supersampling)
-        if outline is None:
-            raise _open_outline(role, box, "is not closed: draw its visible edges without gaps")
-        if source is StrokesSource.RASTER:
-            strokes = without_outside(strokes, outline)
-        region = cut_region(layout, box)
-        if region is not None:
-            strokes = with_hidden_inside(strokes, outline, region)
-        own = view_box(strokes, outline, exact=source is StrokesSource.VECTOR)
-        if min(own[2] - own[0], own[3] - own[1]) < _LEAST_PX:
-            # Two edges that melted into one line are closed, and bound nothing.
-            fault = "encloses nothing, its edges are one line: export the sheet with more pixels"
-            raise _open_outline(role, box, fault)
+        own = box
+        if outline is not None:
+            if source is StrokesSource.RASTER:
+                strokes = without_outside(strokes, outline)
+            region = cut_region(layout, box)
+            if region is not None:
+                strokes = with_hidden_inside(strokes, outline, region)
+            own = view_box(strokes, outline, exact=source is StrokesSource.VECTOR)
         told = pens.told or source is not StrokesSource.RASTER
         dash = None if told else rhythm.dash + _ALONE * rhythm.gap
         drawn.append(ReadView(role, own, strokes, outline, source, dash))
     return tuple(drawn)
 
 
-def _open_outline(role: Role, box: Box, fault: str) -> NoModelError:
-    return NoModelError(
-        "open-outline",
-        "the outline of the {} view at ({:.0f}, {:.0f})-({:.0f}, {:.0f}) px {}".format(
-            role.value, *box, fault
-        ),
-    )
+def _check_outline(view: ReadView) -> None:
+    fault = ""
+    x0, y0, x1, y1 = view.box
+    if view.outline is None:
+        fault = "is not closed: draw its visible edges without gaps"
+    elif min(x1 - x0, y1 - y0) < _LEAST_PX:
+        # Two edges that melted into one line are closed, and bound nothing.
+        fault = "encloses nothing, its edges are one line: export the sheet with more pixels"
+    if fault:
+        raise NoModelError(
+            "open-outline",
+            f"the outline of the {view.role.value} view at ({x0:.0f}, {y0:.0f})-({x1:.0f}, "
+            f"{y1:.0f}) px {fault}",
+        )
 
 
 def register_views(drawn: tuple[ReadView, ...], options: ReadingOptions) -> RegisteredSheet:
     """Bring views onto shared axes in mm.
 
     Raises:
-        NoModelError: the views contradict each other.
+        NoModelError: ``open-outline`` if the outline of a view does not close; the views
+            contradict each other.
     """
+    for view in drawn:
+        _check_outline(view)
     extents = axis_extents({view.role: view.box for view in drawn})
     plain = [_own_placement(view) for view in drawn]
     shared = share_axes(

@@ -106,6 +106,6 @@ def test_a_view_that_is_one_line_is_told_by_place() -> None:
     clean = upright_sheet(clean_sheet(grey, 0))
     layout = Layout({Role.FRONT: (136.0, 56.0, 151.0, 244.0)}, Projection.THIRD, "given", (), ())
     with pytest.raises(NoModelError) as error:
-        read_views(clean, layout)
+        register_views(read_views(clean, layout), ReadingOptions())
     assert error.value.code == "open-outline"
-    assert "front view at (136, 56)-(151, 244) px encloses nothing" in str(error.value)
+    assert "front view at (144, 60)-(144, 240) px encloses nothing" in str(error.value)

@@ -5,14 +5,14 @@ largest group of dimensions that agree.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.scale.dimensions import Span
-from gaussiancad_core.sheet.scale.numbers import DimensionText, Unit
+from gaussiancad_core.sheet.scale.numbers import DimensionText, Sign, Unit
 from gaussiancad_core.views import Arc
 
 _AGREE = 0.01
@@ -65,25 +65,6 @@ class Dimension:
 
 
 @dataclass(frozen=True)
-class ReadDimension:
-    """What became of a dimension.
-
-    Attributes:
-        text: as it was read.
-        value_mm: that it gives.
-        box: around the text, px.
-        mm_per_pixel: that follows from it; nothing where it was not found what it measures.
-        used: whether the sheet's scale is taken from it.
-    """
-
-    text: str
-    value_mm: float
-    box: Box
-    mm_per_pixel: float | None
-    used: bool
-
-
-@dataclass(frozen=True)
 class Measure:
     """What a dimension says of a place.
 
@@ -99,18 +80,46 @@ class Measure:
 
 
 @dataclass(frozen=True)
+class ReadDimension:
+    """What became of a dimension.
+
+    Attributes:
+        text: as it was read.
+        value_mm: that it gives.
+        box: around the text, px.
+        mm_per_pixel: that follows from it; nothing where it was not found what it measures.
+        used: whether the sheet's scale is taken from it.
+        sign: what kind of length it says it is.
+        place: what it was found to measure, px of the upright sheet.
+        measure: what it says of that; nothing where it does not agree with the others.
+    """
+
+    text: str
+    value_mm: float
+    box: Box
+    mm_per_pixel: float | None
+    used: bool
+    sign: Sign = Sign.LENGTH
+    place: Span | Arc | None = None
+    measure: Measure | None = None
+
+
+@dataclass(frozen=True)
 class Agreement:
     """The scale on which dimensions agree.
 
     Attributes:
         mm_per_pixel: of the sheet; nothing where they do not agree.
         dimensions: all of them.
-        measures: what those say that agree.
     """
 
     mm_per_pixel: float | None
     dimensions: tuple[ReadDimension, ...]
-    measures: tuple[Measure, ...] = ()
+
+    @property
+    def measures(self) -> tuple[Measure, ...]:
+        """What those say that agree."""
+        return tuple(own.measure for own in self.dimensions if own.measure)
 
     @property
     def disagreeing(self) -> tuple[ReadDimension, ...]:
@@ -161,17 +170,15 @@ def agree(dimensions: Sequence[Dimension], unit: Unit, paper_scale: float | None
     if scale is None:
         scale = _group(measured, unit, paper_scale, _PAPER, 1)
     told = tuple(_told(own, unit, scale) for own in dimensions)
-    return Agreement(scale, told, tuple(_measures(measured, unit, scale)) if scale else ())
+    return Agreement(scale, told)
 
 
-def _measures(dimensions: Sequence[Dimension], unit: Unit, scale: float) -> Iterator[Measure]:
-    for own in dimensions:
-        best = _best(own, unit, scale)
-        if best is None or best.place is None:
-            continue
-        share = best.place.radius / best.pixels if isinstance(best.place, Arc) else 1.0
-        said = own.said
-        yield Measure(best.place, share * said.millimetres(unit), share * said.digit(unit))
+def _measure(own: Dimension, unit: Unit, best: Candidate | None) -> Measure | None:
+    if best is None or best.place is None:
+        return None
+    share = best.place.radius / best.pixels if isinstance(best.place, Arc) else 1.0
+    said = own.said
+    return Measure(best.place, share * said.millimetres(unit), share * said.digit(unit))
 
 
 def _group(
@@ -246,4 +253,7 @@ def _told(own: Dimension, unit: Unit, scale: float | None) -> ReadDimension:
         own.box,
         _scale(own, unit, candidate) if candidate else None,
         best is not None,
+        own.said.sign,
+        candidate.place if candidate else None,
+        _measure(own, unit, best),
     )

@@ -1,0 +1,56 @@
+"""``gaussiancad read``: what is understood of a sheet, as a file that a person can correct."""
+
+import argparse
+from pathlib import Path
+
+from gaussiancad_core.cli.reconstruct import (
+    add_events_option,
+    add_reading_files,
+    add_reading_options,
+    greet,
+    reading_of,
+)
+from gaussiancad_core.errors import ExitCode
+from gaussiancad_core.events import Listener
+from gaussiancad_core.job import Job, corrections_beside
+
+
+def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the subcommand."""
+    parser = commands.add_parser("read", help="read a sheet into a file that can be corrected")
+    parser.add_argument(
+        "sheet", type=Path, metavar="SHEET", help="PNG, JPEG, TIFF, BMP, WebP, PDF, SVG or DXF"
+    )
+    parser.add_argument("--output", type=Path, required=True, metavar="DIR")
+    add_reading_options(parser)
+    add_reading_files(parser)
+    add_events_option(parser)
+    parser.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
+    """Read one sheet."""
+    greet(listener)
+    job = Job(
+        sheet=options.sheet,
+        output=options.output,
+        reading=reading_of(options),
+        page=options.page,
+        given=options.reading,
+        corrections=options.corrections or corrections_beside(options.sheet),
+    )
+    job.check()
+
+    from gaussiancad_core.reading_run import READING_FILE, read_to_file
+
+    reading = read_to_file(job, listener)
+    path = (options.output / READING_FILE).resolve()
+    refused = [problem for problem in reading.problems if problem.severity == "refused"]
+    listener.send("result", path=str(path), refused=len(refused))
+    if not options.events:
+        views = ", ".join(view.role.value for view in reading.views if view.used) or "no view"
+        print(f"read: {path}")
+        print(f"  {views}; {len(reading.strokes)} strokes")
+        for problem in reading.problems:
+            print(f"  {problem.severity}: {problem.message} [{problem.code}]")
+    return ExitCode.DONE

@@ -1,0 +1,95 @@
+"""``gaussiancad read``: a sheet to ``reading.json``, whatever follows from it."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import msgspec
+
+from gaussiancad_core.drawing.files import write_whole
+from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.events import Listener, Progress
+from gaussiancad_core.job import Job
+from gaussiancad_core.opened_sheet import OpenedSheet, open_sheet
+from gaussiancad_core.outputs import os_error
+from gaussiancad_core.reading_stage import SheetLines, read_lines
+from gaussiancad_core.readings.partial import partial_lines
+from gaussiancad_core.readings.picture import reading_picture
+from gaussiancad_core.readings.schema import Problem, SheetReading
+from gaussiancad_core.readings.sources import given_reading
+from gaussiancad_core.readings.taking import taken_lines
+from gaussiancad_core.readings.writing import READING_FILE, refusal, sheet_reading
+from gaussiancad_core.registering_stage import registered_lines
+from gaussiancad_core.report import Report
+from gaussiancad_core.run_notes import RunNotes
+
+PICTURE_FILE = "reading.png"
+
+STAGES = ("read", "views", "lines", "masks")
+
+
+def read_to_file(job: Job, listener: Listener) -> SheetReading:
+    """Read a sheet and write ``reading.json`` and ``reading.png`` into the job's folder.
+
+    Returns:
+        The reading; where no part follows, one of its problems is ``refused``.
+
+    Raises:
+        UnreadableError: the sheet cannot be read as a drawing at all.
+        UsageError: the folder cannot be written; as of the reading and the corrections that the
+            job names.
+        LimitError: a limit was reached, or the disk is full.
+    """
+    notes = RunNotes(Report("", job.settings()), Progress(listener, len(STAGES)))
+    sheet = open_sheet(job, notes)
+    reading = read_sheet_lines(job, sheet, notes)[1]
+    try:
+        job.output.mkdir(parents=True, exist_ok=True)
+        write_whole(job.output / PICTURE_FILE, reading_picture(reading, *sheet.picture))
+        write_whole(job.output / READING_FILE, msgspec.json.encode(reading) + b"\n")
+    except OSError as error:
+        raise os_error(job.output, error) from error
+    listener.send("reading", path=str(Path(job.output / READING_FILE).resolve()))
+    return reading
+
+
+def read_sheet_lines(
+    job: Job, sheet: OpenedSheet, notes: RunNotes
+) -> tuple[SheetLines, SheetReading]:
+    """Views and lines of a sheet as far as they can be read, and what stands in their way."""
+    lines, refused = None, []
+    try:
+        lines = sheet_lines(job, sheet, notes)
+        registered_lines(job, lines, sheet.clean.turn, notes)
+    except NoModelError as error:
+        refused.append(refusal(error.code, error.message))
+    if lines is None:
+        lines = partial_lines(job, sheet.image, sheet.clean)
+    return lines, _reading(lines, sheet, notes, refused)
+
+
+def sheet_lines(job: Job, sheet: OpenedSheet, notes: RunNotes) -> SheetLines:
+    """Views and lines of a sheet: read, or taken from the files that the job names.
+
+    Raises:
+        NoModelError: the sheet has no views that belong together.
+        UnreadableError, UsageError: as of :func:`.given_reading` and :func:`.taken_lines`.
+    """
+
+    def read() -> SheetReading:
+        alone = RunNotes(notes.report, notes.progress)
+        return read_sheet_lines(_alone(job), sheet, alone)[1]
+
+    reading = given_reading(job, sheet.image.sha256, read, notes)
+    if reading is None:
+        return read_lines(job, sheet.image, sheet.clean, notes)
+    return taken_lines(job, sheet.image, sheet.clean, reading, notes)
+
+
+def _alone(job: Job) -> Job:
+    return replace(job, given=None, corrections=None)
+
+
+def _reading(
+    lines: SheetLines, sheet: OpenedSheet, notes: RunNotes, refused: list[Problem]
+) -> SheetReading:
+    return sheet_reading(notes.report, lines, sheet.clean.turn, sheet.size, refused)

@@ -1,0 +1,286 @@
+"""A reading with a person's corrections: what the machine read stays as it was elsewhere."""
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from math import hypot
+
+import cv2
+import numpy as np
+from msgspec.structs import replace as changed
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.projection_choice import opposite
+from gaussiancad_core.readings.anchors import box_of, matching, overlap, points_of
+from gaussiancad_core.readings.operations import (
+    DimensionOperation,
+    DrawOperation,
+    EraseOperation,
+    KindOperation,
+    Operation,
+    ProjectionOperation,
+    RegionOperation,
+    ScaleOperation,
+    Target,
+    UnitOperation,
+    ViewOperation,
+)
+from gaussiancad_core.readings.schema import (
+    DRAWN,
+    Box,
+    DimensionEntry,
+    ReadProjection,
+    ReadScale,
+    ReadUnit,
+    SheetReading,
+    StrokeEntry,
+    ViewEntry,
+    ViewRole,
+)
+
+GIVEN = "given"
+"""Source of what a person said."""
+
+_MM_PER_INCH = 25.4
+
+_PERSONAL = re.compile(r"p[0-9]{1,9}").fullmatch
+"""Ids of strokes that a person drew."""
+
+_MARGIN_PX = 3.0
+"""px by which a stroke may reach beyond the box of its view."""
+
+
+@dataclass(frozen=True)
+class Corrected:
+    """A reading after corrections.
+
+    Attributes:
+        reading: with those that found their place.
+        unmatched: numbers, from 1, of operations whose target is no longer there.
+    """
+
+    reading: SheetReading
+    unmatched: tuple[int, ...] = ()
+
+
+def corrected(reading: SheetReading, operations: Sequence[Operation]) -> Corrected:
+    """Apply operations to a reading, in their order."""
+    found = Corrected(reading)
+    for number, operation in enumerate(operations, start=1):
+        own = _APPLIED[type(operation)](found.reading, operation)
+        if own is None:
+            found = replace(found, unmatched=(*found.unmatched, number))
+        else:
+            found = replace(found, reading=own)
+    return found
+
+
+def _with_view(reading: SheetReading, operation: ViewOperation) -> SheetReading | None:
+    known = next((own for own in reading.views if own.id == operation.id), None)
+    if known is None and operation.box is None:
+        return None
+    box = operation.box or known.box
+    views = [own for own in reading.views if own.id != operation.id]
+    source = known.source if known and known.source and operation.box is None else ""
+    view = ViewEntry(
+        id=operation.id,
+        role=operation.role,
+        box=box,
+        kind=known.kind if known else "",
+        source=source or GIVEN,
+        dash=known.dash if known else None,
+    )
+    if operation.box is None:
+        return changed(reading, views=(*views, view))
+    strokes = tuple(_in_view(own, view.id, box) for own in reading.strokes)
+    return changed(reading, views=(*views, view), strokes=strokes)
+
+
+def _in_view(stroke: StrokeEntry, view: str, box: Box) -> StrokeEntry:
+    own = box_of(stroke)
+    inside = own is not None and _holds(box, own)
+    if inside and (stroke.kind in DRAWN or stroke.view is not None):
+        return changed(stroke, view=view)
+    return changed(stroke, view=None) if stroke.view == view else stroke
+
+
+def _holds(box: Box, own: Box) -> bool:
+    low = all(a - _MARGIN_PX <= b for a, b in zip(box[:2], own[:2], strict=True))
+    return low and all(b <= a + _MARGIN_PX for a, b in zip(box[2:], own[2:], strict=True))
+
+
+def _found(reading: SheetReading, target: Target) -> StrokeEntry | None:
+    """The stroke that a person pointed at: by its id where it still runs there, else by place."""
+    named = next((own for own in reading.strokes if own.id == target.id), None)
+    if all(shape is None for shape in (target.line, target.arc, target.ellipse)):
+        return named
+    if named is not None and matching(target, [named]) is not None:
+        return named
+    return matching(target, reading.strokes)
+
+
+def _with_kind(reading: SheetReading, operation: KindOperation) -> SheetReading | None:
+    target = _found(reading, operation.target)
+    if target is None:
+        return None
+    view = target.view
+    if view is None and operation.to in DRAWN:
+        view = _around(reading, target)
+    own = changed(target, kind=operation.to, view=view, confidence=1.0, source=GIVEN)
+    return _with_stroke(reading, target, own)
+
+
+def _around(reading: SheetReading, stroke: StrokeEntry) -> str | None:
+    """The view in whose box a stroke lies."""
+    own = box_of(stroke)
+    if own is None:
+        return None
+    return next((view.id for view in reading.views if view.used and _holds(view.box, own)), None)
+
+
+def _with_stroke(
+    reading: SheetReading, target: StrokeEntry, own: StrokeEntry | None
+) -> SheetReading:
+    kept = (stroke if stroke is not target else own for stroke in reading.strokes)
+    return changed(reading, strokes=tuple(stroke for stroke in kept if stroke is not None))
+
+
+def _erased(reading: SheetReading, operation: EraseOperation) -> SheetReading | None:
+    target = _found(reading, operation.target)
+    return None if target is None else _with_stroke(reading, target, None)
+
+
+def _drawn(reading: SheetReading, operation: DrawOperation) -> SheetReading | None:
+    if all(own.id != operation.view for own in reading.views):
+        return None
+    number = 1 + max((int(own.id[1:]) for own in reading.strokes if _PERSONAL(own.id)), default=0)
+    own = StrokeEntry(
+        id=f"p{number}",
+        view=operation.view,
+        kind=operation.kind,
+        line=operation.line,
+        arc=operation.arc,
+        ellipse=operation.ellipse,
+        source=GIVEN,
+    )
+    if box_of(own) is None:
+        return None
+    # Drawn again over what was drawn before, it is no second line.
+    twice = any(
+        stroke.view == own.view and stroke.kind is own.kind and overlap(own, stroke) > 0.999
+        for stroke in reading.strokes
+        if stroke.source == GIVEN
+    )
+    return reading if twice else changed(reading, strokes=(*reading.strokes, own))
+
+
+def _with_dimension(reading: SheetReading, operation: DimensionOperation) -> SheetReading | None:
+    known = next((own for own in reading.dimensions if own.id == operation.id), None)
+    if known is None:
+        return None
+    own = _told(known, operation)
+    return changed(
+        reading,
+        dimensions=tuple(own if each is known else each for each in reading.dimensions),
+    )
+
+
+def _told(known: DimensionEntry, operation: DimensionOperation) -> DimensionEntry:
+    share = 0.5 if known.type == "diameter" else 1.0
+    digits = f"{operation.value_mm:.6f}".rstrip("0").partition(".")[2]
+    measures = operation.measures or known.measures
+    return changed(
+        known,
+        value_mm=operation.value_mm,
+        measures=measures,
+        told_mm=share * operation.value_mm if measures else None,
+        digit_mm=share * 10.0 ** -len(digits) if measures else None,
+        used=True,
+    )
+
+
+def _with_scale(reading: SheetReading, operation: ScaleOperation) -> SheetReading | None:
+    if operation.mm_per_px is not None:
+        return changed(reading, scale=ReadScale(source=GIVEN, mm_per_px=operation.mm_per_px))
+    if operation.length_mm is None:
+        return None
+    if operation.axis is not None:
+        own = ReadScale(source=GIVEN, axis=operation.axis, length_mm=operation.length_mm)
+        return changed(reading, scale=own)
+    if operation.points is None:
+        return None
+    (x0, y0), (x1, y1) = operation.points
+    apart = hypot(x1 - x0, y1 - y0)
+    if apart < 1.0:
+        return None
+    own = ReadScale(source=GIVEN, mm_per_px=operation.length_mm / apart)
+    return changed(reading, scale=own)
+
+
+def _with_unit(reading: SheetReading, operation: UnitOperation) -> SheetReading:
+    if reading.unit.value == operation.value:
+        return changed(reading, unit=ReadUnit(value=operation.value, source=GIVEN))
+    factor = _MM_PER_INCH if operation.value == "in" else 1.0 / _MM_PER_INCH
+    scale = reading.scale
+    if scale.source == "dimension" and scale.mm_per_px is not None:
+        scale = changed(scale, mm_per_px=factor * scale.mm_per_px)
+    return changed(
+        reading,
+        unit=ReadUnit(value=operation.value, source=GIVEN),
+        scale=scale,
+        dimensions=tuple(_times(own, factor) for own in reading.dimensions),
+    )
+
+
+def _times(own: DimensionEntry, factor: float) -> DimensionEntry:
+    lengths = {
+        name: factor * value
+        for name in ("value_mm", "mm_per_px", "told_mm", "digit_mm")
+        if (value := getattr(own, name)) is not None
+    }
+    return changed(own, **lengths)
+
+
+def _with_projection(reading: SheetReading, operation: ProjectionOperation) -> SheetReading:
+    """The same views under a projection: those beside the front are named anew."""
+    own = ReadProjection(value=operation.value, source=GIVEN)
+    if reading.projection.value == operation.value:
+        return changed(reading, projection=own)
+    views = tuple(changed(view, role=_opposite(view.role)) for view in reading.views)
+    return changed(reading, projection=own, views=views)
+
+
+def _opposite(role: ViewRole) -> ViewRole:
+    principal = role.value in {own.value for own in Role}
+    return ViewRole(opposite(Role(role.value)).value) if principal else role
+
+
+def _with_region(reading: SheetReading, operation: RegionOperation) -> SheetReading:
+    polygon = np.array(operation.polygon, np.float32).reshape(-1, 1, 2)
+    return changed(
+        reading,
+        strokes=tuple(
+            changed(own, kind=operation.kind, source=GIVEN) if _is_within(polygon, own) else own
+            for own in reading.strokes
+        ),
+    )
+
+
+def _is_within(polygon: np.ndarray, own: StrokeEntry) -> bool:
+    points = points_of(own)
+    return len(points) > 0 and all(
+        cv2.pointPolygonTest(polygon, (float(x), float(y)), False) >= 0 for x, y in points
+    )
+
+
+_APPLIED: dict[type, Callable[[SheetReading, Operation], SheetReading | None]] = {
+    ViewOperation: _with_view,
+    KindOperation: _with_kind,
+    EraseOperation: _erased,
+    DrawOperation: _drawn,
+    DimensionOperation: _with_dimension,
+    ScaleOperation: _with_scale,
+    UnitOperation: _with_unit,
+    ProjectionOperation: _with_projection,
+    RegionOperation: _with_region,
+}

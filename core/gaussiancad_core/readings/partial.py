@@ -1,0 +1,53 @@
+"""What can be told of a sheet whose views were not found: its lines, and where views may be."""
+
+from gaussiancad_core.axes import Projection
+from gaussiancad_core.job import Job
+from gaussiancad_core.reading_stage import SheetLines, in_worked_px
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.files.vectors import CircularArc, Line, VectorStroke
+from gaussiancad_core.sheet.graph.chains import with_whole_edges
+from gaussiancad_core.sheet.graph.labels import Label, labelled
+from gaussiancad_core.sheet.layout import Layout, find_clusters, may_be_views
+from gaussiancad_core.sheet.read import SheetImage
+from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
+
+
+def partial_lines(job: Job, image: SheetImage, clean: CleanSheet) -> SheetLines:
+    """The lines of a sheet without views.
+
+    Args:
+        job: with what the user says of the sheet.
+        image: as stored.
+        clean: the same, upright.
+    """
+    options = in_worked_px(job.reading, clean.turn)
+    projection = options.projection or Projection.THIRD
+    source = "given" if options.projection else "default"
+    alternatives = () if options.projection else (projection.other,)
+    boxes = tuple(may_be_views(find_clusters(clean.ink)))
+    layout = Layout({}, projection, source, alternatives, boxes)
+    return SheetLines(layout, (), (), None, options, _file_strokes(image, clean))
+
+
+def _file_strokes(image: SheetImage, clean: CleanSheet) -> tuple[Stroke, ...]:
+    """The lines of the part, where the file tells them."""
+    height, width = clean.ink.shape
+    if image.vectors is None or clean.turn.angle:
+        return ()
+    found = labelled(image.vectors, (width, height))
+    if found is None:
+        return ()
+    strokes = [
+        *(_stroke(own, Linetype.VISIBLE) for own in with_whole_edges(found.of(Label.VISIBLE))),
+        *(_stroke(own, Linetype.HIDDEN) for own in found.of(Label.HIDDEN)),
+    ]
+    return tuple(stroke for stroke in strokes if stroke is not None)
+
+
+def _stroke(own: VectorStroke, linetype: Linetype) -> Stroke | None:
+    curve = own.curve
+    if isinstance(curve, Line):
+        return Segment(curve.start, curve.end, linetype) if curve.length else None
+    if isinstance(curve, CircularArc):
+        return Arc(curve.centre, curve.radius, curve.start_angle, curve.sweep, linetype)
+    return None

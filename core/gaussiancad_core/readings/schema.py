@@ -1,0 +1,247 @@
+"""The types of ``reading.json``, px of the sheet as stored (y down), angles in radians from x to y.
+
+Every type is one object of the file, its attributes the object's keys; what is ``None`` or empty
+may be left out.
+"""
+
+from enum import Enum
+from typing import Annotated, Any, Literal
+
+import msgspec
+from msgspec import Meta, Struct
+
+SCHEMA = "gaussiancad-reading/1"
+
+_FARTHEST = 1e6
+"""px from the sheet's corner up to which places are taken."""
+
+Number = Annotated[float, Meta(ge=-_FARTHEST, le=_FARTHEST)]
+Size = Annotated[float, Meta(gt=0.0, le=_FARTHEST)]
+Share = Annotated[float, Meta(ge=0.0, le=1.0)]
+Sweep = Annotated[float, Meta(gt=0.0, le=6.2831854)]
+Text = Annotated[str, Meta(max_length=1000)]
+
+Point = tuple[Number, Number]
+Box = tuple[Number, Number, Number, Number]
+"""x0, y0, x1, y1."""
+
+LineShape = tuple[Point, Point]
+ArcShape = tuple[Number, Number, Size, Number, Sweep]
+"""Centre, radius, start and sweep of an arc."""
+EllipseShape = tuple[Number, Number, Size, Size, Number, Number, Sweep]
+"""Centre, semi-axes (the larger first), rotation, start and sweep of the parameter."""
+
+
+class ViewRole(Enum):
+    """What a view shows: a principal view, or something that is none."""
+
+    FRONT = "front"
+    TOP = "top"
+    RIGHT = "right"
+    LEFT = "left"
+    BOTTOM = "bottom"
+    REAR = "rear"
+    SECTION = "section"
+    DETAIL = "detail"
+    AUXILIARY = "auxiliary"
+    PICTORIAL = "pictorial"
+    IGNORE = "ignore"
+
+
+class StrokeKind(Enum):
+    """What a stroke stands for (ISO 128-2, ISO 129-1)."""
+
+    VISIBLE = "visible"
+    HIDDEN = "hidden"
+    CENTRE = "centre"
+    TANGENT = "tangent"
+    CUT = "cut"
+    HATCH = "hatch"
+    DIMENSION = "dimension"
+    EXTENSION = "extension"
+    LEADER = "leader"
+    FRAME = "frame"
+    TEXT = "text"
+    THREAD = "thread"
+    SYMBOL = "symbol"
+    PICTURE = "picture"
+    IGNORE = "ignore"
+
+
+DRAWN = (StrokeKind.VISIBLE, StrokeKind.HIDDEN)
+"""Kinds that the part is made of."""
+
+
+class ReadSheet(Struct, frozen=True, kw_only=True):
+    """The sheet: the SHA-256 of its file, its page, px, and by how many radians it lies turned."""
+
+    sha256: Text
+    page: Annotated[int, Meta(ge=1)] = 1
+    size: tuple[int, int] | None = None
+    turn: Number = 0.0
+
+
+class ReadProjection(Struct, frozen=True, kw_only=True):
+    """First or third angle, how that is known, and what else it may be."""
+
+    value: Literal["first", "third"]
+    source: Literal["given", "symbol", "inferred", "default"]
+    alternatives: tuple[Literal["first", "third"], ...] = ()
+
+
+class ReadUnit(Struct, frozen=True, kw_only=True):
+    """The unit of numbers that do not name theirs."""
+
+    value: Literal["mm", "in"] = "mm"
+    source: Text = "default"
+
+
+class ReadScale(Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """mm a px, or the part's extent along an axis; neither where the sheet does not tell."""
+
+    source: Literal["given", "sheet", "dimension", "default"]
+    mm_per_px: Size | None = None
+    axis: Literal["x", "y", "z"] | None = None
+    length_mm: Size | None = None
+
+
+class ViewEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """A view, or another group of lines.
+
+    Attributes:
+        id: by which strokes and corrections name it.
+        role: what it shows.
+        box: around its lines.
+        kind: what it is, where that is no plain view: as in the report, or ``lines``.
+        source: where its strokes come from, ``raster``, ``vector`` or ``plot``; ``given`` where a
+            person said what it is.
+        hidden_lines: ``drawn`` if it has some, ``none`` otherwise.
+        used: whether it stands for a principal view.
+        cut: around its hatching.
+        dash: px up to which a hidden stroke may be one dash.
+    """
+
+    id: Text
+    role: ViewRole
+    box: Box
+    kind: Text = ""
+    source: Text = ""
+    hidden_lines: Literal["drawn", "some", "none"] | None = None
+    used: bool = True
+    cut: Box | None = None
+    dash: Number | None = None
+
+
+class StrokeEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """A stroke: one of ``line``, ``arc`` and ``ellipse``, or only a box.
+
+    Attributes:
+        id: by which corrections name it.
+        view: the id of its view; None where it belongs to none.
+        kind: what it stands for.
+        line, arc, ellipse: where it runs.
+        box: around what has no shape.
+        confidence: how sure the kind is.
+        source: ``given`` where a person drew it or said its kind.
+    """
+
+    id: Text
+    view: Text | None
+    kind: StrokeKind
+    line: LineShape | None = None
+    arc: ArcShape | None = None
+    ellipse: EllipseShape | None = None
+    box: Box | None = None
+    confidence: Share = 1.0
+    source: Text = ""
+
+
+class Measured(Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """What a number measures: the span between two points, or a circle (centre and radius)."""
+
+    span: tuple[Point, Point] | None = None
+    circle: tuple[Number, Number, Size] | None = None
+
+
+class DimensionEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """A dimension.
+
+    Attributes:
+        id: by which corrections name it.
+        text: as it was read.
+        value_mm: that it gives.
+        box: around the text.
+        type: what kind of length it is.
+        mm_per_px: that follows from it.
+        used: whether the scale is taken from it.
+        measures: what it was found to measure.
+        told_mm: length of the span, or radius of the circle, that it gives.
+        digit_mm: the last one that is told of that.
+    """
+
+    id: Text
+    text: Text
+    value_mm: Size
+    box: Box
+    type: Literal["linear", "diameter", "radius"] = "linear"
+    mm_per_px: Size | None = None
+    used: bool = False
+    measures: Measured | None = None
+    told_mm: Size | None = None
+    digit_mm: Size | None = None
+
+
+class NoteEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """A text that says something of the part or of the sheet, with what it says.
+
+    Attributes:
+        text: as it was read.
+        kind: what it speaks of.
+        box: around it.
+        value_mm: a length that it gives.
+        count: of how many places it speaks.
+    """
+
+    text: Text
+    kind: Text
+    box: Box
+    value_mm: Size | None = None
+    count: int = 1
+
+
+class Problem(Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """What is in doubt, or missing, and what a person can do about it.
+
+    Attributes:
+        code: as in the report.
+        message: a sentence.
+        severity: ``refused`` where no part follows, ``doubt`` where it takes the word from one.
+        at: boxes on the sheet.
+        offers: corrections that may help, by their ``op``.
+    """
+
+    code: Text
+    message: Annotated[str, Meta(max_length=10000)]
+    severity: Literal["refused", "doubt", "warning"] = "warning"
+    at: tuple[Box, ...] = ()
+    offers: tuple[Text, ...] = ()
+
+
+class SheetReading(Struct, frozen=True, kw_only=True):
+    """All of ``reading.json``."""
+
+    schema: Literal["gaussiancad-reading/1"]
+    sheet: ReadSheet
+    projection: ReadProjection
+    unit: ReadUnit
+    scale: ReadScale
+    views: tuple[ViewEntry, ...] = ()
+    strokes: tuple[StrokeEntry, ...] = ()
+    dimensions: tuple[DimensionEntry, ...] = ()
+    notes: tuple[NoteEntry, ...] = ()
+    problems: tuple[Problem, ...] = ()
+    engine: Text = ""
+
+    def values(self) -> dict[str, Any]:
+        """As JSON values."""
+        return msgspec.to_builtins(self)

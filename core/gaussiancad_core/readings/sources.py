@@ -1,0 +1,59 @@
+"""Where the lines of a sheet come from: read, or taken from a file, with a person's corrections."""
+
+from collections.abc import Callable
+
+from gaussiancad_core.errors import UsageError
+from gaussiancad_core.job import Job
+from gaussiancad_core.readings.correcting import Corrected, corrected
+from gaussiancad_core.readings.opening import open_reading, open_typed
+from gaussiancad_core.readings.operations import Corrections
+from gaussiancad_core.readings.schema import SheetReading
+from gaussiancad_core.run_notes import RunNotes
+
+
+def given_reading(
+    job: Job, sheet_sha256: str, read: Callable[[], SheetReading], notes: RunNotes
+) -> SheetReading | None:
+    """The reading that a run is to take; None where nobody said anything of one.
+
+    Args:
+        job: with the files of a reading and of corrections.
+        sheet_sha256: of the sheet.
+        read: reads the sheet where there are corrections and no reading.
+        notes: told how many corrections were taken, and which found no place.
+
+    Raises:
+        UnreadableError: ``reading-not-read``, ``corrections-not-read``.
+        UsageError: ``corrections-of-another-sheet``.
+    """
+    if job.given is None and job.corrections is None:
+        return None
+    reading = open_reading(job.given) if job.given else read()
+    if job.corrections is None:
+        return reading
+    path = job.corrections
+    told = open_typed(path, Corrections, "corrections-not-read")
+    if told.sheet_sha256 != sheet_sha256:
+        raise UsageError(
+            "corrections-of-another-sheet",
+            f"{path} corrects another sheet, or another version of it: remove it, or correct the "
+            "sheet again",
+        )
+    found = corrected(reading, told.ops)
+    _tell(found, len(told.ops), notes)
+    return found.reading
+
+
+def _tell(found: Corrected, count: int, notes: RunNotes) -> None:
+    taken = count - len(found.unmatched)
+    if taken:
+        notes.warn(
+            "corrected", f"{taken} correction(s) by hand were taken: the result is checked by them"
+        )
+    if found.unmatched:
+        names = ", ".join(map(str, found.unmatched[:10]))
+        notes.doubt(
+            "corrections-unmatched",
+            f"{len(found.unmatched)} correction(s) found nothing to correct any more (number "
+            f"{names}): look at them again",
+        )

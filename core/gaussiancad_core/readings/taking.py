@@ -1,0 +1,293 @@
+"""A reading instead of reading: views and strokes of ``reading.json`` as those of a sheet.
+
+Outlines come from the visible strokes alone: they are drawn, and filled as ink would be.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from gaussiancad_core.axes import Axis, Projection, Role
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.errors import NoModelError, UsageError
+from gaussiancad_core.job import Job
+from gaussiancad_core.reading_stage import (
+    SheetLines,
+    in_worked_px,
+    tell_layout,
+    tell_marks,
+    tell_scale,
+)
+from gaussiancad_core.readings.schema import (
+    DRAWN,
+    DimensionEntry,
+    SheetReading,
+    StrokeEntry,
+    StrokeKind,
+    ViewEntry,
+)
+from gaussiancad_core.readings.shapes import stroke_of
+from gaussiancad_core.readings.writing import LINES
+from gaussiancad_core.run_notes import RunNotes
+from gaussiancad_core.sheet.annotations.marks import Mark, line_mark
+from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
+from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.files.painting import paint
+from gaussiancad_core.sheet.files.vectors import Chain, VectorDrawing, VectorStroke
+from gaussiancad_core.sheet.layout import Layout
+from gaussiancad_core.sheet.masks import find_outline, supersampling_for
+from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.precision import StrokesSource
+from gaussiancad_core.sheet.read import SheetImage
+from gaussiancad_core.sheet.reading import ReadView
+from gaussiancad_core.sheet.registration import view_box
+from gaussiancad_core.sheet.scale.dimensions import Span
+from gaussiancad_core.sheet.scale.estimate import Measure, ReadDimension
+from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale
+from gaussiancad_core.sheet.scale.numbers import Sign
+from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
+from gaussiancad_core.views import Arc, Linetype, Stroke
+
+_CARRIED = ("other-pen-lines", "dimensions-disagree", "full-scale-assumed", "dimensions-not-read")
+"""Codes of what only reading itself can tell."""
+
+_STEP_PX = 0.5
+"""px between the points by which strokes are drawn."""
+
+_ROLES = {role.value: role for role in Role}
+
+_MARKS = {
+    StrokeKind.CENTRE: AnnotationKind.CENTRE_LINE,
+    StrokeKind.CUT: AnnotationKind.CENTRE_LINE,
+    StrokeKind.HATCH: AnnotationKind.HATCHING,
+    StrokeKind.DIMENSION: AnnotationKind.DIMENSION,
+    StrokeKind.EXTENSION: AnnotationKind.EXTENSION,
+    StrokeKind.LEADER: AnnotationKind.LEADER,
+    StrokeKind.FRAME: AnnotationKind.FRAME,
+    StrokeKind.TEXT: AnnotationKind.TEXT,
+    StrokeKind.THREAD: AnnotationKind.THREAD,
+    StrokeKind.SYMBOL: AnnotationKind.SYMBOL,
+    StrokeKind.PICTURE: AnnotationKind.PICTURE,
+}
+
+
+def taken_lines(
+    job: Job, image: SheetImage, clean: CleanSheet, reading: SheetReading, notes: RunNotes
+) -> SheetLines:
+    """The views and lines of a reading.
+
+    Args:
+        job: with what the user says: a projection and a scale go before those of the reading.
+        image: the sheet that was read.
+        clean: the same, upright.
+        reading: of it.
+        notes: told what is found.
+
+    Raises:
+        UsageError: ``reading-of-another-sheet``, ``role-repeated``.
+        NoModelError: ``no-views``, ``one-view``, ``empty-view``.
+    """
+    if reading.sheet.sha256 != image.sha256 or reading.sheet.page != job.page:
+        raise UsageError(
+            "reading-of-another-sheet",
+            f"the reading belongs to another sheet or page than {image.path.name}: read that with "
+            "`gaussiancad read`",
+        )
+    turn = clean.turn
+    with notes.stage("views"):
+        marks = tuple(
+            mark
+            for stroke in reading.strokes
+            if stroke.kind not in DRAWN and (mark := _mark(stroke, turn)) is not None
+        )
+        layout = _layout(job, reading, turn)
+        tell_marks(notes, marks, turn)
+        tell_layout(notes, layout, turn)
+    with notes.stage("lines"):
+        drawn = _drawn(reading, clean)
+        scale = _scale(reading, turn)
+        options = tell_scale(in_worked_px(_told_axis(job, reading).reading, turn), scale, notes)
+        for problem in reading.problems:
+            if problem.code in _CARRIED:
+                tell = notes.doubt if problem.severity == "doubt" else notes.warn
+                tell(problem.code, problem.message)
+    return SheetLines(layout, drawn, marks, scale, options)
+
+
+def _told_axis(job: Job, reading: SheetReading) -> Job:
+    """The job with the length that the reading was told, unless the user tells another scale."""
+    own, scale = job.reading, reading.scale
+    if own.length or own.mm_per_pixel or scale.axis is None or scale.length_mm is None:
+        return job
+    length = Axis[scale.axis.upper()], scale.length_mm
+    return replace(job, reading=replace(own, length=length))
+
+
+def _principal(reading: SheetReading) -> dict[Role, ViewEntry]:
+    found: dict[Role, ViewEntry] = {}
+    for view in reading.views:
+        role = _ROLES.get(view.role.value)
+        if role is None:
+            continue
+        if role in found:
+            raise UsageError(
+                "role-repeated",
+                f"the reading has two {role.value} views, {found[role].id} and {view.id}: a part "
+                "is seen from there once",
+            )
+        found[role] = view
+    return found
+
+
+def _layout(job: Job, reading: SheetReading, turn: Turn) -> Layout:
+    told = reading.projection
+    asked = job.reading.projection
+    projection = asked or Projection(told.value)
+    alternatives = () if asked else tuple(Projection(own) for own in told.alternatives)
+    return Layout(
+        boxes={role: turn.box_to_upright(view.box) for role, view in _principal(reading).items()},
+        projection=projection,
+        source="given" if asked else "inferred" if told.source == "symbol" else told.source,
+        alternatives=alternatives,
+        left_out=tuple(
+            turn.box_to_upright(view.box)
+            for view in reading.views
+            if view.kind == LINES and not _is_settled(view)
+        ),
+        special=tuple(
+            SpecialView(
+                SpecialKind(view.kind),
+                turn.box_to_upright(view.box),
+                view.used,
+                turn.box_to_upright(view.cut) if view.cut else None,
+            )
+            for view in reading.views
+            if view.kind in _SPECIAL and not _is_settled(view)
+        ),
+        symbol=projection if told.source == "symbol" and not asked else None,
+    )
+
+
+_SPECIAL = {kind.value for kind in SpecialKind}
+
+
+def _is_settled(view: ViewEntry) -> bool:
+    """Whether a person said what a group of lines is: then it is in no doubt."""
+    return view.source == "given" or view.role.value in _ROLES
+
+
+def _drawn(reading: SheetReading, clean: CleanSheet) -> tuple[ReadView, ...]:
+    turn = clean.turn
+    views = _principal(reading)
+    if len(views) < 2:
+        raise NoModelError(
+            "one-view" if views else "no-views",
+            "the reading names fewer than two views of the part: give each its role, and a box "
+            "around it",
+        )
+    strokes = {
+        role: tuple(
+            stroke
+            for entry in reading.strokes
+            if entry.view == view.id
+            and entry.kind in DRAWN
+            and (stroke := stroke_of(entry, turn)) is not None
+        )
+        for role, view in views.items()
+    }
+    for role, view in views.items():
+        if not any(own.linetype is Linetype.VISIBLE for own in strokes[role]):
+            raise NoModelError(
+                "empty-view",
+                "the {} view at ({:.0f}, {:.0f})-({:.0f}, {:.0f}) px has no visible line".format(
+                    role.value, *view.box
+                ),
+            )
+    part = _painted([own for view in strokes.values() for own in view], clean)
+    largest = max(max(x1 - x0, y1 - y0) for x0, y0, x1, y1 in map(_bounds, strokes.values()))
+    factor = supersampling_for(largest)
+    drawn = []
+    for role, view in views.items():
+        outline = find_outline(part, _bounds(strokes[role]), factor)
+        box = (
+            _bounds(strokes[role])
+            if outline is None
+            else view_box(strokes[role], outline, exact=_source(view) is StrokesSource.VECTOR)
+        )
+        drawn.append(ReadView(role, box, strokes[role], outline, _source(view), view.dash))
+    return tuple(drawn)
+
+
+def _source(view: ViewEntry) -> StrokesSource:
+    try:
+        return StrokesSource(view.source)
+    except ValueError:
+        return StrokesSource.RASTER
+
+
+def _bounds(strokes: Sequence[Stroke]) -> Box:
+    points = np.concatenate(
+        [own.sample(1.0) for own in strokes if own.linetype is Linetype.VISIBLE]
+    )
+    (x0, y0), (x1, y1) = points.min(0).tolist(), points.max(0).tolist()
+    return x0, y0, x1, y1
+
+
+def _painted(strokes: Iterable[Stroke], clean: CleanSheet) -> CleanSheet:
+    """The sheet with the visible strokes alone."""
+    chains = tuple(
+        VectorStroke(Chain(tuple(map(tuple, own.sample(_STEP_PX).tolist()))), None)
+        for own in strokes
+        if own.linetype is Linetype.VISIBLE
+    )
+    height, width = clean.ink.shape
+    part = clean_sheet(paint(VectorDrawing(chains, ()), width, height), 0)
+    return replace(part, turn=clean.turn, dash_gap=clean.dash_gap)
+
+
+def _mark(stroke: StrokeEntry, turn: Turn) -> Mark | None:
+    kind = _MARKS.get(stroke.kind)
+    if kind is None:
+        return None
+    if stroke.line is not None:
+        (start, end) = turn.to_upright(np.array(stroke.line)).tolist()
+        return line_mark(kind, tuple(start), tuple(end))
+    return Mark(kind, turn.box_to_upright(stroke.box)) if stroke.box else None
+
+
+def _scale(reading: SheetReading, turn: Turn) -> SheetScale:
+    told = reading.scale
+    dimensions = tuple(_dimension(own, turn) for own in reading.dimensions)
+    return SheetScale(
+        None if told.mm_per_px is None else told.mm_per_px * turn.scale,
+        ScaleSource(told.source),
+        dimensions,
+        measures=tuple(own.measure for own in dimensions if own.measure),
+    )
+
+
+def _dimension(own: DimensionEntry, turn: Turn) -> ReadDimension:
+    place = _place(own, turn)
+    measure = None
+    if place is not None and own.told_mm is not None and own.digit_mm is not None:
+        measure = Measure(place, own.told_mm, own.digit_mm)
+    sign = Sign.LENGTH if own.type == "linear" else Sign(own.type)
+    return ReadDimension(
+        own.text, own.value_mm, own.box, own.mm_per_px, own.used, sign, place, measure
+    )
+
+
+def _place(own: DimensionEntry, turn: Turn) -> Span | Arc | None:
+    if own.measures is None:
+        return None
+    if own.measures.span is not None:
+        (x0, y0), (x1, y1) = turn.to_upright(np.array(own.measures.span)).tolist()
+        level = abs(x1 - x0) > abs(y1 - y0)
+        low, high = sorted((x0, x1) if level else (y0, y1))
+        return Span(level, low, high)
+    if own.measures.circle is not None:
+        x, y, radius = own.measures.circle
+        ((x, y),) = turn.to_upright(np.array([[x, y]])).tolist()
+        return Arc((x, y), radius / turn.scale, 0.0, 2.0 * np.pi, Linetype.VISIBLE)
+    return None

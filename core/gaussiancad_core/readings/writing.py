@@ -1,0 +1,257 @@
+"""What was read on a sheet -> ``reading.json``."""
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import msgspec
+import numpy as np
+
+from gaussiancad_core import __version__
+from gaussiancad_core.axes import Axis
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.reading_stage import SheetLines
+from gaussiancad_core.readings.schema import (
+    SCHEMA,
+    DimensionEntry,
+    Measured,
+    Problem,
+    ReadProjection,
+    ReadScale,
+    ReadSheet,
+    ReadUnit,
+    SheetReading,
+    StrokeEntry,
+    StrokeKind,
+    ViewEntry,
+    ViewRole,
+)
+from gaussiancad_core.readings.shapes import shape_of, stored_box, stored_points
+from gaussiancad_core.report import Report
+from gaussiancad_core.sheet.annotations.marks import Mark
+from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.precision import StrokesSource
+from gaussiancad_core.sheet.reading import ReadView
+from gaussiancad_core.sheet.scale.dimensions import Span
+from gaussiancad_core.sheet.scale.estimate import ReadDimension
+from gaussiancad_core.sheet.scale.find import ScaleSource
+from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
+from gaussiancad_core.views import Linetype, Stroke
+
+READING_FILE = "reading.json"
+
+LINES = "lines"
+"""Kind of a group of lines that belongs to no view and has no name."""
+
+_ROLES = {
+    SpecialKind.SECTION: ViewRole.SECTION,
+    SpecialKind.HALF_SECTION: ViewRole.SECTION,
+    SpecialKind.PARTIAL_SECTION: ViewRole.SECTION,
+    SpecialKind.DETAIL: ViewRole.DETAIL,
+    SpecialKind.AUXILIARY: ViewRole.AUXILIARY,
+    SpecialKind.PICTORIAL: ViewRole.PICTORIAL,
+}
+"""What drawings that are no plain views show; others are ignored."""
+
+_KINDS = {
+    AnnotationKind.FRAME: StrokeKind.FRAME,
+    AnnotationKind.TITLE_BLOCK: StrokeKind.FRAME,
+    AnnotationKind.TEXT: StrokeKind.TEXT,
+    AnnotationKind.DIMENSION: StrokeKind.DIMENSION,
+    AnnotationKind.EXTENSION: StrokeKind.EXTENSION,
+    AnnotationKind.LEADER: StrokeKind.LEADER,
+    AnnotationKind.CENTRE_LINE: StrokeKind.CENTRE,
+    AnnotationKind.CENTRE_MARK: StrokeKind.CENTRE,
+    AnnotationKind.SYMMETRY: StrokeKind.CENTRE,
+    AnnotationKind.SYMBOL: StrokeKind.SYMBOL,
+    AnnotationKind.PICTURE: StrokeKind.PICTURE,
+    AnnotationKind.HATCHING: StrokeKind.HATCH,
+    AnnotationKind.THREAD: StrokeKind.THREAD,
+}
+
+_OFFERS = {
+    "open-outline": ("draw", "view"),
+    "scale-assumed": ("scale",),
+    "full-scale-assumed": ("scale",),
+    "dimensions-disagree": ("dimension", "scale"),
+    "unused-view": ("view",),
+    "lines-left-out": ("view",),
+    "other-pen-lines": ("kind",),
+    "views-disagree": ("view", "erase"),
+    "symbol-contradicts-lines": ("projection",),
+}
+"""Corrections that may help, by the code of what is in doubt."""
+
+_NO_VIEWS = ("view",)
+"""The same where a sheet was refused for another reason: its views are not where they are."""
+
+
+def sheet_reading(
+    report: Report,
+    lines: SheetLines,
+    turn: Turn,
+    size: tuple[int, int],
+    refused: Sequence[Problem] = (),
+) -> SheetReading:
+    """What was read.
+
+    Args:
+        report: so far, with the sheet's hash, the projection and what is in doubt.
+        lines: views and strokes, px of the upright sheet.
+        turn: of the upright sheet.
+        size: width and height of the sheet as stored, px.
+        refused: why no part follows, if that is so.
+    """
+    scale = lines.scale
+    doubts = [
+        Problem(code=own.code, message=own.message, severity=severity, offers=_offers(own.code))
+        for remarks, severity in ((report.reasons, "doubt"), (report.warnings, "warning"))
+        for own in remarks
+    ]
+    return SheetReading(
+        schema=SCHEMA,
+        engine=__version__,
+        sheet=ReadSheet(
+            sha256=report.sheet_sha256,
+            page=int(report.settings.get("page", 1)),
+            size=size,
+            turn=round(float(turn.angle), 8),
+        ),
+        projection=ReadProjection(
+            value=lines.layout.projection.value,
+            source="symbol" if lines.layout.symbol else lines.layout.source,
+            alternatives=tuple(own.value for own in lines.layout.alternatives),
+        ),
+        unit=ReadUnit(),
+        scale=_scale(lines, turn),
+        views=(
+            *(_view(own, turn) for own in lines.drawn),
+            *(_special(n, own, turn) for n, own in enumerate(lines.layout.special, start=1)),
+            *(_left_out(n, own, turn) for n, own in enumerate(lines.layout.left_out, start=1)),
+        ),
+        strokes=tuple(_strokes(lines, turn)),
+        dimensions=tuple(
+            _dimension(number, own, turn)
+            for number, own in enumerate(scale.dimensions if scale else (), start=1)
+        ),
+        problems=(*refused, *doubts),
+    )
+
+
+def refusal(code: str, message: str) -> Problem:
+    """Why no part follows from a sheet."""
+    return Problem(
+        code=code, message=message, severity="refused", offers=_offers(code) or _NO_VIEWS
+    )
+
+
+def write_reading(reading: SheetReading, folder: Path) -> None:
+    """Write ``reading.json`` into a folder."""
+    (folder / READING_FILE).write_bytes(msgspec.json.encode(reading) + b"\n")
+
+
+def _offers(code: str) -> tuple[str, ...]:
+    return _OFFERS.get(code, ())
+
+
+def _scale(lines: SheetLines, turn: Turn) -> ReadScale:
+    options, scale = lines.options, lines.scale
+    given = options.mm_per_pixel is not None or options.length is not None
+    told = scale is not None and options.mm_per_pixel == scale.mm_per_pixel
+    source = scale.source if told else ScaleSource.GIVEN if given else ScaleSource.DEFAULT
+    axis, length = options.length or (None, None)
+    per_pixel = options.mm_per_pixel
+    return ReadScale(
+        source=source.value,
+        mm_per_px=None if per_pixel is None else per_pixel / turn.scale,
+        axis=axis.name.lower() if isinstance(axis, Axis) else None,
+        length_mm=length,
+    )
+
+
+def _view(view: ReadView, turn: Turn) -> ViewEntry:
+    return ViewEntry(
+        id=view.role.value,
+        role=ViewRole(view.role.value),
+        box=tuple(round(float(value), 2) for value in view.stored_box(turn)),
+        source=view.source.value,
+        hidden_lines="drawn" if view.has_hidden_lines else "none",
+        dash=view.dash,
+    )
+
+
+def _special(number: int, view: SpecialView, turn: Turn) -> ViewEntry:
+    kind = view.kind.value
+    return ViewEntry(
+        id=f"{kind}-{number}",
+        role=_ROLES.get(view.kind, ViewRole.IGNORE),
+        box=stored_box(view.box, turn),
+        kind=kind,
+        used=view.used,
+        cut=stored_box(view.cut, turn) if view.cut else None,
+    )
+
+
+def _left_out(number: int, box: tuple[float, float, float, float], turn: Turn) -> ViewEntry:
+    return ViewEntry(
+        id=f"{LINES}-{number}",
+        role=ViewRole.IGNORE,
+        box=stored_box(box, turn),
+        kind=LINES,
+        used=False,
+    )
+
+
+def _strokes(lines: SheetLines, turn: Turn) -> Iterator[StrokeEntry]:
+    owned: list[tuple[str | None, str, Stroke]] = [
+        (view.role.value, view.source.value, stroke)
+        for view in lines.drawn
+        for stroke in view.strokes
+    ]
+    owned += [(None, StrokesSource.VECTOR.value, stroke) for stroke in lines.loose]
+    for number, (view, source, stroke) in enumerate(owned, start=1):
+        hidden = stroke.linetype is Linetype.HIDDEN
+        yield StrokeEntry(
+            id=f"s{number}",
+            view=view,
+            kind=StrokeKind.HIDDEN if hidden else StrokeKind.VISIBLE,
+            confidence=round(float(stroke.confidence), 4),
+            source=source,
+            **shape_of(stroke, turn),
+        )
+    for number, mark in enumerate(lines.marks, start=1 + len(owned)):
+        yield _marked(f"s{number}", mark, turn)
+
+
+def _marked(name: str, mark: Mark, turn: Turn) -> StrokeEntry:
+    kind = _KINDS.get(mark.kind, StrokeKind.IGNORE)
+    line = None if mark.line is None else tuple(stored_points(mark.line, turn))
+    return StrokeEntry(id=name, view=None, kind=kind, line=line, box=stored_box(mark.box, turn))
+
+
+def _dimension(number: int, own: ReadDimension, turn: Turn) -> DimensionEntry:
+    measure = own.measure
+    return DimensionEntry(
+        id=f"d{number}",
+        text=own.text[:1000],
+        value_mm=own.value_mm,
+        box=tuple(round(float(value), 2) for value in own.box),
+        type=own.sign.value or "linear",
+        mm_per_px=own.mm_per_pixel,
+        used=own.used,
+        measures=_measured(own, turn),
+        told_mm=measure.value_mm if measure else None,
+        digit_mm=measure.digit_mm if measure else None,
+    )
+
+
+def _measured(own: ReadDimension, turn: Turn) -> Measured | None:
+    place = own.place
+    if place is None:
+        return None
+    if isinstance(place, Span):
+        x0, y0, x1, y1 = turn.box_to_upright(own.box)
+        across = (y0 + y1) / 2.0 if place.level else (x0 + x1) / 2.0
+        ends = np.array([(at, across) for at in (place.low, place.high)])
+        return Measured(span=tuple(stored_points(ends if place.level else ends[:, ::-1], turn)))
+    (centre,) = stored_points([place.centre], turn)
+    return Measured(circle=(*centre, round(place.radius * turn.scale, 4)))

@@ -1,0 +1,179 @@
+"""The stage masks: views with strokes to views on shared axes, under one or two projections."""
+
+from dataclasses import dataclass, replace
+
+from gaussiancad_core.axes import Projection, mutually_orthogonal
+from gaussiancad_core.exact_stage import Reading
+from gaussiancad_core.job import Job
+from gaussiancad_core.modes import Recipe, ResultKind
+from gaussiancad_core.projection_choice import both_readings, choose_projection
+from gaussiancad_core.reading_stage import SheetLines
+from gaussiancad_core.report import ViewReport
+from gaussiancad_core.run_notes import RunNotes
+from gaussiancad_core.sheet.annotations.marks import Mark
+from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.sheet.reading import RegisteredSheet, register_views
+from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale
+from gaussiancad_core.sheet.special_views.kinds import SpecialView
+from gaussiancad_core.told_measures import contradicts, trusted
+
+
+@dataclass(frozen=True, eq=False)
+class SheetFindings:
+    """What was read on a sheet.
+
+    Attributes:
+        own: the views on shared axes, as they are named; once the readings are weighed, under the
+            likelier projection.
+        other: the same under the other projection, where that is possible.
+        marks: annotations, in px of the upright sheet.
+        special: views that are no plain projections.
+        symbol: the projection that the sheet's symbol tells, if there is one.
+        contradicted: whether the lines fit the other projection better than the symbol's.
+    """
+
+    own: Reading
+    other: Reading | None
+    marks: tuple[Mark, ...]
+    special: tuple[SpecialView, ...]
+    symbol: Projection | None = None
+    contradicted: bool = False
+
+
+def registered_lines(job: Job, lines: SheetLines, turn: Turn, notes: RunNotes) -> SheetFindings:
+    """Views on shared axes, under one or two projections.
+
+    Where a solid is asked for, it may tell which of two is right: they are not weighed yet.
+
+    Args:
+        job: with what is asked for.
+        lines: of the sheet.
+        turn: of the sheet.
+        notes: told what is found.
+
+    Raises:
+        NoModelError: the views contradict each other.
+    """
+    options, layout = lines.options, lines.layout
+    with notes.stage("masks"):
+        if job.recipe is Recipe.PAPER:
+            options = replace(options, open_holes=False)
+        if layout.alternatives and not options.views:
+            found = _both(lines, options, notes)
+        else:
+            own = Reading(register_views(lines.drawn, options), notes.report.projection)
+            found = SheetFindings(own, None, (), ())
+        found = _with_measures(found, lines.scale, notes)
+        if found.other and job.result is ResultKind.SURFACE:
+            found = weigh_readings(found, notes)
+        _tell_views(notes, found.own.registered, turn)
+        _tell_registration(notes, found.own.registered, turn)
+    return replace(found, marks=lines.marks, special=layout.special)
+
+
+def tell_projection(notes: RunNotes, projection: Projection, inferred: bool) -> None:
+    """Say which projection was taken, and whether the sheet told it."""
+    notes.tell(
+        projection=projection,
+        projection_source="inferred" if inferred else "default",
+        projection_alternatives=() if inferred else (projection.other,),
+    )
+
+
+def tell_symbol(notes: RunNotes, found: SheetFindings, taken: Projection) -> None:
+    """Say that the symbol told the projection, or that the lines do not agree with it."""
+    symbol = found.symbol
+    if symbol is None:
+        return
+    if taken is symbol:
+        notes.tell(projection_source="symbol")
+        if not found.contradicted:
+            return
+    notes.doubt(
+        "symbol-contradicts-lines",
+        f"the projection symbol says {symbol.value} angle, but the visible and hidden "
+        f"lines fit {symbol.other.value} angle better: {taken.value} angle was taken; "
+        "tell --projection if it is the other",
+    )
+
+
+def weigh_readings(found: SheetFindings, notes: RunNotes) -> SheetFindings:
+    """The same with the likelier of both readings first, by the lines that its hull shows.
+
+    What the sheet's symbol says stays first; the findings then tell whether lines contradict it.
+    """
+    own, other = found.own, found.other
+    choice = choose_projection(own.registered, other.registered, own.projection)
+    contradicted = False
+    if found.symbol is not None:
+        contradicted = choice.inferred and choice.projection is not found.symbol
+        choice = choice.told(found.symbol)
+    tell_projection(notes, choice.projection, choice.inferred)
+    if choice.projection is not own.projection:
+        own, other = other, own
+    return replace(found, own=own, other=other, contradicted=contradicted)
+
+
+def _both(lines: SheetLines, options: ReadingOptions, notes: RunNotes) -> SheetFindings:
+    """The views as they are named, and as the other projection names them where that may be."""
+    layout = lines.layout
+    registered, contrary = both_readings(lines.drawn, options)
+    own = Reading(registered, layout.projection)
+    other = Reading(contrary, layout.projection.other) if contrary else None
+    if other is None:
+        tell_projection(notes, own.projection, inferred=True)
+    return SheetFindings(own, other, (), (), layout.symbol)
+
+
+def _with_measures(
+    found: SheetFindings, scale: SheetScale | None, notes: RunNotes
+) -> SheetFindings:
+    """The readings with what the dimensions say of lengths, where they fit the scale."""
+    if contradicts(found.own.registered, scale):
+        notes.doubt(
+            "scale-contradicts-dimensions",
+            f"the dimensions on the sheet agree on {scale.mm_per_pixel:.4g} mm a pixel, but "
+            f"{found.own.registered.mm_per_pixel:.4g} was told: check --length or --mm-per-pixel; "
+            "their numbers were not used",
+        )
+    measured = [
+        reading and replace(reading, measures=trusted(reading.registered, scale))
+        for reading in (found.own, found.other)
+    ]
+    return replace(found, own=measured[0], other=measured[1])
+
+
+def _tell_views(notes: RunNotes, registered: RegisteredSheet, turn: Turn) -> None:
+    notes.tell(views={view.role: ViewReport(view.stored_box(turn)) for view in registered.drawn})
+
+
+def _tell_registration(notes: RunNotes, registered: RegisteredSheet, turn: Turn) -> None:
+    notes.tell(
+        scale_mm_per_pixel=registered.mm_per_pixel / turn.scale,
+        bounding_box_mm=registered.views.size,
+        strokes_source=registered.source.value,
+        residuals_px={
+            axis.name.lower(): (residual.median, residual.largest)
+            for axis, residual in registered.extents.residuals.items()
+        },
+    )
+    if notes.report.scale_source == ScaleSource.DEFAULT.value:
+        notes.warn(
+            "scale-assumed",
+            "the scale is not known: the longest edge was made 100 mm; "
+            "tell --length AXIS=MM or --mm-per-pixel",
+        )
+    for axis in registered.extents.disagreeing:
+        spread = registered.extents.spread[axis]
+        residual = registered.extents.residuals[axis]
+        notes.warn(
+            "views-disagree",
+            f"the views differ by {spread:.1f} px in the part's extent along {axis.name}, and "
+            f"by up to {residual.largest:.1f} px from the coordinates that they share: "
+            "their mean was taken",
+        )
+    if not mutually_orthogonal(registered.views.roles):
+        notes.doubt(
+            "two-views", "only two directions of view: what a third would show is not known"
+        )

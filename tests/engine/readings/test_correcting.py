@@ -1,0 +1,165 @@
+"""What a person says of a reading, one operation after another."""
+
+import json
+
+import msgspec
+import pytest
+from msgspec.structs import replace
+
+from gaussiancad_core.readings.correcting import corrected
+from gaussiancad_core.readings.operations import CORRECTIONS_SCHEMA, Corrections
+from gaussiancad_core.readings.schema import SCHEMA, SheetReading, StrokeKind, ViewRole
+
+_LINE = [[10.0, 10.0], [110.0, 10.0]]
+
+_READING = msgspec.convert(
+    {
+        "schema": SCHEMA,
+        "sheet": {"sha256": "0"},
+        "projection": {"value": "third", "source": "default", "alternatives": ["first"]},
+        "unit": {},
+        "scale": {"source": "dimension", "mm_per_px": 0.5},
+        "views": [
+            {"id": "front", "role": "front", "box": [10, 10, 110, 60]},
+            {"id": "top", "role": "top", "box": [10, 210, 110, 260]},
+            {"id": "lines-1", "role": "ignore", "box": [300, 10, 350, 60], "used": False},
+        ],
+        "strokes": [
+            {"id": "s1", "view": "front", "kind": "visible", "line": _LINE},
+            {"id": "s2", "view": "front", "kind": "hidden", "line": [[10, 30], [110, 30]]},
+            {"id": "s3", "view": None, "kind": "centre", "line": [[60, 12], [60, 58]]},
+            {"id": "s4", "view": None, "kind": "visible", "arc": [325, 35, 20, 0, 6.28]},
+        ],
+        "dimensions": [
+            {
+                "id": "d1",
+                "text": "50",
+                "value_mm": 50.0,
+                "box": [50, 0, 70, 8],
+                "measures": {"span": [[10, 4], [110, 4]]},
+                "told_mm": 50.0,
+                "digit_mm": 1.0,
+            }
+        ],
+    },
+    SheetReading,
+)
+
+
+def _with(*operations: dict) -> tuple[SheetReading, tuple[int, ...]]:
+    told = msgspec.convert(
+        {"schema": CORRECTIONS_SCHEMA, "sheet_sha256": "0", "ops": list(operations)}, Corrections
+    )
+    found = corrected(_READING, told.ops)
+    return found.reading, found.unmatched
+
+
+def _kinds(reading: SheetReading) -> dict[str, tuple[str | None, str]]:
+    return {own.id: (own.view, own.kind.value) for own in reading.strokes}
+
+
+def test_what_is_taken_for_a_centre_line_becomes_a_hidden_one_of_the_view_around_it() -> None:
+    found, unmatched = _with({"op": "kind", "target": {"id": "s3"}, "to": "hidden"})
+    assert unmatched == ()
+    assert _kinds(found)["s3"] == ("front", "hidden")
+    assert _kinds(_READING)["s3"] == (None, "centre")
+
+
+def test_a_target_is_found_by_its_place_where_ids_have_changed() -> None:
+    own = {"id": "s2", "line": [[11.0, 10.5], [109.0, 10.5]]}
+    found, unmatched = _with({"op": "erase", "target": own})
+    assert unmatched == () and sorted(_kinds(found)) == ["s2", "s3", "s4"]
+    gone = {"id": "s1", "line": [[10.0, 50.0], [110.0, 50.0]]}
+    found, unmatched = _with({"op": "erase", "target": gone}, {"op": "unit", "value": "mm"})
+    assert unmatched == (1,) and len(found.strokes) == 4
+
+
+def test_a_line_that_is_drawn_twice_is_one_and_none_without_its_view() -> None:
+    line = {"op": "draw", "view": "top", "kind": "visible", "line": [[10, 210], [110, 210]]}
+    other = {**line, "line": [[10, 260], [110, 260]]}
+    found, unmatched = _with(line, line, other, {**line, "view": "nowhere"})
+    drawn = [own for own in found.strokes if own.source == "given"]
+    assert [own.id for own in drawn] == ["p1", "p2"] and unmatched == (4,)
+
+
+def test_a_box_with_a_role_is_a_view_with_the_lines_in_it() -> None:
+    box = {"op": "view", "id": "lines-1", "role": "right", "box": [304, 14, 346, 56]}
+    found, _ = _with(box)
+    view = next(own for own in found.views if own.id == "lines-1")
+    assert (view.role, view.used, view.source) == (ViewRole.RIGHT, True, "given")
+    assert _kinds(found)["s4"] == ("lines-1", "visible")
+    new = {"op": "view", "id": "mine", "role": "left", "box": [304, 14, 346, 56]}
+    assert _kinds(_with(new)[0])["s4"] == ("mine", "visible")
+    assert _with({"op": "view", "id": "mine", "role": "left"})[1] == (1,)
+
+
+def test_another_projection_names_the_views_beside_the_front_anew() -> None:
+    found, _ = _with({"op": "projection", "value": "first"})
+    assert [view.role for view in found.views[:2]] == [ViewRole.FRONT, ViewRole.BOTTOM]
+    assert found.projection.source == "given" and found.projection.alternatives == ()
+    again = corrected(
+        found,
+        msgspec.convert(
+            {
+                "schema": CORRECTIONS_SCHEMA,
+                "sheet_sha256": "0",
+                "ops": [{"op": "projection", "value": "third"}],
+            },
+            Corrections,
+        ).ops,
+    ).reading
+    assert [view.role for view in again.views] == [view.role for view in _READING.views]
+
+
+def test_inches_make_all_lengths_longer_and_millimetres_make_them_what_they_were() -> None:
+    found, _ = _with({"op": "unit", "value": "in"})
+    (own,) = found.dimensions
+    lengths = (own.value_mm, own.told_mm, own.digit_mm, found.scale.mm_per_px)
+    assert lengths == pytest.approx((1270.0, 1270.0, 25.4, 12.7))
+    back, _ = _with({"op": "unit", "value": "in"}, {"op": "unit", "value": "mm"})
+    assert back.scale.mm_per_px == pytest.approx(0.5)
+    assert back.dimensions[0].told_mm == pytest.approx(50.0)
+
+
+@pytest.mark.parametrize(
+    ("scale", "expected"),
+    [
+        ({"mm_per_px": 0.2}, (0.2, None, None)),
+        ({"points": [[0, 0], [30, 40]], "length_mm": 5}, (0.1, None, None)),
+        ({"axis": "z", "length_mm": 80}, (None, "z", 80.0)),
+    ],
+)
+def test_the_scale_is_told_in_three_ways(scale: dict, expected: tuple) -> None:
+    own = _with({"op": "scale", **scale})[0].scale
+    assert (own.mm_per_px, own.axis, own.length_mm) == expected and own.source == "given"
+
+
+@pytest.mark.parametrize(
+    "scale", [{}, {"length_mm": 5}, {"points": [[3, 3], [3, 3]], "length_mm": 5}]
+)
+def test_a_scale_that_says_nothing_finds_no_place(scale: dict) -> None:
+    found, unmatched = _with({"op": "scale", **scale})
+    assert found == _READING and unmatched == (1,)
+
+
+def test_a_number_is_put_right_and_measures_what_it_did() -> None:
+    found, _ = _with({"op": "dimension", "id": "d1", "value_mm": 52.25})
+    (own,) = found.dimensions
+    assert (own.value_mm, own.told_mm, own.digit_mm) == (52.25, 52.25, pytest.approx(0.01))
+    assert own.measures == _READING.dimensions[0].measures
+    assert _with({"op": "dimension", "id": "d9", "value_mm": 1.0})[1] == (1,)
+
+
+def test_all_within_a_polygon_is_ignored() -> None:
+    polygon = [[0, 0], [200, 0], [200, 20], [0, 20]]
+    found, _ = _with({"op": "region", "polygon": polygon, "kind": "ignore"})
+    changed = [own.id for own in found.strokes if own.kind is StrokeKind.IGNORE]
+    assert changed == ["s1"]
+
+
+def test_a_reading_comes_back_from_its_file() -> None:
+    content = msgspec.json.encode(_READING)
+    assert msgspec.json.decode(content, type=SheetReading) == _READING
+    # What is not known is left out.
+    assert "ellipse" not in json.loads(content)["strokes"][0]
+    assert replace(_READING, engine="1") != _READING

@@ -1,0 +1,162 @@
+"""``gaussiancad read``, and a reading instead of reading."""
+
+import hashlib
+import json
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from gaussiancad_core.cli import main
+
+SAMPLES = Path(__file__).parents[3] / "resources" / "samples"
+
+_OPTIONS = ("--length", "x=80")
+
+
+def _json(path: Path) -> dict[str, Any]:
+    return json.loads(path.read_text("utf-8"))
+
+
+def _made(sheet: Path, output: Path, *options: "str | Path") -> dict[str, Any]:
+    words = ["reconstruct", sheet, "--output", output, "--result", "solid", *_OPTIONS, *options]
+    assert main(list(map(str, words))) == 0
+    return _json(output / "report.json")
+
+
+@pytest.fixture
+def sheet(tmp_path: Path) -> Path:
+    return Path(shutil.copy(SAMPLES / "l-bracket.png", tmp_path / "bracket.png"))
+
+
+@pytest.fixture
+def read(sheet: Path, tmp_path: Path) -> Path:
+    assert main(["read", str(sheet), "--output", str(tmp_path / "read"), *_OPTIONS]) == 0
+    return tmp_path / "read" / "reading.json"
+
+
+def test_what_was_read_makes_the_same_solid(sheet: Path, read: Path, tmp_path: Path) -> None:
+    direct = _made(sheet, tmp_path / "direct")
+    taken = _made(sheet, tmp_path / "taken", "--reading", read)
+    for name in ("status", "reasons", "warnings", "projection", "projection_source", "views"):
+        assert taken[name] == direct[name], name
+    for name in ("faces", "valid", "closed", "alternatives"):
+        assert taken["solid"][name] == direct["solid"][name]
+    assert taken["solid"]["volume_mm3"] == pytest.approx(direct["solid"]["volume_mm3"], rel=1e-6)
+    assert (read.parent / "reading.png").stat().st_size > 10_000
+    # A run writes the same reading as it goes on.
+    assert _json(tmp_path / "direct" / "reading.json")["strokes"] == _json(read)["strokes"]
+
+
+def test_a_hidden_line_that_was_missed_is_drawn_by_hand(
+    sheet: Path, read: Path, tmp_path: Path
+) -> None:
+    values = _json(read)
+    hidden = [own for own in values["strokes"] if own["kind"] == "hidden"]
+    assert hidden
+    values["strokes"] = [own for own in values["strokes"] if own["kind"] != "hidden"]
+    read.write_text(json.dumps(values))
+    assert _made(sheet, tmp_path / "without", "--reading", read)["status"] != "verified"
+    drawn = [
+        {"op": "draw", "view": own["view"], "kind": "hidden", "line": own["line"]} for own in hidden
+    ]
+    _correct(sheet, drawn)
+    report = _made(sheet, tmp_path / "mended", "--reading", read)
+    assert report["status"] == "verified"
+    assert report["solid"]["volume_mm3"] == pytest.approx(
+        _made(sheet, tmp_path / "again")["solid"]["volume_mm3"], rel=1e-6
+    )
+    (told,) = [own for own in report["warnings"] if own["code"] == "corrected"]
+    assert told["message"].startswith(f"{len(hidden)} correction(s)")
+
+
+def _correct(sheet: Path, operations: list[dict[str, Any]]) -> Path:
+    path = sheet.with_name(f"{sheet.name}.corrections.json")
+    digest = hashlib.sha256(sheet.read_bytes()).hexdigest()
+    schema = "gaussiancad-corrections/1"
+    path.write_text(json.dumps({"schema": schema, "sheet_sha256": digest, "ops": operations}))
+    return path
+
+
+def test_corrections_beside_a_sheet_are_taken_and_those_without_a_place_are_told(
+    sheet: Path, tmp_path: Path
+) -> None:
+    line = [[1.0, 1.0], [9.0, 1.0]]
+    _correct(sheet, [{"op": "erase", "target": {"id": "s1", "line": line}}])
+    report = _made(sheet, tmp_path / "out")
+    assert [own["code"] for own in report["reasons"]] == ["corrections-unmatched"]
+    assert report["status"] == "approximate"
+
+
+def test_reading_never_fails_for_geometry(tmp_path: Path) -> None:
+    from PIL import Image, ImageDraw
+
+    picture = Image.new("L", (600, 400), 255)
+    ImageDraw.Draw(picture).rectangle((100, 100, 300, 250), outline=0, width=3)
+    picture.save(tmp_path / "one.png")
+    output = tmp_path / "out"
+    assert main(["read", str(tmp_path / "one.png"), "--output", str(output)]) == 0
+    values = _json(output / "reading.json")
+    (refused,) = [own for own in values["problems"] if own["severity"] == "refused"]
+    assert refused["offers"] and values["strokes"] == []
+    assert [own["role"] for own in values["views"]] == ["ignore"]
+
+
+@pytest.mark.parametrize(
+    ("content", "place"),
+    [
+        (b"", "truncated"),
+        (b"[]", "object"),
+        (b'{"schema": "gaussiancad-reading/9"}', "$.schema"),
+        (b"\xff\xfe", "malformed"),
+        (b'{"schema": "gaussiancad-reading/1", "sheet": {"sha256": 3}}', "$.sheet.sha256"),
+    ],
+)
+def test_a_file_that_is_no_reading_is_told_by_its_place(
+    content: bytes, place: str, sheet: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "wrong.json"
+    path.write_bytes(content)
+    words = ["reconstruct", str(sheet), "--output", str(tmp_path / "o"), "--reading", str(path)]
+    assert main(words) == 3
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1 and "[reading-not-read]" in said and place in said.lower()
+
+
+@pytest.mark.parametrize(
+    "case",
+    [
+        (lambda own: own["sheet"].update(sha256="0"), "reading-of-another-sheet", 2),
+        (lambda own: own["views"][1].update(role="front"), "role-repeated", 2),
+        (lambda own: own["views"].append(own["views"][0]), "reading-not-read", 3),
+        (lambda own: own["strokes"][0]["line"][0].append(3.0), "reading-not-read", 3),
+        (lambda own: own["strokes"][0].update(line=[[1e9, 0], [0, 0]]), "reading-not-read", 3),
+        (lambda own: own.update(strokes=[]), "empty-view", 4),
+        (lambda own: own.update(views=own["views"][:1]), "one-view", 4),
+    ],
+)
+def test_a_reading_that_cannot_be_taken_says_why(
+    case: tuple[Callable[[dict[str, Any]], None], str, int],
+    sheet: Path,
+    read: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    change, code, exit_code = case
+    values = _json(read)
+    change(values)
+    read.write_text(json.dumps(values))
+    output = str(read.parent / "o")
+    words = ["reconstruct", str(sheet), "--output", output, "--reading", str(read)]
+    assert main(words) == exit_code
+    assert f"[{code}]" in capsys.readouterr().err
+
+
+def test_corrections_of_another_sheet_are_not_taken(
+    sheet: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = _correct(sheet, [])
+    path.write_text(path.read_text().replace('"sheet_sha256": "', '"sheet_sha256": "0'))
+    assert main(["read", str(sheet), "--output", str(tmp_path / "o")]) == 2
+    assert "[corrections-of-another-sheet]" in capsys.readouterr().err
