@@ -59,7 +59,7 @@ def test_the_report_names_the_dimensions(report, drawn) -> None:  # noqa: ANN001
     assert found["bounding_box_mm"] == pytest.approx([80, 50, 60], rel=0.002)
     assert "scale-assumed" not in {warning["code"] for warning in found["warnings"]}
     assert all(
-        set(own) == {"text", "value_mm", "box", "mm_per_pixel", "used"}
+        set(own) == {"text", "type", "value_mm", "box", "mm_per_pixel", "used"}
         for own in found["dimensions"]
     )
     assert {12.0, 14.0, 50.0, 52.0, 60.0, 80.0} <= {own["value_mm"] for own in found["dimensions"]}
