@@ -18,8 +18,8 @@ from gaussiancad_core.sheet.files.beziers import curves_from_path
 from gaussiancad_core.sheet.files.content import MAX_ELEMENTS, PAPER_LEVEL, too_many_elements
 from gaussiancad_core.sheet.files.curves import to_point
 from gaussiancad_core.sheet.files.linetypes import role_by_dashes, role_by_name
+from gaussiancad_core.sheet.files.pdf_texts import TextPiece, joined_texts, text_piece
 from gaussiancad_core.sheet.files.vectors import (
-    Box,
     Chain,
     Colour,
     Curve,
@@ -34,9 +34,6 @@ Affine = npt.NDArray[np.float64]
 
 _DEEPEST = 24
 """Forms in forms."""
-
-_WORD_GAP, _TEXT_GAP = 0.38, 0.8
-"""Distances over the height of the letters: from here on words are apart, and texts."""
 
 _MAX_SEGMENTS = 4 * MAX_ELEMENTS
 
@@ -71,7 +68,7 @@ class _Walk:
     text_page: pdfium.PdfTextPage
     path: Path
     strokes: list[VectorStroke] = field(default_factory=list)
-    texts: list[VectorText] = field(default_factory=list)
+    texts: list[TextPiece] = field(default_factory=list)
     complete: bool = True
     objects: int = 0
     segments: int = 0
@@ -103,7 +100,7 @@ def page_objects(page: pdfium.PdfPage, target: PageMap) -> PageContent:
         _take_all(walk, objects, target.to_pixels, 0)
     finally:
         text_page.close()
-    return PageContent(tuple(walk.strokes), tuple(_joined(walk.texts)), walk.complete)
+    return PageContent(tuple(walk.strokes), tuple(joined_texts(walk.texts)), walk.complete)
 
 
 def _take_all(
@@ -114,7 +111,8 @@ def _take_all(
         if kind == raw.FPDF_PAGEOBJ_PATH:
             walk.strokes += _path_strokes(walk, item, outer)
         elif kind == raw.FPDF_PAGEOBJ_TEXT:
-            walk.texts += _texts(walk, item, outer)
+            piece = text_piece(walk.text_page, item, outer, _composed(outer, _matrix(item)))
+            walk.texts += [piece] if piece else []
         elif kind == raw.FPDF_PAGEOBJ_FORM:
             if depth < _DEEPEST:
                 count = raw.FPDFFormObj_CountObjects(item)
@@ -262,59 +260,3 @@ def _mark_text(getter: Callable[..., int], *arguments: object) -> str:
     as_pointer = ctypes.cast(buffer, ctypes.POINTER(ctypes.c_ushort))
     getter(*arguments, as_pointer, length.value, length)
     return buffer.raw[: length.value].decode("utf-16-le", errors="replace").rstrip("\0")
-
-
-def _texts(walk: _Walk, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> list[VectorText]:
-    length = raw.FPDFTextObj_GetText(item, walk.text_page, None, 0)
-    if length < 4:
-        return []
-    buffer = (ctypes.c_ushort * (length // 2))()
-    raw.FPDFTextObj_GetText(item, walk.text_page, buffer, length)
-    text = bytes(buffer).decode("utf-16-le", errors="replace").rstrip("\0")
-    sides = [ctypes.c_float() for _ in range(4)]
-    text = text.strip()
-    if not text or not raw.FPDFPageObj_GetBounds(item, *sides):
-        return []
-    left, bottom, right, top = (side.value for side in sides)
-    corners = np.array([(left, bottom), (right, bottom), (right, top), (left, top)])
-    mapped = corners @ outer[:, :2].T + outer[:, 2]
-    (x0, y0), (x1, y1) = mapped.min(axis=0), mapped.max(axis=0)
-    along = _composed(outer, _matrix(item))[:, 0]
-    box = (float(x0), float(y0), float(x1), float(y1))
-    return [VectorText(text, box, float(np.arctan2(along[1], along[0])))]
-
-
-def _joined(texts: list[VectorText]) -> list[VectorText]:
-    """Neighbouring pieces of a line of text as one: some programs place each letter by itself."""
-    joined: list[VectorText] = []
-    for text in texts:
-        last = joined[-1] if joined else None
-        gap = None if last is None else _gap(last, text)
-        if last is None or gap is None:
-            joined.append(text)
-            continue
-        space = " " if gap > _WORD_GAP else ""
-        low = np.minimum(last.box[:2], text.box[:2])
-        high = np.maximum(last.box[2:], text.box[2:])
-        box: Box = (*to_point(low), *to_point(high))
-        joined[-1] = VectorText(last.text + space + text.text, box, last.angle)
-    return joined
-
-
-def _gap(last: VectorText, text: VectorText) -> float | None:
-    """Distance to the next piece over the letters' height; None if it is no continuation."""
-    if abs(np.sin((last.angle - text.angle) / 2.0)) > 1e-2:
-        return None
-    along = np.array([np.cos(last.angle), np.sin(last.angle)])
-    across = np.array([-along[1], along[0]])
-    first, second = (
-        np.array([(b[0], b[1]), (b[2], b[1]), (b[2], b[3]), (b[0], b[3])])
-        for b in (last.box, text.box)
-    )
-    height = max(float(np.ptp(corners @ across)) for corners in (first, second))
-    shift = abs(float((first @ across).mean() - (second @ across).mean()))
-    gap = float((second @ along).min() - (first @ along).max())
-    # Letters of unequal height have their middles apart.
-    if height <= 0.0 or shift > 0.5 * height or not -0.3 * height <= gap <= 0.8 * height:
-        return None
-    return gap / height

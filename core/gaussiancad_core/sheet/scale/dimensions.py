@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
+import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.marks import Mark
@@ -121,16 +122,21 @@ def mark_rules(marks: Iterable[Mark]) -> list[Rule]:
     return [rule for rule in found if rule is not None]
 
 
-def file_rules(strokes: Iterable[VectorStroke], turn: Turn) -> list[Rule]:
-    """The rules among the strokes of a vector file."""
+def file_lines(
+    strokes: Iterable[VectorStroke], turn: Turn
+) -> list[tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]]:
+    """The ends of the straight strokes of a vector file, px of the upright sheet."""
     found = []
     for stroke in strokes:
-        if isinstance(stroke.curve, Line) and stroke.kind not in (
-            StrokeKind.FILL,
-            StrokeKind.HATCH,
-        ):
-            ends = turn.to_upright(np.array([stroke.curve.start, stroke.curve.end]))
-            found.append(rule_of(*ends.tolist()))
+        if isinstance(stroke.curve, Line) and stroke.kind not in _NO_LINES:
+            start, end = turn.to_upright(np.array([stroke.curve.start, stroke.curve.end]))
+            found.append((start, end))
+    return found
+
+
+def file_rules(strokes: Iterable[VectorStroke], turn: Turn) -> list[Rule]:
+    """The rules among the strokes of a vector file."""
+    found = (rule_of(start.tolist(), end.tolist()) for start, end in file_lines(strokes, turn))
     return [rule for rule in found if rule is not None]
 
 

@@ -8,10 +8,14 @@ from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.files.content import Note
+from gaussiancad_core.sheet.graph.heads import arrowheads
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView
+from gaussiancad_core.sheet.scale.arrows import ArrowPair, arrow_pairs, arrow_spans
 from gaussiancad_core.sheet.scale.dimensions import (
     Rule,
+    Span,
+    file_lines,
     file_rules,
     mark_rules,
     rule_of,
@@ -26,7 +30,13 @@ from gaussiancad_core.sheet.scale.estimate import (
     agree,
     usual_unit,
 )
-from gaussiancad_core.sheet.scale.leaders import circles_at, leaders_of, shelves_of
+from gaussiancad_core.sheet.scale.leaders import (
+    Leader,
+    circles_at,
+    leaders_of,
+    pointed_lines,
+    shelves_of,
+)
 from gaussiancad_core.sheet.scale.numbers import (
     MM_PER_INCH,
     DimensionText,
@@ -46,6 +56,9 @@ _MOST_RULES = 5000
 
 _MOST_TEXTS = 200
 """The same of the texts that give lengths, in the sheet's order."""
+
+_PART = 0.5
+"""Weight of a part of what two arrowheads measure, in that of what lies between any lines."""
 
 _LEADER = 0.8
 """Weight of the circle at the tip of a leader."""
@@ -92,6 +105,8 @@ class _Lines:
     rules: list[Rule]
     edges: list[Rule]
     arcs: list[Arc]
+    pairs: tuple[ArrowPair, ...] = ()
+    leaders: tuple[Leader, ...] = ()
 
 
 def find_scale(
@@ -107,7 +122,7 @@ def find_scale(
     """
     texts, notes = _texts(image, sheet, marks)
     paper_scale, assumed = _paper_scale(image, texts)
-    dimensions = _dimensions(texts, marks, _lines(image, sheet, marks, drawn))
+    dimensions = _dimensions(texts, marks, _lines(image, sheet, texts, (marks, drawn)))
     unit = usual_unit(dimensions, _noted_unit(texts), None if assumed else paper_scale)
     found = agree(dimensions, unit, None if assumed else paper_scale)
     told = tuple(replace(own, box=sheet.turn.box_to_stored(own.box)) for own in found.dimensions)
@@ -180,28 +195,39 @@ def _noted_unit(texts: Sequence[SheetText]) -> Unit | None:
 
 
 def _lines(
-    image: SheetImage, sheet: CleanSheet, marks: Sequence[Mark], drawn: Sequence[ReadView]
+    image: SheetImage,
+    sheet: CleanSheet,
+    texts: Sequence[SheetText],
+    found: tuple[Sequence[Mark], Sequence[ReadView]],
 ) -> _Lines:
+    marks, drawn = found
     rules = mark_rules(marks)
+    pairs: tuple[ArrowPair, ...] = ()
+    leaders = leaders_of(marks)
     if image.vectors is not None:
-        rules += file_rules(image.vectors.strokes, sheet.turn)
+        own = file_rules(image.vectors.strokes, sheet.turn)
+        heads = arrowheads(image.vectors.strokes)
+        pairs = arrow_pairs(heads, own, texts, sheet.turn)
+        leaders += pointed_lines(heads, file_lines(image.vectors.strokes, sheet.turn), sheet.turn)
+        rules += own
     rules = sorted(rules, key=lambda rule: rule.low - rule.high)[:_MOST_RULES]
     strokes = [stroke for view in drawn for stroke in view.strokes]
     edges = [rule_of(own.start, own.end) for own in strokes if isinstance(own, Segment)]
     arcs = [stroke for stroke in strokes if isinstance(stroke, Arc)]
-    return _Lines(rules, [edge for edge in edges if edge is not None], arcs)
+    borders = [edge for edge in edges if edge is not None]
+    return _Lines(rules, borders, arcs, pairs, tuple(leaders))
 
 
 def _dimensions(
     texts: Sequence[SheetText], marks: Sequence[Mark], lines: _Lines
 ) -> tuple[Dimension, ...]:
-    leaders, shelves = leaders_of(marks), shelves_of(marks)
+    shelves = shelves_of(marks)
     zeros = [text for text in texts if is_zero(text)]
     parsed = ((text, parse_dimension(text.text)) for text in texts if not text.field)
     numbers = [(text, said) for text, said in parsed if said is not None]
     found = []
     for text, said in numbers[:_MOST_TEXTS]:
-        circles = circles_at(text, leaders, shelves, lines.arcs)
+        circles = circles_at(text, lines.leaders, shelves, lines.arcs)
         candidates = _candidates(text, said, lines, circles)
         ordinate = ordinate_length(text, zeros, lines.rules)
         if ordinate and said.sign is Sign.LENGTH:
@@ -215,7 +241,7 @@ def _candidates(
 ) -> tuple[Candidate, ...]:
     found = []
     if said.sign is not Sign.RADIUS:
-        spans = spans_of(text, lines.rules, lines.edges)
+        spans = _spans(text, lines)
         found += [Candidate(span.length, span.weight, span) for span in spans]
     # Where the sign was not read, the leader tells that it is a diameter.
     times = 1.0 if said.sign is Sign.RADIUS else 2.0
@@ -225,6 +251,15 @@ def _candidates(
         for arc, weight in zip(circles, weights, strict=False)
     ]
     return tuple(sorted(found, key=lambda candidate: -candidate.weight))
+
+
+def _spans(text: SheetText, lines: _Lines) -> tuple[Span, ...]:
+    """Where a sheet has arrowheads they tell what is a dimension line; other lines part it."""
+    if not lines.pairs:
+        return spans_of(text, lines.rules, lines.edges)
+    whole = arrow_spans(text, lines.pairs)
+    parts = spans_of(text, lines.rules, lines.edges) if whole else ()
+    return (*whole, *(replace(own, weight=_PART * own.weight) for own in parts))
 
 
 def _disagreement(found: Agreement) -> tuple[Note, ...]:

@@ -7,6 +7,8 @@ import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.marks import Mark
+from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.graph.heads import Head
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.scale.dimensions import rule_of
 from gaussiancad_core.sheet.scale.texts import SheetText
@@ -21,6 +23,9 @@ _NEAR = 1.2
 
 _TOUCH = 4.0
 """px by which a leader's tip may miss its circle, and its shelf its slanted line."""
+
+_PARALLEL = 0.05
+"""Sine of the angle between a head and its line at most."""
 
 _ALIGNED = 2.0
 """px by which pieces of a leader may be out of line."""
@@ -38,6 +43,33 @@ def leaders_of(marks: Iterable[Mark]) -> list[Leader]:
         and mark.line is not None
         and rule_of(*mark.line) is None
     ]
+
+
+def pointed_lines(heads: Iterable[Head], lines: Sequence[Leader], turn: Turn) -> list[Leader]:
+    """Lines that end in an arrowhead, in whatever direction, each from its far end to the tip.
+
+    Args:
+        heads: px of the sheet as stored.
+        lines: px of the upright sheet.
+        turn: of the sheet.
+    """
+    if not lines:
+        return []
+    ends = np.array(lines)
+    ways = ends[:, 1] - ends[:, 0]
+    ways = ways / np.maximum(np.hypot(*ways.T), 1e-9)[:, None]
+    found = []
+    for head in heads:
+        base = np.subtract(head.tip, np.multiply(head.length, head.way))
+        tip, back = turn.to_upright(np.array([head.tip, base]))
+        way = (tip - back) / np.hypot(*(tip - back))
+        parallel = np.abs(ways @ np.array([-way[1], way[0]])) <= _PARALLEL
+        for at in (0, 1):
+            near = np.minimum(*(np.hypot(*(ends[:, at] - own).T) for own in (tip, back)))
+            far = ends[:, 1 - at]
+            away = (back - far) @ way > 0.0
+            found += [(start, tip) for start in far[parallel & away & (near <= _TOUCH)]]
+    return found
 
 
 def shelves_of(marks: Iterable[Mark]) -> list[Leader]:

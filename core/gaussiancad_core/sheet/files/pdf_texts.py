@@ -1,0 +1,166 @@
+"""Texts of a PDF page: objects of PDFium to lines of text in px.
+
+Programs place words, or each letter, by themselves.  What stands on one base line, close to each
+other, is one text.  Fonts of drawing signs hold them under letters, or without any code at all:
+then the numbers of their glyphs come out as letters.
+"""
+
+import ctypes
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+import pypdfium2 as pdfium
+from pypdfium2 import raw
+
+from gaussiancad_core.sheet.files.curves import to_point
+from gaussiancad_core.sheet.files.vectors import Box, VectorText
+
+Affine = npt.NDArray[np.float64]
+"""(2, 3)"""
+
+_WORD_GAP, _TEXT_GAP = 0.27, 0.56
+"""Distances over the size of the letters: from here on words are apart, and texts."""
+
+_OVERLAP = 0.2
+"""The same by which neighbours may overlap."""
+
+_OFF_LINE = 0.25
+"""The same by which they may be off one base line: smaller signs are set in its middle."""
+
+_SAME_DIRECTION = 1e-2
+"""Radians."""
+
+_SIGN_FONT = re.compile(r"(?:^|\+)(?:AIGDT|AMGDT|AMGDTANS|GDT)(?:\b|$)", re.IGNORECASE)
+"""Fonts of Autodesk for the signs of ISO 1101 and ISO 129-1."""
+
+_SIGNS = str.maketrans(
+    {
+        "n": "\u00d8",  # diameter
+        "P": "\u00d8",
+        "v": "\u2334",  # counterbore
+        "X": "\u2334",
+        "w": "\u2335",  # countersink
+        "Y": "\u2335",
+        "x": "\u21a7",  # depth
+        "Z": "\u21a7",
+        "o": "\u25a1",  # square
+        "Q": "\u25a1",
+    }
+)
+"""What stands for them: the letter, and the one with the number of its glyph."""
+
+
+@dataclass(frozen=True)
+class TextPiece:
+    """What a page places at once.
+
+    Attributes:
+        text: its characters.
+        origin: (2,) px, on the base line.
+        size: px of the font.
+        span: px along the direction of reading, from where it begins to where it ends.
+        angle: radians from x towards y, of that direction.
+        box: px, around it.
+    """
+
+    text: str
+    origin: tuple[float, float]
+    size: float
+    span: tuple[float, float]
+    angle: float
+    box: Box
+
+
+def text_piece(
+    page: pdfium.PdfTextPage, item: raw.FPDF_PAGEOBJECT, outer: Affine, own: Affine
+) -> TextPiece | None:
+    """A text object; None if it shows nothing.
+
+    Args:
+        page: that it stands on.
+        item: the object.
+        outer: (2, 3) from where the object is placed to px.
+        own: (2, 3) from the text's own plane to px.
+    """
+    text = _characters(page, item)
+    quad = raw.FS_QUADPOINTSF()
+    size = ctypes.c_float()
+    placed = raw.FPDFPageObj_GetRotatedBounds(item, quad)
+    if not text.strip() or not placed or not raw.FPDFTextObj_GetFontSize(item, size):
+        return None
+    corners = np.array([(getattr(quad, f"x{i}"), getattr(quad, f"y{i}")) for i in range(1, 5)])
+    mapped = corners @ outer[:, :2].T + outer[:, 2]
+    along, up = own[:, 0], own[:, 1]
+    length = float(np.hypot(*along))
+    if not length:
+        return None
+    if _SIGN_FONT.search(_font_name(item)):
+        text = text.translate(_SIGNS)
+    reach = mapped @ (along / length)
+    (x0, y0), (x1, y1) = mapped.min(axis=0), mapped.max(axis=0)
+    return TextPiece(
+        text,
+        to_point(own[:, 2]),
+        float(size.value * np.hypot(*up)),
+        (float(reach.min()), float(reach.max())),
+        float(np.arctan2(along[1], along[0])),
+        (float(x0), float(y0), float(x1), float(y1)),
+    )
+
+
+def _characters(page: pdfium.PdfTextPage, item: raw.FPDF_PAGEOBJECT) -> str:
+    length = raw.FPDFTextObj_GetText(item, page, None, 0)
+    if length < 4:
+        return ""
+    buffer = (ctypes.c_ushort * (length // 2))()
+    raw.FPDFTextObj_GetText(item, page, buffer, length)
+    return bytes(buffer).decode("utf-16-le", errors="replace").rstrip("\0")
+
+
+def _font_name(item: raw.FPDF_PAGEOBJECT) -> str:
+    font = raw.FPDFTextObj_GetFont(item)
+    length = raw.FPDFFont_GetBaseFontName(font, None, 0) if font else 0
+    if not length:
+        return ""
+    buffer = ctypes.create_string_buffer(length)
+    raw.FPDFFont_GetBaseFontName(font, buffer, length)
+    return buffer.value.decode("utf-8", errors="replace")
+
+
+def joined_texts(pieces: Iterable[TextPiece]) -> list[VectorText]:
+    """Lines of text, of pieces in the page's order."""
+    lines: list[TextPiece] = []
+    for piece in pieces:
+        last = lines[-1] if lines else None
+        gap = None if last is None else _gap(last, piece)
+        if last is None or gap is None:
+            lines.append(piece)
+            continue
+        low = np.minimum(last.box[:2], piece.box[:2])
+        high = np.maximum(last.box[2:], piece.box[2:])
+        space = " " if gap > _WORD_GAP else ""
+        lines[-1] = TextPiece(
+            last.text + space + piece.text,
+            last.origin,
+            max(last.size, piece.size),
+            (min(last.span[0], piece.span[0]), max(last.span[1], piece.span[1])),
+            last.angle,
+            (*to_point(low), *to_point(high)),
+        )
+    return [VectorText(" ".join(own.text.split()), own.box, own.angle) for own in lines]
+
+
+def _gap(last: TextPiece, piece: TextPiece) -> float | None:
+    """Distance to the next piece over the letters' size; None if it is no continuation."""
+    if abs(2.0 * np.sin((last.angle - piece.angle) / 2.0)) > _SAME_DIRECTION:
+        return None
+    size = max(last.size, piece.size)
+    across = np.array([-np.sin(last.angle), np.cos(last.angle)])
+    off = abs(float(np.subtract(piece.origin, last.origin) @ across))
+    gap = piece.span[0] - last.span[1]
+    if size <= 0.0 or off > _OFF_LINE * size or not -_OVERLAP * size <= gap <= _TEXT_GAP * size:
+        return None
+    return gap / size

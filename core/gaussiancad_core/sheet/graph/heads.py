@@ -1,0 +1,149 @@
+"""Arrowheads among the strokes of a file: where dimension lines and leaders end (ISO 129-1).
+
+A head is an isosceles triangle, filled or drawn of lines, longer than it is wide.
+"""
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+import numpy.typing as npt
+from scipy.spatial import ConvexHull, QhullError
+
+from gaussiancad_core.sheet.files.vectors import Chain, Line, StrokeKind, VectorStroke
+
+_SHORTEST, _LONGEST = 4.0, 80.0
+"""px of a head along its axis: 0.5 to 10 mm at 200 dpi."""
+
+_WIDEST = 0.8
+"""Width of a head over the length of its sides at most."""
+
+_NARROWEST = 0.08
+"""The same at least."""
+
+_EVEN, _ROUNDED = 0.04, 0.75
+"""Share, and px, by which its two sides may differ."""
+
+_MEET = 0.75
+"""px within which ends of lines are one corner."""
+
+_BESIDE = 0.06
+"""Share of a filled shape's size by which its points may lie beside the triangle's corners."""
+
+_CROWDED = 24
+"""Short lines that meet in one place at most: more are no arrowhead."""
+
+_SAME = 1.0
+"""px within which two tips are one."""
+
+Point = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Head:
+    """An arrowhead.
+
+    Attributes:
+        tip: px, where it points.
+        way: (2,) of length 1, from the middle of its base to the tip.
+        length: px along its axis.
+    """
+
+    tip: tuple[float, float]
+    way: tuple[float, float]
+    length: float
+
+
+def arrowheads(strokes: Iterable[VectorStroke]) -> tuple[Head, ...]:
+    """The heads of a drawing, each once."""
+    every = list(strokes)
+    found: list[Head] = []
+    cells: defaultdict[tuple[int, int], list[Head]] = defaultdict(list)
+    for corners in (*_filled(every), *_drawn(every)):
+        head = _head(corners)
+        if head is None:
+            continue
+        x, y = round(head.tip[0] / _SAME), round(head.tip[1] / _SAME)
+        near = [own for dx in (-1, 0, 1) for dy in (-1, 0, 1) for own in cells[x + dx, y + dy]]
+        if not any(np.dot(own.way, head.way) > 0.9 for own in near):
+            cells[x, y].append(head)
+            found.append(head)
+    return tuple(found)
+
+
+def _filled(strokes: Iterable[VectorStroke]) -> Iterator[Point]:
+    """The corners of filled shapes that are triangles."""
+    for stroke in strokes:
+        if stroke.kind is not StrokeKind.FILL or not isinstance(stroke.curve, Chain):
+            continue
+        points = np.unique(np.array(stroke.curve.points), axis=0)
+        size = float(np.ptp(points, axis=0).max())
+        if len(points) < 3 or not _SHORTEST <= size <= _LONGEST:
+            continue
+        try:
+            hull = points[ConvexHull(points).vertices]
+        except QhullError:
+            continue
+        corners = _three(hull, _BESIDE * size)
+        if corners is not None:
+            yield corners
+
+
+def _three(hull: Point, near: float) -> Point | None:
+    """The three corners of a convex outline, if it has no more."""
+    first = max(combinations(range(len(hull)), 2), key=lambda own: _apart(hull, *own))
+    low, high = hull[first[0]], hull[first[1]]
+    along = (high - low) / np.hypot(*(high - low))
+    off = np.abs((hull - low) @ np.array([-along[1], along[0]]))
+    third = hull[int(np.argmax(off))]
+    corners = np.array([low, high, third])
+    left = np.min(np.hypot(*(hull[:, None] - corners[None]).transpose(2, 0, 1)), axis=1)
+    return corners if left.max() <= near else None
+
+
+def _apart(points: Point, first: int, last: int) -> float:
+    return float(np.hypot(*(points[first] - points[last])))
+
+
+def _drawn(strokes: Iterable[VectorStroke]) -> Iterator[Point]:
+    """The corners of triangles of short lines."""
+    ends: defaultdict[tuple[int, int], set[tuple[int, int]]] = defaultdict(set)
+    places: dict[tuple[int, int], Point] = {}
+    for stroke in strokes:
+        curve = stroke.curve
+        if not isinstance(curve, Line) or not 0.5 <= curve.length <= 1.1 * _LONGEST:
+            continue
+        keys = []
+        for end in (curve.start, curve.end):
+            key = round(end[0] / _MEET), round(end[1] / _MEET)
+            places.setdefault(key, np.array(end))
+            keys.append(key)
+        if keys[0] != keys[1]:
+            ends[keys[0]].add(keys[1])
+            ends[keys[1]].add(keys[0])
+    for tip, others in ends.items():
+        if len(others) <= _CROWDED:
+            for one, two in combinations(sorted(others), 2):
+                if two in ends[one]:
+                    yield np.array([places[tip], places[one], places[two]])
+
+
+def _head(corners: Point) -> Head | None:
+    """The head with these corners, if they are those of one."""
+    sides = [float(np.hypot(*(corners[i - 1] - corners[i - 2]))) for i in range(3)]
+    at = int(np.argmin(sides))
+    tip, one, two = corners[at], corners[at - 1], corners[at - 2]
+    legs = [float(np.hypot(*(own - tip))) for own in (one, two)]
+    long = max(legs)
+    if not long or abs(legs[0] - legs[1]) > max(_EVEN * long, _ROUNDED):
+        return None
+    base = (one + two) / 2.0
+    length = float(np.hypot(*(tip - base)))
+    if not _NARROWEST * long <= sides[at] <= _WIDEST * long:
+        return None
+    if not _SHORTEST <= length <= _LONGEST:
+        return None
+    way = (tip - base) / length
+    return Head((float(tip[0]), float(tip[1])), (float(way[0]), float(way[1])), length)
