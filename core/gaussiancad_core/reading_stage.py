@@ -3,14 +3,18 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from gaussiancad_core.axes import Role
+from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.report import Unused, ViewReport
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.annotations.marks import Mark
-from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
-from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.annotations.separate import SeparatedSheet, separate_annotations
+from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
+from gaussiancad_core.sheet.colour_pens import colour_pens
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.graph.views import graph_views
 from gaussiancad_core.sheet.layout import Layout, may_be_views
@@ -130,10 +134,42 @@ def _found_views(
         if told is not None:
             _tell_doubtful(notes, told.doubtful)
             return told.separated, told.layout, told.vectors
+    coloured = _coloured_views(image, clean, given, reading)
+    if coloured is not None:
+        return *coloured, None
     # Where a file has lines of one width, those of its picture only seem to differ.
     by_weight = not (image.vectors is not None and image.vectors.has_one_width)
     found = find_views(clean, given, reading.projection, by_weight)
     return *found, VectorSheet(drawing, clean) if drawing is not None else None
+
+
+def _coloured_views(
+    image: SheetImage, clean: CleanSheet, given: dict[Role, Box], reading: ReadingOptions
+) -> tuple[SeparatedSheet, Layout] | None:
+    """The part's ink and its views, where colours tell the pens apart; what the other pens drew is
+    annotation.  None where there is one pen, or its lines are no views that belong together."""
+    pens = colour_pens(image.grey, image.tint) if image.tint is not None else None
+    if pens is None:
+        return None
+    try:
+        part = _like(clean_sheet(pens.part, reading.median_kernel), clean)
+        separated, layout = find_views(part, given, reading.projection)
+    except NoModelError:
+        return None
+    try:
+        beside = separate_annotations(_like(clean_sheet(pens.others, 0), clean)).marks
+    except NoModelError:
+        beside = ()
+    return replace(separated, marks=(*separated.marks, *beside)), layout
+
+
+def _like(part: CleanSheet, whole: CleanSheet) -> CleanSheet:
+    """A part of a sheet's ink, turned as the sheet is."""
+    turn = whole.turn
+    if turn.angle:
+        ink = turn.upright(part.ink.astype(np.float32)) > 0.5
+        part = replace(part, ink=ink, weight=turn.upright(part.weight))
+    return replace(part, turn=turn, dash_gap=whole.dash_gap)
 
 
 def _tell_doubtful(notes: RunNotes, boxes: Sequence[Box]) -> None:

@@ -12,11 +12,11 @@ from msgspec import Meta, Struct
 
 SCHEMA = "gaussiancad-reading/1"
 
-_FARTHEST = 1e6
-"""px from the sheet's corner up to which places are taken."""
+LARGEST = 1e6
+"""px from the sheet's corner up to which places are taken, and mm of lengths."""
 
-Number = Annotated[float, Meta(ge=-_FARTHEST, le=_FARTHEST)]
-Size = Annotated[float, Meta(gt=0.0, le=_FARTHEST)]
+Number = Annotated[float, Meta(ge=-LARGEST, le=LARGEST)]
+Size = Annotated[float, Meta(gt=0.0, le=LARGEST)]
 Share = Annotated[float, Meta(ge=0.0, le=1.0)]
 Sweep = Annotated[float, Meta(gt=0.0, le=6.2831854)]
 Text = Annotated[str, Meta(max_length=1000)]

@@ -11,6 +11,7 @@ from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.reading_stage import SheetLines
 from gaussiancad_core.readings.schema import (
+    LARGEST,
     SCHEMA,
     DimensionEntry,
     Measured,
@@ -132,6 +133,7 @@ def sheet_reading(
         dimensions=tuple(
             _dimension(number, own, turn)
             for number, own in enumerate(scale.dimensions if scale else (), start=1)
+            if own.value_mm <= LARGEST
         ),
         problems=(*refused, *doubts),
     )
@@ -236,7 +238,7 @@ def _dimension(number: int, own: ReadDimension, turn: Turn) -> DimensionEntry:
         value_mm=own.value_mm,
         box=tuple(round(float(value), 2) for value in own.box),
         type=own.sign.value or "linear",
-        mm_per_px=own.mm_per_pixel,
+        mm_per_px=own.mm_per_pixel if (own.mm_per_pixel or 0.0) <= LARGEST else None,
         used=own.used,
         measures=_measured(own, turn),
         told_mm=measure.value_mm if measure else None,

@@ -34,6 +34,7 @@ class SheetImage:
         vectors: exact lines and texts in px of ``grey``, where the file has them.
         notes: what was left out or assumed.
         reduction: px of the sheet as stored per px of ``grey``.
+        tint: (h, w) uint8, hue + 1 of coloured ink, 0 elsewhere; None where there is none.
     """
 
     path: Path
@@ -43,6 +44,7 @@ class SheetImage:
     vectors: VectorDrawing | None = None
     notes: tuple[Note, ...] = ()
     reduction: float = 1.0
+    tint: npt.NDArray[np.uint8] | None = None
 
 
 def read_sheet(path: Path, page: int = 1) -> SheetImage:
@@ -64,10 +66,13 @@ def read_sheet(path: Path, page: int = 1) -> SheetImage:
     kind = detect(head_of(path), path.suffix)
     sha256 = _sha256(path)
     content = read_isolated(kind, path, page)
-    grey = content.grey
+    grey, tint = content.grey, content.tint
     if np.median(grey) < 128:
-        grey = 255 - grey
-    image = SheetImage(path, grey, sha256, content.pixels_per_inch, content.vectors, content.notes)
+        # The paper's colour is no pen's.
+        grey, tint = 255 - grey, None
+    image = SheetImage(
+        path, grey, sha256, content.pixels_per_inch, content.vectors, content.notes, tint=tint
+    )
     return _reduced(image) if content.vectors is None else image
 
 
@@ -81,6 +86,9 @@ def _reduced(image: SheetImage) -> SheetImage:
     # Both directions get the same factor but for a part of a pixel over the whole sheet.
     factor = width / size[0]
     grey = cv2.resize(image.grey, size, interpolation=cv2.INTER_AREA)
+    tint = image.tint
+    if tint is not None:
+        tint = cv2.resize(tint, size, interpolation=cv2.INTER_NEAREST)
     note = Note(
         "resolution-lowered",
         f"the sheet has {width} x {height} px and was read at {size[0]} x {size[1]}: measures are "
@@ -88,7 +96,7 @@ def _reduced(image: SheetImage) -> SheetImage:
     )
     dpi = image.pixels_per_inch and image.pixels_per_inch / factor
     notes = (*image.notes, note)
-    return replace(image, grey=grey, pixels_per_inch=dpi, notes=notes, reduction=factor)
+    return replace(image, grey=grey, pixels_per_inch=dpi, notes=notes, reduction=factor, tint=tint)
 
 
 def _sha256(path: Path) -> str:

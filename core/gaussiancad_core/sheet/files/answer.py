@@ -1,6 +1,6 @@
 """What a reader's process answers, as JSON and grey levels: nothing in it can be executed.
 
-A line of JSON, then the pixels row by row.
+A line of JSON, then the pixels row by row: grey levels, and tints where there are some.
 """
 
 import json
@@ -58,8 +58,10 @@ def content_bytes(content: FileContent) -> bytes:
         "pixels_per_inch": content.pixels_per_inch,
         "vectors": _plain(content.vectors),
         "notes": _plain(content.notes),
+        "tinted": content.tint is not None,
     }
-    return _line(head) + np.ascontiguousarray(content.grey).tobytes()
+    planes = [content.grey] if content.tint is None else [content.grey, content.tint]
+    return _line(head) + b"".join(np.ascontiguousarray(own).tobytes() for own in planes)
 
 
 def error_bytes(error: GaussianCadError) -> bytes:
@@ -79,9 +81,14 @@ def outcome_of(answer: bytes) -> FileContent | GaussianCadError:
         if "error" in head:
             return _ERRORS[head["error"]](str(head["code"]), str(head["message"]))
         height, width = (int(length) for length in head["shape"])
-        grey = np.frombuffer(pixels, np.uint8).reshape(height, width).copy()
+        count = 2 if head["tinted"] else 1
+        planes = np.frombuffer(pixels, np.uint8).reshape(count, height, width).copy()
         return FileContent(
-            grey, head["pixels_per_inch"], _made(head["vectors"]), _made(head["notes"])
+            planes[0],
+            head["pixels_per_inch"],
+            _made(head["vectors"]),
+            _made(head["notes"]),
+            planes[1] if count > 1 else None,
         )
     except (TypeError, LookupError, AttributeError) as error:
         raise ValueError(f"no answer: {error}") from error

@@ -56,12 +56,15 @@ class FileContent:
         pixels_per_inch: of the paper, where the file says it believably.
         vectors: exact lines and texts, where the file has them.
         notes: what was left out or assumed.
+        tint: (h, w) uint8, 0 where ink or paper has no colour, else 1 to 180 by its hue in steps of
+            two degrees; None where nothing has.
     """
 
     grey: Grey
     pixels_per_inch: float | None = None
     vectors: VectorDrawing | None = None
     notes: tuple[Note, ...] = ()
+    tint: Grey | None = None
 
 
 def check_pixels(path: Path, width: float, height: float) -> None:

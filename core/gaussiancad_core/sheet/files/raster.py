@@ -3,6 +3,7 @@
 import warnings
 from pathlib import Path
 
+import cv2
 import numpy as np
 from PIL import Image, ImageOps, UnidentifiedImageError
 
@@ -24,6 +25,12 @@ _MIN_DPI, _MAX_DPI = 75.0, 2400.0
 
 _BAND = 1024
 """Rows that are converted at a time."""
+
+_LEAST_INK = 48
+"""Levels of a colour's light that ink takes at least to have a hue: paper is never quite white."""
+
+_LEAST_SATURATION = 0.35
+"""Share by which it takes more of one colour's light than of another's, at least."""
 
 _SCREEN_DPI = 96.0
 """Written by programs that know nothing of paper."""
@@ -51,7 +58,9 @@ def read_raster(path: Path, page: int) -> FileContent:
                 check_pixels(path, image.width, image.height)
                 _select_page(path, image, page)
                 check_pixels(path, image.width, image.height)
-                return FileContent(_to_grey(image), _resolution(image))
+                resolution = _resolution(image)
+                grey, tint = _to_grey(image)
+                return FileContent(grey, resolution, tint=tint)
     except UnidentifiedImageError as error:
         raise UnreadableError(
             "not-an-image",
@@ -87,31 +96,44 @@ def _count_pages(path: Path) -> int:
         return getattr(image, "n_frames", 1)
 
 
-def _to_grey(image: Image.Image) -> Grey:
-    """(h, w) uint8 luminance of an image on white paper."""
+def _to_grey(image: Image.Image) -> tuple[Grey, Grey | None]:
+    """(h, w) uint8 luminance of an image on white paper, and the tint of what is coloured."""
     image = ImageOps.exif_transpose(image)
     if image.mode.startswith("I") or image.mode == "F":
-        return _scaled(np.asarray(image), sixteen_bits=image.mode.startswith("I;16"))
+        return _scaled(np.asarray(image), sixteen_bits=image.mode.startswith("I;16")), None
     if image.mode == "LAB":
         image = image.getchannel(0)
-    if image.mode == "L" and "transparency" not in image.info:
-        return np.array(image)
+    if image.mode in ("L", "1") and "transparency" not in image.info:
+        return np.array(image.convert("L")), None
     image.load()
     grey = np.empty((image.height, image.width), np.uint8)
+    tint = np.empty_like(grey)
     # By bands: a large sheet as RGBA takes four bytes a pixel, and as much for each step.
     for top in range(0, image.height, _BAND):
         bottom = min(top + _BAND, image.height)
-        grey[top:bottom] = _on_paper(image.crop((0, top, image.width, bottom)))
-    return grey
+        rgb = _on_paper(image.crop((0, top, image.width, bottom)))
+        grey[top:bottom] = np.asarray(rgb.convert("L"))
+        tint[top:bottom] = _tint(np.asarray(rgb))
+    return grey, tint if tint.any() else None
 
 
-def _on_paper(image: Image.Image) -> Grey:
-    """(h, w) uint8 luminance; transparency becomes white."""
+def _on_paper(image: Image.Image) -> Image.Image:
+    """The image as RGB; transparency becomes white."""
     if "A" in image.getbands() or "transparency" in image.info:
         rgba = image.convert("RGBA")
         paper = Image.new("RGBA", rgba.size, "white")
         image = Image.alpha_composite(paper, rgba)
-    return np.asarray(image.convert("L"))
+    return image.convert("RGB")
+
+
+def _tint(rgb: np.ndarray) -> Grey:
+    """(h, w) hue + 1 of what is coloured, 0 elsewhere; by what the ink takes of white light, so
+    that the pale border of a stroke has the colour of its core."""
+    taken = 255 - rgb
+    most, least = taken.max(axis=2), taken.min(axis=2)
+    coloured = (most >= _LEAST_INK) & (most - least > _LEAST_SATURATION * most)
+    hue = cv2.cvtColor(rgb, cv2.COLOR_RGB2HSV)[..., 0]
+    return np.where(coloured, hue + 1, 0).astype(np.uint8)
 
 
 def _scaled(values: np.ndarray, sixteen_bits: bool) -> Grey:

@@ -190,7 +190,7 @@ def _ratios(texts: Sequence[SheetText], field: bool) -> set[float]:
 
 
 def _noted_unit(texts: Sequence[SheetText]) -> Unit | None:
-    units = {unit for text in texts if (unit := parse_unit(text.text)) is not None}
+    units = {unit for text in texts if (unit := parse_unit(text.text, text.field)) is not None}
     return units.pop() if len(units) == 1 else None
 
 

@@ -122,6 +122,10 @@ _FULL_SCALE = re.compile(rf"{_SCALE_WORD}\ ?[:=]?\ ?FULL|FULL\ (?:SCALE|SIZE)", 
 
 _LARGEST_RATIO = 5000.0
 
+_MILLIMETRES = re.compile(r"\bMM(?:GS)?\b|\bMILLIMET(?:ER|RE)S?\b|\u6beb\u7c73|\u043c\u043c")
+_INCHES = re.compile(r"\bINCH(?:ES)?\b|\bIPS\b|\bZOLL\b")
+"""Words for units, and the systems of units of CAD programs that have them."""
+
 
 def parse_dimension(text: str) -> DimensionText | None:
     """The length that a text gives; nothing for threads, angles, scales and words."""
@@ -173,11 +177,17 @@ def parse_scale(text: str) -> float | None:
     return ratio if 1.0 / _LARGEST_RATIO <= ratio <= _LARGEST_RATIO else None
 
 
-def parse_unit(text: str) -> Unit | None:
-    """The unit that a note names, such as ``DIMENSIONS IN MM``."""
+def parse_unit(text: str, field: bool = False) -> Unit | None:
+    """The unit that a note names, such as ``DIMENSIONS IN MM`` or ``UNIT SYSTEM: MMGS``.
+
+    Args:
+        text: of the note.
+        field: whether it stands in a field of the title block, where IN alone is a unit; elsewhere
+            it is a word.
+    """
     plain = " ".join(text.upper().split())
-    millimetres = re.search(r"\bMM\b|\bMILLIMET(?:ER|RE)S?\b", plain) is not None
-    inches = plain in ("IN", "IN.") or re.search(r"\bINCH(?:ES)?\b", plain) is not None
+    millimetres = _MILLIMETRES.search(plain) is not None
+    inches = _INCHES.search(plain) is not None or (field and plain in ("IN", "IN."))
     if millimetres == inches:
         return None
     return Unit.MILLIMETRE if millimetres else Unit.INCH

@@ -156,7 +156,9 @@ def test_other_texts_are_no_scale_notes(text: str) -> None:
         ("ALL DIMENSIONS ARE IN MILLIMETERS", MM),
         ("UNLESS OTHERWISE SPECIFIED DIMENSIONS ARE IN INCHES", INCH),
         ("INCH", INCH),
-        ("IN", INCH),
+        ("UNIT SYSTEM: MMGS", MM),
+        ("IPS", INCH),
+        ("IN", None),
         ("DIMENSIONS IN", None),
         ("INCH [MM]", None),
         ("COMMON", None),
@@ -164,3 +166,8 @@ def test_other_texts_are_no_scale_notes(text: str) -> None:
 )
 def test_unit_notes(text: str, unit: Unit | None) -> None:
     assert parse_unit(text) is unit
+
+
+def test_a_bare_word_is_a_unit_in_a_field_of_the_title_block_alone() -> None:
+    assert parse_unit("in", field=True) is INCH and parse_unit("in") is None
+    assert parse_unit("part in", field=True) is None
