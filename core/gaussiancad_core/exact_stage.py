@@ -32,7 +32,12 @@ APART_PX = 0.3
 """px from which the coordinates of such strokes are different ones: lines are read to a twentieth
 of a pixel, and what is one over the views has been made equal."""
 
-TOLERANCE_PX = {StrokesSource.RASTER: 1.0, StrokesSource.PLOT: 0.3, StrokesSource.VECTOR: 0.05}
+TOLERANCE_PX = {
+    StrokesSource.RASTER: 1.0,
+    StrokesSource.COARSE: 1.0,
+    StrokesSource.PLOT: 0.3,
+    StrokesSource.VECTOR: 0.05,
+}
 """px by which lines of a sheet may miss where they belong, by where they come from."""
 
 _UNSETTLED = (

@@ -16,6 +16,8 @@ from gaussiancad_core.sheet.annotations.separate import SeparatedSheet, separate
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
 from gaussiancad_core.sheet.colour_pens import colour_pens
 from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.files.vectors import CircularArc
+from gaussiancad_core.sheet.graph.threads import without_threads
 from gaussiancad_core.sheet.graph.views import graph_views
 from gaussiancad_core.sheet.layout import Layout, may_be_views
 from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
@@ -25,7 +27,7 @@ from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale, find_scal
 from gaussiancad_core.sheet.special_views.telling import UNUSED, tellings, why_unused
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.sheet.view_search import find_views
-from gaussiancad_core.views import Stroke
+from gaussiancad_core.views import Arc, Linetype, Stroke
 
 _MOST_PLACES = 5
 """Boxes that one message names at most."""
@@ -71,12 +73,27 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
         given = {role: clean.turn.box_to_upright(box) for role, box in reading.views}
         separated, layout, vectors = _found_views(image, clean, given, reading, notes)
         tell_marks(notes, separated.marks, clean.turn)
-        tell_layout(notes, layout, clean.turn)
     with notes.stage("lines"):
         drawn = read_views(separated.part, layout, notes.progress, reading.finder, vectors)
+        if vectors is not None:
+            drawn, threads = without_threads(drawn, _arcs(image, clean.turn))
+            layout = replace(layout, special=(*layout.special, *threads))
+        tell_layout(notes, layout, clean.turn)
         scale = _sheet_scale(job, image, clean, (separated.marks, drawn), notes)
         options = tell_scale(reading, scale, notes)
     return SheetLines(layout, drawn, separated.marks, scale, options)
+
+
+def _arcs(image: SheetImage, turn: Turn) -> list[Arc]:
+    """The arcs of a file, of all pens; none where the sheet lies turned."""
+    if turn.angle or image.vectors is None:
+        return []
+    curves = (stroke.curve for stroke in image.vectors.strokes)
+    return [
+        Arc(own.centre, own.radius, own.start_angle, own.sweep, Linetype.VISIBLE)
+        for own in curves
+        if isinstance(own, CircularArc)
+    ]
 
 
 def in_worked_px(reading: ReadingOptions, turn: Turn) -> ReadingOptions:

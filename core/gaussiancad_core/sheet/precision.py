@@ -34,11 +34,13 @@ FROM_PLOTS = Precision(0.06, 0.2, 0.35, Limits(apart=0.2, reach=0.5, finest=0.1)
 
 
 class StrokesSource(Enum):
-    """Where the strokes of a view come from: its picture, the file, or a file that was plotted."""
+    """Where the strokes of a view come from: its picture, the file, a file that was plotted, or
+    one that was plotted on a grid as coarse as pixels."""
 
     RASTER = "raster"
     VECTOR = "vector"
     PLOT = "plot"
+    COARSE = "coarse-plot"
 
     @property
     def precision(self) -> Precision:

@@ -40,6 +40,9 @@ _TELLING = 8
 _OFF_GRID, _ON_GRID = 0.1, 0.9
 """Steps that distances may be off the grid, and share of them that are not, at least."""
 
+_MOST_PARTS = 24
+"""Steps that the two nearest lines are apart at most."""
+
 _MOST = 1024
 """Chords of an arc that are looked at."""
 
@@ -68,9 +71,13 @@ def grid_step(points: Points) -> float:
     apart = apart[(apart > _FINEST) & (apart < _FAR)]
     if len(apart) < _TELLING:
         return 0.0
-    step = float(apart.min())
-    off = np.abs(apart / step - np.rint(apart / step))
-    return step if step <= _COARSEST and (off < _OFF_GRID).mean() >= _ON_GRID else 0.0
+    # No two lines need be one step apart.
+    for parts in range(1, _MOST_PARTS + 1):
+        step = float(apart.min()) / parts
+        off = np.abs(apart / step - np.rint(apart / step))
+        if step <= _COARSEST and step > _FINEST and (off < _OFF_GRID).mean() >= _ON_GRID:
+            return step
+    return 0.0
 
 
 def _ends_of_runs(points: Points, step: float) -> npt.NDArray[np.int64]:

@@ -4,13 +4,13 @@ A head is an isosceles triangle, filled or drawn of lines, longer than it is wid
 """
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
 import numpy.typing as npt
-from scipy.spatial import ConvexHull, QhullError
+from scipy.spatial import ConvexHull, QhullError, cKDTree
 
 from gaussiancad_core.sheet.files.vectors import Chain, Line, StrokeKind, VectorStroke
 
@@ -34,6 +34,9 @@ _BESIDE = 0.06
 
 _CROWDED = 24
 """Short lines that meet in one place at most: more are no arrowhead."""
+
+_AROUND = 1.1
+"""Distance of a head's corners from its tip at most, in its length."""
 
 _SAME = 1.0
 """px within which two tips are one."""
@@ -71,6 +74,28 @@ def arrowheads(strokes: Iterable[VectorStroke]) -> tuple[Head, ...]:
             cells[x, y].append(head)
             found.append(head)
     return tuple(found)
+
+
+def without_heads(strokes: Sequence[VectorStroke], heads: Sequence[Head]) -> list[VectorStroke]:
+    """The strokes but for the lines that heads are drawn of."""
+    if not heads:
+        return list(strokes)
+    tree = cKDTree(np.array([head.tip for head in heads]))
+    reach = _AROUND * max(head.length for head in heads)
+    kept = []
+    for stroke in strokes:
+        curve = stroke.curve
+        if isinstance(curve, Line) and curve.length <= reach:
+            near = tree.query_ball_point(curve.start, reach)
+            if any(_is_within(curve, heads[number]) for number in near):
+                continue
+        kept.append(stroke)
+    return kept
+
+
+def _is_within(line: Line, head: Head) -> bool:
+    far = max(np.hypot(*np.subtract(end, head.tip)) for end in (line.start, line.end))
+    return bool(far <= _AROUND * head.length)
 
 
 def _filled(strokes: Iterable[VectorStroke]) -> Iterator[Point]:

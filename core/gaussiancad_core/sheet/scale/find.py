@@ -8,7 +8,7 @@ from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.files.content import Note
-from gaussiancad_core.sheet.graph.heads import arrowheads
+from gaussiancad_core.sheet.graph.heads import arrowheads, without_heads
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView
 from gaussiancad_core.sheet.scale.arrows import ArrowPair, arrow_pairs, arrow_spans
@@ -205,8 +205,8 @@ def _lines(
     pairs: tuple[ArrowPair, ...] = ()
     leaders = leaders_of(marks)
     if image.vectors is not None:
-        own = file_rules(image.vectors.strokes, sheet.turn)
         heads = arrowheads(image.vectors.strokes)
+        own = file_rules(without_heads(image.vectors.strokes, heads), sheet.turn)
         pairs = arrow_pairs(heads, own, texts, sheet.turn)
         leaders += pointed_lines(heads, file_lines(image.vectors.strokes, sheet.turn), sheet.turn)
         rules += own

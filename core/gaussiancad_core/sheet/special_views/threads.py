@@ -21,7 +21,7 @@ from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 
-_DRAWN = (0.6, 0.9)
+DRAWN = (0.6, 0.9)
 """Share of the thin circle that is drawn: about three quarters."""
 
 _BROKEN = 0.08
@@ -30,7 +30,7 @@ _BROKEN = 0.08
 _WHOLE = 0.92
 """Share of the wide circle that is drawn at least."""
 
-_RATIO = (0.7, 0.95)
+RATIO = (0.7, 0.95)
 """The smaller radius in larger ones: minor diameters are 0.8 to 0.9 of major ones."""
 
 _CONCENTRIC_PX = 2.0
@@ -120,7 +120,7 @@ def find_threads(told: Told, ink: Mask, stroke_width: float) -> list[Thread]:
     for number, shape in circles:
         share, largest = _drawn(shape)
         broken = 1.0 - share - largest
-        if not _DRAWN[0] < share < _DRAWN[1] or broken > _BROKEN:
+        if not DRAWN[0] < share < DRAWN[1] or broken > _BROKEN:
             continue
         about = [rim for rim in rims if _is_thread(shape, rim, by_form)]
         if any(_ends_free(shape, rim, ink, stroke_width) for rim in about):
@@ -155,7 +155,7 @@ def _is_thread(arc: InkedShape, rim: InkedShape, by_form: bool) -> bool:
     """Whether an arc lies about a whole circle as the thin circle of a thread does."""
     away = np.hypot(*np.subtract(arc.geometry.centre, rim.geometry.centre))
     small, large = sorted((arc.geometry.radius, rim.geometry.radius))
-    if away > _CONCENTRIC_PX or not _RATIO[0] < small / large < _RATIO[1]:
+    if away > _CONCENTRIC_PX or not RATIO[0] < small / large < RATIO[1]:
         return False
     thin, wide = _width(arc), _width(rim)
     # On sheets of one line width the form alone tells; an arc wider than the rim is an edge.
@@ -206,20 +206,20 @@ def _side_lines(told: Told, layout: Layout, role: Role, thread: Thread) -> Itera
     for other, box in layout.boxes.items():
         if other is role:
             continue
-        for axis in _shared(role, other):
+        for axis in shared_axes_of(role, other):
             upright = other.frame.right_axis[0] is axis
             if other.frame.right_axis[0] is not axis and other.frame.up_axis[0] is not axis:
                 continue
             places = [
-                _across(other, box, axis, place)
-                for place in _places(role, layout.boxes[role], axis, thread.circle)
+                across_of(other, box, axis, place)
+                for place in places_of(role, layout.boxes[role], axis, thread.circle)
             ]
             pairs = [_lines_at(told, box, upright, place) for place in places]
             if all(pairs):
                 yield from (number for lines in pairs for number in lines)
 
 
-def _shared(one: Role, other: Role) -> list[Axis]:
+def shared_axes_of(one: Role, other: Role) -> list[Axis]:
     """Axes that two views with different directions both show."""
     if one.frame.look_axis[0] is other.frame.look_axis[0]:
         return []
@@ -227,7 +227,7 @@ def _shared(one: Role, other: Role) -> list[Axis]:
     return [axis for axis in axes[0] if axis in axes[1]]
 
 
-def _places(role: Role, box: Box, axis: Axis, circle: Circle) -> tuple[float, float]:
+def places_of(role: Role, box: Box, axis: Axis, circle: Circle) -> tuple[float, float]:
     """px along an axis of the part, from its lower end, of both sides of a circle."""
     frame = role.frame
     if frame.right_axis[0] is axis:
@@ -239,7 +239,7 @@ def _places(role: Role, box: Box, axis: Axis, circle: Circle) -> tuple[float, fl
     return middle - circle.radius, middle + circle.radius
 
 
-def _across(role: Role, box: Box, axis: Axis, place: float) -> float:
+def across_of(role: Role, box: Box, axis: Axis, place: float) -> float:
     """The sheet's coordinate of a place along an axis of the part."""
     frame = role.frame
     if frame.right_axis[0] is axis:

@@ -9,6 +9,7 @@ from scipy.spatial import cKDTree
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.files.plotted import grid_step
 from gaussiancad_core.sheet.files.vectors import (
     CircularArc,
     Curve,
@@ -21,7 +22,7 @@ from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.vector_views.part_curves import InkMasks, Mask, part_curves
-from gaussiancad_core.sheet.vector_views.view_strokes import strokes_of, tracks_and_rhythm
+from gaussiancad_core.sheet.vector_views.view_strokes import strokes_of, tracks_and_dashes
 from gaussiancad_core.views import Linetype, Stroke
 
 _MARGIN = 4.0
@@ -45,6 +46,9 @@ _OFTEN, _FEWEST_PLOTTED = 0.3, 8
 
 _MOST_CHORDS = 4000
 """Pieces in which a curve is drawn."""
+
+_COARSE_STEP = 0.2
+"""px of the grid from which what was rounded to it is known no better than from a picture."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,15 +98,24 @@ def vector_views(
         for role, box in layout.boxes.items()
     }
     usable = [role for role, own in of_view.items() if 0 < len(own) <= _MOST_CURVES]
-    source = StrokesSource.PLOT if _are_plotted(curves) else StrokesSource.VECTOR
-    tracks, rhythm = tracks_and_rhythm([of_view[role] for role in usable], part.stroke_width)
+    source = _source(curves)
+    tracks, dashes = tracks_and_dashes([of_view[role] for role in usable], part.stroke_width)
     found = {}
     for role, own in zip(usable, tracks, strict=True):
-        strokes = strokes_of(own, of_view[role], rhythm)
+        strokes = strokes_of(own, of_view[role], dashes)
         known = _Known(of_view[role], others, masks)
         if _explains(strokes, known, layout.boxes[role], part):
             found[role] = strokes, source
     return found
+
+
+def _source(strokes: Sequence[VectorStroke]) -> StrokesSource:
+    """How exactly the strokes of a file are known, by the grid that they are rounded to."""
+    lines = [own.curve for own in strokes if isinstance(own.curve, Line)]
+    ends = np.array([(own.start, own.end) for own in lines]).reshape(-1, 2)
+    if grid_step(ends) >= _COARSE_STEP:
+        return StrokesSource.COARSE
+    return StrokesSource.PLOT if _are_plotted(strokes) else StrokesSource.VECTOR
 
 
 def _are_plotted(strokes: Sequence[VectorStroke]) -> bool:

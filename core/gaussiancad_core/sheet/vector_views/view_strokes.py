@@ -6,6 +6,7 @@ it does in a picture.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -16,7 +17,7 @@ from gaussiancad_core.sheet.geometry import Geometry, Line
 from gaussiancad_core.sheet.linetypes import classify
 from gaussiancad_core.sheet.runs import Piece, Rhythm, Run, learn_rhythm
 from gaussiancad_core.sheet.vector_views.free_curves import free_curve
-from gaussiancad_core.sheet.vector_views.spans import Span, united, without
+from gaussiancad_core.sheet.vector_views.spans import united, without
 from gaussiancad_core.sheet.vector_views.tracks import EXACT, PLOTTED, Track, tracks_of
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
@@ -29,21 +30,41 @@ _SHORTEST = 0.5
 _FEWEST_DASHES = 6
 """Dashes on a sheet from which they are a rhythm."""
 
+_GAP = 1.2
+"""Gap between dashes at most, in the length of the longer of both."""
+
+_ALIKE, _MOSTLY = 0.3, 0.6
+"""Share by which gaps of one length may differ, and of them that do not, at least."""
+
+_BRIDGED = 1.5
+"""Gap over which a dashed line goes on, in the usual one."""
+
 _WHOLE = 1e-6
 """px that a whole turn may lack."""
 
 
-def tracks_and_rhythm(
+@dataclass(frozen=True)
+class SheetDashes:
+    """How a file draws dashed lines.
+
+    Attributes:
+        heard: their rhythm, where only that tells them from solid ones; None where the file says
+            which lines are hidden.
+        gap: px between dashes of such lines that it draws one by one; 0 where it draws them whole.
+    """
+
+    heard: Rhythm | None
+    gap: float = 0.0
+
+
+def tracks_and_dashes(
     views: Sequence[Sequence[VectorStroke]], stroke_width: float
-) -> tuple[list[list[Track]], Rhythm | None]:
-    """Lines and circles of all views, and the rhythm of dashes that were drawn one by one.
+) -> tuple[list[list[Track]], SheetDashes]:
+    """Lines and circles of all views, and how their dashes are drawn.
 
     Args:
         views: the part's curves of each.
         stroke_width: px.
-
-    Returns:
-        Tracks of each view; the rhythm is None where the file tells hidden lines itself.
     """
     told = any(stroke.role is StrokeRole.HIDDEN for own in views for stroke in own)
     if not told:
@@ -53,28 +74,43 @@ def tracks_and_rhythm(
         rhythm = learn_rhythm(regular, stroke_width)
         short = sum(0.5 < run.length / rhythm.dash < 1.5 for series in regular for run in series)
         if short >= _FEWEST_DASHES:
-            return plotted, rhythm
-    return [tracks_of(own, EXACT) for own in views], None
+            return plotted, SheetDashes(rhythm)
+    exact = [tracks_of(own, EXACT) for own in views]
+    return exact, SheetDashes(None, _usual_gap([track for own in exact for track in own]))
 
 
-def _runs(track: Track) -> list[Run]:
-    spans = united(track.solid, track.geometry.around, _TOUCHING)
-    return [Run(start, end) for start, end in spans]
+def _usual_gap(tracks: Sequence[Track]) -> float:
+    """px between dashes that are drawn one by one; 0 where gaps are not of one length."""
+    gaps = []
+    for track in tracks:
+        if not track.patterned:
+            dashes = united(track.hidden, track.geometry.around, _TOUCHING)
+            gaps += [
+                after[0] - before[1]
+                for before, after in pairwise(dashes)
+                if after[0] - before[1] <= _GAP * max(own[1] - own[0] for own in (before, after))
+            ]
+    if len(gaps) < _FEWEST_DASHES:
+        return 0.0
+    usual = float(np.median(gaps))
+    alike = np.abs(np.array(gaps) - usual) <= _ALIKE * usual
+    return usual if alike.mean() >= _MOSTLY else 0.0
 
 
 def strokes_of(
-    tracks: Sequence[Track], strokes: Sequence[VectorStroke], rhythm: Rhythm | None
+    tracks: Sequence[Track], strokes: Sequence[VectorStroke], dashes: SheetDashes
 ) -> tuple[Stroke, ...]:
     """The strokes of a view in px of the sheet (y down).
 
     Args:
         tracks: lines, circles and ellipses of the view.
         strokes: its curves; of these only the chains are used.
-        rhythm: of dashes that were drawn one by one.
+        dashes: how they are drawn on the sheet.
     """
+    heard = dashes.heard
     found: list[Stroke] = []
     for track in tracks:
-        pieces = _told(track) if rhythm is None else _heard(track, tracks, rhythm)
+        pieces = _told(track, dashes.gap) if heard is None else _heard(track, tracks, heard)
         found += [_stroke(track.geometry, piece) for piece in pieces]
     for stroke in strokes:
         if isinstance(stroke.curve, Chain):
@@ -83,32 +119,21 @@ def strokes_of(
     return tuple(found)
 
 
-def _told(track: Track) -> list[Piece]:
+def _told(track: Track, gap: float) -> list[Piece]:
     """Visible and hidden pieces as the file calls them; nothing hidden under a visible one."""
     around = track.geometry.around
     visible = united(track.solid, around, _TOUCHING)
-    dashes = united(track.hidden, around, _TOUCHING)
-    whole = dashes if track.patterned else _bridged(dashes, around)
+    bridged = _TOUCHING if track.patterned else max(_TOUCHING, _BRIDGED * gap)
+    whole = united(track.hidden, around, bridged)
     hidden = without(whole, visible, around, _SHORTEST)
     return [Piece(*span, Linetype.VISIBLE, 1.0) for span in visible] + [
         Piece(*span, Linetype.HIDDEN, 1.0) for span in hidden
     ]
 
 
-def _bridged(dashes: list[Span], around: float) -> list[Span]:
-    """Lines of one length with gaps of one length that are no longer are one dashed line.
-
-    No dash is much longer than the others, though those at the ends may be shorter.
-    """
-    if len(dashes) < 3:
-        return dashes
-    lengths = np.array([end - start for start, end in dashes])
-    gaps = np.array([after[0] - before[1] for before, after in pairwise(dashes)])
-    dash, gap = float(np.median(lengths)), float(np.median(gaps))
-    alike = np.mean(np.abs(lengths - dash) < 0.5 * dash) >= 0.5 and lengths.max() < 2.0 * dash
-    if gap > 1.2 * dash or not alike:
-        return dashes
-    return united(dashes, around, 1.5 * gap)
+def _runs(track: Track) -> list[Run]:
+    spans = united(track.solid, track.geometry.around, _TOUCHING)
+    return [Run(start, end) for start, end in spans]
 
 
 def _heard(track: Track, tracks: Sequence[Track], rhythm: Rhythm) -> list[Piece]:
