@@ -209,7 +209,8 @@ def _lines(
         own = file_rules(without_heads(image.vectors.strokes, heads), sheet.turn)
         pairs = arrow_pairs(heads, own, texts, sheet.turn)
         leaders += pointed_lines(heads, file_lines(image.vectors.strokes, sheet.turn), sheet.turn)
-        rules += own
+        # Marks of a file are its strokes, too, those of heads among them.
+        rules = own if heads else rules + own
     rules = sorted(rules, key=lambda rule: rule.low - rule.high)[:_MOST_RULES]
     strokes = [stroke for view in drawn for stroke in view.strokes]
     edges = [rule_of(own.start, own.end) for own in strokes if isinstance(own, Segment)]

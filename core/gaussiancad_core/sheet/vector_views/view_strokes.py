@@ -39,8 +39,8 @@ _ALIKE, _MOSTLY = 0.3, 0.6
 _BRIDGED = 1.5
 """Gap over which a dashed line goes on, in the usual one."""
 
-_WHOLE = 1e-6
-"""px that a whole turn may lack."""
+_WHOLE = 0.5
+"""px that a whole turn may lack: the ends of a polygon's first and last chord are rounded."""
 
 
 @dataclass(frozen=True)
