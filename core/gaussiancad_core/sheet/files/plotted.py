@@ -71,8 +71,8 @@ def grid_step(points: Points) -> float:
     apart = apart[(apart > _FINEST) & (apart < _FAR)]
     if len(apart) < _TELLING:
         return 0.0
-    # No two lines need be one step apart.
-    for parts in range(1, _MOST_PARTS + 1):
+    # No two lines need be one step apart; but then more must tell of it.
+    for parts in range(1, _MOST_PARTS + 1 if len(apart) >= 2 * _TELLING else 2):
         step = float(apart.min()) / parts
         off = np.abs(apart / step - np.rint(apart / step))
         if step <= _COARSEST and step > _FINEST and (off < _OFF_GRID).mean() >= _ON_GRID:

@@ -33,6 +33,12 @@ _FEWEST_DASHES = 6
 _GAP = 1.2
 """Gap between dashes at most, in the length of the longer of both."""
 
+_LONGEST = 8.0
+"""Length of a dash at most, in the gap beside it."""
+
+_FEWEST_GAPS = 2
+"""Gaps of a sheet from which they tell how long they are."""
+
 _ALIKE, _MOSTLY = 0.3, 0.6
 """Share by which gaps of one length may differ, and of them that do not, at least."""
 
@@ -85,12 +91,12 @@ def _usual_gap(tracks: Sequence[Track]) -> float:
     for track in tracks:
         if not track.patterned:
             dashes = united(track.hidden, track.geometry.around, _TOUCHING)
-            gaps += [
-                after[0] - before[1]
-                for before, after in pairwise(dashes)
-                if after[0] - before[1] <= _GAP * max(own[1] - own[0] for own in (before, after))
-            ]
-    if len(gaps) < _FEWEST_DASHES:
+            for before, after in pairwise(dashes):
+                gap = after[0] - before[1]
+                longer = max(own[1] - own[0] for own in (before, after))
+                if gap <= _GAP * longer <= _GAP * _LONGEST * gap:
+                    gaps.append(gap)
+    if len(gaps) < _FEWEST_GAPS:
         return 0.0
     usual = float(np.median(gaps))
     alike = np.abs(np.array(gaps) - usual) <= _ALIKE * usual

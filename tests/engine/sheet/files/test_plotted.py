@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.sheet.files.plotted import lines_and_arcs
+from gaussiancad_core.sheet.files.plotted import grid_step, lines_and_arcs
 from gaussiancad_core.sheet.files.vectors import CircularArc, Line
 
 
@@ -65,3 +65,19 @@ def test_a_rounding_between_lines_is_an_arc_from_one_to_the_other() -> None:
     assert isinstance(first, Line) and isinstance(last, Line)
     assert isinstance(arc, CircularArc)
     assert arc.radius == pytest.approx(13.3, abs=0.3)
+
+
+@given(step=st.floats(0.05, 0.39), seed=st.integers(0, 2**32 - 1))
+def test_a_grid_is_told_though_no_two_lines_are_one_step_apart(step: float, seed: int) -> None:
+    lot = np.random.default_rng(seed)
+    steps = np.cumsum(lot.integers(2, 9, size=(40, 2)), axis=0)
+    found = grid_step(steps * step)
+    # The grid, or one whose lines all of its lines are on.
+    assert found > 0.0
+    assert abs(found / step - round(found / step)) < 0.01
+
+
+@given(seed=st.integers(0, 2**32 - 1))
+def test_places_that_are_rounded_to_nothing_have_no_grid(seed: int) -> None:
+    lot = np.random.default_rng(seed)
+    assert grid_step(np.cumsum(lot.uniform(0.3, 3.0, size=(60, 2)), axis=0)) < 0.05

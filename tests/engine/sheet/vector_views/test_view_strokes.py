@@ -3,8 +3,7 @@
 import pytest
 
 from gaussiancad_core.sheet.files.vectors import Line, StrokeRole, VectorStroke
-from gaussiancad_core.sheet.vector_views.tracks import EXACT, tracks_of
-from gaussiancad_core.sheet.vector_views.view_strokes import strokes_of
+from gaussiancad_core.sheet.vector_views.view_strokes import strokes_of, tracks_and_dashes
 from gaussiancad_core.views import Linetype
 
 _DASHES = [(k * 9.0, k * 9.0 + 6.0) for k in range(6)]
@@ -40,6 +39,24 @@ def test_lines_that_the_file_dashes_itself_keep_their_gaps(
     assert (_found(spans, pattern) == [pytest.approx(span) for span in spans]) == whole
 
 
+def test_a_dash_at_either_end_may_be_half_of_one() -> None:
+    # Between lines of whole dashes one of three: the sheet tells how long gaps are.
+    strokes = [
+        VectorStroke(Line((low, level), (high, level)), 2.0, (), StrokeRole.HIDDEN)
+        for level, spans in (
+            (10.0, [(k * 40.0, k * 40.0 + 31.0) for k in range(5)]),
+            (50.0, [(0.0, 15.5), (24.0, 55.0), (63.5, 79.0)]),
+        )
+        for low, high in spans
+    ]
+    (tracks,), dashes = tracks_and_dashes([strokes], 2.0)
+    found = strokes_of(tracks, strokes, dashes)
+    assert sorted((s.start[1], *sorted((s.start[0], s.end[0]))) for s in found) == [
+        pytest.approx((10.0, 0.0, 191.0)),
+        pytest.approx((50.0, 0.0, 79.0)),
+    ]
+
+
 def _found(
     spans: list[tuple[float, float]], pattern: tuple[float, ...] = ()
 ) -> list[tuple[float, float]]:
@@ -48,7 +65,8 @@ def _found(
         VectorStroke(Line((10.0 + low, 30.0), (10.0 + high, 30.0)), 2.0, pattern, StrokeRole.HIDDEN)
         for low, high in spans
     ]
-    found = strokes_of(tracks_of(strokes, EXACT), strokes, None)
+    (tracks,), dashes = tracks_and_dashes([strokes], 2.0)
+    found = strokes_of(tracks, strokes, dashes)
     assert {stroke.linetype for stroke in found} == {Linetype.HIDDEN}
     ends = (sorted((stroke.start[0] - 10.0, stroke.end[0] - 10.0)) for stroke in found)
     return sorted((low, high) for low, high in ends)

@@ -1,0 +1,92 @@
+"""Thread symbols of a file, in all views."""
+
+import numpy as np
+import pytest
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.sheet.graph.threads import without_threads
+from gaussiancad_core.sheet.precision import StrokesSource
+from gaussiancad_core.sheet.reading import ReadView
+from gaussiancad_core.sheet.special_views.kinds import SpecialKind
+from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
+
+_FRONT, _TOP = (100.0, 300.0, 300.0, 400.0), (100.0, 100.0, 300.0, 200.0)
+_THIN, _RIM = 10.0, 8.2
+_CENTRE = (150.0, 350.0)
+
+VISIBLE, HIDDEN = Linetype.VISIBLE, Linetype.HIDDEN
+
+
+def _arc(radius: float, share: float, linetype: Linetype = VISIBLE) -> Arc:
+    return Arc(_CENTRE, radius, 0.4, 2.0 * np.pi * share, linetype)
+
+
+def _view(role: Role, box: tuple, *strokes: Stroke) -> ReadView:
+    (x0, y0, x1, y1) = box
+    corners = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+    sides = [Segment(corners[k], corners[(k + 1) % 4], VISIBLE) for k in range(4)]
+    return ReadView(role, box, (*sides, *strokes), None, StrokesSource.VECTOR)
+
+
+def _upright(at: float, low: float, high: float, linetype: Linetype = HIDDEN) -> Segment:
+    return Segment((at, low), (at, high), linetype)
+
+
+def _sides(low: float, high: float) -> list[Segment]:
+    """Of the thread from above: its axis runs up the top view."""
+    x = _CENTRE[0]
+    return [_upright(x + sign * r, low, high) for r in (_THIN, _RIM) for sign in (-1.0, 1.0)]
+
+
+@pytest.mark.parametrize("beside", [True, False])
+def test_the_thin_circle_and_its_lines_go_and_the_bore_stays(beside: bool) -> None:
+    arc = _arc(_THIN, 0.75)
+    front = _view(Role.FRONT, _FRONT, _arc(_RIM, 1.0), *([] if beside else [arc]))
+    top = _view(Role.TOP, _TOP, *_sides(100.0, 200.0))
+    (own, above), special = without_threads([front, top], [arc] if beside else [])
+    assert [s.radius for s in own.strokes if isinstance(s, Arc)] == [_RIM]
+    left = sorted(s.start[0] for s in above.strokes if s.linetype is HIDDEN)
+    assert left == [_CENTRE[0] - _RIM, _CENTRE[0] + _RIM]
+    (told,) = special
+    assert told.kind is SpecialKind.THREAD and told.box[0] == _CENTRE[0] - _THIN
+
+
+def test_an_edge_where_a_threads_line_would_be_stays_where_no_bore_runs_beside_it() -> None:
+    arc = _arc(_THIN, 0.75)
+    edge = _upright(_CENTRE[0] + _THIN, 100.0, 140.0, VISIBLE)
+    bore = [_upright(_CENTRE[0] + sign * _RIM, 150.0, 200.0) for sign in (-1.0, 1.0)]
+    views = [
+        _view(Role.FRONT, _FRONT, _arc(_RIM, 1.0)),
+        _view(Role.TOP, _TOP, edge, *bore),
+    ]
+    (_, above), special = without_threads(views, [arc])
+    assert len(special) == 1 and edge in above.strokes
+
+
+@pytest.mark.parametrize(
+    ("thin", "rim"),
+    [
+        (_arc(_THIN, 1.0), _arc(_RIM, 1.0)),
+        (_arc(_THIN, 0.4), _arc(_RIM, 1.0)),
+        (_arc(_THIN, 0.75), _arc(_RIM, 0.75)),
+        (_arc(20.0, 0.75), _arc(_RIM, 1.0)),
+        (_arc(_THIN, 0.75), Arc((153.0, 350.0), _RIM, 0.0, 2.0 * np.pi, VISIBLE)),
+    ],
+    ids=["two whole circles", "a short arc", "no whole circle", "far apart", "beside each other"],
+)
+def test_other_arcs_about_circles_are_edges(thin: Arc, rim: Arc) -> None:
+    views = [_view(Role.FRONT, _FRONT, thin, rim), _view(Role.TOP, _TOP, *_sides(100.0, 200.0))]
+    found, special = without_threads(views, [])
+    assert list(found) == views and special == ()
+
+
+def test_from_behind_the_thin_circle_is_hidden_and_goes_too() -> None:
+    arc = _arc(_THIN, 0.75)
+    mirrored = Arc((250.0, 650.0), _THIN, 0.0, 4.6, HIDDEN)
+    bore = Arc((250.0, 650.0), _RIM, 0.0, 2.0 * np.pi, HIDDEN)
+    views = [
+        _view(Role.FRONT, _FRONT, _arc(_RIM, 1.0)),
+        _view(Role.REAR, (100.0, 600.0, 300.0, 700.0), mirrored, bore),
+    ]
+    (_, rear), _ = without_threads(views, [arc])
+    assert bore in rear.strokes and mirrored not in rear.strokes
