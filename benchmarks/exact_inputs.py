@@ -191,7 +191,7 @@ def read_input(
     # A picture does not tell of what widths the file's lines are.
     by_weight = not (vectors and image.vectors is not None and image.vectors.has_one_width)
     separated, layout = find_views(clean, {}, options.projection, by_weight)
-    lines = VectorSheet(image.vectors, clean) if vectors and image.vectors is not None else None
+    lines = VectorSheet.of(image.vectors, clean) if vectors and image.vectors is not None else None
     drawn = read_views(separated.part, layout, vectors=lines)
     registered = register_views(drawn, options)
     plain = register_views(drawn, replace(options, open_holes=False))

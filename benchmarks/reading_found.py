@@ -55,7 +55,7 @@ def read(path: Path, reading: ReadingOptions, direct: bool = True) -> Found:
     # A file knows whether its lines are of one width; its picture alone does not.
     known = direct and image.vectors is not None and image.vectors.has_one_width
     separated, layout = find_views(clean, {}, None, by_weight=not known)
-    vectors = VectorSheet(image.vectors, clean) if direct and image.vectors else None
+    vectors = VectorSheet.of(image.vectors, clean) if direct and image.vectors else None
     drawn = read_views(separated.part, layout, finder=reading.finder, vectors=vectors)
     projection, alternatives = layout.projection, layout.alternatives
     if alternatives:

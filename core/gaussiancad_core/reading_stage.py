@@ -6,17 +6,19 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.report import Unused, ViewReport
 from gaussiancad_core.run_notes import RunNotes
-from gaussiancad_core.sheet.annotations.marks import Mark
+from gaussiancad_core.sheet.annotations.marks import Mark, line_mark
 from gaussiancad_core.sheet.annotations.separate import SeparatedSheet, separate_annotations
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
 from gaussiancad_core.sheet.colour_pens import colour_pens
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.files.vectors import CircularArc
+from gaussiancad_core.sheet.graph.tangent_edges import without_tangent_edges
 from gaussiancad_core.sheet.graph.threads import without_threads
 from gaussiancad_core.sheet.graph.views import graph_views
 from gaussiancad_core.sheet.layout import Layout, may_be_views
@@ -27,7 +29,7 @@ from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale, find_scal
 from gaussiancad_core.sheet.special_views.telling import UNUSED, tellings, why_unused
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.sheet.view_search import find_views
-from gaussiancad_core.views import Arc, Linetype, Stroke
+from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
 
 _MOST_PLACES = 5
 """Boxes that one message names at most."""
@@ -78,10 +80,16 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
         if vectors is not None:
             drawn, threads = without_threads(drawn, _arcs(image, clean.turn))
             layout = replace(layout, special=(*layout.special, *threads))
+            drawn, smooth = without_tangent_edges(drawn)
+            separated = replace(separated, marks=(*separated.marks, *map(_tangent_mark, smooth)))
         tell_layout(notes, layout, clean.turn)
         scale = _sheet_scale(job, image, clean, (separated.marks, drawn), notes)
         options = tell_scale(reading, scale, notes)
     return SheetLines(layout, drawn, separated.marks, scale, options)
+
+
+def _tangent_mark(line: Segment) -> Mark:
+    return line_mark(AnnotationKind.TANGENT_EDGE, line.start, line.end)
 
 
 def _arcs(image: SheetImage, turn: Turn) -> list[Arc]:
@@ -157,7 +165,7 @@ def _found_views(
     # Where a file has lines of one width, those of its picture only seem to differ.
     by_weight = not (image.vectors is not None and image.vectors.has_one_width)
     found = find_views(clean, given, reading.projection, by_weight)
-    return *found, VectorSheet(drawing, clean) if drawing is not None else None
+    return *found, VectorSheet.of(drawing, clean) if drawing is not None else None
 
 
 def _coloured_views(

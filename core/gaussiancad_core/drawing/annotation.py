@@ -32,6 +32,7 @@ class AnnotationKind(Enum):
     OTHER_PART = "other-part"
     SYMMETRY = "symmetry"
     THREAD = "thread"
+    TANGENT_EDGE = "tangent-edge"
 
 
 class Rhythm(Enum):

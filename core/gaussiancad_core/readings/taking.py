@@ -67,6 +67,7 @@ _MARKS = {
     StrokeKind.FRAME: AnnotationKind.FRAME,
     StrokeKind.TEXT: AnnotationKind.TEXT,
     StrokeKind.THREAD: AnnotationKind.THREAD,
+    StrokeKind.TANGENT: AnnotationKind.TANGENT_EDGE,
     StrokeKind.SYMBOL: AnnotationKind.SYMBOL,
     StrokeKind.PICTURE: AnnotationKind.PICTURE,
 }

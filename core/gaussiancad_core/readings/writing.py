@@ -67,6 +67,7 @@ _KINDS = {
     AnnotationKind.PICTURE: StrokeKind.PICTURE,
     AnnotationKind.HATCHING: StrokeKind.HATCH,
     AnnotationKind.THREAD: StrokeKind.THREAD,
+    AnnotationKind.TANGENT_EDGE: StrokeKind.TANGENT,
 }
 
 _OFFERS = {

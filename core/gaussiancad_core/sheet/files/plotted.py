@@ -28,7 +28,7 @@ _BESIDE, _STEPS = 0.15, 0.8
 """px, and steps of the grid, within which points lie beside their circle: of the diagonal a half,
 and something for the chord."""
 
-_COARSEST = 0.4
+_COARSEST = 0.6
 """px of the grid's step at most."""
 
 _FINEST, _FAR = 0.01, 4.0

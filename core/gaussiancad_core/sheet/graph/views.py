@@ -18,7 +18,7 @@ from gaussiancad_core.sheet.graph.labels import Label, LabelledDrawing, labelled
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.special_views.symbol import find_symbol
-from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
+from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet, drawing_grid
 from gaussiancad_core.sheet.view_search import arranged, with_symbol
 
 _MARKS = {
@@ -68,7 +68,7 @@ def graph_views(
     found = labelled(drawing, (width, height)) if not sheet.turn.angle else None
     if found is None:
         return None
-    separated, vectors = _part(found, sheet)
+    separated, vectors = _part(found, sheet, drawing_grid(drawing))
     symbol = find_symbol(sheet) if projection is None else None
     try:
         separated, layout = arranged(
@@ -87,7 +87,9 @@ def _overlap(box: Box, other: Box) -> bool:
     return x and box[1] <= other[3] and box[3] >= other[1]
 
 
-def _part(found: LabelledDrawing, sheet: CleanSheet) -> tuple[SeparatedSheet, VectorSheet]:
+def _part(
+    found: LabelledDrawing, sheet: CleanSheet, grid: float
+) -> tuple[SeparatedSheet, VectorSheet]:
     """The sheet with the part's strokes alone, and these."""
     height, width = sheet.ink.shape
     drawing = VectorDrawing(
@@ -101,7 +103,7 @@ def _part(found: LabelledDrawing, sheet: CleanSheet) -> tuple[SeparatedSheet, Ve
         if label in _MARKS and (mark := _mark(stroke, _MARKS[label])) is not None
     ]
     hatched = _hatched(found.of(Label.HATCH), part.ink)
-    return SeparatedSheet(part, tuple(marks), False, hatched), VectorSheet(drawing, part)
+    return SeparatedSheet(part, tuple(marks), False, hatched), VectorSheet(drawing, part, grid)
 
 
 def _mark(stroke: VectorStroke, kind: AnnotationKind) -> Mark | None:

@@ -47,7 +47,7 @@ _OFTEN, _FEWEST_PLOTTED = 0.3, 8
 _MOST_CHORDS = 4000
 """Pieces in which a curve is drawn."""
 
-_COARSE_STEP = 0.2
+_COARSE_STEP = 0.4
 """px of the grid from which what was rounded to it is known no better than from a picture."""
 
 
@@ -58,10 +58,23 @@ class VectorSheet:
     Attributes:
         drawing: in px of the sheet as stored.
         whole: the upright sheet.
+        grid: px of the grid to which the file's places are rounded; 0 where they tell of none.
     """
 
     drawing: VectorDrawing
     whole: CleanSheet
+    grid: float = 0.0
+
+    @classmethod
+    def of(cls, drawing: VectorDrawing, whole: CleanSheet) -> "VectorSheet":
+        """All lines of a file."""
+        return cls(drawing, whole, drawing_grid(drawing))
+
+
+def drawing_grid(drawing: VectorDrawing) -> float:
+    """px of the grid to which the places of a file are rounded; 0 where they tell of none."""
+    lines = [own.curve for own in drawing.strokes if isinstance(own.curve, Line)]
+    return grid_step(np.array([(own.start, own.end) for own in lines]).reshape(-1, 2))
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,7 +111,7 @@ def vector_views(
         for role, box in layout.boxes.items()
     }
     usable = [role for role, own in of_view.items() if 0 < len(own) <= _MOST_CURVES]
-    source = _source(curves)
+    source = _source(curves, vectors.grid)
     tracks, dashes = tracks_and_dashes([of_view[role] for role in usable], part.stroke_width)
     found = {}
     for role, own in zip(usable, tracks, strict=True):
@@ -109,11 +122,9 @@ def vector_views(
     return found
 
 
-def _source(strokes: Sequence[VectorStroke]) -> StrokesSource:
+def _source(strokes: Sequence[VectorStroke], grid: float) -> StrokesSource:
     """How exactly the strokes of a file are known, by the grid that they are rounded to."""
-    lines = [own.curve for own in strokes if isinstance(own.curve, Line)]
-    ends = np.array([(own.start, own.end) for own in lines]).reshape(-1, 2)
-    if grid_step(ends) >= _COARSE_STEP:
+    if grid >= _COARSE_STEP:
         return StrokesSource.COARSE
     return StrokesSource.PLOT if _are_plotted(strokes) else StrokesSource.VECTOR
 

@@ -25,7 +25,7 @@ def read(path, change=lambda grey: grey) -> tuple[ReadView, ...]:  # noqa: ANN00
     image = read_sheet(path)
     clean = upright_sheet(clean_sheet(change(image.grey)))
     separated, layout = find_views(clean, {}, Projection.THIRD)
-    vectors = VectorSheet(image.vectors, clean)
+    vectors = VectorSheet.of(image.vectors, clean)
     return read_views(separated.part, layout, vectors=vectors)
 
 

@@ -1,0 +1,189 @@
+"""Lines where faces meet smoothly: some programs draw them, though nothing is bent there.
+
+Such a line runs in its view from one place to another where an arc goes over into a line or an arc
+without a corner.  Or it stands where another view that shows the same axis has such a place; an
+edge stands where that one has a corner.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+import numpy.typing as npt
+from scipy.spatial import cKDTree
+
+from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.sheet.precision import StrokesSource
+from gaussiancad_core.sheet.reading import ReadView
+from gaussiancad_core.views import Arc, Ellipse, Segment, Stroke
+
+_SMOOTH = 0.03
+"""Sine of the angle between two strokes that go over into each other, at most."""
+
+_NEAR = {StrokesSource.VECTOR: 0.3, StrokesSource.PLOT: 0.6}
+"""px within which ends meet, and coordinates of two views are one."""
+
+_NEAR_COARSE = 1.0
+"""The same of strokes that are known less well."""
+
+_LEVEL = 0.3
+"""px by which the ends of a line along the sheet may differ across."""
+
+Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class _Junctions:
+    """Coordinates along an axis of the part, px from its lower end.
+
+    Attributes:
+        smooth: where an arc goes over into a line, or another arc.
+        corners: where strokes end otherwise.
+    """
+
+    smooth: Floats
+    corners: Floats
+
+    def tells(self, at: float, near: float) -> bool | None:
+        """Whether faces meet smoothly there; None where the view does not tell."""
+        if _has(self.corners, at, near):
+            return False
+        return True if _has(self.smooth, at, near) else None
+
+
+def without_tangent_edges(
+    drawn: Sequence[ReadView],
+) -> tuple[tuple[ReadView, ...], tuple[Segment, ...]]:
+    """Views without the lines where faces meet smoothly, and these, px of the upright sheet."""
+    near = max(_NEAR.get(view.source, _NEAR_COARSE) for view in drawn)
+    between = [_between_smooth(view, near) for view in drawn]
+    plain = [_less(view, own) for view, own in zip(drawn, between, strict=True)]
+    known = {
+        (view.role, axis): _junctions(view, axis, near)
+        for view in plain
+        for axis in (view.role.frame.right_axis[0], view.role.frame.up_axis[0])
+    }
+    across = [
+        [stroke for stroke in view.strokes if _is_tangent(stroke, view, known, near)]
+        for view in plain
+    ]
+    views = tuple(_less(view, own) for view, own in zip(plain, across, strict=True))
+    return views, tuple(stroke for own in (*between, *across) for stroke in own)
+
+
+def _less(view: ReadView, gone: Sequence[Stroke]) -> ReadView:
+    dropped = set(map(id, gone))
+    return replace(view, strokes=tuple(own for own in view.strokes if id(own) not in dropped))
+
+
+def _between_smooth(view: ReadView, near: float) -> list[Segment]:
+    """Lines from one place to another where, without them, an arc goes over into what follows."""
+    ends, ways = _ends(view.strokes)
+    if not len(ends):
+        return []
+    groups = cKDTree(ends).query_ball_point(ends, near)
+
+    def is_passed(end: int) -> bool:
+        others = [own for own in groups[end] if own // 2 != end // 2]
+        return (
+            len(others) == 2
+            and _goes_on(ways[others[0]], ways[others[1]])
+            and any(_is_round(view.strokes, own) for own in others)
+        )
+
+    return [
+        stroke
+        for number, stroke in enumerate(view.strokes)
+        if isinstance(stroke, Segment) and is_passed(2 * number) and is_passed(2 * number + 1)
+    ]
+
+
+def _is_tangent(
+    stroke: Stroke, view: ReadView, known: dict[tuple[Role, Axis], _Junctions], near: float
+) -> bool:
+    if not isinstance(stroke, Segment):
+        return False
+    (x0, y0), (x1, y1) = stroke.start, stroke.end
+    upright, level = abs(x1 - x0) <= _LEVEL, abs(y1 - y0) <= _LEVEL
+    if upright == level:
+        return False
+    frame = view.role.frame
+    axis = (frame.right_axis if upright else frame.up_axis)[0]
+    point = np.array([[(x0 + x1) / 2.0, (y0 + y1) / 2.0]])
+    at = float(_along(view, axis, point)[0])
+    extent = _extent(view, axis)
+    if not near < at < extent - near:
+        return False
+    told = [
+        own.tells(at, near)
+        for (role, shown), own in known.items()
+        if shown is axis and role is not view.role
+    ]
+    return True in told and False not in told
+
+
+def _junctions(view: ReadView, axis: Axis, near: float) -> _Junctions:
+    """Where strokes of a view end, along an axis that it shows."""
+    ends, ways = _ends(view.strokes)
+    if not len(ends):
+        return _Junctions(np.empty(0), np.empty(0))
+    groups = cKDTree(ends).query_ball_point(ends, near)
+    smooth = np.array([_is_smooth(number, own, ways) for number, own in enumerate(groups)])
+    places = _along(view, axis, ends)
+    round_ends = smooth & np.array(
+        [any(_is_round(view.strokes, member) for member in own) for own in groups]
+    )
+    return _Junctions(places[round_ends], places[~smooth])
+
+
+def _ends(strokes: Sequence[Stroke]) -> tuple[Floats, Floats]:
+    """(2n, 2) ends of strokes, and directions of length 1 that lead on beyond them; whole circles
+    have none of either: (nan, nan)."""
+    ends, ways = [], []
+    for stroke in strokes:
+        if isinstance(stroke, Segment):
+            first, last = np.array(stroke.start), np.array(stroke.end)
+            pairs = [(first, first - last), (last, last - first)]
+        elif stroke.sweep >= 2.0 * np.pi * (1.0 - 1e-6):
+            far = np.full(2, 1e9) + len(ends)
+            pairs = [(far, np.array([1.0, 0.0])), (far + 1e6, np.array([1.0, 0.0]))]
+        else:
+            points = stroke.sample(max(stroke.length / 2000.0, 1e-3))
+            pairs = [(points[0], points[0] - points[1]), (points[-1], points[-1] - points[-2])]
+        for place, way in pairs:
+            ends.append(place)
+            ways.append(way / max(float(np.hypot(*way)), 1e-12))
+    return np.array(ends).reshape(-1, 2), np.array(ways).reshape(-1, 2)
+
+
+def _is_smooth(number: int, group: Sequence[int], ways: Floats) -> bool:
+    """Whether just one other stroke begins at an end, and goes on in its direction."""
+    others = [own for own in group if own != number]
+    return len(others) == 1 and _goes_on(ways[number], ways[others[0]])
+
+
+def _goes_on(one: Floats, two: Floats) -> bool:
+    cross = abs(float(one[0] * two[1] - one[1] * two[0]))
+    return float(one @ two) < 0.0 and cross <= _SMOOTH
+
+
+def _is_round(strokes: Sequence[Stroke], end: int) -> bool:
+    return isinstance(strokes[end // 2], Arc | Ellipse)
+
+
+def _along(view: ReadView, axis: Axis, points: Floats) -> Floats:
+    """(n,) px along an axis of the part from its lower end, of points of a view."""
+    x0, y0, x1, y1 = view.box
+    frame = view.role.frame
+    if frame.right_axis[0] is axis:
+        return points[:, 0] - x0 if frame.right_axis[1] > 0 else x1 - points[:, 0]
+    return y1 - points[:, 1] if frame.up_axis[1] > 0 else points[:, 1] - y0
+
+
+def _extent(view: ReadView, axis: Axis) -> float:
+    x0, y0, x1, y1 = view.box
+    return x1 - x0 if view.role.frame.right_axis[0] is axis else y1 - y0
+
+
+def _has(places: Floats, at: float, near: float) -> bool:
+    return bool((np.abs(places - at) <= near).any())
