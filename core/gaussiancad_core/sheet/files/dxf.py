@@ -305,7 +305,7 @@ def _stroke(drawn: DrawnCurve, left: float, top: float, sizing: Sizing) -> Vecto
     else:
         width = None
     dashes = tuple(value * sizing.scale for value in look.dashes)
-    return VectorStroke(curve, width, dashes, look.role, look.layer, look.kind)
+    return VectorStroke(curve, width, dashes, look.role, look.layer, look.kind, look.colour)
 
 
 def _text(text: PlacedText, left: float, top: float, scale: float) -> VectorText:

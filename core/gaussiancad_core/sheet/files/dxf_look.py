@@ -1,14 +1,18 @@
-"""How a DXF entity looks: its layer, linetype and line weight, through BYLAYER and BYBLOCK."""
+"""How a DXF entity looks: layer, linetype, line weight and colour, through BYLAYER and BYBLOCK."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from ezdxf import colors
 from ezdxf.document import Drawing
 from ezdxf.entities import DXFGraphic, Linetype
 
 from gaussiancad_core.sheet.files.linetypes import role_by_name, stroke_role
-from gaussiancad_core.sheet.files.vectors import StrokeKind, StrokeRole
+from gaussiancad_core.sheet.files.vectors import Colour, StrokeKind, StrokeRole
 
 _BY_LAYER, _BY_BLOCK = -1, -2
+
+_BLACK: Colour = (0, 0, 0)
 
 _UNPLOTTED = "defpoints"
 """The layer that CAD systems never print."""
@@ -26,6 +30,7 @@ class Look:
         kind: of what entity it is a part.
         role: what the names say.
         inherited: what the names of the blocks around say of their solid lines, if anything.
+        colour: red, green, blue, as on white paper.
     """
 
     layer: str = "0"
@@ -35,6 +40,7 @@ class Look:
     kind: StrokeKind = StrokeKind.GEOMETRY
     role: StrokeRole = StrokeRole.VISIBLE
     inherited: StrokeRole | None = None
+    colour: Colour = _BLACK
 
 
 class Looks:
@@ -60,7 +66,8 @@ class Looks:
         if parent.inherited is not None and not dashes:
             role = parent.inherited
         weight = self._weight(entity, layer, parent)
-        return Look(layer, name, dashes, weight, parent.kind, role, parent.inherited)
+        colour = self._colour(entity, layer, parent)
+        return Look(layer, name, dashes, weight, parent.kind, role, parent.inherited, colour)
 
     def is_shown(self, entity: DXFGraphic, look: Look) -> bool:
         """Whether an entity is printed: it and its layer are on."""
@@ -95,6 +102,28 @@ class Looks:
             found = self._layers.get(layer.casefold())
             weight = int(found.dxf.get("lineweight", -3)) if found else -3
         return weight / 100.0 if weight >= 0 else None
+
+    def _colour(self, entity: DXFGraphic, layer: str, parent: Look) -> Colour:
+        if entity.rgb is not None:
+            return _rgb(entity.rgb)
+        number = int(entity.dxf.get("color", colors.BYLAYER))
+        if number == colors.BYBLOCK:
+            return parent.colour
+        if number == colors.BYLAYER:
+            found = self._layers.get(layer.casefold())
+            if found is not None and found.rgb is not None:
+                return _rgb(found.rgb)
+            number = abs(found.color) if found is not None else colors.WHITE
+        # White on a screen is black on paper.
+        if number == colors.WHITE or not 0 < number < colors.BYLAYER:
+            return _BLACK
+        return _rgb(colors.aci2rgb(number))
+
+
+def _rgb(channels: Sequence[int]) -> Colour:
+    """Red, green and blue as plain numbers."""
+    red, green, blue = (int(value) for value in channels)
+    return red, green, blue
 
 
 def _pattern(linetype: Linetype) -> tuple[float, ...]:

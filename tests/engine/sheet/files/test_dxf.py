@@ -249,6 +249,32 @@ def test_line_weights(read: Read) -> None:
     assert wide == pytest.approx(1.5 * MM)
 
 
+def test_colours(read: Read) -> None:
+    doc = _a4()
+    doc.layers.add("green", color=3)
+    doc.layers.add("own").rgb = (10, 20, 30)
+    block = doc.blocks.new("part")
+    block.add_line((0, 0), (10, 0), dxfattribs={"color": 0})
+    msp = doc.modelspace()
+    expected = []
+    for attributes, colour in (
+        ({}, (0, 0, 0)),
+        ({"color": 1}, (255, 0, 0)),
+        ({"color": 7}, (0, 0, 0)),
+        ({"layer": "green"}, (0, 255, 0)),
+        ({"layer": "own"}, (10, 20, 30)),
+        ({"layer": "green", "color": 5}, (0, 0, 255)),
+        ({"true_color": 0x123456}, (0x12, 0x34, 0x56)),
+    ):
+        msp.add_line(
+            (20, 20 + 5 * len(expected)), (60, 20 + 5 * len(expected)), dxfattribs=attributes
+        )
+        expected.append(colour)
+    msp.add_blockref("part", (100, 100), dxfattribs={"color": 6})
+    found = read(doc).vectors.strokes
+    assert [stroke.colour for stroke in found] == [*expected, (255, 0, 255)]
+
+
 def test_what_is_not_printed_is_left_out(read: Read) -> None:
     doc = _framed(_a4())
     for name in ("OFF", "FROZEN", "SILENT"):
