@@ -10,7 +10,7 @@ from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import ResultKind
-from gaussiancad_core.report import Unused, ViewReport
+from gaussiancad_core.report import NoteReport, Unused, ViewReport
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.annotations.marks import Mark, line_mark
 from gaussiancad_core.sheet.annotations.separate import SeparatedSheet, separate_annotations
@@ -22,6 +22,7 @@ from gaussiancad_core.sheet.graph.tangent_edges import without_tangent_edges
 from gaussiancad_core.sheet.graph.threads import without_threads
 from gaussiancad_core.sheet.graph.views import graph_views
 from gaussiancad_core.sheet.layout import Layout, may_be_views
+from gaussiancad_core.sheet.notes.finding import SheetNote, notes_of
 from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
@@ -47,6 +48,7 @@ class SheetLines:
         marks: annotations, in px of the upright sheet.
         scale: what the sheet says of its scale; None where nobody asks.
         options: what the user says, with the scale that is taken.
+        notes: what texts say of features.
         loose: lines of the part that belong to no view, where none was found.
     """
 
@@ -55,6 +57,7 @@ class SheetLines:
     marks: tuple[Mark, ...]
     scale: SheetScale | None
     options: ReadingOptions
+    notes: tuple[SheetNote, ...] = ()
     loose: tuple[Stroke, ...] = ()
 
 
@@ -85,7 +88,9 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
         tell_layout(notes, layout, clean.turn)
         scale = _sheet_scale(job, image, clean, (separated.marks, drawn), notes)
         options = tell_scale(reading, scale, notes)
-    return SheetLines(layout, drawn, separated.marks, scale, options)
+        found = notes_of(scale.texts, scale.unit) if scale is not None else ()
+        tell_notes(notes, found, clean.turn)
+    return SheetLines(layout, drawn, separated.marks, scale, options, found)
 
 
 def _tangent_mark(line: Segment) -> Mark:
@@ -217,6 +222,23 @@ def tell_marks(notes: RunNotes, marks: tuple[Mark, ...], turn: Turn) -> None:
     for mark in marks:
         kinds.setdefault(mark.kind.value, []).append(turn.box_to_stored(mark.box))
     notes.tell(annotations=kinds)
+
+
+def tell_notes(notes: RunNotes, found: Sequence[SheetNote], turn: Turn) -> None:
+    """Put what texts say of features into the report."""
+    told = tuple(
+        NoteReport(
+            own.text,
+            own.callout.kind.value,
+            own.value_mm,
+            turn.box_to_stored(own.box),
+            own.callout.count,
+            own.depth_mm,
+            own.callout.through,
+        )
+        for own in found
+    )
+    notes.tell(notes=told)
 
 
 def tell_layout(notes: RunNotes, layout: Layout, turn: Turn) -> None:

@@ -65,6 +65,31 @@ class Assumption:
 
 
 @dataclass(frozen=True)
+class NoteReport:
+    """A note at a feature.
+
+    Attributes:
+        text: as it was read.
+        kind: what it speaks of.
+        value_mm: the length that it gives; degrees of an angle.
+        at: around it, px of the sheet.
+        count: of how many features it speaks.
+        depth_mm: how deep they are.
+        through: whether it says that they go through.
+        used: whether the solid rests on it.
+    """
+
+    text: str
+    kind: str
+    value_mm: float | None
+    at: Box
+    count: int = 1
+    depth_mm: float | None = None
+    through: bool = False
+    used: bool = False
+
+
+@dataclass(frozen=True)
 class Disagreement:
     """A stretch of line that the sheet and the solid do not share.
 
@@ -252,6 +277,7 @@ class Report:
         residuals_px: axis -> (median, largest) distance of what the views show from the coordinates
             that they share, for axes that two views show.
         special_views: drawings that are no plain principal views; boxes in sheet px.
+        notes: what texts say of features.
         unused: what else is on the sheet and was not used.
         assumptions: what the result rests on that no line says.
         measures: how well the places of the solid's faces are known.
@@ -278,6 +304,7 @@ class Report:
     strokes_source: str = "raster"
     residuals_px: dict[str, tuple[float, float]] = field(default_factory=dict)
     special_views: tuple[SpecialView, ...] = ()
+    notes: tuple[NoteReport, ...] = ()
     unused: tuple[Unused, ...] = ()
     assumptions: tuple[Assumption, ...] = ()
     measures: MeasuresReport | None = None
@@ -348,7 +375,7 @@ class Report:
                 for view in self.special_views
             ],
             "sections": [],
-            "notes": [],
+            "notes": [_with_box(asdict(own), "at") for own in self.notes],
             "unused": [_with_box(asdict(own), "box") for own in self.unused],
             "assumptions": [_with_box(asdict(own), "at") for own in self.assumptions],
             "tolerance_px": self.tolerance_px,

@@ -26,7 +26,7 @@ def partial_lines(job: Job, image: SheetImage, clean: CleanSheet) -> SheetLines:
     alternatives = () if options.projection else (projection.other,)
     boxes = tuple(may_be_views(find_clusters(clean.ink)))
     layout = Layout({}, projection, source, alternatives, boxes)
-    return SheetLines(layout, (), (), None, options, _file_strokes(image, clean))
+    return SheetLines(layout, (), (), None, options, loose=_file_strokes(image, clean))
 
 
 def _file_strokes(image: SheetImage, clean: CleanSheet) -> tuple[Stroke, ...]:

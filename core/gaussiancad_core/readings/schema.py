@@ -10,6 +10,8 @@ from typing import Annotated, Any, Literal
 import msgspec
 from msgspec import Meta, Struct
 
+from gaussiancad_core.sheet.notes.callouts import NoteKind
+
 SCHEMA = "gaussiancad-reading/1"
 
 LARGEST = 1e6
@@ -192,21 +194,27 @@ class DimensionEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
 
 
 class NoteEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
-    """A text that says something of the part or of the sheet, with what it says.
+    """A text that says more of the part than a length.
 
     Attributes:
         text: as it was read.
         kind: what it speaks of.
         box: around it.
-        value_mm: a length that it gives.
+        value_mm: a length that it gives; degrees of an angle.
         count: of how many places it speaks.
+        depth_mm: how deep what it names is.
+        through: whether it says that it goes through.
+        reference: whether the number is for reference only.
     """
 
     text: Text
-    kind: Text
+    kind: NoteKind
     box: Box
-    value_mm: Size | None = None
+    value_mm: Number | None = None
     count: int = 1
+    depth_mm: Number | None = None
+    through: bool = False
+    reference: bool = False
 
 
 class Problem(Struct, frozen=True, kw_only=True, omit_defaults=True):

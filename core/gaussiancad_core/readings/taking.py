@@ -17,11 +17,13 @@ from gaussiancad_core.reading_stage import (
     in_worked_px,
     tell_layout,
     tell_marks,
+    tell_notes,
     tell_scale,
 )
 from gaussiancad_core.readings.schema import (
     DRAWN,
     DimensionEntry,
+    NoteEntry,
     SheetReading,
     StrokeEntry,
     StrokeKind,
@@ -37,6 +39,8 @@ from gaussiancad_core.sheet.files.painting import paint
 from gaussiancad_core.sheet.files.vectors import Chain, VectorDrawing, VectorStroke
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.masks import find_outline, supersampling_for
+from gaussiancad_core.sheet.notes.callouts import Callout
+from gaussiancad_core.sheet.notes.finding import SheetNote
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.read import SheetImage
@@ -45,7 +49,7 @@ from gaussiancad_core.sheet.registration import view_box
 from gaussiancad_core.sheet.scale.dimensions import Span
 from gaussiancad_core.sheet.scale.estimate import Measure, ReadDimension
 from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale
-from gaussiancad_core.sheet.scale.numbers import Sign
+from gaussiancad_core.sheet.scale.numbers import Sign, Unit
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 from gaussiancad_core.views import Arc, Linetype, Stroke
 
@@ -113,7 +117,9 @@ def taken_lines(
             if problem.code in _CARRIED:
                 tell = notes.doubt if problem.severity == "doubt" else notes.warn
                 tell(problem.code, problem.message)
-    return SheetLines(layout, drawn, marks, scale, options)
+        found = tuple(_note(own, turn) for own in reading.notes)
+        tell_notes(notes, found, turn)
+    return SheetLines(layout, drawn, marks, scale, options, found)
 
 
 def _told_axis(job: Job, reading: SheetReading) -> Job:
@@ -265,7 +271,23 @@ def _scale(reading: SheetReading, turn: Turn) -> SheetScale:
         ScaleSource(told.source),
         dimensions,
         measures=tuple(own.measure for own in dimensions if own.measure),
+        unit=Unit(reading.unit.value),
+        unit_noted=reading.unit.source in ("sheet", "given"),
     )
+
+
+def _note(own: NoteEntry, turn: Turn) -> SheetNote:
+    callout = Callout(
+        own.kind,
+        own.value_mm,
+        own.count,
+        own.depth_mm,
+        own.through,
+        reference=own.reference,
+        unit=Unit.MILLIMETRE,
+    )
+    box = turn.box_to_upright(own.box)
+    return SheetNote(own.text, box, callout, own.value_mm, own.depth_mm)
 
 
 def _dimension(own: DimensionEntry, turn: Turn) -> ReadDimension:

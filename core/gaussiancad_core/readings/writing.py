@@ -15,6 +15,7 @@ from gaussiancad_core.readings.schema import (
     SCHEMA,
     DimensionEntry,
     Measured,
+    NoteEntry,
     Problem,
     ReadProjection,
     ReadScale,
@@ -30,11 +31,12 @@ from gaussiancad_core.readings.shapes import shape_of, stored_box, stored_points
 from gaussiancad_core.report import Report
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.notes.finding import SheetNote
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import ReadView
 from gaussiancad_core.sheet.scale.dimensions import Span
 from gaussiancad_core.sheet.scale.estimate import ReadDimension
-from gaussiancad_core.sheet.scale.find import ScaleSource
+from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 from gaussiancad_core.views import Linetype, Stroke
 
@@ -123,7 +125,7 @@ def sheet_reading(
             source="symbol" if lines.layout.symbol else lines.layout.source,
             alternatives=tuple(own.value for own in lines.layout.alternatives),
         ),
-        unit=ReadUnit(),
+        unit=_unit(scale),
         scale=_scale(lines, turn),
         views=(
             *(_view(own, turn) for own in lines.drawn),
@@ -136,6 +138,7 @@ def sheet_reading(
             for number, own in enumerate(scale.dimensions if scale else (), start=1)
             if own.value_mm <= LARGEST
         ),
+        notes=tuple(_note(own, turn) for own in lines.notes),
         problems=(*refused, *doubts),
     )
 
@@ -154,6 +157,27 @@ def write_reading(reading: SheetReading, folder: Path) -> None:
 
 def _offers(code: str) -> tuple[str, ...]:
     return _OFFERS.get(code, ())
+
+
+def _unit(scale: SheetScale | None) -> ReadUnit:
+    if scale is None:
+        return ReadUnit()
+    told = "sheet" if scale.unit_noted else "dimension" if scale.dimensions else "default"
+    return ReadUnit(value=scale.unit.value, source=told)
+
+
+def _note(own: SheetNote, turn: Turn) -> NoteEntry:
+    said = own.callout
+    return NoteEntry(
+        text=own.text[:1000],
+        kind=said.kind,
+        box=stored_box(own.box, turn),
+        value_mm=own.value_mm if (own.value_mm or 0.0) <= LARGEST else None,
+        count=said.count,
+        depth_mm=own.depth_mm if (own.depth_mm or 0.0) <= LARGEST else None,
+        through=said.through,
+        reference=said.reference,
+    )
 
 
 def _scale(lines: SheetLines, turn: Turn) -> ReadScale:

@@ -88,6 +88,9 @@ class SheetScale:
         contradictions: numbers that the drawing contradicts; those that were read from pixels may
             have been misread, and are among the warnings.
         measures: what dimensions that agree say of lengths on the upright sheet.
+        texts: all that was read, px of the upright sheet.
+        unit: of numbers that do not name theirs.
+        unit_noted: whether a note names it.
     """
 
     mm_per_pixel: float | None
@@ -96,6 +99,9 @@ class SheetScale:
     notes: tuple[Note, ...] = ()
     contradictions: tuple[Note, ...] = ()
     measures: tuple[Measure, ...] = ()
+    texts: tuple[SheetText, ...] = ()
+    unit: Unit = Unit.MILLIMETRE
+    unit_noted: bool = False
 
 
 @dataclass(frozen=True)
@@ -123,7 +129,9 @@ def find_scale(
     texts, notes = _texts(image, sheet, marks)
     paper_scale, assumed = _paper_scale(image, texts)
     dimensions = _dimensions(texts, marks, _lines(image, sheet, texts, (marks, drawn)))
-    unit = usual_unit(dimensions, _noted_unit(texts), None if assumed else paper_scale)
+    noted = _noted_unit(texts)
+    unit = usual_unit(dimensions, noted, None if assumed else paper_scale)
+    written = {"texts": texts, "unit": unit, "unit_noted": noted is not None}
     found = agree(dimensions, unit, None if assumed else paper_scale)
     told = tuple(replace(own, box=sheet.turn.box_to_stored(own.box)) for own in found.dimensions)
     found = replace(found, dimensions=told)
@@ -137,9 +145,10 @@ def find_scale(
             notes if surely else notes + apart,
             apart if surely else (),
             found.measures,
+            **written,
         )
     if paper_scale is None:
-        return SheetScale(None, ScaleSource.DEFAULT, told, notes)
+        return SheetScale(None, ScaleSource.DEFAULT, told, notes, **written)
     if assumed:
         notes += (
             Note(
@@ -148,7 +157,7 @@ def find_scale(
                 "part full scale; tell --length AXIS=MM if it does not",
             ),
         )
-    return SheetScale(paper_scale, ScaleSource.SHEET, told, notes)
+    return SheetScale(paper_scale, ScaleSource.SHEET, told, notes, **written)
 
 
 def _texts(

@@ -1,0 +1,49 @@
+"""The notes of a sheet, with their places."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from gaussiancad_core.sheet.notes.callouts import Callout, NoteKind, parse_callout
+from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.scale.numbers import Unit
+from gaussiancad_core.sheet.scale.texts import SheetText
+
+
+@dataclass(frozen=True)
+class SheetNote:
+    """What a text says of a feature.
+
+    Attributes:
+        text: as it was read.
+        box: around it, px of the upright sheet.
+        callout: what it says.
+        value_mm: the callout's length, of an angle its degrees.
+        depth_mm: the depth that it tells.
+    """
+
+    text: str
+    box: Box
+    callout: Callout
+    value_mm: float | None
+    depth_mm: float | None
+
+
+def notes_of(texts: Sequence[SheetText], unit: Unit) -> tuple[SheetNote, ...]:
+    """What texts say that is more than a mere length; those of the title block say nothing of it.
+
+    Args:
+        texts: of the sheet.
+        unit: of numbers that do not name theirs.
+    """
+    return tuple(
+        _note(text, own, unit)
+        for text in texts
+        if not text.field
+        for own in parse_callout(text.text)
+        if own.kind is not NoteKind.LENGTH
+    )
+
+
+def _note(text: SheetText, own: Callout, unit: Unit) -> SheetNote:
+    value = own.value if own.kind is NoteKind.ANGLE else own.millimetres(own.value, unit)
+    return SheetNote(text.text, text.box, own, value, own.millimetres(own.depth, unit))
