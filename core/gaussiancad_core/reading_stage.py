@@ -10,6 +10,7 @@ from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import ResultKind
+from gaussiancad_core.projection_choice import opposite
 from gaussiancad_core.report import NoteReport, Unused, ViewReport
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.annotations.marks import Mark, line_mark
@@ -18,14 +19,17 @@ from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
 from gaussiancad_core.sheet.colour_pens import colour_pens
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.files.vectors import CircularArc
+from gaussiancad_core.sheet.graph.heads import arrowheads
 from gaussiancad_core.sheet.graph.tangent_edges import without_tangent_edges
 from gaussiancad_core.sheet.graph.threads import without_threads
 from gaussiancad_core.sheet.graph.views import graph_views
 from gaussiancad_core.sheet.layout import Layout, may_be_views
 from gaussiancad_core.sheet.notes.finding import SheetNote, notes_of
+from gaussiancad_core.sheet.notes.sections import NamedSection, named_sections
 from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
+from gaussiancad_core.sheet.scale.dimensions import file_lines
 from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale, find_scale
 from gaussiancad_core.sheet.special_views.telling import UNUSED, tellings, why_unused
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
@@ -49,6 +53,7 @@ class SheetLines:
         scale: what the sheet says of its scale; None where nobody asks.
         options: what the user says, with the scale that is taken.
         notes: what texts say of features.
+        sections: those that have a title.
         loose: lines of the part that belong to no view, where none was found.
     """
 
@@ -58,6 +63,7 @@ class SheetLines:
     scale: SheetScale | None
     options: ReadingOptions
     notes: tuple[SheetNote, ...] = ()
+    sections: tuple[NamedSection, ...] = ()
     loose: tuple[Stroke, ...] = ()
 
 
@@ -85,12 +91,62 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
             layout = replace(layout, special=(*layout.special, *threads))
             drawn, smooth = without_tangent_edges(drawn)
             separated = replace(separated, marks=(*separated.marks, *map(_tangent_mark, smooth)))
-        tell_layout(notes, layout, clean.turn)
         scale = _sheet_scale(job, image, clean, (separated.marks, drawn), notes)
+        sections = _sections(image, scale, layout, clean.turn) if scale is not None else ()
+        layout, drawn = _by_arrows(layout, drawn, sections)
+        tell_layout(notes, layout, clean.turn)
         options = tell_scale(reading, scale, notes)
         found = notes_of(scale.texts, scale.unit) if scale is not None else ()
         tell_notes(notes, found, clean.turn)
-    return SheetLines(layout, drawn, separated.marks, scale, options, found)
+    return SheetLines(layout, drawn, separated.marks, scale, options, found, sections)
+
+
+def _sections(
+    image: SheetImage, scale: SheetScale, layout: Layout, turn: Turn
+) -> tuple[NamedSection, ...]:
+    strokes = image.vectors.strokes if image.vectors is not None else ()
+    others = [*(own.box for own in layout.special), *layout.left_out]
+    return named_sections(
+        scale.texts, arrowheads(strokes), file_lines(strokes, turn), (layout.boxes, others), turn
+    )
+
+
+def _by_arrows(
+    layout: Layout, drawn: tuple[ReadView, ...], sections: Sequence[NamedSection]
+) -> tuple[Layout, tuple[ReadView, ...]]:
+    """The views under the projection that the arrows of sections tell; as they are where they
+    tell none, or something else does."""
+    if not layout.alternatives or layout.symbol is not None:
+        return layout, drawn
+    roles = {box: role for role, box in layout.boxes.items()}
+    told = {
+        own.looks is role
+        for own in sections
+        if own.looks is not None
+        for role in [_role_at(roles, own.box)]
+        if role is not None and own.looks in (role, opposite(role))
+    }
+    if len(told) != 1:
+        return layout, drawn
+    known = replace(layout, source="inferred", alternatives=())
+    if told == {True}:
+        return known, drawn
+    boxes = {opposite(role): box for role, box in layout.boxes.items()}
+    turned = tuple(replace(view, role=opposite(view.role)) for view in drawn)
+    return replace(known, boxes=boxes, projection=layout.projection.other), turned
+
+
+def _role_at(roles: dict[Box, Role], box: Box) -> Role | None:
+    """The view that stands where a box is."""
+    middle = (box[0] + box[2]) / 2.0, (box[1] + box[3]) / 2.0
+    return next(
+        (
+            role
+            for own, role in roles.items()
+            if own[0] <= middle[0] <= own[2] and own[1] <= middle[1] <= own[3]
+        ),
+        None,
+    )
 
 
 def _tangent_mark(line: Segment) -> Mark:

@@ -2,16 +2,19 @@
 
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from gaussiancad_core.axes import Projection, mutually_orthogonal
 from gaussiancad_core.exact_stage import Reading
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import Recipe, ResultKind
 from gaussiancad_core.projection_choice import both_readings, choose_projection
 from gaussiancad_core.reading_stage import SheetLines
-from gaussiancad_core.report import ViewReport
+from gaussiancad_core.report import PlaneReport, SectionReport, ViewReport
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.notes.sections import NamedSection
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.reading import RegisteredSheet, register_views
 from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale
@@ -69,6 +72,9 @@ def registered_lines(job: Job, lines: SheetLines, turn: Turn, notes: RunNotes) -
             found = weigh_readings(found, notes)
         _tell_views(notes, found.own.registered, turn)
         _tell_registration(notes, found.own.registered, turn)
+        notes.tell(
+            sections=tuple(_section(own, found.own.registered, turn) for own in lines.sections)
+        )
     return replace(found, marks=lines.marks, special=layout.special)
 
 
@@ -177,3 +183,16 @@ def _tell_registration(notes: RunNotes, registered: RegisteredSheet, turn: Turn)
         notes.doubt(
             "two-views", "only two directions of view: what a third would show is not known"
         )
+
+
+def _section(own: NamedSection, registered: RegisteredSheet, turn: Turn) -> SectionReport:
+    plane = None
+    place = registered.placements.get(own.cut_in) if own.cut_in else None
+    if own.trace is not None and own.trace.straight and place is not None and own.axis is not None:
+        right, up = place.to_plane(np.mean(own.trace.ends, axis=0)[None, :])[0].tolist()
+        frame = own.cut_in.frame
+        axis, sign = frame.right_axis if frame.right_axis[0] is own.axis else frame.up_axis
+        at = sign * (right if frame.right_axis[0] is own.axis else up)
+        plane = PlaneReport(axis.name.lower(), round(at, 4))
+    role = own.looks.value if own.looks is not None else ""
+    return SectionReport(own.title.label, role, turn.box_to_stored(own.box), plane)

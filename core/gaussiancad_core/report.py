@@ -65,6 +65,38 @@ class Assumption:
 
 
 @dataclass(frozen=True)
+class PlaneReport:
+    """Where a section cuts the part.
+
+    Attributes:
+        axis: of the part, that the plane is square to.
+        at_mm: along it.
+        source: how that is known.
+    """
+
+    axis: str
+    at_mm: float
+    source: str = "trace"
+
+
+@dataclass(frozen=True)
+class SectionReport:
+    """A section that the sheet names.
+
+    Attributes:
+        label: its letters.
+        role: the direction in which it looks; empty where its arrows were not found.
+        box: around it, px of the sheet.
+        plane: where it cuts; None where that is not known, or the cut is no plane.
+    """
+
+    label: str
+    role: str
+    box: Box
+    plane: PlaneReport | None = None
+
+
+@dataclass(frozen=True)
 class NoteReport:
     """A note at a feature.
 
@@ -277,6 +309,7 @@ class Report:
         residuals_px: axis -> (median, largest) distance of what the views show from the coordinates
             that they share, for axes that two views show.
         special_views: drawings that are no plain principal views; boxes in sheet px.
+        sections: those that the sheet names.
         notes: what texts say of features.
         unused: what else is on the sheet and was not used.
         assumptions: what the result rests on that no line says.
@@ -304,6 +337,7 @@ class Report:
     strokes_source: str = "raster"
     residuals_px: dict[str, tuple[float, float]] = field(default_factory=dict)
     special_views: tuple[SpecialView, ...] = ()
+    sections: tuple[SectionReport, ...] = ()
     notes: tuple[NoteReport, ...] = ()
     unused: tuple[Unused, ...] = ()
     assumptions: tuple[Assumption, ...] = ()
@@ -374,7 +408,7 @@ class Report:
                 }
                 for view in self.special_views
             ],
-            "sections": [],
+            "sections": [_with_box(asdict(own), "box") for own in self.sections],
             "notes": [_with_box(asdict(own), "at") for own in self.notes],
             "unused": [_with_box(asdict(own), "box") for own in self.unused],
             "assumptions": [_with_box(asdict(own), "at") for own in self.assumptions],

@@ -134,6 +134,28 @@ class ViewEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
     dash: Number | None = None
 
 
+class SectionEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """A section that the sheet names.
+
+    Attributes:
+        label: its letters.
+        box: around it.
+        in_view: role of the view that has its cutting line.
+        line: where that runs.
+        way: the direction in which its arrows point, of length 1.
+        straight: whether the cut is one plane.
+        looks: the role that the arrows tell.
+    """
+
+    label: Text
+    box: Box
+    in_view: ViewRole | None = None
+    line: LineShape | None = None
+    way: Point | None = None
+    straight: bool = True
+    looks: ViewRole | None = None
+
+
 class StrokeEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
     """A stroke: one of ``line``, ``arc`` and ``ellipse``, or only a box.
 
@@ -247,6 +269,7 @@ class SheetReading(Struct, frozen=True, kw_only=True):
     strokes: tuple[StrokeEntry, ...] = ()
     dimensions: tuple[DimensionEntry, ...] = ()
     notes: tuple[NoteEntry, ...] = ()
+    sections: tuple[SectionEntry, ...] = ()
     problems: tuple[Problem, ...] = ()
     engine: Text = ""
 

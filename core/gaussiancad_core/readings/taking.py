@@ -24,6 +24,7 @@ from gaussiancad_core.readings.schema import (
     DRAWN,
     DimensionEntry,
     NoteEntry,
+    SectionEntry,
     SheetReading,
     StrokeEntry,
     StrokeKind,
@@ -41,6 +42,8 @@ from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.masks import find_outline, supersampling_for
 from gaussiancad_core.sheet.notes.callouts import Callout
 from gaussiancad_core.sheet.notes.finding import SheetNote
+from gaussiancad_core.sheet.notes.sections import NamedSection, Trace
+from gaussiancad_core.sheet.notes.titles import Title, TitleKind
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.read import SheetImage
@@ -119,7 +122,8 @@ def taken_lines(
                 tell(problem.code, problem.message)
         found = tuple(_note(own, turn) for own in reading.notes)
         tell_notes(notes, found, turn)
-    return SheetLines(layout, drawn, marks, scale, options, found)
+        sections = tuple(_section(own, turn) for own in reading.sections)
+    return SheetLines(layout, drawn, marks, scale, options, found, sections)
 
 
 def _told_axis(job: Job, reading: SheetReading) -> Job:
@@ -299,6 +303,25 @@ def _dimension(own: DimensionEntry, turn: Turn) -> ReadDimension:
     return ReadDimension(
         own.text, own.value_mm, own.box, own.mm_per_px, own.used, sign, place, measure
     )
+
+
+def _section(own: SectionEntry, turn: Turn) -> NamedSection:
+    title = Title(TitleKind.SECTION, own.label)
+    box = turn.box_to_upright(own.box)
+    if own.line is None or own.way is None:
+        return NamedSection(title, box)
+    tip = np.add(own.line[0], own.way)
+    start, end, ahead = turn.to_upright(np.array([*own.line, tip])).tolist()
+    away = np.subtract(ahead, start)
+    way = tuple((away / np.hypot(*away)).tolist())
+    trace = Trace(own.label, (tuple(start), tuple(end)), way, own.straight)
+    cut_in = _ROLES.get(own.in_view.value) if own.in_view else None
+    looks = _ROLES.get(own.looks.value) if own.looks else None
+    axis = None
+    if cut_in is not None:
+        frame = cut_in.frame
+        axis = (frame.right_axis if abs(way[0]) >= abs(way[1]) else frame.up_axis)[0]
+    return NamedSection(title, box, trace, cut_in, looks, axis)
 
 
 def _place(own: DimensionEntry, turn: Turn) -> Span | Arc | None:

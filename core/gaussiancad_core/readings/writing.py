@@ -21,6 +21,7 @@ from gaussiancad_core.readings.schema import (
     ReadScale,
     ReadSheet,
     ReadUnit,
+    SectionEntry,
     SheetReading,
     StrokeEntry,
     StrokeKind,
@@ -32,6 +33,7 @@ from gaussiancad_core.report import Report
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.notes.finding import SheetNote
+from gaussiancad_core.sheet.notes.sections import NamedSection
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import ReadView
 from gaussiancad_core.sheet.scale.dimensions import Span
@@ -139,6 +141,7 @@ def sheet_reading(
             if own.value_mm <= LARGEST
         ),
         notes=tuple(_note(own, turn) for own in lines.notes),
+        sections=tuple(_section(own, turn) for own in lines.sections),
         problems=(*refused, *doubts),
     )
 
@@ -177,6 +180,25 @@ def _note(own: SheetNote, turn: Turn) -> NoteEntry:
         depth_mm=own.depth_mm if (own.depth_mm or 0.0) <= LARGEST else None,
         through=said.through,
         reference=said.reference,
+    )
+
+
+def _section(own: NamedSection, turn: Turn) -> SectionEntry:
+    trace = own.trace
+    line = way = None
+    if trace is not None:
+        start, end, tip = stored_points([*trace.ends, np.add(trace.ends[0], trace.way)], turn)
+        line = start, end
+        away = np.subtract(tip, start)
+        way = tuple((away / np.hypot(*away)).round(6).tolist())
+    return SectionEntry(
+        label=own.title.label,
+        box=stored_box(own.box, turn),
+        in_view=ViewRole(own.cut_in.value) if own.cut_in else None,
+        line=line,
+        way=way,
+        straight=trace is None or trace.straight,
+        looks=ViewRole(own.looks.value) if own.looks else None,
     )
 
 
