@@ -131,16 +131,7 @@ def explained_place(report: Values, reading: Values, at: tuple[float, float]) ->
         reading: of the same.
         at: px of the sheet as stored.
     """
-    where = f"({at[0]:.0f}, {at[1]:.0f})"
-    lines = []
-    near = sorted(
-        ((distance(stroke, at), stroke) for stroke in reading["strokes"]), key=lambda own: own[0]
-    )
-    found = [stroke for away, stroke in near if away <= _NEAR_PX]
-    lines += [_stroke(stroke) for stroke in found[:_MOST]]
-    if not found:
-        away = f"; the nearest is {near[0][0]:.0f} px away" if near else ""
-        lines.append(f"No line was read at {where} px{away}.")
+    lines = read_place(reading, at)
     for role, view in report["views"].items():
         if holds(view["box"], at):
             lines.append(f"It lies within the {role} view.")
@@ -158,6 +149,50 @@ def explained_place(report: Values, reading: Values, at: tuple[float, float]) ->
         if holds(own["box"], at, _NEAR_PX):
             lines.append(_conflict(own))
     return lines
+
+
+def read_place(reading: Values, at: tuple[float, float]) -> list[str]:
+    """What was read at a place on the sheet, px of the sheet as stored."""
+    where = f"({at[0]:.0f}, {at[1]:.0f})"
+    near = sorted(
+        ((distance(stroke, at), stroke) for stroke in reading["strokes"]), key=lambda own: own[0]
+    )
+    found = [stroke for away, stroke in near if away <= _NEAR_PX]
+    lines = [_stroke(stroke) for stroke in found[:_MOST]]
+    if not found:
+        away = f"; the nearest is {near[0][0]:.0f} px away" if near else ""
+        lines.append(f"No line was read at {where} px{away}.")
+    lines += [_number(own) for own in reading.get("dimensions", ()) if holds(own["box"], at, 2.0)]
+    for own in reading.get("notes", ()):
+        if holds(own["box"], at, 2.0):
+            through = ", through" if own.get("through") else ""
+            lines.append(f"The note {own['text']!r} speaks of: {own['kind']}{through}.")
+    return lines
+
+
+def read_sheet_in_words(reading: Values) -> list[str]:
+    """What was read on a sheet, and what is in doubt."""
+    lines = [
+        f"The {view['role']} view at {_box(view['box'])} px."
+        if view.get("used", True)
+        else f"Not used: {view.get('kind') or view['role']} at {_box(view['box'])} px."
+        for view in reading["views"]
+    ]
+    lines += [
+        f"Section {own['label']}-{own['label']} at {_box(own['box'])} px"
+        + (f", cut in the {own['in_view']} view." if own.get("in_view") else ".")
+        for own in reading.get("sections", ())
+    ]
+    scale = reading["scale"].get("mm_per_px")
+    if scale:
+        lines.append(f"Scale {scale:.4g} mm a pixel ({reading['scale']['source']}).")
+    return lines + [f"{own['severity']}: {own['message']}" for own in reading["problems"]]
+
+
+def _number(own: Values) -> str:
+    used = "the scale rests on it" if own.get("used") else "the scale does not rest on it"
+    found = "" if own.get("measures") else ", and what it measures was not found"
+    return f"The number {own['text']!r} is {own['value_mm']:g} mm: {used}{found}."
 
 
 def _first_reason(report: Values) -> str:
@@ -242,7 +277,8 @@ def _stroke(stroke: Values) -> str:
     size = f" of {long:.0f} px" if long else ""
     if stroke["view"] is None:
         return f"A {stroke['kind']}{size}: no line of the part ({stroke['id']})."
-    sure = f", {_percent(stroke['confidence'])} sure" if stroke["confidence"] < 1.0 else ""
+    confidence = stroke.get("confidence", 1.0)
+    sure = f", {_percent(confidence)} sure" if confidence < 1.0 else ""
     shape = next(name for name in ("line", "arc", "ellipse") if name in stroke)
     return f"A {stroke['kind']} {shape}{size} of the {stroke['view']} view{sure} ({stroke['id']})."
 

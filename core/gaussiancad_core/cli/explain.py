@@ -2,6 +2,7 @@
 
 import argparse
 import json
+import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,9 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
     parser = commands.add_parser(
         "explain", help="say what was tried for a sheet, and why its solid is not certain"
     )
-    parser.add_argument("folder", metavar="DIR", type=Path, help="output folder of a run")
+    parser.add_argument(
+        "folder", metavar="DIR|SHEET", type=Path, help="output folder of a run, or a sheet to read"
+    )
     place = parser.add_mutually_exclusive_group()
     place.add_argument("--at", metavar="X,Y", help="what is known of a place, px of the sheet")
     place.add_argument("--view", metavar="ROLE", help="what is known of a view: front, top, ...")
@@ -25,6 +28,9 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
     """Print the explanation."""
     from gaussiancad_core.explanation import explained, explained_place, explained_view
 
+    if options.folder.is_file():
+        print("\n".join(_of_sheet(options)))
+        return ExitCode.DONE
     report = _values(options.folder / "report.json")
     if options.at is not None:
         lines = explained_place(report, _reading(options.folder), _place(options.at))
@@ -39,6 +45,24 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
         lines = explained(report)
     print("\n".join(lines))
     return ExitCode.DONE
+
+
+def _of_sheet(options: argparse.Namespace) -> list[str]:
+    """What is read on a sheet, in all or at a place."""
+    from gaussiancad_core.events import Silence
+    from gaussiancad_core.explanation import read_place, read_sheet_in_words
+    from gaussiancad_core.job import Job, corrections_beside
+    from gaussiancad_core.reading_run import read_to_file
+
+    if options.view is not None:
+        raise UsageError("wrong-usage", "--view needs the output folder of a run, not a sheet")
+    with tempfile.TemporaryDirectory() as folder:
+        job = Job(options.folder, Path(folder), corrections=corrections_beside(options.folder))
+        job.check()
+        values = read_to_file(job, Silence()).values()
+    if options.at is None:
+        return read_sheet_in_words(values)
+    return read_place(values, _place(options.at))
 
 
 def _reading(folder: Path) -> dict[str, Any]:

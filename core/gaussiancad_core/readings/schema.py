@@ -252,7 +252,7 @@ class Problem(Struct, frozen=True, kw_only=True, omit_defaults=True):
 
     code: Text
     message: Annotated[str, Meta(max_length=10000)]
-    severity: Literal["refused", "doubt", "warning"] = "warning"
+    severity: Literal["refused", "doubt", "warning"]
     at: tuple[Box, ...] = ()
     offers: tuple[Text, ...] = ()
 

@@ -160,3 +160,16 @@ def test_corrections_of_another_sheet_are_not_taken(
     path.write_text(path.read_text().replace('"sheet_sha256": "', '"sheet_sha256": "0'))
     assert main(["read", str(sheet), "--output", str(tmp_path / "o")]) == 2
     assert "[corrections-of-another-sheet]" in capsys.readouterr().err
+
+
+def test_a_sheet_is_explained_without_a_run(
+    sheet: Path, read: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    capsys.readouterr()
+    assert main(["explain", str(sheet)]) == 0
+    assert capsys.readouterr().out.startswith("The front view at ")
+    (x0, y0), (x1, y1) = next(own["line"] for own in _json(read)["strokes"] if "line" in own)
+    place = f"{(x0 + x1) / 2.0},{(y0 + y1) / 2.0}"
+    assert main(["explain", str(sheet), "--at", place]) == 0
+    assert "A visible line of" in capsys.readouterr().out
+    assert main(["explain", str(sheet), "--view", "front"]) == 2
