@@ -31,8 +31,8 @@ and something for the chord."""
 _COARSEST = 0.6
 """px of the grid's step at most."""
 
-_FINEST, _FAR = 0.01, 4.0
-"""px: neighbouring coordinates this close, and less than this apart, tell of a grid."""
+_FINEST = 0.01
+"""px of the grid's step at least."""
 
 _TELLING = 8
 """Of so many at least."""
@@ -67,17 +67,38 @@ def lines_and_arcs(points: Points) -> list[Curve]:
 
 def grid_step(points: Points) -> float:
     """px between lines of the grid to which points are rounded; 0 where they tell of none."""
-    apart = np.concatenate([np.diff(np.unique(np.round(column, 3))) for column in points.T])
-    apart = apart[(apart > _FINEST) & (apart < _FAR)]
+    apart = np.sort(
+        np.concatenate([np.diff(np.unique(np.round(column, 3))) for column in points.T])
+    )
+    apart = apart[apart > _FINEST]
     if len(apart) < _TELLING:
         return 0.0
     # No two lines need be one step apart; but then more must tell of it.
     for parts in range(1, _MOST_PARTS + 1 if len(apart) >= 2 * _TELLING else 2):
-        step = float(apart.min()) / parts
-        off = np.abs(apart / step - np.rint(apart / step))
-        if step <= _COARSEST and step > _FINEST and (off < _OFF_GRID).mean() >= _ON_GRID:
-            return step
+        step = float(apart[0]) / parts
+        if _FINEST < step <= _COARSEST and (fitted := _fitted_step(apart, step)):
+            return fitted
     return 0.0
+
+
+def _fitted_step(apart: npt.NDArray[np.float64], step: float) -> float:
+    """The step that distances are multiples of, from about that one on; 0 where most are none.
+
+    Args:
+        apart: px, in order: each makes the step surer for those that are farther.
+        step: px.
+    """
+    length, steps, off = 0.0, 0.0, 0
+    for distance in apart.tolist():
+        count = round(distance / step)
+        if not count or abs(distance / step - count) >= _OFF_GRID:
+            off += 1
+            if off > (1.0 - _ON_GRID) * len(apart):
+                return 0.0
+            continue
+        length, steps = length + distance, steps + count
+        step = length / steps
+    return step
 
 
 def _ends_of_runs(points: Points, step: float) -> npt.NDArray[np.int64]:

@@ -103,7 +103,9 @@ def _part(
         if label in _MARKS and (mark := _mark(stroke, _MARKS[label])) is not None
     ]
     hatched = _hatched(found.of(Label.HATCH), part.ink)
-    return SeparatedSheet(part, tuple(marks), False, hatched), VectorSheet(drawing, part, grid)
+    return SeparatedSheet(part, tuple(marks), False, hatched), VectorSheet(
+        drawing, part, drawing_grid(drawing) or grid
+    )
 
 
 def _mark(stroke: VectorStroke, kind: AnnotationKind) -> Mark | None:

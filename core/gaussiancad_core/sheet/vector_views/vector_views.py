@@ -47,8 +47,9 @@ _OFTEN, _FEWEST_PLOTTED = 0.3, 8
 _MOST_CHORDS = 4000
 """Pieces in which a curve is drawn."""
 
-_COARSE_STEP = 0.4
-"""px of the grid from which what was rounded to it is known no better than from a picture."""
+_PLOTTED_STEP, _COARSE_STEP = 0.1, 0.4
+"""px of the grid from which a file was plotted, and from which what was rounded to it is known no
+better than from a picture."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,7 +112,8 @@ def vector_views(
         for role, box in layout.boxes.items()
     }
     usable = [role for role, own in of_view.items() if 0 < len(own) <= _MOST_CURVES]
-    source = _source(curves, vectors.grid)
+    grid = vectors.grid or drawing_grid(VectorDrawing(tuple(curves), ()))
+    source = _source(curves, grid)
     tracks, dashes = tracks_and_dashes([of_view[role] for role in usable], part.stroke_width)
     found = {}
     for role, own in zip(usable, tracks, strict=True):
@@ -126,7 +128,8 @@ def _source(strokes: Sequence[VectorStroke], grid: float) -> StrokesSource:
     """How exactly the strokes of a file are known, by the grid that they are rounded to."""
     if grid >= _COARSE_STEP:
         return StrokesSource.COARSE
-    return StrokesSource.PLOT if _are_plotted(strokes) else StrokesSource.VECTOR
+    plotted = grid >= _PLOTTED_STEP or _are_plotted(strokes)
+    return StrokesSource.PLOT if plotted else StrokesSource.VECTOR
 
 
 def _are_plotted(strokes: Sequence[VectorStroke]) -> bool:
