@@ -15,7 +15,7 @@ from gaussiancad_core.line_noise import bound_of_seen_px, noise_px
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, views_as_read
 from gaussiancad_core.reasoning.labelling import Effort
-from gaussiancad_core.sheet.precision import FROM_PLOTS, StrokesSource
+from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.sheet.scale.estimate import Measure
 from gaussiancad_core.solid.exact import ExactResult, exact_solid
@@ -217,18 +217,13 @@ def drawn_views(registered: RegisteredSheet, measures: Sequence[Measure] = ()) -
 
     Args:
         registered: the views.
-        measures: what the sheet's dimensions say; lines that a file has as they were drawn are more
-            exact than these.
+        measures: what the sheet's dimensions say; lines of a file are more exact than these.
     """
     tolerance = max(TOLERANCE_PX[view.source] for view in registered.drawn)
     pixel = registered.mm_per_pixel
     if tolerance < _ROUGH_PX:
         exact = views_as_read(registered.views, tolerance * pixel)
-        exact = replace(exact, bound=bound_of_seen_px(registered) * pixel)
-        if tolerance <= TOLERANCE_PX[StrokesSource.VECTOR]:
-            return exact
-        numbers = told_numbers(registered, measures, FROM_PLOTS.noise)
-        return replace(exact, told=numbers, known=registered.told)
+        return replace(exact, bound=bound_of_seen_px(registered) * pixel)
     noise, bound = noise_px(registered)
     dashes = [view.dash * pixel for view in registered.drawn if view.dash is not None]
     drawn = views_as_read(

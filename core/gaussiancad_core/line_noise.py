@@ -5,6 +5,7 @@ lines to parts of a pixel, in two views alike.
 """
 
 from gaussiancad_core.sheet.pixel_grids import Rounding, rounding_step, seen_rounding
+from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import RegisteredSheet
 
 _MEAN = 0.15
@@ -24,6 +25,9 @@ pixels misplace them by four times as much."""
 
 _USUAL_STEP_PX = 0.25
 """Step of programs that round: where a sheet has too few lines to tell, one may have drawn it."""
+
+_PLOTTER_STEP_PX = 0.28
+"""Step of programs that plot to 1/720 inch."""
 
 _ROUNDED_APART = 0.78
 """Steps within which the distance of two lines lies that are rounded, each by itself, in 95 % of
@@ -61,9 +65,11 @@ def noise_px(registered: RegisteredSheet) -> tuple[float, float]:
 
 
 def bound_of_seen_px(registered: RegisteredSheet) -> float:
-    """px by which 95 % of what is measured between lines misses, as far as views contradict each
-    other."""
-    return _SEEN_APART * _seen_px(registered)
+    """px by which 95 % of what is measured between lines of a file misses, as far as views contradict
+    each other; plotters round all views alike."""
+    plotted = any(view.source is StrokesSource.PLOT for view in registered.drawn)
+    least = _ROUNDED_APART * _PLOTTER_STEP_PX if plotted else 0.0
+    return max(least, _SEEN_APART * _seen_px(registered))
 
 
 def _seen_px(registered: RegisteredSheet) -> float:

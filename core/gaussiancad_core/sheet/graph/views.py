@@ -103,9 +103,10 @@ def _part(
         if label in _MARKS and (mark := _mark(stroke, _MARKS[label])) is not None
     ]
     hatched = _hatched(found.of(Label.HATCH), part.ink)
-    return SeparatedSheet(part, tuple(marks), False, hatched), VectorSheet(
-        drawing, part, drawing_grid(drawing) or grid
-    )
+    # Chords that make one arc together are rounded, too.
+    own = VectorDrawing(found.of(Label.VISIBLE, Label.HIDDEN), ())
+    vectors = VectorSheet(drawing, part, drawing_grid(own) or grid)
+    return SeparatedSheet(part, tuple(marks), False, hatched), vectors
 
 
 def _mark(stroke: VectorStroke, kind: AnnotationKind) -> Mark | None:
