@@ -65,8 +65,8 @@ def noise_px(registered: RegisteredSheet) -> tuple[float, float]:
 
 
 def bound_of_seen_px(registered: RegisteredSheet) -> float:
-    """px by which 95 % of what is measured between lines of a file misses, as far as views contradict
-    each other; plotters round all views alike."""
+    """px by which 95 % of what is measured between lines of a file misses, as far as views
+    contradict each other; plotters round all views alike."""
     plotted = any(view.source is StrokesSource.PLOT for view in registered.drawn)
     least = _ROUNDED_APART * _PLOTTER_STEP_PX if plotted else 0.0
     return max(least, _SEEN_APART * _seen_px(registered))
