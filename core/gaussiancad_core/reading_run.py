@@ -5,6 +5,7 @@ from pathlib import Path
 
 import msgspec
 
+from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.files import write_whole
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.events import Listener, Progress
@@ -21,6 +22,8 @@ from gaussiancad_core.readings.writing import READING_FILE, refusal, sheet_readi
 from gaussiancad_core.registering_stage import registered_lines
 from gaussiancad_core.report import Report
 from gaussiancad_core.run_notes import RunNotes
+from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.reading import ReadView
 
 PICTURE_FILE = "reading.png"
 
@@ -82,7 +85,13 @@ def sheet_lines(job: Job, sheet: OpenedSheet, notes: RunNotes) -> SheetLines:
     reading = given_reading(job, sheet.image.sha256, read, notes)
     if reading is None:
         return read_lines(job, sheet.image, sheet.clean, notes)
-    return taken_lines(job, sheet.image, sheet.clean, reading, notes)
+
+    def reread(views: tuple[tuple[Role, Box], ...]) -> tuple[ReadView, ...]:
+        alone = RunNotes(notes.report, notes.progress)
+        named = replace(_alone(job), reading=replace(job.reading, views=views))
+        return read_lines(named, sheet.image, sheet.clean, alone).drawn
+
+    return taken_lines(job, sheet, reading, notes, reread)
 
 
 def _alone(job: Job) -> Job:

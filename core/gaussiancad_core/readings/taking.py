@@ -3,7 +3,7 @@
 Outlines come from the visible strokes alone: they are drawn, and filled as ink would be.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -12,6 +12,7 @@ from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import NoModelError, UsageError
 from gaussiancad_core.job import Job
+from gaussiancad_core.opened_sheet import OpenedSheet
 from gaussiancad_core.reading_stage import (
     SheetLines,
     in_worked_px,
@@ -46,7 +47,6 @@ from gaussiancad_core.sheet.notes.sections import NamedSection, Trace
 from gaussiancad_core.sheet.notes.titles import Title, TitleKind
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.precision import StrokesSource
-from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView
 from gaussiancad_core.sheet.registration import view_box
 from gaussiancad_core.sheet.scale.dimensions import Span
@@ -80,22 +80,27 @@ _MARKS = {
 }
 
 
+Reread = Callable[[tuple[tuple[Role, Box], ...]], tuple[ReadView, ...]]
+"""Reads the views in boxes that a person named, px of the sheet as stored."""
+
+
 def taken_lines(
-    job: Job, image: SheetImage, clean: CleanSheet, reading: SheetReading, notes: RunNotes
+    job: Job, sheet: OpenedSheet, reading: SheetReading, notes: RunNotes, reread: Reread
 ) -> SheetLines:
     """The views and lines of a reading.
 
     Args:
         job: with what the user says: a projection and a scale go before those of the reading.
-        image: the sheet that was read.
-        clean: the same, upright.
+        sheet: that was read.
         reading: of it.
         notes: told what is found.
+        reread: for views that the reading has no strokes of.
 
     Raises:
-        UsageError: ``reading-of-another-sheet``, ``role-repeated``.
-        NoModelError: ``no-views``, ``one-view``, ``empty-view``.
+        UsageError: ``reading-of-another-sheet``, ``role-repeated``; a box holds nothing to read.
+        NoModelError: ``no-views``, ``one-view``.
     """
+    image, clean = sheet.image, sheet.clean
     if reading.sheet.sha256 != image.sha256 or reading.sheet.page != job.page:
         raise UsageError(
             "reading-of-another-sheet",
@@ -113,7 +118,7 @@ def taken_lines(
         tell_marks(notes, marks, turn)
         tell_layout(notes, layout, turn)
     with notes.stage("lines"):
-        drawn = _drawn(reading, clean)
+        drawn = _drawn(reading, clean, reread)
         scale = _scale(reading, turn)
         options = tell_scale(in_worked_px(_told_axis(job, reading).reading, turn), scale, notes)
         for problem in reading.problems:
@@ -188,7 +193,7 @@ def _is_settled(view: ViewEntry) -> bool:
     return view.source == "given" or view.role.value in _ROLES
 
 
-def _drawn(reading: SheetReading, clean: CleanSheet) -> tuple[ReadView, ...]:
+def _drawn(reading: SheetReading, clean: CleanSheet, reread: Reread) -> tuple[ReadView, ...]:
     turn = clean.turn
     views = _principal(reading)
     if len(views) < 2:
@@ -207,19 +212,23 @@ def _drawn(reading: SheetReading, clean: CleanSheet) -> tuple[ReadView, ...]:
         )
         for role, view in views.items()
     }
-    for role, view in views.items():
-        if not any(own.linetype is Linetype.VISIBLE for own in strokes[role]):
-            raise NoModelError(
-                "empty-view",
-                "the {} view at ({:.0f}, {:.0f})-({:.0f}, {:.0f}) px has no visible line".format(
-                    role.value, *view.box
-                ),
-            )
+    empty = [
+        role
+        for role, own in strokes.items()
+        if not any(stroke.linetype is Linetype.VISIBLE for stroke in own)
+    ]
+    boxes = tuple((role, view.box) for role, view in views.items())
+    found = {view.role: view for view in (reread(boxes) if empty else ())}
+    for role in empty:
+        strokes[role] = found[role].strokes
     part = _painted([own for view in strokes.values() for own in view], clean)
     largest = max(max(x1 - x0, y1 - y0) for x0, y0, x1, y1 in map(_bounds, strokes.values()))
     factor = supersampling_for(largest)
     drawn = []
     for role, view in views.items():
+        if role in empty:
+            drawn.append(found[role])
+            continue
         outline = find_outline(part, _bounds(strokes[role]), factor)
         box = (
             _bounds(strokes[role])

@@ -133,7 +133,13 @@ def test_a_file_that_is_no_reading_is_told_by_its_place(
         (lambda own: own["views"].append(own["views"][0]), "reading-not-read", 3),
         (lambda own: own["strokes"][0]["line"][0].append(3.0), "reading-not-read", 3),
         (lambda own: own["strokes"][0].update(line=[[1e9, 0], [0, 0]]), "reading-not-read", 3),
-        (lambda own: own.update(strokes=[]), "empty-view", 4),
+        (
+            lambda own: own.update(
+                strokes=[], views=[{**view, "box": [1, 1, 40, 40]} for view in own["views"]]
+            ),
+            "empty-view-box",
+            2,
+        ),
         (lambda own: own.update(views=own["views"][:1]), "one-view", 4),
     ],
 )
@@ -173,3 +179,28 @@ def test_a_sheet_is_explained_without_a_run(
     assert main(["explain", str(sheet), "--at", place]) == 0
     assert "A visible line of" in capsys.readouterr().out
     assert main(["explain", str(sheet), "--view", "front"]) == 2
+
+
+def test_views_that_a_person_boxes_are_read_from_the_ink(
+    sheet: Path, read: Path, tmp_path: Path
+) -> None:
+    values = _json(read)
+    # A sheet whose views were not found has their lines neither.
+    boxes = {view["role"]: view["box"] for view in values["views"]}
+    values["views"], values["strokes"] = [], []
+    read.write_text(json.dumps(values))
+    grown = [-4.0, -4.0, 4.0, 4.0]
+    _correct(
+        sheet,
+        [
+            {
+                "op": "view",
+                "id": role,
+                "role": role,
+                "box": [a + b for a, b in zip(box, grown, strict=True)],
+            }
+            for role, box in boxes.items()
+        ],
+    )
+    report = _made(sheet, tmp_path / "boxed", "--reading", read)
+    assert report["status"] == "verified" and report["solid"]["faces"] == 10
