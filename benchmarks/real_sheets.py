@@ -55,10 +55,10 @@ _UNREADABLE = 3
 _JUDGING_S = 300.0
 _SPARE_S = 30.0
 
-_COLUMNS = ("sheets", "ended", "views", "file's", "roles", "strokes", "scale", "solid", "exact")
-_COLUMNS += ("verif.", "false", "views s", "s")
-_LINE = "{:20}" + " {:>7}" * len(_COLUMNS)
-_HEAD = _LINE.format("", *_COLUMNS)
+COLUMNS = ("sheets", "ended", "views", "file's", "roles", "strokes", "scale", "solid", "exact")
+COLUMNS += ("verif.", "false", "views s", "s")
+_LINE = "{:20}" + " {:>7}" * len(COLUMNS)
+_HEAD = _LINE.format("", *COLUMNS)
 
 
 @dataclass(frozen=True)

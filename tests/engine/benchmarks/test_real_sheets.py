@@ -4,7 +4,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from real_sheets import Task, is_exact, is_false, main, sheets_of, table, worked
+from real_sheets import COLUMNS, Task, failed_at, is_exact, is_false, main, sheets_of, table, worked
 
 SAMPLES = Path(__file__).parents[3] / "resources" / "samples"
 
@@ -38,10 +38,14 @@ def test_a_part_is_told_from_another(data: Path) -> None:
     assert right["status"] == other["status"] == "verified"
     assert right["iou"] > 0.9999 and is_exact(right) and not is_false(right)
     assert is_false(other)
-    counts = table([right, other]).splitlines()[-3].split()
-    # Sheets, ended, views, of a file, solids, of right scale, exact, verified, false.
-    assert counts[:6] == ["all", "2", "2", "2", "0", "2"]
-    assert counts[7:10] == ["1", "1", "1"]
+    assert right["roles"] and min(right["strokes"]) > 0.99 and not other["roles"]
+    # Nothing on the sheet tells its scale.
+    assert failed_at(right) == "scale" and failed_at(other) == "roles"
+    counts = next(line for line in table([right, other]).splitlines() if line.startswith("all"))
+    # Sheets, ended, views, of a file, roles, strokes, scale, solids, exact, verified, false.
+    told = dict(zip(COLUMNS, counts.split()[1:], strict=True))
+    names = ("sheets", "ended", "views", "file's", "roles", "solid", "exact", "verif.", "false")
+    assert [told[name] for name in names] == ["2", "2", "2", "0", "1", "2", "1", "1", "1"]
 
 
 def test_a_run_that_does_not_end_is_counted(data: Path) -> None:

@@ -26,6 +26,12 @@ _NEAR = {StrokesSource.VECTOR: 0.3, StrokesSource.PLOT: 0.6}
 _NEAR_COARSE = 1.0
 """The same of strokes that are known less well."""
 
+_MOSTLY = 0.7
+"""Share of the places where faces meet smoothly that have their line, if a sheet draws them."""
+
+_ONE_PX = 1.0
+"""px by which the circles of pieces of one may differ."""
+
 _LEVEL = 0.3
 """px by which the ends of a line along the sheet may differ across."""
 
@@ -37,8 +43,8 @@ class _Junctions:
     """Coordinates along an axis of the part, px from its lower end.
 
     Attributes:
-        smooth: where an arc goes over into a line, or another arc.
-        corners: where strokes end otherwise.
+        smooth: where an arc goes over into a line, or another arc, along the axis or at a slant.
+        corners: where strokes end otherwise, or go over into each other square to the axis.
     """
 
     smooth: Floats
@@ -67,8 +73,42 @@ def without_tangent_edges(
         [stroke for stroke in view.strokes if _is_tangent(stroke, view, known, near)]
         for view in plain
     ]
+    if not _are_drawn(plain, across, known, near):
+        across = [[] for _ in plain]
     views = tuple(_less(view, own) for view, own in zip(plain, across, strict=True))
     return views, tuple(stroke for own in (*between, *across) for stroke in own)
+
+
+def _are_drawn(
+    views: Sequence[ReadView],
+    found: Sequence[Sequence[Segment]],
+    known: dict[tuple[Role, Axis], _Junctions],
+    near: float,
+) -> bool:
+    """Whether a sheet draws such lines: then most places have theirs, or it was an edge."""
+    drawn = places = 0
+    for view, own in zip(views, found, strict=True):
+        for axis in (view.role.frame.right_axis[0], view.role.frame.up_axis[0]):
+            wanted = [
+                at
+                for (role, shown), told in known.items()
+                if shown is axis and role is not view.role
+                for at in _distinct(told.smooth, near)
+                if near < at < _extent(view, axis) - near and told.tells(at, near)
+            ]
+            seen = [place for line in own if (place := _place(line, view, axis)) is not None]
+            places += len(wanted)
+            drawn += sum(_has(np.array(seen), at, near) for at in wanted)
+    return drawn >= _MOSTLY * max(places, 1)
+
+
+def _distinct(places: Floats, near: float) -> list[float]:
+    """Places that are apart, in order."""
+    found: list[float] = []
+    for place in np.sort(places).tolist():
+        if not found or place - found[-1] > near:
+            found.append(place)
+    return found
 
 
 def _less(view: ReadView, gone: Sequence[Stroke]) -> ReadView:
@@ -87,6 +127,7 @@ def _between_smooth(view: ReadView, near: float) -> list[Segment]:
         others = [own for own in groups[end] if own // 2 != end // 2]
         return (
             len(others) == 2
+            and not any(_goes_on(ways[end], ways[own]) for own in others)
             and _goes_on(ways[others[0]], ways[others[1]])
             and any(_is_round(view.strokes, own) for own in others)
         )
@@ -103,23 +144,29 @@ def _is_tangent(
 ) -> bool:
     if not isinstance(stroke, Segment):
         return False
+    for axis in (view.role.frame.right_axis[0], view.role.frame.up_axis[0]):
+        at = _place(stroke, view, axis)
+        if at is None or not near < at < _extent(view, axis) - near:
+            continue
+        told = [
+            own.tells(at, near)
+            for (role, shown), own in known.items()
+            if shown is axis and role is not view.role
+        ]
+        if True in told and False not in told:
+            return True
+    return False
+
+
+def _place(stroke: Segment, view: ReadView, axis: Axis) -> float | None:
+    """px along an axis at which a line stands that runs square to it; None if it does not."""
     (x0, y0), (x1, y1) = stroke.start, stroke.end
     upright, level = abs(x1 - x0) <= _LEVEL, abs(y1 - y0) <= _LEVEL
-    if upright == level:
-        return False
-    frame = view.role.frame
-    axis = (frame.right_axis if upright else frame.up_axis)[0]
+    is_right = view.role.frame.right_axis[0] is axis
+    if upright == level or upright is not is_right:
+        return None
     point = np.array([[(x0 + x1) / 2.0, (y0 + y1) / 2.0]])
-    at = float(_along(view, axis, point)[0])
-    extent = _extent(view, axis)
-    if not near < at < extent - near:
-        return False
-    told = [
-        own.tells(at, near)
-        for (role, shown), own in known.items()
-        if shown is axis and role is not view.role
-    ]
-    return True in told and False not in told
+    return float(_along(view, axis, point)[0])
 
 
 def _junctions(view: ReadView, axis: Axis, near: float) -> _Junctions:
@@ -128,12 +175,32 @@ def _junctions(view: ReadView, axis: Axis, near: float) -> _Junctions:
     if not len(ends):
         return _Junctions(np.empty(0), np.empty(0))
     groups = cKDTree(ends).query_ball_point(ends, near)
-    smooth = np.array([_is_smooth(number, own, ways) for number, own in enumerate(groups)])
     places = _along(view, axis, ends)
-    round_ends = smooth & np.array(
-        [any(_is_round(view.strokes, member) for member in own) for own in groups]
+    is_right = view.role.frame.right_axis[0] is axis
+    smooth, corners = [], []
+    for number, own in enumerate(groups):
+        strokes = [view.strokes[member // 2] for member in own]
+        if not _is_smooth(number, own, ways):
+            corners.append(places[number])
+        elif abs(ways[number][0 if is_right else 1]) <= _SMOOTH:
+            # Seen from the side the face turns away there: that is an outline.
+            corners.append(places[number])
+        elif any(isinstance(stroke, Arc | Ellipse) for stroke in strokes) and not _is_one(strokes):
+            smooth.append(places[number])
+    return _Junctions(np.array(smooth), np.array(corners))
+
+
+def _is_one(strokes: Sequence[Stroke]) -> bool:
+    """Whether strokes are pieces of one circle."""
+    arcs = [own for own in strokes if isinstance(own, Arc)]
+    if len(arcs) < len(strokes):
+        return False
+    first = arcs[0]
+    return all(
+        np.hypot(*np.subtract(own.centre, first.centre)) <= _ONE_PX
+        and abs(own.radius - first.radius) <= _ONE_PX
+        for own in arcs
     )
-    return _Junctions(places[round_ends], places[~smooth])
 
 
 def _ends(strokes: Sequence[Stroke]) -> tuple[Floats, Floats]:

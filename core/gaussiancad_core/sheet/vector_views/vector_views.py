@@ -47,9 +47,12 @@ _OFTEN, _FEWEST_PLOTTED = 0.3, 8
 _MOST_CHORDS = 4000
 """Pieces in which a curve is drawn."""
 
-_PLOTTED_STEP, _COARSE_STEP = 0.1, 0.4
-"""px of the grid from which a file was plotted, and from which what was rounded to it is known no
-better than from a picture."""
+_COARSE_STEP = 0.4
+"""px of the grid from which what was rounded to it is known no better than from a picture."""
+
+_FEWEST_ARCS, _MEETING, _MISSED = 2, 1.0, 0.04
+"""Arcs from which they tell whether a file is rounded; px within which they meet lines, and beyond
+which most of them miss these, if it is."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,11 +128,27 @@ def vector_views(
 
 
 def _source(strokes: Sequence[VectorStroke], grid: float) -> StrokesSource:
-    """How exactly the strokes of a file are known, by the grid that they are rounded to."""
-    if grid >= _COARSE_STEP:
-        return StrokesSource.COARSE
-    plotted = grid >= _PLOTTED_STEP or _are_plotted(strokes)
-    return StrokesSource.PLOT if plotted else StrokesSource.VECTOR
+    """How exactly the strokes of a file are known.
+
+    Round measures lie on a grid, too.  What was rounded to it is told by arcs that miss the lines
+    that they go over into.
+    """
+    if not _misses(strokes):
+        return StrokesSource.PLOT if _are_plotted(strokes) else StrokesSource.VECTOR
+    return StrokesSource.COARSE if grid >= _COARSE_STEP else StrokesSource.PLOT
+
+
+def _misses(strokes: Sequence[VectorStroke]) -> bool:
+    """Whether arcs mostly end beside the ends of the lines that they meet."""
+    arcs = [own.curve for own in strokes if isinstance(own.curve, CircularArc)]
+    ends = [arc.sample(np.inf)[[0, -1]] for arc in arcs if not arc.is_full]
+    lines = [own.curve for own in strokes if isinstance(own.curve, Line)]
+    if len(ends) < _FEWEST_ARCS or not lines:
+        return False
+    corners = np.array([(line.start, line.end) for line in lines]).reshape(-1, 2)
+    away = cKDTree(corners).query(np.concatenate(ends))[0]
+    meeting = away[away < _MEETING]
+    return len(meeting) >= _FEWEST_ARCS and float(np.median(meeting)) > _MISSED
 
 
 def _are_plotted(strokes: Sequence[VectorStroke]) -> bool:

@@ -97,3 +97,43 @@ def test_whole_circles_are_no_corners(source: StrokesSource) -> None:
     top = [*_rounded(50.0, 100.0, 200.0, 100.0, 20.0), hole]
     views = _views(top, [*_box(50.0, 300.0, 200.0, 40.0), seam], 200.0)
     assert without_tangent_edges(views)[1] == (seam,)
+
+
+def test_a_line_that_goes_on_is_an_edge_though_an_arc_leaves_it_smoothly() -> None:
+    # Along the left side two pieces of one line, and arcs that leave it between them and at its end.
+    side = [_line(80.0, 200.0, 80.0, 160.0), _line(80.0, 160.0, 80.0, 120.0)]
+    arcs = [
+        Arc((100.0, 160.0), 20.0, np.pi, 0.5 * np.pi, VISIBLE),
+        Arc((60.0, 120.0), 20.0, 1.5 * np.pi, 0.5 * np.pi, VISIBLE),
+        Arc((60.0, 200.0), 20.0, 0.0, 0.5 * np.pi, VISIBLE),
+    ]
+    views = _views([*side, *arcs], _box(50.0, 300.0, 200.0, 40.0), 200.0)
+    assert without_tangent_edges(views)[1] == ()
+
+
+def test_where_a_sheet_draws_no_such_lines_one_of_them_is_an_edge() -> None:
+    top = _rounded(50.0, 100.0, 200.0, 100.0, 20.0)
+    # Two more round corners, one above the other, have no line below.
+    steps = [
+        _line(60.0, 180.0, 80.0, 180.0),
+        Arc((80.0, 190.0), 10.0, 1.5 * np.pi, 0.5 * np.pi, VISIBLE),
+        _line(60.0, 140.0, 110.0, 140.0),
+        Arc((110.0, 150.0), 10.0, 1.5 * np.pi, 0.5 * np.pi, VISIBLE),
+    ]
+    seam = _line(230.0, 300.0, 230.0, 340.0)
+    views = _views([*top, *steps], [*_box(50.0, 300.0, 200.0, 40.0), seam], 200.0)
+    assert without_tangent_edges(views)[1] == ()
+
+
+def test_an_outline_that_turns_away_is_drawn() -> None:
+    # The end of a slot, seen from its side: there is a line where the wall turns away.
+    slot = [
+        _line(250.0, 130.0, 200.0, 130.0),
+        Arc((200.0, 150.0), 20.0, 0.5 * np.pi, np.pi, VISIBLE),
+        _line(200.0, 170.0, 250.0, 170.0),
+    ]
+    turn = _line(180.0, 300.0, 180.0, 340.0)
+    seam = _line(200.0, 300.0, 200.0, 340.0)
+    front = [*_box(50.0, 300.0, 200.0, 40.0), turn, seam]
+    found, gone = without_tangent_edges(_views(slot, front, 200.0))
+    assert gone == (seam,) and turn in found[0].strokes
