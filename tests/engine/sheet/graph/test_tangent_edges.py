@@ -100,7 +100,7 @@ def test_whole_circles_are_no_corners(source: StrokesSource) -> None:
 
 
 def test_a_line_that_goes_on_is_an_edge_though_an_arc_leaves_it_smoothly() -> None:
-    # Along the left side two pieces of one line, and arcs that leave it between them and at its end.
+    # Two pieces of one line along a side, and arcs that leave it between them and at its ends.
     side = [_line(80.0, 200.0, 80.0, 160.0), _line(80.0, 160.0, 80.0, 120.0)]
     arcs = [
         Arc((100.0, 160.0), 20.0, np.pi, 0.5 * np.pi, VISIBLE),
