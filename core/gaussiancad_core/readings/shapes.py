@@ -23,9 +23,9 @@ def shape_of(stroke: Stroke, turn: Turn) -> Mapping[str, Any]:
     (centre,) = _stored([stroke.centre], turn)
     turned = _turned(stroke.centre, turn)
     if isinstance(stroke, Arc):
-        radius = round(stroke.radius * turn.scale, _DIGITS)
+        radius = _size(stroke.radius * turn.scale)
         return {"arc": (*centre, radius, _angle(stroke.start_angle + turned), _sweep(stroke.sweep))}
-    axes = (round(own * turn.scale, _DIGITS) for own in (stroke.semi_major, stroke.semi_minor))
+    axes = (_size(own * turn.scale) for own in (stroke.semi_major, stroke.semi_minor))
     angles = _angle(stroke.rotation + turned), _angle(stroke.start), _sweep(stroke.sweep)
     return {"ellipse": (*centre, *axes, *angles)}
 
@@ -80,6 +80,11 @@ def _angle(value: float) -> float:
     return round(float(value), _ANGLE_DIGITS)
 
 
+def _size(value: float) -> float:
+    """px, and never none: what is so small is drawn all the same."""
+    return max(round(float(value), _DIGITS), 10.0**-_DIGITS)
+
+
 def _sweep(value: float) -> float:
-    """Up to a whole turn, rounded down: more is none."""
-    return min(round(float(value), _ANGLE_DIGITS), 6.28318531)
+    """Up to a whole turn, rounded down: more is none; and never none."""
+    return min(max(round(float(value), _ANGLE_DIGITS), 10.0**-_ANGLE_DIGITS), 6.28318531)

@@ -98,7 +98,7 @@ def taken_lines(
 
     Raises:
         UsageError: ``reading-of-another-sheet``, ``role-repeated``; a box holds nothing to read.
-        NoModelError: ``no-views``, ``one-view``.
+        NoModelError: ``no-views``, ``one-view``, ``empty-view``.
     """
     image, clean = sheet.image, sheet.clean
     if reading.sheet.sha256 != image.sha256 or reading.sheet.page != job.page:
@@ -217,6 +217,15 @@ def _drawn(reading: SheetReading, clean: CleanSheet, reread: Reread) -> tuple[Re
         for role, own in strokes.items()
         if not any(stroke.linetype is Linetype.VISIBLE for stroke in own)
     ]
+    known = {entry.view for entry in reading.strokes}
+    for role in empty:
+        if views[role].id in known:
+            raise NoModelError(
+                "empty-view",
+                "the {} view at ({:.0f}, {:.0f})-({:.0f}, {:.0f}) px has no visible line".format(
+                    role.value, *views[role].box
+                ),
+            )
     boxes = tuple((role, view.box) for role, view in views.items())
     found = {view.role: view for view in (reread(boxes) if empty else ())}
     for role in empty:

@@ -38,7 +38,6 @@ _SPANS = 0.8
 
 _PAPER = 255
 
-
 _CROSSED = 1.5
 """Length over which a line hides another one that it crosses at a slant, in its width."""
 

@@ -140,6 +140,11 @@ def test_a_file_that_is_no_reading_is_told_by_its_place(
             "empty-view-box",
             2,
         ),
+        (
+            lambda own: [stroke.update(kind="ignore") for stroke in own["strokes"]],
+            "empty-view",
+            4,
+        ),
         (lambda own: own.update(views=own["views"][:1]), "one-view", 4),
     ],
 )

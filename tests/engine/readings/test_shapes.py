@@ -1,5 +1,6 @@
 """Strokes as shapes of a reading, and back."""
 
+import msgspec
 import numpy as np
 import pytest
 from hypothesis import given
@@ -99,3 +100,9 @@ def test_a_line_of_which_little_is_left_is_another_one() -> None:
         id="s3", view=None, kind=StrokeKind.VISIBLE, arc=(50.0, 1e5, 1e5, -1.5712963, 0.001)
     )
     assert overlap(whole, arc) == 0.0
+
+
+def test_what_is_smaller_than_all_decimals_is_written_so_that_it_is_read_again() -> None:
+    still = Turn(0.0, (0.0, 0.0))
+    tiny = _entry(Arc((1.0, 1.0), 1e-6, 0.0, 1e-10, Linetype.VISIBLE), still)
+    assert msgspec.json.decode(msgspec.json.encode(tiny), type=StrokeEntry) == tiny
