@@ -1,8 +1,8 @@
 """Frames and tables: what a sheet has before anything is drawn on it (ISO 5457, ISO 7200).
 
-Both are level and upright lines of one pen that touch.  A frame spans most of the sheet both ways;
-a table is closed and divided into cells, several of which have writing in them.  Such lines that
-hang together with either are a part of it, in whatever pen.
+Both are level and upright lines of one pen that touch.  A frame spans most of the sheet both ways,
+and reaches to its margins; a table is closed and divided into cells, several of which have writing
+in them.  Such lines that hang together with either are a part of it, in whatever pen.
 """
 
 from collections.abc import Sequence
@@ -17,6 +17,9 @@ _LEVEL = 1e-3
 
 _SPAN = 0.6
 """Share of the sheet that the longest lines of a frame are long, level and upright, at least."""
+
+_MARGIN = 0.15
+"""Share of the sheet that its margin, a title strip or filing margin with it, is wide at most."""
 
 _CLOSED = 0.9
 """Share of the ends of a table's lines that meet others of it, at least."""
@@ -55,13 +58,20 @@ def furniture(
             own = groups == group
             boxes = touches.boxes[own]
             longest = (boxes[:, 2:] - boxes[:, :2]).max(axis=0)
-            is_frame = bool((longest >= _SPAN * np.array(size)).all())
+            is_frame = bool((longest >= _SPAN * np.array(size)).all()) and _fills(boxes, size)
             closed = float(touches.met(own)[own].mean())
             is_divided = closed >= _CLOSED and int(touches.dividing(own).sum()) >= _DIVIDING
             if is_frame or (is_divided and _written_cells(boxes, middles) >= _CELLS):
                 found |= own
     groups = touches.groups(level)
     return found | np.isin(groups, groups[found])
+
+
+def _fills(boxes: np.ndarray, size: tuple[int, int]) -> bool:
+    """Whether lines reach to the margins of the sheet, on all four sides."""
+    margin = _MARGIN * np.array(size)
+    low, high = boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)
+    return bool((low <= margin).all() and (high >= size - margin).all())
 
 
 def _is_level(stroke: VectorStroke) -> bool:

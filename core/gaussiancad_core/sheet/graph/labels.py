@@ -23,7 +23,9 @@ from gaussiancad_core.sheet.graph.pens import (
     other_layers,
     pens_of,
 )
+from gaussiancad_core.sheet.graph.pictorials import pictorials
 from gaussiancad_core.sheet.graph.touching import Flags, Touches, touching
+from gaussiancad_core.sheet.options import Box
 
 _REACH = 0.6
 """px within which an end lies on a stroke."""
@@ -71,6 +73,7 @@ class Label(Enum):
     CENTRE = "centre"
     HATCH = "hatch"
     FRAME = "frame"
+    PICTORIAL = "pictorial"
     DIMENSION = "dimension"
     OTHER = "other"
 
@@ -86,6 +89,7 @@ class LabelledDrawing:
         touches: of the strokes.
         doubtful: numbers of those that are no part's for their pen alone: they run from edge to
             edge, and nothing at their ends tells a dimension.
+        pictorials: boxes in px.
     """
 
     strokes: tuple[VectorStroke, ...]
@@ -93,6 +97,7 @@ class LabelledDrawing:
     pens: tuple[PenEvidence, ...]
     touches: Touches
     doubtful: tuple[int, ...] = ()
+    pictorials: tuple[Box, ...] = ()
 
     def of(self, *labels: Label) -> tuple[VectorStroke, ...]:
         """The strokes that stand for any of some things."""
@@ -127,6 +132,10 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
     other = np.isin(numbers, [n for n, own in enumerate(found) if own.closes_outlines])
     if _is_large(touches, candidates & (drawn | other) & ~edges, edges):
         return None
+    askew, boxes = pictorials(lines, touches, edges)
+    edges &= ~askew
+    if edges.sum() < _LEAST:
+        return None
     inside = _inside(touches, edges)
     dashed = inside & dashes(lines, touches, numbers, ~framed & ~edges)
     hatched = _hatching(lines, touches, edges, inside & candidates)
@@ -134,6 +143,8 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
     for index, stroke in enumerate(lines):
         if framed[index]:
             labels[index] = Label.FRAME
+        elif askew[index]:
+            labels[index] = Label.PICTORIAL
         elif hatched[index] or stroke.kind is StrokeKind.HATCH:
             labels[index] = Label.HATCH
         elif edges[index]:
@@ -146,7 +157,7 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
             labels[index] = Label.DIMENSION
     doubtful = _doubtful(lines, touches, labels, edges & ~hatched)
     order = sorted(found, key=lambda own: -own.weight)
-    return LabelledDrawing(lines, tuple(labels), tuple(order), touches, doubtful)
+    return LabelledDrawing(lines, tuple(labels), tuple(order), touches, doubtful, boxes)
 
 
 def _outlines(touches: Touches, edges: Flags) -> Flags:

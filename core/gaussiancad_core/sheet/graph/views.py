@@ -17,6 +17,7 @@ from gaussiancad_core.sheet.graph.chains import with_whole_edges
 from gaussiancad_core.sheet.graph.labels import Label, LabelledDrawing, labelled
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 from gaussiancad_core.sheet.special_views.symbol import find_symbol
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet, drawing_grid
 from gaussiancad_core.sheet.view_search import arranged, with_symbol
@@ -77,6 +78,8 @@ def graph_views(
     except NoModelError:
         return None
     separated, layout = with_symbol(separated, layout, symbol)
+    askew = tuple(SpecialView(SpecialKind.PICTORIAL, box) for box in found.pictorials)
+    layout = replace(layout, special=(*layout.special, *askew))
     boxes = [tuple(found.touches.boxes[number].tolist()) for number in found.doubtful]
     used = [box for box in boxes if any(_overlap(box, view) for view in layout.boxes.values())]
     return GraphViews(separated, layout, vectors, tuple(used))

@@ -102,7 +102,7 @@ def special_kind(told: Told, box: Box) -> SpecialKind | None:
         return None
     if _is_round_pictorial(told, lines, box):
         return SpecialKind.PICTORIAL
-    return _slanted_kind(lines) if len(lines.lengths) >= _LEAST_STROKES else None
+    return slanted_kind(lines)
 
 
 def _is_round_pictorial(told: Told, lines: Lines, box: Box) -> bool:
@@ -130,8 +130,10 @@ def _is_round_pictorial(told: Told, lines: Lines, box: Box) -> bool:
     return lines.share(one_way & ~level) > 1.0 - _LEVEL
 
 
-def _slanted_kind(lines: Lines) -> SpecialKind | None:
-    """Pictorial or auxiliary view, by the directions of the lines."""
+def slanted_kind(lines: Lines) -> SpecialKind | None:
+    """Pictorial or auxiliary view, by the directions of the lines; neither where they are few."""
+    if len(lines.lengths) < _LEAST_STROKES:
+        return None
     level = _apart(lines.angles, 0.0) < _SQUARE
     upright = _apart(lines.angles, np.pi / 2) < _SQUARE
     slanted = ~level & ~upright

@@ -167,3 +167,33 @@ def test_where_another_pen_draws_what_may_be_a_view_nothing_is_told() -> None:
     part = [VectorStroke(s.curve, _WIDE, colour=black) for s in _box(300, 300, 200, 100)]
     view = [VectorStroke(s.curve, _THIN, colour=blue) for s in _box(600, 300, 100, 100)]
     assert labelled(VectorDrawing(tuple(part + view), ()), _SIZE) is None
+
+
+def test_an_outline_that_spans_the_sheet_but_leaves_it_room_is_no_frame() -> None:
+    """A plate drawn as large as goes, with a narrow view beside it."""
+    part = [*_box(60, 100, 620, 450), *_box(800, 100, 40, 450)]
+    labels = _labels(part + _frame(2.0))
+    assert labels == [Label.VISIBLE] * len(part) + [Label.FRAME] * 4
+
+
+def _isometric(x: float, y: float, side: float) -> list[VectorStroke]:
+    """The nine edges of a cube that are seen."""
+    way = {"a": (0.866 * side, -0.5 * side), "b": (-0.866 * side, -0.5 * side), "c": (0.0, -side)}
+
+    def at(*ways: str) -> tuple[float, float]:
+        return x + sum(way[w][0] for w in ways), y + sum(way[w][1] for w in ways)
+
+    edges = ["", "a"], ["", "b"], ["", "c"], ["a", "ac"], ["b", "bc"], ["c", "ac"], ["c", "bc"]
+    edges = (*edges, ["ac", "abc"], ["bc", "abc"])
+    return [VectorStroke(Line(at(*one), at(*two)), _WIDE) for one, two in edges]
+
+
+def test_a_pictorial_whose_box_overlaps_a_view_takes_nothing_from_it() -> None:
+    view = _box(300, 300, 200, 100)
+    pictorial = _isometric(560, 560, 160)
+    found = labelled(VectorDrawing((*view, *pictorial), ()), _SIZE)
+    assert found is not None
+    assert list(found.labels) == [Label.VISIBLE] * 4 + [Label.PICTORIAL] * 9
+    (box,) = found.pictorials
+    assert box[0] < 500 < box[2]
+    assert box[1] < 400 < box[3]

@@ -1,0 +1,55 @@
+"""Pictorials of a file, told by the directions of their lines before views are looked for.
+
+They stand where there is room, often between the views and with boxes that overlap theirs.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from gaussiancad_core.sheet.files.vectors import Line, VectorStroke
+from gaussiancad_core.sheet.graph.touching import Flags, Touches
+from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.special_views.kinds import SpecialKind
+from gaussiancad_core.sheet.special_views.naming import Lines, slanted_kind
+
+
+def pictorials(
+    strokes: Sequence[VectorStroke], touches: Touches, edges: Flags
+) -> tuple[Flags, tuple[Box, ...]]:
+    """(n,) which strokes are of pictorials, and the boxes of these in px.
+
+    Args:
+        strokes: of the sheet.
+        touches: of the strokes.
+        edges: (n,) which are the part's.  What lies within a pictorial's box goes with it.
+    """
+    groups = touches.groups(edges)
+    found = np.zeros(len(edges), dtype=bool)
+    boxes: list[Box] = []
+    for group in np.unique(groups[edges]):
+        own = groups == group
+        if slanted_kind(_lines(strokes, own)) is SpecialKind.PICTORIAL:
+            around = touches.boxes[own]
+            low, high = around[:, :2].min(axis=0), around[:, 2:].max(axis=0)
+            boxes.append((*low.tolist(), *high.tolist()))
+            found |= own
+    for box in boxes:
+        within = (touches.boxes >= (*box[:2], *box[:2])) & (touches.boxes <= (*box[2:], *box[2:]))
+        inner = groups[within.all(axis=1) & edges]
+        outer = groups[~within.all(axis=1) & edges]
+        found |= np.isin(groups, np.setdiff1d(inner, outer))
+    return found, tuple(box for box in boxes if not any(_lies_in(box, own) for own in boxes))
+
+
+def _lies_in(box: Box, other: Box) -> bool:
+    starts = all(one >= two for one, two in zip(box[:2], other[:2], strict=True))
+    ends = all(one <= two for one, two in zip(box[2:], other[2:], strict=True))
+    return box != other and starts and ends
+
+
+def _lines(strokes: Sequence[VectorStroke], chosen: Flags) -> Lines:
+    curves = [strokes[index].curve for index in np.flatnonzero(chosen)]
+    ends = np.array([(c.start, c.end) for c in curves if isinstance(c, Line)]).reshape(-1, 2, 2)
+    way = ends[:, 1] - ends[:, 0]
+    return Lines(np.arctan2(way[:, 1], way[:, 0]) % np.pi, np.hypot(*way.T), ends)
