@@ -14,7 +14,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from math import hypot, pi, sin, sqrt
+from math import hypot, inf, pi, sin, sqrt
 
 import numpy as np
 
@@ -337,12 +337,42 @@ class Arrangement:
 
     def inner_points(self) -> Iterator[tuple[int, Point]]:
         """Regions but the outside, each with a point of one of the trapezoids that make it up."""
+        for region, point, _ in self.trapezoids():
+            yield region, point
+
+    def trapezoids(self) -> Iterator[tuple[int, Point, float]]:
+        """Regions but the outside, each with the middle and about the area of a trapezoid of it."""
         for slab, own in enumerate(self._slabs):
-            middle = (self._borders[slab] + self._borders[slab + 1]) / 2.0
+            start, end = self._borders[slab : slab + 2]
+            middle = (start + end) / 2.0
             for place, (below, above) in enumerate(pairwise(own), 1):
                 region = self._region[self._offsets[slab] + place]
                 if region != OUTSIDE:
-                    yield region, (middle, (below.value(middle) + above.value(middle)) / 2.0)
+                    low, high = below.value(middle), above.value(middle)
+                    yield region, (middle, (low + high) / 2.0), (end - start) * (high - low)
+
+    def neighbours(self) -> set[tuple[int, int]]:
+        """Pairs of regions with a line between them, each both ways."""
+        found: set[tuple[int, int]] = set()
+        stacks = [
+            self._region[offset : offset + len(own) + 1]
+            for own, offset in zip(self._slabs, self._offsets, strict=False)
+        ]
+        for stack in stacks:
+            found.update(pairwise(stack))
+        for index, (left, right) in enumerate(pairwise(self._slabs)):
+            border = self._borders[index + 1]
+            sides = [[-inf, *(piece.value(border) for piece in own), inf] for own in (left, right)]
+            for one, (low, high) in zip(stacks[index], pairwise(sides[0]), strict=True):
+                for other, (start, end) in zip(stacks[index + 1], pairwise(sides[1]), strict=True):
+                    if one != other and min(high, end) - max(low, start) > _OPENING:
+                        found.add((one, other))
+        if stacks:
+            ends = [*stacks[0], *stacks[-1]]
+            found.update((OUTSIDE, region) for region in ends)
+        return {
+            (a, b) for one, other in found if one != other for a, b in ((one, other), (other, one))
+        }
 
     def trace(self, coordinate: int, value: float) -> Trace:
         """What the line meets on which a coordinate (0 or 1) has a value."""

@@ -1,5 +1,6 @@
 """Rules as clauses over the Booleans of blocks, for CP-SAT."""
 
+from collections import defaultdict
 from collections.abc import Callable, Sequence
 from functools import cached_property
 from math import inf
@@ -16,6 +17,7 @@ from gaussiancad_core.reasoning.blocks import (
 )
 from gaussiancad_core.reasoning.columns import Cell
 from gaussiancad_core.reasoning.rules import Rule
+from gaussiancad_core.reasoning.usual import BLIND, LOOSE, UNSEEN, Usual
 
 SURFACES = 10
 """Surfaces that weigh as much as a tenth of a unit of line that is given up."""
@@ -75,6 +77,7 @@ class Model:
         # By the depths that are nearer, whether something there is the part's.
         self._covers = [self._false]
         self._behind: dict[tuple[int, tuple[Form, ...]], int] = {}
+        self._voids: dict[tuple[Cell, ...], cp_model.IntVar] = {}
         sayings = Sayings(self._blocks)
         told: dict[Saying, list[int]] = {}
         for number, rule in enumerate(rules):
@@ -105,6 +108,51 @@ class Model:
         counts = self._blocks.surfaces
         literals = [self._literal(form) for form in counts]
         return cp_model.LinearExpr.weighted_sum(literals, list(counts.values()))
+
+    def unusual(self, usual: Usual) -> cp_model.LinearExprT:
+        """What is not usual, in surfaces."""
+        forms = self._blocks.forms
+        costs: list[tuple[cp_model.IntVar, int]] = []
+        open_to: defaultdict[Cell, dict[int, cp_model.IntVar]] = defaultdict(dict)
+        through: defaultdict[Cell, list[cp_model.IntVar]] = defaultdict(list)
+        for hole in usual.holes:
+            whole = self._all_void((*hole.cells, *hole.within))
+            solid = [self._literal(forms[cell]) for cell in hole.cells if cell in forms]
+            if hole.within:
+                costs.append((self._unless([whole, *solid]), LOOSE))
+            if hole.cells[0] in forms:
+                costs.append((self._unless([whole, solid[0]]), BLIND + len(hole.cells)))
+            for cell in hole.cells:
+                through[cell].append(whole)
+        for cells in usual.sights:
+            for last in range(1, len(cells) + 1):
+                literal = self._all_void(cells[:last])
+                open_to[cells[last - 1]][literal.index] = literal
+        for cell, seen in open_to.items():
+            if cell in forms:
+                solid = self._literal(forms[cell])
+                costs.append((self._unless([solid, *seen.values()]), UNSEEN))
+                costs.append((self._unless([solid, *through[cell]]), usual.bulks.get(cell, 1)))
+        literals, weights = zip(*costs, strict=True) if costs else ((), ())
+        return cp_model.LinearExpr.weighted_sum(literals, weights)
+
+    def _unless(self, literals: Sequence[cp_model.IntVar]) -> cp_model.IntVar:
+        """A literal that is true where none of some is."""
+        found = self.model.new_bool_var("")
+        self.model.add_bool_or([found, *literals])
+        return found
+
+    def _all_void(self, cells: tuple[Cell, ...]) -> cp_model.IntVar:
+        """A literal that is true only where cells are void; those of which no rule speaks are."""
+        found = self._voids.get(cells)
+        if found is None:
+            found = self._voids[cells] = self.model.new_bool_var("")
+            if len(cells) > 1:
+                self.model.add_implication(found, self._all_void(cells[:-1]))
+            form = self._blocks.forms.get(cells[-1])
+            if form is not None:
+                self.model.add_implication(found, ~self._literal(form))
+        return found
 
     def hint(self, labels: Labels) -> None:
         """Labels to start from."""

@@ -23,6 +23,7 @@ from gaussiancad_core.reasoning.clauses import (
 from gaussiancad_core.reasoning.columns import Cell
 from gaussiancad_core.reasoning.rules import Rule, Says, holds
 from gaussiancad_core.reasoning.solvers import FOUND, relaxing_solver, solver_for
+from gaussiancad_core.reasoning.usual import Usual
 from gaussiancad_core.reasoning.work import NEVER, Deadline
 
 SLIGHT = 1.0
@@ -125,11 +126,13 @@ class Search:
     Args:
         rules: of the part.
         effort: how long to look.
+        usual: what is taken for usual where rules leave labels open.
     """
 
-    def __init__(self, rules: Sequence[Rule], effort: Effort) -> None:
+    def __init__(self, rules: Sequence[Rule], effort: Effort, usual: Usual | None = None) -> None:
         self._rules = tuple(rules)
         self._effort = effort
+        self._usual = usual
 
     def best(self, deadline: Deadline = NEVER, *, relaxed: bool = True) -> Labelling:
         """Labels under which all rules hold, or, if ``relaxed``, all but the least."""
@@ -239,11 +242,12 @@ class Search:
         return Model(self._rules, lambda rule: rule.says is Says.KIND)
 
     def _simplest(self, found: cp_model.CpSolver, deadline: Deadline) -> Labelling:
-        """Of all labels under which the rules hold those with the fewest surfaces."""
+        """Of all labels under which the rules hold the most usual, with the fewest surfaces."""
         held = self._strictly
         first = held.labels(found)
         held.hint(first)
-        held.model.minimize(held.surfaces)
+        unusual = held.unusual(self._usual) if self._usual is not None else 0
+        held.model.minimize(held.surfaces + unusual)
         solver = solver_for(self._effort.simplest, self._effort.workers, deadline)
         status = solver.solve(held.model)
         held.model.clear_objective()

@@ -30,6 +30,7 @@ from gaussiancad_core.reasoning.smooth_edges import with_smooth_edges
 from gaussiancad_core.reasoning.spans import Span, Support
 from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports, find_supports
 from gaussiancad_core.reasoning.untold import with_untold_lines
+from gaussiancad_core.reasoning.usual import Usual, usual_of
 from gaussiancad_core.reasoning.work import NEVER, Counted, Deadline
 from gaussiancad_core.views import Linetype
 
@@ -67,11 +68,13 @@ class PartModel:
         supports: of the views.
         space: the cells.
         rules: what the views say about them.
+        usual: what is taken for usual, where views draw no hidden lines.
     """
 
     supports: PartSupports
     space: Space
     rules: tuple[Rule, ...]
+    usual: Usual | None = None
 
 
 def model_part(
@@ -130,7 +133,8 @@ def without_undrawn(part: PartModel, views: DrawnViews) -> PartModel:
     """The part with what is blank only not visible in views that draw no hidden lines."""
     if not views.undrawn:
         return part
-    return replace(part, rules=without_hidden(part.rules, views.undrawn))
+    rules = without_hidden(part.rules, views.undrawn)
+    return replace(part, rules=rules, usual=usual_of(part.space, views.roles, views.undrawn))
 
 
 def with_lone_bodies(

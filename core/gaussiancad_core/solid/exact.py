@@ -264,8 +264,6 @@ def _searched(work: Work, labelling: Labelling, limits: Limits, latest: Deadline
         failed = _failed(NONE if complete else UNBUILT, meter)
         return replace(failed, complete=complete)
     agreeing = [c for c in candidates if c.verification.explains]
-    # Where hidden lines are left out, what has the fewest faces is likeliest: holes go through.
-    agreeing = sorted(agreeing, key=_rank) if views.undrawn else agreeing
     best = agreeing[0] if agreeing else candidates[0]
     _note(work, labelling, found, best)
     reasons = reasons_of(best.verification, len(agreeing), complete, views)

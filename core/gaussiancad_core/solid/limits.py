@@ -78,4 +78,4 @@ class Work:
 def search_for(part: PartModel, limits: Limits, meter: Meter) -> Search:
     """The search for labels of a part; its clauses are counted."""
     meter.count(Counted.CROSSING, sum(len(rule.groups) for rule in part.rules))
-    return Search(part.rules, limits.effort)
+    return Search(part.rules, limits.effort, part.usual)
