@@ -6,9 +6,9 @@ and its sides slanted planes, most of which no view shows edge-on; without it th
 one, whose edges are chamfered once it is solved.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
+from itertools import combinations, product
 from math import inf
 
 import numpy as np
@@ -48,14 +48,17 @@ class EdgeBreak:
         depth: mm of the face along it.
         width: mm by which the chamfer takes away from the face.
         height: mm by which it takes away from the sides, with the sign of where these lie.
-        contour: the sharp edges, mm in the plane of the axis.
+        spans: of axes in its plane, mm from where to where the face reaches with sharp edges.
+        contour: the sharp edges, mm in the plane of the axis; none where no view shows them, and
+            the chamfer goes all around.
     """
 
     normal: Axis
     depth: float
     width: float
     height: float
-    contour: tuple[Points, ...]
+    spans: Mapping[Axis, tuple[float, float]]
+    contour: tuple[Points, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -79,7 +82,7 @@ class _Loop:
         role: the view.
         outer, inner: its strokes; the outer ones are sharp edges.
         width: mm between them.
-        box: (2, 2) mm of the outer outline in the view's plane.
+        box: (2, 2) mm around the outer outline in the plane of the view's axis.
     """
 
     role: Role
@@ -91,15 +94,41 @@ class _Loop:
 
 @dataclass(frozen=True)
 class _Profile:
-    """Where a view shows a chamfer from beside.
+    """A face with chamfers at both ends, seen from beside.
 
     Attributes:
+        role: the view.
+        normal: axis across the face.
+        along: axis along it in the view.
         depth: mm of the face along the normal.
-        side: mm of where the chamfer ends at the sides.
+        side: mm of where the chamfers end at the sides.
+        low, high: mm of the sharp ends of the face.
+        width: mm that a chamfer takes away from it.
     """
 
+    role: Role
+    normal: Axis
+    along: Axis
     depth: float
     side: float
+    low: float
+    high: float
+    width: float
+
+    def places(self, points: Points) -> Points:
+        """(n, 2) along the face and along its normal, of points of the view."""
+        return (points * np.array(role_plane(self.role).signs))[:, self._columns]
+
+    def points(self, places: Points) -> Points:
+        """(n, 2) points of the view again."""
+        found = np.empty_like(places)
+        found[:, self._columns] = places
+        return found * np.array(role_plane(self.role).signs)
+
+    @property
+    def _columns(self) -> list[int]:
+        axes = IN_PLANE[role_plane(self.role).normal]
+        return [axes.index(self.along.value), axes.index(self.normal.value)]
 
 
 def sharp_views(views: DrawnViews) -> SharpViews | None:
@@ -107,26 +136,113 @@ def sharp_views(views: DrawnViews) -> SharpViews | None:
     near = max(2.0 * views.tolerance, 1e-6 * max(views.size))
     found: list[EdgeBreak] = []
     strokes = {role: list(own) for role, own in views.strokes.items()}
-    for role in views.roles:
-        for loop in _loops(role, views.strokes[role], near):
-            profiles = _profiles(loop, views, near)
-            if not profiles:
-                continue
-            normal = role_plane(role).normal
-            contour = tuple(_in_plane(own.sample(loop.width / 64.0), role) for own in loop.outer)
-            for own in profiles:
-                found.append(
-                    EdgeBreak(normal, own.depth, loop.width, own.side - own.depth, contour)
-                )
-            for other in views.roles:
-                if role_plane(other).normal is normal:
-                    strokes[other] = _without_inner(strokes[other], other, loop, near)
-                else:
-                    strokes[other] = _sharpened(strokes[other], other, loop, profiles, near)
+    profiles = [
+        own for role, drawn in views.strokes.items() for own in _profiles(role, drawn, near)
+    ]
+    loops = [loop for role, drawn in views.strokes.items() for loop in _loops(role, drawn, near)]
+    for faces in _of_one_face(profiles, views.roles, near):
+        first = faces[0]
+        spans = {own.along: (own.low, own.high) for own in faces}
+        around = [loop for loop in loops if _bounds(loop, first, spans, near)]
+        height = first.side - first.depth
+        contour = tuple(
+            _in_plane(own.sample(first.width / 64.0), loop.role)
+            for loop in around[:1]
+            for own in loop.outer
+        )
+        found.append(EdgeBreak(first.normal, first.depth, first.width, height, spans, contour))
+        for own in faces:
+            changed = (_sharp(stroke, own, near) for stroke in strokes[own.role])
+            strokes[own.role] = [stroke for stroke in changed if stroke is not None]
+        for loop in around:
+            for role in views.roles:
+                if role_plane(role).normal is first.normal:
+                    strokes[role] = _without_inner(strokes[role], role, loop, near)
     if not found:
         return None
     kept = {role: tuple(own) for role, own in strokes.items()}
     return SharpViews(replace(views, strokes=kept), tuple(found))
+
+
+def _of_one_face(
+    profiles: Sequence[_Profile], roles: Sequence[Role], near: float
+) -> Iterator[list[_Profile]]:
+    """Profiles that show one face, of every view that shows it from beside."""
+    seen: list[_Profile] = []
+    for own in profiles:
+        if any(_same(own, other, near) for other in seen):
+            continue
+        beside = [role for role in roles if role_plane(role).normal is not own.normal]
+        alike = [
+            next((o for o in profiles if o.role is role and _same(own, o, near)), None)
+            for role in beside
+        ]
+        seen.append(own)
+        if None not in alike:
+            yield alike
+
+
+def _same(one: _Profile, other: _Profile, near: float) -> bool:
+    """Whether two profiles are of one chamfer."""
+    alike = abs(one.depth - other.depth) <= near and abs(one.side - other.side) <= near
+    spans = one.along is not other.along or (
+        abs(one.low - other.low) <= near and abs(one.high - other.high) <= near
+    )
+    return one.normal is other.normal and alike and spans
+
+
+def _profiles(role: Role, strokes: Sequence[Curve], near: float) -> Iterator[_Profile]:
+    """Faces with chamfers at both ends in one view, across either of its axes."""
+    lines = [own for own in strokes if isinstance(own, Segment)]
+    axes = [Axis(index) for index in IN_PLANE[role_plane(role).normal]]
+    for along, normal in (axes, axes[::-1]):
+        blank = _Profile(role, normal, along, 0.0, 0.0, 0.0, 0.0, 0.0)
+        ends = [blank.places(np.array([own.start, own.end])) for own in lines]
+        level = [own for own in ends if abs(own[1, 1] - own[0, 1]) <= near]
+        slanted = [own for own in ends if min(np.ptp(own, axis=0)) > _LEAST * near]
+        for face in level:
+            low, high = face[np.argsort(face[:, 0])]
+            depth = float(face[:, 1].mean())
+            before, after = (_others(slanted, end, near) for end in (low, high))
+            for one, other in product(before, after):
+                width = float(low[0] - one[0])
+                even = abs(one[1] - other[1]) <= near
+                even &= abs(float(other[0] - high[0]) - width) <= 2.0 * near
+                ratio = abs(float(one[1]) - depth) / max(width, 1e-9)
+                small = 0.0 < width <= _NARROW * float(other[0] - one[0])
+                corners = np.array([(one[0], depth), (other[0], depth)])
+                cut = not any(_passes(own, corner, near) for own in ends for corner in corners)
+                if even and small and cut and 1.0 / _SLOPE <= ratio <= _SLOPE:
+                    side, start, end = float(one[1]), float(one[0]), float(other[0])
+                    yield _Profile(role, normal, along, depth, side, start, end, width)
+
+
+def _passes(line: Points, point: Points, near: float) -> bool:
+    """Whether a line runs through a point."""
+    way = line[1] - line[0]
+    share = float(np.clip((point - line[0]) @ way / max(float(way @ way), 1e-12), 0.0, 1.0))
+    return float(np.hypot(*(line[0] + share * way - point))) <= near
+
+
+def _others(lines: Sequence[Points], point: Points, near: float) -> list[Points]:
+    """The other ends of lines that have one at a point."""
+    away = [np.hypot(*(line - point).T) for line in lines]
+    found = zip(lines, away, strict=True)
+    return [line[1 - int(np.argmin(own))] for line, own in found if own.min() <= near]
+
+
+def _bounds(
+    loop: _Loop, face: _Profile, spans: Mapping[Axis, tuple[float, float]], near: float
+) -> bool:
+    """Whether a double outline is that of a face."""
+    plane = role_plane(loop.role)
+    if plane.normal is not face.normal or abs(loop.width - face.width) > 2.0 * near:
+        return False
+    axes = IN_PLANE[plane.normal]
+    return all(
+        bool((np.abs(loop.box[:, axes.index(axis.value)] - span) <= 2.0 * near).all())
+        for axis, span in spans.items()
+    )
 
 
 def _in_plane(points: Points, role: Role) -> Points:
@@ -148,6 +264,7 @@ def _loops(role: Role, strokes: Sequence[Curve], near: float) -> Iterator[_Loop]
             sides = [tuple(pair[k] for pair in chain) for k in (0, 1)]
             outer, inner = sorted(sides, key=lambda side: -sum(own.length for own in side))
             points = np.concatenate([own.sample(width) for own in outer])
+            points = _in_plane(points, role)
             box = np.array([points.min(axis=0), points.max(axis=0)])
             if width <= _NARROW * float((box[1] - box[0]).min()):
                 yield _Loop(role, outer, inner, width, box)
@@ -238,80 +355,6 @@ def _meet(one: Points, other: Points, near: float) -> bool:
     return bool((np.hypot(*(one - other).T) <= 2.0 * near).all())
 
 
-def _profiles(loop: _Loop, views: DrawnViews, near: float) -> list[_Profile]:
-    """Chamfers of the loop's width that views from beside show at both ends of the outline, and all
-    of them alike."""
-    normal = role_plane(loop.role).normal
-    by_view = [
-        _seen_beside(loop, role, views.strokes[role], near)
-        for role in views.roles
-        if role_plane(role).normal is not normal
-    ]
-    if not by_view:
-        return []
-    first, *rest = by_view
-    return [own for own in first if all(any(_same(own, o, near) for o in more) for more in rest)]
-
-
-def _same(one: _Profile, other: _Profile, near: float) -> bool:
-    return abs(one.depth - other.depth) <= near and abs(one.side - other.side) <= near
-
-
-def _seen_beside(loop: _Loop, role: Role, strokes: Sequence[Curve], near: float) -> list[_Profile]:
-    """The profiles that one view shows at both ends of an outline."""
-    frame = _Frame.of(loop, role)
-    found: list[list[_Profile]] = [[], []]
-    for stroke in strokes:
-        if not isinstance(stroke, Segment):
-            continue
-        ends = frame.of_points(np.array([stroke.start, stroke.end]))
-        for index, (sharp, sign) in enumerate(zip(frame.span, (1.0, -1.0), strict=True)):
-            for face, side in (ends, ends[::-1]):
-                across = abs(face[0] - (sharp + sign * loop.width)), abs(side[0] - sharp)
-                height = abs(face[1] - side[1])
-                ratio = height / loop.width
-                if max(across) <= near and 1.0 / _SLOPE <= ratio <= _SLOPE:
-                    found[index].append(_Profile(float(face[1]), float(side[1])))
-    return [own for own in found[0] if any(_same(own, other, near) for other in found[1])]
-
-
-@dataclass(frozen=True)
-class _Frame:
-    """A view from beside, in terms of a face.
-
-    Attributes:
-        signs: (2,) of the plane's coordinates in terms of the view's.
-        along, depth: places of the view's coordinates along the face and along its normal.
-        span: mm of the sharp outline along the face.
-    """
-
-    signs: tuple[int, int]
-    along: int
-    depth: int
-    span: tuple[float, float]
-
-    @classmethod
-    def of(cls, loop: _Loop, role: Role) -> "_Frame":
-        normal = role_plane(loop.role).normal
-        axes = IN_PLANE[role_plane(role).normal]
-        depth = axes.index(normal.value)
-        axis = axes[1 - depth]
-        place = IN_PLANE[normal].index(axis)
-        span = np.sort(_in_plane(loop.box, loop.role)[:, place])
-        return cls(role_plane(role).signs, 1 - depth, depth, (float(span[0]), float(span[1])))
-
-    def of_points(self, points: Points) -> Points:
-        """(n, 2) along the face and along its normal."""
-        plane = points * np.array(self.signs)
-        return plane[:, [self.along, self.depth]]
-
-    def to_view(self, points: Points) -> Points:
-        """(n, 2) in the view's plane again."""
-        plane = np.empty_like(points)
-        plane[:, [self.along, self.depth]] = points
-        return plane * np.array(self.signs)
-
-
 def _without_inner(strokes: Sequence[Curve], role: Role, loop: _Loop, near: float) -> list[Curve]:
     """A view along the normal without the inner outline, and the mitres between both."""
     step = loop.width / 8.0
@@ -337,47 +380,24 @@ def _distances(points: Points, others: Points) -> Points:
     return cKDTree(others).query(points)[0]
 
 
-def _sharpened(
-    strokes: Sequence[Curve],
-    role: Role,
-    loop: _Loop,
-    profiles: Sequence[_Profile],
-    near: float,
-) -> list[Curve]:
-    """A view from beside with sharp corners instead of chamfers."""
-    frame = _Frame.of(loop, role)
-    kept = list(strokes)
-    for own in profiles:
-        kept = [
-            changed
-            for stroke in kept
-            if (changed := _sharp(stroke, frame, loop.width, own, near)) is not None
-        ]
-    return kept
-
-
-def _sharp(
-    stroke: Curve, frame: _Frame, width: float, profile: _Profile, near: float
-) -> Curve | None:
-    """A stroke as it is without a chamfer; None where it is one of the chamfer's own."""
+def _sharp(stroke: Curve, face: _Profile, near: float) -> Curve | None:
+    """A stroke of the view as it is without the chamfers of a face; None where it is theirs."""
     if not isinstance(stroke, Segment):
         return stroke
-    ends = frame.of_points(np.array([stroke.start, stroke.end]))
-    low, high = frame.span
-    if not ((ends[:, 0] >= low - near) & (ends[:, 0] <= high + near)).all():
+    ends = face.places(np.array([stroke.start, stroke.end]))
+    if not ((ends[:, 0] >= face.low - near) & (ends[:, 0] <= face.high + near)).all():
         return stroke
-    at_side = np.abs(ends[:, 1] - profile.side) <= near
-    at_face = np.abs(ends[:, 1] - profile.depth) <= near
-    if at_side.all():
+    at_side = np.abs(ends[:, 1] - face.side) <= near
+    at_face = np.abs(ends[:, 1] - face.depth) <= near
+    between = (at_side != at_face).all() and at_side.any() and at_face.any()
+    if at_side.all() or (between and near < np.ptp(ends[:, 0]) <= face.width + near):
         return None
-    if (at_side | at_face).all() and not at_face.all() and np.ptp(ends[:, 0]) > near:
-        return None if np.ptp(ends[:, 0]) <= width + near else stroke
     moved = ends.copy()
-    moved[at_side, 1] = profile.depth
+    moved[at_side, 1] = face.depth
     if at_face.all():
-        for sharp, sign in ((low, 1.0), (high, -1.0)):
-            moved[np.abs(ends[:, 0] - (sharp + sign * width)) <= near, 0] = sharp
+        for sharp, way in ((face.low, 1.0), (face.high, -1.0)):
+            moved[np.abs(ends[:, 0] - (sharp + way * face.width)) <= near, 0] = sharp
     if (moved == ends).all():
         return stroke
-    start, end = frame.to_view(moved).tolist()
+    start, end = face.points(moved).tolist()
     return replace(stroke, start=tuple(start), end=tuple(end))

@@ -39,7 +39,9 @@ Stretch = tuple[PlaneCurve, float, float]
 def with_lost_lines(
     supports: PartSupports, *, along_axes: bool = False, undrawn: Collection[Role] = ()
 ) -> PartSupports:
-    """The supports with stretches that views may lack; only of three planes these are known.
+    """The supports with stretches that views may lack.
+
+    Where an edge has to be drawn is known of three planes only.
 
     Args:
         supports: of the strokes.
@@ -48,7 +50,12 @@ def with_lost_lines(
         undrawn: views that may lack any line along the axes.
     """
     if len(supports.planes) < len(Axis):
-        return supports
+        grids = {
+            axis: _divided(plane, _grid(supports, axis, ()))
+            for axis, plane in supports.planes.items()
+            if all(role in undrawn for role in plane.roles)
+        }
+        return replace(supports, planes={**supports.planes, **grids})
     near = max(NEAR, supports.tolerance)
     corners = {axis: Arrangement(plane.supports).corners for axis, plane in supports.planes.items()}
     silent = {

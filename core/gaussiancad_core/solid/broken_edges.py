@@ -6,15 +6,19 @@ from itertools import pairwise
 import numpy as np
 from OCP.BRepAdaptor import BRepAdaptor_Curve, BRepAdaptor_Surface
 from OCP.BRepFilletAPI import BRepFilletAPI_MakeChamfer
+from OCP.BRepTools import BRepTools
 from OCP.GeomAbs import GeomAbs_SurfaceType
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.drawing.brep import faces_of, subshapes
+from gaussiancad_core.drawing.brep import bounding_box, faces_of, subshapes
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.reasoning.edge_breaks import EdgeBreak
 from gaussiancad_core.reasoning.planes import IN_PLANE
+
+_REACH, _FLOOR = 3.0, 1e-3
+"""Distance of an edge from the contour at most, in tolerances and in mm at least."""
 
 _PLACES = 9
 """Places along an edge at which it has to lie on the contour."""
@@ -28,11 +32,12 @@ def with_broken_edges(
     Args:
         shape: with sharp edges, mm.
         breaks: the chamfers.
-        near: mm within which an edge lies on a contour.
+        near: mm, the tolerance of the views.
 
     Returns:
         None where no edges are there to be chamfered, or the kernel cannot do it.
     """
+    near = max(_REACH * near, _FLOOR)
     maker = BRepFilletAPI_MakeChamfer(shape)
     count = 0
     for own in breaks:
@@ -51,21 +56,36 @@ def with_broken_edges(
 def _edges(
     shape: TopoDS_Shape, own: EdgeBreak, near: float
 ) -> list[tuple[TopoDS_Edge, TopoDS_Face]]:
-    """Edges of a face at the depth of a chamfer that lie on its contour, with the face."""
-    contour = cKDTree(_chained(own, near))
+    """Edges of a face at the depth of a chamfer that lie on its contour, with the face; all around
+    it where that is not known."""
+    contour = cKDTree(_chained(own, near)) if own.contour else None
     found = []
     for face in faces_of(shape):
-        if not _is_flat(face, own):
+        if not _is_across(face, own, near):
             continue
-        for edge in subshapes(face, TopAbs_ShapeEnum.TopAbs_EDGE):
-            curve = BRepAdaptor_Curve(TopoDS.Edge(edge))
-            at = np.linspace(curve.FirstParameter(), curve.LastParameter(), _PLACES)
-            points = np.array([(p.X(), p.Y(), p.Z()) for p in map(curve.Value, at.tolist())])
-            level = np.abs(points[:, own.normal.value] - own.depth).max() <= near
-            flat = points[:, list(IN_PLANE[own.normal])]
-            if level and contour.query(flat)[0].max() <= 2.0 * near:
-                found.append((TopoDS.Edge(edge), face))
+        if contour is None and not _spans(face, own, near):
+            continue
+        outline = face if contour is not None else BRepTools.OuterWire_s(face)
+        for edge in map(TopoDS.Edge, subshapes(outline, TopAbs_ShapeEnum.TopAbs_EDGE)):
+            if contour is None or _lies_on(edge, contour, own, near):
+                found.append((edge, face))
     return found
+
+
+def _lies_on(edge: TopoDS_Edge, contour: cKDTree, own: EdgeBreak, near: float) -> bool:
+    curve = BRepAdaptor_Curve(edge)
+    at = np.linspace(curve.FirstParameter(), curve.LastParameter(), _PLACES)
+    points = np.array([(p.X(), p.Y(), p.Z()) for p in map(curve.Value, at.tolist())])
+    return float(contour.query(points[:, list(IN_PLANE[own.normal])])[0].max()) <= 2.0 * near
+
+
+def _spans(face: TopoDS_Face, own: EdgeBreak, near: float) -> bool:
+    """Whether a face reaches as far as the one that is chamfered."""
+    low, high = bounding_box(face)
+    return all(
+        abs(low[axis.value] - span[0]) <= near and abs(high[axis.value] - span[1]) <= near
+        for axis, span in own.spans.items()
+    )
 
 
 def _chained(own: EdgeBreak, near: float) -> np.ndarray:
@@ -78,10 +98,12 @@ def _chained(own: EdgeBreak, near: float) -> np.ndarray:
     return np.concatenate(found)
 
 
-def _is_flat(face: TopoDS_Face, own: EdgeBreak) -> bool:
-    """Whether a face lies across the chamfer's axis."""
+def _is_across(face: TopoDS_Face, own: EdgeBreak, near: float) -> bool:
+    """Whether a face lies across the chamfer's axis, at its depth."""
     surface = BRepAdaptor_Surface(face)
     if surface.GetType() != GeomAbs_SurfaceType.GeomAbs_Plane:
         return False
-    way = surface.Plane().Axis().Direction()
-    return abs((way.X(), way.Y(), way.Z())[own.normal.value]) > 1.0 - 1e-6
+    plane = surface.Plane()
+    way, at = plane.Axis().Direction(), plane.Location()
+    across = abs((way.X(), way.Y(), way.Z())[own.normal.value]) > 1.0 - 1e-6
+    return across and abs((at.X(), at.Y(), at.Z())[own.normal.value] - own.depth) <= near

@@ -1,8 +1,9 @@
 """How far the search for a solid goes, and what it has to work on."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.edge_breaks import EdgeBreak
 from gaussiancad_core.reasoning.labelling import Effort, Labelling, Search
 from gaussiancad_core.reasoning.part import PartModel
 from gaussiancad_core.reasoning.work import Counted, Meter
@@ -35,6 +36,19 @@ class Limits:
 
 
 @dataclass(frozen=True)
+class Finish:
+    """What is done to a solid that was found from views without the chamfers of its faces.
+
+    Attributes:
+        breaks: the chamfers.
+        drawn: the views with them.
+    """
+
+    breaks: tuple[EdgeBreak, ...]
+    drawn: DrawnViews
+
+
+@dataclass(frozen=True)
 class Work:
     """What candidates are made from.
 
@@ -46,6 +60,7 @@ class Work:
         kind: how the drawing was understood.
         fewest: whether the labels are those by which the fewest strokes are wrong or lacking.
         loose: whether places are one that are farther apart than the tolerance.
+        finish: of the solid; None where the views are as drawn.
     """
 
     part: PartModel
@@ -56,6 +71,14 @@ class Work:
     kind: ModelKind = ModelKind.AS_DRAWN
     fewest: bool = False
     loose: bool = False
+    finish: Finish | None = None
+
+    @property
+    def drawn(self) -> DrawnViews:
+        """The views that a solid is compared with."""
+        if self.finish is None:
+            return self.views
+        return replace(self.finish.drawn, undrawn=self.views.undrawn)
 
     def failed(self, labelling: Labelling) -> None:
         """Note that the model has no labels for all lines."""

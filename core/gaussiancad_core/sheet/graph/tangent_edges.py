@@ -10,6 +10,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from gaussiancad_core.axes import Axis, Role
@@ -27,7 +29,8 @@ _NEAR_COARSE = 1.0
 """The same of strokes that are known less well."""
 
 _MOSTLY = 0.7
-"""Share of the places where faces meet smoothly that have their line, if a sheet draws them."""
+"""Share of the places on outlines where faces meet smoothly that have their line, if a sheet draws
+them; those inside are hidden from the side."""
 
 _ONE_PX = 1.0
 """px by which the circles of pieces of one may differ."""
@@ -36,6 +39,7 @@ _LEVEL = 0.3
 """px by which the ends of a line along the sheet may differ across."""
 
 Floats = npt.NDArray[np.float64]
+Flags = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
@@ -45,10 +49,12 @@ class _Junctions:
     Attributes:
         smooth: where an arc goes over into a line, or another arc, along the axis or at a slant.
         corners: where strokes end otherwise, or go over into each other square to the axis.
+        outer: those of the smooth ones that the view's outline has.
     """
 
     smooth: Floats
     corners: Floats
+    outer: Floats
 
     def tells(self, at: float, near: float) -> bool | None:
         """Whether faces meet smoothly there; None where the view does not tell."""
@@ -93,7 +99,7 @@ def _are_drawn(
                 at
                 for (role, shown), told in known.items()
                 if shown is axis and role is not view.role
-                for at in _distinct(told.smooth, near)
+                for at in _distinct(told.outer, near)
                 if near < at < _extent(view, axis) - near and told.tells(at, near)
             ]
             seen = [place for line in own if (place := _place(line, view, axis)) is not None]
@@ -173,11 +179,12 @@ def _junctions(view: ReadView, axis: Axis, near: float) -> _Junctions:
     """Where strokes of a view end, along an axis that it shows."""
     ends, ways = _ends(view.strokes)
     if not len(ends):
-        return _Junctions(np.empty(0), np.empty(0))
+        return _Junctions(*(np.empty(0) for _ in range(3)))
     groups = cKDTree(ends).query_ball_point(ends, near)
     places = _along(view, axis, ends)
     is_right = view.role.frame.right_axis[0] is axis
-    smooth, corners = [], []
+    outline = _on_outline(view, groups, near)
+    smooth, corners, outer = [], [], []
     for number, own in enumerate(groups):
         strokes = [view.strokes[member // 2] for member in own]
         if not _is_smooth(number, own, ways):
@@ -187,7 +194,23 @@ def _junctions(view: ReadView, axis: Axis, near: float) -> _Junctions:
             corners.append(places[number])
         elif any(isinstance(stroke, Arc | Ellipse) for stroke in strokes) and not _is_one(strokes):
             smooth.append(places[number])
-    return _Junctions(np.array(smooth), np.array(corners))
+            if outline[number // 2]:
+                outer.append(places[number])
+    return _Junctions(np.array(smooth), np.array(corners), np.array(outer))
+
+
+def _on_outline(view: ReadView, groups: Sequence[Sequence[int]], near: float) -> Flags:
+    """(n,) which strokes hang together with one that reaches the border of the view."""
+    pairs = [(own // 2, other // 2) for own, group in enumerate(groups) for other in group]
+    count = len(view.strokes)
+    links = coo_matrix((np.ones(len(pairs)), np.array(pairs).T), (count, count))
+    _, labels = connected_components(links, directed=False)
+    low, high = np.array(view.box[:2]) + near, np.array(view.box[2:]) - near
+    reach = [
+        bool((points < low).any() or (points > high).any())
+        for points in (own.sample(max(own.length / 16.0, near)) for own in view.strokes)
+    ]
+    return np.isin(labels, labels[np.array(reach, dtype=bool)])
 
 
 def _is_one(strokes: Sequence[Stroke]) -> bool:

@@ -112,17 +112,26 @@ def test_a_line_that_goes_on_is_an_edge_though_an_arc_leaves_it_smoothly() -> No
 
 
 def test_where_a_sheet_draws_no_such_lines_one_of_them_is_an_edge() -> None:
-    top = _rounded(50.0, 100.0, 200.0, 100.0, 20.0)
-    # Two more round corners, one above the other, have no line below.
-    steps = [
-        _line(60.0, 180.0, 80.0, 180.0),
-        Arc((80.0, 190.0), 10.0, 1.5 * np.pi, 0.5 * np.pi, VISIBLE),
-        _line(60.0, 140.0, 110.0, 140.0),
-        Arc((110.0, 150.0), 10.0, 1.5 * np.pi, 0.5 * np.pi, VISIBLE),
+    # The lower left corner of the outline is round, too, and has no line below.
+    top = [
+        _line(50.0, 100.0, 230.0, 100.0),
+        Arc((230.0, 120.0), 20.0, 1.5 * np.pi, 0.5 * np.pi, VISIBLE),
+        _line(250.0, 120.0, 250.0, 200.0),
+        _line(250.0, 200.0, 70.0, 200.0),
+        Arc((70.0, 180.0), 20.0, 0.5 * np.pi, 0.5 * np.pi, VISIBLE),
+        _line(50.0, 180.0, 50.0, 100.0),
     ]
     seam = _line(230.0, 300.0, 230.0, 340.0)
-    views = _views([*top, *steps], [*_box(50.0, 300.0, 200.0, 40.0), seam], 200.0)
+    views = _views(top, [*_box(50.0, 300.0, 200.0, 40.0), seam], 200.0)
     assert without_tangent_edges(views)[1] == ()
+
+
+def test_round_corners_within_an_outline_are_hidden_from_the_side() -> None:
+    top = _rounded(50.0, 100.0, 200.0, 100.0, 20.0)
+    pocket = _rounded(100.0, 130.0, 60.0, 40.0, 10.0)
+    seam = _line(230.0, 300.0, 230.0, 340.0)
+    views = _views([*top, *pocket], [*_box(50.0, 300.0, 200.0, 40.0), seam], 200.0)
+    assert without_tangent_edges(views)[1] == (seam,)
 
 
 def test_an_outline_that_turns_away_is_drawn() -> None:
