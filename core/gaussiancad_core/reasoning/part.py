@@ -27,6 +27,7 @@ from gaussiancad_core.reasoning.retraced import retraced
 from gaussiancad_core.reasoning.revolved import find_bodies
 from gaussiancad_core.reasoning.rules import BESIDE, Rule, rules_of, without_hidden
 from gaussiancad_core.reasoning.smooth_edges import with_smooth_edges
+from gaussiancad_core.reasoning.snapping import nearest_value
 from gaussiancad_core.reasoning.spans import Span, Support
 from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports, find_supports
 from gaussiancad_core.reasoning.untold import with_untold_lines
@@ -124,7 +125,7 @@ def model_part(
     planes = {axis: _arranged(plane, supports.tolerance) for axis, plane in supports.planes.items()}
     for axis in Axis:
         if axis not in planes:
-            planes[axis] = _box(axis, supports.size)
+            planes[axis] = _box(axis, _known_size(supports))
     space = Space(planes, (*find_bodies(supports), *half_spaces))
     return without_undrawn(_part(supports, space, near, deadline), views)
 
@@ -250,6 +251,15 @@ def _attached(chain: Chain, arrangement: Arrangement, chains: Sequence[Chain]) -
         if away.min() < _MEETING:
             points[end] = targets[int(away.argmin())]
     return through_points(points, targets, _BESIDE)
+
+
+def _known_size(supports: PartSupports) -> tuple[float, float, float]:
+    """The part's extents as its values have them, which may have been rounded."""
+    x, y, z = (
+        nearest_value(supports.values.get(axis, ()), extent, max(NEAR, supports.tolerance))
+        for axis, extent in zip(Axis, supports.size, strict=True)
+    )
+    return x, y, z
 
 
 def _box(normal: Axis, size: tuple[float, float, float]) -> Arrangement:

@@ -127,3 +127,26 @@ def test_no_bodies_are_added_where_the_other_rules_contradict_each_other(
     with pytest.raises(LimitError) as caught:
         with_lone_bodies(blunt_cone, lambda but: False, OVER)
     assert caught.value.code == "search-unfinished"
+
+
+@pytest.mark.parametrize("stretched", [0.9996, 0.9998, 1.0, 1.0002, 1.0004])
+def test_where_values_are_rounded_the_unseen_side_is_as_large_as_they_are(stretched: float) -> None:
+    x, y, z = 40.012, 6.0 * stretched, 56.989
+    lines = (9.0, 20.0, 28.0)
+    front = [_upright(at, z) for at in (0.0, *lines, x)] + [_level(at, x) for at in (0.0, z)]
+    top = [_upright(at, y) for at in (0.0, *lines, x)] + [_level(at, x) for at in (0.0, 2.0, y)]
+    strokes = {Role.FRONT: tuple(front), Role.TOP: tuple(top)}
+    part = model_part(DrawnViews(strokes, (x, y, z), 0.04))
+    assert part.supports.nominal
+    corners = part.space.planes[Axis.X].corners
+    for place, axis in enumerate((Axis.Y, Axis.Z)):
+        far = max(corner[place] for corner in corners)
+        assert far == max(part.supports.values[axis])
+
+
+def _upright(at: float, height: float) -> Segment:
+    return Segment((at, 0.0), (at, height), Linetype.VISIBLE)
+
+
+def _level(at: float, width: float) -> Segment:
+    return Segment((0.0, at), (width, at), Linetype.VISIBLE)
