@@ -26,20 +26,27 @@ def pictorials(
     """
     groups = touches.groups(edges)
     found = np.zeros(len(edges), dtype=bool)
+    around = {int(group): _box(touches, groups == group) for group in np.unique(groups[edges])}
     boxes: list[Box] = []
-    for group in np.unique(groups[edges]):
+    for group, box in around.items():
+        # What lies within another drawing is a part of that: a curve of many chords, say.
+        if any(_lies_in(box, other) for other in around.values()):
+            continue
         own = groups == group
         if slanted_kind(_lines(strokes, own)) is SpecialKind.PICTORIAL:
-            around = touches.boxes[own]
-            low, high = around[:, :2].min(axis=0), around[:, 2:].max(axis=0)
-            boxes.append((*low.tolist(), *high.tolist()))
+            boxes.append(box)
             found |= own
     for box in boxes:
         within = (touches.boxes >= (*box[:2], *box[:2])) & (touches.boxes <= (*box[2:], *box[2:]))
         inner = groups[within.all(axis=1) & edges]
         outer = groups[~within.all(axis=1) & edges]
         found |= np.isin(groups, np.setdiff1d(inner, outer))
-    return found, tuple(box for box in boxes if not any(_lies_in(box, own) for own in boxes))
+    return found, tuple(boxes)
+
+
+def _box(touches: Touches, chosen: Flags) -> Box:
+    own = touches.boxes[chosen]
+    return (*own[:, :2].min(axis=0).tolist(), *own[:, 2:].max(axis=0).tolist())
 
 
 def _lies_in(box: Box, other: Box) -> bool:

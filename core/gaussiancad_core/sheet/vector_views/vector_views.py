@@ -52,7 +52,11 @@ _COARSE_STEP = 0.4
 
 _FEWEST_ARCS, _MEETING, _MISSED = 2, 1.0, 0.04
 """Arcs from which they tell whether a file is rounded; px within which they meet lines, and beyond
-which most of them miss these, if it is."""
+which most of them miss these, if it is: on a grid the least miss tells, else the last decimal of
+a file is none that counts."""
+
+_GRID = 0.1
+"""px of a grid from which rounding to it is more than the last decimal of a file."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,13 +137,13 @@ def _source(strokes: Sequence[VectorStroke], grid: float) -> StrokesSource:
     Round measures lie on a grid, too.  What was rounded to it is told by arcs that miss the lines
     that they go over into.
     """
-    if not _misses(strokes):
+    if not _misses(strokes, _EXACTLY if grid >= _GRID else _MISSED):
         return StrokesSource.PLOT if _are_plotted(strokes) else StrokesSource.VECTOR
     return StrokesSource.COARSE if grid >= _COARSE_STEP else StrokesSource.PLOT
 
 
-def _misses(strokes: Sequence[VectorStroke]) -> bool:
-    """Whether arcs mostly end beside the ends of the lines that they meet."""
+def _misses(strokes: Sequence[VectorStroke], beyond: float) -> bool:
+    """Whether arcs mostly end farther than so many px from the ends of the lines that they meet."""
     arcs = [own.curve for own in strokes if isinstance(own.curve, CircularArc)]
     ends = [arc.sample(np.inf)[[0, -1]] for arc in arcs if not arc.is_full]
     lines = [own.curve for own in strokes if isinstance(own.curve, Line)]
@@ -148,7 +152,7 @@ def _misses(strokes: Sequence[VectorStroke]) -> bool:
     corners = np.array([(line.start, line.end) for line in lines]).reshape(-1, 2)
     away = cKDTree(corners).query(np.concatenate(ends))[0]
     meeting = away[away < _MEETING]
-    return len(meeting) >= _FEWEST_ARCS and float(np.median(meeting)) > _MISSED
+    return len(meeting) >= _FEWEST_ARCS and float(np.median(meeting)) > beyond
 
 
 def _are_plotted(strokes: Sequence[VectorStroke]) -> bool:

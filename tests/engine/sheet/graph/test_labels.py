@@ -1,6 +1,7 @@
 """What strokes stand for is told by how they meet, their pens, and the writing between them."""
 
 import itertools
+import math
 from math import tau
 
 import pytest
@@ -197,3 +198,12 @@ def test_a_pictorial_whose_box_overlaps_a_view_takes_nothing_from_it() -> None:
     (box,) = found.pictorials
     assert box[0] < 500 < box[2]
     assert box[1] < 400 < box[3]
+
+
+def test_a_curve_of_chords_within_a_view_is_no_pictorial() -> None:
+    """As programs write the curve in which two surfaces meet."""
+    angles = [0.35 * math.pi + 0.01 * k for k in range(60)]
+    places = [(400.0 + 90.0 * math.cos(a), 300.0 + 90.0 * math.sin(a)) for a in angles]
+    curve = [VectorStroke(Line(a, b), _WIDE) for a, b in itertools.pairwise([*places, places[0]])]
+    labels = _labels(_box(300, 300, 200, 100) + curve)
+    assert labels == [Label.VISIBLE] * (4 + len(curve))
