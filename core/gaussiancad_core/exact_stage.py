@@ -7,13 +7,13 @@ two differ, nobody can tell from the sheet which is meant.
 Where there is none, what the outlines' sweeps have in common is a solid that is told to be no more.
 """
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, fields, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, fields, replace
 
-from gaussiancad_core.axes import Projection
+from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.line_noise import bound_of_seen_px, noise_px
 from gaussiancad_core.modes import Status
-from gaussiancad_core.reasoning.drawn_views import DrawnViews, views_as_read
+from gaussiancad_core.reasoning.drawn_views import Cut, DrawnViews, views_as_read
 from gaussiancad_core.reasoning.labelling import Effort
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import RegisteredSheet
@@ -83,11 +83,18 @@ class Reading:
         registered: on shared axes.
         projection: first or third angle.
         measures: what the sheet's dimensions say.
+        cuts: views that are full sections.
     """
 
     registered: RegisteredSheet
     projection: Projection
     measures: tuple[Measure, ...] = ()
+    cuts: Mapping[Role, Cut] = field(default_factory=dict)
+
+    @property
+    def drawn(self) -> DrawnViews:
+        """The lines of the views, as the reasoning takes them."""
+        return replace(drawn_views(self.registered, self.measures), cuts=self.cuts)
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,7 +154,7 @@ def find_exact(
         if not contrary.is_settled:
             result = result.doubted(_UNSETTLED)
         return ExactModel(own, result, result.explains)
-    indistinct = drawn_views(own.registered, own.measures).indistinct
+    indistinct = own.drawn.indistinct
     further = [
         (shape, share)
         for shape, share in zip(
@@ -196,7 +203,7 @@ def with_fallback(model: ExactModel) -> ExactModel:
     """
     if model.result.shape is not None:
         return model
-    drawn = drawn_views(model.reading.registered, model.reading.measures)
+    drawn = model.reading.drawn
     shape = swept_solid(model.reading.registered.views, drawn.tolerance)
     if shape is None:
         return model
@@ -238,7 +245,7 @@ def drawn_views(registered: RegisteredSheet, measures: Sequence[Measure] = ()) -
 
 
 def _solved(reading: Reading, limits: Limits) -> ExactResult:
-    result = exact_solid(drawn_views(reading.registered, reading.measures), limits)
+    result = exact_solid(reading.drawn, limits)
     if result.verification is None:
         return result
     share = result.verification.share

@@ -31,6 +31,7 @@ from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
 from gaussiancad_core.sheet.scale.dimensions import file_lines
 from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale, find_scale
+from gaussiancad_core.sheet.special_views.hatched_areas import with_hatched_areas
 from gaussiancad_core.sheet.special_views.telling import UNUSED, tellings, why_unused
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.sheet.view_search import find_views
@@ -91,6 +92,7 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
             layout = replace(layout, special=(*layout.special, *threads))
             drawn, smooth = without_tangent_edges(drawn)
             separated = replace(separated, marks=(*separated.marks, *map(_tangent_mark, smooth)))
+        drawn = with_hatched_areas(drawn, layout, separated.hatched)
         scale = _sheet_scale(job, image, clean, (separated.marks, drawn), notes)
         sections = _sections(image, scale, layout, clean.turn) if scale is not None else ()
         layout, drawn = _by_arrows(layout, drawn, sections)

@@ -1,5 +1,6 @@
 """The stage masks: views with strokes to views on shared axes, under one or two projections."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -12,6 +13,7 @@ from gaussiancad_core.projection_choice import both_readings, choose_projection
 from gaussiancad_core.reading_stage import SheetLines
 from gaussiancad_core.report import PlaneReport, SectionReport, ViewReport
 from gaussiancad_core.run_notes import RunNotes
+from gaussiancad_core.sections_stage import cuts_of
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.notes.sections import NamedSection
@@ -68,6 +70,7 @@ def registered_lines(job: Job, lines: SheetLines, turn: Turn, notes: RunNotes) -
             own = Reading(register_views(lines.drawn, options), notes.report.projection)
             found = SheetFindings(own, None, (), ())
         found = _with_measures(found, lines.scale, notes)
+        found = _with_cuts(found, lines.sections)
         if found.other and job.result is ResultKind.SURFACE:
             found = weigh_readings(found, notes)
         _tell_views(notes, found.own.registered, turn)
@@ -148,6 +151,15 @@ def _with_measures(
         for reading in (found.own, found.other)
     ]
     return replace(found, own=measured[0], other=measured[1])
+
+
+def _with_cuts(found: SheetFindings, sections: Sequence[NamedSection]) -> SheetFindings:
+    """The readings with the planes of their sections."""
+    own, other = (
+        reading and replace(reading, cuts=cuts_of(reading.registered, sections))
+        for reading in (found.own, found.other)
+    )
+    return replace(found, own=own, other=other)
 
 
 def _tell_views(notes: RunNotes, registered: RegisteredSheet, turn: Turn) -> None:

@@ -1,6 +1,6 @@
 """Views of a part that was cut: full sections, half sections, broken-out sections (ISO 128-3).
 
-What stands between the viewer and a plane through the part's middle is cut away, everywhere or in
+What stands between the viewer and a plane, mostly the middle one, is cut away, everywhere or in
 a region of the view.  Where the plane meets material, the drawing is hatched.
 """
 
@@ -76,14 +76,16 @@ def section_view(
     role: Role,
     kind: SectionKind,
     options: LineOptions | None = None,
+    at: float | None = None,
 ) -> SectionView:
-    """Cut a part through its middle, and draw what is left.
+    """Cut a part by a plane, and draw what is left.
 
     Args:
         shape: solid in mm; its position is kept.
         role: the view that is cut; the plane is across its direction.
         kind: how much of it.
         options: which lines, how exactly.
+        at: mm of the plane along the axis that the view looks along; None for the part's middle.
     """
     low, high = bounding_box(shape)
     frame = role.frame
@@ -92,7 +94,7 @@ def section_view(
     spans = [np.sort(corners @ way) for way in (right, up)]
     region = _region(spans[0], spans[1], kind)
     near, far = np.sort(corners @ look)
-    middle = 0.5 * (near + far)
+    middle = 0.5 * (near + far) if at is None else at * frame.look_axis[1]
     depth = 1.1 * (far - near)
     flat = _face(region, (right, up, look), middle)
     removed = BRepPrimAPI_MakePrism(flat, gp_Vec(*(-depth * look).tolist())).Shape()

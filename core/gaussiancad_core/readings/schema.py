@@ -121,6 +121,7 @@ class ViewEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
         used: whether it stands for a principal view.
         cut: around its hatching.
         dash: px up to which a hidden stroke may be one dash.
+        hatch: of a full section the outlines of what is cut; an odd number of them surrounds it.
     """
 
     id: Text
@@ -132,6 +133,7 @@ class ViewEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
     used: bool = True
     cut: Box | None = None
     dash: Number | None = None
+    hatch: tuple[tuple[Point, ...], ...] = ()
 
 
 class SectionEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):

@@ -47,7 +47,7 @@ from gaussiancad_core.sheet.notes.sections import NamedSection, Trace
 from gaussiancad_core.sheet.notes.titles import Title, TitleKind
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.precision import StrokesSource
-from gaussiancad_core.sheet.reading import ReadView
+from gaussiancad_core.sheet.reading import ReadView, Ring
 from gaussiancad_core.sheet.registration import view_box
 from gaussiancad_core.sheet.scale.dimensions import Span
 from gaussiancad_core.sheet.scale.estimate import Measure, ReadDimension
@@ -244,8 +244,14 @@ def _drawn(reading: SheetReading, clean: CleanSheet, reread: Reread) -> tuple[Re
             if outline is None
             else view_box(strokes[role], outline, exact=_source(view) is StrokesSource.VECTOR)
         )
-        drawn.append(ReadView(role, box, strokes[role], outline, _source(view), view.dash))
+        own = ReadView(role, box, strokes[role], outline, _source(view), view.dash)
+        drawn.append(replace(own, hatched=_rings(view, clean.turn)))
     return tuple(drawn)
+
+
+def _rings(view: ViewEntry, turn: Turn) -> tuple[Ring, ...]:
+    rings = (turn.to_upright(np.array(ring)).tolist() for ring in view.hatch if len(ring) > 2)
+    return tuple(tuple((float(x), float(y)) for x, y in ring) for ring in rings)
 
 
 def _source(view: ViewEntry) -> StrokesSource:

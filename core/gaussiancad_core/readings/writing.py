@@ -225,6 +225,10 @@ def _view(view: ReadView, turn: Turn) -> ViewEntry:
         source=view.source.value,
         hidden_lines="drawn" if view.has_hidden_lines else "none",
         dash=view.dash,
+        hatch=tuple(
+            tuple((round(x, 2), round(y, 2)) for x, y in turn.to_stored(np.array(ring)).tolist())
+            for ring in view.hatched
+        ),
     )
 
 

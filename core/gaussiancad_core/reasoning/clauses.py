@@ -17,7 +17,7 @@ from gaussiancad_core.reasoning.blocks import (
 )
 from gaussiancad_core.reasoning.columns import Cell
 from gaussiancad_core.reasoning.rules import Rule
-from gaussiancad_core.reasoning.usual import BLIND, LOOSE, UNSEEN, Usual
+from gaussiancad_core.reasoning.usual import BLIND, LOOSE, NOWHERE, UNSEEN, Usual
 
 SURFACES = 10
 """Surfaces that weigh as much as a tenth of a unit of line that is given up."""
@@ -133,6 +133,13 @@ class Model:
                 solid = self._literal(forms[cell])
                 costs.append((self._unless([solid, *seen.values()]), UNSEEN))
                 costs.append((self._unless([solid, *through[cell]]), usual.bulks.get(cell, 1)))
+        for pairs in usual.undrawn:
+            found = {forms[a] ^ forms[b] for a, b in pairs if a in forms and b in forms} - {0}
+            if found:
+                used = self.model.new_bool_var("")
+                for form in sorted(found):
+                    self.model.add_implication(self._literal(form), used)
+                costs.append((used, NOWHERE))
         literals, weights = zip(*costs, strict=True) if costs else ((), ())
         return cp_model.LinearExpr.weighted_sum(literals, weights)
 

@@ -1,6 +1,6 @@
 """Circles that a view may lack: two others show the outline of a cylinder along its axis."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import combinations, islice
 from math import pi
 
@@ -56,6 +56,37 @@ def lost_circles(
             known = any(_alike(circle, other, near) for other in (*drawn, *found))
             if not known and _sides(plane, circle, near) < _SQUARE:
                 found.append(circle)
+    for circle in sorted(found, key=lambda circle: circle.radius)[:_MOST]:
+        yield circle, 0.0, TURN
+
+
+def sectioned_circles(
+    supports: PartSupports, normal: Axis, cuts: Mapping[Axis, float], near: float
+) -> Iterator[tuple[CircleCurve, float, float]]:
+    """Circles of a plane that sections through the centre of a drawn one show: grooves, and bores
+    that are wider inside.
+
+    Args:
+        supports: of all planes.
+        normal: of the plane.
+        cuts: cutting planes by the axis that they are across, units along it.
+        near: units within which coordinates are one.
+    """
+    plane = supports.planes[normal]
+    drawn = [s.curve for s in plane.supports if isinstance(s.curve, CircleCurve)]
+    found: list[CircleCurve] = []
+    for axis, at in cuts.items():
+        if axis is normal:
+            continue
+        along = IN_PLANE[normal].index(axis.value)
+        across = Axis(IN_PLANE[normal][1 - along])
+        through = [own.centre for own in drawn if abs(own.centre[along] - at) <= near]
+        for middle, radius, *_ in islice(_bands(supports.planes[axis], across, near), _MOST_BANDS):
+            for centre in through:
+                circle = CircleCurve(centre, radius)
+                known = any(_alike(circle, other, near) for other in (*drawn, *found))
+                if abs(centre[1 - along] - middle) <= near and not known:
+                    found.append(circle)
     for circle in sorted(found, key=lambda circle: circle.radius)[:_MOST]:
         yield circle, 0.0, TURN
 

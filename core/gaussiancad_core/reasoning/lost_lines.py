@@ -8,9 +8,10 @@ there is still a rule, and the labels decide which of these rules are wrong.
 """
 
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, pairwise
+from types import MappingProxyType
 
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.reasoning.arrangement import Arrangement, distinct
@@ -21,7 +22,7 @@ from gaussiancad_core.reasoning.curves import (
     Point,
     axis_line,
 )
-from gaussiancad_core.reasoning.lost_curves import lost_circles
+from gaussiancad_core.reasoning.lost_curves import lost_circles, sectioned_circles
 from gaussiancad_core.reasoning.lost_slants import lost_slants
 from gaussiancad_core.reasoning.open_corners import joining
 from gaussiancad_core.reasoning.planes import IN_PLANE
@@ -37,7 +38,11 @@ Stretch = tuple[PlaneCurve, float, float]
 
 
 def with_lost_lines(
-    supports: PartSupports, *, along_axes: bool = False, undrawn: Collection[Role] = ()
+    supports: PartSupports,
+    *,
+    along_axes: bool = False,
+    undrawn: Collection[Role] = (),
+    cuts: Mapping[Axis, float] = MappingProxyType({}),
 ) -> PartSupports:
     """The supports with stretches that views may lack.
 
@@ -48,15 +53,19 @@ def with_lost_lines(
         along_axes: whether only lines along the axes are looked for, which meet others where
             values are known already.
         undrawn: views that may lack any line along the axes.
+        cuts: cutting planes of sections, by the axis that they are across, units along it.
     """
+    near = max(NEAR, supports.tolerance)
     if len(supports.planes) < len(Axis):
         grids = {
-            axis: _divided(plane, _grid(supports, axis, ()))
+            axis: _divided(
+                plane,
+                chain(_grid(supports, axis, ()), sectioned_circles(supports, axis, cuts, near)),
+            )
             for axis, plane in supports.planes.items()
             if all(role in undrawn for role in plane.roles)
         }
         return replace(supports, planes={**supports.planes, **grids})
-    near = max(NEAR, supports.tolerance)
     corners = {axis: Arrangement(plane.supports).corners for axis, plane in supports.planes.items()}
     silent = {
         axis
@@ -74,7 +83,9 @@ def with_lost_lines(
             planes[axis] = _divided(plane, edges)
             continue
         slanted = lost_slants(supports, corners[axis], axis, near)
-        round_ones = lost_circles(supports, axis, near)
+        round_ones = chain(
+            lost_circles(supports, axis, near), sectioned_circles(supports, axis, cuts, near)
+        )
         found = chain(edges, slanted, round_ones, joining(supports, axis, near))
         planes[axis] = _divided(plane, found)
     return replace(supports, planes=planes)

@@ -1,8 +1,9 @@
 """A drawing as cells and rules: what the labelling starts from."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import islice
+from types import MappingProxyType
 
 import numpy as np
 
@@ -15,7 +16,8 @@ from gaussiancad_core.reasoning.chains import Chain, through_points
 from gaussiancad_core.reasoning.chamfers import with_untold_chamfers
 from gaussiancad_core.reasoning.columns import Space
 from gaussiancad_core.reasoning.curves import axis_line
-from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.cut_columns import area_rules, behind, cut_planes, merged
+from gaussiancad_core.reasoning.drawn_views import Cut, DrawnViews
 from gaussiancad_core.reasoning.grid_rows import count_pieces, find_rows
 from gaussiancad_core.reasoning.incidences import Facet
 from gaussiancad_core.reasoning.lost_lines import as_if_drawn, with_lost_lines
@@ -70,12 +72,14 @@ class PartModel:
         space: the cells.
         rules: what the views say about them.
         usual: what is taken for usual, where views draw no hidden lines.
+        sections: where views are cut.
     """
 
     supports: PartSupports
     space: Space
     rules: tuple[Rule, ...]
     usual: Usual | None = None
+    sections: Mapping[Role, Cut] = field(default_factory=dict)
 
 
 def model_part(
@@ -121,21 +125,37 @@ def model_part(
     if open_ends:
         supports = with_open_ends(supports)
     if lost_lines:
-        supports = with_lost_lines(supports, along_axes=along_axes, undrawn=views.undrawn)
+        supports = with_lost_lines(
+            supports,
+            along_axes=along_axes,
+            undrawn=views.without_hidden,
+            cuts=_planes_of(views, supports.scale),
+        )
     planes = {axis: _arranged(plane, supports.tolerance) for axis, plane in supports.planes.items()}
     for axis in Axis:
         if axis not in planes:
             planes[axis] = _box(axis, _known_size(supports))
     space = Space(planes, (*find_bodies(supports), *half_spaces))
-    return without_undrawn(_part(supports, space, near, deadline), views)
+    return without_undrawn(_part(supports, space, near, deadline, views.cuts), views)
 
 
 def without_undrawn(part: PartModel, views: DrawnViews) -> PartModel:
     """The part with what is blank only not visible in views that draw no hidden lines."""
-    if not views.undrawn:
+    if not views.without_hidden:
         return part
-    rules = without_hidden(part.rules, views.undrawn)
-    return replace(part, rules=rules, usual=usual_of(part.space, views.roles, views.undrawn))
+    rules = without_hidden(part.rules, views.without_hidden)
+    if not views.undrawn:
+        return replace(part, rules=rules)
+    whole = [role for role in views.roles if role not in views.cuts]
+    silent = [role for role in views.undrawn if role not in views.cuts]
+    planes = _planes_of(views, part.supports.scale)
+    usual = usual_of(part.supports, part.space, whole, silent, planes)
+    return replace(part, rules=rules, usual=usual)
+
+
+def _planes_of(views: DrawnViews, scale: float) -> dict[Axis, float]:
+    """Cutting planes by the axis that they are across, in units along it."""
+    return {role_plane(role).normal: cut.at * scale for role, cut in views.cuts.items()}
 
 
 def with_lone_bodies(
@@ -167,7 +187,8 @@ def with_lone_bodies(
         if contradict(through):
             return None
     others = part.space.bodies[len(plain) :]
-    return _part(part.supports, Space(part.space.planes, (*bodies, *others)), NEAR, deadline)
+    space = Space(part.space.planes, (*bodies, *others))
+    return _part(part.supports, space, NEAR, deadline, part.sections)
 
 
 def _looks_into(rule: Rule, bodies: Sequence[RevolvedBody]) -> bool:
@@ -181,7 +202,13 @@ def _looks_into(rule: Rule, bodies: Sequence[RevolvedBody]) -> bool:
     )
 
 
-def _part(supports: PartSupports, space: Space, near: float, deadline: Deadline) -> PartModel:
+def _part(
+    supports: PartSupports,
+    space: Space,
+    near: float,
+    deadline: Deadline,
+    cuts: Mapping[Role, Cut] = MappingProxyType({}),
+) -> PartModel:
     near = max(near, 2.0 * supports.tolerance)
     most = _MOST_PIECES if supports.tolerance <= _EXACT else _MOST_READ
     rows = {normal: find_rows(space, normal) for normal in supports.planes}
@@ -192,7 +219,12 @@ def _part(supports: PartSupports, space: Space, near: float, deadline: Deadline)
     pieces = list(islice(_until(found, deadline), most + 1)) if count <= most else []
     if max(count, len(pieces)) > most:
         raise _too_complex(f"its lines divide the views into more than {most:,} pieces")
-    return PartModel(supports, space, tuple(rules_of(space, pieces)))
+    sections = cut_planes(cuts, supports.scale)
+    rules = rules_of(
+        space, pieces, sections, lambda column, role: behind(column, role, sections[role])
+    )
+    rules += merged(area_rules(space, sections))
+    return PartModel(supports, space, tuple(rules), sections=cuts)
 
 
 def _until(pieces: Iterable[Piece], deadline: Deadline) -> Iterator[Piece]:

@@ -78,13 +78,30 @@ class Rule:
     says: Says = Says.ALL
 
 
-def rules_of(space: Space, pieces: Iterable[Piece]) -> list[Rule]:
-    """Rules of pieces; those that say the same become one."""
+Seen = Callable[[tuple[Crossing, ...], Role], tuple[Crossing, ...]]
+"""Which crossings of a column a view shows."""
+
+
+def rules_of(
+    space: Space, pieces: Iterable[Piece], cut: Collection[Role] = (), seen: Seen | None = None
+) -> list[Rule]:
+    """Rules of pieces; those that say the same become one.
+
+    Args:
+        space: the cells.
+        pieces: of all views.
+        cut: views that do not show whole columns.
+        seen: what these show of a column.
+    """
     lines = SightLines(space)
     pieces = list(pieces)
+    plain = [piece for piece in pieces if piece.role not in cut]
+    rest = [piece for piece in pieces if piece.role in cut]
     if lines.fit:
-        return _merged(lines.said(pieces), _Decoder(lines.keys).groups)
-    return _merged(_said(space, pieces), _as_they_are)
+        rules = _merged(lines.said(plain), _Decoder(lines.keys).groups)
+    else:
+        rules = _merged(_said(space, plain), _as_they_are)
+    return rules + _merged(_said(space, rest, seen), _as_they_are)
 
 
 Groups = tuple[Group, ...]
@@ -93,10 +110,13 @@ _Said = TypeVar("_Said", bound=Hashable)
 """Groups, or what tells them."""
 
 
-def _said(space: Space, pieces: Sequence[Piece]) -> Iterator[tuple[Piece, Groups]]:
-    """Pieces that say something, and what: the plain way, for cells without keys."""
+def _said(
+    space: Space, pieces: Sequence[Piece], seen: Seen | None = None
+) -> Iterator[tuple[Piece, Groups]]:
+    """Pieces that say something, and what: the plain way, for cells without keys and for columns
+    that are cut."""
     for piece in pieces:
-        groups = groups_beside(space, piece)
+        groups = groups_beside(space, piece, seen)
         if groups is not None:
             yield piece, groups
 
@@ -172,7 +192,7 @@ def _merged(said: Iterable[tuple[Piece, _Said]], decoded: Callable[[_Said], Grou
     return rules
 
 
-def groups_beside(space: Space, piece: Piece) -> tuple[Group, ...] | None:
+def groups_beside(space: Space, piece: Piece, seen: Seen | None = None) -> tuple[Group, ...] | None:
     """Groups from the viewer on; None if the piece says nothing.
 
     The plain reference of what :mod:`.sight_lines` does with many pieces at once.
@@ -190,6 +210,8 @@ def groups_beside(space: Space, piece: Piece) -> tuple[Group, ...] | None:
             if arrangement.locate(*at) != here:
                 return None
     one, other = (space.column(plane.normal, *side) for side in sides)
+    if seen is not None:
+        one, other = (seen(column, piece.role) for column in (one, other))
     pairs = _aligned(one, other)
     if pairs is not None:
         # Nearly all columns beside a line that is not drawn are alike.

@@ -5,19 +5,24 @@ rule: of the labels that have all lines those are looked for that keep most of i
 """
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import islice, pairwise, product
 from math import prod
 
-from gaussiancad_core.axes import Role
+from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.reasoning.arrangement import OUTSIDE, Arrangement
-from gaussiancad_core.reasoning.columns import Cell, Space
-from gaussiancad_core.reasoning.planes import role_plane
+from gaussiancad_core.reasoning.columns import Cell, Space, Surface
+from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
+from gaussiancad_core.reasoning.rules import Transition
+from gaussiancad_core.reasoning.supports import PartSupports
 
 UNSEEN, LOOSE, BLIND = 40, 40, 3
 """Surfaces that weigh as much as a void that no view sees, as what stands by itself in a through
 hole, and, beside one for each of its cells, as a hole that is seen and does not go through."""
+
+NOWHERE = 15
+"""Surfaces that a surface weighs as much as whose trace no view draws."""
 
 _BULK = 1000.0
 """Surfaces that a void as large as the part's box weighs as much as, if it is no through hole."""
@@ -47,20 +52,31 @@ class Usual:
         sights: cells along lines of sight, from each viewer on.
         holes: that may be, as seen in views without hidden lines.
         bulks: of each cell, in surfaces, how much a void of its size weighs.
+        undrawn: of each surface whose trace no view draws the pairs of cells that it parts.
     """
 
     sights: tuple[tuple[Cell, ...], ...]
     holes: tuple[Hole, ...]
     bulks: Mapping[Cell, int]
+    undrawn: tuple[frozenset[Transition], ...] = ()
 
 
-def usual_of(space: Space, roles: Iterable[Role], undrawn: Iterable[Role]) -> Usual:
+def usual_of(
+    supports: PartSupports,
+    space: Space,
+    roles: Iterable[Role],
+    undrawn: Iterable[Role],
+    cuts: Mapping[Axis, float],
+) -> Usual:
     """What is usual in the cells of a part.
 
     Args:
+        supports: of the views.
         space: the cells.
-        roles: all views.
+        roles: views that are not cut.
         undrawn: those of them that draw no hidden lines.
+        cuts: cutting planes of sections, by the axis that they are across, units along it.  What
+            they show behind them is likely to be before them as well.
     """
     silent = {role_plane(role).normal for role in undrawn}
     sights: dict[tuple[Cell, ...], None] = {}
@@ -85,11 +101,44 @@ def usual_of(space: Space, roles: Iterable[Role], undrawn: Iterable[Role]) -> Us
                 inner = dict.fromkeys(cell for each in within for cell in behind.get(each, ()))
                 if region in behind:
                     holes[Hole(behind[region], tuple(inner))] = None
+    for normal, at in cuts.items():
+        for _, point in islice(space.planes[normal].inner_points(), _MOST):
+            column = space.column(normal, *point)
+            ends = [(d.depth, c.after) for c, d in pairwise(column) if c.after is not None]
+            before = [c.after for c in column if c.after is not None and c.depth <= at]
+            beyond = [cell for depth, cell in ends if depth > at]
+            sights[tuple(before[::-1])] = sights[tuple(beyond)] = None
     box = prod(values[-1] - values[0] for values in space.values.values())
     bulks = {
         cell: 1 + round(_BULK * min(v for v in own if v) / box) for cell, own in volumes.items()
     }
-    return Usual(tuple(own for own in sights if own), tuple(holes), bulks)
+    seen = tuple(own for own in sights if own)
+    return Usual(seen, tuple(holes), bulks, tuple(_undrawn(supports, space)))
+
+
+def _undrawn(supports: PartSupports, space: Space) -> Iterator[frozenset[Transition]]:
+    blank = {
+        (normal.value, number)
+        for normal, plane in supports.planes.items()
+        for number, support in enumerate(plane.supports)
+        if not support.spans
+    }
+    if not blank:
+        return
+    for normal in Axis:
+        # Views look along two axes at times, and across these surfaces along the third.
+        first, second = (_middles(space.values[Axis(index)]) for index in IN_PLANE[normal])
+        for point in islice(product(first, second), _MOST):
+            space.column(normal, *point)
+    parted: defaultdict[Surface, set[Transition]] = defaultdict(set)
+    for before, after, surface in space.crossed():
+        if surface in blank:
+            parted[surface].add((before, after))
+    yield from map(frozenset, parted.values())
+
+
+def _middles(values: Iterable[float]) -> list[float]:
+    return [0.5 * (low + high) for low, high in pairwise(values)]
 
 
 def _surrounded(plane: Arrangement) -> dict[int, list[int]]:

@@ -47,6 +47,10 @@ _ALONE = 0.6
 """Gaps by which a line may be longer than its only dash: lines at its ends cover the rest."""
 
 
+Ring = tuple[tuple[float, float], ...]
+"""Corners of a polygon."""
+
+
 @dataclass(frozen=True)
 class ReadView:
     """A named view with its strokes, in px of the upright sheet.
@@ -59,6 +63,7 @@ class ReadView:
         source: where its strokes come from.
         dash: px up to which a hidden stroke may be one dash, as solid as a visible one; None where
             the pens or the file tell linetypes.
+        hatched: of a full section the outlines of what is cut: an odd number of them surrounds it.
     """
 
     role: Role
@@ -67,6 +72,7 @@ class ReadView:
     outline: Outline | None
     source: StrokesSource = StrokesSource.RASTER
     dash: float | None = None
+    hatched: tuple[Ring, ...] = ()
 
     @property
     def has_hidden_lines(self) -> bool:

@@ -127,7 +127,8 @@ def undrawn_models(work: Work, views: DrawnViews, deadline: Deadline) -> Iterato
         views: with those that draw none.
         deadline: by which they have to be made.
     """
-    yield ModelKind.UNDRAWN_LINES, without_undrawn(work.part, views)
+    if not views.cuts:
+        yield ModelKind.UNDRAWN_LINES, without_undrawn(work.part, views)
     model = modelled(ModelKind.UNDRAWN_LINES, views, work, deadline, lost_lines=True)
     if model is not None:
         yield model

@@ -1,10 +1,11 @@
 """A solid drawn again and compared with the views it was made from."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
 import numpy.typing as npt
+import shapely
 from OCP.TopoDS import TopoDS_Shape
 from scipy.spatial import cKDTree
 
@@ -18,6 +19,8 @@ from gaussiancad_core.drawing.brep import (
     soundness,
 )
 from gaussiancad_core.drawing.hlr import LineDrawing
+from gaussiancad_core.drawing.sections import section_view
+from gaussiancad_core.drawing.style import SectionKind
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.unsure_kinds import as_drawn, with_unsure_kinds
 from gaussiancad_core.verification.agreement import (
@@ -69,6 +72,9 @@ cannot tell its sides apart."""
 
 _NEAREST = 6
 """Points of the solid's lines by which their direction is taken: at a corner, those of both."""
+
+_HATCHED = 4.0
+"""Matching tolerances by which hatching may end beside the outline of what is cut."""
 
 _SMALLEST_FLAW = 0.002
 """The same as a share of the longest extent, at least."""
@@ -155,15 +161,24 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
     tolerance = matching_tolerance(views)
     least = max(_FLAW * tolerance, _SMALLEST_FLAW * max(views.size))
     drawing = LineDrawing(shape)
-    matched, flaws, spread = {}, [], 0.0
-    drawn = {role: tuple(drawing.view(role)) for role in views.roles}
+    matched, spread = {}, 0.0
+    drawn, flaws = {}, []
+    for role in views.roles:
+        cut = views.cuts.get(role)
+        if cut is None:
+            drawn[role] = tuple(drawing.view(role))
+            continue
+        section = section_view(shape, role, SectionKind.FULL, at=cut.at)
+        drawn[role] = section.strokes
+        if cut.areas is not None:
+            flaws += _area_flaws(role, section.areas, cut.areas, tolerance)
     told, retold = with_unsure_kinds(views) or views, False
     askew = False
     for role in views.roles:
         lines = lines_of_strokes(drawn[role], tolerance / STEPS_PER_TOLERANCE)
         strokes = as_drawn(told.strokes[role], lines, tolerance)
         retold |= strokes != tuple(told.strokes[role])
-        if role in views.undrawn:
+        if role in views.without_hidden:
             # A hidden line of the solid is none that the view lacks.
             lines = Lines(
                 lines.visible, lines.hidden.only(np.zeros(len(lines.hidden.points), bool))
@@ -190,6 +205,19 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
     return Verification(
         sound, matched, tuple(flaws), spread, misfit, apart, _thin(shape, views), retold, drawn
     )
+
+
+def _area_flaws(
+    role: Role, own: shapely.Geometry, hatched: shapely.Geometry, tolerance: float
+) -> Iterator[Flaw]:
+    """Places of a section where what is cut and what is hatched are not the same, by more than the
+    lines around may be off."""
+    for one, other, missing in ((hatched, own, True), (own, hatched, False)):
+        rest = one.difference(other.buffer(_HATCHED * tolerance))
+        for part in shapely.get_parts(rest):
+            if part.area > tolerance**2:
+                x, y = part.representative_point().coords[0]
+                yield Flaw(role, (float(x), float(y)), float(part.length) / 2.0, missing)
 
 
 def _thin(shape: TopoDS_Shape, views: DrawnViews) -> int:
