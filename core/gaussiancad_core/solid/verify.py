@@ -213,9 +213,11 @@ def _area_flaws(
     """Places of a section where what is cut and what is hatched are not the same, by more than the
     lines around may be off."""
     for one, other, missing in ((hatched, own, True), (own, hatched, False)):
-        rest = one.difference(other.buffer(_HATCHED * tolerance))
+        beside = _HATCHED * tolerance
+        rest = one.difference(other.buffer(beside))
         for part in shapely.get_parts(rest):
-            if part.area > tolerance**2:
+            # In corners the last line of a hatching leaves a triangle.
+            if not part.buffer(-beside).is_empty:
                 x, y = part.representative_point().coords[0]
                 yield Flaw(role, (float(x), float(y)), float(part.length) / 2.0, missing)
 

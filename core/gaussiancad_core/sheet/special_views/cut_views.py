@@ -1,6 +1,6 @@
-"""Sections that stand for a view: edges inside of the cut are hidden ones of the whole part.
+"""Half sections that stand for a view: edges inside of the cut are hidden ones of the whole part.
 
-Parts are cut where they are alike on both sides, as a rule.  What a section shows within its
+Parts are cut where they are alike on both sides, as a rule.  What such a section shows within its
 outline is then what the view of the whole part would show in dashes.
 """
 
@@ -25,13 +25,9 @@ _SURE = 0.5
 
 
 def cut_region(layout: Layout, box: Box) -> Box | None:
-    """The part of a view that shows the inside, in px, or nothing where it is no section."""
+    """The half of a view that shows the inside, in px, or nothing where it is no half section."""
     own = next((view for view in layout.special if view.box == box and view.used), None)
-    if own is None or own.cut is None:
-        return None
-    if own.kind is SpecialKind.SECTION:
-        return box
-    if own.kind is not SpecialKind.HALF_SECTION:
+    if own is None or own.cut is None or own.kind is not SpecialKind.HALF_SECTION:
         return None
     x0, y0, x1, y1 = box
     middle = (0.5 * (x0 + x1), 0.5 * (y0 + y1))

@@ -53,9 +53,9 @@ def find_named_layout(
 ) -> tuple[SeparatedSheet, Layout]:
     """Find the principal views, and name what is none of them.
 
-    A full section is left out where two other views belong together, and stands for a view where
-    they do not.  What else is hatched stays: its outline is whole.  The halves of a broken view are
-    one view.  A half view is completed by its mirror image where there is room for it.
+    A full section stands for a view where no other one shows its direction, and is left out where
+    another does.  What else is hatched stays: its outline is whole.  The halves of a broken view
+    are one view.  A half view is completed by its mirror image where there is room for it.
 
     Args:
         sheet: upright, with all that is on it.
@@ -169,7 +169,8 @@ def _sections(separated: SeparatedSheet, clusters: list[Box]) -> dict[Box, Speci
 
 
 def _arranged(clusters: list[Box], cut: dict[Box, SpecialKind], request: LayoutRequest) -> Layout:
-    """The views without full sections if there are enough, or else with them."""
+    """The views with full sections where these show another direction, or are needed; else
+    without."""
     full = [box for box, kind in cut.items() if kind is SpecialKind.SECTION]
     plain = [box for box in clusters if box not in full]
     if full and not request.given:
@@ -177,10 +178,18 @@ def _arranged(clusters: list[Box], cut: dict[Box, SpecialKind], request: LayoutR
             layout = arrange_clusters(plain, request.given, request.projection)
         except NoModelError:
             return arrange_clusters(clusters, request.given, request.projection)
+        whole = arrange_clusters(clusters, request.given, request.projection)
+        if layout.boxes.items() <= whole.boxes.items() and _directions(whole) > _directions(layout):
+            return whole
         used = sum(_area(box) for box in layout.boxes.values())
         if used > _ENOUGH * sum(_area(box) for box in layout.left_out):
             return replace(layout, left_out=layout.left_out + tuple(full))
     return arrange_clusters(clusters, request.given, request.projection)
+
+
+def _directions(layout: Layout) -> int:
+    """Along how many axes views look."""
+    return len({role.frame.look_axis[0] for role in layout.boxes})
 
 
 def _other_parts(rest: list[Box], layout: Layout) -> list[list[Box]]:

@@ -55,8 +55,8 @@ def _told(kind: SpecialKind, used: bool, boxes: list[Box]) -> Telling:
     if kind in _SECTIONS:
         return Telling(
             "section-used",
-            f"{_NAMES[kind]} at {places} px stands for a view: its outline is the part's, but what "
-            "its lines show lies within the part",
+            f"{_NAMES[kind]} at {places} px stands for a view: what was cut away before it no "
+            "line shows",
             doubt=True,
         )
     return Telling(_USED[kind], f"{_NAMES[kind]} at {places} px: {_DOUBTS[kind]}", doubt=True)

@@ -80,15 +80,15 @@ def test_what_stands_beside_the_views_is_left_out(
 
 
 @pytest.mark.parametrize("defects", DEFECTS)
-def test_a_section_is_left_out_where_two_other_views_are_enough(
+def test_a_section_in_a_direction_of_its_own_stands_for_a_view(
     find,  # noqa: ANN001
     defects: str,
 ) -> None:
     found = find("counterbored-block", f"{defects},section=right", "right,front,top")
-    assert _all_views(found, {Role.FRONT, Role.TOP})
+    assert _all_views(found)
     (special,) = found.layout.special
-    assert (special.kind, special.used) == (Kind.SECTION, False)
-    assert found.layout.left_out == ()
+    assert (special.kind, special.used) == (Kind.SECTION, True)
+    assert special.box == found.layout.boxes[Role.RIGHT]
 
 
 @pytest.mark.parametrize("defects", DEFECTS)
