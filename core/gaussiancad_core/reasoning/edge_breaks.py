@@ -139,7 +139,13 @@ def sharp_views(views: DrawnViews) -> SharpViews | None:
     profiles = [
         own for role, drawn in views.strokes.items() for own in _profiles(role, drawn, near)
     ]
-    loops = [loop for role, drawn in views.strokes.items() for loop in _loops(role, drawn, near)]
+    across = {own.normal for own in profiles}
+    loops = [
+        loop
+        for role, drawn in views.strokes.items()
+        if role_plane(role).normal in across
+        for loop in _loops(role, drawn, near)
+    ]
     for faces in _of_one_face(profiles, views.roles, near):
         first = faces[0]
         spans = {own.along: (own.low, own.high) for own in faces}
