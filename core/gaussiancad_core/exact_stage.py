@@ -11,9 +11,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 
 from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.cuts import Cut
 from gaussiancad_core.line_noise import bound_of_seen_px, noise_px
 from gaussiancad_core.modes import Status
-from gaussiancad_core.reasoning.drawn_views import Cut, DrawnViews, views_as_read
+from gaussiancad_core.reasoning.drawn_views import DrawnViews, views_as_read
 from gaussiancad_core.reasoning.labelling import Effort
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import RegisteredSheet

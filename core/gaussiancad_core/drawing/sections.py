@@ -4,6 +4,7 @@ What stands between the viewer and a plane, mostly the middle one, is cut away, 
 a region of the view.  Where the plane meets material, the drawing is hatched.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,6 +17,7 @@ from OCP.gp import gp_Pnt, gp_Vec
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.cuts import Opening, SectionRole
 from gaussiancad_core.drawing.brep import bounding_box, tessellate
 from gaussiancad_core.drawing.hlr import LineDrawing, LineOptions
 from gaussiancad_core.drawing.strokes import DrawnStroke
@@ -27,6 +29,9 @@ Plane = npt.NDArray[np.float64]
 
 _CHORD = 1e-3
 """Largest distance between a hatched area and its polygon, as a share of the longest extent."""
+
+_SAME = 1e-6
+"""mm between a line and the border that it lies on."""
 
 _WAVES, _DEPTH = 3, 0.04
 """Waves of a break line along each side of a broken-out region, and their depth as a share."""
@@ -73,41 +78,59 @@ class SectionView:
 
 def section_view(
     shape: TopoDS_Shape,
-    role: Role,
-    kind: SectionKind,
+    role: Role | SectionRole,
+    openings: Sequence[Opening],
     options: LineOptions | None = None,
-    at: float | None = None,
 ) -> SectionView:
-    """Cut a part by a plane, and draw what is left.
+    """Cut a part by planes, and draw what is left.
+
+    Between neighbouring openings, and beside one, nothing is drawn but what is an edge of the part
+    (ISO 128-3).
 
     Args:
         shape: solid in mm; its position is kept.
-        role: the view that is cut; the plane is across its direction.
-        kind: how much of it.
+        role: the view that is cut; the planes are across its direction.
+        openings: where, and how deep.
         options: which lines, how exactly.
-        at: mm of the plane along the axis that the view looks along; None for the part's middle.
     """
     low, high = bounding_box(shape)
     frame = role.frame
-    right, up, look = (np.array(v, dtype=float) for v in (frame.right, frame.up, frame.look))
+    axes = tuple(np.array(v, dtype=float) for v in (frame.right, frame.up, frame.look))
     corners = np.array([low, high])
-    spans = [np.sort(corners @ way) for way in (right, up)]
-    region = _region(spans[0], spans[1], kind)
-    near, far = np.sort(corners @ look)
-    middle = 0.5 * (near + far) if at is None else at * frame.look_axis[1]
-    depth = 1.1 * (far - near)
-    flat = _face(region, (right, up, look), middle)
-    removed = BRepPrimAPI_MakePrism(flat, gp_Vec(*(-depth * look).tolist())).Shape()
-    left = BRepAlgoAPI_Cut(shape, removed).Shape()
-    areas = _areas(BRepAlgoAPI_Common(shape, flat).Shape(), (right, up), float((high - low).max()))
+    spans = np.array([np.sort(corners @ way) for way in axes])
+    extent = float((high - low).max())
+    around = shapely.box(*(spans[:2, 0] - extent), *(spans[:2, 1] + extent))
+    left, areas, borders = shape, [], []
+    for own in openings:
+        region = around if own.region is None else own.region.intersection(around)
+        outline = np.array(region.exterior.coords)[:-1]
+        plane = own.at * frame.look_axis[1]
+        flat = _face(outline, axes, plane)
+        depth = plane - spans[2, 0] + extent
+        removed = BRepPrimAPI_MakePrism(flat, gp_Vec(*(-depth * axes[2]).tolist())).Shape()
+        left = BRepAlgoAPI_Cut(left, removed).Shape()
+        areas.append(_areas(BRepAlgoAPI_Common(shape, flat).Shape(), axes[:2], extent))
+        if own.region is not None:
+            borders += _borders(outline, spans)
     strokes = [s for s in LineDrawing(left, options).view(role) if s.linetype is Linetype.VISIBLE]
-    if kind is SectionKind.HALF:
-        # Between the halves there is a centre line, and an edge only where the part has one.
-        centre = float(spans[0].mean())
+    if borders:
         whole = LineDrawing(shape, options).view(role)
-        edges = [s for s in whole if s.linetype is Linetype.VISIBLE and _lies_on(s, centre)]
-        strokes = [stroke for stroke in strokes if not _lies_on(stroke, centre)] + edges
-    return SectionView(tuple(strokes), areas)
+        edges = [s for s in whole if s.linetype is Linetype.VISIBLE and _lies_on(s, borders)]
+        strokes = [stroke for stroke in strokes if not _lies_on(stroke, borders)] + edges
+    return SectionView(tuple(strokes), shapely.union_all(areas))
+
+
+def openings_of(shape: TopoDS_Shape, role: Role, kind: SectionKind) -> tuple[Opening, ...]:
+    """Where a view is cut open for a kind of section, by the plane through the part's middle."""
+    low, high = bounding_box(shape)
+    frame = role.frame
+    corners = np.array([low, high])
+    right, up = (np.sort(corners @ np.array(way, dtype=float)) for way in (frame.right, frame.up))
+    axis = frame.look_axis[0].value
+    middle = float(low[axis] + high[axis]) / 2.0
+    if kind is SectionKind.FULL:
+        return (Opening(middle),)
+    return (Opening(middle, shapely.Polygon(_region(right, up, kind))),)
 
 
 def _region(
@@ -118,8 +141,8 @@ def _region(
     width, height = x1 - x0, y1 - y0
     if kind is SectionKind.BROKEN_OUT:
         return _wavy(x0 + 0.6 * width, x1 + 0.1 * width, y0 - 0.1 * height, y0 + 0.45 * height)
-    start = x0 - 0.1 * width if kind is SectionKind.FULL else 0.5 * (x0 + x1)
-    end, bottom, top = x1 + 0.1 * width, y0 - 0.1 * height, y1 + 0.1 * height
+    start, end = 0.5 * (x0 + x1), x1 + 0.1 * width
+    bottom, top = y0 - 0.1 * height, y1 + 0.1 * height
     return np.array([[start, bottom], [end, bottom], [end, top], [start, top]])
 
 
@@ -152,6 +175,22 @@ def _areas(
     return shapely.union_all(shapely.polygons(plane[triangles]))
 
 
-def _lies_on(stroke: DrawnStroke, x: float) -> bool:
-    ends = isinstance(stroke, Segment) and (stroke.start[0], stroke.end[0])
-    return bool(ends) and max(abs(end - x) for end in ends) < 1e-6
+def _borders(outline: Plane, spans: npt.NDArray[np.float64]) -> list[tuple[int, float]]:
+    """Sides of a region that are parallel to an axis and run through the view: which coordinate
+    they have in common, and its value."""
+    found = []
+    for one, other in zip(outline, np.roll(outline, -1, axis=0), strict=True):
+        for index in (0, 1):
+            if one[index] == other[index] and spans[index, 0] < one[index] < spans[index, 1]:
+                found.append((index, float(one[index])))
+    return found
+
+
+def _lies_on(stroke: DrawnStroke, borders: Sequence[tuple[int, float]]) -> bool:
+    if not isinstance(stroke, Segment):
+        return False
+    ends = stroke.start, stroke.end
+    return any(
+        max(abs(end[index] - at) for end in ends) < _SAME * max(1.0, abs(at))
+        for index, at in borders
+    )

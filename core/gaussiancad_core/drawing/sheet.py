@@ -20,7 +20,7 @@ from gaussiancad_core.drawing.insets import draw_inset
 from gaussiancad_core.drawing.layout import Placement, check_roles, place_views
 from gaussiancad_core.drawing.picture import ISOMETRIC, draw_picture
 from gaussiancad_core.drawing.raster import rasterise
-from gaussiancad_core.drawing.sections import SectionView, section_view
+from gaussiancad_core.drawing.sections import SectionView, openings_of, section_view
 from gaussiancad_core.drawing.strokes import DrawnStroke, mapped
 from gaussiancad_core.drawing.style import SectionKind, SheetStyle
 from gaussiancad_core.drawing.threads import draw_threads
@@ -94,7 +94,10 @@ def part_lines(
     drawing = LineDrawing(shape, options)
     views = {role: drawing.view(role) for role in roles}
     seen = drawing.seen(ISOMETRIC) if picture else ()
-    cut = {(role, kind): section_view(shape, role, kind, options) for role, kind in sections}
+    cut = {
+        (role, kind): section_view(shape, role, openings_of(shape, role, kind), options)
+        for role, kind in sections
+    }
     return PartLines(bounding_box(shape)[1], views, seen, cut)
 
 

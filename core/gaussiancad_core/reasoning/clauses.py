@@ -1,7 +1,7 @@
 """Rules as clauses over the Booleans of blocks, for CP-SAT."""
 
 from collections import defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
 from math import inf
 
@@ -17,7 +17,7 @@ from gaussiancad_core.reasoning.blocks import (
 )
 from gaussiancad_core.reasoning.columns import Cell
 from gaussiancad_core.reasoning.rules import Rule
-from gaussiancad_core.reasoning.usual import BLIND, LOOSE, NOWHERE, UNSEEN, Usual
+from gaussiancad_core.reasoning.usual import BLIND, LOOSE, NOTED, NOWHERE, ROUND, UNSEEN, Usual
 
 SURFACES = 10
 """Surfaces that weigh as much as a tenth of a unit of line that is given up."""
@@ -27,6 +27,9 @@ Labels = dict[Cell, bool]
 
 _UNCOVERED = 0
 """Number of the literal of what nothing lies before."""
+
+Cost = tuple[cp_model.IntVar, int]
+"""A literal, and what it costs in surfaces."""
 
 Chosen = Callable[[Rule], bool]
 """Tells some rules from others."""
@@ -111,17 +114,27 @@ class Model:
 
     def unusual(self, usual: Usual) -> cp_model.LinearExprT:
         """What is not usual, in surfaces."""
+        costs = [
+            *self._holes_and_voids(usual),
+            *self._undrawn(usual),
+            *self._unlike(usual),
+            *self._not_as_noted(usual),
+        ]
+        literals, weights = zip(*costs, strict=True) if costs else ((), ())
+        return cp_model.LinearExpr.weighted_sum(literals, weights)
+
+    def _holes_and_voids(self, usual: Usual) -> Iterator[Cost]:
+        """Holes that do not go through, and voids by what is seen of them."""
         forms = self._blocks.forms
-        costs: list[tuple[cp_model.IntVar, int]] = []
         open_to: defaultdict[Cell, dict[int, cp_model.IntVar]] = defaultdict(dict)
         through: defaultdict[Cell, list[cp_model.IntVar]] = defaultdict(list)
         for hole in usual.holes:
             whole = self._all_void((*hole.cells, *hole.within))
             solid = [self._literal(forms[cell]) for cell in hole.cells if cell in forms]
             if hole.within:
-                costs.append((self._unless([whole, *solid]), LOOSE))
+                yield self._unless([whole, *solid]), LOOSE
             if hole.cells[0] in forms:
-                costs.append((self._unless([whole, solid[0]]), BLIND + len(hole.cells)))
+                yield self._unless([whole, solid[0]]), BLIND + len(hole.cells)
             for cell in hole.cells:
                 through[cell].append(whole)
         for cells in usual.sights:
@@ -129,19 +142,50 @@ class Model:
                 literal = self._all_void(cells[:last])
                 open_to[cells[last - 1]][literal.index] = literal
         for cell, seen in open_to.items():
-            if cell in forms:
-                solid = self._literal(forms[cell])
-                costs.append((self._unless([solid, *seen.values()]), UNSEEN))
-                costs.append((self._unless([solid, *through[cell]]), usual.bulks.get(cell, 1)))
+            if cell not in forms:
+                continue
+            solid = self._literal(forms[cell])
+            usually = [solid]
+            if cell in usual.corners:
+                beyond = forms.get(usual.corners[cell], 0)
+                usually.append(~self._literal(beyond))
+                yield self._unless([~solid, self._literal(beyond)]), ROUND
+            yield self._unless([*usually, *seen.values()]), UNSEEN
+            yield self._unless([*usually, *through[cell]]), usual.bulks.get(cell, 1)
+
+    def _undrawn(self, usual: Usual) -> Iterator[Cost]:
+        """Surfaces whose trace no view draws."""
+        forms = self._blocks.forms
         for pairs in usual.undrawn:
             found = {forms[a] ^ forms[b] for a, b in pairs if a in forms and b in forms} - {0}
             if found:
                 used = self.model.new_bool_var("")
                 for form in sorted(found):
                     self.model.add_implication(self._literal(form), used)
-                costs.append((used, NOWHERE))
-        literals, weights = zip(*costs, strict=True) if costs else ((), ())
-        return cp_model.LinearExpr.weighted_sum(literals, weights)
+                yield used, NOWHERE
+
+    def _unlike(self, usual: Usual) -> Iterator[Cost]:
+        """Mirror images that are not alike."""
+        forms = self._blocks.forms
+        for one, other, weight in usual.mirrored:
+            if one in forms and other in forms:
+                yield self._literal(forms[one] ^ forms[other]), weight
+
+    def _not_as_noted(self, usual: Usual) -> Iterator[Cost]:
+        """Holes that are not as their notes say."""
+        forms = self._blocks.forms
+        for ways in usual.noted:
+            kept = []
+            for way in ways:
+                chosen = self.model.new_bool_var("")
+                for cell in way.void:
+                    if cell in forms:
+                        self.model.add_implication(chosen, ~self._literal(forms[cell]))
+                for cell in way.solid:
+                    solid = self._literal(forms[cell]) if cell in forms else self._false
+                    self.model.add_implication(chosen, solid)
+                kept.append(chosen)
+            yield self._unless(kept), NOTED
 
     def _unless(self, literals: Sequence[cp_model.IntVar]) -> cp_model.IntVar:
         """A literal that is true where none of some is."""

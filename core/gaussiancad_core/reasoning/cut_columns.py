@@ -5,18 +5,19 @@ begin with the plane itself, behind which is the cell that it runs through; what
 is cut away.  Where the plane meets material the view is hatched (ISO 128-3).
 """
 
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import shapely
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.cuts import Cut
 from gaussiancad_core.reasoning.columns import Cell, Crossing, Space, Vector
 from gaussiancad_core.reasoning.curves import Point
-from gaussiancad_core.reasoning.drawn_views import Cut
 from gaussiancad_core.reasoning.planes import lifted, role_plane
 from gaussiancad_core.reasoning.rules import Group, Rule
 from gaussiancad_core.views import Linetype
+
+Column = tuple[Crossing, ...]
 
 CUT = 4
 """Number that stands for the normal of a surface that is a cutting plane."""
@@ -26,61 +27,60 @@ _HATCHED, _BLANK = 1.0, 0.25
 large: ribs, shafts and pins are not hatched though they are cut (ISO 128-3)."""
 
 
-@dataclass(frozen=True)
-class CutPlane:
-    """A cutting plane in units.
-
-    Attributes:
-        at: along the axis that the view looks along.
-        areas: what is hatched, in the plane of that axis; None where that is not known.
-    """
-
-    at: float
-    areas: shapely.Geometry | None = None
-
-
-def cut_planes(cuts: Mapping[Role, Cut], scale: float) -> dict[Role, CutPlane]:
+def scaled_cuts(cuts: Mapping[Role, Cut], scale: float) -> dict[Role, Cut]:
     """Cuts in units of the planes, ``scale`` to the millimetre."""
-    found = {}
-    for role, cut in cuts.items():
-        signs = role_plane(role).signs
-        areas = cut.areas
-        if areas is not None:
-            factors = (sign * scale for sign in signs)
-            areas = shapely.affinity.scale(areas, *factors, origin=(0.0, 0.0))
-        found[role] = CutPlane(cut.at * scale, areas)
-    return found
+    return {role: cut.mapped(role_plane(role).signs, scale) for role, cut in cuts.items()}
 
 
-def behind(crossings: tuple[Crossing, ...], role: Role, plane: CutPlane) -> tuple[Crossing, ...]:
-    """The crossings of a column that a section shows, in ascending depth."""
+def shown(
+    cut: Cut, role: Role, places: Sequence[Point], columns: Sequence[Column]
+) -> list[Column] | None:
+    """What a view that is cut shows of neighbouring columns.
+
+    Returns:
+        The columns, in ascending depth; None where they are not cut alike: between two openings,
+        and beside one, nothing is drawn.
+    """
+    openings = [cut.opening(place) for place in places]
+    if any(own is not openings[0] for own in openings):
+        return None
+    if openings[0] is None:
+        return list(columns)
+    return [behind(column, role, openings[0].at) for column in columns]
+
+
+def behind(crossings: Column, role: Role, at: float) -> Column:
+    """The crossings of a column behind a cutting plane, in ascending depth."""
     normal, up = role_plane(role).normal, role_plane(role).looks_up
     cell: Cell | None = crossings[0].before if crossings else None
     for crossing in crossings:
-        if crossing.depth > plane.at:
+        if crossing.depth > at:
             break
         cell = crossing.after
-    kept = [own for own in crossings if (own.depth > plane.at) is up]
+    kept = [own for own in crossings if (own.depth > at) is up]
     if cell is None:
         return tuple(kept)
     direction: Vector = lifted(normal, 0.0, 0.0, 1.0)
     ends = (None, cell) if up else (cell, None)
-    entry = Crossing(plane.at, direction, (CUT, 0), *ends)
+    entry = Crossing(at, direction, (CUT, 0), *ends)
     return (entry, *kept) if up else (*kept, entry)
 
 
-def area_rules(space: Space, planes: Mapping[Role, CutPlane]) -> Iterator[Rule]:
+def area_rules(space: Space, cuts: Mapping[Role, Cut]) -> Iterator[Rule]:
     """Rules of hatched and of blank regions of sections."""
-    for role, plane in planes.items():
-        if plane.areas is None:
+    for role, cut in cuts.items():
+        if cut.areas is None:
             continue
-        shapely.prepare(plane.areas)
+        shapely.prepare(cut.areas)
         normal = role_plane(role).normal
         for _, point, area in space.planes[normal].trapezoids():
-            column = behind(space.column(normal, *point), role, plane)
+            opening = cut.opening(point)
+            if opening is None:
+                continue
+            column = behind(space.column(normal, *point), role, opening.at)
             cells = [own for own in column if own.surface[0] == CUT]
             if cells:
-                yield _area_rule(cells[0], role, point, area, plane.areas)
+                yield _area_rule(cells[0], role, point, area, cut.areas)
 
 
 def _area_rule(

@@ -2,28 +2,13 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
 from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.cuts import Cut
+from gaussiancad_core.holes import NotedHole
 from gaussiancad_core.reasoning.told import ToldNumbers
 from gaussiancad_core.verification.lines import Curve
 from gaussiancad_core.views import Linetype, ViewSet
-
-if TYPE_CHECKING:
-    import shapely
-
-
-@dataclass(frozen=True, eq=False)
-class Cut:
-    """Where a view is cut open by a plane across its direction (ISO 128-3).
-
-    Attributes:
-        at: mm of the plane along the axis that the view looks along.
-        areas: what is hatched, mm in the view's plane (right, up); None where that is not known.
-    """
-
-    at: float
-    areas: "shapely.Geometry | None" = None
 
 
 @dataclass(frozen=True)
@@ -47,7 +32,8 @@ class DrawnViews:
         told: lengths that the sheet has in numbers, mm.
         known: the axis whose extent was told; None where none was.
         undrawn: views that are taken to draw no hidden lines: what is blank there is not visible.
-        cuts: views that are full sections.  They draw no hidden lines.
+        cuts: views that are sections.  They draw no hidden lines.
+        holes: of which notes speak.
     """
 
     strokes: Mapping[Role, tuple[Curve, ...]]
@@ -62,6 +48,7 @@ class DrawnViews:
     known: Axis | None = None
     undrawn: tuple[Role, ...] = ()
     cuts: Mapping[Role, Cut] = field(default_factory=dict)
+    holes: tuple[NotedHole, ...] = ()
 
     @property
     def without_hidden(self) -> tuple[Role, ...]:

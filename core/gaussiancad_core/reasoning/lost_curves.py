@@ -1,6 +1,6 @@
 """Circles that a view may lack: two others show the outline of a cylinder along its axis."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator
 from itertools import combinations, islice
 from math import pi
 
@@ -61,7 +61,7 @@ def lost_circles(
 
 
 def sectioned_circles(
-    supports: PartSupports, normal: Axis, cuts: Mapping[Axis, float], near: float
+    supports: PartSupports, normal: Axis, cuts: Collection[tuple[Axis, float]], near: float
 ) -> Iterator[tuple[CircleCurve, float, float]]:
     """Circles of a plane that sections through the centre of a drawn one show: grooves, and bores
     that are wider inside.
@@ -69,13 +69,13 @@ def sectioned_circles(
     Args:
         supports: of all planes.
         normal: of the plane.
-        cuts: cutting planes by the axis that they are across, units along it.
+        cuts: cutting planes: the axis that one is across, units along it.
         near: units within which coordinates are one.
     """
     plane = supports.planes[normal]
     drawn = [s.curve for s in plane.supports if isinstance(s.curve, CircleCurve)]
     found: list[CircleCurve] = []
-    for axis, at in cuts.items():
+    for axis, at in cuts:
         if axis is normal:
             continue
         along = IN_PLANE[normal].index(axis.value)
@@ -85,7 +85,8 @@ def sectioned_circles(
             for centre in through:
                 circle = CircleCurve(centre, radius)
                 known = any(_alike(circle, other, near) for other in (*drawn, *found))
-                if abs(centre[1 - along] - middle) <= near and not known:
+                coaxial = abs(centre[1 - along] - middle) <= near and not known
+                if coaxial and _sides(plane, circle, near) < _SQUARE:
                     found.append(circle)
     for circle in sorted(found, key=lambda circle: circle.radius)[:_MOST]:
         yield circle, 0.0, TURN

@@ -42,7 +42,8 @@ def with_lost_lines(
     *,
     along_axes: bool = False,
     undrawn: Collection[Role] = (),
-    cuts: Mapping[Axis, float] = MappingProxyType({}),
+    cuts: Collection[tuple[Axis, float]] = (),
+    floors: Mapping[Axis, Sequence[float]] = MappingProxyType({}),
 ) -> PartSupports:
     """The supports with stretches that views may lack.
 
@@ -53,14 +54,17 @@ def with_lost_lines(
         along_axes: whether only lines along the axes are looked for, which meet others where
             values are known already.
         undrawn: views that may lack any line along the axes.
-        cuts: cutting planes of sections, by the axis that they are across, units along it.
+        cuts: cutting planes of sections: the axis that one is across, units along it.
+        floors: coordinates in units at which nothing is drawn and a surface may lie.
     """
     near = max(NEAR, supports.tolerance)
     if len(supports.planes) < len(Axis):
         grids = {
             axis: _divided(
                 plane,
-                chain(_grid(supports, axis, ()), sectioned_circles(supports, axis, cuts, near)),
+                chain(
+                    _grid(supports, axis, (), floors), sectioned_circles(supports, axis, cuts, near)
+                ),
             )
             for axis, plane in supports.planes.items()
             if all(role in undrawn for role in plane.roles)
@@ -78,7 +82,7 @@ def with_lost_lines(
     for axis, plane in supports.planes.items():
         edges = _edges(supports, corners, axis, near)
         if all(role in undrawn for role in plane.roles):
-            edges = chain(edges, _grid(supports, axis, silent))
+            edges = chain(edges, _grid(supports, axis, silent, floors))
         if along_axes:
             planes[axis] = _divided(plane, edges)
             continue
@@ -128,8 +132,13 @@ def _edges(
                 yield curve, low, high
 
 
-def _grid(supports: PartSupports, normal: Axis, silent: Collection[Axis]) -> Iterator[Stretch]:
-    """All lines through a plane at the coordinates that any view shows.
+def _grid(
+    supports: PartSupports,
+    normal: Axis,
+    silent: Collection[Axis],
+    floors: Mapping[Axis, Sequence[float]],
+) -> Iterator[Stretch]:
+    """All lines through a plane at the coordinates that any view shows, or a note tells.
 
     Along ``silent`` axes, of which only views that may lack lines tell, surfaces may lie anywhere
     between: the middle stands for that.
@@ -139,6 +148,7 @@ def _grid(supports: PartSupports, normal: Axis, silent: Collection[Axis]) -> Ite
         values = sorted(supports.values[Axis(index)])
         if Axis(index) in silent:
             values += [0.5 * (low + high) for low, high in pairwise(values)]
+        values += floors.get(Axis(index), ())
         for value in values:
             yield axis_line(coordinate, value), min(along), max(along)
 

@@ -8,6 +8,7 @@ from types import MappingProxyType
 import numpy as np
 
 from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.cuts import Cut
 from gaussiancad_core.errors import LimitError
 from gaussiancad_core.reasoning.arrangement import OUTSIDE, Arrangement
 from gaussiancad_core.reasoning.bodies import RevolvedBody
@@ -15,19 +16,20 @@ from gaussiancad_core.reasoning.bridges import bridges
 from gaussiancad_core.reasoning.chains import Chain, through_points
 from gaussiancad_core.reasoning.chamfers import with_untold_chamfers
 from gaussiancad_core.reasoning.columns import Space
-from gaussiancad_core.reasoning.curves import axis_line
-from gaussiancad_core.reasoning.cut_columns import area_rules, behind, cut_planes, merged
-from gaussiancad_core.reasoning.drawn_views import Cut, DrawnViews
+from gaussiancad_core.reasoning.curves import Point, axis_line
+from gaussiancad_core.reasoning.cut_columns import area_rules, merged, scaled_cuts, shown
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.grid_rows import count_pieces, find_rows
 from gaussiancad_core.reasoning.incidences import Facet
 from gaussiancad_core.reasoning.lost_lines import as_if_drawn, with_lost_lines
+from gaussiancad_core.reasoning.noted_holes import floors, kept_notes
 from gaussiancad_core.reasoning.oblique import find_half_spaces
 from gaussiancad_core.reasoning.open_ends import with_open_ends
 from gaussiancad_core.reasoning.pieces import Piece, find_pieces
 from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
 from gaussiancad_core.reasoning.retraced import retraced
 from gaussiancad_core.reasoning.revolved import find_bodies
-from gaussiancad_core.reasoning.rules import BESIDE, Rule, rules_of, without_hidden
+from gaussiancad_core.reasoning.rules import BESIDE, Columns, Rule, rules_of, without_hidden
 from gaussiancad_core.reasoning.smooth_edges import with_smooth_edges
 from gaussiancad_core.reasoning.snapping import nearest_value
 from gaussiancad_core.reasoning.spans import Span, Support
@@ -130,6 +132,7 @@ def model_part(
             along_axes=along_axes,
             undrawn=views.without_hidden,
             cuts=_planes_of(views, supports.scale),
+            floors=floors(views.holes, supports),
         )
     planes = {axis: _arranged(plane, supports.tolerance) for axis, plane in supports.planes.items()}
     for axis in Axis:
@@ -150,12 +153,17 @@ def without_undrawn(part: PartModel, views: DrawnViews) -> PartModel:
     silent = [role for role in views.undrawn if role not in views.cuts]
     planes = _planes_of(views, part.supports.scale)
     usual = usual_of(part.supports, part.space, whole, silent, planes)
+    usual = replace(usual, noted=kept_notes(views.holes, part.space, part.supports))
     return replace(part, rules=rules, usual=usual)
 
 
-def _planes_of(views: DrawnViews, scale: float) -> dict[Axis, float]:
-    """Cutting planes by the axis that they are across, in units along it."""
-    return {role_plane(role).normal: cut.at * scale for role, cut in views.cuts.items()}
+def _planes_of(views: DrawnViews, scale: float) -> tuple[tuple[Axis, float], ...]:
+    """Cutting planes: the axis that one is across, and units along it."""
+    return tuple(
+        (role_plane(role).normal, opening.at * scale)
+        for role, cut in views.cuts.items()
+        for opening in cut.openings
+    )
 
 
 def with_lone_bodies(
@@ -219,10 +227,12 @@ def _part(
     pieces = list(islice(_until(found, deadline), most + 1)) if count <= most else []
     if max(count, len(pieces)) > most:
         raise _too_complex(f"its lines divide the views into more than {most:,} pieces")
-    sections = cut_planes(cuts, supports.scale)
-    rules = rules_of(
-        space, pieces, sections, lambda column, role: behind(column, role, sections[role])
-    )
+    sections = scaled_cuts(cuts, supports.scale)
+
+    def seen(role: Role, places: Sequence[Point], columns: Columns) -> Columns | None:
+        return shown(sections[role], role, places, columns)
+
+    rules = rules_of(space, pieces, sections, seen)
     rules += merged(area_rules(space, sections))
     return PartModel(supports, space, tuple(rules), sections=cuts)
 

@@ -14,6 +14,7 @@ from math import inf
 from typing import TypeVar
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.reasoning.arrangement import Arrangement
 from gaussiancad_core.reasoning.column_kernels import BESIDE, CLEAR, GROUP
 from gaussiancad_core.reasoning.columns import Cell, Crossing, Space, parallel
 from gaussiancad_core.reasoning.curves import Point
@@ -78,8 +79,9 @@ class Rule:
     says: Says = Says.ALL
 
 
-Seen = Callable[[tuple[Crossing, ...], Role], tuple[Crossing, ...]]
-"""Which crossings of a column a view shows."""
+Columns = Sequence[tuple[Crossing, ...]]
+Seen = Callable[[Role, Sequence[Point], Columns], Columns | None]
+"""Which crossings of columns at places of a view that shows; None where it says nothing of them."""
 
 
 def rules_of(
@@ -201,17 +203,15 @@ def groups_beside(space: Space, piece: Piece, seen: Seen | None = None) -> tuple
     (a, b), (da, db) = piece.point, piece.across
     arrangement = space.planes[plane.normal]
     sides = [(a + way * da, b + way * db) for way in (-BESIDE, BESIDE)]
-    if piece.linetype is None and all(arrangement.locate(*side) == 0 for side in sides):
+    blank = piece.linetype is None and all(arrangement.locate(*side) == 0 for side in sides)
+    if blank or not _is_clear(arrangement, piece):
         return None
-    for way in (-CLEAR, CLEAR):
-        here = arrangement.locate(a + 0.01 * way * da, b + 0.01 * way * db)
-        for along in (-CLEAR, 0.0, CLEAR):
-            at = a + way * da - along * db, b + way * db + along * da
-            if arrangement.locate(*at) != here:
-                return None
     one, other = (space.column(plane.normal, *side) for side in sides)
     if seen is not None:
-        one, other = (seen(column, piece.role) for column in (one, other))
+        kept = seen(piece.role, sides, (one, other))
+        if kept is None:
+            return None
+        one, other = kept
     pairs = _aligned(one, other)
     if pairs is not None:
         # Nearly all columns beside a line that is not drawn are alike.
@@ -229,6 +229,18 @@ def groups_beside(space: Space, piece: Piece, seen: Seen | None = None) -> tuple
         if piece.linetype is None and all(_is_trivial(group) for group in groups):
             return None
     return tuple(groups if plane.looks_up else reversed(groups))
+
+
+def _is_clear(arrangement: Arrangement, piece: Piece) -> bool:
+    """Whether both sides of a piece are each one region around its point."""
+    (a, b), (da, db) = piece.point, piece.across
+    for way in (-CLEAR, CLEAR):
+        here = arrangement.locate(a + 0.01 * way * da, b + 0.01 * way * db)
+        for along in (-CLEAR, 0.0, CLEAR):
+            at = a + way * da - along * db, b + way * db + along * da
+            if arrangement.locate(*at) != here:
+                return False
+    return True
 
 
 def _aligned(

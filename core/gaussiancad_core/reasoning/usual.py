@@ -5,17 +5,20 @@ rule: of the labels that have all lines those are looked for that keep most of i
 """
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from itertools import islice, pairwise, product
-from math import prod
+from math import hypot, prod
 
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.reasoning.arrangement import OUTSIDE, Arrangement
-from gaussiancad_core.reasoning.columns import Cell, Space, Surface
+from gaussiancad_core.reasoning.columns import Cell, Crossing, Space, Surface
+from gaussiancad_core.reasoning.curves import CircleCurve, Point
+from gaussiancad_core.reasoning.noted_holes import Kept
 from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
 from gaussiancad_core.reasoning.rules import Transition
-from gaussiancad_core.reasoning.supports import PartSupports
+from gaussiancad_core.reasoning.supports import PartSupports, PlaneSupports
+from gaussiancad_core.reasoning.symmetry import is_symmetric, mirror_images
 
 UNSEEN, LOOSE, BLIND = 40, 40, 3
 """Surfaces that weigh as much as a void that no view sees, as what stands by itself in a through
@@ -24,8 +27,20 @@ hole, and, beside one for each of its cells, as a hole that is seen and does not
 NOWHERE = 15
 """Surfaces that a surface weighs as much as whose trace no view draws."""
 
+NOTED = 400
+"""Surfaces that weigh as much as a note at a hole that is not kept."""
+
 _BULK = 1000.0
 """Surfaces that a void as large as the part's box weighs as much as, if it is no through hole."""
+
+ROUND = 5
+"""Surfaces that a square corner weighs as much as where a part may be round."""
+
+_OUT = 0.05
+"""Units beyond the square around a circle."""
+
+_MIDDLE = 1e-2
+"""Units by which twice the depth of a section through the middle may differ from the extent."""
 
 _MOST = 4_000
 """Lines of sight that are followed at most."""
@@ -52,13 +67,21 @@ class Usual:
         sights: cells along lines of sight, from each viewer on.
         holes: that may be, as seen in views without hidden lines.
         bulks: of each cell, in surfaces, how much a void of its size weighs.
+        corners: of each cell between a circle that no view draws and the square around it the cell
+            that is beyond, None outside of all; they are likely to be alike.
         undrawn: of each surface whose trace no view draws the pairs of cells that it parts.
+        mirrored: cells on both sides of a section through the middle of what is drawn alike on
+            both, and how much it weighs, in surfaces, that one is void and the other is not.
+        noted: of each note at a hole the labels under which it is kept.
     """
 
     sights: tuple[tuple[Cell, ...], ...]
     holes: tuple[Hole, ...]
     bulks: Mapping[Cell, int]
     undrawn: tuple[frozenset[Transition], ...] = ()
+    mirrored: tuple[tuple[Cell, Cell, int], ...] = ()
+    noted: tuple[tuple[Kept, ...], ...] = ()
+    corners: Mapping[Cell, Cell | None] = field(default_factory=dict)
 
 
 def usual_of(
@@ -66,7 +89,7 @@ def usual_of(
     space: Space,
     roles: Iterable[Role],
     undrawn: Iterable[Role],
-    cuts: Mapping[Axis, float],
+    cuts: Iterable[tuple[Axis, float]],
 ) -> Usual:
     """What is usual in the cells of a part.
 
@@ -75,45 +98,139 @@ def usual_of(
         space: the cells.
         roles: views that are not cut.
         undrawn: those of them that draw no hidden lines.
-        cuts: cutting planes of sections, by the axis that they are across, units along it.  What
-            they show behind them is likely to be before them as well.
+        cuts: cutting planes of sections: the axis that one is across, units along it.  What they
+            show behind them is likely to be before them as well.
     """
     silent = {role_plane(role).normal for role in undrawn}
-    sights: dict[tuple[Cell, ...], None] = {}
-    holes: dict[Hole, None] = {}
-    volumes: defaultdict[Cell, list[float]] = defaultdict(lambda: [0.0, 0.0, 0.0])
+    found = _Found()
     for role in roles:
-        plane = role_plane(role)
-        behind: dict[int, tuple[Cell, ...]] = {}
-        for region, point, area in space.planes[plane.normal].trapezoids():
-            if len(sights) >= _MOST:
-                break
-            column = space.column(plane.normal, *point)
-            inside = [(c, d.depth - c.depth) for c, d in pairwise(column) if c.after is not None]
-            for crossing, depth in inside:
-                volumes[crossing.after][plane.normal.value] += max(area * depth, 1e-9)
-            cells = tuple(c.after for c, _ in (inside if plane.looks_up else inside[::-1]))
-            sights[cells] = None
-            if len(cells) > len(behind.get(region, ())):
-                behind[region] = cells
-        if plane.normal in silent:
-            for region, within in _surrounded(space.planes[plane.normal]).items():
-                inner = dict.fromkeys(cell for each in within for cell in behind.get(each, ()))
-                if region in behind:
-                    holes[Hole(behind[region], tuple(inner))] = None
-    for normal, at in cuts.items():
-        for _, point in islice(space.planes[normal].inner_points(), _MOST):
-            column = space.column(normal, *point)
-            ends = [(d.depth, c.after) for c, d in pairwise(column) if c.after is not None]
-            before = [c.after for c in column if c.after is not None and c.depth <= at]
-            beyond = [cell for depth, cell in ends if depth > at]
-            sights[tuple(before[::-1])] = sights[tuple(beyond)] = None
+        normal = role_plane(role).normal
+        _look(found, supports.planes[normal], space, role, with_holes=normal in silent)
+    for normal, at in cuts:
+        in_middle = abs(2.0 * at - supports.size[normal.value]) <= _MIDDLE
+        _look_from(found, space, normal, at, alike=in_middle and is_symmetric(supports, normal))
     box = prod(values[-1] - values[0] for values in space.values.values())
     bulks = {
-        cell: 1 + round(_BULK * min(v for v in own if v) / box) for cell, own in volumes.items()
+        cell: 1 + round(_BULK * min(v for v in own if v) / box)
+        for cell, own in found.volumes.items()
     }
-    seen = tuple(own for own in sights if own)
-    return Usual(seen, tuple(holes), bulks, tuple(_undrawn(supports, space)))
+    return Usual(
+        tuple(own for own in found.sights if own),
+        tuple(found.holes),
+        bulks,
+        tuple(_undrawn(supports, space)),
+        tuple((a, b, min(bulks.get(a, 1), bulks.get(b, 1))) for a, b in found.mirrored),
+        corners=found.corners,
+    )
+
+
+@dataclass
+class _Found:
+    """What lines of sight tell; the keys of dictionaries in the order in which they were found.
+
+    Attributes:
+        sights, holes, mirrored: as in :class:`Usual`.
+        volumes: units^3 of each cell, by the axis that lines of sight were along.
+        corners: cells beside what is round rather than square, with those beyond.
+    """
+
+    sights: dict[tuple[Cell, ...], None] = field(default_factory=dict)
+    holes: dict[Hole, None] = field(default_factory=dict)
+    mirrored: dict[tuple[Cell, Cell], None] = field(default_factory=dict)
+    volumes: defaultdict[Cell, list[float]] = field(
+        default_factory=lambda: defaultdict(lambda: [0.0, 0.0, 0.0])
+    )
+    corners: dict[Cell, Cell | None] = field(default_factory=dict)
+
+
+def _look(
+    found: _Found, plane: PlaneSupports, space: Space, role: Role, *, with_holes: bool
+) -> None:
+    """What a view that is not cut tells."""
+    looks = role_plane(role)
+    rounds = _turned(plane)
+    drawn = _as_drawn(plane)
+    behind: dict[int, tuple[Cell, ...]] = {}
+    parts: defaultdict[int, set[int]] = defaultdict(set)
+    for region, point, area in space.planes[plane.normal].trapezoids():
+        if len(found.sights) >= _MOST:
+            break
+        column = space.column(plane.normal, *point)
+        inside = [(c, d.depth - c.depth) for c, d in pairwise(column) if c.after is not None]
+        for circle in rounds:
+            if _in_corner(point, circle):
+                other = space.column(plane.normal, *_beyond(point, circle))
+                found.corners.update(_beside(column, other))
+        for crossing, depth in inside:
+            found.volumes[crossing.after][plane.normal.value] += max(area * depth, 1e-9)
+        cells = tuple(c.after for c, _ in (inside if looks.looks_up else inside[::-1]))
+        found.sights[cells] = None
+        parts[drawn.locate(*point)].add(region)
+        if len(cells) > len(behind.get(region, ())):
+            behind[region] = cells
+    # Lines that views may lack divide a hole: it is a hole all the same.
+    for whole, within in _surrounded(drawn).items() if with_holes else ():
+        inner = dict.fromkeys(
+            cell for each in within for part in sorted(parts[each]) for cell in behind.get(part, ())
+        )
+        for part in sorted(parts[whole]):
+            if part in behind:
+                found.holes[Hole(behind[part], tuple(inner))] = None
+
+
+def _look_from(found: _Found, space: Space, normal: Axis, at: float, *, alike: bool) -> None:
+    """What is usual on both sides of a cutting plane."""
+    for _, point in islice(space.planes[normal].inner_points(), _MOST):
+        column = space.column(normal, *point)
+        ends = [(d.depth, c.after) for c, d in pairwise(column) if c.after is not None]
+        before = [c.after for c in column if c.after is not None and c.depth <= at]
+        beyond = [cell for depth, cell in ends if depth > at]
+        found.sights[tuple(before[::-1])] = found.sights[tuple(beyond)] = None
+        if alike:
+            found.mirrored.update(dict.fromkeys(mirror_images(column, at)))
+
+
+def _as_drawn(plane: PlaneSupports) -> Arrangement:
+    """The regions that lines bound which are drawn."""
+    supports = [own for own in plane.supports if own.spans]
+    return Arrangement(supports, [chain for _, chain, _ in plane.chains])
+
+
+def _turned(plane: PlaneSupports) -> list[CircleCurve]:
+    """Circles that no view of a plane draws, about the centre of one that is drawn: where other
+    views draw the sides of what may be round or square, a turned part is round."""
+    drawn = {
+        own.curve.centre
+        for own in plane.supports
+        if isinstance(own.curve, CircleCurve) and own.spans
+    }
+    return [
+        own.curve
+        for own in plane.supports
+        if isinstance(own.curve, CircleCurve) and not own.spans and own.curve.centre in drawn
+    ]
+
+
+def _in_corner(point: Point, circle: CircleCurve) -> bool:
+    """Whether a point is outside of a circle and in the square around it."""
+    away = [abs(own - centre) for own, centre in zip(point, circle.centre, strict=True)]
+    return max(away) < circle.radius < hypot(*away)
+
+
+def _beyond(point: Point, circle: CircleCurve) -> Point:
+    """Where the way from a circle's centre through a point leaves the square around it."""
+    (x, y), (a, b) = point, circle.centre
+    far = (circle.radius + _OUT) / max(abs(x - a), abs(y - b))
+    return a + far * (x - a), b + far * (y - b)
+
+
+def _beside(column: Sequence[Crossing], other: Sequence[Crossing]) -> Iterator[tuple[Cell, Cell]]:
+    """The cells of a column with those of another one at the same depth; None outside of all."""
+    for one, end in pairwise(column):
+        if one.after is not None:
+            middle = 0.5 * (one.depth + end.depth)
+            before = [own.after for own in other if own.depth <= middle]
+            yield one.after, before[-1] if before else None
 
 
 def _undrawn(supports: PartSupports, space: Space) -> Iterator[frozenset[Transition]]:
@@ -121,7 +238,8 @@ def _undrawn(supports: PartSupports, space: Space) -> Iterator[frozenset[Transit
         (normal.value, number)
         for normal, plane in supports.planes.items()
         for number, support in enumerate(plane.supports)
-        if not support.spans
+        # Of lost circles other views draw the sides.
+        if not support.spans and not isinstance(support.curve, CircleCurve)
     }
     if not blank:
         return

@@ -119,19 +119,19 @@ def misread_models(work: Work, lines: DrawnViews, deadline: Deadline) -> Iterato
 
 
 def undrawn_models(work: Work, views: DrawnViews, deadline: Deadline) -> Iterator[Modelled]:
-    """The part where some views draw no hidden lines: as it is, and with the lines along the axes
-    that these may lack.
+    """The part where some views draw no hidden lines: with the lines along the axes and circles
+    that these may lack, and as it is.
 
     Args:
         work: with the part as all views draw them.
         views: with those that draw none.
         deadline: by which they have to be made.
     """
-    if not views.cuts:
-        yield ModelKind.UNDRAWN_LINES, without_undrawn(work.part, views)
     model = modelled(ModelKind.UNDRAWN_LINES, views, work, deadline, lost_lines=True)
     if model is not None:
         yield model
+    if not views.cuts:
+        yield ModelKind.UNDRAWN_LINES, without_undrawn(work.part, views)
 
 
 def lacking_model(work: Work, views: DrawnViews, most: int, deadline: Deadline) -> Modelled | None:

@@ -20,7 +20,6 @@ from gaussiancad_core.drawing.brep import (
 )
 from gaussiancad_core.drawing.hlr import LineDrawing
 from gaussiancad_core.drawing.sections import section_view
-from gaussiancad_core.drawing.style import SectionKind
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.unsure_kinds import as_drawn, with_unsure_kinds
 from gaussiancad_core.verification.agreement import (
@@ -168,7 +167,7 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
         if cut is None:
             drawn[role] = tuple(drawing.view(role))
             continue
-        section = section_view(shape, role, SectionKind.FULL, at=cut.at)
+        section = section_view(shape, role, cut.openings)
         drawn[role] = section.strokes
         if cut.areas is not None:
             flaws += _area_flaws(role, section.areas, cut.areas, tolerance)

@@ -8,7 +8,7 @@ import shapely
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.drawing.sections import section_view
+from gaussiancad_core.drawing.sections import SectionView, openings_of, section_view
 from gaussiancad_core.drawing.sheet import draw_sheet
 from gaussiancad_core.drawing.strokes import extent
 from gaussiancad_core.drawing.style import PRESETS, SectionKind, parse_style
@@ -25,8 +25,12 @@ def solid():  # noqa: ANN201
     return sample(PART).build()
 
 
+def _cut(solid, kind: SectionKind) -> SectionView:  # noqa: ANN001
+    return section_view(solid, Role.FRONT, openings_of(solid, Role.FRONT, kind))
+
+
 def test_a_full_section_is_the_part_without_its_holes(solid) -> None:  # noqa: ANN001
-    cut = section_view(solid, Role.FRONT, SectionKind.FULL)
+    cut = _cut(solid, SectionKind.FULL)
     x0, y0, x1, y1 = cut.areas.bounds
     assert (x1 - x0) * (y1 - y0) == pytest.approx(80 * 28, rel=1e-6)
     assert cut.areas.area == pytest.approx(80 * 28 - 2 * (22 * 10 + 12 * 18), rel=1e-6)
@@ -35,23 +39,23 @@ def test_a_full_section_is_the_part_without_its_holes(solid) -> None:  # noqa: A
 
 
 def test_half_a_section_is_hatched_on_one_side(solid) -> None:  # noqa: ANN001
-    full = section_view(solid, Role.FRONT, SectionKind.FULL)
-    half = section_view(solid, Role.FRONT, SectionKind.HALF)
+    full = _cut(solid, SectionKind.FULL)
+    half = _cut(solid, SectionKind.HALF)
     assert half.areas.area == pytest.approx(full.areas.area / 2, rel=1e-6)
     assert half.areas.bounds[0] == pytest.approx(40.0)
     assert np.ptp(extent(half.strokes), axis=0) == pytest.approx([80, 28])
 
 
 def test_a_broken_out_section_is_hatched_in_a_corner(solid) -> None:  # noqa: ANN001
-    full = section_view(solid, Role.FRONT, SectionKind.FULL)
-    part = section_view(solid, Role.FRONT, SectionKind.BROKEN_OUT)
+    full = _cut(solid, SectionKind.FULL)
+    part = _cut(solid, SectionKind.BROKEN_OUT)
     assert 0.1 < part.areas.area / full.areas.area < 0.35
     assert full.areas.buffer(1e-6).covers(part.areas)
 
 
 @pytest.mark.parametrize("degrees", [45.0, 135.0, 30.0])
 def test_hatching_fills_the_area_at_one_pitch(solid, degrees: float) -> None:  # noqa: ANN001
-    cut = section_view(solid, Role.FRONT, SectionKind.FULL)
+    cut = _cut(solid, SectionKind.FULL)
     lines = cut.hatching(2.0, degrees)
     way = np.radians(degrees)
     normal = np.array([-np.sin(way), np.cos(way)])

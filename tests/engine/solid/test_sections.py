@@ -7,12 +7,12 @@ import pytest
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.cuts import Cut, Opening
 from gaussiancad_core.drawing.brep import bounding_box
 from gaussiancad_core.drawing.hlr import LineDrawing
 from gaussiancad_core.drawing.sections import section_view
-from gaussiancad_core.drawing.style import SectionKind
 from gaussiancad_core.modes import Status
-from gaussiancad_core.reasoning.drawn_views import Cut, DrawnViews, exact_views
+from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.samples.modelling import box, cut, cylinder
 from gaussiancad_core.solid.exact import exact_solid
 from gaussiancad_core.solid.verify import verify
@@ -42,13 +42,13 @@ def _drawn(shape: TopoDS_Shape, plain: tuple[Role, ...], section: Role) -> Drawn
     size = tuple(float(own) for own in high - low)
     drawing = LineDrawing(shape)
     at = size[section.frame.look_axis[0].value] / 2.0
-    own = section_view(shape, section, SectionKind.FULL, at=at)
+    own = section_view(shape, section, (Opening(at),))
     strokes = {
         role: tuple(s for s in drawing.view(role) if s.linetype is Linetype.VISIBLE)
         for role in plain
     }
     views = exact_views({**strokes, section: own.strokes}, size)
-    return replace(views, cuts={section: Cut(at, own.areas)})
+    return replace(views, cuts={section: Cut((Opening(at),), own.areas)})
 
 
 @pytest.mark.parametrize("section", [Role.FRONT, Role.RIGHT, Role.LEFT])
@@ -83,7 +83,7 @@ def test_hatching_where_nothing_is_cut_is_told() -> None:
     part = _PARTS["through bore"]
     views = _drawn(part, (Role.TOP,), Role.FRONT)
     cut_open = views.cuts[Role.FRONT]
-    filled = replace(views, cuts={Role.FRONT: Cut(cut_open.at, cut_open.areas.convex_hull)})
+    filled = replace(views, cuts={Role.FRONT: Cut(cut_open.openings, cut_open.areas.convex_hull)})
     (flaw,) = verify(part, filled).flaws
     assert flaw.missing
     assert flaw.role is Role.FRONT
