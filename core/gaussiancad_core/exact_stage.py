@@ -11,11 +11,13 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 
 from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.cuts import Cut
+from gaussiancad_core.cuts import Cut, SectionRole
+from gaussiancad_core.holes import NotedHole
 from gaussiancad_core.line_noise import bound_of_seen_px, noise_px
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, views_as_read
 from gaussiancad_core.reasoning.labelling import Effort
+from gaussiancad_core.sections_stage import SectionBeside
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.sheet.scale.estimate import Measure
@@ -84,18 +86,29 @@ class Reading:
         registered: on shared axes.
         projection: first or third angle.
         measures: what the sheet's dimensions say.
-        cuts: views that are full sections.
+        cuts: views that are sections.
+        beside: sections beside plain views.
+        holes: of which notes speak.
     """
 
     registered: RegisteredSheet
     projection: Projection
     measures: tuple[Measure, ...] = ()
     cuts: Mapping[Role, Cut] = field(default_factory=dict)
+    beside: Mapping[SectionRole, SectionBeside] = field(default_factory=dict)
+    holes: tuple[NotedHole, ...] = ()
 
     @property
     def drawn(self) -> DrawnViews:
         """The lines of the views, as the reasoning takes them."""
-        return replace(drawn_views(self.registered, self.measures), cuts=self.cuts)
+        plain = drawn_views(self.registered, self.measures)
+        beside = self.beside.items()
+        return replace(
+            plain,
+            strokes={**plain.strokes, **{role: own.strokes for role, own in beside}},
+            cuts={**self.cuts, **{role: own.cut for role, own in beside}},
+            holes=self.holes,
+        )
 
 
 @dataclass(frozen=True, eq=False)

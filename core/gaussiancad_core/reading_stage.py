@@ -31,6 +31,7 @@ from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
 from gaussiancad_core.sheet.scale.dimensions import file_lines
 from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale, find_scale
+from gaussiancad_core.sheet.special_views.beside import sections_beside
 from gaussiancad_core.sheet.special_views.hatched_areas import with_hatched_areas
 from gaussiancad_core.sheet.special_views.telling import UNUSED, tellings, why_unused
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
@@ -56,6 +57,7 @@ class SheetLines:
         notes: what texts say of features.
         sections: those that have a title.
         loose: lines of the part that belong to no view, where none was found.
+        beside: sections that stand beside plain views of their directions.
     """
 
     layout: Layout
@@ -66,6 +68,7 @@ class SheetLines:
     notes: tuple[SheetNote, ...] = ()
     sections: tuple[NamedSection, ...] = ()
     loose: tuple[Stroke, ...] = ()
+    beside: tuple[ReadView, ...] = ()
 
 
 def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) -> SheetLines:
@@ -96,11 +99,18 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
         scale = _sheet_scale(job, image, clean, (separated.marks, drawn), notes)
         sections = _sections(image, scale, layout, clean.turn) if scale is not None else ()
         layout, drawn = _by_arrows(layout, drawn, sections)
+
+        def read(own: Layout) -> tuple[ReadView, ...]:
+            return read_views(separated.part, own, finder=reading.finder, vectors=vectors)
+
+        layout, beside = sections_beside(layout, sections, separated.hatched, read)
         tell_layout(notes, layout, clean.turn)
         options = tell_scale(reading, scale, notes)
         found = notes_of(scale.texts, scale.unit) if scale is not None else ()
         tell_notes(notes, found, clean.turn)
-    return SheetLines(layout, drawn, separated.marks, scale, options, found, sections)
+    return SheetLines(
+        layout, drawn, separated.marks, scale, options, found, sections, beside=beside
+    )
 
 
 def _sections(

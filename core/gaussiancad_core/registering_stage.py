@@ -1,6 +1,5 @@
 """The stage masks: views with strokes to views on shared axes, under one or two projections."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -9,11 +8,12 @@ from gaussiancad_core.axes import Projection, mutually_orthogonal
 from gaussiancad_core.exact_stage import Reading
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import Recipe, ResultKind
-from gaussiancad_core.projection_choice import both_readings, choose_projection
+from gaussiancad_core.notes_stage import hole_notes
+from gaussiancad_core.projection_choice import both_readings, choose_projection, opposite
 from gaussiancad_core.reading_stage import SheetLines
 from gaussiancad_core.report import PlaneReport, SectionReport, ViewReport
 from gaussiancad_core.run_notes import RunNotes
-from gaussiancad_core.sections_stage import cuts_of
+from gaussiancad_core.sections_stage import cuts_of, sections_of
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.notes.sections import NamedSection
@@ -70,7 +70,8 @@ def registered_lines(job: Job, lines: SheetLines, turn: Turn, notes: RunNotes) -
             own = Reading(register_views(lines.drawn, options), notes.report.projection)
             found = SheetFindings(own, None, (), ())
         found = _with_measures(found, lines.scale, notes)
-        found = _with_cuts(found, lines.sections)
+        found = _with_cuts(found, lines)
+        found = _with_notes(found, lines, turn, notes)
         if found.other and job.result is ResultKind.SURFACE:
             found = weigh_readings(found, notes)
         _tell_views(notes, found.own.registered, turn)
@@ -153,13 +154,49 @@ def _with_measures(
     return replace(found, own=measured[0], other=measured[1])
 
 
-def _with_cuts(found: SheetFindings, sections: Sequence[NamedSection]) -> SheetFindings:
-    """The readings with the planes of their sections."""
-    own, other = (
-        reading and replace(reading, cuts=cuts_of(reading.registered, sections))
+def _with_cuts(found: SheetFindings, lines: SheetLines) -> SheetFindings:
+    """The readings with their sections and the planes of these."""
+    own, other = (reading and _cut(reading, lines) for reading in (found.own, found.other))
+    return replace(found, own=own, other=other)
+
+
+def _with_notes(
+    found: SheetFindings, lines: SheetLines, turn: Turn, notes: RunNotes
+) -> SheetFindings:
+    """The readings with the holes that notes speak of."""
+    dimensions = [
+        replace(own, box=turn.box_to_upright(own.box))
+        for own in (lines.scale.dimensions if lines.scale is not None else ())
+    ]
+    told = [
+        reading and hole_notes(reading.registered, lines.notes, dimensions)
         for reading in (found.own, found.other)
+    ]
+    for code, message in told[0].doubts:
+        notes.doubt(code, message)
+    used = {turn.box_to_stored(box) for _, box in told[0].used}
+    notes.tell(notes=tuple(replace(own, used=own.at in used) for own in notes.report.notes))
+    own, other = (
+        reading and replace(reading, holes=its.holes)
+        for reading, its in zip((found.own, found.other), told, strict=True)
     )
     return replace(found, own=own, other=other)
+
+
+def _cut(reading: Reading, lines: SheetLines) -> Reading:
+    sections = lines.sections
+    if reading.projection is not lines.layout.projection:
+        sections = tuple(_turned(own) for own in sections)
+    return replace(
+        reading,
+        cuts=cuts_of(reading.registered, sections),
+        beside=sections_of(reading.registered, lines.beside, sections),
+    )
+
+
+def _turned(section: NamedSection) -> NamedSection:
+    """The same under the other projection."""
+    return replace(section, cut_in=section.cut_in and opposite(section.cut_in))
 
 
 def _tell_views(notes: RunNotes, registered: RegisteredSheet, turn: Turn) -> None:

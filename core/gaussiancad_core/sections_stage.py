@@ -1,68 +1,158 @@
-"""Full sections as cuts: their planes in millimetres, and what is hatched."""
+"""Sections as cuts: their planes in millimetres, what is hatched, and where they are cut open."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from functools import reduce
+from itertools import pairwise
 
 import numpy as np
 import shapely
 
 from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.reasoning.drawn_views import Cut
-from gaussiancad_core.sheet.notes.sections import NamedSection
+from gaussiancad_core.cuts import Cut, Opening, SectionRole
+from gaussiancad_core.sheet.notes.sections import NamedSection, Trace
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.reading import ReadView, RegisteredSheet
+from gaussiancad_core.sheet.registration import (
+    Placement,
+    placement,
+    strokes_in_plane,
+)
+from gaussiancad_core.sheet.special_views.beside import overlap
+from gaussiancad_core.views import Stroke
+
+_FAR = 1e5
+"""mm beyond every part."""
+
+
+@dataclass(frozen=True, eq=False)
+class SectionBeside:
+    """A section beside a plain view of the same direction.
+
+    Attributes:
+        strokes: mm in the view's plane.
+        cut: where it is cut open.
+    """
+
+    strokes: tuple[Stroke, ...]
+    cut: Cut
 
 
 def cuts_of(registered: RegisteredSheet, sections: Sequence[NamedSection]) -> dict[Role, Cut]:
-    """The cuts of views that are full sections.
+    """The cuts of views that are sections.
 
-    The plane is that of the cutting line in another view; without one it is the middle (ISO 128-3).
+    The planes are those of the cutting line in another view; without one it is the middle
+    (ISO 128-3).
 
     Args:
         registered: the views.
         sections: that the sheet names.
     """
     return {
-        view.role: Cut(_place(view, registered, sections), _areas(view, registered))
+        view.role: _cut(view, registered.placements[view.role], registered, sections)
         for view in registered.drawn
         if view.hatched
     }
 
 
-def _place(view: ReadView, registered: RegisteredSheet, sections: Sequence[NamedSection]) -> float:
-    """mm of the plane along the axis that a section looks along."""
-    axis = view.role.frame.look_axis[0]
-    for section in sections:
-        trace = section.trace
-        if trace is None or not trace.straight or not _overlap(section.box, view.box):
+def sections_of(
+    registered: RegisteredSheet, beside: Sequence[ReadView], sections: Sequence[NamedSection]
+) -> dict[SectionRole, SectionBeside]:
+    """Sections that stand beside plain views, on the axes of these.
+
+    Args:
+        registered: the plain views.
+        beside: the sections, px of the upright sheet.
+        sections: that the sheet names.
+    """
+    found = {}
+    for number, view in enumerate(beside, start=1):
+        section = _named(view.box, sections)
+        label = section.title.label if section is not None else str(number)
+        place = placement(view.role, view.box, registered.views.size)
+        cut = _cut(view, place, registered, sections)
+        strokes = strokes_in_plane(view.strokes, place)
+        found[SectionRole(view.role, label)] = SectionBeside(tuple(strokes), cut)
+    return found
+
+
+def _cut(
+    view: ReadView,
+    place: Placement,
+    registered: RegisteredSheet,
+    sections: Sequence[NamedSection],
+) -> Cut:
+    rings = [shapely.Polygon(place.to_plane(np.array(ring))).buffer(0.0) for ring in view.hatched]
+    areas = reduce(shapely.symmetric_difference, rings)
+    section = _named(view.box, sections)
+    openings: tuple[Opening, ...] = ()
+    if section is not None and section.trace is not None:
+        openings = tuple(_traced(view.role, section.trace, registered))
+    if not openings:
+        axis = view.role.frame.look_axis[0]
+        openings = (Opening(registered.views.size[axis.value] / 2.0),)
+    if view.opened and len(openings) == 1:
+        region = shapely.Polygon(place.to_plane(np.array(view.opened))).buffer(0.0)
+        openings = (Opening(openings[0].at, region),)
+    return Cut(openings, areas)
+
+
+def _named(box: Box, sections: Sequence[NamedSection]) -> NamedSection | None:
+    return next((own for own in sections if overlap(own.box, box)), None)
+
+
+def _traced(role: Role, trace: Trace, registered: RegisteredSheet) -> Iterator[Opening]:
+    """The openings of a cutting line that runs in another view, in steps where it has some."""
+    axis = role.frame.look_axis[0]
+    middle = np.mean(trace.ends, axis=0)
+    for other in registered.drawn:
+        if other.role is role or not _holds(other.box, middle):
             continue
-        middle = np.mean(trace.ends, axis=0)
-        for other in registered.drawn:
-            at = _along(other.role, axis, registered, middle)
-            if other.role is not view.role and _holds(other.box, middle) and at is not None:
-                return at
-    return registered.views.size[axis.value] / 2.0
+        points = registered.placements[other.role].to_plane(np.array(trace.path))
+        depths = _along(other.role, axis, points)
+        across = next(
+            (own for own in _in_plane(other.role) if own is not axis and own in _in_plane(role)),
+            None,
+        )
+        if depths is None or across is None:
+            continue
+        places = _along(other.role, across, points)
+        runs = [
+            (depth, start, end)
+            for (depth, after), (start, end) in zip(pairwise(depths), pairwise(places), strict=True)
+            if abs(after - depth) < abs(end - start)
+        ]
+        if len(runs) == 1:
+            yield Opening(runs[0][0])
+            return
+        runs = runs if runs[0][1] < runs[-1][2] else [(d, e, s) for d, s, e in runs[::-1]]
+        ends = [-_FAR, *(own[1] for own in runs[1:]), _FAR]
+        for (depth, _, _), low, high in zip(runs, ends, ends[1:], strict=False):
+            yield Opening(depth, _band(role, across, low, high))
+        return
 
 
-def _along(role: Role, axis: Axis, registered: RegisteredSheet, place: np.ndarray) -> float | None:
-    """mm along an axis of a place on the sheet, in a view; None where that does not show it."""
+def _in_plane(role: Role) -> tuple[Axis, Axis]:
+    return role.frame.right_axis[0], role.frame.up_axis[0]
+
+
+def _along(role: Role, axis: Axis, points: np.ndarray) -> list[float] | None:
+    """mm along an axis of places in a view's plane; None where that does not show it."""
     frame = role.frame
-    right, up = registered.placements[role].to_plane(place[None, :])[0].tolist()
-    for (own, sign), value in ((frame.right_axis, right), (frame.up_axis, up)):
+    for index, (own, sign) in enumerate((frame.right_axis, frame.up_axis)):
         if own is axis:
-            return sign * value
+            return (sign * points[:, index]).tolist()
     return None
 
 
-def _areas(view: ReadView, registered: RegisteredSheet) -> shapely.Geometry:
-    """What is hatched, mm in the view's plane."""
-    place = registered.placements[view.role]
-    rings = [shapely.Polygon(place.to_plane(np.array(ring))).buffer(0.0) for ring in view.hatched]
-    return reduce(shapely.symmetric_difference, rings)
-
-
-def _overlap(one: Box, other: Box) -> bool:
-    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
+def _band(role: Role, across: Axis, low: float, high: float) -> shapely.Geometry:
+    """The part of a view's plane between two places along one of its axes."""
+    (right, sign), (_, up_sign) = role.frame.right_axis, role.frame.up_axis
+    if right is across:
+        low, high = sorted((sign * low, sign * high))
+        return shapely.box(low, -_FAR, high, _FAR)
+    low, high = sorted((up_sign * low, up_sign * high))
+    return shapely.box(-_FAR, low, _FAR, high)
 
 
 def _holds(box: Box, place: np.ndarray) -> bool:

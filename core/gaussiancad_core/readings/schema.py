@@ -121,7 +121,9 @@ class ViewEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
         used: whether it stands for a principal view.
         cut: around its hatching.
         dash: px up to which a hidden stroke may be one dash.
-        hatch: of a full section the outlines of what is cut; an odd number of them surrounds it.
+        hatch: of a section the outlines of what is cut; an odd number of them surrounds it.
+        opened: of a half or broken-out section the region that is cut open.
+        looks: of a section beside plain views the direction in which it looks.
     """
 
     id: Text
@@ -134,6 +136,8 @@ class ViewEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
     cut: Box | None = None
     dash: Number | None = None
     hatch: tuple[tuple[Point, ...], ...] = ()
+    opened: tuple[Point, ...] = ()
+    looks: ViewRole | None = None
 
 
 class SectionEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
@@ -146,6 +150,7 @@ class SectionEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
         line: where that runs.
         way: the direction in which its arrows point, of length 1.
         straight: whether the cut is one plane.
+        path: corners of the line where it runs in steps; empty where these were not found.
         looks: the role that the arrows tell.
     """
 
@@ -155,6 +160,7 @@ class SectionEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
     line: LineShape | None = None
     way: Point | None = None
     straight: bool = True
+    path: tuple[Point, ...] = ()
     looks: ViewRole | None = None
 
 

@@ -30,6 +30,7 @@ from gaussiancad_core.readings.schema import (
     StrokeEntry,
     StrokeKind,
     ViewEntry,
+    ViewRole,
 )
 from gaussiancad_core.readings.shapes import stroke_of
 from gaussiancad_core.readings.writing import LINES
@@ -128,7 +129,8 @@ def taken_lines(
         found = tuple(_note(own, turn) for own in reading.notes)
         tell_notes(notes, found, turn)
         sections = tuple(_section(own, turn) for own in reading.sections)
-    return SheetLines(layout, drawn, marks, scale, options, found, sections)
+        beside = _beside(reading, clean)
+    return SheetLines(layout, drawn, marks, scale, options, found, sections, beside=beside)
 
 
 def _told_axis(job: Job, reading: SheetReading) -> Job:
@@ -177,6 +179,7 @@ def _layout(job: Job, reading: SheetReading, turn: Turn) -> Layout:
                 turn.box_to_upright(view.box),
                 view.used,
                 turn.box_to_upright(view.cut) if view.cut else None,
+                view.looks is not None,
             )
             for view in reading.views
             if view.kind in _SPECIAL and not _is_settled(view)
@@ -194,7 +197,6 @@ def _is_settled(view: ViewEntry) -> bool:
 
 
 def _drawn(reading: SheetReading, clean: CleanSheet, reread: Reread) -> tuple[ReadView, ...]:
-    turn = clean.turn
     views = _principal(reading)
     if len(views) < 2:
         raise NoModelError(
@@ -202,16 +204,7 @@ def _drawn(reading: SheetReading, clean: CleanSheet, reread: Reread) -> tuple[Re
             "the reading names fewer than two views of the part: give each its role, and a box "
             "around it",
         )
-    strokes = {
-        role: tuple(
-            stroke
-            for entry in reading.strokes
-            if entry.view == view.id
-            and entry.kind in DRAWN
-            and (stroke := stroke_of(entry, turn)) is not None
-        )
-        for role, view in views.items()
-    }
+    strokes = {role: _strokes_of(reading, view, clean.turn) for role, view in views.items()}
     empty = [
         role
         for role, own in strokes.items()
@@ -245,13 +238,42 @@ def _drawn(reading: SheetReading, clean: CleanSheet, reread: Reread) -> tuple[Re
             else view_box(strokes[role], outline, exact=_source(view) is StrokesSource.VECTOR)
         )
         own = ReadView(role, box, strokes[role], outline, _source(view), view.dash)
-        drawn.append(replace(own, hatched=_rings(view, clean.turn)))
+        drawn.append(_cut_open(own, view, clean.turn))
     return tuple(drawn)
 
 
-def _rings(view: ViewEntry, turn: Turn) -> tuple[Ring, ...]:
-    rings = (turn.to_upright(np.array(ring)).tolist() for ring in view.hatch if len(ring) > 2)
-    return tuple(tuple((float(x), float(y)) for x, y in ring) for ring in rings)
+def _beside(reading: SheetReading, clean: CleanSheet) -> tuple[ReadView, ...]:
+    """Sections beside plain views."""
+    found = []
+    for view in reading.views:
+        role = _ROLES.get(view.looks.value) if view.looks is not None else None
+        strokes = _strokes_of(reading, view, clean.turn)
+        if role is None or view.role is not ViewRole.SECTION or not strokes:
+            continue
+        own = ReadView(role, _bounds(strokes), strokes, None, _source(view), view.dash)
+        found.append(_cut_open(own, view, clean.turn))
+    return tuple(own for own in found if own.hatched)
+
+
+def _strokes_of(reading: SheetReading, view: ViewEntry, turn: Turn) -> tuple[Stroke, ...]:
+    return tuple(
+        stroke
+        for entry in reading.strokes
+        if entry.view == view.id
+        and entry.kind in DRAWN
+        and (stroke := stroke_of(entry, turn)) is not None
+    )
+
+
+def _cut_open(own: ReadView, view: ViewEntry, turn: Turn) -> ReadView:
+    rings = tuple(_upright(ring, turn) for ring in view.hatch if len(ring) > 2)
+    return replace(own, hatched=rings, opened=_upright(view.opened, turn))
+
+
+def _upright(ring: Sequence[tuple[float, float]], turn: Turn) -> Ring:
+    if not ring:
+        return ()
+    return tuple((float(x), float(y)) for x, y in turn.to_upright(np.array(ring)).tolist())
 
 
 def _source(view: ViewEntry) -> StrokesSource:
@@ -338,7 +360,11 @@ def _section(own: SectionEntry, turn: Turn) -> NamedSection:
     start, end, ahead = turn.to_upright(np.array([*own.line, tip])).tolist()
     away = np.subtract(ahead, start)
     way = tuple((away / np.hypot(*away)).tolist())
-    trace = Trace(own.label, (tuple(start), tuple(end)), way, own.straight)
+    ends = tuple(start), tuple(end)
+    path = ends if own.straight else ()
+    if own.path:
+        path = tuple(map(tuple, turn.to_upright(np.array(own.path)).tolist()))
+    trace = Trace(own.label, ends, way, path)
     cut_in = _ROLES.get(own.in_view.value) if own.in_view else None
     looks = _ROLES.get(own.looks.value) if own.looks else None
     axis = None

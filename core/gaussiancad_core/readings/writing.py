@@ -35,7 +35,7 @@ from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.notes.finding import SheetNote
 from gaussiancad_core.sheet.notes.sections import NamedSection
 from gaussiancad_core.sheet.precision import StrokesSource
-from gaussiancad_core.sheet.reading import ReadView
+from gaussiancad_core.sheet.reading import ReadView, Ring
 from gaussiancad_core.sheet.scale.dimensions import Span
 from gaussiancad_core.sheet.scale.estimate import ReadDimension
 from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale
@@ -131,7 +131,7 @@ def sheet_reading(
         scale=_scale(lines, turn),
         views=(
             *(_view(own, turn) for own in lines.drawn),
-            *(_special(n, own, turn) for n, own in enumerate(lines.layout.special, start=1)),
+            *_specials(lines, turn),
             *(_left_out(n, own, turn) for n, own in enumerate(lines.layout.left_out, start=1)),
         ),
         strokes=tuple(_strokes(lines, turn)),
@@ -198,6 +198,7 @@ def _section(own: NamedSection, turn: Turn) -> SectionEntry:
         line=line,
         way=way,
         straight=trace is None or trace.straight,
+        path=() if trace is None or trace.straight else tuple(stored_points(trace.path, turn)),
         looks=ViewRole(own.looks.value) if own.looks else None,
     )
 
@@ -225,11 +226,26 @@ def _view(view: ReadView, turn: Turn) -> ViewEntry:
         source=view.source.value,
         hidden_lines="drawn" if view.has_hidden_lines else "none",
         dash=view.dash,
-        hatch=tuple(
-            tuple((round(x, 2), round(y, 2)) for x, y in turn.to_stored(np.array(ring)).tolist())
-            for ring in view.hatched
-        ),
+        hatch=tuple(_ring(own, turn) for own in view.hatched),
+        opened=_ring(view.opened, turn),
     )
+
+
+def _ring(ring: Ring, turn: Turn) -> tuple[tuple[float, float], ...]:
+    if not ring:
+        return ()
+    return tuple((round(x, 2), round(y, 2)) for x, y in turn.to_stored(np.array(ring)).tolist())
+
+
+def _specials(lines: SheetLines, turn: Turn) -> Iterator[ViewEntry]:
+    beside = iter(lines.beside)
+    for number, own in enumerate(lines.layout.special, start=1):
+        entry = _special(number, own, turn)
+        if own.beside:
+            view = _view(next(beside), turn)
+            more = {name: getattr(view, name) for name in ("source", "dash", "hatch", "opened")}
+            entry = msgspec.structs.replace(entry, box=view.box, looks=view.role, **more)
+        yield entry
 
 
 def _special(number: int, view: SpecialView, turn: Turn) -> ViewEntry:
@@ -258,6 +274,12 @@ def _strokes(lines: SheetLines, turn: Turn) -> Iterator[StrokeEntry]:
     owned: list[tuple[str | None, str, Stroke]] = [
         (view.role.value, view.source.value, stroke)
         for view in lines.drawn
+        for stroke in view.strokes
+    ]
+    names = [own.id for own in _specials(lines, turn) if own.looks is not None]
+    owned += [
+        (name, view.source.value, stroke)
+        for name, view in zip(names, lines.beside, strict=True)
         for stroke in view.strokes
     ]
     owned += [(None, StrokesSource.VECTOR.value, stroke) for stroke in lines.loose]

@@ -32,7 +32,6 @@ from gaussiancad_core.sheet.registration import (
 from gaussiancad_core.sheet.rings import with_rings
 from gaussiancad_core.sheet.seen_coordinates import PlaneView
 from gaussiancad_core.sheet.shared_axes import share_axes
-from gaussiancad_core.sheet.special_views.cut_views import cut_region, with_hidden_inside
 from gaussiancad_core.sheet.strokes import classify_strokes
 from gaussiancad_core.sheet.through_holes import Extent, ViewEvidence, is_through
 from gaussiancad_core.sheet.twin_lines import with_twins
@@ -63,7 +62,8 @@ class ReadView:
         source: where its strokes come from.
         dash: px up to which a hidden stroke may be one dash, as solid as a visible one; None where
             the pens or the file tell linetypes.
-        hatched: of a full section the outlines of what is cut: an odd number of them surrounds it.
+        hatched: of a section the outlines of what is cut: an odd number of them surrounds it.
+        opened: corners of the region that is cut open; empty where that is all of the view.
     """
 
     role: Role
@@ -73,6 +73,7 @@ class ReadView:
     source: StrokesSource = StrokesSource.RASTER
     dash: float | None = None
     hatched: tuple[Ring, ...] = ()
+    opened: Ring = ()
 
     @property
     def has_hidden_lines(self) -> bool:
@@ -164,9 +165,6 @@ def read_views(
         if outline is not None:
             if source is StrokesSource.RASTER:
                 strokes = without_outside(strokes, outline)
-            region = cut_region(layout, box)
-            if region is not None:
-                strokes = with_hidden_inside(strokes, outline, region)
             own = view_box(strokes, outline, exact=source is StrokesSource.VECTOR)
         told = pens.told or source is not StrokesSource.RASTER
         dash = None if told else rhythm.dash + _ALONE * rhythm.gap

@@ -14,6 +14,7 @@ import numpy.typing as npt
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.graph.heads import Head
+from gaussiancad_core.sheet.notes.steps import stepped_path
 from gaussiancad_core.sheet.notes.titles import Title, TitleKind, parse_title
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.scale.leaders import Leader, pointed_lines
@@ -45,13 +46,19 @@ class Trace:
         label: the letters.
         ends: px of the upright sheet, of the cutting line.
         way: (2,) of length 1, px, the direction in which the arrows point.
-        straight: whether the cut is one plane.
+        path: px, corners of the cutting line from one end to the other; empty where it is in steps
+            that were not found.
     """
 
     label: str
     ends: tuple[tuple[float, float], tuple[float, float]]
     way: tuple[float, float]
-    straight: bool = True
+    path: tuple[tuple[float, float], ...] = ()
+
+    @property
+    def straight(self) -> bool:
+        """Whether the cut is one plane."""
+        return len(self.path) == 2
 
 
 @dataclass(frozen=True)
@@ -156,9 +163,11 @@ def _trace(
         pairs,
         key=lambda own: (_steps(own) > _IN_LINE, -abs(_cross(own[0][1], own[1][0] - own[0][0]))),
     )
-    steps = _steps((one, two))
     ends = (_plain(one[0]), _plain(two[0]))
-    return Trace(label, ends, _plain(one[1]), steps <= _IN_LINE)
+    way = _plain(one[1])
+    if _steps((one, two)) <= _IN_LINE:
+        return Trace(label, ends, way, ends)
+    return Trace(label, ends, way, stepped_path(ends, way, lines))
 
 
 def _steps(pair: tuple[tuple[Point, Point], tuple[Point, Point]]) -> float:

@@ -1,4 +1,4 @@
-"""Hatched areas of sections as polygons."""
+"""Hatched areas of sections as polygons, and the regions of views that are cut open."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -8,8 +8,9 @@ import numpy as np
 
 from gaussiancad_core.sheet.annotations.marks import Mask
 from gaussiancad_core.sheet.layout import Layout
+from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.reading import ReadView, Ring
-from gaussiancad_core.sheet.special_views.kinds import SpecialKind
+from gaussiancad_core.sheet.special_views.kinds import SECTIONS, SpecialKind, SpecialView
 
 _CHORD = 0.7
 """px by which a polygon may run beside the edge of the pixels."""
@@ -21,7 +22,7 @@ _LEAST = 9.0
 def with_hatched_areas(
     drawn: Sequence[ReadView], layout: Layout, hatched: Mask | None
 ) -> tuple[ReadView, ...]:
-    """The views, those that are full sections with what is hatched of them.
+    """The views, those that are sections with what is hatched and where they are cut open.
 
     Args:
         drawn: in the layout's order.
@@ -30,17 +31,53 @@ def with_hatched_areas(
     """
     if hatched is None:
         return tuple(drawn)
-    sections = {own.box for own in layout.special if own.kind is SpecialKind.SECTION and own.used}
-    cut = {role for role, box in layout.boxes.items() if box in sections}
-    return tuple(
-        replace(view, hatched=rings_within(hatched, layout.boxes[view.role]))
-        if view.role in cut
-        else view
-        for view in drawn
-    )
+    sections = {own.box: own for own in layout.special if own.kind in SECTIONS and own.used}
+    found = []
+    for view in drawn:
+        section = sections.get(layout.boxes[view.role])
+        found.append(view if section is None else cut_open(view, section, hatched))
+    return tuple(found)
 
 
-def rings_within(hatched: Mask, box: tuple[float, float, float, float]) -> tuple[Ring, ...]:
+def cut_open(view: ReadView, section: SpecialView, hatched: Mask) -> ReadView:
+    """A view that is a section, with what is hatched and where it is cut open."""
+    rings = rings_within(hatched, section.box)
+    return replace(view, hatched=rings, opened=opened_region(section, rings))
+
+
+def opened_region(section: SpecialView, rings: Sequence[Ring]) -> Ring:
+    """The region of a view that is cut open, px; empty for all of it.
+
+    Of a half section that is the half with the hatching.  Of a broken-out section nothing but the
+    hatching and its break line tell: it is taken to be convex.
+    """
+    if section.kind is SpecialKind.SECTION or section.cut is None:
+        return ()
+    if section.kind is SpecialKind.PARTIAL_SECTION:
+        points = np.array([point for ring in rings for point in ring], dtype=np.float32)
+        if len(points) < 3:
+            return ()
+        hull = cv2.convexHull(points)[:, 0].tolist()
+        return tuple((float(x), float(y)) for x, y in hull)
+    x0, y0, x1, y1 = _half(section.box, section.cut)
+    return ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
+
+
+def _half(box: Box, cut: Box) -> Box:
+    """The half of a box that its hatching keeps to."""
+    x0, y0, x1, y1 = box
+    middle = (0.5 * (x0 + x1), 0.5 * (y0 + y1))
+    # The direction in which the hatching keeps to one side.
+    off_x = abs(0.5 * (cut[0] + cut[2]) - middle[0]) / (x1 - x0)
+    off_y = abs(0.5 * (cut[1] + cut[3]) - middle[1]) / (y1 - y0)
+    if off_x >= off_y:
+        right = cut[2] - middle[0] > middle[0] - cut[0]
+        return (middle[0], y0, x1, y1) if right else (x0, y0, middle[0], y1)
+    below = cut[3] - middle[1] > middle[1] - cut[1]
+    return (x0, middle[1], x1, y1) if below else (x0, y0, x1, middle[1])
+
+
+def rings_within(hatched: Mask, box: Box) -> tuple[Ring, ...]:
     """Outlines of hatched areas in a box, and of the holes in them, px of the sheet: an odd number
     of them surrounds what is hatched."""
     x0, y0, x1, y1 = (round(value) for value in box)

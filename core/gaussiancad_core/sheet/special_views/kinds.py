@@ -21,6 +21,10 @@ class SpecialKind(Enum):
     THREAD = "thread"
 
 
+SECTIONS = (SpecialKind.SECTION, SpecialKind.HALF_SECTION, SpecialKind.PARTIAL_SECTION)
+"""Views that are cut open."""
+
+
 @dataclass(frozen=True)
 class SpecialView:
     """A drawing that is no plain principal view.
@@ -28,11 +32,13 @@ class SpecialView:
     Attributes:
         kind: what it is.
         box: around it, px of the upright sheet.
-        used: whether it stands for a principal view all the same.
+        used: whether it stands for a principal view all the same, or beside one.
         cut: around the hatching of a section, px of the upright sheet.
+        beside: whether it is a section that is used beside a plain view of its direction.
     """
 
     kind: SpecialKind
     box: Box
     used: bool = False
     cut: Box | None = None
+    beside: bool = False

@@ -4,15 +4,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from gaussiancad_core.sheet.options import Box
-from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
+from gaussiancad_core.sheet.special_views.kinds import SECTIONS, SpecialKind, SpecialView
 
 _MOST_PLACES = 5
 """Boxes that one message names at most."""
 
 UNUSED = "unused-view"
 """Code of whatever shows the part and was not used."""
-
-_SECTIONS = (SpecialKind.SECTION, SpecialKind.HALF_SECTION, SpecialKind.PARTIAL_SECTION)
 
 
 @dataclass(frozen=True)
@@ -31,7 +29,8 @@ class Telling:
 
 
 def tellings(special: Sequence[SpecialView]) -> list[Telling]:
-    """One message for each kind, in the order of the kinds.
+    """One message for each kind, in the order of the kinds; sections beside plain views, which take
+    the place of none, leave nothing in doubt.
 
     Args:
         special: with boxes in px of the sheet as stored.
@@ -39,7 +38,11 @@ def tellings(special: Sequence[SpecialView]) -> list[Telling]:
     found = []
     for kind in SpecialKind:
         for used in (False, True):
-            boxes = [view.box for view in special if view.kind is kind and view.used is used]
+            boxes = [
+                view.box
+                for view in special
+                if view.kind is kind and view.used is used and not view.beside
+            ]
             if boxes:
                 found.append(_told(kind, used, boxes))
     return found
@@ -52,7 +55,7 @@ def _told(kind: SpecialKind, used: bool, boxes: list[Box]) -> Telling:
         code = _ILLUSTRATIONS[kind][0] if illustrates else UNUSED
         what = f"{_NAMES[kind]} at {places} px was not used: {why_unused(kind)}"
         return Telling(code, what, doubt=not illustrates)
-    if kind in _SECTIONS:
+    if kind in SECTIONS:
         return Telling(
             "section-used",
             f"{_NAMES[kind]} at {places} px stands for a view: what was cut away before it no "
