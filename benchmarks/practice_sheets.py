@@ -106,7 +106,7 @@ def write_sheet(part: Part, how: Practice, projection: Projection, seed: int, pa
         whole = _View(Role.FRONT, _visible(part.shape, Role.FRONT))
         drawn[0] = _placed(whole, centre, (wide, deep, tall))
         aside = max(0.0, sign) * deep + _GAP + wide + (_GAP if sign > 0 else 0.0)
-        drawn.append(_placed(front, centre + (aside, 0.0), (wide, deep, tall)))
+        drawn.append(_placed(front, centre + np.array([aside, 0.0]), (wide, deep, tall)))
     drawn = _moved_in(drawn, (wide, deep, tall))
     page = Page(*drawn[1])
     for view in drawn[0]:
@@ -246,15 +246,16 @@ def _tell(page: Page, views: Sequence[_View], part: Part, how: Practice, lot: Ra
 
 
 def _untold(part: Part, how: Practice) -> list[Hole]:
-    """Holes that no section goes through."""
+    """Holes of the kinds of which no section goes through some."""
     if how in (Practice.NOTES, Practice.TWO, Practice.ONE):
         return list(part.holes)
     planes = [y for _, y in part.steps] if how is Practice.OFFSET else [part.plane]
-    return [
-        own
+    kinds = {
+        (own.axis, note_of(own))
         for own in part.holes
         if own.axis is Axis.Y or not any(abs(_y_of(own) - at) < own.diameter / 2.0 for at in planes)
-    ]
+    }
+    return [own for own in part.holes if (own.axis, note_of(own)) in kinds]
 
 
 def _y_of(hole: Hole) -> float:
@@ -323,7 +324,7 @@ def _notes(
     kinds: dict[str, list[Hole]] = {}
     for own in holes:
         kinds.setdefault(note_of(own), []).append(own)
-    x0, y0, x1, y1 = _box(view, size)
+    _, _, x1, y1 = _box(view, size)
     rows = [(y1 + 8.0 + 7.0 * number) for number in range(len(kinds))]
     for (text, own), row in zip(kinds.items(), rows, strict=True):
         centres = [_centre(view, hole) for hole in own]

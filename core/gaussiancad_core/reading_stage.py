@@ -33,6 +33,7 @@ from gaussiancad_core.sheet.scale.dimensions import file_lines
 from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale, find_scale
 from gaussiancad_core.sheet.special_views.beside import sections_beside
 from gaussiancad_core.sheet.special_views.hatched_areas import with_hatched_areas
+from gaussiancad_core.sheet.special_views.kinds import SECTIONS
 from gaussiancad_core.sheet.special_views.telling import UNUSED, tellings, why_unused
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.sheet.view_search import find_views
@@ -119,7 +120,11 @@ def _sections(
     strokes = image.vectors.strokes if image.vectors is not None else ()
     others = [*(own.box for own in layout.special), *layout.left_out]
     return named_sections(
-        scale.texts, arrowheads(strokes), file_lines(strokes, turn), (layout.boxes, others), turn
+        scale.texts,
+        arrowheads(strokes),
+        file_lines(strokes, turn),
+        (layout.boxes, others, [own.box for own in layout.special if own.kind in SECTIONS]),
+        turn,
     )
 
 

@@ -126,7 +126,8 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
     found = evidence(lines, pens, numbers, touches, candidates)
     best = max(range(len(pens)), key=lambda number: found[number].weight)
     drawn = np.isin(numbers, [best, *other_layers(pens, numbers, best, touches, candidates)])
-    edges = _outlines(touches, candidates & drawn)
+    centres = ~framed & np.array([_may_be_centre(stroke) for stroke in lines], dtype=bool)
+    edges = _outlines(touches, candidates & drawn, centres)
     if found[best].closed < _CLOSES or edges.sum() < _LEAST:
         return None
     other = np.isin(numbers, [n for n, own in enumerate(found) if own.closes_outlines])
@@ -160,12 +161,19 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
     return LabelledDrawing(lines, tuple(labels), tuple(order), touches, doubtful, boxes)
 
 
-def _outlines(touches: Touches, edges: Flags) -> Flags:
+def _may_be_centre(stroke: VectorStroke) -> bool:
+    return stroke.role is StrokeRole.CENTRE or len(stroke.dashes) > 2
+
+
+def _outlines(touches: Touches, edges: Flags, centres: Flags) -> Flags:
     """(n,) which edges belong to groups that an outline spans: cutting traces and the like are
-    drawn in the same pen, and enclose nothing."""
+    drawn in the same pen, and enclose nothing.
+
+    Edges of half sections end at a centre line.
+    """
     core = edges
     while True:
-        left = core & (touches.closed | touches.met(core).all(axis=1))
+        left = core & (touches.closed | touches.met(core | centres).all(axis=1))
         if (left == core).all():
             break
         core = left

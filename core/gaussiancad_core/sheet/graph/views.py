@@ -22,6 +22,12 @@ from gaussiancad_core.sheet.special_views.symbol import find_symbol
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet, drawing_grid
 from gaussiancad_core.sheet.view_search import arranged, with_symbol
 
+_COVERED = 0.75
+"""Share of an area that is near its hatching at least, if it is hatched as a whole."""
+
+_REACH = 0.75
+"""Pitches from a line of a hatching up to which it tells."""
+
 _MARKS = {
     Label.CENTRE: AnnotationKind.CENTRE_LINE,
     Label.HATCH: AnnotationKind.HATCHING,
@@ -121,7 +127,11 @@ def _mark(stroke: VectorStroke, kind: AnnotationKind) -> Mark | None:
 
 
 def _hatched(lines: tuple[VectorStroke, ...], ink: Mask) -> Mask | None:
-    """(h, w) the areas between edges in which hatching runs; nothing where there is none."""
+    """(h, w) the areas between edges in which hatching runs; nothing where there is none.
+
+    Where hatching fills an area in part only, it ends at a centre line (ISO 128-3): what is hatched
+    ends with it.
+    """
     if not lines:
         return None
     import cv2
@@ -131,4 +141,29 @@ def _hatched(lines: tuple[VectorStroke, ...], ink: Mask) -> Mask | None:
     columns, rows = np.clip(np.floor(points).astype(int), 0, np.array(ink.shape)[::-1] - 1).T
     hatched = np.unique(areas[rows, columns])
     hatched = hatched[(hatched != 0) & (hatched != areas[0, 0])]
-    return np.isin(areas, hatched)
+    found = np.isin(areas, hatched)
+    reach = 2 * round(_REACH * _pitch(lines)) + 1
+    drawn = np.zeros(ink.shape, np.uint8)
+    drawn[rows, columns] = 1
+    near = cv2.morphologyEx(drawn, cv2.MORPH_CLOSE, np.ones((reach, reach), np.uint8)) > 0
+    count = int(areas.max()) + 1
+    covered = np.bincount(areas[near], minlength=count) / np.bincount(areas.ravel())
+    partly = [number for number in hatched if covered[number] < _COVERED]
+    return found & (near | ~np.isin(areas, partly))
+
+
+def _pitch(lines: tuple[VectorStroke, ...]) -> float:
+    """px between neighbouring lines of a hatching, most often."""
+    ends = np.array([(own.curve.start, own.curve.end) for own in lines if _is_line(own)])
+    if len(ends) < 2:
+        return 0.0
+    ways = ends[:, 1] - ends[:, 0]
+    way = ways[np.hypot(*ways.T).argmax()]
+    normal = np.array([-way[1], way[0]]) / np.hypot(*way)
+    apart = np.diff(np.sort(ends[:, 0] @ normal))
+    apart = apart[apart > 1.0]
+    return float(np.median(apart)) if len(apart) else 0.0
+
+
+def _is_line(stroke: VectorStroke) -> bool:
+    return isinstance(stroke.curve, Line)

@@ -86,7 +86,7 @@ def named_sections(
     texts: Sequence[SheetText],
     heads: Sequence[Head],
     lines: Sequence[Leader],
-    views: tuple[dict[Role, Box], Sequence[Box]],
+    views: tuple[dict[Role, Box], Sequence[Box], Sequence[Box]],
     turn: Turn,
 ) -> tuple[NamedSection, ...]:
     """Sections by their titles, with their cutting planes.
@@ -95,10 +95,11 @@ def named_sections(
         texts: of the sheet, px of the upright sheet.
         heads: px of the sheet as stored.
         lines: straight lines, px of the upright sheet.
-        views: boxes of principal views by role, and of all other drawings.
+        views: boxes of principal views by role, of all other drawings, and of those of both that
+            are cut: titles between two drawings belong to these.
         turn: of the sheet.
     """
-    named, others = views
+    named, others, hatched = views
     boxes = [*named.values(), *others]
     found = []
     taken: set[str] = set()
@@ -106,7 +107,7 @@ def named_sections(
         title = parse_title(text.text)
         if title is None or title.kind is not TitleKind.SECTION or title.label in taken:
             continue
-        box = _nearest(text.box, boxes)
+        box = _nearest(text.box, hatched) or _nearest(text.box, boxes)
         if box is None:
             continue
         taken.add(title.label)
