@@ -368,6 +368,11 @@ def _diameters(page: Page, view: _View, part: Part, size: tuple[float, float, fl
     x0, y0, x1, y1 = _box(view, size)
     middle = (y0 + y1) / 2.0
     page.line((x0 - 4.0, middle), (x1 + 4.0, middle), _CENTRE)
+    for own in part.holes:
+        elbow = (x1 + 12.0, y1 + 8.0)
+        arrow(page, (x1, middle), elbow, _HEAD)
+        page.line((x1, middle), elbow, _THIN)
+        page.text((elbow[0] + 1.0, elbow[1]), note_of(own), _TEXT)
     for number, (start, end, diameter) in enumerate(part.diameters):
         if diameter == max(own for _, _, own in part.diameters):
             continue

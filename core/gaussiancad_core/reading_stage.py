@@ -10,6 +10,7 @@ from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import ResultKind
+from gaussiancad_core.one_view_stage import companion
 from gaussiancad_core.projection_choice import opposite
 from gaussiancad_core.report import NoteReport, Unused, ViewReport
 from gaussiancad_core.run_notes import RunNotes
@@ -24,9 +25,11 @@ from gaussiancad_core.sheet.graph.tangent_edges import without_tangent_edges
 from gaussiancad_core.sheet.graph.threads import without_threads
 from gaussiancad_core.sheet.graph.views import graph_views
 from gaussiancad_core.sheet.layout import Layout, may_be_views
+from gaussiancad_core.sheet.masks import supersampling_for
 from gaussiancad_core.sheet.notes.finding import SheetNote, notes_of
 from gaussiancad_core.sheet.notes.sections import NamedSection, named_sections
 from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
+from gaussiancad_core.sheet.painted import painted, view_by_strokes, visible_bounds
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
 from gaussiancad_core.sheet.scale.dimensions import file_lines
@@ -105,9 +108,11 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
             return read_views(separated.part, own, finder=reading.finder, vectors=vectors)
 
         layout, beside = sections_beside(layout, sections, separated.hatched, read)
+        found = notes_of(scale.texts, scale.unit) if scale is not None else ()
+        if len(drawn) == 1:
+            layout, drawn = _with_companion(clean, layout, drawn[0], (scale, found), notes)
         tell_layout(notes, layout, clean.turn)
         options = tell_scale(reading, scale, notes)
-        found = notes_of(scale.texts, scale.unit) if scale is not None else ()
         tell_notes(notes, found, clean.turn)
     return SheetLines(
         layout, drawn, separated.marks, scale, options, found, sections, beside=beside
@@ -164,6 +169,36 @@ def _role_at(roles: dict[Box, Role], box: Box) -> Role | None:
         ),
         None,
     )
+
+
+def _with_companion(
+    clean: CleanSheet,
+    layout: Layout,
+    view: ReadView,
+    told: tuple[SheetScale | None, Sequence[SheetNote]],
+    notes: RunNotes,
+) -> tuple[Layout, tuple[ReadView, ...]]:
+    """The only view with the one that follows from it.
+
+    Raises:
+        NoModelError: ``one-view`` where none does.
+    """
+    scale, found = told
+    other = companion(view, scale, found, clean.ink.shape[1]) if scale is not None else None
+    if other is None:
+        raise NoModelError(
+            "one-view",
+            "only one view was found, at ({:.0f}, {:.0f})-({:.0f}, {:.0f}) px, and neither "
+            "diameters across an axis nor a thickness tell the part: a model needs two orthogonal "
+            "views or more".format(*view.box),
+        )
+    notes.doubt("second-view-assumed", other.message)
+    x0, y0, x1, y1 = visible_bounds(other.strokes)
+    part = painted(other.strokes, clean)
+    factor = supersampling_for(max(x1 - x0, y1 - y0, view.box[2] - view.box[0]))
+    own = view_by_strokes(other.role, other.strokes, part, factor, (view.source, None))
+    boxes = {**layout.boxes, other.role: own.box}
+    return replace(layout, boxes=boxes, alternatives=()), (view, own)
 
 
 def _tangent_mark(line: Segment) -> Mark:

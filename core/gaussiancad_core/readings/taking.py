@@ -3,7 +3,7 @@
 Outlines come from the visible strokes alone: they are drawn, and filled as ink would be.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -36,20 +36,18 @@ from gaussiancad_core.readings.shapes import stroke_of
 from gaussiancad_core.readings.writing import LINES
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.annotations.marks import Mark, line_mark
-from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
+from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.files.painting import paint
-from gaussiancad_core.sheet.files.vectors import Chain, VectorDrawing, VectorStroke
 from gaussiancad_core.sheet.layout import Layout
-from gaussiancad_core.sheet.masks import find_outline, supersampling_for
+from gaussiancad_core.sheet.masks import supersampling_for
 from gaussiancad_core.sheet.notes.callouts import Callout
 from gaussiancad_core.sheet.notes.finding import SheetNote
 from gaussiancad_core.sheet.notes.sections import NamedSection, Trace
 from gaussiancad_core.sheet.notes.titles import Title, TitleKind
 from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.painted import painted, view_by_strokes, visible_bounds
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import ReadView, Ring
-from gaussiancad_core.sheet.registration import view_box
 from gaussiancad_core.sheet.scale.dimensions import Span
 from gaussiancad_core.sheet.scale.estimate import Measure, ReadDimension
 from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale
@@ -223,21 +221,15 @@ def _drawn(reading: SheetReading, clean: CleanSheet, reread: Reread) -> tuple[Re
     found = {view.role: view for view in (reread(boxes) if empty else ())}
     for role in empty:
         strokes[role] = found[role].strokes
-    part = _painted([own for view in strokes.values() for own in view], clean)
-    largest = max(max(x1 - x0, y1 - y0) for x0, y0, x1, y1 in map(_bounds, strokes.values()))
+    part = painted([own for view in strokes.values() for own in view], clean)
+    largest = max(max(x1 - x0, y1 - y0) for x0, y0, x1, y1 in map(visible_bounds, strokes.values()))
     factor = supersampling_for(largest)
     drawn = []
     for role, view in views.items():
         if role in empty:
             drawn.append(found[role])
             continue
-        outline = find_outline(part, _bounds(strokes[role]), factor)
-        box = (
-            _bounds(strokes[role])
-            if outline is None
-            else view_box(strokes[role], outline, exact=_source(view) is StrokesSource.VECTOR)
-        )
-        own = ReadView(role, box, strokes[role], outline, _source(view), view.dash)
+        own = view_by_strokes(role, strokes[role], part, factor, (_source(view), view.dash))
         drawn.append(_cut_open(own, view, clean.turn))
     return tuple(drawn)
 
@@ -250,7 +242,7 @@ def _beside(reading: SheetReading, clean: CleanSheet) -> tuple[ReadView, ...]:
         strokes = _strokes_of(reading, view, clean.turn)
         if role is None or view.role is not ViewRole.SECTION or not strokes:
             continue
-        own = ReadView(role, _bounds(strokes), strokes, None, _source(view), view.dash)
+        own = ReadView(role, visible_bounds(strokes), strokes, None, _source(view), view.dash)
         found.append(_cut_open(own, view, clean.turn))
     return tuple(own for own in found if own.hatched)
 
@@ -281,26 +273,6 @@ def _source(view: ViewEntry) -> StrokesSource:
         return StrokesSource(view.source)
     except ValueError:
         return StrokesSource.RASTER
-
-
-def _bounds(strokes: Sequence[Stroke]) -> Box:
-    points = np.concatenate(
-        [own.sample(1.0) for own in strokes if own.linetype is Linetype.VISIBLE]
-    )
-    (x0, y0), (x1, y1) = points.min(0).tolist(), points.max(0).tolist()
-    return x0, y0, x1, y1
-
-
-def _painted(strokes: Iterable[Stroke], clean: CleanSheet) -> CleanSheet:
-    """The sheet with the visible strokes alone."""
-    chains = tuple(
-        VectorStroke(Chain(tuple(map(tuple, own.sample(_STEP_PX).tolist()))), None)
-        for own in strokes
-        if own.linetype is Linetype.VISIBLE
-    )
-    height, width = clean.ink.shape
-    part = clean_sheet(paint(VectorDrawing(chains, ()), width, height), 0)
-    return replace(part, turn=clean.turn, dash_gap=clean.dash_gap)
 
 
 def _mark(stroke: StrokeEntry, turn: Turn) -> Mark | None:

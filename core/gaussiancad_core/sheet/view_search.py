@@ -103,6 +103,8 @@ def _separated_views(
         doubtful = (tried.by_weight or tried.closed) and not _is_whole(layout)
         if not doubtful and _size(best[1]) > _TINY * sheet.ink.size:
             return best
+    if best is None and first.code == "one-view" and not given:
+        best = lone_view(sheet, separated, projection)
     if best is None:
         raise first
     return best
@@ -134,6 +136,18 @@ def arranged(
     if found is None:
         raise failed
     return found
+
+
+def lone_view(
+    sheet: CleanSheet, separated: SeparatedSheet, projection: Projection | None
+) -> tuple[SeparatedSheet, Layout] | None:
+    """The only view of a sheet; None where it has more, or none."""
+    request = LayoutRequest({}, projection, _STUB * separated.part.stroke_width, lone=True)
+    try:
+        own = find_named_layout(sheet, separated, request)
+    except NoModelError:
+        return None
+    return own if len(own[1].boxes) == 1 else None
 
 
 def _has_more(whole: Layout, other: Layout) -> bool:

@@ -16,6 +16,7 @@ from gaussiancad_core.sheet.files.vectors import (
 )
 from gaussiancad_core.sheet.graph.dashes import dashes
 from gaussiancad_core.sheet.graph.furniture import furniture
+from gaussiancad_core.sheet.graph.heads import arrowheads
 from gaussiancad_core.sheet.graph.pens import (
     PenEvidence,
     evidence,
@@ -156,7 +157,9 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
             labels[index] = Label.HIDDEN
         elif stroke.is_solid:
             labels[index] = Label.DIMENSION
+    tips = [head.tip for head in arrowheads(drawing.strokes)]
     doubtful = _doubtful(lines, touches, labels, edges & ~hatched)
+    doubtful = tuple(own for own in doubtful if not _is_pointed(touches.ends[own], tips))
     order = sorted(found, key=lambda own: -own.weight)
     return LabelledDrawing(lines, tuple(labels), tuple(order), touches, doubtful, boxes)
 
@@ -215,6 +218,14 @@ def _doubtful(
     headed[touches.end[heads[touches.other]] // 2] = True
     lines = annotations & ~heads & ~headed & touches.met_by(edges).all(axis=1)
     return tuple(np.flatnonzero(lines).tolist())
+
+
+def _is_pointed(ends: npt.NDArray[np.float64], tips: Sequence[tuple[float, float]]) -> bool:
+    """Whether a line ends at the tip of an arrowhead."""
+    if not tips:
+        return False
+    away = np.hypot(*np.moveaxis(ends[:, None] - np.array(tips)[None], 2, 0))
+    return bool(away.min() <= _REACH)
 
 
 def _inside(touches: Touches, edges: Flags) -> Flags:

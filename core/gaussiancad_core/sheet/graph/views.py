@@ -20,7 +20,7 @@ from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 from gaussiancad_core.sheet.special_views.symbol import find_symbol
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet, drawing_grid
-from gaussiancad_core.sheet.view_search import arranged, with_symbol
+from gaussiancad_core.sheet.view_search import arranged, lone_view, with_symbol
 
 _COVERED = 0.75
 """Share of an area that is near its hatching at least, if it is hatched as a whole."""
@@ -77,12 +77,16 @@ def graph_views(
         return None
     separated, vectors = _part(found, sheet, drawing_grid(drawing))
     symbol = find_symbol(sheet) if projection is None else None
+    told = symbol.projection if symbol else projection
     try:
-        separated, layout = arranged(
-            sheet, separated, given, symbol.projection if symbol else projection
-        )
-    except NoModelError:
-        return None
+        separated, layout = arranged(sheet, separated, given, told)
+    except NoModelError as error:
+        alone = None
+        if error.code == "one-view" and not given:
+            alone = lone_view(sheet, separated, told)
+        if alone is None:
+            return None
+        separated, layout = alone
     separated, layout = with_symbol(separated, layout, symbol)
     askew = tuple(SpecialView(SpecialKind.PICTORIAL, box) for box in found.pictorials)
     layout = replace(layout, special=(*layout.special, *askew))

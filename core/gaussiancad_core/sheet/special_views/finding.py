@@ -16,6 +16,7 @@ from gaussiancad_core.sheet.layout import (
     Layout,
     arrange_clusters,
     find_clusters,
+    lone_layout,
     view_clusters,
 )
 from gaussiancad_core.sheet.options import Box
@@ -40,12 +41,14 @@ class LayoutRequest:
         projection: or nothing.
         stub_width: px; single lines up to this width that stick out of a view do not count.
         figures: whether nothing counts that sticks out of a view's filled figure.
+        lone: whether the sheet may have one view alone.
     """
 
     given: dict[Role, Box]
     projection: Projection | None
     stub_width: float = 0.0
     figures: bool = False
+    lone: bool = False
 
 
 def find_named_layout(
@@ -170,7 +173,10 @@ def _sections(separated: SeparatedSheet, clusters: list[Box]) -> dict[Box, Speci
 
 def _arranged(clusters: list[Box], cut: dict[Box, SpecialKind], request: LayoutRequest) -> Layout:
     """The views with full sections where these show another direction, or are needed; else
-    without."""
+    without.  One view alone where there may be one."""
+    alone = lone_layout(clusters, request.projection) if request.lone else None
+    if alone is not None:
+        return alone
     full = [box for box, kind in cut.items() if kind is SpecialKind.SECTION]
     plain = [box for box in clusters if box not in full]
     if full and not request.given:

@@ -1,0 +1,64 @@
+"""Views by their strokes alone: the sheet as if nothing else were drawn on it."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
+from gaussiancad_core.sheet.files.painting import paint
+from gaussiancad_core.sheet.files.vectors import Chain, VectorDrawing, VectorStroke
+from gaussiancad_core.sheet.masks import find_outline
+from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.precision import StrokesSource
+from gaussiancad_core.sheet.reading import ReadView
+from gaussiancad_core.sheet.registration import view_box
+from gaussiancad_core.views import Linetype, Stroke
+
+_STEP_PX = 0.5
+"""px between the points by which strokes are drawn."""
+
+
+def painted(strokes: Iterable[Stroke], clean: CleanSheet) -> CleanSheet:
+    """The sheet with the visible ones of some strokes alone, px of the upright sheet."""
+    chains = tuple(
+        VectorStroke(Chain(tuple(map(tuple, own.sample(_STEP_PX).tolist()))), None)
+        for own in strokes
+        if own.linetype is Linetype.VISIBLE
+    )
+    height, width = clean.ink.shape
+    part = clean_sheet(paint(VectorDrawing(chains, ()), width, height), 0)
+    return replace(part, turn=clean.turn, dash_gap=clean.dash_gap)
+
+
+def view_by_strokes(
+    role: Role,
+    strokes: tuple[Stroke, ...],
+    part: CleanSheet,
+    supersampling: int,
+    source: tuple[StrokesSource, float | None],
+) -> ReadView:
+    """A view with the outline that its strokes enclose.
+
+    Args:
+        role: of the view.
+        strokes: px of the upright sheet, some of them visible.
+        part: the sheet with the strokes.
+        supersampling: mask px per sheet px.
+        source: where they come from, and px up to which a hidden one may be one dash.
+    """
+    bounds = visible_bounds(strokes)
+    outline = find_outline(part, bounds, supersampling)
+    exact = source[0] is StrokesSource.VECTOR
+    box = bounds if outline is None else view_box(strokes, outline, exact=exact)
+    return ReadView(role, box, strokes, outline, *source)
+
+
+def visible_bounds(strokes: Sequence[Stroke]) -> Box:
+    """The box around the visible strokes."""
+    points = np.concatenate(
+        [own.sample(1.0) for own in strokes if own.linetype is Linetype.VISIBLE]
+    )
+    (x0, y0), (x1, y1) = points.min(0).tolist(), points.max(0).tolist()
+    return x0, y0, x1, y1

@@ -1,0 +1,171 @@
+"""Solids of one view: its profile turned around an axis, or as thick as a number says.
+
+The lines of a view divide it into cells; what is material of them is united, and its outline, line
+by line and arc by arc, is swept.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+import shapely
+from OCP.BRepBuilderAPI import (
+    BRepBuilderAPI_MakeEdge,
+    BRepBuilderAPI_MakeFace,
+    BRepBuilderAPI_MakeWire,
+)
+from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism, BRepPrimAPI_MakeRevol
+from OCP.GC import GC_MakeArcOfCircle
+from OCP.gp import gp_Ax1, gp_Dir, gp_Pnt, gp_Vec
+from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
+from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Wire
+
+from gaussiancad_core.axes import Axis
+from gaussiancad_core.views import Arc, Stroke
+
+_CHORDS = 96
+"""Of a whole circle."""
+
+_STRAIGHT = 1e-6
+"""Sine of the angle between lines that go on in each other."""
+
+Point = tuple[float, float]
+Floats = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Profile:
+    """Material in a plane.
+
+    Attributes:
+        area: a polygon; its corners lie on the strokes.
+        arcs: strokes that are round.
+        near: distance within which a corner lies on a stroke.
+    """
+
+    area: shapely.Polygon
+    arcs: tuple[Arc, ...]
+    near: float
+
+
+def profile_of(
+    strokes: Sequence[Stroke],
+    within: shapely.Geometry,
+    is_material: Callable[[Point], bool],
+    near: float,
+) -> Profile | None:
+    """What is material of the cells that strokes divide a part of a view into.
+
+    Args:
+        strokes: in the plane.
+        within: the part that is looked at; its border divides as well.
+        is_material: tells it of a point of a cell.
+        near: distance within which points are one.
+
+    Returns:
+        None where that is not one piece.
+    """
+    lines = [shapely.LineString(_points(stroke)) for stroke in strokes]
+    noded = shapely.union_all([*lines, within.boundary], grid_size=near / 4.0)
+    cells = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
+    chosen = []
+    for cell in cells:
+        inner = cell.representative_point()
+        if within.contains(inner) and is_material((inner.x, inner.y)):
+            chosen.append(cell)
+    area = shapely.union_all(chosen)
+    if area.is_empty or area.geom_type != "Polygon":
+        return None
+    return Profile(area, tuple(own for own in strokes if isinstance(own, Arc)), near)
+
+
+def turned(profile: Profile, axis: Axis) -> TopoDS_Shape:
+    """A profile turned once around an axis; its first coordinate runs along it, its second is the
+    distance from it.
+
+    Args:
+        profile: whose distances are not negative.
+        axis: x or z.
+    """
+
+    def place(point: Point) -> gp_Pnt:
+        along, away = point
+        return gp_Pnt(along, 0.0, away) if axis is Axis.X else gp_Pnt(away, 0.0, along)
+
+    way = gp_Dir(1.0, 0.0, 0.0) if axis is Axis.X else gp_Dir(0.0, 0.0, 1.0)
+    face = _face(profile, place)
+    return _unified(BRepPrimAPI_MakeRevol(face, gp_Ax1(gp_Pnt(0.0, 0.0, 0.0), way)).Shape())
+
+
+def thickened(profile: Profile, thickness: float) -> TopoDS_Shape:
+    """A profile in the plane of x and z, as thick as told along y."""
+    face = _face(profile, lambda point: gp_Pnt(point[0], 0.0, point[1]))
+    return _unified(BRepPrimAPI_MakePrism(face, gp_Vec(0.0, thickness, 0.0)).Shape())
+
+
+def _points(stroke: Stroke) -> Floats:
+    if isinstance(stroke, Arc):
+        return stroke.sample(2.0 * np.pi * stroke.radius / _CHORDS)
+    return stroke.sample(max(stroke.length, 1e-9))
+
+
+def _face(profile: Profile, place: Callable[[Point], gp_Pnt]) -> TopoDS_Face:
+    rings = [profile.area.exterior, *profile.area.interiors]
+    outer, *holes = (_wire(np.array(ring.coords)[:-1], profile, place) for ring in rings)
+    made = BRepBuilderAPI_MakeFace(outer, True)
+    for hole in holes:
+        made.Add(TopoDS_Wire(hole.Reversed()))
+    return made.Face()
+
+
+def _wire(ring: Floats, profile: Profile, place: Callable[[Point], gp_Pnt]) -> TopoDS_Wire:
+    """The edges of a ring of corners: arcs where they lie on one, else lines."""
+    made = BRepBuilderAPI_MakeWire()
+    for run, is_arc in _runs(ring, profile):
+        ends = place(tuple(run[0])), place(tuple(run[-1]))
+        if is_arc:
+            curve = GC_MakeArcOfCircle(ends[0], place(tuple(run[len(run) // 2])), ends[1]).Value()
+            made.Add(BRepBuilderAPI_MakeEdge(curve).Edge())
+        else:
+            made.Add(BRepBuilderAPI_MakeEdge(*ends).Edge())
+    return made.Wire()
+
+
+def _runs(ring: Floats, profile: Profile) -> list[tuple[Floats, bool]]:
+    """Stretches of a ring's corners that are one line or lie on one arc."""
+    following = np.roll(ring, -1, axis=0)
+    kinds = [_arc_of(one, other, profile) for one, other in zip(ring, following, strict=True)]
+    ways = following - ring
+    ways = ways / np.hypot(*ways.T)[:, None]
+    count = len(ring)
+
+    def begins(index: int) -> bool:
+        before = index - 1
+        if kinds[index] != kinds[before]:
+            return True
+        turn = ways[before][0] * ways[index][1] - ways[before][1] * ways[index][0]
+        return kinds[index] is None and abs(turn) > _STRAIGHT
+
+    starts = [index for index in range(count) if begins(index)] or [0, count // 2]
+    found = []
+    for start, end in zip(starts, [*starts[1:], starts[0] + count], strict=True):
+        own = ring[np.arange(start, end + 1) % count]
+        found.append((own, kinds[start] is not None))
+    return found
+
+
+def _arc_of(one: Floats, other: Floats, profile: Profile) -> int | None:
+    """Number of the arc that both ends of a chord lie on, next to each other."""
+    for number, arc in enumerate(profile.arcs):
+        away = np.hypot(*(np.array([one, other]) - arc.centre).T) - arc.radius
+        chord = float(np.hypot(*(other - one)))
+        if np.abs(away).max() <= profile.near and chord < 4.0 * np.pi * arc.radius / _CHORDS:
+            return number
+    return None
+
+
+def _unified(shape: TopoDS_Shape) -> TopoDS_Shape:
+    unify = ShapeUpgrade_UnifySameDomain(shape, True, True, True)
+    unify.Build()
+    return unify.Shape()
