@@ -237,6 +237,11 @@ class Search:
         return Model(self._rules)
 
     @cached_property
+    def _unusual(self) -> cp_model.LinearExprT:
+        """What is not usual, and surfaces."""
+        return self._strictly.surfaces + self._strictly.unusual(self._usual)
+
+    @cached_property
     def _but_kinds(self) -> Model:
         """The same, but for linetypes that nothing tells."""
         return Model(self._rules, lambda rule: rule.says is Says.KIND)
@@ -251,7 +256,7 @@ class Search:
             solver = solver_for(self._effort.simplest, self._effort.workers, deadline)
         else:
             # Nearly all that is usual holds together, which cores tell tens of times as fast.
-            held.model.minimize(held.surfaces + held.unusual(self._usual))
+            held.model.minimize(self._unusual)
             solver = relaxing_solver(self._effort.simplest, deadline)
         status = solver.solve(held.model)
         held.model.clear_objective()
@@ -283,6 +288,10 @@ class Search:
             held, solver_of = self._within(found), relaxing_solver
         else:
             held, solver_of = self._strictly, solver_for
+            if self._usual is not None:
+                # What comes next to the most usual is what may have been meant.
+                held.model.minimize(self._unusual)
+                solver_of = relaxing_solver
         left = share * self._effort.hard
         known = set(held.cells)
         counting = [cell for cell in cells if cell in known and cell in found.labels]

@@ -26,6 +26,9 @@ _UNLIKELY = 0.02
 """Share of the search for others that is left where neither lines nor labels agree: they may,
 but are found at once or not at all."""
 
+_ASSUMED = 2
+"""Solids that are looked at beside the first where one rests on what is usual."""
+
 
 @dataclass(frozen=True)
 class Candidate:
@@ -83,7 +86,11 @@ def candidates_of(work: Work, labelling: Labelling, limits: Limits, latest: Dead
         if second is not None and not (first and _are_one(work, second, first)):
             candidates.append(second)
     share = 1.0 if explained or not labelling.given_up else _UNLIKELY
-    others = work.search.others(labelling, counting, limits.alternatives, share, latest)
+    most = limits.alternatives
+    if work.part.usual is not None:
+        # Views that leave hidden lines out never tell all: the likeliest others are told.
+        most = min(most, _ASSUMED)
+    others = work.search.others(labelling, counting, most, share, latest)
     work.meter.lap("others")
     # What slim cells were likely to be is not what they have to be.
     plain = [labelling.labels] if likely != _continued(work, labelling.labels, work.slim) else []
