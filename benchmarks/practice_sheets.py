@@ -93,7 +93,7 @@ def write_sheet(part: Part, how: Practice, projection: Projection, seed: int, pa
     front = _front(part, how)
     plain = {
         role: _View(role, _visible(part.shape, role))
-        for role in _roles(how)
+        for role in _roles(part, how)
         if role is not Role.FRONT
     }
     sign = 1.0 if projection is Projection.THIRD else -1.0
@@ -115,9 +115,11 @@ def write_sheet(part: Part, how: Practice, projection: Projection, seed: int, pa
     page.write(path)
 
 
-def _roles(how: Practice) -> tuple[Role, ...]:
+def _roles(part: Part, how: Practice) -> tuple[Role, ...]:
     if how is Practice.ONE:
         return (Role.FRONT,)
+    if how is Practice.HALF and part.diameters:
+        return (Role.FRONT, Role.RIGHT)
     if how in (Practice.TWO, Practice.HALF):
         return (Role.FRONT, Role.TOP)
     return (Role.FRONT, Role.TOP, Role.RIGHT)

@@ -17,10 +17,12 @@ class Opening:
     Attributes:
         at: mm of the plane along the axis that the view looks along.
         region: mm in the view's plane (right, up); None for the whole view.
+        source: how the plane is known: ``trace``, ``symmetry``, ``circle`` or ``given``.
     """
 
     at: float
     region: "shapely.Geometry | None" = None
+    source: str = "trace"
 
     def holds(self, point: tuple[float, float]) -> bool:
         """Whether a place of the view is cut open."""
@@ -59,7 +61,9 @@ class Cut:
                 return None
             return affinity.scale(geometry, *factors, origin=(0.0, 0.0))
 
-        openings = tuple(Opening(own.at * scale, of(own.region)) for own in self.openings)
+        openings = tuple(
+            replace(own, at=own.at * scale, region=of(own.region)) for own in self.openings
+        )
         return replace(self, openings=openings, areas=of(self.areas))
 
 

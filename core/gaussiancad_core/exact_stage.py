@@ -55,6 +55,9 @@ OPEN_ENDED = ("search-unfinished", "part-too-complex")
 _KEPT = 0.9
 """Share of all lines, both ways, on which a solid must agree to be kept at all."""
 
+_MORE_USUAL = 0.8
+"""Share of what is unusual about one solid that there is about a clearly more usual one."""
+
 _AMBIGUOUS = (
     "ambiguous",
     "the views fit different solids in first and in third angle: tell --projection",
@@ -162,7 +165,7 @@ def find_exact(
         if not _solved(own, strict).is_settled:
             contrary = contrary.doubted(_UNSETTLED)
         return ExactModel(other, contrary, True)
-    if likelier and contrary.explains is result.explains and likelier() is other:
+    if contrary.explains is result.explains and _is_likelier(contrary, result, other, likelier):
         own, result, contrary = other, contrary, result
     if not contrary.explains:
         if not contrary.is_settled:
@@ -187,6 +190,22 @@ def find_exact(
         contrary=len(further),
     )
     return ExactModel(own, result.doubted(_AMBIGUOUS), False)
+
+
+def _is_likelier(
+    contrary: ExactResult,
+    result: ExactResult,
+    other: Reading,
+    likelier: Callable[[], Reading] | None,
+) -> bool:
+    """Whether the other reading of two that fit alike is to be taken: whose solid is clearly more
+    usual, where hidden lines are left out; else what the hull's lines tell."""
+    if result.unusual is not None and contrary.unusual is not None:
+        if contrary.unusual < _MORE_USUAL * result.unusual:
+            return True
+        if result.unusual < _MORE_USUAL * contrary.unusual:
+            return False
+    return likelier is not None and likelier() is other
 
 
 def find_for_hull(own: Reading, other: Reading | None) -> ExactModel | None:

@@ -35,7 +35,7 @@ from gaussiancad_core.sheet.reading import ReadView, read_views
 from gaussiancad_core.sheet.scale.dimensions import file_lines
 from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale, find_scale
 from gaussiancad_core.sheet.special_views.beside import sections_beside
-from gaussiancad_core.sheet.special_views.hatched_areas import with_hatched_areas
+from gaussiancad_core.sheet.special_views.hatched_areas import to_middles, with_hatched_areas
 from gaussiancad_core.sheet.special_views.kinds import SECTIONS
 from gaussiancad_core.sheet.special_views.telling import UNUSED, tellings, why_unused
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
@@ -99,7 +99,8 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
             layout = replace(layout, special=(*layout.special, *threads))
             drawn, smooth = without_tangent_edges(drawn)
             separated = replace(separated, marks=(*separated.marks, *map(_tangent_mark, smooth)))
-        drawn = with_hatched_areas(drawn, layout, separated.hatched)
+        hatched = to_middles(separated.hatched, separated.part.stroke_width)
+        drawn = with_hatched_areas(drawn, layout, hatched)
         scale = _sheet_scale(job, image, clean, (separated.marks, drawn), notes)
         sections = _sections(image, scale, layout, clean.turn) if scale is not None else ()
         layout, drawn = _by_arrows(layout, drawn, sections)
@@ -107,7 +108,7 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
         def read(own: Layout) -> tuple[ReadView, ...]:
             return read_views(separated.part, own, finder=reading.finder, vectors=vectors)
 
-        layout, beside = sections_beside(layout, sections, separated.hatched, read)
+        layout, beside = sections_beside(layout, sections, hatched, read)
         found = notes_of(scale.texts, scale.unit) if scale is not None else ()
         if len(drawn) == 1:
             layout, drawn = _with_companion(clean, layout, drawn[0], (scale, found), notes)

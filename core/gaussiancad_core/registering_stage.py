@@ -2,8 +2,6 @@
 
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from gaussiancad_core.axes import Projection, mutually_orthogonal
 from gaussiancad_core.exact_stage import Reading
 from gaussiancad_core.job import Job
@@ -11,8 +9,9 @@ from gaussiancad_core.modes import Recipe, ResultKind
 from gaussiancad_core.notes_stage import hole_notes
 from gaussiancad_core.projection_choice import both_readings, choose_projection, opposite
 from gaussiancad_core.reading_stage import SheetLines
-from gaussiancad_core.report import PlaneReport, SectionReport, ViewReport
+from gaussiancad_core.report import ViewReport
 from gaussiancad_core.run_notes import RunNotes
+from gaussiancad_core.section_reports import section_reports
 from gaussiancad_core.sections_stage import cuts_of, sections_of
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.deskew import Turn
@@ -76,9 +75,7 @@ def registered_lines(job: Job, lines: SheetLines, turn: Turn, notes: RunNotes) -
             found = weigh_readings(found, notes)
         _tell_views(notes, found.own.registered, turn)
         _tell_registration(notes, found.own.registered, turn)
-        notes.tell(
-            sections=tuple(_section(own, found.own.registered, turn) for own in lines.sections)
-        )
+        notes.tell(sections=section_reports(found.own, lines.sections, turn))
     return replace(found, marks=lines.marks, special=layout.special)
 
 
@@ -232,16 +229,3 @@ def _tell_registration(notes: RunNotes, registered: RegisteredSheet, turn: Turn)
         notes.doubt(
             "two-views", "only two directions of view: what a third would show is not known"
         )
-
-
-def _section(own: NamedSection, registered: RegisteredSheet, turn: Turn) -> SectionReport:
-    plane = None
-    place = registered.placements.get(own.cut_in) if own.cut_in else None
-    if own.trace is not None and own.trace.straight and place is not None and own.axis is not None:
-        right, up = place.to_plane(np.mean(own.trace.ends, axis=0)[None, :])[0].tolist()
-        frame = own.cut_in.frame
-        axis, sign = frame.right_axis if frame.right_axis[0] is own.axis else frame.up_axis
-        at = sign * (right if frame.right_axis[0] is own.axis else up)
-        plane = PlaneReport(axis.name.lower(), round(at, 4))
-    role = own.looks.value if own.looks is not None else ""
-    return SectionReport(own.title.label, role, turn.box_to_stored(own.box), plane)

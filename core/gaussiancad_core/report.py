@@ -81,19 +81,25 @@ class PlaneReport:
 
 @dataclass(frozen=True)
 class SectionReport:
-    """A section that the sheet names.
+    """A section.
 
     Attributes:
-        label: its letters.
-        role: the direction in which it looks; empty where its arrows were not found.
+        label: its letters; empty where it has no title.
+        role: the direction in which it looks; empty where that was not found.
         box: around it, px of the sheet.
         plane: where it cuts; None where that is not known, or the cut is no plane.
+        line_recall, line_precision: shares of the sheet's lines and of the solid's, cut alike, that
+            the other has; None where there is no solid or the section was not used.
+        area_agreement: hatched and cut area, what is common by what is in either.
     """
 
     label: str
     role: str
     box: Box
     plane: PlaneReport | None = None
+    line_recall: float | None = None
+    line_precision: float | None = None
+    area_agreement: float | None = None
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """Sections as cuts: their planes in millimetres, what is hatched, and where they are cut open."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 from itertools import pairwise
 
@@ -19,7 +19,10 @@ from gaussiancad_core.sheet.registration import (
     strokes_in_plane,
 )
 from gaussiancad_core.sheet.special_views.beside import overlap
-from gaussiancad_core.views import Stroke
+from gaussiancad_core.views import Arc, Stroke
+
+_WHOLE = 6.2
+"""Radians from which an arc is a circle."""
 
 _FAR = 1e5
 """mm beyond every part."""
@@ -32,10 +35,17 @@ class SectionBeside:
     Attributes:
         strokes: mm in the view's plane.
         cut: where it is cut open.
+        place: of the plane on the sheet.
     """
 
     strokes: tuple[Stroke, ...]
     cut: Cut
+    place: Placement
+
+    @property
+    def box(self) -> Box:
+        """Around it, px of the upright sheet."""
+        return self.place.box
 
 
 def cuts_of(registered: RegisteredSheet, sections: Sequence[NamedSection]) -> dict[Role, Cut]:
@@ -72,7 +82,7 @@ def sections_of(
         place = placement(view.role, view.box, registered.views.size)
         cut = _cut(view, place, registered, sections)
         strokes = strokes_in_plane(view.strokes, place)
-        found[SectionRole(view.role, label)] = SectionBeside(tuple(strokes), cut)
+        found[SectionRole(view.role, label)] = SectionBeside(tuple(strokes), cut, place)
     return found
 
 
@@ -90,11 +100,29 @@ def _cut(
         openings = tuple(_traced(view.role, section.trace, registered))
     if not openings:
         axis = view.role.frame.look_axis[0]
-        openings = (Opening(registered.views.size[axis.value] / 2.0),)
+        openings = (_untraced(view.role, axis, registered),)
     if view.opened and len(openings) == 1:
         region = shapely.Polygon(place.to_plane(np.array(view.opened))).buffer(0.0)
-        openings = (Opening(openings[0].at, region),)
+        openings = (replace(openings[0], region=region),)
     return Cut(openings, areas)
+
+
+def _untraced(role: Role, axis: Axis, registered: RegisteredSheet) -> Opening:
+    """The plane of a section without a cutting line: through the most circles that other views
+    draw, where none of them is in the middle; else through that."""
+    middle = registered.views.size[axis.value] / 2.0
+    pixel = registered.mm_per_pixel
+    places = []
+    for view in registered.views.views:
+        if view.role is not role and axis in _in_plane(view.role):
+            centres = [
+                own.centre for own in view.strokes if isinstance(own, Arc) and own.sweep >= _WHOLE
+            ]
+            places += _along(view.role, axis, np.array(centres).reshape(-1, 2)) or []
+    if not places or any(abs(own - middle) <= pixel for own in places):
+        return Opening(middle, source="symmetry")
+    likely = max(places, key=lambda own: sum(abs(own - other) <= pixel for other in places))
+    return Opening(likely, source="circle")
 
 
 def _named(box: Box, sections: Sequence[NamedSection]) -> NamedSection | None:

@@ -1,13 +1,15 @@
 """What the report says of solids and of lines that contradict each other."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.cuts import SectionRole
 from gaussiancad_core.drawing.brep import soundness
-from gaussiancad_core.exact_stage import ExactModel
+from gaussiancad_core.exact_stage import ExactModel, Reading
 from gaussiancad_core.models import alternative_file
 from gaussiancad_core.reasoning.conflict_lines import Conflict
 from gaussiancad_core.reasoning.curves import Point
@@ -19,8 +21,8 @@ from gaussiancad_core.report import (
     MeasuresReport,
     Report,
 )
+from gaussiancad_core.section_reports import assumed_planes, with_agreement
 from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.solid.contradiction import conflict_reason
 from gaussiancad_core.solid.measures import Measures
 from gaussiancad_core.solid.reasons import ASSUMED
@@ -34,16 +36,25 @@ _INSIDE = "bores, pockets or cavities that would show in hidden lines only"
 
 def with_solid_facts(report: Report, model: ExactModel, turn: Turn) -> Report:
     """The report with what was tried for a model, how well it is known, and what else there is."""
-    result, sheet = model.result, _Sheet(model.reading.registered, turn)
+    result, sheet = model.result, _Sheet(model.reading, turn)
     verification = result.verification
     report = replace(
         report,
         alternatives=_alternatives(model),
         measures=_measures(result.measures) if result.measures else None,
-        assumptions=tuple(
-            Assumption("nothing-hidden", message, None, _INSIDE)
-            for code, message in result.reasons
-            if code == ASSUMED
+        assumptions=(
+            *(
+                Assumption("nothing-hidden", message, None, _INSIDE)
+                for code, message in result.reasons
+                if code == ASSUMED
+            ),
+            *assumed_planes(report.sections),
+            *_second_view(report),
+        ),
+        sections=(
+            with_agreement(report.sections, model.reading, verification)
+            if verification is not None
+            else report.sections
         ),
         disagreements=tuple(
             Disagreement(own.role.value, sheet.place(own.role, own.place), own.length, own.missing)
@@ -62,23 +73,36 @@ class _Sheet:
     """Where points of the views lie on the sheet as stored.
 
     Args:
-        registered: the views.
+        reading: the views.
         turn: of the upright sheet.
     """
 
-    def __init__(self, registered: RegisteredSheet, turn: Turn) -> None:
-        self._views = registered.views
+    def __init__(self, reading: Reading, turn: Turn) -> None:
+        self._views = reading.registered.views
+        self._beside = reading.beside
         self._turn = turn
 
-    def points(self, role: Role, points: np.ndarray) -> np.ndarray:
+    def points(self, role: Role | SectionRole, points: np.ndarray) -> np.ndarray:
         """(n, 2) px of points (n, 2) mm of a view."""
-        found = view_to_sheet(self._views[role], self._views.size, points)
+        if isinstance(role, SectionRole):
+            found = self._beside[role].place.to_sheet(points)
+        else:
+            found = view_to_sheet(self._views[role], self._views.size, points)
         return self._turn.to_stored(found)
 
     def place(self, role: Role, place: Point) -> tuple[float, float]:
         """The px of a point in mm of a view."""
         ((x, y),) = self.points(role, np.array([place])).tolist()
         return round(x, 1), round(y, 1)
+
+
+def _second_view(report: Report) -> Iterator[Assumption]:
+    """That a second view would have shown what was taken for it."""
+    yield from (
+        Assumption("second-view", own.message, None, "another part with the same view")
+        for own in report.reasons
+        if own.code == "second-view-assumed"
+    )
 
 
 def _measures(measures: Measures) -> MeasuresReport:

@@ -82,12 +82,14 @@ class Labelling:
         complete: whether the search proved what it found: that the rules hold, or that no less can
             be given up.
         effort: deterministic time that telling which rules to give up took.
+        unusual: how unusual the labels are, in surfaces; None where nobody asked.
     """
 
     labels: Labels | None
     given_up: tuple[Rule, ...]
     complete: bool
     effort: float = field(default=0.0, compare=False)
+    unusual: float | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True)
@@ -261,7 +263,10 @@ class Search:
         status = solver.solve(held.model)
         held.model.clear_objective()
         held.model.clear_hints()
-        return Labelling(held.labels(solver) if status in FOUND else first, (), True)
+        if status not in FOUND:
+            return Labelling(first, (), True)
+        unusual = solver.objective_value if self._usual is not None else None
+        return Labelling(held.labels(solver), (), True, unusual=unusual)
 
     def others(
         self,

@@ -1,6 +1,6 @@
 """Circles that a view may lack: two others show the outline of a cylinder along its axis."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from itertools import combinations, islice
 from math import pi
 
@@ -86,10 +86,29 @@ def sectioned_circles(
                 circle = CircleCurve(centre, radius)
                 known = any(_alike(circle, other, near) for other in (*drawn, *found))
                 coaxial = abs(centre[1 - along] - middle) <= near and not known
-                if coaxial and _sides(plane, circle, near) < _SQUARE:
+                ends = (middle - radius, middle + radius)
+                if not coaxial or _shows(drawn, along, at, ends, near):
+                    continue
+                if _sides(plane, circle, near) < _SQUARE:
                     found.append(circle)
     for circle in sorted(found, key=lambda circle: circle.radius)[:_MOST]:
         yield circle, 0.0, TURN
+
+
+def _shows(
+    circles: Sequence[CircleCurve],
+    along: int,
+    at: float,
+    places: tuple[float, float],
+    near: float,
+) -> bool:
+    """Whether a line of a section is the side of a drawn circle whose centre the plane meets."""
+    return any(
+        abs(own.centre[along] - at) <= near
+        and abs(abs(place - own.centre[1 - along]) - own.radius) <= near
+        for own in circles
+        for place in places
+    )
 
 
 def _bands(plane: PlaneSupports, across: Axis, near: float) -> Iterator[Band]:

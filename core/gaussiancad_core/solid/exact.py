@@ -90,6 +90,7 @@ class ExactResult:
         complete: whether all solids that there may be were looked at.
         measures: how well the places of the solid's faces are known; None without a solid.
         trace: what was tried, in order.
+        unusual: how unusual the solid is, in surfaces; None where all lines are drawn.
     """
 
     status: Status
@@ -105,6 +106,7 @@ class ExactResult:
     complete: bool = False
     measures: Measures | None = None
     trace: tuple[Attempt, ...] = ()
+    unusual: float | None = None
 
     @property
     def explains(self) -> bool:
@@ -317,6 +319,7 @@ def _searched(work: Work, labelling: Labelling, limits: Limits, latest: Deadline
         relaxed=bool(labelling.given_up),
         complete=complete,
         measures=measures_of(best.shape, work.part.supports, views, best.verification),
+        unusual=labelling.unusual,
     )
 
 

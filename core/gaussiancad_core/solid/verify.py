@@ -116,6 +116,7 @@ class Verification:
         thin: how many faces are slivers: no view can show them.
         retold: whether strokes whose linetype nothing tells are of the other one.
         lines: of the solid in each view, mm.
+        areas: of each section that is hatched, cut and hatched area: what is common by all.
     """
 
     sound: bool
@@ -127,6 +128,7 @@ class Verification:
     thin: int = 0
     retold: bool = False
     lines: Mapping[Role, tuple[Curve, ...]] = field(default_factory=dict)
+    areas: Mapping[Role, float] = field(default_factory=dict)
 
     @property
     def share(self) -> float:
@@ -161,7 +163,7 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
     least = max(_FLAW * tolerance, _SMALLEST_FLAW * max(views.size))
     drawing = LineDrawing(shape)
     matched, spread = {}, 0.0
-    drawn, flaws = {}, []
+    drawn, flaws, areas = {}, [], {}
     for role in views.roles:
         cut = views.cuts.get(role)
         if cut is None:
@@ -170,6 +172,7 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
         section = section_view(shape, role, cut.openings)
         drawn[role] = section.strokes
         if cut.areas is not None:
+            areas[role] = _overlap(section.areas, cut.areas)
             flaws += _area_flaws(role, section.areas, cut.areas, tolerance)
     told, retold = with_unsure_kinds(views) or views, False
     askew = False
@@ -202,8 +205,23 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
     most = views.tolerance if views.noise else _CLOSE * tolerance
     apart = askew or max(spread, misfit) > most
     return Verification(
-        sound, matched, tuple(flaws), spread, misfit, apart, _thin(shape, views), retold, drawn
+        sound,
+        matched,
+        tuple(flaws),
+        spread,
+        misfit,
+        apart,
+        _thin(shape, views),
+        retold,
+        drawn,
+        areas,
     )
+
+
+def _overlap(one: shapely.Geometry, other: shapely.Geometry) -> float:
+    """Common area by united area."""
+    union = one.union(other).area
+    return one.intersection(other).area / union if union else 1.0
 
 
 def _area_flaws(

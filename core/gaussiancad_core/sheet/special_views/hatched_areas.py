@@ -12,6 +12,9 @@ from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.reading import ReadView, Ring
 from gaussiancad_core.sheet.special_views.kinds import SECTIONS, SpecialKind, SpecialView
 
+_MOST_PX = 25
+"""px by which an area is led to the middle of the lines around it at most."""
+
 _CHORD = 0.7
 """px by which a polygon may run beside the edge of the pixels."""
 
@@ -75,6 +78,20 @@ def _half(box: Box, cut: Box) -> Box:
         return (middle[0], y0, x1, y1) if right else (x0, y0, middle[0], y1)
     below = cut[3] - middle[1] > middle[1] - cut[1]
     return (x0, middle[1], x1, y1) if below else (x0, y0, x1, middle[1])
+
+
+def to_middles(hatched: Mask | None, width: float) -> Mask | None:
+    """Hatched areas as far as the middles of the lines around them.
+
+    Args:
+        hatched: (h, w), between the lines.
+        width: of the lines, px.
+    """
+    if hatched is None:
+        return None
+    side = min(2 * round(width / 2.0) + 1, _MOST_PX)
+    kernel = cv2.getStructuringElement(cv2.MORPH_RECT, (side, side))
+    return cv2.dilate(hatched.astype(np.uint8), kernel) > 0
 
 
 def rings_within(hatched: Mask, box: Box) -> tuple[Ring, ...]:
