@@ -202,7 +202,7 @@ def _profile(
                     ),
                     within.boundary,
                 ],
-                grid_size=_NEAR_PX / 4.0,
+                grid_size=_NEAR_PX * 1e-3,
             )
         )
     )

@@ -275,6 +275,8 @@ class Search:
         most: int,
         share: float = 1.0,
         deadline: Deadline = NEVER,
+        *,
+        likely: bool = False,
     ) -> Others:
         """Other labels that fulfil the rules as well as the found ones do, or nearly so.
 
@@ -284,6 +286,7 @@ class Search:
             most: how many to look for.
             share: of the deterministic time of ``hard`` that it may take.
             deadline: of the search.
+            likely: whether they are the next ones to the most usual, not any.
         """
         if found.labels is None or not deadline.left:
             return Others((), False)
@@ -293,7 +296,7 @@ class Search:
             held, solver_of = self._within(found), relaxing_solver
         else:
             held, solver_of = self._strictly, solver_for
-            if self._usual is not None:
+            if likely and self._usual is not None:
                 # What comes next to the most usual is what may have been meant.
                 held.model.minimize(self._unusual)
                 solver_of = relaxing_solver

@@ -90,7 +90,7 @@ def candidates_of(work: Work, labelling: Labelling, limits: Limits, latest: Dead
     if work.part.usual is not None:
         # Views that leave hidden lines out never tell all: the likeliest others are told.
         most = min(most, _ASSUMED)
-    others = work.search.others(labelling, counting, most, share, latest)
+    others = work.search.others(labelling, counting, most, share, latest, likely=True)
     work.meter.lap("others")
     # What slim cells were likely to be is not what they have to be.
     plain = [labelling.labels] if likely != _continued(work, labelling.labels, work.slim) else []

@@ -27,6 +27,9 @@ from gaussiancad_core.views import Arc, Stroke
 _CHORDS = 96
 """Of a whole circle."""
 
+_GRID = 1e-3
+"""Distance of points that are made one, as a share of that within which they are."""
+
 _STRAIGHT = 1e-6
 """Sine of the angle between lines that go on in each other."""
 
@@ -67,7 +70,7 @@ def profile_of(
         None where that is not one piece.
     """
     lines = [shapely.LineString(_points(stroke)) for stroke in strokes]
-    noded = shapely.union_all([*lines, within.boundary], grid_size=near / 4.0)
+    noded = shapely.union_all([*lines, within.boundary], grid_size=_GRID * near)
     cells = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
     chosen = []
     for cell in cells:
@@ -77,6 +80,8 @@ def profile_of(
     area = shapely.union_all(chosen)
     if area.is_empty or area.geom_type != "Polygon":
         return None
+    # Holes run the other way round than the outline.
+    area = shapely.geometry.polygon.orient(area)
     return Profile(area, tuple(own for own in strokes if isinstance(own, Arc)), near)
 
 
@@ -115,7 +120,7 @@ def _face(profile: Profile, place: Callable[[Point], gp_Pnt]) -> TopoDS_Face:
     outer, *holes = (_wire(np.array(ring.coords)[:-1], profile, place) for ring in rings)
     made = BRepBuilderAPI_MakeFace(outer, True)
     for hole in holes:
-        made.Add(TopoDS_Wire(hole.Reversed()))
+        made.Add(hole)
     return made.Face()
 
 

@@ -357,7 +357,7 @@ def test_surfaces_that_would_go_on_are_tried_first(
         return replace(found, labels={**found.labels, cell: False})
 
     monkeypatch.setattr(Search, "fulfilled", but_one)
-    monkeypatch.setattr(Search, "others", lambda *_: Others((), True))
+    monkeypatch.setattr(Search, "others", lambda *_, **__: Others((), True))
     result = exact_solid(sample_views("three-axis-block"))
     assert result.verification.explains
     assert iou(result.shape, sample_solid("three-axis-block")) == pytest.approx(1.0, abs=1e-6)

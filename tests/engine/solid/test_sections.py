@@ -4,10 +4,11 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
+import shapely
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.cuts import Cut, Opening
+from gaussiancad_core.cuts import Cut, Opening, SectionRole
 from gaussiancad_core.drawing.brep import bounding_box
 from gaussiancad_core.drawing.hlr import LineDrawing
 from gaussiancad_core.drawing.sections import section_view
@@ -88,3 +89,63 @@ def test_hatching_where_nothing_is_cut_is_told() -> None:
     assert flaw.missing
     assert flaw.role is Role.FRONT
     assert 22.0 < flaw.place[0] < 38.0
+
+
+def _beside(
+    shape: TopoDS_Shape, plain: tuple[Role, ...], openings: tuple[Opening, ...]
+) -> DrawnViews:
+    """Views without hidden lines, and a section beside the front view."""
+    low, high = bounding_box(shape)
+    size = tuple(float(own) for own in high - low)
+    drawing = LineDrawing(shape)
+    key = SectionRole(Role.FRONT, "A")
+    own = section_view(shape, key, openings)
+    strokes = {
+        role: tuple(s for s in drawing.view(role) if s.linetype is Linetype.VISIBLE)
+        for role in plain
+    }
+    views = exact_views({**strokes, key: own.strokes}, size)
+    return replace(views, cuts={key: Cut(openings, own.areas)})
+
+
+_OFFSET = cut(
+    _BLOCK,
+    cylinder(Axis.Z, (15.0, 10.0), 5.0, 12.0, 31.0),
+    cylinder(Axis.Z, (45.0, 28.0), 6.0, 20.0, 31.0),
+)
+
+
+def test_a_section_beside_tells_what_plain_views_do_not(iou: Iou) -> None:
+    part = _PARTS["blind bore"]
+    views = _beside(part, (Role.FRONT, Role.TOP, Role.RIGHT), (Opening(20.0),))
+    found = exact_solid(views)
+    assert found.shape is not None
+    assert found.explains
+    assert iou(found.shape, part) == pytest.approx(1.0, abs=1e-6)
+
+
+def test_an_offset_section_cuts_at_several_depths(iou: Iou) -> None:
+    openings = (
+        Opening(10.0, shapely.box(-1e3, -1e3, 30.0, 1e3)),
+        Opening(28.0, shapely.box(30.0, -1e3, 1e3, 1e3)),
+    )
+    found = exact_solid(_beside(_OFFSET, (Role.FRONT, Role.TOP), openings))
+    assert found.shape is not None
+    assert found.explains
+    assert iou(found.shape, _OFFSET) == pytest.approx(1.0, abs=1e-6)
+
+
+def test_half_of_a_view_is_cut(iou: Iou) -> None:
+    part = _PARTS["counterbore"]
+    openings = (Opening(20.0, shapely.box(30.0, -1e3, 1e3, 1e3)),)
+    own = section_view(part, Role.FRONT, openings)
+    plain = _drawn(part, (Role.TOP,), Role.FRONT)
+    views = replace(
+        plain,
+        strokes={**plain.strokes, Role.FRONT: own.strokes},
+        cuts={Role.FRONT: Cut(openings, own.areas)},
+    )
+    found = exact_solid(views)
+    assert found.shape is not None
+    assert found.explains
+    assert iou(found.shape, part) == pytest.approx(1.0, abs=1e-6)

@@ -72,7 +72,21 @@ def _sorted(lines: Sequence[Leader], along: np.ndarray, across: np.ndarray) -> t
             flat.append(((b + d) / 2.0, *sorted((a, c))))
         elif abs(c - a) <= _LEAN * length:
             steep.append(((a + c) / 2.0, *sorted((b, d))))
-    return np.array(flat).reshape(-1, 3), np.array(steep).reshape(-1, 3)
+    return _joined(flat), _joined(steep)
+
+
+def _joined(pieces: Sequence[tuple[float, float, float]]) -> Spans:
+    """Dashes of one line as one: gaps are no longer than the longer dash beside them."""
+    found: list[list[float]] = []
+    for at, low, high in sorted(pieces, key=lambda own: own[1]):
+        for own in found:
+            gap = min(_GAP, max(own[3], high - low))
+            if abs(own[0] - at) <= _BESIDE and low <= own[2] + gap:
+                own[2], own[3] = max(own[2], high), max(own[3], high - low)
+                break
+        else:
+            found.append([at, low, high, high - low])
+    return np.array(found).reshape(-1, 4)[:, :3]
 
 
 def _led(spans: Spans, level: float, start: float) -> float:
@@ -91,7 +105,7 @@ def _step(
     """The last place of a level at which a line leads to another level that goes on, and that."""
     found = []
     for at, low, high in steep.tolist():
-        if not between[0] + _BESIDE < at <= between[1] + _BESIDE:
+        if not between[0] + _BESIDE < at <= between[1] + _GAP:
             continue
         for near, far in ((low, high), (high, low)):
             if abs(near - level) <= _GAP and abs(far - level) > _BESIDE:

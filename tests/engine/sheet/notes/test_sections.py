@@ -14,7 +14,7 @@ from gaussiancad_core.sheet.scale.texts import SheetText
 
 _STILL = Turn(0.0, (0.0, 0.0))
 _FRONT, _SIDE = (100.0, 100.0, 300.0, 250.0), (500.0, 100.0, 600.0, 250.0)
-_VIEWS = ({Role.FRONT: _FRONT, Role.RIGHT: _SIDE}, ())
+_VIEWS = ({Role.FRONT: _FRONT, Role.RIGHT: _SIDE}, (), ())
 _HEAD = 14.0
 
 

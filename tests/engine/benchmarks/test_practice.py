@@ -1,0 +1,86 @@
+"""Sheets as practice draws them: sections, notes, few views."""
+
+import json
+from pathlib import Path
+
+import pytest
+from exact_measures import closeness, fine_mesh, registered
+from practice import Task
+from practice_parts import CLASSES
+from practice_sheets import Practice, write_sheet
+from textbook_modelling import Lot
+
+from gaussiancad_core.cli import main
+from gaussiancad_core.drawing.brep import bounding_box, read_solid
+
+_CASES = (
+    ("bracket", Practice.PLACE),
+    ("block", Practice.BESIDE),
+    ("flange", Practice.HALF),
+    ("plate", Practice.OFFSET),
+    ("block", Practice.NOTES),
+    ("plate", Practice.TWO),
+    ("shaft", Practice.ONE),
+)
+
+
+def _reconstructed(folder: Path, *more: str) -> dict:
+    arguments = ["reconstruct", str(folder / "sheet.pdf"), "--output", str(folder / "out")]
+    assert main([*arguments, "--result", "solid", *more]) == 0
+    return json.loads((folder / "out" / "report.json").read_text(encoding="utf-8"))
+
+
+def _is_part(folder: Path, name: str) -> bool:
+    shape = read_solid(folder / "out" / "solid.step")
+    low, high = bounding_box(shape)
+    part = CLASSES[name](Lot(name, 0)).shape
+    placed, _ = registered(fine_mesh(shape), part, tuple((high - low).tolist()))
+    return closeness(shape, placed).exact
+
+
+@pytest.fixture
+def sheet(tmp_path: Path, request: pytest.FixtureRequest) -> Path:
+    name, how = request.param
+    task = Task(name, 0, how, 0, 60.0)
+    part = CLASSES[name](Lot(name, 0))
+    write_sheet(part, how, task.projection, 0, tmp_path / "sheet.pdf")
+    return tmp_path
+
+
+@pytest.mark.parametrize(("sheet", "case"), [(own, own) for own in _CASES], indirect=["sheet"])
+def test_what_practice_draws_is_the_part(sheet: Path, case: tuple[str, Practice]) -> None:
+    name, how = case
+    report = _reconstructed(sheet)
+    assert _is_part(sheet, name)
+    # It rests on what is usual, and says so.
+    assert report["status"] == "approximate"
+    assert "nothing-hidden" in {own["code"] for own in report["assumptions"]}
+    assert bool(report["sections"]) is (how not in (Practice.NOTES, Practice.TWO, Practice.ONE))
+    for own in report["sections"]:
+        assert min(own["line_recall"], own["line_precision"]) > 0.99
+        assert own["area_agreement"] > 0.95
+    holes = [own for own in report["notes"] if own["through"] or own["depth_mm"]]
+    assert all(own["used"] for own in holes) or how is Practice.ONE
+
+
+@pytest.mark.parametrize("sheet", [("block", Practice.BESIDE)], indirect=True)
+def test_a_section_beside_travels_in_the_reading(sheet: Path) -> None:
+    assert main(["read", str(sheet / "sheet.pdf"), "--output", str(sheet / "read")]) == 0
+    path = sheet / "read" / "reading.json"
+    reading = json.loads(path.read_text(encoding="utf-8"))
+    (section,) = (own for own in reading["views"] if own["role"] == "section")
+    assert section["looks"] == "front"
+    assert section["hatch"]
+    assert any(own["view"] == section["id"] for own in reading["strokes"])
+    report = _reconstructed(sheet, "--reading", str(path))
+    assert _is_part(sheet, "block")
+    (own,) = report["sections"]
+    assert own["plane"]["axis"] == "y"
+    assert own["plane"]["source"] == "trace"
+
+
+@pytest.mark.parametrize("sheet", [("shaft", Practice.ONE)], indirect=True)
+def test_a_view_that_was_not_drawn_is_an_assumption(sheet: Path) -> None:
+    report = _reconstructed(sheet)
+    assert "second-view-assumed" in {own["code"] for own in report["reasons"]}
+    assert "second-view" in {own["code"] for own in report["assumptions"]}
