@@ -32,6 +32,14 @@ class Opening:
 
         return bool(contains_xy(self.region, *point))
 
+    def ends_at(self, point: tuple[float, float], reach: float) -> bool:
+        """Whether the region's border is within reach of a place."""
+        if self.region is None:
+            return False
+        from shapely import Point
+
+        return bool(self.region.boundary.distance(Point(point)) <= reach)
+
 
 @dataclass(frozen=True, eq=False)
 class Cut:

@@ -164,12 +164,29 @@ def _meant(
         )
     }
     count = first.callout.count
+    if not wider:
+        by_role = {
+            role: _plain(own, circles[role]) if len(own) > count else own
+            for role, own in by_role.items()
+        }
     for role, own in by_role.items():
         at = [each for each in own if pointed is not None and _apart(pointed, each) <= _SAME_PX]
         if at:
             return role, at[:1] if count == 1 else own
     told = [role for role, own in by_role.items() if len(own) == count]
     return (told[0], by_role[told[0]]) if len(told) == 1 else (None, [])
+
+
+def _plain(own: Sequence[Arc], others: Sequence[Arc]) -> list[Arc]:
+    """Those of some circles that no wider one is around: all of them where none is so."""
+    found = [
+        each
+        for each in own
+        if not any(
+            other.radius > each.radius and _apart(each, other) <= _SAME_PX for other in others
+        )
+    ]
+    return found or list(own)
 
 
 def _is_around(note: SheetNote, circle: Arc, others: Sequence[Arc], scale: float) -> bool:

@@ -22,6 +22,9 @@ Column = tuple[Crossing, ...]
 CUT = 4
 """Number that stands for the normal of a surface that is a cutting plane."""
 
+_BORDER = 0.1
+"""Units from the border of an opening within which nothing is said."""
+
 _HATCHED, _BLANK = 1.0, 0.25
 """Weight of what is hatched or left blank, in units of line for a unit of the side of a square as
 large: ribs, shafts and pins are not hatched though they are cut (ISO 128-3)."""
@@ -42,7 +45,8 @@ def shown(
         and beside one, nothing is drawn.
     """
     openings = [cut.opening(place) for place in places]
-    if any(own is not openings[0] for own in openings):
+    apart = any(own is not openings[0] for own in openings)
+    if apart or any(own.ends_at(places[0], _BORDER) for own in cut.openings):
         return None
     if openings[0] is None:
         return list(columns)
@@ -75,7 +79,7 @@ def area_rules(space: Space, cuts: Mapping[Role, Cut]) -> Iterator[Rule]:
         normal = role_plane(role).normal
         for _, point, area in space.planes[normal].trapezoids():
             opening = cut.opening(point)
-            if opening is None:
+            if opening is None or opening.ends_at(point, _BORDER):
                 continue
             column = behind(space.column(normal, *point), role, opening.at)
             cells = [own for own in column if own.surface[0] == CUT]

@@ -33,6 +33,9 @@ from gaussiancad_core.views import Linetype
 NEAR = 1e-3
 """Units within which coordinates are one, at least."""
 
+_APART = 0.05
+"""Units from all other lines that one is at least at which nothing is drawn."""
+
 Stretch = tuple[PlaneCurve, float, float]
 """A curve and its parameters from a low to a high one."""
 
@@ -148,7 +151,9 @@ def _grid(
         values = sorted(supports.values[Axis(index)])
         if Axis(index) in silent:
             values += [0.5 * (low + high) for low, high in pairwise(values)]
-        values += floors.get(Axis(index), ())
+        for floor in floors.get(Axis(index), ()):
+            if all(abs(floor - value) > _APART for value in values):
+                values.append(floor)
         for value in values:
             yield axis_line(coordinate, value), min(along), max(along)
 

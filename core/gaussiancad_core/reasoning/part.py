@@ -62,6 +62,9 @@ _GAP = 0.05
 _BESIDE = 0.02
 """Units beside a chain at which its sides are looked up, and corners are on it."""
 
+_SIDES = 2
+"""Coordinates along an axis at which a region ends at most, if its sides are straight."""
+
 Contradict = Callable[[Sequence[int]], bool]
 
 
@@ -132,7 +135,7 @@ def model_part(
             along_axes=along_axes,
             undrawn=views.without_hidden,
             cuts=_planes_of(views, supports.scale),
-            floors=floors(views.holes, supports),
+            floors=_undrawn_values(views, supports),
         )
     planes = {axis: _arranged(plane, supports.tolerance) for axis, plane in supports.planes.items()}
     for axis in Axis:
@@ -151,10 +154,31 @@ def without_undrawn(part: PartModel, views: DrawnViews) -> PartModel:
         return replace(part, rules=rules)
     whole = [role for role in views.roles if role not in views.cuts]
     silent = [role for role in views.undrawn if role not in views.cuts]
-    planes = _planes_of(views, part.supports.scale)
-    usual = usual_of(part.supports, part.space, whole, silent, planes)
+    cuts = scaled_cuts(views.cuts, part.supports.scale)
+    usual = usual_of(part.supports, part.space, whole, silent, cuts)
     usual = replace(usual, noted=kept_notes(views.holes, part.space, part.supports))
     return replace(part, rules=rules, usual=usual)
+
+
+def _undrawn_values(views: DrawnViews, supports: PartSupports) -> dict[Axis, tuple[float, ...]]:
+    """Coordinates in units at which nothing is drawn and something may end: holes of which notes
+    tell the depth, and what is cut open of a view."""
+    found = floors(views.holes, supports)
+    for role, cut in scaled_cuts(views.cuts, supports.scale).items():
+        for opening in cut.openings:
+            if opening.region is None:
+                continue
+            corners = np.array(opening.region.exterior.coords)
+            for place, index in enumerate(IN_PLANE[role_plane(role).normal]):
+                axis = Axis(index)
+                inner = {
+                    float(value)
+                    for value in corners[:, place]
+                    if 0.0 < value < supports.size[index]
+                }
+                if len(inner) <= _SIDES:
+                    found[axis] = (*found.get(axis, ()), *sorted(inner))
+    return found
 
 
 def _planes_of(views: DrawnViews, scale: float) -> tuple[tuple[Axis, float], ...]:

@@ -8,9 +8,12 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import islice, pairwise, product
-from math import hypot, prod
+from math import dist, hypot, prod
+
+from shapely import contains_xy
 
 from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.cuts import Cut
 from gaussiancad_core.reasoning.arrangement import OUTSIDE, Arrangement
 from gaussiancad_core.reasoning.columns import Cell, Crossing, Space, Surface
 from gaussiancad_core.reasoning.curves import CircleCurve, Point
@@ -89,7 +92,7 @@ def usual_of(
     space: Space,
     roles: Iterable[Role],
     undrawn: Iterable[Role],
-    cuts: Iterable[tuple[Axis, float]],
+    cuts: Mapping[Role, Cut],
 ) -> Usual:
     """What is usual in the cells of a part.
 
@@ -98,17 +101,21 @@ def usual_of(
         space: the cells.
         roles: views that are not cut.
         undrawn: those of them that draw no hidden lines.
-        cuts: cutting planes of sections: the axis that one is across, units along it.  What they
-            show behind them is likely to be before them as well.
+        cuts: sections, in units.  What they show behind their planes is likely to be before them as
+            well.
     """
     silent = {role_plane(role).normal for role in undrawn}
     found = _Found()
     for role in roles:
         normal = role_plane(role).normal
-        _look(found, supports.planes[normal], space, role, with_holes=normal in silent)
-    for normal, at in cuts:
-        in_middle = abs(2.0 * at - supports.size[normal.value]) <= _MIDDLE
-        _look_from(found, space, normal, at, alike=in_middle and is_symmetric(supports, normal))
+        _look(found, supports, space, role, with_holes=normal in silent)
+    for role, cut in cuts.items():
+        normal = role_plane(role).normal
+        _look_through(found, supports.planes[normal], space, cut)
+        for at in {own.at for own in cut.openings}:
+            in_middle = abs(2.0 * at - supports.size[normal.value]) <= _MIDDLE
+            alike = in_middle and is_symmetric(supports, normal)
+            _look_from(found, space, normal, at, alike=alike)
     box = prod(values[-1] - values[0] for values in space.values.values())
     bulks = {
         cell: 1 + round(_BULK * min(v for v in own if v) / box)
@@ -144,11 +151,12 @@ class _Found:
 
 
 def _look(
-    found: _Found, plane: PlaneSupports, space: Space, role: Role, *, with_holes: bool
+    found: _Found, supports: PartSupports, space: Space, role: Role, *, with_holes: bool
 ) -> None:
     """What a view that is not cut tells."""
     looks = role_plane(role)
-    rounds = _turned(plane)
+    plane = supports.planes[looks.normal]
+    rounds = _turned(plane, max(_MIDDLE, supports.tolerance))
     drawn = _as_drawn(plane)
     behind: dict[int, tuple[Cell, ...]] = {}
     parts: defaultdict[int, set[int]] = defaultdict(set)
@@ -168,14 +176,52 @@ def _look(
         parts[drawn.locate(*point)].add(region)
         if len(cells) > len(behind.get(region, ())):
             behind[region] = cells
-    # Lines that views may lack divide a hole: it is a hole all the same.
-    for whole, within in _surrounded(drawn).items() if with_holes else ():
+    if with_holes:
+        _add_holes(found, drawn, parts, behind)
+
+
+def _add_holes(
+    found: _Found,
+    drawn: Arrangement,
+    parts: Mapping[int, set[int]],
+    behind: Mapping[int, tuple[Cell, ...]],
+) -> None:
+    """The holes of a view; lines that it may lack divide a hole: it is a hole all the same.
+
+    Args:
+        found: what is known.
+        drawn: regions that drawn lines bound.
+        parts: into which lines that may be lacking divide them.
+        behind: the cells behind each.
+    """
+    for whole, within in _surrounded(drawn).items():
         inner = dict.fromkeys(
-            cell for each in within for part in sorted(parts[each]) for cell in behind.get(part, ())
+            cell
+            for each in within
+            for part in sorted(parts.get(each, ()))
+            for cell in behind.get(part, ())
         )
-        for part in sorted(parts[whole]):
+        for part in sorted(parts.get(whole, ())):
             if part in behind:
                 found.holes[Hole(behind[part], tuple(inner))] = None
+
+
+def _look_through(found: _Found, plane: PlaneSupports, space: Space, cut: Cut) -> None:
+    """Holes that a section looks into along their axis: they are before its plane as well."""
+    if cut.areas is None:
+        return
+    drawn = _as_drawn(plane)
+    behind: dict[int, tuple[Cell, ...]] = {}
+    parts: defaultdict[int, set[int]] = defaultdict(set)
+    for region, point in space.planes[plane.normal].inner_points():
+        if cut.opening(point) is None or contains_xy(cut.areas, *point):
+            continue
+        column = space.column(plane.normal, *point)
+        cells = tuple(crossing.after for crossing in column if crossing.after is not None)
+        parts[drawn.locate(*point)].add(region)
+        if len(cells) > len(behind.get(region, ())):
+            behind[region] = cells
+    _add_holes(found, drawn, parts, behind)
 
 
 def _look_from(found: _Found, space: Space, normal: Axis, at: float, *, alike: bool) -> None:
@@ -196,18 +242,16 @@ def _as_drawn(plane: PlaneSupports) -> Arrangement:
     return Arrangement(supports, [chain for _, chain, _ in plane.chains])
 
 
-def _turned(plane: PlaneSupports) -> list[CircleCurve]:
-    """Circles that no view of a plane draws, about the centre of one that is drawn: where other
-    views draw the sides of what may be round or square, a turned part is round."""
-    drawn = {
-        own.curve.centre
-        for own in plane.supports
-        if isinstance(own.curve, CircleCurve) and own.spans
-    }
+def _turned(plane: PlaneSupports, near: float) -> list[CircleCurve]:
+    """Circles that no view of a plane draws, about the centre of one that is drawn, within
+    ``near``: where other views draw the sides of what may be round or square, a turned part is
+    round."""
+    circles = [own for own in plane.supports if isinstance(own.curve, CircleCurve)]
+    drawn = [own.curve.centre for own in circles if own.spans]
     return [
         own.curve
-        for own in plane.supports
-        if isinstance(own.curve, CircleCurve) and not own.spans and own.curve.centre in drawn
+        for own in circles
+        if not own.spans and any(dist(own.curve.centre, each) <= near for each in drawn)
     ]
 
 

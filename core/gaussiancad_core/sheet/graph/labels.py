@@ -140,7 +140,7 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
         return None
     inside = _inside(touches, edges)
     dashed = inside & dashes(lines, touches, numbers, ~framed & ~edges)
-    hatched = _hatching(lines, touches, edges, inside & candidates)
+    hatched = _hatching(lines, touches, edges, inside & candidates, centres)
     labels = [Label.OTHER] * len(lines)
     for index, stroke in enumerate(lines):
         if framed[index]:
@@ -240,13 +240,17 @@ def _inside(touches: Touches, edges: Flags) -> Flags:
 
 
 def _hatching(
-    strokes: Sequence[VectorStroke], touches: Touches, edges: Flags, candidates: Flags
+    strokes: Sequence[VectorStroke],
+    touches: Touches,
+    edges: Flags,
+    candidates: Flags,
+    centres: Flags,
 ) -> Flags:
-    """(n,) which lines of some are hatching: slanted, parallel, from within one edge to within
-    another, and, where the part's pen drew them, evenly apart."""
+    """(n,) which lines of some are hatching: slanted, parallel, from within one edge or centre line
+    to within another, and, where the part's pen drew them, evenly apart."""
     ways = np.array([_way(stroke) for stroke in strokes])
     slanted = np.abs(ways).min(axis=1) > _LEAN
-    chosen = np.flatnonzero(candidates & slanted & touches.dividing_by(edges))
+    chosen = np.flatnonzero(candidates & slanted & touches.dividing_by(edges | centres))
     found = np.zeros(len(strokes), dtype=bool)
     for index in chosen:
         if found[index]:
