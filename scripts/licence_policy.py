@@ -25,8 +25,12 @@ ALLOWED = frozenset(
 )
 """SPDX's names, and one that packages use for BSD-2-Clause or BSD-3-Clause without saying which."""
 
-ALLOWED_IN = {Lock.CUDA: ALLOWED | {NVIDIA}}
-"""Locks that allow more: who installs PyTorch for CUDA takes NVIDIA's libraries from NVIDIA."""
+ALLOWED_IN = {
+    Lock.CUDA: ALLOWED | {NVIDIA},
+    Lock.TESTS: ALLOWED | {"LGPL-3.0-only"},
+}
+"""Locks that allow more: who installs PyTorch for CUDA takes NVIDIA's libraries from NVIDIA; Qt,
+in which the tests open the window without FreeCAD, stays a library of its own."""
 
 STATEMENTS = {
     "apache 2.0": "Apache-2.0",

@@ -24,14 +24,17 @@ from gaussiancad_core.report import Report
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.reading import ReadView
+from gaussiancad_core.verification.preview import png_bytes
 
 PICTURE_FILE = "reading.png"
+SHEET_FILE = "sheet.png"
 
 STAGES = ("read", "views", "lines", "masks")
 
 
 def read_to_file(job: Job, listener: Listener) -> SheetReading:
-    """Read a sheet and write ``reading.json`` and ``reading.png`` into the job's folder.
+    """Read a sheet and write ``reading.json``, ``reading.png`` and ``sheet.png``, the sheet in grey
+    by itself, into the job's folder.
 
     Returns:
         The reading; where no part follows, one of its problems is ``refused``.
@@ -48,6 +51,7 @@ def read_to_file(job: Job, listener: Listener) -> SheetReading:
     try:
         job.output.mkdir(parents=True, exist_ok=True)
         write_whole(job.output / PICTURE_FILE, reading_picture(reading, *sheet.picture))
+        write_whole(job.output / SHEET_FILE, png_bytes(sheet.picture[0]))
         write_whole(job.output / READING_FILE, msgspec.json.encode(reading) + b"\n")
     except OSError as error:
         raise os_error(job.output, error) from error

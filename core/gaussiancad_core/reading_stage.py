@@ -268,9 +268,10 @@ def _found_views(
 ) -> tuple[SeparatedSheet, Layout, VectorSheet | None]:
     """The part's ink, its views, and their exact lines where the file has them."""
     drawing = image.vectors if reading.finder is Finder.RIDGES else None
+    told = None
     if drawing is not None:
         told = graph_views(drawing, clean, given, reading.projection)
-        if told is not None:
+        if told is not None and len(told.layout.boxes) > 1:
             _tell_doubtful(notes, told.doubtful)
             return told.separated, told.layout, told.vectors
     coloured = _coloured_views(image, clean, given, reading)
@@ -279,6 +280,8 @@ def _found_views(
     # Where a file has lines of one width, those of its picture only seem to differ.
     by_weight = not (image.vectors is not None and image.vectors.has_one_width)
     found = find_views(clean, given, reading.projection, by_weight)
+    if told is not None and len(found[1].boxes) == 1:
+        return told.separated, told.layout, told.vectors
     return *found, VectorSheet.of(drawing, clean) if drawing is not None else None
 
 

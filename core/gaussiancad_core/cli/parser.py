@@ -7,6 +7,7 @@ from gaussiancad_core import __version__
 from gaussiancad_core.cli import (
     batch,
     compare,
+    correct,
     doctor,
     draw,
     explain,
@@ -35,6 +36,6 @@ def build_parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"gaussiancad {__version__}")
     parser.set_defaults(events=False)
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
-    for module in (reconstruct, read, explain, compare, draw, batch, doctor):
+    for module in (reconstruct, read, correct, explain, compare, draw, batch, doctor):
         module.add_command(commands)
     return parser

@@ -1,0 +1,213 @@
+"""A window of its own for one sheet: what was understood, corrections, and the part.
+
+``gaussiancad correct SHEET`` opens it.  The engine runs as a process of its own; corrections lie
+beside the sheet, where every run takes them.
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+from freecad.gaussiancad.canvas.board import TOOLS, Board
+from freecad.gaussiancad.canvas.history import History, read_corrections, write_corrections
+from freecad.gaussiancad.canvas.kinds import KEYS, ROLES
+from freecad.gaussiancad.canvas.sheet import Sheet, corrected, sheet_of
+from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
+
+_ENGINE = (sys.executable, "-m", "gaussiancad_core")
+
+_MARKS = {"refused": "\u26d4", "doubt": "\u26a0", "warning": "\u2139"}
+
+
+class SheetWindow(QtWidgets.QMainWindow):
+    """The window.
+
+    Args:
+        path: of the sheet.
+        page: of a PDF file.
+    """
+
+    def __init__(self, path: Path, page: int = 1) -> None:
+        super().__init__()
+        self._path, self._page = path, page
+        self._folder = tempfile.TemporaryDirectory(prefix="gaussiancad-")
+        self._history = History(read_corrections(path))
+        self._read: Sheet | None = None
+        self._process: QtCore.QProcess | None = None
+        self._whole = ""
+        self.board = Board(self)
+        self.board.said.connect(self.say)
+        self.board.asked_role.connect(self._ask_role)
+        self.board.asked_length.connect(self._ask_length)
+        self.board.wanted.connect(lambda own: self.solve() if own == "solve" else None)
+        self.setCentralWidget(self.board)
+        self.problems = QtWidgets.QListWidget()
+        self.problems.setWordWrap(True)
+        dock = QtWidgets.QDockWidget(translate("GaussianCAD", "Problems"), self)
+        dock.setWidget(self.problems)
+        self.addDockWidget(QtCore.Qt.DockWidgetArea.RightDockWidgetArea, dock)
+        self._add_tools()
+        self.setWindowTitle(f"{path.name} \u2013 GaussianCAD")
+        self.resize(1280, 800)
+
+    @property
+    def operations(self) -> list[dict]:
+        """What was said."""
+        return self._history.operations
+
+    def start(self) -> None:
+        """Read the sheet."""
+        # Beside a copy no corrections lie: what the machine read stays apart from what is said.
+        copy = Path(self._folder.name) / "sheet" / self._path.name
+        copy.parent.mkdir(exist_ok=True)
+        shutil.copyfile(self._path, copy)
+        arguments = ["read", str(copy), "--output", self._folder.name]
+        self._run([*arguments, "--page", str(self._page)], self._was_read)
+
+    def solve(self) -> None:
+        """Make the part, with what was said."""
+        if self._read is None or self._process is not None:
+            return
+        out = str(Path(self._folder.name) / "part")
+        arguments = ["reconstruct", str(self._path), "--output", out, "--result", "solid"]
+        self._run([*arguments, "--page", str(self._page)], self._was_solved)
+
+    def say(self, operations: list[dict]) -> None:
+        """Take corrections as one step, and keep them beside the sheet."""
+        self._history.say(operations)
+        self._kept()
+
+    def undo(self) -> None:
+        """Take the last step back."""
+        if self._history.undo():
+            self._kept()
+
+    def redo(self) -> None:
+        """Say it again."""
+        if self._history.redo():
+            self._kept()
+
+    def show_reading(self, reading: dict, picture: Path) -> None:
+        """Show what was read, with what was said."""
+        self._read = sheet_of(reading)
+        self.board.show_picture(str(picture), self._read.size)
+        self._shown()
+        self.board.fit()
+
+    def closeEvent(self, event: QtGui.QCloseEvent) -> None:
+        """End the engine with the window."""
+        if self._process is not None:
+            self._process.finished.disconnect()
+            self._process.kill()
+            self._process.waitForFinished()
+        self._folder.cleanup()
+        super().closeEvent(event)
+
+    def _kept(self) -> None:
+        write_corrections(self._path, self._read.sha256, self._history.operations)
+        self._shown()
+
+    def _shown(self) -> None:
+        sheet = corrected(self._read, self._history.operations)
+        self.board.show_sheet(sheet)
+        self.problems.clear()
+        for severity, message, code in sheet.problems:
+            item = QtWidgets.QListWidgetItem(f"{_MARKS.get(severity, '')} {message}")
+            item.setToolTip(code)
+            self.problems.addItem(item)
+        count = len(self._history.operations)
+        self.statusBar().showMessage(
+            translate("GaussianCAD", "{0} correction(s), beside the sheet").format(count)
+        )
+
+    def _run(self, arguments: list[str], done) -> None:  # noqa: ANN001
+        program, *first = _ENGINE
+        process = QtCore.QProcess(self)
+        process.setProcessChannelMode(QtCore.QProcess.ProcessChannelMode.MergedChannels)
+        process.finished.connect(lambda code, _status=None: self._ended(code, done))
+        self._process = process
+        self.statusBar().showMessage(translate("GaussianCAD", "The engine is at work\u2026"))
+        process.start(program, [*first, *arguments])
+
+    def _ended(self, code: int, done) -> None:  # noqa: ANN001
+        process, self._process = self._process, None
+        text = bytes(process.readAllStandardOutput()).decode("utf-8", "replace")
+        process.deleteLater()
+        done(code, text)
+
+    def _was_read(self, code: int, text: str) -> None:
+        folder = Path(self._folder.name)
+        if code or not (folder / "reading.json").is_file():
+            self._tell(text)
+            return
+        reading = json.loads((folder / "reading.json").read_text(encoding="utf-8"))
+        self.show_reading(reading, folder / "sheet.png")
+
+    def _was_solved(self, code: int, text: str) -> None:
+        self._tell(text)
+        overlay = Path(self._folder.name) / "part" / "overlay.png"
+        if not code and overlay.is_file():
+            self.statusBar().showMessage(text.splitlines()[0] if text else "")
+
+    def _tell(self, text: str) -> None:
+        """Put what the engine says first into the list."""
+        for number, line in enumerate(own for own in text.splitlines() if own.strip()):
+            self.problems.insertItem(number, line.strip())
+        self.problems.scrollToTop()
+
+    def _ask_role(self, box: tuple) -> None:
+        menu = QtWidgets.QMenu(self)
+        for number, role in enumerate((*ROLES, "ignore"), start=1):
+            action = menu.addAction(f"{number} {role}" if role != "ignore" else role)
+            action.triggered.connect(lambda _=False, own=role: self.say_view(own, box))
+        menu.popup(QtGui.QCursor.pos())
+
+    def say_view(self, role: str, box: tuple) -> None:
+        """Say that a box of the sheet is a view."""
+        known = corrected(self._read, self._history.operations).views
+        name = next((own.id for own in known if own.role == role), role)
+        self.say([{"op": "view", "id": name, "role": role, "box": list(box)}])
+
+    def _ask_length(self, points: tuple) -> None:
+        title = translate("GaussianCAD", "Scale")
+        asked = translate("GaussianCAD", "Length between the two points in mm:")
+        length, told = QtWidgets.QInputDialog.getDouble(self, title, asked, 100.0, 0.001, 1e6, 3)
+        if told:
+            self.say_length(points, length)
+
+    def say_length(self, points: tuple, length: float) -> None:
+        """Say how far two points of the sheet are apart, mm."""
+        self.say([{"op": "scale", "points": [list(own) for own in points], "length_mm": length}])
+
+    def _add_tools(self) -> None:
+        bar = self.addToolBar("GaussianCAD")
+        for key, name in TOOLS.items():
+            action = bar.addAction(f"{name} ({key})")
+            action.triggered.connect(lambda _=False, own=name: self.board.take_tool(own))
+        bar.addSeparator()
+        for key, kind in KEYS.items():
+            action = bar.addAction(f"{kind} ({key})")
+            action.triggered.connect(lambda _=False, own=kind: self.board.give_kind(own))
+        bar.addSeparator()
+        for text, keys, called in (
+            (translate("GaussianCAD", "Undo"), QtGui.QKeySequence.StandardKey.Undo, self.undo),
+            (translate("GaussianCAD", "Redo"), QtGui.QKeySequence.StandardKey.Redo, self.redo),
+            (translate("GaussianCAD", "Solve"), QtGui.QKeySequence("F5"), self.solve),
+        ):
+            action = bar.addAction(text)
+            action.setShortcut(keys)
+            action.triggered.connect(lambda _=False, own=called: own())
+
+
+def show(path: Path, page: int = 1) -> int:
+    """Open the window for a sheet, and wait until it is closed."""
+    application = QtWidgets.QApplication.instance() or QtWidgets.QApplication(sys.argv[:1])
+    window = SheetWindow(path, page)
+    window.show()
+    window.start()
+    return application.exec()

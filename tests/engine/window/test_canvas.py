@@ -1,0 +1,246 @@
+"""Gestures on the canvas, without FreeCAD: each means operations of ``corrections.json``."""
+
+import json
+import os
+import sys
+from pathlib import Path
+
+import msgspec
+import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+sys.path.insert(0, str(Path(__file__).resolve().parents[3]))
+
+from freecad.gaussiancad.canvas.history import (
+    History,
+    corrections_path,
+    read_corrections,
+    write_corrections,
+)
+from freecad.gaussiancad.canvas.sheet import (
+    Sheet,
+    Stroke,
+    View,
+    arc_through,
+    corrected,
+    sheet_of,
+)
+from freecad.gaussiancad.canvas.window import SheetWindow
+from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
+from gaussiancad_core.readings.operations import Corrections
+
+_LEFT = QtCore.Qt.MouseButton.LeftButton
+_NONE = QtCore.Qt.KeyboardModifier.NoModifier
+_SHIFT = QtCore.Qt.KeyboardModifier.ShiftModifier
+_ALT = QtCore.Qt.KeyboardModifier.AltModifier
+
+
+def _reading() -> dict:
+    """A front view: a square with a hidden line that was taken for a centre line."""
+    corners = [(100, 100), (300, 100), (300, 250), (100, 250)]
+    sides = [[list(a), list(b)] for a, b in zip(corners, [*corners[1:], corners[0]], strict=True)]
+    strokes = [
+        {"id": f"s{n}", "view": "front", "kind": "visible", "line": side}
+        for n, side in enumerate(sides, start=1)
+    ]
+    strokes.append(
+        {"id": "s5", "view": "front", "kind": "centre", "line": [[200, 100], [200, 250]]}
+    )
+    strokes.append(
+        {"id": "s6", "view": "front", "kind": "hidden", "arc": [160, 180, 20, 0, 6.283185]}
+    )
+    return {
+        "sheet": {"sha256": "0" * 64, "size": [640, 480]},
+        "views": [{"id": "front", "role": "front", "box": [100, 100, 300, 250]}],
+        "strokes": strokes,
+        "problems": [{"code": "two-views", "message": "few views", "severity": "doubt"}],
+    }
+
+
+@pytest.fixture(scope="module")
+def application() -> QtWidgets.QApplication:
+    return QtWidgets.QApplication.instance() or QtWidgets.QApplication([])
+
+
+@pytest.fixture
+def window(application: QtWidgets.QApplication, tmp_path: Path):  # noqa: ANN201
+    sheet = tmp_path / "sheet.png"
+    picture = QtGui.QImage(640, 480, QtGui.QImage.Format.Format_Grayscale8)
+    picture.fill(255)
+    assert picture.save(str(sheet))
+    own = SheetWindow(sheet)
+    own.resize(900, 700)
+    own.show()
+    own.show_reading(_reading(), sheet)
+    application.processEvents()
+    yield own
+    own.close()
+    own.deleteLater()
+    application.processEvents()
+
+
+Keys = QtCore.Qt.KeyboardModifier
+Place = tuple[float, float]
+
+
+def _mouse(window: SheetWindow, kind: QtCore.QEvent.Type, place: Place, keys: Keys) -> None:
+    at = QtCore.QPointF(window.board.mapFromScene(*place))
+    released = kind is QtCore.QEvent.Type.MouseButtonRelease
+    held = QtCore.Qt.MouseButton.NoButton if released else _LEFT
+    view = window.board.viewport()
+    event = QtGui.QMouseEvent(kind, at, view.mapToGlobal(at), _LEFT, held, keys)
+    QtWidgets.QApplication.sendEvent(view, event)
+
+
+def _drag(window: SheetWindow, start: Place, end: Place, keys: Keys = _NONE) -> None:
+    _mouse(window, QtCore.QEvent.Type.MouseButtonPress, start, keys)
+    _mouse(window, QtCore.QEvent.Type.MouseMove, end, keys)
+    _mouse(window, QtCore.QEvent.Type.MouseButtonRelease, end, keys)
+
+
+def _click(window: SheetWindow, at: Place, keys: Keys = _NONE) -> None:
+    _drag(window, at, at, keys)
+
+
+def _key(window: SheetWindow, key: QtCore.Qt.Key) -> None:
+    for kind in (QtCore.QEvent.Type.KeyPress, QtCore.QEvent.Type.KeyRelease):
+        QtWidgets.QApplication.sendEvent(window.board, QtGui.QKeyEvent(kind, key, _NONE))
+
+
+def test_a_click_and_a_key_give_a_kind(window: SheetWindow) -> None:
+    _click(window, (200, 130))
+    _key(window, QtCore.Qt.Key.Key_H)
+    (own,) = window.operations
+    assert own["op"] == "kind"
+    assert own["target"]["id"] == "s5"
+    assert own["to"] == "hidden"
+
+
+def test_a_stroke_of_the_part_is_chosen_before_others(window: SheetWindow) -> None:
+    _click(window, (200, 100))
+    assert [own.id for own in window.board.selected] == ["s1"]
+    _click(window, (140, 180), _SHIFT)
+    assert [own.id for own in window.board.selected] == ["s1", "s6"]
+
+
+def test_bands_select_what_is_inside_or_touched(window: SheetWindow) -> None:
+    _drag(window, (130, 150), (190, 210))
+    assert [own.id for own in window.board.selected] == ["s6"]
+    _drag(window, (310, 140), (290, 90))
+    assert {own.id for own in window.board.selected} == {"s1", "s2"}
+
+
+def test_delete_erases_and_undo_brings_back(window: SheetWindow) -> None:
+    _click(window, (140, 180))
+    _key(window, QtCore.Qt.Key.Key_Delete)
+    assert [own["op"] for own in window.operations] == ["erase"]
+    window.undo()
+    assert window.operations == []
+    assert not corrections_path(window._path).exists()
+    window.redo()
+    assert [own["target"]["id"] for own in window.operations] == ["s6"]
+
+
+def test_a_line_is_square_and_snaps_to_ends(window: SheetWindow) -> None:
+    _key(window, QtCore.Qt.Key.Key_L)
+    _drag(window, (102, 102), (298, 111))
+    (own,) = window.operations
+    assert own["op"] == "draw"
+    assert own["view"] == "front"
+    assert own["line"] == ((100.0, 100.0), (300.0, 100.0))
+
+
+def test_a_circle_and_an_arc_are_drawn(window: SheetWindow) -> None:
+    _key(window, QtCore.Qt.Key.Key_O)
+    _drag(window, (240, 180), (240, 205))
+    _key(window, QtCore.Qt.Key.Key_A)
+    for at in ((100, 250), (200, 250), (150, 200)):
+        _click(window, at)
+    circle, arc = (own["arc"] for own in window.operations)
+    assert circle[2] == pytest.approx(25.0, abs=1.5)
+    assert arc[:3] == pytest.approx((150.0, 250.0, 50.0), abs=1.5)
+
+
+def test_a_box_becomes_a_view_and_two_points_a_scale(window: SheetWindow) -> None:
+    asked: list[tuple] = []
+    window.board.asked_role.disconnect()
+    window.board.asked_role.connect(asked.append)
+    _key(window, QtCore.Qt.Key.Key_B)
+    _drag(window, (400, 100), (500, 200))
+    window.say_view("top", asked[0])
+    window.board.asked_length.disconnect()
+    window.board.asked_length.connect(lambda points: window.say_length(points, 50.0))
+    _key(window, QtCore.Qt.Key.Key_M)
+    _click(window, (100, 300))
+    _click(window, (300, 300))
+    view, scale = window.operations
+    assert (view["op"], view["role"]) == ("view", "top")
+    assert scale["length_mm"] == 50.0
+
+
+def test_an_area_is_ignored(window: SheetWindow) -> None:
+    _key(window, QtCore.Qt.Key.Key_R)
+    _drag(window, (130, 150), (190, 210))
+    assert window.operations[0]["kind"] == "ignore"
+    shown = corrected(sheet_of(_reading()), window.operations)
+    assert {own.id: own.kind for own in shown.strokes}["s6"] == "ignore"
+
+
+def test_what_gestures_say_is_what_the_engine_takes(window: SheetWindow) -> None:
+    _click(window, (200, 130))
+    _key(window, QtCore.Qt.Key.Key_H)
+    _key(window, QtCore.Qt.Key.Key_L)
+    _drag(window, (100, 150), (300, 150), _ALT)
+    window.say_view("top", (400.0, 100.0, 500.0, 200.0))
+    window.say_length(((100.0, 300.0), (300.0, 300.0)), 50.0)
+    content = corrections_path(window._path).read_bytes()
+    taken = msgspec.json.decode(content, type=Corrections)
+    assert len(taken.ops) == 4
+
+
+def test_single_keys_do_not_leave_the_canvas(window: SheetWindow) -> None:
+    key = QtCore.Qt.Key.Key_Delete
+    event = QtGui.QKeyEvent(QtCore.QEvent.Type.ShortcutOverride, key, _NONE)
+    event.ignore()
+    QtWidgets.QApplication.sendEvent(window.board, event)
+    assert event.isAccepted()
+
+
+def test_corrections_lie_beside_the_sheet_whole_or_not_at_all(tmp_path: Path) -> None:
+    sheet = tmp_path / "part.pdf"
+    own = [{"op": "unit", "value": "in"}]
+    write_corrections(sheet, "1" * 64, own)
+    assert read_corrections(sheet) == own
+    assert [each.name for each in tmp_path.iterdir()] == ["part.pdf.corrections.json"]
+    corrections_path(sheet).write_text("[]", encoding="utf-8")
+    with pytest.raises(ValueError, match="no file of corrections"):
+        read_corrections(sheet)
+    corrections_path(sheet).write_text(json.dumps({"schema": "other"}), encoding="utf-8")
+    with pytest.raises(ValueError, match="no file of corrections"):
+        read_corrections(sheet)
+
+
+def test_a_step_of_several_operations_is_undone_at_once() -> None:
+    history = History()
+    history.say([{"op": "unit", "value": "in"}, {"op": "projection", "value": "first"}])
+    assert history.undo()
+    assert history.operations == []
+    assert not history.undo()
+    assert history.redo()
+    assert len(history.operations) == 2
+
+
+def test_an_arc_runs_through_its_middle() -> None:
+    x, y, radius, first, sweep = arc_through((1.0, 0.0), (-1.0, 0.0), (0.0, -1.0))
+    stroke = Stroke("s1", "front", "visible", ("arc", (x, y, radius, first, sweep)))
+    assert min(py for _, py in stroke.points()) == pytest.approx(-1.0, abs=1e-3)
+    assert max(py for _, py in stroke.points()) == pytest.approx(0.0, abs=1e-9)
+    assert arc_through((0.0, 0.0), (2.0, 0.0), (1.0, 0.0)) is None
+
+
+def test_a_place_belongs_to_the_smallest_view_around_it() -> None:
+    views = (View("a", "front", (0, 0, 100, 100)), View("b", "ignore", (10, 10, 20, 20)))
+    sheet = Sheet((), views, (), "", None)
+    assert sheet.view_at((15.0, 15.0)).id == "b"
+    assert sheet.view_at((50.0, 50.0)).id == "a"
+    assert sheet.view_at((150.0, 50.0)) is None
