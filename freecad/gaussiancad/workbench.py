@@ -7,6 +7,7 @@ from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
 
 TOOLBAR = (
     "GaussianCAD_Reconstruct",
+    "GaussianCAD_Correct",
     "GaussianCAD_Solutions",
     "GaussianCAD_Compare",
     "GaussianCAD_CheckEngine",

@@ -319,6 +319,50 @@
         <translation>Gescheitert: Aus dieser Zeichnung folgt kein Bauteil.</translation>
     </message>
     <message>
+        <source>visible</source>
+        <translation>sichtbar</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>verdeckt</translation>
+    </message>
+    <message>
+        <source>centre line</source>
+        <translation>Mittellinie</translation>
+    </message>
+    <message>
+        <source>tangent edge</source>
+        <translation>Tangentenkante</translation>
+    </message>
+    <message>
+        <source>dimension</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
+        <source>ignore</source>
+        <translation>ignorieren</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Ignore Area</source>
+        <translation>Bereich ignorieren</translation>
+    </message>
+    <message>
         <source>front</source>
         <translation>vorn</translation>
     </message>
@@ -459,8 +503,40 @@
         <translation>Projektion</translation>
     </message>
     <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>{0} correction(s), beside the sheet</source>
+        <translation>{0} Korrektur(en), neben dem Blatt gespeichert</translation>
+    </message>
+    <message>
+        <source>The engine is at work…</source>
+        <translation>Die Engine arbeitet …</translation>
+    </message>
+    <message>
+        <source>Click to see the place</source>
+        <translation>Klicken, um die Stelle zu sehen</translation>
+    </message>
+    <message>
         <source>Scale</source>
         <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Length between the two points in mm:</source>
+        <translation>Länge zwischen den zwei Punkten in mm:</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Lösen</translation>
     </message>
     <message>
         <source>Result</source>
@@ -1130,6 +1206,42 @@
         <source>Why</source>
         <translation>Warum</translation>
     </message>
+    <message>
+        <source>Select all like this</source>
+        <translation>Alle gleichartigen auswählen</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Assumed: {0}</source>
+        <translation>Angenommen: {0}</translation>
+    </message>
+    <message>
+        <source>The part lacks a line of {0} mm here</source>
+        <translation>Dem Teil fehlt hier eine Linie von {0} mm</translation>
+    </message>
+    <message>
+        <source>The part has a line of {0} mm here that the sheet has not</source>
+        <translation>Das Teil hat hier eine Linie von {0} mm, die das Blatt nicht hat</translation>
+    </message>
+    <message>
+        <source>These lines contradict each other</source>
+        <translation>Diese Linien widersprechen einander</translation>
+    </message>
+    <message>
+        <source>Verified: the part has the sheet&apos;s lines, no others</source>
+        <translation>Verifiziert: das Teil hat die Linien des Blatts und keine anderen</translation>
+    </message>
+    <message>
+        <source>Approximate: check the part against the sheet</source>
+        <translation>Näherung: das Teil mit dem Blatt vergleichen</translation>
+    </message>
+    <message>
+        <source>No part follows from the sheet as it is</source>
+        <translation>Aus dem Blatt, wie es ist, folgt kein Teil</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>
@@ -1218,6 +1330,17 @@
     <message>
         <source>Measures how far a part or mesh is from another one and colours the difference</source>
         <translation>Misst, wie weit ein Bauteil oder Netz von einem anderen entfernt ist, und färbt den Unterschied</translation>
+    </message>
+</context>
+<context>
+    <name>GaussianCAD_Correct</name>
+    <message>
+        <source>Correct Sheet…</source>
+        <translation>Blatt korrigieren …</translation>
+    </message>
+    <message>
+        <source>Shows what was understood of a drawing, lets it be corrected, and makes the part</source>
+        <translation>Zeigt, was von einer Zeichnung verstanden wurde, lässt es korrigieren und erzeugt das Teil</translation>
     </message>
 </context>
 <context>

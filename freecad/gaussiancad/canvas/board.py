@@ -9,7 +9,16 @@ from __future__ import annotations
 from itertools import pairwise
 from math import hypot
 
-from freecad.gaussiancad.canvas.kinds import COLOURS, DOUBT, DOUBTFUL, DRAWN, KEYS, OTHER, ROLES
+from freecad.gaussiancad.canvas.kinds import (
+    COLOURS,
+    DOUBT,
+    DOUBTFUL,
+    DRAWN,
+    KEYS,
+    OTHER,
+    ROLES,
+    name_of,
+)
 from freecad.gaussiancad.canvas.sheet import Point, Sheet, Stroke, arc_through
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
@@ -224,7 +233,7 @@ class Board(QtWidgets.QGraphicsView):
             return
         menu = QtWidgets.QMenu(self)
         for key, kind in KEYS.items():
-            action = menu.addAction(f"{kind}\t{key}")
+            action = menu.addAction(f"{name_of(kind)}\t{key}")
             action.triggered.connect(lambda _=False, own=kind: self.give_kind(own))
         menu.addSeparator()
         like = menu.addAction(translate("GaussianCAD", "Select all like this"))
@@ -381,7 +390,7 @@ class Board(QtWidgets.QGraphicsView):
         pen.setCosmetic(True)
         x0, y0, x1, y1 = box
         frame = self.scene().addRect(x0 - 4.0, y0 - 4.0, x1 - x0 + 8.0, y1 - y0 + 8.0, pen)
-        label = self.scene().addSimpleText(role if role in ROLES else name)
+        label = self.scene().addSimpleText(name_of(role if role in ROLES else name))
         label.setBrush(colour)
         label.setPos(x0 - 4.0, y0 - 4.0)
         label.setFlag(QtWidgets.QGraphicsItem.GraphicsItemFlag.ItemIgnoresTransformations)

@@ -1,5 +1,8 @@
 """Kinds of strokes and roles of views: their keys, and the colours in which they are shown."""
 
+from freecad.gaussiancad.language import QT_TRANSLATE_NOOP
+from freecad.gaussiancad.language import translate as worded
+
 KEYS = {
     "V": "visible",
     "H": "hidden",
@@ -34,3 +37,29 @@ OTHER = "#969696"
 
 DOUBTFUL, DOUBT = "#ff8c00", 0.6
 """Colour of strokes of the part whose kind is less sure than this."""
+
+_NAMES = {
+    "visible": QT_TRANSLATE_NOOP("GaussianCAD", "visible"),
+    "hidden": QT_TRANSLATE_NOOP("GaussianCAD", "hidden"),
+    "centre": QT_TRANSLATE_NOOP("GaussianCAD", "centre line"),
+    "tangent": QT_TRANSLATE_NOOP("GaussianCAD", "tangent edge"),
+    "dimension": QT_TRANSLATE_NOOP("GaussianCAD", "dimension"),
+    "ignore": QT_TRANSLATE_NOOP("GaussianCAD", "ignore"),
+    "line": QT_TRANSLATE_NOOP("GaussianCAD", "Line"),
+    "arc": QT_TRANSLATE_NOOP("GaussianCAD", "Arc"),
+    "circle": QT_TRANSLATE_NOOP("GaussianCAD", "Circle"),
+    "view": QT_TRANSLATE_NOOP("GaussianCAD", "View"),
+    "scale": QT_TRANSLATE_NOOP("GaussianCAD", "Scale"),
+    "ignore-area": QT_TRANSLATE_NOOP("GaussianCAD", "Ignore Area"),
+    "front": QT_TRANSLATE_NOOP("GaussianCAD", "front"),
+    "top": QT_TRANSLATE_NOOP("GaussianCAD", "top"),
+    "right": QT_TRANSLATE_NOOP("GaussianCAD", "right"),
+    "left": QT_TRANSLATE_NOOP("GaussianCAD", "left"),
+    "bottom": QT_TRANSLATE_NOOP("GaussianCAD", "bottom"),
+    "rear": QT_TRANSLATE_NOOP("GaussianCAD", "rear"),
+}
+
+
+def name_of(word: str) -> str:
+    """A kind, a role or a tool as a person reads it; ids of views as they are."""
+    return worded("GaussianCAD", _NAMES[word]) if word in _NAMES else word

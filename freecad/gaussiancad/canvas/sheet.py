@@ -79,20 +79,30 @@ class View:
 
 
 @dataclass(frozen=True)
+class Row:
+    """A problem: how grave, what it is, its code, and its place, if it has one."""
+
+    severity: str
+    message: str
+    code: str
+    box: Box | None = None
+
+
+@dataclass(frozen=True)
 class Sheet:
     """What is shown.
 
     Attributes:
         strokes: that have a shape.
         views: principal ones and others.
-        problems: rows of (severity, sentence, code).
+        problems: what is in doubt.
         sha256: of the sheet's file.
         size: px, width and height; None where the reading does not tell.
     """
 
     strokes: tuple[Stroke, ...]
     views: tuple[View, ...]
-    problems: tuple[tuple[str, str, str], ...]
+    problems: tuple[Row, ...]
     sha256: str
     size: tuple[int, int] | None
 
@@ -145,7 +155,8 @@ def sheet_of(reading: dict) -> Sheet:
         for own in reading.get("views", ())
     )
     problems = tuple(
-        (own["severity"], own["message"], own["code"]) for own in reading.get("problems", ())
+        Row(own["severity"], own["message"], own["code"], next(map(tuple, own.get("at", ())), None))
+        for own in reading.get("problems", ())
     )
     size = reading["sheet"].get("size")
     return Sheet(

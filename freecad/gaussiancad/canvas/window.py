@@ -10,18 +10,29 @@ import json
 import shutil
 import sys
 import tempfile
+from dataclasses import dataclass
 from pathlib import Path
 
 from freecad.gaussiancad.canvas.board import TOOLS, Board
 from freecad.gaussiancad.canvas.history import History, read_corrections, write_corrections
-from freecad.gaussiancad.canvas.kinds import KEYS, ROLES
-from freecad.gaussiancad.canvas.sheet import Sheet, corrected, sheet_of
+from freecad.gaussiancad.canvas.kinds import KEYS, ROLES, name_of
+from freecad.gaussiancad.canvas.sheet import Box, Sheet, corrected, sheet_of
+from freecad.gaussiancad.canvas.verdict import MARKS, found_in
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
-_ENGINE = (sys.executable, "-m", "gaussiancad_core")
 
-_MARKS = {"refused": "\u26d4", "doubt": "\u26a0", "warning": "\u2139"}
+@dataclass(frozen=True)
+class Program:
+    """How the engine is started.
+
+    Attributes:
+        command: program and first arguments.
+        environment: variables; None for those of this process.
+    """
+
+    command: tuple[str, ...] = (sys.executable, "-m", "gaussiancad_core")
+    environment: dict[str, str] | None = None
 
 
 class SheetWindow(QtWidgets.QMainWindow):
@@ -30,11 +41,26 @@ class SheetWindow(QtWidgets.QMainWindow):
     Args:
         path: of the sheet.
         page: of a PDF file.
+        program: the engine.
+        parent: in FreeCAD its main window.
+
+    Signals:
+        solved: the folder of a run that made a part.
     """
 
-    def __init__(self, path: Path, page: int = 1) -> None:
-        super().__init__()
+    solved = QtCore.Signal(str)
+
+    def __init__(
+        self,
+        path: Path,
+        page: int = 1,
+        *,
+        program: Program | None = None,
+        parent: QtWidgets.QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
         self._path, self._page = path, page
+        self._program = program or Program()
         self._folder = tempfile.TemporaryDirectory(prefix="gaussiancad-")
         self._history = History(read_corrections(path))
         self._read: Sheet | None = None
@@ -48,12 +74,23 @@ class SheetWindow(QtWidgets.QMainWindow):
         self.setCentralWidget(self.board)
         self.problems = QtWidgets.QListWidget()
         self.problems.setWordWrap(True)
+        self.problems.itemClicked.connect(self._show_place)
         dock = QtWidgets.QDockWidget(translate("GaussianCAD", "Problems"), self)
         dock.setWidget(self.problems)
         self.addDockWidget(QtCore.Qt.DockWidgetArea.RightDockWidgetArea, dock)
         self._add_tools()
         self.setWindowTitle(f"{path.name} \u2013 GaussianCAD")
         self.resize(1280, 800)
+
+    @property
+    def sheet(self) -> Sheet | None:
+        """What is shown; None while the sheet is read."""
+        return None if self._read is None else corrected(self._read, self._history.operations)
+
+    @property
+    def busy(self) -> bool:
+        """Whether the engine is at work."""
+        return self._process is not None
 
     @property
     def operations(self) -> list[dict]:
@@ -113,21 +150,24 @@ class SheetWindow(QtWidgets.QMainWindow):
         self._shown()
 
     def _shown(self) -> None:
-        sheet = corrected(self._read, self._history.operations)
+        sheet = self.sheet
         self.board.show_sheet(sheet)
         self.problems.clear()
-        for severity, message, code in sheet.problems:
-            item = QtWidgets.QListWidgetItem(f"{_MARKS.get(severity, '')} {message}")
-            item.setToolTip(code)
-            self.problems.addItem(item)
+        for number, own in enumerate(sheet.problems):
+            self._add_row(number, f"{MARKS.get(own.severity, '')} {own.message}", own.box)
         count = len(self._history.operations)
         self.statusBar().showMessage(
             translate("GaussianCAD", "{0} correction(s), beside the sheet").format(count)
         )
 
     def _run(self, arguments: list[str], done) -> None:  # noqa: ANN001
-        program, *first = _ENGINE
+        program, *first = self._program.command
         process = QtCore.QProcess(self)
+        if self._program.environment is not None:
+            variables = QtCore.QProcessEnvironment()
+            for name, value in self._program.environment.items():
+                variables.insert(name, value)
+            process.setProcessEnvironment(variables)
         process.setProcessChannelMode(QtCore.QProcess.ProcessChannelMode.MergedChannels)
         process.finished.connect(lambda code, _status=None: self._ended(code, done))
         self._process = process
@@ -143,27 +183,48 @@ class SheetWindow(QtWidgets.QMainWindow):
     def _was_read(self, code: int, text: str) -> None:
         folder = Path(self._folder.name)
         if code or not (folder / "reading.json").is_file():
-            self._tell(text)
+            self.tell(text)
             return
         reading = json.loads((folder / "reading.json").read_text(encoding="utf-8"))
         self.show_reading(reading, folder / "sheet.png")
 
     def _was_solved(self, code: int, text: str) -> None:
-        self._tell(text)
-        overlay = Path(self._folder.name) / "part" / "overlay.png"
-        if not code and overlay.is_file():
-            self.statusBar().showMessage(text.splitlines()[0] if text else "")
-
-    def _tell(self, text: str) -> None:
-        """Put what the engine says first into the list."""
-        for number, line in enumerate(own for own in text.splitlines() if own.strip()):
-            self.problems.insertItem(number, line.strip())
+        folder = Path(self._folder.name) / "part"
+        self.problems.clear()
+        try:
+            report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
+        except (OSError, ValueError):
+            self.tell(text)
+            return
+        for number, (line, box) in enumerate(found_in(report)):
+            self._add_row(number, line, box)
         self.problems.scrollToTop()
+        self.statusBar().showMessage(report["status"])
+        if not code:
+            self.solved.emit(str(folder))
+
+    def tell(self, text: str) -> None:
+        """Put lines before all others of the list."""
+        for number, line in enumerate(own for own in text.splitlines() if own.strip()):
+            self._add_row(number, line.strip(), None)
+        self.problems.scrollToTop()
+
+    def _add_row(self, number: int, text: str, box: Box | None) -> None:
+        item = QtWidgets.QListWidgetItem(text)
+        if box is not None:
+            item.setData(QtCore.Qt.ItemDataRole.UserRole, list(box))
+            item.setToolTip(translate("GaussianCAD", "Click to see the place"))
+        self.problems.insertItem(number, item)
+
+    def _show_place(self, item: QtWidgets.QListWidgetItem) -> None:
+        box = item.data(QtCore.Qt.ItemDataRole.UserRole)
+        if box:
+            self.board.zoom_to(tuple(box))
 
     def _ask_role(self, box: tuple) -> None:
         menu = QtWidgets.QMenu(self)
         for number, role in enumerate((*ROLES, "ignore"), start=1):
-            action = menu.addAction(f"{number} {role}" if role != "ignore" else role)
+            action = menu.addAction(f"{number} {name_of(role)}")
             action.triggered.connect(lambda _=False, own=role: self.say_view(own, box))
         menu.popup(QtGui.QCursor.pos())
 
@@ -187,11 +248,11 @@ class SheetWindow(QtWidgets.QMainWindow):
     def _add_tools(self) -> None:
         bar = self.addToolBar("GaussianCAD")
         for key, name in TOOLS.items():
-            action = bar.addAction(f"{name} ({key})")
+            action = bar.addAction(f"{name_of(name)} ({key})")
             action.triggered.connect(lambda _=False, own=name: self.board.take_tool(own))
         bar.addSeparator()
         for key, kind in KEYS.items():
-            action = bar.addAction(f"{kind} ({key})")
+            action = bar.addAction(f"{name_of(kind)} ({key})")
             action.triggered.connect(lambda _=False, own=kind: self.board.give_kind(own))
         bar.addSeparator()
         for text, keys, called in (

@@ -7,6 +7,7 @@ def register() -> None:
 
     from freecad.gaussiancad.commands.check_engine import CheckEngineCommand
     from freecad.gaussiancad.commands.compare import CompareCommand
+    from freecad.gaussiancad.commands.correct import CorrectCommand
     from freecad.gaussiancad.commands.install_engine import InstallEngineCommand
     from freecad.gaussiancad.commands.reconstruct import ReconstructCommand
     from freecad.gaussiancad.commands.solutions import SolutionsCommand
@@ -14,6 +15,7 @@ def register() -> None:
     known = FreeCADGui.listCommands()
     for command in (
         ReconstructCommand,
+        CorrectCommand,
         SolutionsCommand,
         CompareCommand,
         CheckEngineCommand,

@@ -61,8 +61,34 @@ def add_reconstruction(document: FreeCAD.Document, run: LoadedRun) -> FreeCAD.Do
         The group.
     """
     with transaction(document, undo_step()):
-        group = _new_group(document, run.job)
-        _fill(group, run, _features(document, run))
+        return _added(document, run)
+
+
+def replace_reconstruction(
+    document: FreeCAD.Document, name: str, run: LoadedRun
+) -> FreeCAD.DocumentObject:
+    """Put a run's result in place of an earlier one, in one undo step.
+
+    Args:
+        document: that has the earlier group, or has it no longer.
+        name: of the earlier group; empty where there was none.
+        run: what the run left.
+
+    Returns:
+        The new group.
+    """
+    earlier = document.getObject(name) if name else None
+    with transaction(document, undo_step()):
+        if earlier is not None:
+            for own in [member.Name for member in earlier.Group]:
+                document.removeObject(own)
+            document.removeObject(earlier.Name)
+        return _added(document, run)
+
+
+def _added(document: FreeCAD.Document, run: LoadedRun) -> FreeCAD.DocumentObject:
+    group = _new_group(document, run.job)
+    _fill(group, run, _features(document, run))
     return group
 
 
