@@ -26,7 +26,7 @@ from gaussiancad_core.sheet.registration import placement, strokes_in_plane
 from gaussiancad_core.sheet.scale.dimensions import Span
 from gaussiancad_core.sheet.scale.find import SheetScale
 from gaussiancad_core.sheet.scale.numbers import Sign
-from gaussiancad_core.solid.profiles import Profile, profile_of, thickened, turned
+from gaussiancad_core.solid.profiles import Profile, cells_of, profile_of, thickened, turned
 from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
 
 _ALIKE = 0.97
@@ -34,6 +34,9 @@ _ALIKE = 0.97
 
 _NEAR_PX = 1.5
 """px within which lines are one."""
+
+_WHOLE = 6.2
+"""Radians from which an arc is a circle."""
 
 _APART = 0.3
 """Distance of the second view from the first, as a share of the first's longer side."""
@@ -80,7 +83,7 @@ def companion(
                 hatched = [shapely.Polygon(plane.to_plane(np.array(own))) for own in view.hatched]
                 solid = _turned(strokes, size, axis, shapely.union_all(hatched))
                 if solid is not None:
-                    solid = _bored(solid, axis, size, notes, scale.mm_per_pixel)
+                    solid = _bored(solid, axis, (strokes, size), notes, scale.mm_per_pixel)
                     role = Role.RIGHT if axis is Axis.X else Role.TOP
                     return _beside(solid, role, view, width, _TURNED)
         thickness = next(
@@ -191,23 +194,13 @@ def _profile(
     hidden ones bound towards the axis."""
     kept = [own for own in strokes if isinstance(own, Segment | Arc)]
     hidden = [own for own in kept if own.linetype is Linetype.HIDDEN]
-    outer = shapely.polygonize(
-        shapely.get_parts(
-            shapely.union_all(
-                [
-                    *(
-                        shapely.LineString(own.sample(1.0))
-                        for own in kept
-                        if own.linetype is Linetype.VISIBLE
-                    ),
-                    within.boundary,
-                ],
-                grid_size=_NEAR_PX * 1e-3,
-            )
-        )
-    )
+    visible = [own for own in kept if own.linetype is Linetype.VISIBLE]
     whole = shapely.union_all(
-        [own for own in shapely.get_parts(outer) if not _is_outside(own, within, kept)]
+        [
+            own
+            for own in cells_of(visible, within, _NEAR_PX / 2.0)
+            if not _is_outside(own, within, kept)
+        ]
     )
 
     def is_material(point: tuple[float, float]) -> bool:
@@ -238,16 +231,39 @@ def _is_outside(
 def _bored(
     solid: TopoDS_Shape,
     axis: Axis,
-    size: tuple[float, float, float],
+    view: tuple[Sequence[Stroke], tuple[float, float, float]],
     notes: Sequence[SheetNote],
     mm_per_px: float,
 ) -> TopoDS_Shape:
-    """With the bores through it that notes tell, where the view shows none."""
-    long = size[0] if axis is Axis.X else size[2]
+    """With the bores that notes say to go through: across the axis where the view shows their
+    circle, else along it.
+
+    Args:
+        solid: turned around an axis through the origin, px.
+        axis: x or z.
+        view: strokes and extents in px of its plane.
+        notes: of the sheet.
+        mm_per_px: scale.
+    """
+    strokes, size = view
+    long = size[axis.value]
+    shift = (0.0, size[2] / 2.0) if axis is Axis.X else (size[0] / 2.0, 0.0)
     for own in notes:
         kind = own.callout.kind in (NoteKind.DIAMETER, NoteKind.THREAD)
-        if kind and own.callout.through and own.callout.count == 1 and own.value_mm:
-            radius = own.value_mm / mm_per_px / 2.0
+        if not (kind and own.callout.through and own.value_mm):
+            continue
+        radius = own.value_mm / mm_per_px / 2.0
+        circles = [
+            each
+            for each in strokes
+            if isinstance(each, Arc)
+            and each.sweep >= _WHOLE
+            and abs(each.radius - radius) <= _NEAR_PX
+        ]
+        for each in circles:
+            at = each.centre[0] - shift[0], each.centre[1] - shift[1]
+            solid = cut(solid, cylinder(Axis.Y, at, each.radius, -long, long))
+        if not circles and own.callout.count == 1:
             solid = cut(solid, cylinder(axis, (0.0, 0.0), radius, -1.0, long + 1.0))
     return solid
 

@@ -279,7 +279,12 @@ def _found_views(
         return *coloured, None
     # Where a file has lines of one width, those of its picture only seem to differ.
     by_weight = not (image.vectors is not None and image.vectors.has_one_width)
-    found = find_views(clean, given, reading.projection, by_weight)
+    try:
+        found = find_views(clean, given, reading.projection, by_weight)
+    except NoModelError:
+        if told is None:
+            raise
+        found = told.separated, told.layout
     if told is not None and len(found[1].boxes) == 1:
         return told.separated, told.layout, told.vectors
     return *found, VectorSheet.of(drawing, clean) if drawing is not None else None

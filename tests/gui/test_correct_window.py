@@ -28,7 +28,7 @@ class Canvas(WindowCase):
         self.copy = Path(shutil.copy(SAMPLE, self.folder))
         self.document = FreeCAD.newDocument("Canvas")
         self.canvas = self.opened()
-        self.addCleanup(self.canvas.close)
+        self.addCleanup(self.close_canvas)
 
     def opened(self) -> SheetWindow:
         """The canvas on a copy of the sample, with the sheet read."""
@@ -40,6 +40,11 @@ class Canvas(WindowCase):
         self.wait_for(lambda: own.sheet is not None, 120.0)
         spin(200)
         return own
+
+    def close_canvas(self) -> None:
+        if self.canvas is not None:
+            self.canvas.close()
+            self.canvas = None
 
     def press(self, key: QtCore.Qt.Key) -> None:
         for kind in (
@@ -90,6 +95,6 @@ class Canvas(WindowCase):
     def test_a_closed_canvas_ends_its_engine(self) -> None:
         self.canvas.solve()
         self.assertTrue(self.canvas.busy)
-        self.canvas.close()
+        self.close_canvas()
         spin(500)
         self.assertEqual(self.document.Objects, [])

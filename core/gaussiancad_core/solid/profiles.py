@@ -27,6 +27,9 @@ from gaussiancad_core.views import Arc, Stroke
 _CHORDS = 96
 """Of a whole circle."""
 
+_WHOLE = 0.98
+"""Share of the material that is in one piece at least."""
+
 _GRID = 1e-3
 """Distance of points that are made one, as a share of that within which they are."""
 
@@ -67,22 +70,37 @@ def profile_of(
         near: distance within which points are one.
 
     Returns:
-        None where that is not one piece.
+        None where that is not one piece, but for specks.
     """
-    lines = [shapely.LineString(_points(stroke)) for stroke in strokes]
-    noded = shapely.union_all([*lines, within.boundary], grid_size=_GRID * near)
-    cells = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
-    chosen = []
-    for cell in cells:
-        inner = cell.representative_point()
-        if within.contains(inner) and is_material((inner.x, inner.y)):
-            chosen.append(cell)
+    chosen = [
+        cell
+        for cell in cells_of(strokes, within, near)
+        if is_material((cell.representative_point().x, cell.representative_point().y))
+    ]
     area = shapely.union_all(chosen)
-    if area.is_empty or area.geom_type != "Polygon":
+    parts = sorted(shapely.get_parts(area), key=lambda own: own.area)
+    if not parts or parts[-1].area < _WHOLE * area.area:
         return None
+    area = parts[-1]
     # Holes run the other way round than the outline.
     area = shapely.geometry.polygon.orient(area)
     return Profile(area, tuple(own for own in strokes if isinstance(own, Arc)), near)
+
+
+def cells_of(
+    strokes: Sequence[Stroke], within: shapely.Geometry, near: float
+) -> list[shapely.Polygon]:
+    """The cells that strokes, and the border, divide a part of a view into.
+
+    Args:
+        strokes: in the plane.
+        within: the part that is looked at.
+        near: distance within which ends of strokes are one.
+    """
+    lines = [shapely.LineString(own) for own in _meeting([_points(own) for own in strokes], near)]
+    noded = shapely.union_all([*lines, within.boundary], grid_size=_GRID * near)
+    cells = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
+    return [cell for cell in cells if within.contains(cell.representative_point())]
 
 
 def turned(profile: Profile, axis: Axis) -> TopoDS_Shape:
@@ -107,6 +125,22 @@ def thickened(profile: Profile, thickness: float) -> TopoDS_Shape:
     """A profile in the plane of x and z, as thick as told along y."""
     face = _face(profile, lambda point: gp_Pnt(point[0], 0.0, point[1]))
     return _unified(BRepPrimAPI_MakePrism(face, gp_Vec(0.0, thickness, 0.0)).Shape())
+
+
+def _meeting(chains: Sequence[Floats], near: float) -> list[Floats]:
+    """Chains whose ends are one where they are near each other."""
+    known: list[Floats] = []
+    found = []
+    for chain in chains:
+        own = chain.copy()
+        for end in (0, -1):
+            one = next((at for at in known if np.hypot(*(at - own[end])) <= near), None)
+            if one is None:
+                known.append(own[end].copy())
+            else:
+                own[end] = one
+        found.append(own)
+    return found
 
 
 def _points(stroke: Stroke) -> Floats:
