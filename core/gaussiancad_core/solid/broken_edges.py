@@ -39,14 +39,12 @@ def with_broken_edges(
     """
     near = max(_REACH * near, _FLOOR)
     maker = BRepFilletAPI_MakeChamfer(shape)
-    count = 0
-    for own in breaks:
-        for edge, face in _edges(shape, own, near):
-            maker.Add(own.width, abs(own.height), edge, face)
-            count += 1
-    if not count:
+    found = [(own, *each) for own in breaks for each in _edges(shape, own, near)]
+    if not found:
         return None
     try:
+        for own, edge, face in found:
+            maker.Add(own.width, abs(own.height), edge, face)
         maker.Build()
         return maker.Shape() if maker.IsDone() else None
     except KERNEL_FAILURES:

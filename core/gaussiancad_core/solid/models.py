@@ -122,8 +122,7 @@ def _otherwise(work: Work, found: Labelling, limits: Limits) -> Iterator[tuple[W
     if silent and limits.relaxed:
         # Practice leaves hidden lines out.
         works = _undrawn(work, replace(lines, undrawn=silent), limits, deadline)
-        if (first := _first_fulfilled(works, deadline)) is not None:
-            yield first
+        yield from _fulfilled(works, deadline)
     latest = meter.until(_RELAXED * limits.work)
     # Where readers lead ends to the wrong lines nearly all strokes are a little wrong.
     if views.apart is None and (lacking := _lacking(work, views, limits, latest)) is not None:
@@ -162,12 +161,17 @@ def _undrawn(work: Work, views: DrawnViews, limits: Limits, deadline: Deadline) 
 
 def _first_fulfilled(works: Iterator[Work], deadline: Deadline) -> tuple[Work, Labelling] | None:
     """The first of the models that has labels for all lines, and these."""
+    return next(_fulfilled(works, deadline), None)
+
+
+def _fulfilled(works: Iterator[Work], deadline: Deadline) -> Iterator[tuple[Work, Labelling]]:
+    """The models that have labels for all lines, and these."""
     for work in works:
         labelling = work.search.fulfilled(deadline)
         if labelling.labels is not None:
-            return work, labelling
-        work.failed(labelling)
-    return None
+            yield work, labelling
+        else:
+            work.failed(labelling)
 
 
 def _followed(

@@ -37,6 +37,10 @@ its radius."""
 
 Modelled = tuple[ModelKind, PartModel]
 
+_MOST_FINER = 4_000
+"""Rules up to which lines that views may lack are admitted before the views are taken as they
+are."""
+
 
 def modelled(
     kind: ModelKind, views: DrawnViews | None, work: Work, deadline: Deadline, **more: object
@@ -127,11 +131,16 @@ def undrawn_models(work: Work, views: DrawnViews, deadline: Deadline) -> Iterato
         views: with those that draw none.
         deadline: by which they have to be made.
     """
-    model = modelled(ModelKind.UNDRAWN_LINES, views, work, deadline, lost_lines=True)
-    if model is not None:
-        yield model
-    if not views.cuts:
-        yield ModelKind.UNDRAWN_LINES, without_undrawn(work.part, views)
+    plain = ModelKind.UNDRAWN_LINES, without_undrawn(work.part, views)
+    finer = modelled(ModelKind.UNDRAWN_LINES, views, work, deadline, lost_lines=True)
+    if views.cuts:
+        found = (finer,)
+    elif finer is not None and len(finer[1].rules) <= _MOST_FINER:
+        found = (finer, plain)
+    else:
+        # Of so many cells the labels take nearly all of the work.
+        found = (plain, finer)
+    yield from (own for own in found if own is not None)
 
 
 def lacking_model(work: Work, views: DrawnViews, most: int, deadline: Deadline) -> Modelled | None:
