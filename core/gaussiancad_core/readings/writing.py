@@ -33,7 +33,7 @@ from gaussiancad_core.report import Report
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.notes.finding import SheetNote
-from gaussiancad_core.sheet.notes.sections import NamedSection
+from gaussiancad_core.sheet.notes.sections import NamedSection, Trace
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import ReadView, Ring
 from gaussiancad_core.sheet.scale.dimensions import Span
@@ -198,9 +198,16 @@ def _section(own: NamedSection, turn: Turn) -> SectionEntry:
         line=line,
         way=way,
         straight=trace is None or trace.straight,
-        path=() if trace is None or trace.straight else tuple(stored_points(trace.path, turn)),
+        path=_corners(trace, turn),
         looks=ViewRole(own.looks.value) if own.looks else None,
     )
+
+
+def _corners(trace: Trace | None, turn: Turn) -> tuple[tuple[float, float], ...]:
+    """Corners of a cutting line in steps; nothing of a straight one, or where none were found."""
+    if trace is None or trace.straight or not trace.path:
+        return ()
+    return tuple(stored_points(trace.path, turn))
 
 
 def _scale(lines: SheetLines, turn: Turn) -> ReadScale:
