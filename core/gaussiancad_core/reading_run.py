@@ -13,6 +13,7 @@ from gaussiancad_core.job import Job
 from gaussiancad_core.opened_sheet import OpenedSheet, open_sheet
 from gaussiancad_core.outputs import os_error
 from gaussiancad_core.reading_stage import SheetLines, read_lines
+from gaussiancad_core.readings.filling import with_read_views
 from gaussiancad_core.readings.partial import partial_lines
 from gaussiancad_core.readings.picture import reading_picture
 from gaussiancad_core.readings.schema import Problem, SheetReading
@@ -86,15 +87,17 @@ def sheet_lines(job: Job, sheet: OpenedSheet, notes: RunNotes) -> SheetLines:
         alone = RunNotes(notes.report, notes.progress)
         return read_sheet_lines(_alone(job), sheet, alone)[1]
 
-    reading = given_reading(job, sheet.image.sha256, read, notes)
-    if reading is None:
-        return read_lines(job, sheet.image, sheet.clean, notes)
-
     def reread(views: tuple[tuple[Role, Box], ...]) -> tuple[ReadView, ...]:
         alone = RunNotes(notes.report, notes.progress)
         named = replace(_alone(job), reading=replace(job.reading, views=views))
         return read_lines(named, sheet.image, sheet.clean, alone).drawn
 
+    def fill(own: SheetReading) -> SheetReading:
+        return with_read_views(own, reread, sheet.clean.turn)
+
+    reading = given_reading(job, sheet.image.sha256, read, notes, fill)
+    if reading is None:
+        return read_lines(job, sheet.image, sheet.clean, notes)
     return taken_lines(job, sheet, reading, notes, reread)
 
 

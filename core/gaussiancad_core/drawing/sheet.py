@@ -25,6 +25,7 @@ from gaussiancad_core.drawing.strokes import DrawnStroke, mapped
 from gaussiancad_core.drawing.style import SectionKind, SheetStyle
 from gaussiancad_core.drawing.threads import draw_threads
 from gaussiancad_core.errors import UsageError
+from gaussiancad_core.views import Linetype
 
 
 @dataclass(frozen=True)
@@ -165,7 +166,7 @@ def compose_sheet(
     plain = dict(lines.views)
     if cut is not None:
         plain[style.section] = cut.strokes
-    views = tuple(drawn_view(place, plain[place.role]) for place in placements)
+    views = tuple(drawn_view(place, _shown(plain[place.role], style)) for place in placements)
     scale = 1.0 / placements[0].scale
     symmetry: list[Annotation] = []
     if style.half is not None:
@@ -200,6 +201,13 @@ def compose_sheet(
         ink = np.maximum(ink, ink_annotations(annotations, style))
     dpi = sheet_dpi(scale) if style.frame else None
     return Sheet(finished(ink, style, seed), scale, projection, views, annotations, dpi)
+
+
+def _shown(strokes: tuple[DrawnStroke, ...], style: SheetStyle) -> tuple[DrawnStroke, ...]:
+    """The strokes of a view that a style draws."""
+    if style.hidden:
+        return strokes
+    return tuple(own for own in strokes if own.linetype is Linetype.VISIBLE)
 
 
 def _hatching(cut: SectionView, place: Placement, style: SheetStyle) -> tuple[Annotation, ...]:

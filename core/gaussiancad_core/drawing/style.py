@@ -61,6 +61,7 @@ class SheetStyle:
         cap: ends of visible strokes.
         antialiasing: grey edges of strokes; without it every pixel is ink or paper.
         tangent_edges: draw smooth edges as well.
+        hidden: draw hidden lines; most drawings of practice leave them out.
         skew: degrees by which the drawing is turned on the sheet, counter-clockwise.
         blur: standard deviation of a Gaussian blur, as of a scanner's optics.
         noise: standard deviation of the grey noise, in levels of 255.
@@ -103,6 +104,7 @@ class SheetStyle:
     cap: Cap = Cap.ROUND
     antialiasing: bool = True
     tangent_edges: bool = False
+    hidden: bool = True
     skew: float = 0.0
     blur: float = 0.0
     noise: float = 0.0
@@ -248,6 +250,7 @@ def _parser(name: str) -> Callable[[str], Any]:
         "text_place": TextPlace,
         "antialiasing": _switch,
         "tangent_edges": _switch,
+        "hidden": _switch,
         "annotations": _switch,
         "frame": _switch,
         "centre_lines": _switch,

@@ -46,6 +46,8 @@ _MM_PER_INCH = 25.4
 _PERSONAL = re.compile(r"p[0-9]{1,9}").fullmatch
 """Ids of strokes that a person drew."""
 
+_OF_STROKES = (KindOperation, EraseOperation, RegionOperation)
+
 _MARGIN_PX = 3.0
 """px by which a stroke may reach beyond the box of its view."""
 
@@ -63,10 +65,24 @@ class Corrected:
     unmatched: tuple[int, ...] = ()
 
 
-def corrected(reading: SheetReading, operations: Sequence[Operation]) -> Corrected:
-    """Apply operations to a reading, in their order."""
+Fill = Callable[[SheetReading], SheetReading]
+"""Reads the views that a person boxed and of which there are no strokes yet."""
+
+
+def corrected(
+    reading: SheetReading, operations: Sequence[Operation], fill: Fill = lambda own: own
+) -> Corrected:
+    """Apply operations to a reading, in their order.
+
+    Args:
+        reading: of the sheet.
+        operations: a person's.
+        fill: called before an operation that speaks of strokes.
+    """
     found = Corrected(reading)
     for number, operation in enumerate(operations, start=1):
+        if isinstance(operation, _OF_STROKES):
+            found = replace(found, reading=fill(found.reading))
         own = _APPLIED[type(operation)](found.reading, operation)
         if own is None:
             found = replace(found, unmatched=(*found.unmatched, number))

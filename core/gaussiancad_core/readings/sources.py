@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.job import Job
-from gaussiancad_core.readings.correcting import Corrected, corrected
+from gaussiancad_core.readings.correcting import Corrected, Fill, corrected
 from gaussiancad_core.readings.opening import open_reading, open_typed
 from gaussiancad_core.readings.operations import Corrections
 from gaussiancad_core.readings.schema import SheetReading
@@ -12,7 +12,11 @@ from gaussiancad_core.run_notes import RunNotes
 
 
 def given_reading(
-    job: Job, sheet_sha256: str, read: Callable[[], SheetReading], notes: RunNotes
+    job: Job,
+    sheet_sha256: str,
+    read: Callable[[], SheetReading],
+    notes: RunNotes,
+    fill: Fill = lambda own: own,
 ) -> SheetReading | None:
     """The reading that a run is to take; None where nobody said anything of one.
 
@@ -21,6 +25,7 @@ def given_reading(
         sheet_sha256: of the sheet.
         read: reads the sheet where there are corrections and no reading.
         notes: told how many corrections were taken, and which found no place.
+        fill: reads the views that corrections box, before strokes in them are corrected.
 
     Raises:
         UnreadableError: ``reading-not-read``, ``corrections-not-read``.
@@ -39,7 +44,7 @@ def given_reading(
             f"{path} corrects another sheet, or another version of it: remove it, or correct the "
             "sheet again",
         )
-    found = corrected(reading, told.ops)
+    found = corrected(reading, told.ops, fill)
     _tell(found, len(told.ops), notes)
     return found.reading
 

@@ -3,7 +3,7 @@
 Outlines come from the visible strokes alone: they are drawn, and filled as ink would be.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -21,6 +21,7 @@ from gaussiancad_core.reading_stage import (
     tell_notes,
     tell_scale,
 )
+from gaussiancad_core.readings.filling import Reread
 from gaussiancad_core.readings.schema import (
     DRAWN,
     DimensionEntry,
@@ -44,7 +45,6 @@ from gaussiancad_core.sheet.notes.callouts import Callout
 from gaussiancad_core.sheet.notes.finding import SheetNote
 from gaussiancad_core.sheet.notes.sections import NamedSection, Trace
 from gaussiancad_core.sheet.notes.titles import Title, TitleKind
-from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.painted import painted, view_by_strokes, visible_bounds
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import ReadView, Ring
@@ -77,10 +77,6 @@ _MARKS = {
     StrokeKind.SYMBOL: AnnotationKind.SYMBOL,
     StrokeKind.PICTURE: AnnotationKind.PICTURE,
 }
-
-
-Reread = Callable[[tuple[tuple[Role, Box], ...]], tuple[ReadView, ...]]
-"""Reads the views in boxes that a person named, px of the sheet as stored."""
 
 
 def taken_lines(

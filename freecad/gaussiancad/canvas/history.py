@@ -46,6 +46,13 @@ class History:
         return True
 
 
+def read_again(operations: list[dict]) -> list[dict]:
+    """The first operations, up to the last that boxes a view: with them the engine has to read the
+    sheet again, to tell the strokes in the box; none where no view was boxed."""
+    boxed = [n for n, own in enumerate(operations, start=1) if own["op"] == "view" and "box" in own]
+    return operations[: boxed[-1]] if boxed else []
+
+
 def corrections_path(sheet: Path) -> Path:
     """Where the corrections of a sheet are, beside it."""
     return sheet.with_name(sheet.name + ".corrections.json")

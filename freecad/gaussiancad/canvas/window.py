@@ -6,15 +6,23 @@ beside the sheet, where every run takes them.
 
 from __future__ import annotations
 
+import hashlib
 import json
 import shutil
 import sys
 import tempfile
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from freecad.gaussiancad.canvas.board import TOOLS, Board
-from freecad.gaussiancad.canvas.history import History, read_corrections, write_corrections
+from freecad.gaussiancad.canvas.history import (
+    History,
+    corrections_path,
+    read_again,
+    read_corrections,
+    write_corrections,
+)
 from freecad.gaussiancad.canvas.kinds import KEYS, ROLES, name_of
 from freecad.gaussiancad.canvas.sheet import Box, Sheet, corrected, sheet_of
 from freecad.gaussiancad.canvas.verdict import MARKS, found_in
@@ -64,6 +72,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         self._folder = tempfile.TemporaryDirectory(prefix="gaussiancad-")
         self._history = History(read_corrections(path))
         self._read: Sheet | None = None
+        self._within: list[dict] = []
         self._process: QtCore.QProcess | None = None
         self._whole = ""
         self.board = Board(self)
@@ -85,7 +94,9 @@ class SheetWindow(QtWidgets.QMainWindow):
     @property
     def sheet(self) -> Sheet | None:
         """What is shown; None while the sheet is read."""
-        return None if self._read is None else corrected(self._read, self._history.operations)
+        if self._read is None:
+            return None
+        return corrected(self._read, self._history.operations[len(self._within) :])
 
     @property
     def busy(self) -> bool:
@@ -99,12 +110,25 @@ class SheetWindow(QtWidgets.QMainWindow):
 
     def start(self) -> None:
         """Read the sheet."""
-        # Beside a copy no corrections lie: what the machine read stays apart from what is said.
+        if self._process is not None:
+            return
+        # Beside a copy no corrections lie: what the machine read stays apart from what is said,
+        # but for views that a person boxed, whose strokes are to be read.
         copy = Path(self._folder.name) / "sheet" / self._path.name
         copy.parent.mkdir(exist_ok=True)
         shutil.copyfile(self._path, copy)
+        within = read_again(self._history.operations)
+        if within:
+            sha256 = hashlib.sha256(copy.read_bytes()).hexdigest()
+            write_corrections(copy, sha256, within)
+        else:
+            corrections_path(copy).unlink(missing_ok=True)
         arguments = ["read", str(copy), "--output", self._folder.name]
-        self._run([*arguments, "--page", str(self._page)], self._was_read)
+
+        def done(code: int, text: str) -> None:
+            self._was_read(code, text, within)
+
+        self._run([*arguments, "--page", str(self._page)], done)
 
     def solve(self) -> None:
         """Make the part, with what was said."""
@@ -129,12 +153,23 @@ class SheetWindow(QtWidgets.QMainWindow):
         if self._history.redo():
             self._kept()
 
-    def show_reading(self, reading: dict, picture: Path) -> None:
-        """Show what was read, with what was said."""
-        self._read = sheet_of(reading)
-        self.board.show_picture(str(picture), self._read.size)
+    def show_reading(self, reading: dict, picture: Path, within: Sequence[dict] = ()) -> None:
+        """Show what was read, with what was said.
+
+        Args:
+            reading: of the sheet.
+            picture: of it.
+            within: the first operations, if the reading has them already.
+        """
+        first = self._read is None
+        self._read, self._within = sheet_of(reading), list(within)
+        if first:
+            self.board.show_picture(str(picture), self._read.size)
         self._shown()
-        self.board.fit()
+        if first:
+            self.board.fit()
+        if read_again(self._history.operations) != self._within:
+            self.start()
 
     def closeEvent(self, event: QtGui.QCloseEvent) -> None:
         """End the engine with the window."""
@@ -148,6 +183,8 @@ class SheetWindow(QtWidgets.QMainWindow):
     def _kept(self) -> None:
         write_corrections(self._path, self._read.sha256, self._history.operations)
         self._shown()
+        if read_again(self._history.operations) != self._within:
+            self.start()
 
     def _shown(self) -> None:
         sheet = self.sheet
@@ -180,13 +217,13 @@ class SheetWindow(QtWidgets.QMainWindow):
         process.deleteLater()
         done(code, text)
 
-    def _was_read(self, code: int, text: str) -> None:
+    def _was_read(self, code: int, text: str, within: list[dict]) -> None:
         folder = Path(self._folder.name)
         if code or not (folder / "reading.json").is_file():
             self.tell(text)
             return
         reading = json.loads((folder / "reading.json").read_text(encoding="utf-8"))
-        self.show_reading(reading, folder / "sheet.png")
+        self.show_reading(reading, folder / "sheet.png", within)
 
     def _was_solved(self, code: int, text: str) -> None:
         folder = Path(self._folder.name) / "part"

@@ -87,3 +87,14 @@ def test_a_section_of_a_view_that_is_not_drawn_is_refused(solid) -> None:  # noq
     style = parse_style("clean,section=right")
     with pytest.raises(UsageError, match="section=right"):
         draw_sheet(solid, (Role.FRONT, Role.TOP), Projection.THIRD, style)
+
+
+def test_hidden_lines_can_be_left_out(solid) -> None:  # noqa: ANN001
+    roles = (Role.FRONT, Role.TOP, Role.RIGHT)
+    style = parse_style("clean,hidden=off")
+    drawn = draw_sheet(solid, roles, Projection.THIRD, style)
+    whole = draw_sheet(solid, roles, Projection.THIRD, parse_style("clean"))
+    for role in roles:
+        visible = [own for own in whole[role].strokes if own.linetype is Linetype.VISIBLE]
+        assert list(drawn[role].strokes) == visible
+    assert any(len(drawn[role].strokes) < len(whole[role].strokes) for role in roles)

@@ -14,6 +14,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[3]))
 from freecad.gaussiancad.canvas.history import (
     History,
     corrections_path,
+    read_again,
     read_corrections,
     write_corrections,
 )
@@ -63,7 +64,9 @@ def application() -> QtWidgets.QApplication:
 
 
 @pytest.fixture
-def window(application: QtWidgets.QApplication, tmp_path: Path):  # noqa: ANN201
+def window(  # noqa: ANN201
+    application: QtWidgets.QApplication, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
     sheet = tmp_path / "sheet.png"
     picture = QtGui.QImage(640, 480, QtGui.QImage.Format.Format_Grayscale8)
     picture.fill(255)
@@ -71,6 +74,8 @@ def window(application: QtWidgets.QApplication, tmp_path: Path):  # noqa: ANN201
     own = SheetWindow(sheet)
     own.resize(900, 700)
     own.show()
+    # Nothing is read by an engine here.
+    monkeypatch.setattr(SheetWindow, "start", lambda _: None)
     own.show_reading(_reading(), sheet)
     application.processEvents()
     yield own
@@ -228,6 +233,14 @@ def test_a_step_of_several_operations_is_undone_at_once() -> None:
     assert not history.undo()
     assert history.redo()
     assert len(history.operations) == 2
+
+
+def test_the_sheet_is_read_again_up_to_the_last_boxed_view() -> None:
+    erase = {"op": "erase", "target": {"id": "s1"}}
+    box = {"op": "view", "id": "top", "role": "top", "box": [0, 0, 9, 9]}
+    named = {"op": "view", "id": "top", "role": "left"}
+    assert read_again([erase, named]) == []
+    assert read_again([erase, box, named, erase]) == [erase, box]
 
 
 def test_an_arc_runs_through_its_middle() -> None:
