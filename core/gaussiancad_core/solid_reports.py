@@ -6,11 +6,13 @@ from typing import Any
 
 import numpy as np
 
+from gaussiancad_core.assumed_holes import assumed_holes
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.cuts import SectionRole
 from gaussiancad_core.drawing.brep import soundness
 from gaussiancad_core.exact_stage import ExactModel, Reading
 from gaussiancad_core.models import alternative_file
+from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.conflict_lines import Conflict
 from gaussiancad_core.reasoning.curves import Point
 from gaussiancad_core.report import (
@@ -48,8 +50,7 @@ def with_solid_facts(report: Report, model: ExactModel, turn: Turn) -> Report:
                 for code, message in result.reasons
                 if code == ASSUMED
             ),
-            *assumed_planes(report.sections),
-            *_second_view(report),
+            *_of_sheet(report, model, turn),
         ),
         sections=(
             with_agreement(report.sections, model.reading, verification)
@@ -94,6 +95,17 @@ class _Sheet:
         """The px of a point in mm of a view."""
         ((x, y),) = self.points(role, np.array([place])).tolist()
         return round(x, 1), round(y, 1)
+
+
+def _of_sheet(report: Report, model: ExactModel, turn: Turn) -> Iterator[Assumption]:
+    """What was assumed of sections, holes and views that are not drawn: nothing of that decided
+    anything where a solid is verified."""
+    if model.result.status is Status.VERIFIED:
+        return
+    yield from assumed_planes(report.sections)
+    yield from _second_view(report)
+    if model.result.shape is not None and not model.swept:
+        yield from assumed_holes(model.reading, model.result.shape, turn)
 
 
 def _second_view(report: Report) -> Iterator[Assumption]:

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
+import shapely
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.events import Silence
@@ -56,21 +57,24 @@ def _bore(hidden: bool) -> dict[str, list[Line]]:
     return {"front": front, "top": top, "right": right}
 
 
-def _section() -> list[Line]:
-    """The front view cut in the middle, with its hatching at 45 degrees."""
+def _section(scale: float) -> list[Line]:
+    """The front view cut in the middle, with its hatching at 45 degrees, in a scale."""
     lines = [*_outline(_WIDTH, _HEIGHT), *_bore(True)["front"]]
+    cut = shapely.box(0.0, 0.0, _WIDTH, _HEIGHT) - shapely.box(30.0, 0.0, 50.0, 15.0)
     for start in range(-45, 80, 5):
-        low, high = max(0.0, -start), min(_HEIGHT, _WIDTH - start)
-        if high > low:
-            lines.append((start + low, low, start + high, high))
-    return lines
+        line = shapely.LineString([(start, 0.0), (start + _HEIGHT, _HEIGHT)])
+        for piece in shapely.get_parts(line.intersection(cut)):
+            if piece.length > 0.1:
+                (x0, y0), (x1, y1) = piece.coords
+                lines.append((x0, y0, x1, y1))
+    return [tuple(scale * own for own in line) for line in lines]
 
 
 @pytest.fixture
 def run(tmp_path: Path):  # noqa: ANN201
     """Draws such a block and reconstructs its solid."""
 
-    def made(*, hidden: bool, section: bool) -> Report:
+    def made(*, hidden: bool, section: float) -> Report:
         sheet = _Sheet()
         pocket = _bore(hidden)
         for name, origin, size in (
@@ -81,7 +85,7 @@ def run(tmp_path: Path):  # noqa: ANN201
             sheet.draw(origin, _outline(*size))
             sheet.draw(origin, pocket[name], more='stroke-dasharray="12 6"')
         if section:
-            sheet.draw((1000.0, 650.0), _section())
+            sheet.draw((1000.0, 650.0), _section(section))
         sheet.write(tmp_path / "sheet.svg")
         reading = ReadingOptions(length=(Axis.X, _WIDTH))
         job = Job(
@@ -92,8 +96,18 @@ def run(tmp_path: Path):  # noqa: ANN201
     return made
 
 
+def test_a_section_beside_leaves_nothing_in_doubt(run) -> None:  # noqa: ANN001
+    report = run(hidden=True, section=1.0)
+    assert not report.unused
+    assert [reason.code for reason in report.reasons] == []
+    assert report.status is Status.VERIFIED
+    (own,) = report.sections
+    assert own.area_agreement > 0.95
+    assert report.solid.volume_mm3 == pytest.approx(80 * 40 * 50 - 20 * 20 * 15)
+
+
 def test_a_section_that_was_not_used_is_a_reason(run) -> None:  # noqa: ANN001
-    report = run(hidden=True, section=True)
+    report = run(hidden=True, section=0.5)
     assert report.status is Status.APPROXIMATE
     assert [reason.code for reason in report.reasons] == ["unused-view"]
     assert [own.kind for own in report.unused] == ["section"]
@@ -101,7 +115,7 @@ def test_a_section_that_was_not_used_is_a_reason(run) -> None:  # noqa: ANN001
 
 
 def test_without_hidden_lines_nothing_proves_that_there_is_nothing_inside(run) -> None:  # noqa: ANN001
-    report = run(hidden=False, section=False)
+    report = run(hidden=False, section=0.0)
     assert report.status is Status.APPROXIMATE
     assert [reason.code for reason in report.reasons] == ["assumed"]
     assert [own.code for own in report.assumptions] == ["nothing-hidden"]
@@ -109,7 +123,7 @@ def test_without_hidden_lines_nothing_proves_that_there_is_nothing_inside(run) -
 
 
 def test_with_them_and_nothing_else_on_the_sheet_it_is_verified(run) -> None:  # noqa: ANN001
-    report = run(hidden=True, section=False)
+    report = run(hidden=True, section=0.0)
     assert (report.status, report.reasons, report.unused) == (Status.VERIFIED, (), ())
     assert {view.hidden_lines for view in report.views.values()} == {"drawn"}
     assert report.measures is not None and report.measures.uncertainty_mm <= 0.01

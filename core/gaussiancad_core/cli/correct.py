@@ -8,6 +8,7 @@ from pathlib import Path
 from gaussiancad_core.cli import values
 from gaussiancad_core.errors import ExitCode, UsageError
 from gaussiancad_core.events import Listener
+from gaussiancad_core.sheet.files.opening import head_of
 
 
 def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -24,16 +25,16 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     """Open the window.
 
     Raises:
-        UsageError: ``sheet-missing``; ``window-missing``, Qt or the workbench is not there.
+        UnreadableError: the sheet is missing, empty, or of a kind that is not read.
+        UsageError: ``window-missing``, Qt or the workbench is not there.
     """
-    if not options.sheet.is_file():
-        raise UsageError("sheet-missing", f"{options.sheet} is no file: name a sheet")
+    head_of(options.sheet)
     root = Path(__file__).resolve().parents[3]
     if find_spec("PySide6") is None or not (root / "freecad" / "gaussiancad").is_dir():
         raise UsageError(
             "window-missing",
             "the window needs PySide6 and the workbench beside the engine: install PySide6 into "
-            "the engine's environment (pip install PySide6-Essentials), or correct the sheet in "
+            "the engine's environment (pip install 'PySide6-Essentials<6.12'), or correct it in "
             "FreeCAD",
         )
     sys.path.insert(0, str(root))

@@ -59,6 +59,9 @@ def test_what_practice_draws_is_the_part(sheet: Path, case: tuple[str, Practice]
     for own in report["sections"]:
         assert min(own["line_recall"], own["line_precision"]) > 0.99
         assert own["area_agreement"] > 0.95
+    through = [own for own in report["assumptions"] if own["code"] == "hole-through"]
+    assert all(own["at"] and own["alternative"] for own in through)
+    assert through or how is not Practice.OFFSET
     holes = [own for own in report["notes"] if own["through"] or own["depth_mm"]]
     assert all(own["used"] for own in holes) or how is Practice.ONE
 

@@ -263,6 +263,35 @@ def _hatching(
             steps = apart / np.median(apart)
             even = bool((np.abs(steps - np.rint(steps)) < _UNEVEN).mean() >= _EVENLY)
             found[along] |= even | ~edges[along]
+            if even:
+                rest = np.flatnonzero(candidates & slanted & ~found)
+                beside = rest[np.abs(ways[rest] @ across) < _ALONG]
+                kept = _between(touches, along, beside, across, float(np.median(apart)))
+                found[kept] = True
+    return found
+
+
+def _between(
+    touches: Touches,
+    hatching: npt.NDArray[np.int64],
+    lines: npt.NDArray[np.int64],
+    across: npt.NDArray[np.float64],
+    pitch: float,
+) -> list[int]:
+    """Those of some lines that have a line of a hatching one pitch away, or two, on either side:
+    they end in a corner, and so do not run from within one edge to within another.  Edges of the
+    part have hatching on one side."""
+    way = np.array([across[1], -across[0]])
+    places = touches.ends[hatching, 0] @ across
+    spans = np.sort(touches.ends[hatching] @ way, axis=1)
+    found = []
+    for index in lines.tolist():
+        at = float(touches.ends[index, 0] @ across)
+        low, high = np.sort(touches.ends[index] @ way).tolist()
+        steps = (places[(spans[:, 0] < high) & (spans[:, 1] > low)] - at) / pitch
+        near = np.rint(steps[np.abs(steps - np.rint(steps)) < _UNEVEN])
+        if np.isin(near, (-2, -1)).any() and np.isin(near, (1, 2)).any():
+            found.append(index)
     return found
 
 
