@@ -74,7 +74,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         self._read: Sheet | None = None
         self._within: list[dict] = []
         self._process: QtCore.QProcess | None = None
-        self._whole = ""
+        self._closed = False
         self.board = Board(self)
         self.board.said.connect(self.say)
         self.board.asked_role.connect(self._ask_role)
@@ -173,8 +173,8 @@ class SheetWindow(QtWidgets.QMainWindow):
 
     def closeEvent(self, event: QtGui.QCloseEvent) -> None:
         """End the engine with the window."""
+        self._closed = True
         if self._process is not None:
-            self._process.finished.disconnect()
             self._process.kill()
             self._process.waitForFinished()
         self._folder.cleanup()
@@ -213,6 +213,8 @@ class SheetWindow(QtWidgets.QMainWindow):
 
     def _ended(self, code: int, done) -> None:  # noqa: ANN001
         process, self._process = self._process, None
+        if self._closed:
+            return
         text = bytes(process.readAllStandardOutput()).decode("utf-8", "replace")
         process.deleteLater()
         done(code, text)
