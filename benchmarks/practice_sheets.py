@@ -62,7 +62,8 @@ class Practice(Enum):
         if self is Practice.NOTES:
             return part.open
         if self is Practice.TWO:
-            return part.open and not any(own.axis is Axis.X for own in part.holes)
+            along = Axis.Y if part.diameters else Axis.X
+            return part.open and not any(own.axis is along for own in part.holes)
         return True
 
 
@@ -118,7 +119,7 @@ def write_sheet(part: Part, how: Practice, projection: Projection, seed: int, pa
 def _roles(part: Part, how: Practice) -> tuple[Role, ...]:
     if how is Practice.ONE:
         return (Role.FRONT,)
-    if how is Practice.HALF and part.diameters:
+    if how in (Practice.TWO, Practice.HALF) and part.diameters:
         return (Role.FRONT, Role.RIGHT)
     if how in (Practice.TWO, Practice.HALF):
         return (Role.FRONT, Role.TOP)

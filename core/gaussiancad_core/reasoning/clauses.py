@@ -149,7 +149,8 @@ class Model:
             if cell in usual.corners:
                 beyond = forms.get(usual.corners[cell], 0)
                 usually.append(~self._literal(beyond))
-                yield self._unless([~solid, self._literal(beyond)]), ROUND
+                if cell in usual.squares:
+                    yield self._unless([~solid, self._literal(beyond)]), ROUND
             yield self._unless([*usually, *seen.values()]), UNSEEN
             yield self._unless([*usually, *through[cell]]), usual.bulks.get(cell, 1)
 

@@ -71,7 +71,8 @@ class Usual:
         holes: that may be, as seen in views without hidden lines.
         bulks: of each cell, in surfaces, how much a void of its size weighs.
         corners: of each cell between a circle that no view draws and the square around it the cell
-            that is beyond, None outside of all; they are likely to be alike.
+            that is beyond, None outside of all: where that is void, it is likely to be void.
+        squares: those of them that no larger circle parts from the square's corner.
         undrawn: of each surface whose trace no view draws the pairs of cells that it parts.
         mirrored: cells on both sides of a section through the middle of what is drawn alike on
             both, and how much it weighs, in surfaces, that one is void and the other is not.
@@ -85,6 +86,7 @@ class Usual:
     mirrored: tuple[tuple[Cell, Cell, int], ...] = ()
     noted: tuple[tuple[Kept, ...], ...] = ()
     corners: Mapping[Cell, Cell | None] = field(default_factory=dict)
+    squares: frozenset[Cell] = frozenset()
 
 
 def usual_of(
@@ -128,6 +130,7 @@ def usual_of(
         tuple(_undrawn(supports, space)),
         tuple((a, b, min(bulks.get(a, 1), bulks.get(b, 1))) for a, b in found.mirrored),
         corners=found.corners,
+        squares=frozenset(found.squares),
     )
 
 
@@ -138,7 +141,7 @@ class _Found:
     Attributes:
         sights, holes, mirrored: as in :class:`Usual`.
         volumes: units^3 of each cell, by the axis that lines of sight were along.
-        corners: cells beside what is round rather than square, with those beyond.
+        corners, squares: cells beside what is round rather than square, as there.
     """
 
     sights: dict[tuple[Cell, ...], None] = field(default_factory=dict)
@@ -148,6 +151,7 @@ class _Found:
         default_factory=lambda: defaultdict(lambda: [0.0, 0.0, 0.0])
     )
     corners: dict[Cell, Cell | None] = field(default_factory=dict)
+    squares: set[Cell] = field(default_factory=set)
 
 
 def _look(
@@ -167,8 +171,13 @@ def _look(
         inside = [(c, d.depth - c.depth) for c, d in pairwise(column) if c.after is not None]
         for circle in rounds:
             if _in_corner(point, circle):
-                other = space.column(plane.normal, *_beyond(point, circle))
-                found.corners.update(_beside(column, other))
+                beyond = _beyond(point, circle)
+                found.corners.update(_beside(column, space.column(plane.normal, *beyond)))
+                # Of several circles the largest one counts.
+                own = {crossing.after for crossing, _ in inside}
+                found.squares -= own
+                if not _is_ringed(point, beyond, circle, plane):
+                    found.squares |= own
         for crossing, depth in inside:
             found.volumes[crossing.after][plane.normal.value] += max(area * depth, 1e-9)
         cells = tuple(c.after for c, _ in (inside if looks.looks_up else inside[::-1]))
@@ -247,6 +256,7 @@ def _turned(plane: PlaneSupports, near: float) -> list[CircleCurve]:
     ``near``: where other views draw the sides of what may be round or square, a turned part is
     round."""
     circles = [own for own in plane.supports if isinstance(own.curve, CircleCurve)]
+    circles.sort(key=lambda own: own.curve.radius)
     drawn = [own.curve.centre for own in circles if own.spans]
     return [
         own.curve
@@ -266,6 +276,17 @@ def _beyond(point: Point, circle: CircleCurve) -> Point:
     (x, y), (a, b) = point, circle.centre
     far = (circle.radius + _OUT) / max(abs(x - a), abs(y - b))
     return a + far * (x - a), b + far * (y - b)
+
+
+def _is_ringed(point: Point, beyond: Point, circle: CircleCurve, plane: PlaneSupports) -> bool:
+    """Whether a larger circle about the same centre runs between a point and one beyond it."""
+    near, far = dist(point, circle.centre), dist(beyond, circle.centre)
+    return any(
+        isinstance(own.curve, CircleCurve)
+        and dist(own.curve.centre, circle.centre) <= _MIDDLE
+        and near < own.curve.radius < far
+        for own in plane.supports
+    )
 
 
 def _beside(column: Sequence[Crossing], other: Sequence[Crossing]) -> Iterator[tuple[Cell, Cell]]:
