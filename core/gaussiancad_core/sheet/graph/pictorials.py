@@ -13,6 +13,9 @@ from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind
 from gaussiancad_core.sheet.special_views.naming import Lines, slanted_kind
 
+_IN_LINE_PX = 1.0
+"""px by which the ends of views of one part may differ."""
+
 
 def pictorials(
     strokes: Sequence[VectorStroke], touches: Touches, edges: Flags
@@ -31,6 +34,9 @@ def pictorials(
     for group, box in around.items():
         # What lies within another drawing is a part of that: a curve of many chords, say.
         if any(_lies_in(box, other) for other in around.values()):
+            continue
+        # A hexagon has the directions of an isometric picture, but stands in line with a view.
+        if any(_is_in_line(box, other) for other in around.values()):
             continue
         own = groups == group
         if slanted_kind(_lines(strokes, own)) is SpecialKind.PICTORIAL:
@@ -53,6 +59,14 @@ def _lies_in(box: Box, other: Box) -> bool:
     starts = all(one >= two for one, two in zip(box[:2], other[:2], strict=True))
     ends = all(one <= two for one, two in zip(box[2:], other[2:], strict=True))
     return box != other and starts and ends
+
+
+def _is_in_line(box: Box, other: Box) -> bool:
+    """Whether two drawings begin and end at the same places of an axis of the sheet."""
+    return box != other and any(
+        max(abs(box[at] - other[at]), abs(box[at + 2] - other[at + 2])) <= _IN_LINE_PX
+        for at in (0, 1)
+    )
 
 
 def _lines(strokes: Sequence[VectorStroke], chosen: Flags) -> Lines:

@@ -207,3 +207,22 @@ def test_a_curve_of_chords_within_a_view_is_no_pictorial() -> None:
     curve = [VectorStroke(Line(a, b), _WIDE) for a, b in itertools.pairwise([*places, places[0]])]
     labels = _labels(_box(300, 300, 200, 100) + curve)
     assert labels == [Label.VISIBLE] * (4 + len(curve))
+
+
+def test_a_hexagon_in_line_with_a_view_is_no_pictorial() -> None:
+    """Its sides have the directions of an isometric picture."""
+    (x, y), radius = (700.0, 250.0), 100.0
+    angles = [math.pi / 6.0 + k * math.pi / 3.0 for k in range(7)]
+    corners = [(x + radius * math.cos(a), y + radius * math.sin(a)) for a in angles]
+    hexagon = [VectorStroke(Line(a, b), _WIDE) for a, b in itertools.pairwise(corners)]
+    half = radius * math.cos(math.pi / 6.0)
+    beside = _box(x - half, 500, 2.0 * half, 100)
+    found = labelled(VectorDrawing((*hexagon, *beside), ()), _SIZE)
+    assert found is not None
+    assert found.pictorials == ()
+    assert set(found.labels) == {Label.VISIBLE}
+    # Out of line with all views it is taken for one.
+    aside = _box(x - 2.0 * half, 500, 2.0 * half, 100)
+    found = labelled(VectorDrawing((*hexagon, *aside), ()), _SIZE)
+    assert found is not None
+    assert len(found.pictorials) == 1
