@@ -13,7 +13,6 @@ from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.views import Arc, Linetype
 
-_WHOLE = 6.2
 """Radians from which an arc is a circle."""
 
 _SAME = 0.02
@@ -74,7 +73,7 @@ def _beside(circle: Arc, share: float) -> tuple[float, float]:
 
 
 def _is_whole(stroke: object) -> bool:
-    whole = isinstance(stroke, Arc) and stroke.sweep >= _WHOLE
+    whole = isinstance(stroke, Arc) and stroke.is_full
     return whole and stroke.linetype is Linetype.VISIBLE
 
 

@@ -1,6 +1,5 @@
 """Where views are cut open (ISO 128-3): full, half, offset and broken-out sections alike."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -96,6 +95,3 @@ class SectionRole:
     def value(self) -> str:
         """Name in reports."""
         return f"{self.role.value} {self.label}-{self.label}"
-
-
-Cuts = Mapping[Role | SectionRole, Cut]

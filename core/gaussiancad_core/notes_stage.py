@@ -15,7 +15,6 @@ from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.sheet.scale.estimate import ReadDimension
 from gaussiancad_core.views import Arc, Linetype
 
-_WHOLE = 6.2
 """Radians from which an arc is a circle."""
 
 _SAME = 0.02
@@ -135,7 +134,7 @@ def _circles(registered: RegisteredSheet) -> dict[Role, list[Arc]]:
     for view in registered.drawn:
         own = found.setdefault(view.role, [])
         for stroke in view.strokes if not view.hatched else ():
-            whole = isinstance(stroke, Arc) and stroke.sweep >= _WHOLE
+            whole = isinstance(stroke, Arc) and stroke.is_full
             if whole and stroke.linetype is Linetype.VISIBLE:
                 own.append(stroke)
     return found

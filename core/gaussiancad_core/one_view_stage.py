@@ -35,7 +35,6 @@ _ALIKE = 0.97
 _NEAR_PX = 1.5
 """px within which lines are one."""
 
-_WHOLE = 6.2
 """Radians from which an arc is a circle."""
 
 _APART = 0.3
@@ -256,9 +255,7 @@ def _bored(
         circles = [
             each
             for each in strokes
-            if isinstance(each, Arc)
-            and each.sweep >= _WHOLE
-            and abs(each.radius - radius) <= _NEAR_PX
+            if isinstance(each, Arc) and each.is_full and abs(each.radius - radius) <= _NEAR_PX
         ]
         for each in circles:
             at = each.centre[0] - shift[0], each.centre[1] - shift[1]

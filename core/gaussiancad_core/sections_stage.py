@@ -21,7 +21,6 @@ from gaussiancad_core.sheet.registration import (
 from gaussiancad_core.sheet.special_views.beside import overlap
 from gaussiancad_core.views import Arc, Stroke
 
-_WHOLE = 6.2
 """Radians from which an arc is a circle."""
 
 _FAR = 1e5
@@ -115,9 +114,7 @@ def _untraced(role: Role, axis: Axis, registered: RegisteredSheet) -> Opening:
     places = []
     for view in registered.views.views:
         if view.role is not role and axis in _in_plane(view.role):
-            centres = [
-                own.centre for own in view.strokes if isinstance(own, Arc) and own.sweep >= _WHOLE
-            ]
+            centres = [own.centre for own in view.strokes if isinstance(own, Arc) and own.is_full]
             places += _along(view.role, axis, np.array(centres).reshape(-1, 2)) or []
     if not places or any(abs(own - middle) <= pixel for own in places):
         return Opening(middle, source="symmetry")

@@ -22,6 +22,10 @@ class Linetype(Enum):
     HIDDEN = "hidden"
 
 
+_FULL_SWEEP = 6.2
+"""Radians from which an arc is a circle."""
+
+
 @dataclass(frozen=True)
 class Segment:
     """A straight stroke.
@@ -73,6 +77,11 @@ class Arc:
     def length(self) -> float:
         """Length along the circle."""
         return self.radius * self.sweep
+
+    @property
+    def is_full(self) -> bool:
+        """Whether it is a whole circle, but for a gap as strokes that are read leave."""
+        return self.sweep >= _FULL_SWEEP
 
     def sample(self, step: float) -> npt.NDArray[np.float64]:
         """(n, 2) points along the stroke, at most ``step`` apart, both ends included."""

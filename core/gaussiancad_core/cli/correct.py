@@ -8,6 +8,9 @@ from pathlib import Path
 from gaussiancad_core.cli import values
 from gaussiancad_core.errors import ExitCode, UsageError
 from gaussiancad_core.events import Listener
+from gaussiancad_core.job import corrections_beside
+from gaussiancad_core.readings.opening import open_typed
+from gaussiancad_core.readings.operations import Corrections
 from gaussiancad_core.sheet.files.opening import head_of
 
 
@@ -25,10 +28,14 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     """Open the window.
 
     Raises:
-        UnreadableError: the sheet is missing, empty, or of a kind that is not read.
+        UnreadableError: the sheet is missing, empty, or of a kind that is not read;
+            ``corrections-not-read``, the corrections beside it are damaged.
         UsageError: ``window-missing``, Qt or the workbench is not there.
     """
     head_of(options.sheet)
+    beside = corrections_beside(options.sheet)
+    if beside is not None:
+        open_typed(beside, Corrections, "corrections-not-read")
     root = Path(__file__).resolve().parents[3]
     if find_spec("PySide6") is None or not (root / "freecad" / "gaussiancad").is_dir():
         raise UsageError(

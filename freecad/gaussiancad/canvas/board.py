@@ -47,13 +47,13 @@ class Board(QtWidgets.QGraphicsView):
         said: operations that one gesture means.
         asked_length: two points of the sheet whose distance a person shall tell.
         asked_role: a box of the sheet whose role a person shall tell.
-        wanted: ``undo``, ``redo`` or ``solve``.
+        asked_part: the part is to be made.
     """
 
     said = QtCore.Signal(list)
     asked_length = QtCore.Signal(tuple)
     asked_role = QtCore.Signal(tuple)
-    wanted = QtCore.Signal(str)
+    asked_part = QtCore.Signal()
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
@@ -172,7 +172,7 @@ class Board(QtWidgets.QGraphicsView):
             self.take_tool("")
             self.select(set())
         elif key in (QtCore.Qt.Key.Key_Return, QtCore.Qt.Key.Key_Enter):
-            self.wanted.emit("solve")
+            self.asked_part.emit()
         elif key == QtCore.Qt.Key.Key_Space:
             self._show_strokes(False)
         event.accept()

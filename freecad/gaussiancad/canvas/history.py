@@ -67,10 +67,19 @@ def read_corrections(sheet: Path) -> list[dict]:
     path = corrections_path(sheet)
     if not path.is_file():
         return []
-    found = json.loads(path.read_text(encoding="utf-8"))
-    if not isinstance(found, dict) or found.get("schema") != SCHEMA:
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+    except ValueError:
+        found = None
+    whole = isinstance(found, dict) and found.get("schema") == SCHEMA
+    operations = found.get("ops", []) if whole else None
+    if not isinstance(operations, list) or not all(_is_operation(own) for own in operations):
         raise ValueError(f"{path.name} is no file of corrections: move it away, or mend it")
-    return list(found.get("ops", []))
+    return operations
+
+
+def _is_operation(found: object) -> bool:
+    return isinstance(found, dict) and isinstance(found.get("op"), str)
 
 
 def write_corrections(sheet: Path, sha256: str, operations: list[dict]) -> None:

@@ -11,7 +11,7 @@ import json
 import shutil
 import sys
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -26,6 +26,7 @@ from freecad.gaussiancad.canvas.history import (
 from freecad.gaussiancad.canvas.kinds import KEYS, ROLES, name_of
 from freecad.gaussiancad.canvas.sheet import Box, Sheet, corrected, sheet_of
 from freecad.gaussiancad.canvas.verdict import MARKS, found_in
+from freecad.gaussiancad.engine.verdict import not_started
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
@@ -51,6 +52,9 @@ class SheetWindow(QtWidgets.QMainWindow):
         page: of a PDF file.
         program: the engine.
         parent: in FreeCAD its main window.
+
+    Raises:
+        ValueError: the corrections beside the sheet are damaged.
 
     Signals:
         solved: the folder of a run that made a part.
@@ -79,7 +83,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         self.board.said.connect(self.say)
         self.board.asked_role.connect(self._ask_role)
         self.board.asked_length.connect(self._ask_length)
-        self.board.wanted.connect(lambda own: self.solve() if own == "solve" else None)
+        self.board.asked_part.connect(self.solve)
         self.setCentralWidget(self.board)
         self.problems = QtWidgets.QListWidget()
         self.problems.setWordWrap(True)
@@ -139,18 +143,23 @@ class SheetWindow(QtWidgets.QMainWindow):
         self._run([*arguments, "--page", str(self._page)], self._was_solved)
 
     def say(self, operations: list[dict]) -> None:
-        """Take corrections as one step, and keep them beside the sheet."""
+        """Take corrections as one step, and keep them beside the sheet.
+
+        Nothing is taken before the sheet is read.
+        """
+        if self._read is None:
+            return
         self._history.say(operations)
         self._kept()
 
     def undo(self) -> None:
         """Take the last step back."""
-        if self._history.undo():
+        if self._read is not None and self._history.undo():
             self._kept()
 
     def redo(self) -> None:
         """Say it again."""
-        if self._history.redo():
+        if self._read is not None and self._history.redo():
             self._kept()
 
     def show_reading(self, reading: dict, picture: Path, within: Sequence[dict] = ()) -> None:
@@ -197,7 +206,7 @@ class SheetWindow(QtWidgets.QMainWindow):
             translate("GaussianCAD", "{0} correction(s), beside the sheet").format(count)
         )
 
-    def _run(self, arguments: list[str], done) -> None:  # noqa: ANN001
+    def _run(self, arguments: list[str], done: Callable[[int, str], None]) -> None:
         program, *first = self._program.command
         process = QtCore.QProcess(self)
         if self._program.environment is not None:
@@ -207,11 +216,21 @@ class SheetWindow(QtWidgets.QMainWindow):
             process.setProcessEnvironment(variables)
         process.setProcessChannelMode(QtCore.QProcess.ProcessChannelMode.MergedChannels)
         process.finished.connect(lambda code, _status=None: self._ended(code, done))
+        process.errorOccurred.connect(self._failed)
         self._process = process
         self.statusBar().showMessage(translate("GaussianCAD", "The engine is at work\u2026"))
         process.start(program, [*first, *arguments])
 
-    def _ended(self, code: int, done) -> None:  # noqa: ANN001
+    def _failed(self, error: QtCore.QProcess.ProcessError) -> None:
+        # A process that ends badly is told by its end; one that never began has none.
+        if error == QtCore.QProcess.ProcessError.FailedToStart and self._process is not None:
+            process, self._process = self._process, None
+            self.statusBar().clearMessage()
+            found = not_started(self._program.command[0], process.errorString())
+            self.tell(found.message)
+            process.deleteLater()
+
+    def _ended(self, code: int, done: Callable[[int, str], None]) -> None:
         process, self._process = self._process, None
         if self._closed:
             return

@@ -28,7 +28,8 @@ def open_canvas(selected: Sequence[FreeCAD.DocumentObject]) -> SheetWindow | Non
         selected: objects of the document; the drawing of a reconstruction among them is taken.
 
     Returns:
-        The window; None where no drawing was chosen, or there is no engine, which is told.
+        The window; None where no drawing was chosen, there is no engine, or the corrections beside
+        the drawing are damaged, which is told.
     """
     main = FreeCADGui.getMainWindow()
     path = _sheet_of(selected) or _asked(main)
@@ -41,7 +42,11 @@ def open_canvas(selected: Sequence[FreeCAD.DocumentObject]) -> SheetWindow | Non
         QtWidgets.QMessageBox.warning(main, "GaussianCAD", str(error))
         return None
     program = Program((engine.python, *MODULE_ARGUMENTS), clean_environment(os.environ))
-    window = SheetWindow(Path(path), program=program, parent=main)
+    try:
+        window = SheetWindow(Path(path), program=program, parent=main)
+    except (ValueError, OSError) as error:
+        QtWidgets.QMessageBox.warning(main, "GaussianCAD", str(error))
+        return None
     window.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)
     receiver = _Receiver(window, path)
     window.solved.connect(receiver.take)

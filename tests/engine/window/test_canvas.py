@@ -26,7 +26,7 @@ from freecad.gaussiancad.canvas.sheet import (
     corrected,
     sheet_of,
 )
-from freecad.gaussiancad.canvas.window import SheetWindow
+from freecad.gaussiancad.canvas.window import Program, SheetWindow
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 from gaussiancad_core.readings.operations import Corrections
 
@@ -257,3 +257,41 @@ def test_a_place_belongs_to_the_smallest_view_around_it() -> None:
     assert sheet.view_at((15.0, 15.0)).id == "b"
     assert sheet.view_at((50.0, 50.0)).id == "a"
     assert sheet.view_at((150.0, 50.0)) is None
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "",
+        "[]",
+        "{",
+        '{"schema": "gaussiancad-corrections/1", "ops": 3}',
+        '{"schema": "other"}',
+        '{"schema": "gaussiancad-corrections/1", "ops": [1]}',
+    ],
+)
+def test_damaged_corrections_are_told(tmp_path: Path, content: str) -> None:
+    sheet = tmp_path / "sheet.png"
+    corrections_path(sheet).write_text(content, encoding="utf-8")
+    with pytest.raises(ValueError, match="no file of corrections"):
+        read_corrections(sheet)
+
+
+def test_an_engine_that_does_not_start_is_told(
+    application: QtWidgets.QApplication, tmp_path: Path
+) -> None:
+    sheet = tmp_path / "sheet.png"
+    sheet.write_bytes(b"a sheet")
+    own = SheetWindow(sheet, program=Program((str(tmp_path / "none"),)))
+    own.start()
+    for _ in range(200):
+        if not own.busy:
+            break
+        application.processEvents(QtCore.QEventLoop.ProcessEventsFlag.AllEvents, 20)
+    assert not own.busy
+    assert own.problems.count() == 1
+    own.say([{"op": "erase", "target": "s1"}])
+    assert not own.operations
+    assert not corrections_path(sheet).exists()
+    own.close()
+    own.deleteLater()
