@@ -22,6 +22,7 @@ from gaussiancad_core.events import (
     cancel_on_stdin,
     open_event_stream,
 )
+from gaussiancad_core.messages import Message, args_of, filled, told
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -45,7 +46,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return _tell(listener, cancelled.code, cancelled.message, cancelled.exit_code)
         if isinstance(error, SystemError):
             raise
-        message = f"the engine is incomplete ({error}): run `gaussiancad doctor`"
+        message = Message(
+            "the engine is incomplete ({reason}): run `gaussiancad doctor`", reason=error
+        )
         return _tell(listener, "engine-incomplete", message, ExitCode.ENGINE)
     except KeyboardInterrupt:
         return _tell(listener, "cancelled", "stopped by SIGINT", CancelledError.exit_code)
@@ -62,5 +65,5 @@ def _tell(listener: Listener, code: str, message: str, exit_code: ExitCode) -> i
     """One line on stderr, one event, and the exit code."""
     line = " ".join(message.split())
     print(f"gaussiancad: {line} [{code}]", file=sys.stderr, flush=True)
-    listener.send("error", code=code, message=line, exit_code=int(exit_code))
+    listener.send("error", **told(code, filled(line, args_of(message))), exit_code=int(exit_code))
     return int(exit_code)
