@@ -34,7 +34,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         if options.events:
             listener = open_event_stream()
-            cancel_on_stdin()
+            if not options.serves:
+                cancel_on_stdin()
         return int(options.run(options, listener))
     except GaussianCadError as error:
         return _tell(listener, error.code, error.message, error.exit_code)
