@@ -14,8 +14,6 @@ from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.views import Arc, Linetype
 
-"""Radians from which an arc is a circle."""
-
 _SAME = 0.02
 """Share of its radius within which a circle is one of which a note speaks."""
 

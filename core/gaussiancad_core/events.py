@@ -168,6 +168,11 @@ def _signal_main_thread(number: int) -> None:
         signal.raise_signal(number)
 
 
+def stop_main_thread() -> None:
+    """Stop the run as SIGTERM does, from another thread."""
+    _signal_main_thread(signal.SIGTERM)
+
+
 def cancel_on_stdin() -> None:
     """Stop the run when a line ``cancel`` comes on stdin, or stdin ends (the parent is gone)."""
 
@@ -175,6 +180,6 @@ def cancel_on_stdin() -> None:
         for line in sys.stdin:
             if line.strip() == "cancel":
                 break
-        _signal_main_thread(signal.SIGTERM)
+        stop_main_thread()
 
     threading.Thread(target=watch, name="stdin", daemon=True).start()

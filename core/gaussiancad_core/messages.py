@@ -54,6 +54,11 @@ def args_of(message: str) -> dict[str, Argument]:
     return dict(message.args) if isinstance(message, Message) else {}
 
 
+def on_one_line(message: str) -> Message:
+    """The same without line breaks."""
+    return filled(" ".join(message.split()), args_of(message))
+
+
 def told(code: str, message: str) -> dict[str, Any]:
     """A message as JSON has it: ``code``, ``message`` and, where it has values, ``args``."""
     args = args_of(message)

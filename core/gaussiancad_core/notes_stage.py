@@ -16,13 +16,14 @@ from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.sheet.scale.estimate import ReadDimension
 from gaussiancad_core.views import Arc, Linetype
 
-"""Radians from which an arc is a circle."""
-
 _SAME = 0.02
 """Share by which a circle's diameter may differ from the one in a note."""
 
 _SAME_PX = 1.0
 """The same in px of the sheet."""
+
+_SAID_PX = 3.0
+"""px of the sheet by which a circle may differ from the one that a person pointed at."""
 
 _MINOR = 0.75
 """Diameter of the core hole of a thread as a share of the nominal one, at least (ISO 724)."""
@@ -72,11 +73,16 @@ def hole_notes(
     taken: set[tuple[Role, Arc]] = set()
     groups = [own for own in _groups(notes) if _tells_depth(own)]
     # What is wider somewhere is told from what is not, and one hole from many.
-    groups.sort(key=lambda own: (len(own) < 2, own[0].callout.count))
+    # What a person says goes before all.
+    groups.sort(key=lambda own: (own[0].circle is None, len(own) < 2, own[0].callout.count))
     for group in groups:
         first = group[0]
         at = pointed.get((first.text, first.box))
-        role, own = _meant(group, circles, at, taken, registered.mm_per_pixel)
+        role, own = (
+            _said(first.circle, circles)
+            if first.circle is not None
+            else _meant(group, circles, at, taken, registered.mm_per_pixel)
+        )
         if role is None:
             continue
         count = first.callout.count
@@ -102,7 +108,8 @@ def hole_notes(
 
 def _tells_depth(group: Sequence[SheetNote]) -> bool:
     first = group[0]
-    is_hole = first.callout.kind in _HOLES and first.value_mm is not None
+    named = first.value_mm is not None or first.circle is not None
+    is_hole = first.callout.kind in _HOLES and named
     return is_hole and any(own.depth_mm is not None or own.callout.through for own in group)
 
 
@@ -145,6 +152,15 @@ def _circles(registered: RegisteredSheet) -> dict[Role, list[Arc]]:
             if whole and stroke.linetype is Linetype.VISIBLE:
                 own.append(stroke)
     return found
+
+
+def _said(circle: Arc, circles: Mapping[Role, Sequence[Arc]]) -> tuple[Role | None, list[Arc]]:
+    """The view with a circle that a person pointed at; no view where it is there no more."""
+    for role, own in circles.items():
+        for each in own:
+            if max(_apart(circle, each), abs(circle.radius - each.radius)) <= _SAID_PX:
+                return role, [each]
+    return None, []
 
 
 def _meant(

@@ -42,10 +42,15 @@ def open_image(job: Job, notes: RunNotes) -> SheetImage:
         UnreadableError, LimitError: as of :func:`.read_sheet`.
     """
     image = read_sheet(job.sheet, job.page)
+    tell_image(image, notes)
+    return image
+
+
+def tell_image(image: SheetImage, notes: RunNotes) -> None:
+    """Put what is known of a sheet's file into the report."""
     notes.tell(sheet_sha256=image.sha256)
     for note in image.notes:
         notes.warn(note.code, note.message)
-    return image
 
 
 def with_ink(job: Job, image: SheetImage) -> OpenedSheet:

@@ -19,7 +19,7 @@ from gaussiancad_core.finished import REPORT_FILE, finished_report
 from gaussiancad_core.job import Job
 from gaussiancad_core.messages import Message
 from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
-from gaussiancad_core.opened_sheet import OpenedSheet, open_image, with_ink
+from gaussiancad_core.opened_sheet import OpenedSheet, open_image, tell_image, with_ink
 from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
 from gaussiancad_core.report import Report, ViewReport
 from gaussiancad_core.run_notes import RunNotes
@@ -67,8 +67,13 @@ def stages_of(result: ResultKind, recipe: Recipe = Recipe.ORTHOGRAPHIC) -> tuple
     return tuple(name for name in STAGES if name not in left_out)
 
 
-def reconstruct(job: Job, listener: Listener) -> Report:
+def reconstruct(job: Job, listener: Listener, kept: OpenedSheet | None = None) -> Report:
     """Run a job and write its files.
+
+    Args:
+        job: what to do.
+        listener: told how far it is.
+        kept: the job's sheet, where it is open already.
 
     Returns:
         The report as written; its status is never ``failed``.
@@ -80,7 +85,7 @@ def reconstruct(job: Job, listener: Listener) -> Report:
     folder = OutputFolder(job.output, RUN_FILES, REPORT_FILE)
     run = _Run(job, folder, Progress(listener, len(stages_of(job.result, job.recipe))))
     try:
-        return run.all_stages()
+        return run.all_stages(kept)
     except (CancelledError, SystemError) as error:
         if (cancelled := cancellation_behind(error)) is None:
             raise
@@ -115,7 +120,7 @@ class _Run:
         self.progress = progress
         self.notes = RunNotes(Report("", job.settings()), progress)
 
-    def all_stages(self) -> Report:
+    def all_stages(self, kept: OpenedSheet | None) -> Report:
         """Read, reconstruct, check and write."""
         from gaussiancad_core.check_stage import overlay_picture, preview_picture
         from gaussiancad_core.reading_run import sheet_lines
@@ -123,10 +128,12 @@ class _Run:
 
         _check_device(self.job.device)
         with self.notes.stage("read"):
-            image = open_image(self.job, self.notes)
+            if kept is not None:
+                tell_image(kept.image, self.notes)
+            image = kept.image if kept is not None else open_image(self.job, self.notes)
             if self.job.resume and (earlier := self._earlier()):
                 return earlier
-            sheet = with_ink(self.job, image)
+            sheet = kept or with_ink(self.job, image)
         clean = sheet.clean
         lines = sheet_lines(self.job, sheet, self.notes)
         self._write_reading(lines, sheet)

@@ -8,17 +8,19 @@ import msgspec
 from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.files import write_whole
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.events import Listener, Progress
+from gaussiancad_core.events import Listener, Progress, Silence
 from gaussiancad_core.job import Job
 from gaussiancad_core.opened_sheet import OpenedSheet, open_sheet
 from gaussiancad_core.outputs import os_error
-from gaussiancad_core.reading_stage import SheetLines, read_lines
-from gaussiancad_core.readings.filling import with_read_views
+from gaussiancad_core.reading_stage import SheetLines, boxed_views, read_lines
+from gaussiancad_core.readings.correcting import Ink
+from gaussiancad_core.readings.filling import Reread, with_read_views
 from gaussiancad_core.readings.partial import partial_lines
 from gaussiancad_core.readings.picture import reading_picture
 from gaussiancad_core.readings.schema import Problem, SheetReading
 from gaussiancad_core.readings.sources import given_reading
 from gaussiancad_core.readings.taking import taken_lines
+from gaussiancad_core.readings.tracing import tracer
 from gaussiancad_core.readings.writing import READING_FILE, refusal, sheet_reading
 from gaussiancad_core.registering_stage import registered_lines
 from gaussiancad_core.report import Report
@@ -87,18 +89,32 @@ def sheet_lines(job: Job, sheet: OpenedSheet, notes: RunNotes) -> SheetLines:
         alone = RunNotes(notes.report, notes.progress)
         return read_sheet_lines(_alone(job), sheet, alone)[1]
 
+    ink = sheet_ink(job, sheet)
+    reading = given_reading(job, sheet.image.sha256, read, notes, ink)
+    if reading is None:
+        return read_lines(job, sheet.image, sheet.clean, notes)
+    return taken_lines(job, sheet, reading, notes, reread_in(job, sheet))
+
+
+def reread_in(job: Job, sheet: OpenedSheet) -> Reread:
+    """Reads views in boxes of a sheet."""
+
     def reread(views: tuple[tuple[Role, Box], ...]) -> tuple[ReadView, ...]:
-        alone = RunNotes(notes.report, notes.progress)
+        alone = RunNotes(Report("", job.settings()), Progress(Silence(), len(STAGES)))
         named = replace(_alone(job), reading=replace(job.reading, views=views))
-        return read_lines(named, sheet.image, sheet.clean, alone).drawn
+        return boxed_views(named, sheet.image, sheet.clean, alone)
+
+    return reread
+
+
+def sheet_ink(job: Job, sheet: OpenedSheet) -> Ink:
+    """What corrections ask of a sheet."""
+    reread = reread_in(job, sheet)
 
     def fill(own: SheetReading) -> SheetReading:
         return with_read_views(own, reread, sheet.clean.turn)
 
-    reading = given_reading(job, sheet.image.sha256, read, notes, fill)
-    if reading is None:
-        return read_lines(job, sheet.image, sheet.clean, notes)
-    return taken_lines(job, sheet, reading, notes, reread)
+    return Ink(fill, tracer(sheet))
 
 
 def _alone(job: Job) -> Job:

@@ -15,7 +15,7 @@ from gaussiancad_core.one_view_stage import companion
 from gaussiancad_core.projection_choice import opposite
 from gaussiancad_core.report import NoteReport, Unused, ViewReport
 from gaussiancad_core.run_notes import RunNotes
-from gaussiancad_core.sheet.annotations.marks import Mark, line_mark
+from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
 from gaussiancad_core.sheet.annotations.separate import SeparatedSheet, separate_annotations
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
 from gaussiancad_core.sheet.colour_pens import colour_pens
@@ -90,18 +90,12 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
     """
     reading = in_worked_px(job.reading, clean.turn)
     with notes.stage("views"):
-        given = {role: clean.turn.box_to_upright(box) for role, box in reading.views}
-        separated, layout, vectors = _found_views(image, clean, given, reading, notes)
+        separated, layout, vectors = _found_views(image, clean, reading, notes)
         tell_marks(notes, separated.marks, clean.turn)
     with notes.stage("lines"):
-        drawn = read_views(separated.part, layout, notes.progress, reading.finder, vectors)
-        if vectors is not None:
-            drawn, threads = without_threads(drawn, _arcs(image, clean.turn))
-            layout = replace(layout, special=(*layout.special, *threads))
-            drawn, smooth = without_tangent_edges(drawn)
-            separated = replace(separated, marks=(*separated.marks, *map(_tangent_mark, smooth)))
-        hatched = to_middles(separated.hatched, separated.part.stroke_width)
-        drawn = with_hatched_areas(drawn, layout, hatched)
+        separated, layout, drawn, hatched = _strokes_in(
+            image, clean, (separated, layout, vectors), reading, notes
+        )
         scale = _sheet_scale(job, image, clean, (separated.marks, drawn), notes)
         sections = _sections(image, scale, layout, clean.turn) if scale is not None else ()
         layout, drawn = _by_arrows(layout, drawn, sections)
@@ -119,6 +113,37 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
     return SheetLines(
         layout, drawn, separated.marks, scale, options, found, sections, beside=beside
     )
+
+
+def boxed_views(
+    job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes
+) -> tuple[ReadView, ...]:
+    """The views that a job names by boxes, with their strokes; nothing else is read.
+
+    Args, Raises: as of :func:`read_lines`.
+    """
+    reading = in_worked_px(job.reading, clean.turn)
+    found = _found_views(image, clean, reading, notes)
+    return _strokes_in(image, clean, found, reading, notes)[2]
+
+
+def _strokes_in(
+    image: SheetImage,
+    clean: CleanSheet,
+    found: tuple[SeparatedSheet, Layout, VectorSheet | None],
+    reading: ReadingOptions,
+    notes: RunNotes,
+) -> tuple[SeparatedSheet, Layout, tuple[ReadView, ...], Mask | None]:
+    """What was found, with the strokes of its views, and what is hatched in them."""
+    separated, layout, vectors = found
+    drawn = read_views(separated.part, layout, notes.progress, reading.finder, vectors)
+    if vectors is not None:
+        drawn, threads = without_threads(drawn, _arcs(image, clean.turn))
+        layout = replace(layout, special=(*layout.special, *threads))
+        drawn, smooth = without_tangent_edges(drawn)
+        separated = replace(separated, marks=(*separated.marks, *map(_tangent_mark, smooth)))
+    hatched = to_middles(separated.hatched, separated.part.stroke_width)
+    return separated, layout, with_hatched_areas(drawn, layout, hatched), hatched
 
 
 def _sections(
@@ -263,11 +288,11 @@ def tell_scale(
 def _found_views(
     image: SheetImage,
     clean: CleanSheet,
-    given: dict[Role, Box],
     reading: ReadingOptions,
     notes: RunNotes,
 ) -> tuple[SeparatedSheet, Layout, VectorSheet | None]:
     """The part's ink, its views, and their exact lines where the file has them."""
+    given = {role: clean.turn.box_to_upright(box) for role, box in reading.views}
     drawing = image.vectors if reading.finder is Finder.RIDGES else None
     told = None
     if drawing is not None:

@@ -21,8 +21,6 @@ from gaussiancad_core.sheet.registration import (
 from gaussiancad_core.sheet.special_views.beside import overlap
 from gaussiancad_core.views import Arc, Stroke
 
-"""Radians from which an arc is a circle."""
-
 _FAR = 1e5
 """mm beyond every part."""
 

@@ -22,7 +22,7 @@ from gaussiancad_core.events import (
     cancel_on_stdin,
     open_event_stream,
 )
-from gaussiancad_core.messages import Message, args_of, filled, told
+from gaussiancad_core.messages import Message, on_one_line, told
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -35,7 +35,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         if options.events:
             listener = open_event_stream()
-            cancel_on_stdin()
+            if not options.serves:
+                cancel_on_stdin()
         return int(options.run(options, listener))
     except GaussianCadError as error:
         return _tell(listener, error.code, error.message, error.exit_code)
@@ -63,7 +64,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _tell(listener: Listener, code: str, message: str, exit_code: ExitCode) -> int:
     """One line on stderr, one event, and the exit code."""
-    line = " ".join(message.split())
+    line = on_one_line(message)
     print(f"gaussiancad: {line} [{code}]", file=sys.stderr, flush=True)
-    listener.send("error", **told(code, filled(line, args_of(message))), exit_code=int(exit_code))
+    listener.send("error", **told(code, line), exit_code=int(exit_code))
     return int(exit_code)

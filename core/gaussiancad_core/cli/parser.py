@@ -13,6 +13,7 @@ from gaussiancad_core.cli import (
     explain,
     read,
     reconstruct,
+    serve,
 )
 from gaussiancad_core.errors import ExitCode
 
@@ -34,8 +35,8 @@ def build_parser() -> argparse.ArgumentParser:
         description="From a three-view engineering drawing to a measured 3D model.",
     )
     parser.add_argument("--version", action="version", version=f"gaussiancad {__version__}")
-    parser.set_defaults(events=False)
+    parser.set_defaults(events=False, serves=False)
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
-    for module in (reconstruct, read, correct, explain, compare, draw, batch, doctor):
+    for module in (reconstruct, read, correct, explain, compare, draw, batch, serve, doctor):
         module.add_command(commands)
     return parser

@@ -1,9 +1,10 @@
 """A reading with a person's corrections: what the machine read stays as it was elsewhere."""
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import hypot
+from typing import Any
 
 import cv2
 import numpy as np
@@ -17,11 +18,14 @@ from gaussiancad_core.readings.operations import (
     DrawOperation,
     EraseOperation,
     KindOperation,
+    NoteOperation,
     Operation,
     ProjectionOperation,
     RegionOperation,
     ScaleOperation,
+    SectionOperation,
     Target,
+    TraceOperation,
     UnitOperation,
     ViewOperation,
 )
@@ -29,6 +33,7 @@ from gaussiancad_core.readings.schema import (
     DRAWN,
     Box,
     DimensionEntry,
+    Point,
     ReadProjection,
     ReadScale,
     ReadUnit,
@@ -37,6 +42,7 @@ from gaussiancad_core.readings.schema import (
     ViewEntry,
     ViewRole,
 )
+from gaussiancad_core.readings.told_features import with_note, with_section
 
 GIVEN = "given"
 """Source of what a person said."""
@@ -46,7 +52,7 @@ _MM_PER_INCH = 25.4
 _PERSONAL = re.compile(r"p[0-9]{1,9}").fullmatch
 """Ids of strokes that a person drew."""
 
-_OF_STROKES = (KindOperation, EraseOperation, RegionOperation)
+_OF_STROKES = (KindOperation, EraseOperation, RegionOperation, SectionOperation)
 
 _MARGIN_PX = 3.0
 """px by which a stroke may reach beyond the box of its view."""
@@ -65,30 +71,55 @@ class Corrected:
     unmatched: tuple[int, ...] = ()
 
 
-Fill = Callable[[SheetReading], SheetReading]
-"""Reads the views that a person boxed and of which there are no strokes yet."""
+Trace = Callable[[Point, Box], Mapping[str, Any] | None]
+"""The stroke whose ink lies at a place, as the attribute of a :class:`StrokeEntry`, looked for in a
+box; px of the sheet as stored."""
+
+
+@dataclass(frozen=True)
+class Ink:
+    """What corrections ask of the sheet itself.
+
+    Attributes:
+        fill: reads the views that a person boxed and of which there are no strokes yet.
+        trace: finds the stroke at a place.
+    """
+
+    fill: Callable[[SheetReading], SheetReading] = lambda own: own
+    trace: Trace = lambda _at, _box: None
 
 
 def corrected(
-    reading: SheetReading, operations: Sequence[Operation], fill: Fill = lambda own: own
+    reading: SheetReading, operations: Sequence[Operation], ink: Ink | None = None
 ) -> Corrected:
-    """Apply operations to a reading, in their order.
+    """Apply operations to a reading, in their order; it counts those that found their place.
 
     Args:
         reading: of the sheet.
         operations: a person's.
-        fill: called before an operation that speaks of strokes.
+        ink: asked before an operation that speaks of strokes; without it no ink is read.
     """
-    found = Corrected(reading)
+    found, ink = Corrected(reading), ink or Ink()
     for number, operation in enumerate(operations, start=1):
         if isinstance(operation, _OF_STROKES):
-            found = replace(found, reading=fill(found.reading))
-        own = _APPLIED[type(operation)](found.reading, operation)
+            found = replace(found, reading=ink.fill(found.reading))
+        if isinstance(operation, TraceOperation):
+            own = _traced(found.reading, operation, ink.trace)
+        else:
+            own = _APPLIED[type(operation)](found.reading, operation)
         if own is None:
             found = replace(found, unmatched=(*found.unmatched, number))
         else:
-            found = replace(found, reading=own)
+            found = replace(found, reading=changed(own, corrected=1 + found.reading.corrected))
     return found
+
+
+def _traced(reading: SheetReading, operation: TraceOperation, trace: Trace) -> SheetReading | None:
+    view = next((own for own in reading.views if own.id == operation.view), None)
+    shape = trace(operation.at, view.box) if view is not None else None
+    if shape is None:
+        return None
+    return _drawn(reading, DrawOperation(view=operation.view, kind=operation.kind, **shape))
 
 
 def _with_view(reading: SheetReading, operation: ViewOperation) -> SheetReading | None:
@@ -299,4 +330,6 @@ _APPLIED: dict[type, Callable[[SheetReading, Operation], SheetReading | None]] =
     UnitOperation: _with_unit,
     ProjectionOperation: _with_projection,
     RegionOperation: _with_region,
+    SectionOperation: with_section,
+    NoteOperation: with_note,
 }

@@ -13,7 +13,7 @@ from gaussiancad_core.readings.schema import (
     StrokeKind,
     ViewEntry,
 )
-from gaussiancad_core.readings.shapes import shape_of
+from gaussiancad_core.readings.shapes import shape_of, stored_ring
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.reading import ReadView
 from gaussiancad_core.views import Linetype
@@ -52,7 +52,13 @@ def with_read_views(reading: SheetReading, reread: Reread, turn: Turn) -> SheetR
     for role, view in empty:
         own = found[role]
         strokes += _entries(view, own, turn)
-        views[view.id] = changed(view, source=own.source.value, dash=own.dash)
+        views[view.id] = changed(
+            view,
+            source=own.source.value,
+            dash=own.dash,
+            hatch=tuple(stored_ring(ring, turn) for ring in own.hatched),
+            opened=stored_ring(own.opened, turn),
+        )
     return changed(reading, strokes=tuple(strokes), views=tuple(views.values()))
 
 

@@ -11,6 +11,7 @@ from msgspec import Meta, Struct
 from gaussiancad_core.readings.schema import (
     ArcShape,
     Box,
+    CircleShape,
     EllipseShape,
     LineShape,
     Measured,
@@ -106,6 +107,38 @@ class RegionOperation(Struct, frozen=True, kw_only=True, tag_field="op", tag="re
     kind: StrokeKind
 
 
+class TraceOperation(Struct, frozen=True, kw_only=True, tag_field="op", tag="trace"):
+    """There is the stroke whose ink lies at a place, and it stands for this."""
+
+    view: Text
+    at: Point
+    kind: StrokeKind
+
+
+class SectionOperation(
+    Struct, frozen=True, kw_only=True, omit_defaults=True, tag_field="op", tag="section"
+):
+    """A section shows what is cut along a line in another view: two ends, or corners of steps.
+
+    ``looks`` says in which direction where the section's role does not.
+    """
+
+    id: Text
+    in_view: Text
+    line: Annotated[tuple[Point, ...], Meta(min_length=2, max_length=100)]
+    looks: ViewRole | None = None
+
+
+class NoteOperation(
+    Struct, frozen=True, kw_only=True, omit_defaults=True, tag_field="op", tag="note"
+):
+    """The hole of a circle goes ``through``, or is so deep; one of both."""
+
+    circle: CircleShape
+    through: bool = False
+    depth_mm: Size | None = None
+
+
 Operation = (
     ViewOperation
     | KindOperation
@@ -116,6 +149,9 @@ Operation = (
     | UnitOperation
     | ProjectionOperation
     | RegionOperation
+    | TraceOperation
+    | SectionOperation
+    | NoteOperation
 )
 
 

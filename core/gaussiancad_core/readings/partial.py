@@ -4,12 +4,12 @@ from gaussiancad_core.axes import Projection
 from gaussiancad_core.job import Job
 from gaussiancad_core.reading_stage import SheetLines, in_worked_px
 from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.files.vectors import CircularArc, Line, VectorStroke
+from gaussiancad_core.sheet.file_strokes import stroke_along
 from gaussiancad_core.sheet.graph.chains import with_whole_edges
 from gaussiancad_core.sheet.graph.labels import Label, labelled
 from gaussiancad_core.sheet.layout import Layout, find_clusters, may_be_views
 from gaussiancad_core.sheet.read import SheetImage
-from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
+from gaussiancad_core.views import Linetype, Stroke
 
 
 def partial_lines(job: Job, image: SheetImage, clean: CleanSheet) -> SheetLines:
@@ -38,16 +38,7 @@ def _file_strokes(image: SheetImage, clean: CleanSheet) -> tuple[Stroke, ...]:
     if found is None:
         return ()
     strokes = [
-        *(_stroke(own, Linetype.VISIBLE) for own in with_whole_edges(found.of(Label.VISIBLE))),
-        *(_stroke(own, Linetype.HIDDEN) for own in found.of(Label.HIDDEN)),
+        *(stroke_along(own.curve) for own in with_whole_edges(found.of(Label.VISIBLE))),
+        *(stroke_along(own.curve, Linetype.HIDDEN) for own in found.of(Label.HIDDEN)),
     ]
     return tuple(stroke for stroke in strokes if stroke is not None)
-
-
-def _stroke(own: VectorStroke, linetype: Linetype) -> Stroke | None:
-    curve = own.curve
-    if isinstance(curve, Line):
-        return Segment(curve.start, curve.end, linetype) if curve.length else None
-    if isinstance(curve, CircularArc):
-        return Arc(curve.centre, curve.radius, curve.start_angle, curve.sweep, linetype)
-    return None

@@ -29,6 +29,8 @@ Box = tuple[Number, Number, Number, Number]
 """x0, y0, x1, y1."""
 
 LineShape = tuple[Point, Point]
+CircleShape = tuple[Number, Number, Size]
+"""Centre and radius."""
 ArcShape = tuple[Number, Number, Size, Number, Sweep]
 """Centre, radius, start and sweep of an arc."""
 EllipseShape = tuple[Number, Number, Size, Size, Number, Number, Sweep]
@@ -193,7 +195,7 @@ class Measured(Struct, frozen=True, kw_only=True, omit_defaults=True):
     """What a number measures: the span between two points, or a circle (centre and radius)."""
 
     span: tuple[Point, Point] | None = None
-    circle: tuple[Number, Number, Size] | None = None
+    circle: CircleShape | None = None
 
 
 class DimensionEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
@@ -236,6 +238,7 @@ class NoteEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
         depth_mm: how deep what it names is.
         through: whether it says that it goes through.
         reference: whether the number is for reference only.
+        circle: of the hole that it speaks of, where a person said so.
     """
 
     text: Text
@@ -246,6 +249,7 @@ class NoteEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
     depth_mm: Number | None = None
     through: bool = False
     reference: bool = False
+    circle: CircleShape | None = None
 
 
 class Problem(Struct, frozen=True, kw_only=True, omit_defaults=True):
@@ -269,7 +273,7 @@ class Problem(Struct, frozen=True, kw_only=True, omit_defaults=True):
 
 
 class SheetReading(Struct, frozen=True, kw_only=True):
-    """All of ``reading.json``."""
+    """All of ``reading.json``; ``corrected`` is the number of a person's corrections in it."""
 
     schema: Literal["gaussiancad-reading/1"]
     sheet: ReadSheet
@@ -282,6 +286,7 @@ class SheetReading(Struct, frozen=True, kw_only=True):
     notes: tuple[NoteEntry, ...] = ()
     sections: tuple[SectionEntry, ...] = ()
     problems: tuple[Problem, ...] = ()
+    corrected: Annotated[int, Meta(ge=0)] = 0
     engine: Text = ""
 
     def values(self) -> dict[str, Any]:

@@ -1,6 +1,6 @@
 """Strokes of views as shapes of a reading and back: px of the upright sheet, and as stored."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -59,6 +59,13 @@ def stored_box(box: Box, turn: Turn) -> Box:
 def stored_points(points: Any, turn: Turn) -> list[tuple[float, float]]:  # noqa: ANN401
     """Points of the upright sheet on the sheet as stored."""
     return _stored(points, turn)
+
+
+def stored_ring(ring: Sequence[tuple[float, float]], turn: Turn) -> tuple[tuple[float, float], ...]:
+    """Corners of a polygon on the sheet as stored, to hundredths of a px; an empty one stays so."""
+    if not ring:
+        return ()
+    return tuple((round(x, 2), round(y, 2)) for x, y in turn.to_stored(np.array(ring)).tolist())
 
 
 def _stored(points: Any, turn: Turn) -> list[tuple[float, float]]:  # noqa: ANN401

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.job import Job
 from gaussiancad_core.messages import Message
-from gaussiancad_core.readings.correcting import Corrected, Fill, corrected
+from gaussiancad_core.readings.correcting import Corrected, Ink, corrected
 from gaussiancad_core.readings.opening import open_reading, open_typed
 from gaussiancad_core.readings.operations import Corrections
 from gaussiancad_core.readings.schema import SheetReading
@@ -17,7 +17,7 @@ def given_reading(
     sheet_sha256: str,
     read: Callable[[], SheetReading],
     notes: RunNotes,
-    fill: Fill = lambda own: own,
+    ink: Ink | None = None,
 ) -> SheetReading | None:
     """The reading that a run is to take; None where nobody said anything of one.
 
@@ -26,7 +26,7 @@ def given_reading(
         sheet_sha256: of the sheet.
         read: reads the sheet where there are corrections and no reading.
         notes: told how many corrections were taken, and which found no place.
-        fill: reads the views that corrections box, before strokes in them are corrected.
+        ink: of the sheet, for corrections that ask for it.
 
     Raises:
         UnreadableError: ``reading-not-read``, ``corrections-not-read``.
@@ -36,6 +36,7 @@ def given_reading(
         return None
     reading = open_reading(job.given) if job.given else read()
     if job.corrections is None:
+        _tell(Corrected(reading), notes)
         return reading
     path = job.corrections
     told = open_typed(path, Corrections, "corrections-not-read")
@@ -46,13 +47,13 @@ def given_reading(
             "sheet again",
             path=path,
         )
-    found = corrected(reading, told.ops, fill)
-    _tell(found, len(told.ops), notes)
+    found = corrected(reading, told.ops, ink)
+    _tell(found, notes)
     return found.reading
 
 
-def _tell(found: Corrected, count: int, notes: RunNotes) -> None:
-    taken = count - len(found.unmatched)
+def _tell(found: Corrected, notes: RunNotes) -> None:
+    taken = found.reading.corrected
     if taken:
         notes.warn(
             "corrected",

@@ -310,7 +310,8 @@ def _note(own: NoteEntry, turn: Turn) -> SheetNote:
         unit=Unit.MILLIMETRE,
     )
     box = turn.box_to_upright(own.box)
-    return SheetNote(own.text, box, callout, own.value_mm, own.depth_mm)
+    circle = None if own.circle is None else _circle(own.circle, turn)
+    return SheetNote(own.text, box, callout, own.value_mm, own.depth_mm, circle)
 
 
 def _dimension(own: DimensionEntry, turn: Turn) -> ReadDimension:
@@ -356,7 +357,11 @@ def _place(own: DimensionEntry, turn: Turn) -> Span | Arc | None:
         low, high = sorted((x0, x1) if level else (y0, y1))
         return Span(level, low, high)
     if own.measures.circle is not None:
-        x, y, radius = own.measures.circle
-        ((x, y),) = turn.to_upright(np.array([[x, y]])).tolist()
-        return Arc((x, y), radius / turn.scale, 0.0, 2.0 * np.pi, Linetype.VISIBLE)
+        return _circle(own.measures.circle, turn)
     return None
+
+
+def _circle(circle: tuple[float, float, float], turn: Turn) -> Arc:
+    x, y, radius = circle
+    ((x, y),) = turn.to_upright(np.array([[x, y]])).tolist()
+    return Arc((x, y), radius / turn.scale, 0.0, 2.0 * np.pi, Linetype.VISIBLE)

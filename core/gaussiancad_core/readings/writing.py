@@ -29,14 +29,14 @@ from gaussiancad_core.readings.schema import (
     ViewEntry,
     ViewRole,
 )
-from gaussiancad_core.readings.shapes import shape_of, stored_box, stored_points
+from gaussiancad_core.readings.shapes import shape_of, stored_box, stored_points, stored_ring
 from gaussiancad_core.report import Report
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.notes.finding import SheetNote
 from gaussiancad_core.sheet.notes.sections import NamedSection, Trace
 from gaussiancad_core.sheet.precision import StrokesSource
-from gaussiancad_core.sheet.reading import ReadView, Ring
+from gaussiancad_core.sheet.reading import ReadView
 from gaussiancad_core.sheet.scale.dimensions import Span
 from gaussiancad_core.sheet.scale.estimate import ReadDimension
 from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale
@@ -232,15 +232,9 @@ def _view(view: ReadView, turn: Turn) -> ViewEntry:
         source=view.source.value,
         hidden_lines="drawn" if view.has_hidden_lines else "none",
         dash=view.dash,
-        hatch=tuple(_ring(own, turn) for own in view.hatched),
-        opened=_ring(view.opened, turn),
+        hatch=tuple(stored_ring(own, turn) for own in view.hatched),
+        opened=stored_ring(view.opened, turn),
     )
-
-
-def _ring(ring: Ring, turn: Turn) -> tuple[tuple[float, float], ...]:
-    if not ring:
-        return ()
-    return tuple((round(x, 2), round(y, 2)) for x, y in turn.to_stored(np.array(ring)).tolist())
 
 
 def _specials(lines: SheetLines, turn: Turn) -> Iterator[ViewEntry]:

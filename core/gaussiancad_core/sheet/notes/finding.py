@@ -7,6 +7,7 @@ from gaussiancad_core.sheet.notes.callouts import Callout, NoteKind, parse_callo
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.scale.numbers import Unit
 from gaussiancad_core.sheet.scale.texts import SheetText
+from gaussiancad_core.views import Arc
 
 
 @dataclass(frozen=True)
@@ -19,6 +20,7 @@ class SheetNote:
         callout: what it says.
         value_mm: the callout's length, of an angle its degrees.
         depth_mm: the depth that it tells.
+        circle: of the hole that it speaks of, px of the upright sheet, where a person said so.
     """
 
     text: str
@@ -26,6 +28,7 @@ class SheetNote:
     callout: Callout
     value_mm: float | None
     depth_mm: float | None
+    circle: Arc | None = None
 
 
 def notes_of(texts: Sequence[SheetText], unit: Unit) -> tuple[SheetNote, ...]:

@@ -1,0 +1,90 @@
+"""``gaussiancad serve``: an engine that stays, for a window: requests and answers as JSON lines."""
+
+import argparse
+import sys
+import threading
+from dataclasses import dataclass
+from queue import SimpleQueue
+from typing import Any
+
+from gaussiancad_core.cli.reconstruct import greet
+from gaussiancad_core.errors import CancelledError, ExitCode, GaussianCadError, is_out_of_memory
+from gaussiancad_core.events import Listener, stop_main_thread
+from gaussiancad_core.messages import Message, on_one_line, told
+
+_END = ""
+
+
+def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the subcommand."""
+    parser = commands.add_parser(
+        "serve", help="stay, and answer requests on stdin (JSON lines), for a window"
+    )
+    parser.set_defaults(run=run, events=True, serves=True)
+
+
+@dataclass(frozen=True)
+class _Numbered:
+    """A listener whose events say to which request they belong."""
+
+    listener: Listener
+    number: int | None = None
+
+    def send(self, event: str, **fields: Any) -> None:  # noqa: ANN401
+        """Take one event."""
+        self.listener.send(event, **fields, id=self.number)
+
+
+def run(_options: argparse.Namespace, listener: Listener) -> ExitCode:
+    """Answer requests until stdin ends; its end, and a line ``cancel``, stop one that goes on."""
+    greet(listener)
+    lines: SimpleQueue[str] = SimpleQueue()
+    busy = threading.Event()
+    threading.Thread(target=_listen, args=(lines, busy), name="stdin", daemon=True).start()
+
+    import msgspec
+
+    from gaussiancad_core.serving import Desk, Request
+
+    desk = Desk()
+    listener.send("ready")
+    while (line := lines.get()) != _END:
+        try:
+            request = msgspec.json.decode(line, type=Request)
+        except msgspec.MsgspecError as error:
+            message = Message("this is no request: {reason}", reason=error)
+            _refuse(listener, None, "unknown-request", message)
+            continue
+        busy.set()
+        numbered = _Numbered(listener, request.id)
+        try:
+            numbered.send("answer", **desk.answer(request, numbered))
+        except CancelledError:
+            raise
+        except GaussianCadError as error:
+            _refuse(listener, request.id, error.code, error.message)
+        except Exception as error:
+            if not is_out_of_memory(error):
+                raise
+            message = "the memory does not suffice: use a smaller file"
+            _refuse(listener, request.id, "out-of-memory", message)
+        finally:
+            busy.clear()
+    return ExitCode.DONE
+
+
+def _refuse(listener: Listener, number: int | None, code: str, message: str) -> None:
+    listener.send("answer", id=number, error=told(code, on_one_line(message)))
+
+
+def _listen(lines: "SimpleQueue[str]", busy: threading.Event) -> None:
+    """Take lines from stdin; what stops everything is not left waiting behind a request."""
+    for line in sys.stdin:
+        if line.strip() == "cancel":
+            stop_main_thread()
+            return
+        if line.strip():
+            lines.put(line)
+    if busy.is_set():
+        stop_main_thread()
+    lines.put(_END)
