@@ -8,10 +8,9 @@ one code has several sentences, ``case`` among the values tells which it is.
 
 from collections.abc import Mapping
 from enum import Enum
+from numbers import Integral, Real
 from types import MappingProxyType
 from typing import Any
-
-import numpy as np
 
 Argument = str | int | float
 """What travels of a value, as JSON has it."""
@@ -68,6 +67,6 @@ def told(code: str, message: str) -> dict[str, Any]:
 def _plain(value: object) -> Argument:
     if isinstance(value, Enum):
         value = value.value
-    if isinstance(value, np.generic):
-        value = value.item()
-    return value if isinstance(value, int | float) else str(value)
+    if isinstance(value, Integral):
+        return int(value)
+    return float(value) if isinstance(value, Real) else str(value)

@@ -78,6 +78,7 @@ def assumed_planes(sections: Sequence[SectionReport]) -> tuple[Assumption, ...]:
                 "nothing tells where",
                 view=own.role,
                 label=own.label or "without a title",
+                **({} if own.label else {"case": "untitled"}),
             ),
             own.box,
             "it cuts elsewhere: draw its cutting line",
