@@ -27,26 +27,33 @@ _MOST = 12
 """Places of disagreement that are listed."""
 
 Circle = tuple[float, float, float]
+Buttons = tuple[tuple[str, Callable[[], None]], ...]
 TellHole = Callable[[Circle, bool], None]
 """Says of the hole of a circle whether it goes through; if not, its depth is asked for."""
 
 
-def verdict_lines(report: dict, tell_hole: TellHole) -> list[Line]:
+def verdict_lines(report: dict, tell_hole: TellHole, offers: dict[str, Buttons]) -> list[Line]:
     """Rows of a report: the verdict with its colour, its reasons, what was assumed with a yes and a
-    no, where lines disagree or contradict each other.
+    no, where lines disagree or contradict each other, and warnings.
 
     Args:
         report: of a run.
         tell_hole: what yes and no do where a hole was assumed to go through.
+        offers: buttons that help, by the code of a reason or a warning.
     """
     status = report["status"]
     text = f"{SIGNS[status]} {_shape(status)}"
     measures = _measures(report)
     lines = [Line(f"{text}\n{measures}" if measures else text, colour=_COLOURS[status])]
-    lines += [Line(own["message"]) for own in report.get("reasons", ())]
+    lines += [_remark("doubt", own, offers) for own in report.get("reasons", ())]
     lines += [_assumed(own, tell_hole) for own in report.get("assumptions", ())]
     lines += [Line(text, box) for box, text in _disagreements(report)]
+    lines += [_remark("warning", own, offers) for own in report.get("warnings", ())]
     return lines
+
+
+def _remark(severity: str, own: dict, offers: dict[str, Buttons]) -> Line:
+    return Line(f"{SIGNS[severity]} {own['message']}", buttons=offers.get(own["code"], ()))
 
 
 def marks_of(report: dict) -> list[Mark]:

@@ -182,14 +182,17 @@ class SheetWindow(QtWidgets.QMainWindow):
         self._show_rows()
 
     def _show_rows(self) -> None:
+        """What the last run says; until there is one, what is in doubt of what was read."""
         sheet, report = self.sheet, self._report
-        lines = verdict_lines(report, self._tell_hole) if report is not None else []
-        told = {own["message"] for own in (report or {}).get("reasons", ())}
-        lines += [
-            Line(f"{SIGNS[own.severity]} {own.message}", own.box, self._help(own))
-            for own in (sheet.problems if sheet is not None else ())
-            if own.message not in told
-        ]
+        problems = sheet.problems if sheet is not None else ()
+        if report is not None:
+            offers = {own.code: self._help(own) for own in problems}
+            lines = verdict_lines(report, self._tell_hole, offers)
+        else:
+            lines = [
+                Line(f"{SIGNS[own.severity]} {own.message}", own.box, self._help(own))
+                for own in problems
+            ]
         count = len(self.operations)
         lines.append(Line(translate("GaussianCAD", "{0} correction(s) by hand").format(count)))
         self.problems.show_lines(lines)
