@@ -1,5 +1,6 @@
 """The canvas in FreeCAD, with the real engine; left out where it is not installed."""
 
+import json
 import os
 import shutil
 import unittest
@@ -10,7 +11,7 @@ import FreeCADGui
 from test_real_engine import SAMPLE, engine
 from window import WindowCase, spin
 
-from freecad.gaussiancad.canvas.history import corrections_path
+from freecad.gaussiancad.canvas.keeping import corrections_path
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.panels import correct
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
@@ -18,6 +19,7 @@ from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 GIVEN = os.environ.get("GAUSSIANCAD_PYTHON")
 
 _KEYS = QtCore.Qt.KeyboardModifier.NoModifier
+_LENGTH = ((0.0, 0.0), (100.0, 0.0))
 
 
 @unittest.skipIf(engine() is None, "the engine is not installed")
@@ -27,24 +29,35 @@ class Canvas(WindowCase):
         self.set_variable("GAUSSIANCAD_PYTHON", GIVEN)
         self.copy = Path(shutil.copy(SAMPLE, self.folder))
         self.document = FreeCAD.newDocument("Canvas")
-        self.canvas = self.opened()
-        self.addCleanup(self.close_canvas)
+        self.addCleanup(self.close_docks)
+        self.dock = self.opened()
 
-    def opened(self) -> SheetWindow:
-        """The canvas on a copy of the sample, with the sheet read."""
+    @property
+    def canvas(self) -> SheetWindow:
+        return self.dock.canvas
 
-        class Chosen:
-            SheetPath = str(self.copy)
+    @property
+    def part(self) -> FreeCAD.DocumentObject:
+        return self.document.getObject("Part")
 
-        own = correct.open_canvas([Chosen()])
-        self.wait_for(lambda: own.sheet is not None, 120.0)
+    def opened(self) -> correct.CanvasDock:
+        """The canvas on a copy of the sample, with the sheet read and the part made."""
+        dock = correct.open_sheet(self.copy)
+        self.wait_for(lambda: dock.canvas.sheet is not None, 120.0)
+        self.wait_for(lambda: not dock.canvas.busy, 120.0)
         spin(200)
-        return own
+        return dock
 
-    def close_canvas(self) -> None:
-        if self.canvas is not None:
-            self.canvas.close()
-            self.canvas = None
+    def close_docks(self) -> None:
+        for dock in correct.open_docks():
+            dock.close()
+        spin(200)
+
+    def settled(self) -> None:
+        """Wait until the part follows from what was said."""
+        spin(700)
+        self.wait_for(lambda: not self.canvas.busy, 120.0)
+        spin(200)
 
     def press(self, key: QtCore.Qt.Key) -> None:
         for kind in (
@@ -55,46 +68,95 @@ class Canvas(WindowCase):
             QtWidgets.QApplication.sendEvent(self.canvas.board, QtGui.QKeyEvent(kind, key, _KEYS))
         spin(50)
 
-    def test_a_sheet_is_read_corrected_and_becomes_a_part(self) -> None:
-        drawn = [own for own in self.canvas.sheet.strokes if own.kind == "visible"]
-        self.assertGreater(len(drawn), 10)
+    def test_the_part_follows_corrections_and_undo(self) -> None:
+        self.assertGreater(len(self.canvas.sheet.drawn()), 10)
         self.picture("canvas-read")
-        self.canvas.say_length(((0.0, 0.0), (100.0, 0.0)), 50.0)
-        self.assertTrue(corrections_path(self.copy).is_file())
-        self.canvas.solve()
-        self.wait_for(lambda: self.document.getObject("Part") is not None, 300.0)
-        self.assertEqual(self.document.UndoNames, ["Reconstruct from Drawing"])
-        first = self.document.getObject("Part").Shape.BoundBox.XLength
-        self.picture("canvas-solved")
-        self.canvas.say_length(((0.0, 0.0), (100.0, 0.0)), 100.0)
-        self.wait_for(lambda: not self.canvas.busy, 300.0)
-        self.canvas.solve()
-        self.wait_for(lambda: not self.canvas.busy, 300.0)
-        spin(200)
-        groups = [own for own in self.document.Objects if own.Name.startswith("Reconstruction")]
-        self.assertEqual(len(groups), 1)
-        (part,) = (own for own in groups[0].Group if own.isDerivedFrom("Part::Feature"))
-        self.assertAlmostEqual(part.Shape.BoundBox.XLength, 2.0 * first, delta=0.02 * first)
+        self.assertTrue(self.canvas.problems.lines[0].colour, self.canvas.problems.lines)
+        self.assertEqual(self.document.UndoNames, ["Open Drawing"])
+        self.canvas.say_length(_LENGTH, 50.0)
+        self.settled()
+        part, first = self.part, self.part.Shape.BoundBox.XLength
+        self.assertEqual(self.document.UndoNames, ["Correct Drawing", "Open Drawing"])
+        self.canvas.say_length(_LENGTH, 100.0)
+        self.settled()
+        self.picture("canvas-corrected")
+        self.assertEqual(self.part.Name, part.Name)
+        self.assertAlmostEqual(self.part.Shape.BoundBox.XLength, 2.0 * first, delta=0.02 * first)
         self.document.undo()
-        again = [own for own in self.document.Objects if own.isDerivedFrom("Part::Feature")]
-        self.assertAlmostEqual(again[0].Shape.BoundBox.XLength, first, delta=1e-6)
+        self.settled()
+        self.assertAlmostEqual(self.part.Shape.BoundBox.XLength, first, delta=1e-6)
+        self.assertEqual(len(self.canvas.operations), 1)
+        self.document.redo()
+        self.settled()
+        self.assertAlmostEqual(self.part.Shape.BoundBox.XLength, 2.0 * first, delta=0.02 * first)
+        kept = json.loads(corrections_path(self.copy).read_text(encoding="utf-8"))
+        self.assertEqual(kept["ops"], self.canvas.operations)
 
     def test_delete_on_the_canvas_erases_a_stroke_and_no_object(self) -> None:
         box = self.document.addObject("Part::Box", "Box")
         self.document.recompute()
         FreeCADGui.Selection.addSelection(box)
-        stroke = next(own for own in self.canvas.sheet.strokes if own.kind == "visible")
+        stroke = self.canvas.sheet.drawn()[0]
         self.canvas.board.select({stroke.id})
         self.press(QtCore.Qt.Key.Key_Delete)
         self.assertEqual([own["op"] for own in self.canvas.operations], ["erase"])
+        for key in (QtCore.Qt.Key.Key_V, QtCore.Qt.Key.Key_F, QtCore.Qt.Key.Key_1):
+            self.press(key)
         self.assertIsNotNone(self.document.getObject("Box"))
-        self.canvas.undo()
+        self.document.undo()
+        spin(200)
         self.assertEqual(self.canvas.operations, [])
         self.assertFalse(corrections_path(self.copy).exists())
 
-    def test_a_closed_canvas_ends_its_engine(self) -> None:
+    def test_a_document_keeps_what_was_said_and_shows_it_again(self) -> None:
+        self.canvas.say_length(_LENGTH, 50.0)
+        self.settled()
+        length = self.part.Shape.BoundBox.XLength
+        path = str(self.folder / "kept.FCStd")
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        spin(300)
+        self.assertEqual(correct.open_docks(), [])
+        self.document = FreeCAD.openDocument(path)
+        spin(300)
+        self.assertAlmostEqual(self.part.Shape.BoundBox.XLength, length, delta=1e-6)
+        group = self.part.InList[0]
+        self.assertTrue(json.loads(Path(group.Reading).read_text(encoding="utf-8"))["strokes"])
+        self.dock = correct.open_canvas([group])
+        self.wait_for(lambda: self.canvas.sheet is not None, 120.0)
+        self.assertEqual(len(self.canvas.operations), 1)
+        groups = [own for own in self.document.Objects if own.Name.startswith("Reconstruction")]
+        self.assertEqual(len(groups), 1)
+
+    def test_two_documents_have_a_canvas_each(self) -> None:
+        other = FreeCAD.newDocument("Other")
+        first = self.dock
+        second = correct.open_sheet(self.copy)
+        self.assertIsNot(first, second)
+        self.wait_for(lambda: second.canvas.sheet is not None, 120.0)
+        second.canvas.say_length(_LENGTH, 70.0)
+        self.assertEqual(len(second.canvas.operations), 1)
+        self.assertEqual(first.canvas.operations, [])
+        FreeCAD.closeDocument(other.Name)
+        spin(300)
+        docks = correct.open_docks()
+        self.assertEqual(docks, [first])
+
+    def test_an_engine_that_is_killed_is_told_and_starts_again(self) -> None:
         self.canvas.solve()
         self.assertTrue(self.canvas.busy)
-        self.close_canvas()
+        self.canvas.desk._solver._process.kill()
+        self.wait_for(lambda: not self.canvas.busy, 30.0)
+        self.canvas.solve()
+        self.wait_for(lambda: not self.canvas.busy, 120.0)
+        spin(100)
+        self.assertTrue(self.canvas.problems.lines[0].colour)
+
+    def test_a_closed_canvas_ends_its_engines(self) -> None:
+        self.canvas.solve()
+        self.assertTrue(self.canvas.busy)
+        steps = list(self.document.UndoNames)
+        self.close_docks()
         spin(500)
-        self.assertEqual(self.document.Objects, [])
+        self.assertEqual(self.document.UndoNames, steps)
+        self.assertEqual(correct.open_docks(), [])

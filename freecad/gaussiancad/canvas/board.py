@@ -1,4 +1,4 @@
-"""The canvas: a sheet with its strokes and views, and the gestures that correct them.
+"""The canvas: a sheet that can be touched, and the gestures that correct it.
 
 Every gesture ends in operations of ``corrections.json``, which :attr:`Board.said` sends; what is
 shown changes only when whoever keeps them calls :meth:`Board.show_sheet`.
@@ -6,38 +6,52 @@ shown changes only when whoever keeps them calls :meth:`Board.show_sheet`.
 
 from __future__ import annotations
 
-from itertools import pairwise
-from math import hypot
+from collections.abc import Callable, Iterable
+from math import hypot, pi
 
-from freecad.gaussiancad.canvas.kinds import (
-    COLOURS,
-    DOUBT,
-    DOUBTFUL,
-    DRAWN,
-    KEYS,
-    OTHER,
-    ROLES,
-    name_of,
+from freecad.gaussiancad.canvas.handles import (
+    box_between,
+    corners_of,
+    handles_of,
+    with_corner,
+    with_handle,
 )
-from freecad.gaussiancad.canvas.sheet import Point, Sheet, Stroke, arc_through
+from freecad.gaussiancad.canvas.kinds import DRAWN, KEYS, ROLES, name_of
+from freecad.gaussiancad.canvas.scene import Mark, SheetScene, distance, frame_of, handle_places
+from freecad.gaussiancad.canvas.sheet import Box, Number, Point, Sheet, Stroke, View, arc_through
+from freecad.gaussiancad.canvas.snapping import snapped
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
 _SNAP = 10.0
-"""px of the screen within which a place snaps to an end or a centre."""
+"""px of the screen within which a place snaps to another."""
 
 _CLICK = 6.0
-"""px of the screen by which a stroke may be missed."""
+"""px of the screen by which a stroke, a frame or a handle may be missed."""
 
 _ZOOM = 1.25
 _LEAST = 4.0
 """px of the screen that a drag is long at least."""
 
-_PALE = 0.45
-"""Opacity of the sheet under its strokes."""
+_MOST_ZOOM = 40.0
 
-TOOLS = {"L": "line", "A": "arc", "O": "circle", "B": "view", "M": "scale", "R": "ignore-area"}
+TOOLS = {
+    "L": "line",
+    "A": "arc",
+    "O": "circle",
+    "P": "pick",
+    "B": "view",
+    "M": "scale",
+    "X": "plane",
+    "R": "ignore-area",
+}
 """What a key lets the mouse do next; Esc takes it back."""
+
+DRAWING = ("line", "arc", "circle", "pick")
+"""Tools that make strokes."""
+
+_SQUARE = ("line", "plane")
+"""Tools whose lines are level or upright, unless Alt frees them."""
 
 
 class Board(QtWidgets.QGraphicsView):
@@ -47,30 +61,40 @@ class Board(QtWidgets.QGraphicsView):
         said: operations that one gesture means.
         asked_length: two points of the sheet whose distance a person shall tell.
         asked_role: a box of the sheet whose role a person shall tell.
+        asked_value: a :class:`.Number` that a person shall tell.
+        asked_depth: a circle (centre, radius) of a hole whose depth a person shall tell.
+        asked_section: a line in a view, and the view's id: which section cuts there.
+        asked_trace: a place whose ink is to become a stroke.
+        asked_next: the next problem is to be shown.
         asked_part: the part is to be made.
+        chosen: what is selected has changed.
     """
 
     said = QtCore.Signal(list)
     asked_length = QtCore.Signal(tuple)
     asked_role = QtCore.Signal(tuple)
+    asked_value = QtCore.Signal(object)
+    asked_depth = QtCore.Signal(tuple)
+    asked_section = QtCore.Signal(tuple, str)
+    asked_trace = QtCore.Signal(tuple)
+    asked_next = QtCore.Signal()
     asked_part = QtCore.Signal()
+    chosen = QtCore.Signal()
 
     def __init__(self, parent: QtWidgets.QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setScene(QtWidgets.QGraphicsScene(self))
+        self._drawing = SheetScene(self)
+        self.setScene(self._drawing)
         self.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         self.setTransformationAnchor(QtWidgets.QGraphicsView.ViewportAnchor.AnchorUnderMouse)
         self.setFocusPolicy(QtCore.Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self.tool = ""
         self._sheet: Sheet | None = None
-        self._picture: QtWidgets.QGraphicsPixmapItem | None = None
-        self._items: dict[str, QtWidgets.QGraphicsPathItem] = {}
-        self._over: list[QtWidgets.QGraphicsItem] = []
         self._chosen: set[str] = set()
         self._pressed: Point | None = None
+        self._held: int | None = None
         self._clicked: list[Point] = []
-        self._rubber: QtWidgets.QGraphicsPathItem | None = None
         self._panned: QtCore.QPoint | None = None
 
     @property
@@ -79,43 +103,37 @@ class Board(QtWidgets.QGraphicsView):
         strokes = self._sheet.strokes if self._sheet is not None else ()
         return [own for own in strokes if own.id in self._chosen]
 
+    @property
+    def selected_view(self) -> View | None:
+        """The view that is selected alone."""
+        views = self._sheet.views if self._sheet is not None else ()
+        return next((own for own in views if self._chosen == {own.id}), None)
+
     def show_picture(self, path: str, size: tuple[int, int] | None) -> None:
         """Show the picture of a sheet that is ``size`` px large as stored."""
-        pixmap = QtGui.QPixmap(path)
-        if self._picture is not None:
-            self.scene().removeItem(self._picture)
-        self._picture = self.scene().addPixmap(pixmap)
-        self._picture.setZValue(-2.0)
-        self._picture.setOpacity(_PALE)
-        if size is not None and pixmap.width():
-            self._picture.setScale(size[0] / pixmap.width())
-        self.setSceneRect(self._picture.sceneBoundingRect())
+        self._drawing.show_picture(path, size)
 
     def show_sheet(self, sheet: Sheet) -> None:
         """Show strokes and views; what was selected stays so where it is still there."""
-        for item in (*self._items.values(), *self._over):
-            self.scene().removeItem(item)
-        self._items, self._over = {}, []
         self._sheet = sheet
-        self._chosen &= {own.id for own in sheet.strokes}
-        for own in sheet.views:
-            self._add_view(own.id, own.role, own.box, own.used)
-        for own in sheet.strokes:
-            path = QtGui.QPainterPath()
-            first, *rest = own.points()
-            path.moveTo(*first)
-            for point in rest:
-                path.lineTo(*point)
-            item = self.scene().addPath(path)
-            item.setPen(self._pen(own))
-            item.setZValue(1.0 if own.kind in DRAWN else 0.0)
-            self._items[own.id] = item
+        known = {own.id for own in (*sheet.strokes, *sheet.views)}
+        self._chosen &= known
+        self._drawing.show_sheet(sheet, self._chosen)
+        self._drawing.show_chosen(sheet, self._chosen)
+
+    def show_marks(self, marks: Iterable[Mark]) -> None:
+        """Show places of problems and disagreements."""
+        self._drawing.show_marks(marks)
+
+    def set_layer(self, name: str, shown: bool) -> None:
+        """Show a layer, or not."""
+        self._drawing.set_layer(name, shown)
 
     def fit(self) -> None:
         """Show the whole sheet."""
         self.fitInView(self.sceneRect(), QtCore.Qt.AspectRatioMode.KeepAspectRatio)
 
-    def zoom_to(self, box: tuple[float, float, float, float]) -> None:
+    def zoom_to(self, box: Box) -> None:
         """Show a box of the sheet and a little around it."""
         x0, y0, x1, y1 = box
         margin = 0.5 * max(x1 - x0, y1 - y0, 40.0)
@@ -127,24 +145,35 @@ class Board(QtWidgets.QGraphicsView):
         """What the mouse does next; nothing but selecting where it is empty."""
         self.tool = tool
         self._clicked = []
-        self._drop_rubber()
+        self._drawing.drop_rubber()
         cross = QtCore.Qt.CursorShape.CrossCursor
         self.viewport().setCursor(cross if tool else QtCore.Qt.CursorShape.ArrowCursor)
 
     def select(self, ids: set[str]) -> None:
-        """Select strokes by their ids, and no others."""
-        self._chosen = set(ids)
-        for own in self._sheet.strokes if self._sheet is not None else ():
-            self._items[own.id].setPen(self._pen(own))
+        """Select strokes, or a view, by their ids, and no others."""
+        before, self._chosen = self.selected_view, set(ids)
+        if self._sheet is None:
+            return
+        if before is not None or self.selected_view is not None:
+            self._drawing.show_sheet(self._sheet, self._chosen)
+        self._drawing.show_chosen(self._sheet, self._chosen)
+        self.chosen.emit()
 
     def give_kind(self, kind: str) -> None:
         """Say that what is selected stands for a kind."""
         chosen = [own for own in self.selected if own.kind != kind]
         self._say([{"op": "kind", "target": own.target(), "to": kind} for own in chosen])
 
+    def give_role(self, role: str) -> None:
+        """Say what the selected view shows."""
+        view = self.selected_view
+        if view is not None and view.role != role:
+            self._say([{"op": "view", "id": view.id, "role": role}])
+
     def erase(self) -> None:
         """Say that what is selected is not there."""
         self._say([{"op": "erase", "target": own.target()} for own in self.selected])
+        self.give_role("ignore")
 
     def event(self, event: QtCore.QEvent) -> bool:
         """Keep single keys: in FreeCAD they would delete objects and turn the 3D view."""
@@ -155,51 +184,66 @@ class Board(QtWidgets.QGraphicsView):
                 return True
         return super().event(event)
 
+    def focusNextPrevChild(self, _forward: bool) -> bool:
+        """Tab is a key of the canvas."""
+        return False
+
     def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
-        """Kinds, tools, Del, Esc, Enter; Space shows the bare ink."""
-        key = event.key()
+        """Kinds, roles, tools, Del, Esc, Tab, Enter; Space shows the bare ink."""
+        key, keys = event.key(), QtCore.Qt.Key
         if event.modifiers() & QtCore.Qt.KeyboardModifier.ControlModifier:
             super().keyPressEvent(event)
             return
-        name = chr(key) if QtCore.Qt.Key.Key_A <= key <= QtCore.Qt.Key.Key_Z else ""
+        name = chr(key) if keys.Key_A <= key <= keys.Key_Z else ""
         if name in KEYS:
             self.give_kind(KEYS[name])
         elif name in TOOLS:
             self.take_tool(TOOLS[name])
-        elif key in (QtCore.Qt.Key.Key_Delete, QtCore.Qt.Key.Key_Backspace):
-            self.erase()
-        elif key == QtCore.Qt.Key.Key_Escape:
-            self.take_tool("")
-            self.select(set())
-        elif key in (QtCore.Qt.Key.Key_Return, QtCore.Qt.Key.Key_Enter):
-            self.asked_part.emit()
-        elif key == QtCore.Qt.Key.Key_Space:
-            self._show_strokes(False)
+        elif keys.Key_1 <= key <= keys.Key_6:
+            self.give_role(ROLES[key - keys.Key_1])
+        elif key in self._plain_keys:
+            self._plain_keys[key]()
         event.accept()
 
+    @property
+    def _plain_keys(self) -> dict[QtCore.Qt.Key, Callable[[], None]]:
+        keys = QtCore.Qt.Key
+        return {
+            keys.Key_Delete: self.erase,
+            keys.Key_Backspace: self.erase,
+            keys.Key_Escape: self._leave,
+            keys.Key_Return: self.asked_part.emit,
+            keys.Key_Enter: self.asked_part.emit,
+            keys.Key_Tab: self.asked_next.emit,
+            keys.Key_Space: lambda: self._drawing.show_bare(True),
+            keys.Key_Home: self.fit,
+        }
+
     def keyReleaseEvent(self, event: QtGui.QKeyEvent) -> None:
-        """The strokes come back when Space is let go."""
+        """Everything comes back when Space is let go."""
         if event.key() == QtCore.Qt.Key.Key_Space and not event.isAutoRepeat():
-            self._show_strokes(True)
+            self._drawing.show_bare(False)
         event.accept()
 
     def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
         """Zoom at the cursor."""
         factor = _ZOOM if event.angleDelta().y() > 0 else 1.0 / _ZOOM
-        self.scale(factor, factor)
+        if factor * self._zoom <= _MOST_ZOOM:
+            self.scale(factor, factor)
         event.accept()
 
     def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
-        """Begin to select, to draw or to pan."""
+        """Begin to select, to draw, to move a handle or to pan."""
         if event.button() == QtCore.Qt.MouseButton.MiddleButton:
             self._panned = _pos(event)
         elif event.button() == QtCore.Qt.MouseButton.LeftButton and self._sheet is not None:
             self.setFocus()
             self._pressed = self._place(event)
+            self._held = None if self.tool else self._handle_at(self._pressed)
         event.accept()
 
     def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
-        """Pan, or show what would be drawn."""
+        """Pan, or show what would be made."""
         if self._panned is not None:
             moved = _pos(event) - self._panned
             self._panned = _pos(event)
@@ -217,35 +261,92 @@ class Board(QtWidgets.QGraphicsView):
         self._panned = None
         if self._pressed is not None and event.button() == QtCore.Qt.MouseButton.LeftButton:
             start, end = self._pressed, self._end(event)
-            self._pressed = None
-            self._drop_rubber()
-            dragged = self._on_screen(hypot(end[0] - start[0], end[1] - start[1])) >= _LEAST
+            held, self._held, self._pressed = self._held, None, None
+            self._drawing.drop_rubber()
+            dragged = self._zoom * hypot(end[0] - start[0], end[1] - start[1]) >= _LEAST
             shift = bool(event.modifiers() & QtCore.Qt.KeyboardModifier.ShiftModifier)
-            self._finish(start, end, dragged=dragged, shift=shift)
+            if held is not None and dragged:
+                self._move(held, end)
+            else:
+                self._finish(start, end, dragged=dragged, shift=shift)
+        event.accept()
+
+    def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
+        """A number is told anew."""
+        found = self._number_at(self._place(event))
+        if found is not None:
+            self.asked_value.emit(found)
         event.accept()
 
     def contextMenuEvent(self, event: QtGui.QContextMenuEvent) -> None:
-        """Kinds for what is under the mouse or selected, and all that is like it."""
-        found = self._stroke_at(self._scene_point(event.pos()))
-        if found is not None and found.id not in self._chosen:
-            self.select({found.id})
-        if not self.selected:
-            return
+        """What may be said of what is under the mouse, or selected."""
+        at = self._scene_point(event.pos())
+        found = self._stroke_at(at)
+        view = self._view_at(at) if found is None else None
+        name = found.id if found is not None else view.id if view is not None else None
+        if name is not None and name not in self._chosen:
+            self.select({name})
         menu = QtWidgets.QMenu(self)
-        for key, kind in KEYS.items():
-            action = menu.addAction(f"{name_of(kind)}\t{key}")
-            action.triggered.connect(lambda _=False, own=kind: self.give_kind(own))
-        menu.addSeparator()
-        like = menu.addAction(translate("GaussianCAD", "Select all like this"))
-        like.triggered.connect(self.select_alike)
-        gone = menu.addAction(translate("GaussianCAD", "Erase") + "\tDel")
-        gone.triggered.connect(self.erase)
-        menu.popup(event.globalPos())
+        if self.selected:
+            self._offer_kinds(menu)
+        elif self.selected_view is not None:
+            self._offer_roles(menu)
+        if not menu.isEmpty():
+            menu.popup(event.globalPos())
 
     def select_alike(self) -> None:
         """Select all strokes that are like those selected."""
         own = {other.id for each in self.selected for other in self._sheet.like(each)}
         self.select(own)
+
+    def tell_hole(self, circle: tuple[float, float, float], depth_mm: float | None) -> None:
+        """Say how deep the hole of a circle is; None for one that goes through."""
+        told = {"through": True} if depth_mm is None else {"depth_mm": depth_mm}
+        self._say([{"op": "note", "circle": list(circle), **told}])
+
+    def draw(self, shape: tuple[str, tuple], at: Point, kind: str = "visible") -> bool:
+        """Say that there is a stroke, in the view around a place; whether there is such a view.
+
+        The stroke is selected then: a key gives it another kind.
+        """
+        view = self._sheet.view_at(at) if self._sheet is not None else None
+        if view is None:
+            return False
+        name, numbers = shape
+        self._say([{"op": "draw", "view": view.id, "kind": kind, name: numbers}])
+        made = [own.id for own in self._sheet.strokes if own.given and own.shape == shape]
+        self.select(set(made[-1:]))
+        return True
+
+    def _offer_kinds(self, menu: QtWidgets.QMenu) -> None:
+        for key, kind in KEYS.items():
+            action = menu.addAction(f"{name_of(kind)}\t{key}")
+            action.triggered.connect(lambda _=False, own=kind: self.give_kind(own))
+        circles = [own.circle for own in self.selected if own.circle is not None]
+        if len(self.selected) == 1 and circles:
+            menu.addSeparator()
+            through = menu.addAction(translate("GaussianCAD", "Hole Goes Through"))
+            through.triggered.connect(lambda: self.tell_hole(circles[0], None))
+            deep = menu.addAction(translate("GaussianCAD", "Depth of Hole\u2026"))
+            deep.triggered.connect(lambda: self.asked_depth.emit(circles[0]))
+        menu.addSeparator()
+        like = menu.addAction(translate("GaussianCAD", "Select all like this"))
+        like.triggered.connect(self.select_alike)
+        gone = menu.addAction(translate("GaussianCAD", "Erase") + "\tDel")
+        gone.triggered.connect(self.erase)
+
+    def _offer_roles(self, menu: QtWidgets.QMenu) -> None:
+        for number, role in enumerate(ROLES, start=1):
+            action = menu.addAction(f"{name_of(role)}\t{number}")
+            action.triggered.connect(lambda _=False, own=role: self.give_role(own))
+        for role in ("pictorial", "detail", "ignore"):
+            action = menu.addAction(name_of(role))
+            action.triggered.connect(lambda _=False, own=role: self.give_role(own))
+
+    def _leave(self) -> None:
+        self._pressed = self._held = None
+        self.take_tool("")
+        self.select(set())
 
     def _say(self, operations: list[dict]) -> None:
         if operations:
@@ -253,54 +354,86 @@ class Board(QtWidgets.QGraphicsView):
 
     def _finish(self, start: Point, end: Point, *, dragged: bool, shift: bool) -> None:
         """A press and a release, with the tool that is taken."""
-        if self.tool == "scale":
-            self._clicked.append(end)
-            if len(self._clicked) == 2:
-                self.asked_length.emit(tuple(self._clicked))
-                self.take_tool("")
-            return
-        if self.tool == "arc":
-            self._clicked.append(self._snapped(end))
-            if len(self._clicked) == 3:
-                shape = arc_through(*self._clicked)
-                self._draw("arc", shape, self._clicked[0])
-            return
-        if not dragged:
+        clicks = {"scale": self._click_scale, "arc": self._click_arc, "pick": self._click_ink}
+        drags = {
+            "line": self._drag_line,
+            "circle": self._drag_circle,
+            "view": self._drag_view,
+            "plane": self._drag_plane,
+            "ignore-area": self._drag_area,
+        }
+        if self.tool in clicks:
+            clicks[self.tool](end)
+        elif not dragged:
             self._click(end, shift=shift)
-            return
-        if self.tool == "line":
-            a, b = self._snapped(start), self._snapped(end)
-            self._draw("line", (a, b), a)
-        elif self.tool == "circle":
-            centre = self._snapped(start)
-            radius = hypot(end[0] - centre[0], end[1] - centre[1])
-            self._draw("arc", (*centre, radius, 0.0, 6.2831853), centre)
-        elif self.tool == "view":
-            self.asked_role.emit(_box(start, end))
-            self.take_tool("")
-        elif self.tool == "ignore-area":
-            x0, y0, x1, y1 = _box(start, end)
-            corners = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
-            self.take_tool("")
-            self._say([{"op": "region", "polygon": corners, "kind": "ignore"}])
+        elif self.tool in drags:
+            drags[self.tool](start, end)
         else:
             self._band(start, end, shift=shift)
 
-    def _draw(self, name: str, shape: tuple | None, at: Point) -> None:
-        """Say that there is a stroke, in the view where it begins."""
-        self._clicked = []
-        view = self._sheet.view_at(at)
-        if shape is not None and view is not None:
-            self._say([{"op": "draw", "view": view.id, "kind": "visible", name: shape}])
+    def _click_scale(self, at: Point) -> None:
+        self._clicked.append(self._snapped(at))
+        if len(self._clicked) == 2:
+            places = tuple(self._clicked)
+            self.take_tool("")
+            self.asked_length.emit(places)
+
+    def _click_arc(self, at: Point) -> None:
+        self._clicked.append(self._snapped(at))
+        if len(self._clicked) == 3:
+            shape, first = arc_through(*self._clicked), self._clicked[0]
+            self._clicked = []
+            if shape is not None:
+                self.draw(("arc", shape), first)
+
+    def _click_ink(self, at: Point) -> None:
+        self.asked_trace.emit(at)
+
+    def _drag_line(self, start: Point, end: Point) -> None:
+        first = self._snapped(start)
+        self.draw(("line", (first, self._snapped(end, first))), first)
+
+    def _drag_circle(self, start: Point, end: Point) -> None:
+        centre = self._snapped(start)
+        radius = hypot(end[0] - centre[0], end[1] - centre[1])
+        self.draw(("arc", (*centre, radius, 0.0, round(2.0 * pi, 6))), centre)
+
+    def _drag_view(self, start: Point, end: Point) -> None:
+        self.take_tool("")
+        self.asked_role.emit(box_between(start, end))
+
+    def _drag_plane(self, start: Point, end: Point) -> None:
+        first = self._snapped(start)
+        view = self._sheet.view_at(((start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0))
+        if view is not None:
+            self.take_tool("")
+            self.asked_section.emit((first, self._snapped(end)), view.id)
+
+    def _drag_area(self, start: Point, end: Point) -> None:
+        self.take_tool("")
+        corners = corners_of(box_between(start, end))
+        self._say([{"op": "region", "polygon": corners, "kind": "ignore"}])
+
+    def _move(self, index: int, to: Point) -> None:
+        """A handle of what is selected was moved."""
+        view = self.selected_view
+        if view is not None:
+            box = list(with_corner(view.box, index, to))
+            self._say([{"op": "view", "id": view.id, "role": view.role, "box": box}])
+            return
+        (own,) = self.selected
+        name, numbers = with_handle(own.shape, index, self._snapped(to))
+        drawn = {"op": "draw", "view": own.view, "kind": own.kind, name: numbers}
+        self._say([{"op": "erase", "target": own.target()}, drawn])
 
     def _click(self, at: Point, *, shift: bool) -> None:
-        found = self._stroke_at(at)
+        found = self._stroke_at(at) or (None if shift else self._view_at(at))
         chosen = {found.id} if found is not None else set()
         self.select(self._chosen ^ chosen if shift else chosen)
 
     def _band(self, start: Point, end: Point, *, shift: bool) -> None:
         """Select what lies in a rubber band; drawn to the left, also what it touches."""
-        x0, y0, x1, y1 = _box(start, end)
+        x0, y0, x1, y1 = box_between(start, end)
         touching = end[0] < start[0]
         found = set()
         for own in self._sheet.strokes:
@@ -311,29 +444,45 @@ class Board(QtWidgets.QGraphicsView):
 
     def _stroke_at(self, at: Point) -> Stroke | None:
         """The stroke nearest to a place, those of the part first."""
-        reach = _CLICK / max(self.transform().m11(), 1e-9)
+        reach = _CLICK / self._zoom
         best: tuple[tuple[bool, float], Stroke] | None = None
         for own in self._sheet.strokes if self._sheet is not None else ():
-            away = _distance(own.points(), at)
+            away = distance(own.points(), at)
             key = (own.kind not in DRAWN, away)
             if away <= reach and (best is None or key < best[0]):
                 best = key, own
         return None if best is None else best[1]
 
-    def _snapped(self, at: Point) -> Point:
-        """The end or centre near a place, or its row and column of other views; else the place."""
-        reach = _SNAP / max(self.transform().m11(), 1e-9)
-        ends = self._sheet.ends()
-        near = min(ends, key=lambda own: hypot(own[0] - at[0], own[1] - at[1]), default=None)
-        if near is not None and hypot(near[0] - at[0], near[1] - at[1]) <= reach:
-            return near
-        found = list(at)
-        for index in (0, 1):
-            places = [own[index] for own in ends]
-            away = [abs(own - at[index]) for own in places]
-            if away and min(away) <= reach:
-                found[index] = places[away.index(min(away))]
-        return found[0], found[1]
+    def _view_at(self, at: Point) -> View | None:
+        """The view whose frame is at a place."""
+        reach = _CLICK / self._zoom
+        for own in self._sheet.views if self._sheet is not None else ():
+            corners = corners_of(frame_of(own))
+            if distance([*corners, corners[0]], at) <= reach:
+                return own
+        return None
+
+    def _number_at(self, at: Point) -> Number | None:
+        for own in self._sheet.numbers if self._sheet is not None else ():
+            x0, y0, x1, y1 = own.box
+            if x0 <= at[0] <= x1 and y0 <= at[1] <= y1:
+                return own
+        return None
+
+    def _handle_at(self, at: Point) -> int | None:
+        reach = _CLICK / self._zoom
+        for index, (x, y) in enumerate(handle_places(self._sheet, self._chosen)):
+            if hypot(x - at[0], y - at[1]) <= reach:
+                return index
+        return None
+
+    def _snapped(self, at: Point, start: Point | None = None) -> Point:
+        return snapped(self._sheet, at, _SNAP / self._zoom, start)
+
+    @property
+    def _zoom(self) -> float:
+        """px of the screen per px of the sheet."""
+        return max(self.transform().m11(), 1e-9)
 
     def _place(self, event: QtGui.QMouseEvent) -> Point:
         return self._scene_point(_pos(event))
@@ -346,88 +495,27 @@ class Board(QtWidgets.QGraphicsView):
         """Where a drag is: level or upright for a line, unless Alt frees it."""
         x, y = self._place(event)
         alt = event.modifiers() & QtCore.Qt.KeyboardModifier.AltModifier
-        if self.tool == "line" and self._pressed is not None and not alt:
+        if self.tool in _SQUARE and self._pressed is not None and not alt:
             a, b = self._snapped(self._pressed)
             return (x, b) if abs(x - a) >= abs(y - b) else (a, y)
         return x, y
 
-    def _on_screen(self, length: float) -> float:
-        return length * self.transform().m11()
-
     def _show_rubber(self, start: Point, end: Point) -> None:
-        self._drop_rubber()
         path = QtGui.QPainterPath()
-        if self.tool == "line":
+        if self._held is not None and self.selected:
+            start = handles_of(self.selected[0])[1 - self._held]
+        if self.tool in _SQUARE or (self._held is not None and self.selected):
             path.moveTo(*start)
             path.lineTo(*end)
         elif self.tool == "circle":
             radius = hypot(end[0] - start[0], end[1] - start[1])
             path.addEllipse(QtCore.QPointF(*start), radius, radius)
         else:
-            x0, y0, x1, y1 = _box(start, end)
+            if self._held is not None:
+                start = corners_of(self.selected_view.box)[(self._held + 2) % 4]
+            x0, y0, x1, y1 = box_between(start, end)
             path.addRect(x0, y0, x1 - x0, y1 - y0)
-        pen = QtGui.QPen(QtGui.QColor("#28a0dc"), 1.5, QtCore.Qt.PenStyle.DashLine)
-        pen.setCosmetic(True)
-        self._rubber = self.scene().addPath(path, pen)
-        self._rubber.setZValue(3.0)
-
-    def _drop_rubber(self) -> None:
-        if self._rubber is not None:
-            self.scene().removeItem(self._rubber)
-            self._rubber = None
-
-    def _show_strokes(self, shown: bool) -> None:
-        for item in (*self._items.values(), *self._over):
-            item.setVisible(shown)
-        if self._picture is not None:
-            self._picture.setOpacity(_PALE if shown else 1.0)
-
-    def _add_view(
-        self, name: str, role: str, box: tuple[float, float, float, float], used: bool
-    ) -> None:
-        colour = QtGui.QColor("#28a0dc" if used and role != "ignore" else "#bebebe")
-        pen = QtGui.QPen(colour, 1.0, QtCore.Qt.PenStyle.DotLine)
-        pen.setCosmetic(True)
-        x0, y0, x1, y1 = box
-        frame = self.scene().addRect(x0 - 4.0, y0 - 4.0, x1 - x0 + 8.0, y1 - y0 + 8.0, pen)
-        label = self.scene().addSimpleText(name_of(role if role in ROLES else name))
-        label.setBrush(colour)
-        label.setPos(x0 - 4.0, y0 - 4.0)
-        label.setFlag(QtWidgets.QGraphicsItem.GraphicsItemFlag.ItemIgnoresTransformations)
-        for item in (frame, label):
-            item.setZValue(-1.0)
-            self._over.append(item)
-
-    def _pen(self, own: Stroke) -> QtGui.QPen:
-        doubtful = own.kind in DRAWN and own.confidence < DOUBT and not own.given
-        colour = QtGui.QColor(DOUBTFUL if doubtful else COLOURS.get(own.kind, OTHER))
-        width = 2.0 if own.kind in DRAWN else 1.0
-        if own.id in self._chosen:
-            colour, width = QtGui.QColor("#dc1e1e"), width + 2.0
-        styles = QtCore.Qt.PenStyle
-        dashed = own.kind == "hidden"
-        pen = QtGui.QPen(colour, width, styles.DashLine if dashed else styles.SolidLine)
-        pen.setCosmetic(True)
-        return pen
-
-
-def _box(one: Point, other: Point) -> tuple[float, float, float, float]:
-    (a, b), (c, d) = one, other
-    return min(a, c), min(b, d), max(a, c), max(b, d)
-
-
-def _distance(points: list[Point], at: Point) -> float:
-    """Distance of a place from a chain of points."""
-    best = float("inf")
-    for (x0, y0), (x1, y1) in pairwise(points):
-        dx, dy = x1 - x0, y1 - y0
-        length = dx * dx + dy * dy
-        share = 0.0
-        if length:
-            share = min(1.0, max(0.0, ((at[0] - x0) * dx + (at[1] - y0) * dy) / length))
-        away = hypot(at[0] - x0 - share * dx, at[1] - y0 - share * dy)
-        best = min(best, away)
-    return best
+        self._drawing.show_rubber(path)
 
 
 def _pos(event: QtGui.QMouseEvent) -> QtCore.QPoint:

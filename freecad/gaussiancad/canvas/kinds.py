@@ -33,6 +33,12 @@ COLOURS = {
 }
 """The same as in ``reading.png``."""
 
+VIEW, UNUSED = "#28a0dc", "#bebebe"
+"""Frames of views, and of what is no view."""
+
+NUMBER, PLANE, MARK, CHOSEN = "#2e8b2e", "#aa3c00", "#dc1e1e", "#dc1e1e"
+"""Numbers and notes; cutting planes; places of problems; what is selected."""
+
 OTHER = "#969696"
 
 DOUBTFUL, DOUBT = "#ff8c00", 0.6
@@ -51,6 +57,19 @@ _NAMES = {
     "view": QT_TRANSLATE_NOOP("GaussianCAD", "View"),
     "scale": QT_TRANSLATE_NOOP("GaussianCAD", "Scale"),
     "ignore-area": QT_TRANSLATE_NOOP("GaussianCAD", "Ignore Area"),
+    "pick": QT_TRANSLATE_NOOP("GaussianCAD", "Pick from Ink"),
+    "plane": QT_TRANSLATE_NOOP("GaussianCAD", "Cutting Plane"),
+    "section": QT_TRANSLATE_NOOP("GaussianCAD", "section"),
+    "detail": QT_TRANSLATE_NOOP("GaussianCAD", "detail"),
+    "auxiliary": QT_TRANSLATE_NOOP("GaussianCAD", "auxiliary view"),
+    "pictorial": QT_TRANSLATE_NOOP("GaussianCAD", "pictorial"),
+    "sheet": QT_TRANSLATE_NOOP("GaussianCAD", "Sheet"),
+    "views": QT_TRANSLATE_NOOP("GaussianCAD", "Views"),
+    "strokes": QT_TRANSLATE_NOOP("GaussianCAD", "Lines of the Part"),
+    "annotation": QT_TRANSLATE_NOOP("GaussianCAD", "Other Lines"),
+    "numbers": QT_TRANSLATE_NOOP("GaussianCAD", "Numbers and Notes"),
+    "planes": QT_TRANSLATE_NOOP("GaussianCAD", "Cutting Planes"),
+    "marks": QT_TRANSLATE_NOOP("GaussianCAD", "Problems and Disagreements"),
     "front": QT_TRANSLATE_NOOP("GaussianCAD", "front"),
     "top": QT_TRANSLATE_NOOP("GaussianCAD", "top"),
     "right": QT_TRANSLATE_NOOP("GaussianCAD", "right"),

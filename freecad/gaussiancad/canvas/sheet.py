@@ -1,21 +1,25 @@
-"""What is shown of a reading: its strokes and views, with corrections, as the engine takes them.
+"""What is shown of a reading: its views, strokes, numbers and planes, as the engine takes them.
 
-The reading and the corrections are what the engine's files hold, px of the sheet as stored.  The
-engine itself corrects a reading when it solves; this is what a person sees meanwhile.
+The reading is what the engine's file holds, px of the sheet as stored, y down.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import atan2, cos, hypot, pi, sin
 
-from freecad.gaussiancad.canvas.kinds import DRAWN
+from freecad.gaussiancad.canvas.kinds import DRAWN, ROLES
 
 Point = tuple[float, float]
 Box = tuple[float, float, float, float]
+Shape = tuple[str, tuple]
+"""``line``, ``arc`` or ``ellipse`` with its numbers, as in the file."""
 
 _STEPS = 96
 """Points of a whole circle."""
+
+_WHOLE = 6.2
+"""Radians from which an arc is a circle."""
 
 
 @dataclass(frozen=True)
@@ -26,7 +30,7 @@ class Stroke:
         id: by which corrections name it.
         view: id of its view, or None.
         kind: what it stands for.
-        shape: ``line``, ``arc`` or ``ellipse`` with its numbers, as in the file.
+        shape: where it runs.
         confidence: how sure the kind is.
         given: whether a person drew it or said its kind.
     """
@@ -34,9 +38,15 @@ class Stroke:
     id: str
     view: str | None
     kind: str
-    shape: tuple[str, tuple]
+    shape: Shape
     confidence: float = 1.0
     given: bool = False
+
+    @property
+    def circle(self) -> tuple[float, float, float] | None:
+        """Centre and radius of a whole circle; None of anything else."""
+        name, numbers = self.shape
+        return numbers[:3] if name == "arc" and numbers[4] >= _WHOLE else None
 
     def points(self) -> list[Point]:
         """Along the stroke."""
@@ -65,12 +75,26 @@ class Stroke:
 
 @dataclass(frozen=True)
 class View:
-    """A view, or another group of lines: its id, what it shows, and the box around it."""
+    """A view, or another group of lines.
+
+    Attributes:
+        id: by which corrections name it.
+        role: what it shows.
+        box: around it.
+        used: whether it stands for a view of the part.
+        cut: whether it shows a section.
+    """
 
     id: str
     role: str
     box: Box
     used: bool = True
+    cut: bool = False
+
+    @property
+    def shown(self) -> bool:
+        """Whether the part is made from it."""
+        return self.used and self.role != "ignore"
 
     def holds(self, point: Point) -> bool:
         """Whether a place is within its box."""
@@ -79,13 +103,47 @@ class View:
 
 
 @dataclass(frozen=True)
+class Number:
+    """A dimension: its text, the mm that it gives, the box around it, and whether it counts."""
+
+    id: str
+    text: str
+    value: float
+    box: Box
+    used: bool = True
+    given: bool = False
+
+
+@dataclass(frozen=True)
+class Plane:
+    """Where a section cuts: its letters, the line in another view, and the section's box."""
+
+    label: str
+    line: tuple[Point, ...]
+    box: Box | None = None
+    given: bool = False
+
+
+@dataclass(frozen=True)
+class Note:
+    """What is said of a feature: the text, its box, and the circle of which a person said it."""
+
+    text: str
+    box: Box
+    circle: tuple[float, float, float] | None = None
+
+
+@dataclass(frozen=True)
 class Row:
-    """A problem: how grave, what it is, its code, and its place, if it has one."""
+    """A problem: how grave, what it is, its code, its place if it has one, and which corrections
+    may help, by their ``op``."""
 
     severity: str
     message: str
     code: str
     box: Box | None = None
+    offers: tuple[str, ...] = ()
+    arguments: tuple[tuple[str, object], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -98,6 +156,10 @@ class Sheet:
         problems: what is in doubt.
         sha256: of the sheet's file.
         size: px, width and height; None where the reading does not tell.
+        numbers, planes, notes: what else is said on the sheet.
+        projection: ``first`` or ``third``.
+        unit: ``mm`` or ``in``.
+        mm_per_px: the scale; None where it is not known.
     """
 
     strokes: tuple[Stroke, ...]
@@ -105,6 +167,12 @@ class Sheet:
     problems: tuple[Row, ...]
     sha256: str
     size: tuple[int, int] | None
+    numbers: tuple[Number, ...] = ()
+    planes: tuple[Plane, ...] = ()
+    notes: tuple[Note, ...] = ()
+    projection: str = "third"
+    unit: str = "mm"
+    mm_per_px: float | None = None
 
     def view_at(self, point: Point) -> View | None:
         """The smallest used view around a place."""
@@ -119,109 +187,80 @@ class Sheet:
             if (own.kind, own.view, own.shape[0]) == (stroke.kind, stroke.view, stroke.shape[0])
         ]
 
-    def ends(self) -> list[Point]:
-        """Places to snap to: ends of strokes, and centres of arcs."""
-        found = []
-        for own in self.strokes:
-            if own.kind in DRAWN:
-                points = own.points()
-                found += [points[0], points[-1]]
-                if own.shape[0] != "line":
-                    found.append((own.shape[1][0], own.shape[1][1]))
-        return found
+    def drawn(self) -> list[Stroke]:
+        """The strokes that the part is made of."""
+        return [own for own in self.strokes if own.kind in DRAWN]
+
+    @property
+    def sections(self) -> list[View]:
+        """Views that may be sections: those that are hatched, or all of the part where none is."""
+        cut = [own for own in self.views if own.cut]
+        return cut or [own for own in self.views if own.shown and own.role in ROLES]
 
 
 def sheet_of(reading: dict) -> Sheet:
     """What a ``reading.json`` holds."""
-    strokes = []
-    for own in reading.get("strokes", ()):
-        shape = next(
-            ((name, _tuples(own[name])) for name in ("line", "arc", "ellipse") if name in own),
-            None,
-        )
-        if shape is not None:
-            strokes.append(
-                Stroke(
-                    own["id"],
-                    own.get("view"),
-                    own["kind"],
-                    shape,
-                    own.get("confidence", 1.0),
-                    own.get("source") == "given",
-                )
-            )
-    views = tuple(
-        View(own["id"], own["role"], tuple(own["box"]), own.get("used", True))
-        for own in reading.get("views", ())
-    )
-    problems = tuple(
-        Row(own["severity"], own["message"], own["code"], next(map(tuple, own.get("at", ())), None))
-        for own in reading.get("problems", ())
-    )
     size = reading["sheet"].get("size")
     return Sheet(
-        tuple(strokes),
-        views,
-        problems,
+        tuple(_strokes(reading)),
+        tuple(
+            View(
+                own["id"],
+                own["role"],
+                tuple(own["box"]),
+                own.get("used", True),
+                bool(own.get("hatch")),
+            )
+            for own in reading.get("views", ())
+        ),
+        tuple(
+            Row(
+                own["severity"],
+                own["message"],
+                own["code"],
+                next(map(tuple, own.get("at", ())), None),
+                tuple(own.get("offers", ())),
+                tuple(own.get("args", {}).items()),
+            )
+            for own in reading.get("problems", ())
+        ),
         reading["sheet"]["sha256"],
         tuple(size) if size else None,
+        numbers=tuple(
+            Number(
+                own["id"], own["text"], own["value_mm"], tuple(own["box"]), bool(own.get("used"))
+            )
+            for own in reading.get("dimensions", ())
+        ),
+        planes=tuple(
+            Plane(own["label"], tuples(own.get("path") or own["line"]), tuple(own["box"]))
+            for own in reading.get("sections", ())
+            if own.get("line")
+        ),
+        notes=tuple(
+            Note(own["text"], tuple(own["box"]), tuple(own["circle"]) if "circle" in own else None)
+            for own in reading.get("notes", ())
+        ),
+        projection=reading.get("projection", {}).get("value", "third"),
+        unit=reading.get("unit", {}).get("value", "mm"),
+        mm_per_px=reading.get("scale", {}).get("mm_per_px"),
     )
 
 
-def corrected(sheet: Sheet, operations: list[dict]) -> Sheet:
-    """The same after corrections, one after another."""
-    for number, own in enumerate(operations, start=1):
-        sheet = _APPLIED.get(own["op"], _unseen)(sheet, own, number)
-    return sheet
+def _strokes(reading: dict) -> list[Stroke]:
+    found = []
+    for own in reading.get("strokes", ()):
+        shape = shape_in(own)
+        if shape is not None:
+            told = own.get("confidence", 1.0), own.get("source") == "given"
+            found.append(Stroke(own["id"], own.get("view"), own["kind"], shape, *told))
+    return found
 
 
-def _kind(sheet: Sheet, own: dict, _: int) -> Sheet:
-    name = own["target"]["id"]
-    return _changed(sheet, lambda each: each.id == name, kind=own["to"], given=True)
-
-
-def _erase(sheet: Sheet, own: dict, _: int) -> Sheet:
-    name = own["target"]["id"]
-    return replace(sheet, strokes=tuple(each for each in sheet.strokes if each.id != name))
-
-
-def _draw(sheet: Sheet, own: dict, number: int) -> Sheet:
-    shape = next((name, _tuples(own[name])) for name in ("line", "arc", "ellipse") if name in own)
-    drawn = Stroke(f"p{number}", own["view"], own["kind"], shape, given=True)
-    return replace(sheet, strokes=(*sheet.strokes, drawn))
-
-
-def _view(sheet: Sheet, own: dict, _: int) -> Sheet:
-    box = own.get("box")
-    known = next((each for each in sheet.views if each.id == own["id"]), None)
-    if box is None and known is None:
-        return sheet
-    made = View(own["id"], own["role"], tuple(box) if box is not None else known.box)
-    rest = tuple(each for each in sheet.views if each.id != own["id"])
-    return replace(sheet, views=(*rest, made))
-
-
-def _region(sheet: Sheet, own: dict, _: int) -> Sheet:
-    xs, ys = zip(*own["polygon"], strict=True)
-    x0, y0, x1, y1 = min(xs), min(ys), max(xs), max(ys)
-
-    def within(each: Stroke) -> bool:
-        return all(x0 <= x <= x1 and y0 <= y <= y1 for x, y in each.points())
-
-    return _changed(sheet, within, kind=own["kind"], given=True)
-
-
-def _unseen(sheet: Sheet, _own: dict, _number: int) -> Sheet:
-    """What changes no stroke and no view."""
-    return sheet
-
-
-_APPLIED = {"kind": _kind, "erase": _erase, "draw": _draw, "view": _view, "region": _region}
-
-
-def _changed(sheet: Sheet, chosen, **values) -> Sheet:  # noqa: ANN001, ANN003
-    strokes = tuple(replace(own, **values) if chosen(own) else own for own in sheet.strokes)
-    return replace(sheet, strokes=strokes)
+def shape_in(own: dict) -> Shape | None:
+    """The shape that an entry or an operation names; None where it names none."""
+    names = ("line", "arc", "ellipse")
+    return next(((name, tuples(own[name])) for name in names if name in own), None)
 
 
 def arc_through(start: Point, end: Point, middle: Point) -> tuple | None:
@@ -241,7 +280,8 @@ def arc_through(start: Point, end: Point, middle: Point) -> tuple | None:
     return (x, y, hypot(ax - x, ay - y), last, 2.0 * pi - turn)
 
 
-def _tuples(numbers: list) -> tuple:
+def tuples(numbers: list) -> tuple:
+    """Lists of a file as tuples."""
     return tuple(tuple(own) if isinstance(own, (list, tuple)) else own for own in numbers)
 
 

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+
+from freecad.gaussiancad.canvas.rows import Line
+from freecad.gaussiancad.canvas.scene import Mark
 from freecad.gaussiancad.canvas.sheet import Box
 from freecad.gaussiancad.language import translate
 
-MARKS = {
+SIGNS = {
     "verified": "\u2714",
     "approximate": "\u26a0",
     "failed": "\u26d4",
@@ -14,36 +18,83 @@ MARKS = {
     "warning": "\u2139",
 }
 
+_COLOURS = {"verified": "#2e7d32", "approximate": "#b26a00", "failed": "#b3261e"}
+
 _AROUND = 20.0
 """px around a place that is shown with it."""
 
 _MOST = 12
 """Places of disagreement that are listed."""
 
+Circle = tuple[float, float, float]
+Buttons = tuple[tuple[str, Callable[[], None]], ...]
+TellHole = Callable[[Circle, bool], None]
+"""Says of the hole of a circle whether it goes through; if not, its depth is asked for."""
 
-def found_in(report: dict) -> list[tuple[str, Box | None]]:
-    """Rows of a report: the verdict, its reasons, what was assumed, where lines disagree."""
+
+def verdict_lines(report: dict, tell_hole: TellHole, offers: dict[str, Buttons]) -> list[Line]:
+    """Rows of a report: the verdict with its colour, its reasons, what was assumed with a yes and a
+    no, where lines disagree or contradict each other, and warnings.
+
+    Args:
+        report: of a run.
+        tell_hole: what yes and no do where a hole was assumed to go through.
+        offers: buttons that help, by the code of a reason or a warning.
+    """
     status = report["status"]
-    rows: list[tuple[str, Box | None]] = [(f"{MARKS[status]} {_verdict(status)}", None)]
-    rows += [(own["message"], None) for own in report.get("reasons", ())]
-    assumed = translate("GaussianCAD", "Assumed: {0}")
-    rows += [
-        (assumed.format(own["message"]), tuple(own["at"]) if own.get("at") else None)
-        for own in report.get("assumptions", ())
-    ]
+    text = f"{SIGNS[status]} {_shape(status)}"
+    measures = _measures(report)
+    lines = [Line(f"{text}\n{measures}" if measures else text, colour=_COLOURS[status])]
+    lines += [_remark("doubt", own, offers) for own in report.get("reasons", ())]
+    lines += [_assumed(own, tell_hole) for own in report.get("assumptions", ())]
+    lines += [Line(text, box) for box, text in _disagreements(report)]
+    lines += [_remark("warning", own, offers) for own in report.get("warnings", ())]
+    return lines
+
+
+def _remark(severity: str, own: dict, offers: dict[str, Buttons]) -> Line:
+    return Line(f"{SIGNS[severity]} {own['message']}", buttons=offers.get(own["code"], ()))
+
+
+def marks_of(report: dict) -> list[Mark]:
+    """Places of disagreements and contradictions."""
+    return list(_disagreements(report))
+
+
+def _disagreements(report: dict) -> Iterator[Mark]:
     missing = translate("GaussianCAD", "The part lacks a line of {0} mm here")
     beyond = translate("GaussianCAD", "The part has a line of {0} mm here that the sheet has not")
     for own in report.get("disagreements", ())[:_MOST]:
         text = missing if own["missing"] else beyond
         x, y = own["at"]
         box = (x - _AROUND, y - _AROUND, x + _AROUND, y + _AROUND)
-        rows.append((text.format(own["length_mm"]), box))
+        yield box, text.format(f"{own['length_mm']:.4g}")
     conflict = translate("GaussianCAD", "These lines contradict each other")
-    rows += [(conflict, tuple(own["box"])) for own in report.get("conflict", ())]
-    return rows
+    for own in report.get("conflict", ()):
+        x0, y0, x1, y1 = own["box"]
+        yield (x0 - _AROUND, y0 - _AROUND, x1 + _AROUND, y1 + _AROUND), conflict
 
 
-def _verdict(status: str) -> str:
+def _assumed(own: dict, tell_hole: TellHole) -> Line:
+    text = translate("GaussianCAD", "Assumed: {0}").format(own["message"])
+    box: Box | None = tuple(own["at"]) if own.get("at") else None
+    if own["code"] != "hole-through" or box is None:
+        return Line(text, box)
+    x0, y0, x1, y1 = box
+    circle = ((x0 + x1) / 2.0, (y0 + y1) / 2.0, (x1 - x0) / 2.0)
+    yes = translate("GaussianCAD", "Yes, Through"), lambda: tell_hole(circle, True)
+    no = translate("GaussianCAD", "No, so Deep\u2026"), lambda: tell_hole(circle, False)
+    return Line(text, box, (yes, no))
+
+
+def _measures(report: dict) -> str:
+    bound = (report.get("measures") or {}).get("uncertainty_mm")
+    if not isinstance(bound, (int, float)):
+        return ""
+    return translate("GaussianCAD", "Measures to \u00b1{0} mm").format(f"{bound:.2g}")
+
+
+def _shape(status: str) -> str:
     return {
         "verified": translate("GaussianCAD", "Verified: the part has the sheet's lines, no others"),
         "approximate": translate("GaussianCAD", "Approximate: check the part against the sheet"),

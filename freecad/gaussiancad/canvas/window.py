@@ -1,47 +1,26 @@
-"""A window of its own for one sheet: what was understood, corrections, and the part.
+"""The window of one sheet: what was understood, a person's corrections, and the verdict.
 
-``gaussiancad correct SHEET`` opens it.  The engine runs as a process of its own; corrections lie
-beside the sheet, where every run takes them.
+It stands by itself (``gaussiancad correct SHEET``) and in a dock of FreeCAD.
 """
 
 from __future__ import annotations
 
-import hashlib
-import json
-import shutil
 import sys
-import tempfile
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
-from freecad.gaussiancad.canvas.board import TOOLS, Board
-from freecad.gaussiancad.canvas.history import (
-    History,
-    corrections_path,
-    read_again,
-    read_corrections,
-    write_corrections,
-)
+from freecad.gaussiancad.canvas.board import DRAWING, TOOLS, Board
+from freecad.gaussiancad.canvas.desk import Desk
+from freecad.gaussiancad.canvas.keeping import Beside, Keeper
 from freecad.gaussiancad.canvas.kinds import KEYS, ROLES, name_of
-from freecad.gaussiancad.canvas.sheet import Box, Sheet, corrected, sheet_of
-from freecad.gaussiancad.canvas.verdict import MARKS, found_in
-from freecad.gaussiancad.engine.verdict import not_started
+from freecad.gaussiancad.canvas.rows import Line, Rows
+from freecad.gaussiancad.canvas.scene import LAYERS
+from freecad.gaussiancad.canvas.serving import Program
+from freecad.gaussiancad.canvas.sheet import Box, Number, Point, Row, Sheet
+from freecad.gaussiancad.canvas.verdict import SIGNS, marks_of, verdict_lines
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
-
-
-@dataclass(frozen=True)
-class Program:
-    """How the engine is started.
-
-    Attributes:
-        command: program and first arguments.
-        environment: variables; None for those of this process.
-    """
-
-    command: tuple[str, ...] = (sys.executable, "-m", "gaussiancad_core")
-    environment: dict[str, str] | None = None
 
 
 class SheetWindow(QtWidgets.QMainWindow):
@@ -49,18 +28,14 @@ class SheetWindow(QtWidgets.QMainWindow):
 
     Args:
         path: of the sheet.
-        page: of a PDF file.
+        page: of a file with pages.
         program: the engine.
-        parent: in FreeCAD its main window.
+        keeper: of the corrections; a file beside the sheet where none is given.
+        parent: in FreeCAD the dock.
 
     Raises:
         ValueError: the corrections beside the sheet are damaged.
-
-    Signals:
-        solved: the folder of a run that made a part.
     """
-
-    solved = QtCore.Signal(str)
 
     def __init__(
         self,
@@ -68,259 +43,333 @@ class SheetWindow(QtWidgets.QMainWindow):
         page: int = 1,
         *,
         program: Program | None = None,
+        keeper: Keeper | None = None,
         parent: QtWidgets.QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self._path, self._page = path, page
-        self._program = program or Program()
-        self._folder = tempfile.TemporaryDirectory(prefix="gaussiancad-")
-        self._history = History(read_corrections(path))
-        self._read: Sheet | None = None
-        self._within: list[dict] = []
-        self._process: QtCore.QProcess | None = None
-        self._closed = False
+        self.keeper = keeper or Beside(path)
+        self.desk = Desk(path, page, program or Program(), self.keeper, self)
         self.board = Board(self)
-        self.board.said.connect(self.say)
-        self.board.asked_role.connect(self._ask_role)
-        self.board.asked_length.connect(self._ask_length)
-        self.board.asked_part.connect(self.solve)
-        self.setCentralWidget(self.board)
-        self.problems = QtWidgets.QListWidget()
-        self.problems.setWordWrap(True)
-        self.problems.itemClicked.connect(self._show_place)
-        dock = QtWidgets.QDockWidget(translate("GaussianCAD", "Problems"), self)
-        dock.setWidget(self.problems)
-        self.addDockWidget(QtCore.Qt.DockWidgetArea.RightDockWidgetArea, dock)
+        self.problems = Rows(self)
+        self._report: dict | None = None
+        self._pictured = False
+        self._listen()
+        split = QtWidgets.QSplitter(QtCore.Qt.Orientation.Vertical)
+        split.addWidget(self.board)
+        split.addWidget(self.problems)
+        split.setStretchFactor(0, 1)
+        split.setStretchFactor(1, 0)
+        split.setSizes([600, 220])
+        self.setCentralWidget(split)
         self._add_tools()
         self.setWindowTitle(f"{path.name} \u2013 GaussianCAD")
-        self.resize(1280, 800)
+        self.resize(1280, 900)
 
     @property
     def sheet(self) -> Sheet | None:
         """What is shown; None while the sheet is read."""
-        if self._read is None:
-            return None
-        return corrected(self._read, self._history.operations[len(self._within) :])
+        return self.desk.sheet
 
     @property
     def busy(self) -> bool:
-        """Whether the engine is at work."""
-        return self._process is not None
+        """Whether an engine reads or solves."""
+        return self.desk.reading or self.desk.solving
 
     @property
     def operations(self) -> list[dict]:
         """What was said."""
-        return self._history.operations
+        return self.keeper.operations
 
     def start(self) -> None:
         """Read the sheet."""
-        if self._process is not None:
-            return
-        # Beside a copy no corrections lie: what the machine read stays apart from what is said,
-        # but for views that a person boxed, whose strokes are to be read.
-        copy = Path(self._folder.name) / "sheet" / self._path.name
-        copy.parent.mkdir(exist_ok=True)
-        shutil.copyfile(self._path, copy)
-        within = read_again(self._history.operations)
-        if within:
-            sha256 = hashlib.sha256(copy.read_bytes()).hexdigest()
-            write_corrections(copy, sha256, within)
-        else:
-            corrections_path(copy).unlink(missing_ok=True)
-        arguments = ["read", str(copy), "--output", self._folder.name]
-
-        def done(code: int, text: str) -> None:
-            self._was_read(code, text, within)
-
-        self._run([*arguments, "--page", str(self._page)], done)
+        self.tell(translate("GaussianCAD", "The sheet is read\u2026"))
+        self.desk.start()
 
     def solve(self) -> None:
         """Make the part, with what was said."""
-        if self._read is None or self._process is not None:
-            return
-        out = str(Path(self._folder.name) / "part")
-        arguments = ["reconstruct", str(self._path), "--output", out, "--result", "solid"]
-        self._run([*arguments, "--page", str(self._page)], self._was_solved)
-
-    def say(self, operations: list[dict]) -> None:
-        """Take corrections as one step, and keep them beside the sheet.
-
-        Nothing is taken before the sheet is read.
-        """
-        if self._read is None:
-            return
-        self._history.say(operations)
-        self._kept()
+        self.desk.solve()
 
     def undo(self) -> None:
         """Take the last step back."""
-        if self._read is not None and self._history.undo():
-            self._kept()
+        self.keeper.undo()
+        self.desk.refresh()
 
     def redo(self) -> None:
         """Say it again."""
-        if self._read is not None and self._history.redo():
-            self._kept()
-
-    def show_reading(self, reading: dict, picture: Path, within: Sequence[dict] = ()) -> None:
-        """Show what was read, with what was said.
-
-        Args:
-            reading: of the sheet.
-            picture: of it.
-            within: the first operations, if the reading has them already.
-        """
-        first = self._read is None
-        self._read, self._within = sheet_of(reading), list(within)
-        if first:
-            self.board.show_picture(str(picture), self._read.size)
-        self._shown()
-        if first:
-            self.board.fit()
-        if read_again(self._history.operations) != self._within:
-            self.start()
-
-    def closeEvent(self, event: QtGui.QCloseEvent) -> None:
-        """End the engine with the window."""
-        self._closed = True
-        if self._process is not None:
-            self._process.kill()
-            self._process.waitForFinished()
-        self._folder.cleanup()
-        super().closeEvent(event)
-
-    def _kept(self) -> None:
-        write_corrections(self._path, self._read.sha256, self._history.operations)
-        self._shown()
-        if read_again(self._history.operations) != self._within:
-            self.start()
-
-    def _shown(self) -> None:
-        sheet = self.sheet
-        self.board.show_sheet(sheet)
-        self.problems.clear()
-        for number, own in enumerate(sheet.problems):
-            self._add_row(number, f"{MARKS.get(own.severity, '')} {own.message}", own.box)
-        count = len(self._history.operations)
-        self.statusBar().showMessage(
-            translate("GaussianCAD", "{0} correction(s), beside the sheet").format(count)
-        )
-
-    def _run(self, arguments: list[str], done: Callable[[int, str], None]) -> None:
-        program, *first = self._program.command
-        process = QtCore.QProcess(self)
-        if self._program.environment is not None:
-            variables = QtCore.QProcessEnvironment()
-            for name, value in self._program.environment.items():
-                variables.insert(name, value)
-            process.setProcessEnvironment(variables)
-        process.setProcessChannelMode(QtCore.QProcess.ProcessChannelMode.MergedChannels)
-        process.finished.connect(lambda code, _status=None: self._ended(code, done))
-        process.errorOccurred.connect(self._failed)
-        self._process = process
-        self.statusBar().showMessage(translate("GaussianCAD", "The engine is at work\u2026"))
-        process.start(program, [*first, *arguments])
-
-    def _failed(self, error: QtCore.QProcess.ProcessError) -> None:
-        # A process that ends badly is told by its end; one that never began has none.
-        if error == QtCore.QProcess.ProcessError.FailedToStart and self._process is not None:
-            process, self._process = self._process, None
-            self.statusBar().clearMessage()
-            found = not_started(self._program.command[0], process.errorString())
-            self.tell(found.message)
-            process.deleteLater()
-
-    def _ended(self, code: int, done: Callable[[int, str], None]) -> None:
-        process, self._process = self._process, None
-        if self._closed:
-            return
-        text = bytes(process.readAllStandardOutput()).decode("utf-8", "replace")
-        process.deleteLater()
-        done(code, text)
-
-    def _was_read(self, code: int, text: str, within: list[dict]) -> None:
-        folder = Path(self._folder.name)
-        if code or not (folder / "reading.json").is_file():
-            self.tell(text)
-            return
-        reading = json.loads((folder / "reading.json").read_text(encoding="utf-8"))
-        self.show_reading(reading, folder / "sheet.png", within)
-
-    def _was_solved(self, code: int, text: str) -> None:
-        folder = Path(self._folder.name) / "part"
-        self.problems.clear()
-        try:
-            report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
-        except (OSError, ValueError):
-            self.tell(text)
-            return
-        for number, (line, box) in enumerate(found_in(report)):
-            self._add_row(number, line, box)
-        self.problems.scrollToTop()
-        self.statusBar().showMessage(report["status"])
-        if not code:
-            self.solved.emit(str(folder))
+        self.keeper.redo()
+        self.desk.refresh()
 
     def tell(self, text: str) -> None:
-        """Put lines before all others of the list."""
-        for number, line in enumerate(own for own in text.splitlines() if own.strip()):
-            self._add_row(number, line.strip(), None)
-        self.problems.scrollToTop()
+        """Put a sentence in place of the list."""
+        self.problems.show_lines([Line(own) for own in text.splitlines() if own.strip()])
 
-    def _add_row(self, number: int, text: str, box: Box | None) -> None:
-        item = QtWidgets.QListWidgetItem(text)
-        if box is not None:
-            item.setData(QtCore.Qt.ItemDataRole.UserRole, list(box))
-            item.setToolTip(translate("GaussianCAD", "Click to see the place"))
-        self.problems.insertItem(number, item)
+    def say_view(self, role: str, box: Box) -> None:
+        """Say that a box of the sheet is a view."""
+        known = self.sheet.views if self.sheet is not None else ()
+        name = next((own.id for own in known if own.role == role), role)
+        self.desk.say([{"op": "view", "id": name, "role": role, "box": list(box)}])
 
-    def _show_place(self, item: QtWidgets.QListWidgetItem) -> None:
-        box = item.data(QtCore.Qt.ItemDataRole.UserRole)
-        if box:
-            self.board.zoom_to(tuple(box))
+    def say_length(self, points: tuple[Point, Point], length: float) -> None:
+        """Say how far two points of the sheet are apart, mm."""
+        told = {"points": [list(own) for own in points], "length_mm": length}
+        self.desk.say([{"op": "scale", **told}])
+
+    def say_value(self, number: Number, value_mm: float) -> None:
+        """Say what a dimension gives, mm."""
+        self.desk.say([{"op": "dimension", "id": number.id, "value_mm": value_mm}])
+
+    def say_section(self, view: str, line: tuple[Point, ...], in_view: str) -> None:
+        """Say that a view shows the section along a line in another view."""
+        told = {"id": view, "in_view": in_view, "line": [list(own) for own in line]}
+        self.desk.say([{"op": "section", **told}])
+
+    def closeEvent(self, event: QtGui.QCloseEvent) -> None:
+        """End the engines with the window."""
+        self.desk.close()
+        super().closeEvent(event)
+
+    def _listen(self) -> None:
+        board, desk = self.board, self.desk
+        board.said.connect(desk.say)
+        board.asked_role.connect(self._ask_role)
+        board.asked_length.connect(self._ask_length)
+        board.asked_value.connect(self._ask_value)
+        board.asked_depth.connect(self._ask_depth)
+        board.asked_section.connect(self._ask_section)
+        board.asked_trace.connect(self._trace)
+        board.asked_next.connect(self.problems.show_next)
+        board.asked_part.connect(self.solve)
+        self.problems.place_asked.connect(board.zoom_to)
+        desk.pictured.connect(self._show_picture)
+        desk.read.connect(self._was_read)
+        desk.changed.connect(self._shown)
+        desk.solved.connect(self._was_solved)
+        desk.told.connect(self.tell)
+        desk.working.connect(self._show_work)
+
+    def _show_picture(self, path: str, size: object) -> None:
+        self.board.show_picture(path, size)
+        if not self._pictured:
+            self._pictured = True
+            self.board.fit()
+
+    def _was_read(self) -> None:
+        belongs = getattr(self.keeper, "belongs_to", None)
+        if belongs is not None and not belongs(self.desk.sheet.sha256):
+            kept = translate(
+                "GaussianCAD",
+                "The corrections beside the sheet are of another version of it: they were left "
+                "out, and will be kept as a file of their own.",
+            )
+            self.problems.show_lines([Line(kept)])
+
+    def _shown(self) -> None:
+        """What was read, or said, has changed: the verdict is out of date."""
+        self._report = None
+        sheet = self.sheet
+        self.board.show_sheet(sheet)
+        self.board.show_marks(
+            (own.box, own.message) for own in sheet.problems if own.box is not None
+        )
+        self._show_rows()
+        for name, value in (("projection", sheet.projection), ("unit", sheet.unit)):
+            for action in self._choices[name].actions():
+                action.setChecked(action.data() == value)
+
+    def _was_solved(self, report: dict, _folder: str) -> None:
+        self._report = report
+        self.board.show_marks(marks_of(report))
+        self._show_rows()
+
+    def _show_rows(self) -> None:
+        """What the last run says; until there is one, what is in doubt of what was read."""
+        sheet, report = self.sheet, self._report
+        problems = sheet.problems if sheet is not None else ()
+        if report is not None:
+            offers = {own.code: self._help(own) for own in problems}
+            lines = verdict_lines(report, self._tell_hole, offers)
+        else:
+            lines = [
+                Line(f"{SIGNS[own.severity]} {own.message}", own.box, self._help(own))
+                for own in problems
+            ]
+        count = len(self.operations)
+        lines.append(Line(translate("GaussianCAD", "{0} correction(s) by hand").format(count)))
+        self.problems.show_lines(lines)
+
+    def _help(self, row: Row) -> tuple[tuple[str, Callable[[], None]], ...]:
+        """Buttons for what may help with a problem: the tool of each correction that is offered."""
+        take = self.board.take_tool
+        known: dict[str, tuple[str, Callable[[], None]]] = {
+            "view": (translate("GaussianCAD", "Box a View"), lambda: take("view")),
+            "draw": (translate("GaussianCAD", "Draw a Line"), lambda: take("line")),
+            "scale": (translate("GaussianCAD", "Tell a Length"), lambda: take("scale")),
+            "section": (translate("GaussianCAD", "Set the Plane"), lambda: take("plane")),
+            "projection": (translate("GaussianCAD", "Other Projection"), self._turn_projection),
+        }
+        return tuple(known[own] for own in row.offers if own in known)
+
+    def _turn_projection(self) -> None:
+        other = {"first": "third", "third": "first"}[self.sheet.projection]
+        self.desk.say([{"op": "projection", "value": other}])
+
+    def _tell_hole(self, circle: tuple[float, float, float], through: bool) -> None:
+        if through:
+            self.board.tell_hole(circle, None)
+        else:
+            self._ask_depth(circle)
+
+    def _show_work(self) -> None:
+        if self.desk.reading:
+            text = translate("GaussianCAD", "Reading\u2026")
+        elif self.desk.solving:
+            text = translate("GaussianCAD", "Making the part\u2026")
+        else:
+            text = translate("GaussianCAD", "Ready")
+        self.statusBar().showMessage(text)
 
     def _ask_role(self, box: tuple) -> None:
         menu = QtWidgets.QMenu(self)
-        for number, role in enumerate((*ROLES, "ignore"), start=1):
-            action = menu.addAction(f"{number} {name_of(role)}")
-            action.triggered.connect(lambda _=False, own=role: self.say_view(own, box))
+        for number, role in enumerate((*ROLES, "pictorial", "ignore"), start=1):
+            key = f"\t{number}" if number <= len(ROLES) else ""
+            action = menu.addAction(f"{name_of(role)}{key}")
+            if key:
+                action.setShortcut(QtGui.QKeySequence(str(number)))
+            action.triggered.connect(partial(self._take_role, role, box))
         menu.popup(QtGui.QCursor.pos())
 
-    def say_view(self, role: str, box: tuple) -> None:
-        """Say that a box of the sheet is a view."""
-        known = corrected(self._read, self._history.operations).views
-        name = next((own.id for own in known if own.role == role), role)
-        self.say([{"op": "view", "id": name, "role": role, "box": list(box)}])
+    def _take_role(self, role: str, box: tuple, _checked: bool = False) -> None:
+        self.say_view(role, box)
+
+    def _ask_section(self, line: tuple, in_view: str) -> None:
+        found = [own for own in self.sheet.sections if own.id != in_view]
+        if len(found) == 1:
+            self.say_section(found[0].id, line, in_view)
+            return
+        menu = QtWidgets.QMenu(self)
+        for own in found:
+            action = menu.addAction(name_of(own.role if own.role in ROLES else own.id))
+            action.triggered.connect(partial(self._take_section, own.id, line, in_view))
+        menu.popup(QtGui.QCursor.pos())
+
+    def _take_section(self, view: str, line: tuple, in_view: str, _checked: bool = False) -> None:
+        self.say_section(view, line, in_view)
 
     def _ask_length(self, points: tuple) -> None:
-        title = translate("GaussianCAD", "Scale")
         asked = translate("GaussianCAD", "Length between the two points in mm:")
-        length, told = QtWidgets.QInputDialog.getDouble(self, title, asked, 100.0, 0.001, 1e6, 3)
-        if told:
+        length = self._number(translate("GaussianCAD", "Scale"), asked, 100.0)
+        if length is not None:
             self.say_length(points, length)
 
-    def say_length(self, points: tuple, length: float) -> None:
-        """Say how far two points of the sheet are apart, mm."""
-        self.say([{"op": "scale", "points": [list(own) for own in points], "length_mm": length}])
+    def _ask_value(self, number: Number) -> None:
+        asked = translate("GaussianCAD", "What \u201c{0}\u201d gives, in mm:").format(number.text)
+        value = self._number(translate("GaussianCAD", "Dimension"), asked, number.value)
+        if value is not None:
+            self.say_value(number, value)
+
+    def _ask_depth(self, circle: tuple) -> None:
+        asked = translate("GaussianCAD", "Depth of the hole in mm:")
+        depth = self._number(translate("GaussianCAD", "Hole"), asked, 10.0)
+        if depth is not None:
+            self.board.tell_hole(circle, depth)
+
+    def _number(self, title: str, asked: str, start: float) -> float | None:
+        value, told = QtWidgets.QInputDialog.getDouble(self, title, asked, start, 0.001, 1e6, 3)
+        return value if told else None
+
+    def _trace(self, at: tuple) -> None:
+        def done(shape: tuple[str, tuple] | None) -> None:
+            if shape is None or not self.board.draw(shape, at):
+                text = translate("GaussianCAD", "There is no line of a view at this place")
+                self.statusBar().showMessage(text)
+
+        self.desk.trace(at, done)
+
+    def _set_live(self, live: bool) -> None:
+        self.desk.live = live
 
     def _add_tools(self) -> None:
         bar = self.addToolBar("GaussianCAD")
+        bar.setObjectName("GaussianCADCanvas")
+        draw, kinds = QtWidgets.QMenu(self), QtWidgets.QMenu(self)
+        self._add_menu(bar, translate("GaussianCAD", "Draw"), draw)
         for key, name in TOOLS.items():
-            action = bar.addAction(f"{name_of(name)} ({key})")
-            action.triggered.connect(lambda _=False, own=name: self.board.take_tool(own))
-        bar.addSeparator()
+            place = draw if name in DRAWING else bar
+            text = f"{name_of(name)} ({key})" if place is bar else f"{name_of(name)}\t{key}"
+            self._add(place, text, partial(self.board.take_tool, name))
         for key, kind in KEYS.items():
-            action = bar.addAction(f"{name_of(kind)} ({key})")
-            action.triggered.connect(lambda _=False, own=kind: self.board.give_kind(own))
-        bar.addSeparator()
-        for text, keys, called in (
-            (translate("GaussianCAD", "Undo"), QtGui.QKeySequence.StandardKey.Undo, self.undo),
-            (translate("GaussianCAD", "Redo"), QtGui.QKeySequence.StandardKey.Redo, self.redo),
-            (translate("GaussianCAD", "Solve"), QtGui.QKeySequence("F5"), self.solve),
-        ):
-            action = bar.addAction(text)
-            action.setShortcut(keys)
-            action.triggered.connect(lambda _=False, own=called: own())
+            self._add(kinds, f"{name_of(kind)}\t{key}", partial(self.board.give_kind, kind))
+        self._add_menu(bar, translate("GaussianCAD", "Kind"), kinds)
+        self._choices = {
+            "projection": self._choice(
+                bar,
+                translate("GaussianCAD", "Projection"),
+                (
+                    ("first", translate("GaussianCAD", "First angle")),
+                    ("third", translate("GaussianCAD", "Third angle")),
+                ),
+                lambda value: self.desk.say([{"op": "projection", "value": value}]),
+            ),
+            "unit": self._choice(
+                bar,
+                translate("GaussianCAD", "Unit"),
+                (("mm", "mm"), ("in", translate("GaussianCAD", "inch"))),
+                lambda value: self.desk.say([{"op": "unit", "value": value}]),
+            ),
+        }
+        self._add_layers(bar)
+        live = bar.addAction(translate("GaussianCAD", "Solve as I Go"))
+        live.setCheckable(True)
+        live.setChecked(True)
+        live.toggled.connect(self._set_live)
+        solve = self._add(bar, translate("GaussianCAD", "Solve"), self.solve)
+        solve.setToolTip(translate("GaussianCAD", "Makes the part (Enter)"))
+        if self.keeper.own_steps:
+            # In FreeCAD these are keys of the document.
+            keys = QtGui.QKeySequence.StandardKey
+            undo = self._add(bar, translate("GaussianCAD", "Undo"), self.undo)
+            undo.setShortcut(keys.Undo)
+            redo = self._add(bar, translate("GaussianCAD", "Redo"), self.redo)
+            redo.setShortcut(keys.Redo)
+
+    def _add(self, bar: QtWidgets.QToolBar, text: str, called: Callable[[], None]) -> QtGui.QAction:
+        action = bar.addAction(text)
+        action.triggered.connect(lambda _=False: called())
+        return action
+
+    def _choice(
+        self,
+        bar: QtWidgets.QToolBar,
+        title: str,
+        values: tuple[tuple[str, str], ...],
+        say: Callable[[str], None],
+    ) -> QtWidgets.QMenu:
+        """A button with a menu of values, of which one holds."""
+        menu = QtWidgets.QMenu(title, self)
+        for value, text in values:
+            action = menu.addAction(text)
+            action.setData(value)
+            action.setCheckable(True)
+            action.triggered.connect(lambda _=False, own=value: say(own))
+        self._add_menu(bar, title, menu)
+        return menu
+
+    def _add_layers(self, bar: QtWidgets.QToolBar) -> None:
+        menu = QtWidgets.QMenu(self)
+        for name in LAYERS:
+            action = menu.addAction(name_of(name))
+            action.setCheckable(True)
+            action.setChecked(True)
+            action.toggled.connect(partial(self.board.set_layer, name))
+        self._add_menu(bar, translate("GaussianCAD", "Show"), menu)
+
+    def _add_menu(self, bar: QtWidgets.QToolBar, title: str, menu: QtWidgets.QMenu) -> None:
+        button = QtWidgets.QToolButton()
+        button.setText(title)
+        button.setMenu(menu)
+        button.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
+        button.setFocusPolicy(QtCore.Qt.FocusPolicy.NoFocus)
+        bar.addWidget(button)
 
 
 def show(path: Path, page: int = 1) -> int:

@@ -115,6 +115,32 @@ def add_part_alone(
     return group
 
 
+def new_reconstruction(document: FreeCAD.Document, job: ReconstructJob) -> FreeCAD.DocumentObject:
+    """Add a group for a drawing that no run has ended on, within the caller's undo step."""
+    group = _new_group(document, job)
+    add_properties(group, _drawing_properties(job))
+    return group
+
+
+def add_empty_part(group: FreeCAD.DocumentObject) -> None:
+    """Add a part without a shape to a group, within the caller's undo step."""
+    feature = group.Document.addObject("Part::Feature", "Part")
+    feature.Label = translate("GaussianCAD", "Part (not there yet)")
+    group.addObject(feature)
+
+
+def show_solution(group: FreeCAD.DocumentObject, shape: Part.Shape, report: Report) -> None:
+    """Give the part of a group another shape, and the group what is known of it, in place."""
+    feature = find_part(group)
+    feature.Shape = shape
+    feature.Label = _solid_label(report.status, report.swept)
+    add_properties(feature, _part_properties(report.status, exact=True))
+    if report.agreement is not None:
+        add_properties(feature, [_agreement_property(report.agreement)])
+    engine = text_map(report.group("engine"))
+    add_properties(group, [*_report_properties(report), *_engine_properties(report, engine)])
+
+
 def extend_reconstruction(group: FreeCAD.DocumentObject, run: LoadedRun) -> FreeCAD.DocumentObject:
     """Add to a part that stands alone what else its run left, in an undo step of its own."""
     with transaction(group.Document, undo_step()):
@@ -208,26 +234,27 @@ def _add_part(
     feature = document.addObject("Part::Feature", "Part")
     feature.Shape = part.shape
     feature.Label = label
-    add_properties(
-        feature,
-        [
-            PropertySpec(
-                "String",
-                "Status",
-                "GaussianCAD",
-                QT_TRANSLATE_NOOP("App::Property", "Whether the part was checked on the drawing"),
-                status.value,
-            ),
-            PropertySpec(
-                "Bool",
-                "Exact",
-                "GaussianCAD",
-                QT_TRANSLATE_NOOP("App::Property", "Whether the faces are exact, not triangles"),
-                part.source is PartSource.SOLID,
-            ),
-        ],
-    )
+    add_properties(feature, _part_properties(status, part.source is PartSource.SOLID))
     return feature
+
+
+def _part_properties(status: Status, exact: bool) -> list[PropertySpec]:
+    return [
+        PropertySpec(
+            "String",
+            "Status",
+            "GaussianCAD",
+            QT_TRANSLATE_NOOP("App::Property", "Whether the part was checked on the drawing"),
+            status.value,
+        ),
+        PropertySpec(
+            "Bool",
+            "Exact",
+            "GaussianCAD",
+            QT_TRANSLATE_NOOP("App::Property", "Whether the faces are exact, not triangles"),
+            exact,
+        ),
+    ]
 
 
 def _add_alternative(

@@ -1,105 +1,224 @@
-"""The canvas in FreeCAD: its engine, its drawing, and the document that receives the part."""
+"""The canvas in FreeCAD: a dock beside the 3D view; corrections and part are the document's."""
 
 import os
-import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
 import FreeCAD
 import FreeCADGui
 
-from freecad.gaussiancad.canvas.window import Program, SheetWindow
+from freecad.gaussiancad.canvas.serving import Program
+from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.engine.environment import clean_environment
-from freecad.gaussiancad.engine.job import MODULE_ARGUMENTS, SHEET_SUFFIXES, Outcome, ReconstructJob
+from freecad.gaussiancad.engine.job import MODULE_ARGUMENTS, SHEET_SUFFIXES
 from freecad.gaussiancad.engine.locate import SearchPlaces, find_engine
-from freecad.gaussiancad.engine.summary import verdict_text
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.language import translate
-from freecad.gaussiancad.objects.loading import load_run
-from freecad.gaussiancad.objects.reconstruction import replace_reconstruction
+from freecad.gaussiancad.objects.corrected_sheet import (
+    CORRECTIONS,
+    InDocument,
+    open_in,
+    take_reading,
+    take_solution,
+)
+from freecad.gaussiancad.objects.document_sheets import export_sheet, first_sheet_object
+from freecad.gaussiancad.objects.reconstruction import find_part
 from freecad.gaussiancad.preferences import read_preferences
 from freecad.gaussiancad.qt import QtCore, QtWidgets
 
+DOCK_NAME = "GaussianCADCanvas"
 
-def open_canvas(selected: Sequence[FreeCAD.DocumentObject]) -> SheetWindow | None:
-    """Open the canvas.
+_ALIKE = 1.3
+"""Factor by which a part may grow before the 3D view is fitted to it again."""
+
+_WIDTH = 620
+"""px of a dock that is opened."""
+
+
+def open_canvas(selected: Sequence[FreeCAD.DocumentObject]) -> "CanvasDock | None":
+    """Open the canvas on what is selected, or on a file that is asked for.
 
     Args:
-        selected: objects of the document; the drawing of a reconstruction among them is taken.
+        selected: objects of the document; the drawing of a reconstruction among them is taken, or
+            a TechDraw page, or a picture on a plane.
 
     Returns:
-        The window; None where no drawing was chosen, there is no engine, or the corrections beside
+        The dock; None where no drawing was chosen, there is no engine, or the corrections beside
         the drawing are damaged, which is told.
     """
-    main = FreeCADGui.getMainWindow()
-    path = _sheet_of(selected) or _asked(main)
-    if not path:
-        return None
+    path, page = _sheet_of(selected)
+    source = None if path else first_sheet_object(list(selected))
+    if source is not None:
+        folder = Path(FreeCAD.getUserAppDataDir()) / "GaussianCAD" / "sheets"
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            path = str(export_sheet(source, folder).path)
+        except (WorkbenchError, OSError) as error:
+            _complain(str(error))
+            return None
+    path = path or _asked(FreeCADGui.getMainWindow())
+    return open_sheet(Path(path), page) if path else None
+
+
+def open_sheet(path: Path, page: int = 1) -> "CanvasDock | None":
+    """Open the canvas on a file, in the active document or a new one; as :func:`open_canvas`."""
     try:
         preference = read_preferences().engine_python
         engine = find_engine(SearchPlaces.of_this_machine(preference, os.environ))
-    except WorkbenchError as error:
-        QtWidgets.QMessageBox.warning(main, "GaussianCAD", str(error))
+        document = FreeCAD.ActiveDocument or FreeCAD.newDocument(path.stem)
+        group = open_in(document, path, page)
+    except (WorkbenchError, ValueError, OSError) as error:
+        _complain(str(error))
         return None
     program = Program((engine.python, *MODULE_ARGUMENTS), clean_environment(os.environ))
-    try:
-        window = SheetWindow(Path(path), program=program, parent=main)
-    except (ValueError, OSError) as error:
-        QtWidgets.QMessageBox.warning(main, "GaussianCAD", str(error))
-        return None
-    window.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)
-    receiver = _Receiver(window, path)
-    window.solved.connect(receiver.take)
-    window.show()
-    window.start()
-    return window
+    main = FreeCADGui.getMainWindow()
+    others = open_docks()
+    for own in others:
+        if own.keeper.find() is group:
+            own.raise_()
+            return own
+    dock = CanvasDock(path, page, program, InDocument(group, path), main)
+    main.addDockWidget(QtCore.Qt.DockWidgetArea.RightDockWidgetArea, dock)
+    for own in others:
+        main.tabifyDockWidget(own, dock)
+    main.resizeDocks([dock], [_WIDTH], QtCore.Qt.Orientation.Horizontal)
+    dock.show()
+    dock.raise_()
+    dock.canvas.start()
+    return dock
 
 
-class _Receiver(QtCore.QObject):
-    """Puts the part of a canvas into a document, in place of the one before.
+def open_docks() -> "list[CanvasDock]":
+    """The canvases that are open; one that was closed stays a widget for a while."""
+    found = FreeCADGui.getMainWindow().findChildren(CanvasDock)
+    return [own for own in found if own.is_open]
+
+
+class CanvasDock(QtWidgets.QDockWidget):
+    """The canvas of one drawing.
 
     Args:
-        window: whose part it is; it owns this object.
-        sheet: path of the drawing.
+        path: of the drawing.
+        page: of a file with pages.
+        program: the engine.
+        keeper: of the corrections.
+        main: FreeCAD's window.
     """
 
-    def __init__(self, window: SheetWindow, sheet: str) -> None:
-        super().__init__(window)
-        self._window, self._sheet = window, sheet
-        active = FreeCAD.ActiveDocument
-        self._document = active.Name if active is not None else ""
-        self._group = ""
+    def __init__(
+        self,
+        path: Path,
+        page: int,
+        program: Program,
+        keeper: InDocument,
+        main: QtWidgets.QWidget,
+    ) -> None:
+        super().__init__(path.name, main)
+        self.setObjectName(DOCK_NAME)
+        self.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.keeper = keeper
+        self.canvas = SheetWindow(path, page, program=program, keeper=keeper, parent=self)
+        self.canvas.setWindowFlags(QtCore.Qt.WindowType.Widget)
+        self.setWidget(self.canvas)
+        self._shown_mm = 0.0
+        desk = self.canvas.desk
+        desk.changed.connect(self._keep_reading)
+        desk.solved.connect(self._take)
+        self.canvas.board.installEventFilter(self)
+        self._observer = _Observer(self)
+        FreeCAD.addDocumentObserver(self._observer)
 
-    def take(self, folder: str) -> None:
-        """Add what a run left in a folder, in one undo step."""
-        job = ReconstructJob(self._sheet, folder, outcome=Outcome.SOLID)
-        with tempfile.TemporaryDirectory(prefix="gaussiancad-") as views:
-            try:
-                run = load_run(job, Path(views))
-            except WorkbenchError as error:
-                self._window.tell(str(error))
-                return
-            if self._document not in FreeCAD.listDocuments():
-                self._document = FreeCAD.newDocument("Reconstruction").Name
-            document = FreeCAD.getDocument(self._document)
-            group = replace_reconstruction(document, self._group, run)
-        self._group = group.Name
-        self._window.tell(verdict_text(run.report))
-        _show(document)
+    @property
+    def is_open(self) -> bool:
+        """Whether it was not closed yet."""
+        return self._observer is not None
+
+    def closeEvent(self, event: object) -> None:
+        """End the engines with the dock; the document keeps what was said."""
+        if self._observer is not None:
+            FreeCAD.removeDocumentObserver(self._observer)
+            self._observer = None
+        self.canvas.close()
+        super().closeEvent(event)
+
+    def eventFilter(self, watched: QtCore.QObject, event: QtCore.QEvent) -> bool:
+        """Undo and redo are those of the document whose canvas has the focus."""
+        if event.type() == QtCore.QEvent.Type.FocusIn and self.keeper.find() is not None:
+            FreeCAD.setActiveDocument(self.keeper.document)
+        return super().eventFilter(watched, event)
+
+    def follow(self) -> None:
+        """Show the corrections that the document has now, and make their part."""
+        if self.keeper.find() is not None:
+            self.keeper.copy()
+            self.canvas.desk.refresh()
+
+    def _keep_reading(self) -> None:
+        group = self.keeper.find()
+        if group is not None and not group.Reading:
+            take_reading(group, self.canvas.desk.reading_file)
+
+    def _take(self, _report: object, folder: str) -> None:
+        group = self.keeper.find()
+        if group is None or not folder:
+            return
+        try:
+            take_solution(group, Path(folder))
+        except WorkbenchError as error:
+            self.canvas.tell(str(error))
+            return
+        length = find_part(group).Shape.BoundBox.DiagonalLength
+        if not 1.0 / _ALIKE < length / max(self._shown_mm, 1e-9) < _ALIKE:
+            self._shown_mm = length
+            _show(group.Document)
+
+
+class _Observer:
+    """Tells a canvas what becomes of its group; FreeCAD calls its methods by their names."""
+
+    def __init__(self, dock: CanvasDock) -> None:
+        self._dock = dock
+
+    def slotChangedObject(self, changed: FreeCAD.DocumentObject, name: str) -> None:
+        """Corrections were said, taken back or said again."""
+        if name == CORRECTIONS and self._is_its(changed):
+            QtCore.QTimer.singleShot(0, self._dock.follow)
+
+    def slotDeletedObject(self, deleted: FreeCAD.DocumentObject) -> None:
+        """An object goes; without its group the canvas is of no use."""
+        if self._is_its(deleted):
+            QtCore.QTimer.singleShot(0, self._dock.close)
+
+    def slotDeletedDocument(self, document: FreeCAD.Document) -> None:
+        """A document goes, and its canvas with it."""
+        if document.Name == self._dock.keeper.document:
+            QtCore.QTimer.singleShot(0, self._dock.close)
+
+    def _is_its(self, own: FreeCAD.DocumentObject) -> bool:
+        keeper = self._dock.keeper
+        return own.Name == keeper.group and own.Document.Name == keeper.document
 
 
 def _show(document: FreeCAD.Document) -> None:
     view = FreeCADGui.getDocument(document.Name).ActiveView
     if hasattr(view, "fitAll"):
+        view.viewIsometric()
         view.fitAll()
 
 
-def _sheet_of(selected: Sequence[FreeCAD.DocumentObject]) -> str:
+def _complain(text: str) -> None:
+    QtWidgets.QMessageBox.warning(FreeCADGui.getMainWindow(), "GaussianCAD", text)
+
+
+def _sheet_of(selected: Sequence[FreeCAD.DocumentObject]) -> tuple[str, int]:
     for own in selected:
-        path = getattr(own, "SheetPath", "")
-        if isinstance(path, str) and Path(path).is_file():
-            return path
-    return ""
+        page = int(dict(getattr(own, "Settings", {})).get("page", "1"))
+        # A drawing that has gone is still in the document.
+        for name in ("SheetPath", "Sheet"):
+            path = getattr(own, name, "")
+            if isinstance(path, str) and path and Path(path).is_file():
+                return path, page
+    return "", 1
 
 
 def _asked(parent: QtWidgets.QWidget) -> str:

@@ -6,7 +6,7 @@ import msgspec
 import pytest
 from msgspec.structs import replace
 
-from gaussiancad_core.readings.correcting import corrected
+from gaussiancad_core.readings.correcting import Ink, corrected
 from gaussiancad_core.readings.operations import CORRECTIONS_SCHEMA, Corrections
 from gaussiancad_core.readings.schema import SCHEMA, SheetReading, StrokeKind, ViewRole
 
@@ -163,3 +163,81 @@ def test_a_reading_comes_back_from_its_file() -> None:
     # What is not known is left out.
     assert "ellipse" not in json.loads(content)["strokes"][0]
     assert replace(_READING, engine="1") != _READING
+
+
+_CIRCLE = [60.0, 230.0, 12.0]
+
+
+def test_a_hole_is_told_once() -> None:
+    through = {"op": "note", "circle": _CIRCLE, "through": True}
+    deep = {"op": "note", "circle": _CIRCLE, "depth_mm": 7.5}
+    found, unmatched = _with(through, deep, {"op": "note", "circle": _CIRCLE}, {**deep, **through})
+    assert unmatched == (3, 4)
+    (own,) = found.notes
+    assert (own.circle, own.depth_mm, own.through) == (tuple(_CIRCLE), 7.5, False)
+    assert own.box == (48.0, 218.0, 72.0, 242.0)
+
+
+@pytest.mark.parametrize(
+    ("role", "in_view", "way"),
+    [
+        ("front", "top", (0.0, -1.0)),
+        ("top", "front", (0.0, 1.0)),
+        ("right", "front", (-1.0, 0.0)),
+        ("left", "top", (1.0, 0.0)),
+    ],
+)
+def test_a_section_looks_as_its_role_says(
+    role: str, in_view: str, way: tuple[float, float]
+) -> None:
+    section = {"op": "view", "id": "cut", "role": role, "box": [200, 10, 260, 60]}
+    shown = {"op": "view", "id": "shown", "role": in_view, "box": [10, 10, 110, 60]}
+    line = [[10, 230], [60, 230], [60, 240], [110, 240]]
+    plane = {"op": "section", "id": "cut", "in_view": "shown", "line": line}
+    found, unmatched = _with(section, shown, plane)
+    assert unmatched == ()
+    (own,) = found.sections
+    assert own.way == pytest.approx(way)
+    assert own.in_view.value == in_view and own.looks.value == role
+    assert not own.straight and own.line == ((10.0, 230.0), (110.0, 240.0))
+    again, _ = _with(section, shown, plane, {**plane, "line": line[:1] + line[-1:]})
+    assert len(again.sections) == 1 and again.sections[0].straight
+
+
+def test_a_plane_is_not_seen_where_the_section_looks() -> None:
+    front = {"op": "view", "id": "cut", "role": "rear", "box": [200, 10, 260, 60]}
+    plane = {"op": "section", "id": "cut", "in_view": "front", "line": [[10, 30], [110, 30]]}
+    assert _with(front, plane)[1] == (2,)
+    assert _with({**plane, "in_view": "nowhere"})[1] == (1,)
+
+
+def test_what_was_corrected_is_counted() -> None:
+    gone = {"op": "erase", "target": {"id": "s99"}}
+    found, unmatched = _with({"op": "unit", "value": "mm"}, gone, {"op": "unit", "value": "in"})
+    assert (found.corrected, unmatched) == (2, (2,))
+
+
+def test_ink_is_traced_in_its_view_alone() -> None:
+    told = msgspec.convert(
+        {
+            "schema": CORRECTIONS_SCHEMA,
+            "sheet_sha256": "0",
+            "ops": [
+                {"op": "trace", "view": "top", "at": [60, 230], "kind": "hidden"},
+                {"op": "trace", "view": "nowhere", "at": [60, 230], "kind": "hidden"},
+                {"op": "trace", "view": "front", "at": [60, 30], "kind": "visible"},
+            ],
+        },
+        Corrections,
+    )
+    asked = []
+
+    def trace(at: tuple[float, float], box: tuple[float, ...]) -> dict | None:
+        asked.append((at, box))
+        return {"line": ((10.0, 230.0), (110.0, 230.0))} if at[1] > 100 else None
+
+    found = corrected(_READING, told.ops, Ink(trace=trace))
+    assert found.unmatched == (2, 3)
+    assert asked == [((60.0, 230.0), (10, 210, 110, 260)), ((60.0, 30.0), (10, 10, 110, 60))]
+    own = found.reading.strokes[-1]
+    assert (own.view, own.kind.value, own.source) == ("top", "hidden", "given")

@@ -209,3 +209,29 @@ def test_views_that_a_person_boxes_are_read_from_the_ink(
     )
     report = _made(sheet, tmp_path / "boxed", "--reading", read)
     assert report["status"] == "verified" and report["solid"]["faces"] == 10
+
+
+def test_a_hole_is_as_deep_as_a_person_says(sheet: Path, read: Path, tmp_path: Path) -> None:
+    values = _json(read)
+    values["strokes"] = [own for own in values["strokes"] if own["kind"] != "hidden"]
+    read.write_text(json.dumps(values))
+    through = _made(sheet, tmp_path / "through", "--reading", read)
+    holes = [own for own in through["assumptions"] if own["code"] == "hole-through"]
+    assert len(holes) == 2
+    (x, y, radius, *_) = next(
+        own["arc"] for own in values["strokes"] if own["view"] == "top" and "arc" in own
+    )
+    deep = {"op": "note", "circle": [x, y, radius], "depth_mm": 5.0}
+    told = {
+        "schema": "gaussiancad-corrections/1",
+        "sheet_sha256": values["sheet"]["sha256"],
+        "ops": [deep],
+    }
+    corrections = tmp_path / "told.json"
+    corrections.write_text(json.dumps(told))
+    blind = _made(sheet, tmp_path / "blind", "--reading", read, "--corrections", corrections)
+    assert len([own for own in blind["assumptions"] if own["code"] == "hole-through"]) == 1
+    more = blind["solid"]["volume_mm3"] - through["solid"]["volume_mm3"]
+    rings = 3.141592653589793 * (radius * through["scale_mm_per_pixel"]) ** 2
+    # The foot is 12 mm thick.
+    assert more == pytest.approx(rings * (12.0 - 5.0), rel=1e-3)

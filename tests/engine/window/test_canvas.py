@@ -11,22 +11,17 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 sys.path.insert(0, str(Path(__file__).resolve().parents[3]))
 
-from freecad.gaussiancad.canvas.history import (
-    History,
+from freecad.gaussiancad.canvas.correcting import corrected
+from freecad.gaussiancad.canvas.keeping import (
+    Beside,
     corrections_path,
     read_again,
     read_corrections,
     write_corrections,
 )
-from freecad.gaussiancad.canvas.sheet import (
-    Sheet,
-    Stroke,
-    View,
-    arc_through,
-    corrected,
-    sheet_of,
-)
-from freecad.gaussiancad.canvas.window import Program, SheetWindow
+from freecad.gaussiancad.canvas.serving import Program
+from freecad.gaussiancad.canvas.sheet import Sheet, Stroke, View, arc_through, sheet_of
+from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 from gaussiancad_core.readings.operations import Corrections
 
@@ -54,7 +49,18 @@ def _reading() -> dict:
         "sheet": {"sha256": "0" * 64, "size": [640, 480]},
         "views": [{"id": "front", "role": "front", "box": [100, 100, 300, 250]}],
         "strokes": strokes,
-        "problems": [{"code": "two-views", "message": "few views", "severity": "doubt"}],
+        "dimensions": [
+            {"id": "d1", "text": "40", "value_mm": 40.0, "box": [190, 60, 210, 75], "used": True}
+        ],
+        "problems": [
+            {
+                "code": "two-views",
+                "message": "few views",
+                "severity": "doubt",
+                "at": [[100, 100, 300, 250]],
+                "offers": ["view"],
+            }
+        ],
     }
 
 
@@ -64,24 +70,30 @@ def application() -> QtWidgets.QApplication:
 
 
 @pytest.fixture
-def window(  # noqa: ANN201
-    application: QtWidgets.QApplication, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-):
+def window(application: QtWidgets.QApplication, tmp_path: Path):  # noqa: ANN201
+    """A window whose sheet was read; no engine is at work."""
     sheet = tmp_path / "sheet.png"
     picture = QtGui.QImage(640, 480, QtGui.QImage.Format.Format_Grayscale8)
     picture.fill(255)
     assert picture.save(str(sheet))
-    own = SheetWindow(sheet)
-    own.resize(900, 700)
+    own = SheetWindow(sheet, program=Program((str(tmp_path / "none"),)))
+    own.resize(900, 900)
     own.show()
-    # Nothing is read by an engine here.
-    monkeypatch.setattr(SheetWindow, "start", lambda _: None)
-    own.show_reading(_reading(), sheet)
+    own.desk.live = False
+    own.desk.pictured.emit(str(sheet), (640, 480))
+    own.desk._was_read({"reading": str(_written(tmp_path, _reading()))}, [])
     application.processEvents()
+    own.board.fit()
     yield own
     own.close()
     own.deleteLater()
     application.processEvents()
+
+
+def _written(folder: Path, reading: dict) -> Path:
+    path = folder / "reading.json"
+    path.write_text(json.dumps(reading), encoding="utf-8")
+    return path
 
 
 Keys = QtCore.Qt.KeyboardModifier
@@ -141,7 +153,7 @@ def test_delete_erases_and_undo_brings_back(window: SheetWindow) -> None:
     assert [own["op"] for own in window.operations] == ["erase"]
     window.undo()
     assert window.operations == []
-    assert not corrections_path(window._path).exists()
+    assert not corrections_path(window.desk.path).exists()
     window.redo()
     assert [own["target"]["id"] for own in window.operations] == ["s6"]
 
@@ -198,7 +210,7 @@ def test_what_gestures_say_is_what_the_engine_takes(window: SheetWindow) -> None
     _drag(window, (100, 150), (300, 150), _ALT)
     window.say_view("top", (400.0, 100.0, 500.0, 200.0))
     window.say_length(((100.0, 300.0), (300.0, 300.0)), 50.0)
-    content = corrections_path(window._path).read_bytes()
+    content = corrections_path(window.desk.path).read_bytes()
     taken = msgspec.json.decode(content, type=Corrections)
     assert len(taken.ops) == 4
 
@@ -214,8 +226,8 @@ def test_single_keys_do_not_leave_the_canvas(window: SheetWindow) -> None:
 def test_corrections_lie_beside_the_sheet_whole_or_not_at_all(tmp_path: Path) -> None:
     sheet = tmp_path / "part.pdf"
     own = [{"op": "unit", "value": "in"}]
-    write_corrections(sheet, "1" * 64, own)
-    assert read_corrections(sheet) == own
+    write_corrections(corrections_path(sheet), "1" * 64, own)
+    assert read_corrections(sheet) == ("1" * 64, own)
     assert [each.name for each in tmp_path.iterdir()] == ["part.pdf.corrections.json"]
     corrections_path(sheet).write_text("[]", encoding="utf-8")
     with pytest.raises(ValueError, match="no file of corrections"):
@@ -225,14 +237,32 @@ def test_corrections_lie_beside_the_sheet_whole_or_not_at_all(tmp_path: Path) ->
         read_corrections(sheet)
 
 
-def test_a_step_of_several_operations_is_undone_at_once() -> None:
-    history = History()
-    history.say([{"op": "unit", "value": "in"}, {"op": "projection", "value": "first"}])
-    assert history.undo()
-    assert history.operations == []
-    assert not history.undo()
-    assert history.redo()
-    assert len(history.operations) == 2
+def test_a_step_of_several_operations_is_undone_at_once(tmp_path: Path) -> None:
+    sheet = tmp_path / "sheet.png"
+    own = Beside(sheet)
+    own.say([{"op": "unit", "value": "in"}, {"op": "projection", "value": "first"}])
+    own.undo()
+    assert own.operations == []
+    own.undo()
+    own.redo()
+    assert len(own.operations) == 2
+    own.redo()
+    assert Beside(sheet).operations == own.operations
+
+
+def test_corrections_of_another_version_of_the_sheet_are_kept_aside(tmp_path: Path) -> None:
+    sheet = tmp_path / "sheet.png"
+    before = [{"op": "unit", "value": "in"}]
+    write_corrections(corrections_path(sheet), "1" * 64, before)
+    own = Beside(sheet)
+    assert own.operations == before
+    assert not own.belongs_to("2" * 64)
+    assert own.operations == []
+    assert read_corrections(sheet) == ("1" * 64, before)
+    own.say([{"op": "projection", "value": "first"}])
+    assert read_corrections(sheet)[0] == "2" * 64
+    aside = tmp_path / "sheet.png.corrections.json.old"
+    assert json.loads(aside.read_text(encoding="utf-8"))["ops"] == before
 
 
 def test_the_sheet_is_read_again_up_to_the_last_boxed_view() -> None:
@@ -289,9 +319,125 @@ def test_an_engine_that_does_not_start_is_told(
             break
         application.processEvents(QtCore.QEventLoop.ProcessEventsFlag.AllEvents, 20)
     assert not own.busy
-    assert own.problems.count() == 1
-    own.say([{"op": "erase", "target": "s1"}])
+    assert len(own.problems.lines) == 1
+    own.desk.say([{"op": "erase", "target": {"id": "s1"}}])
     assert not own.operations
     assert not corrections_path(sheet).exists()
     own.close()
     own.deleteLater()
+
+
+def test_a_line_that_is_drawn_is_selected_for_its_kind(window: SheetWindow) -> None:
+    _key(window, QtCore.Qt.Key.Key_L)
+    _drag(window, (100, 150), (300, 150))
+    _key(window, QtCore.Qt.Key.Key_H)
+    draw, kind = window.operations
+    (x0, y0), (x1, y1) = draw["line"]
+    assert (x0, x1) == (100.0, 300.0) and y0 == y1 == pytest.approx(150.0, abs=1.5)
+    assert kind["target"]["line"] == draw["line"]
+    shown = {own.shape: own.kind for own in window.sheet.strokes}
+    assert shown["line", draw["line"]] == "hidden"
+
+
+def test_a_handle_moves_an_end_in_one_step(window: SheetWindow) -> None:
+    _click(window, (200, 250))
+    _drag(window, (100, 250), (100, 300))
+    erase, draw = window.operations
+    assert erase["target"]["id"] == "s3"
+    assert draw["line"][0] == (300.0, 250.0)
+    assert draw["line"][1] == pytest.approx((100.0, 300.0), abs=1.5)
+    window.undo()
+    assert window.operations == []
+
+
+def test_a_frame_is_selected_named_and_made_larger(window: SheetWindow) -> None:
+    _click(window, (200, 90))
+    assert window.board.selected_view.id == "front"
+    _key(window, QtCore.Qt.Key.Key_2)
+    assert window.operations[-1] == {"op": "view", "id": "front", "role": "top"}
+    _drag(window, (300, 250), (330, 280))
+    assert window.operations[-1]["box"] == pytest.approx([100, 100, 330, 280], abs=1.5)
+
+
+def test_a_number_is_told_anew(window: SheetWindow) -> None:
+    asked = []
+    window.board.asked_value.disconnect()
+    window.board.asked_value.connect(asked.append)
+    _mouse(window, QtCore.QEvent.Type.MouseButtonDblClick, (200, 66), _NONE)
+    window.say_value(asked[0], 45.0)
+    assert window.operations == [{"op": "dimension", "id": "d1", "value_mm": 45.0}]
+    assert window.sheet.numbers[0].value == 45.0
+
+
+def test_a_plane_is_set_in_a_view_and_a_hole_told(window: SheetWindow) -> None:
+    asked = []
+    window.board.asked_section.disconnect()
+    window.board.asked_section.connect(lambda line, view: asked.append((line, view)))
+    _key(window, QtCore.Qt.Key.Key_X)
+    _drag(window, (160, 80), (164, 270))
+    (line, view) = asked[0]
+    assert view == "front" and line[0][0] == line[1][0] == pytest.approx(160.0, abs=0.5)
+    window.say_section("right", line, view)
+    window.board.tell_hole((160.0, 180.0, 20.0), None)
+    window.board.tell_hole((160.0, 180.0, 20.0), 12.0)
+    content = corrections_path(window.desk.path).read_bytes()
+    taken = msgspec.json.decode(content, type=Corrections)
+    assert [own.depth_mm for own in taken.ops[1:]] == [None, 12.0]
+    assert [own.text for own in window.sheet.notes] == ["\u21a712"]
+
+
+def test_what_is_picked_from_the_ink_is_drawn(window: SheetWindow) -> None:
+    asked = []
+    window.board.asked_trace.disconnect()
+    window.board.asked_trace.connect(asked.append)
+    _key(window, QtCore.Qt.Key.Key_P)
+    _click(window, (250, 180))
+    assert asked[0] == pytest.approx((250.0, 180.0), abs=1.5)
+    assert window.board.draw(("line", ((250.0, 100.0), (250.0, 250.0))), asked[0])
+    assert not window.board.draw(("line", ((0.0, 0.0), (5.0, 5.0))), (5.0, 5.0))
+
+
+def test_problems_lead_to_their_place_and_to_a_tool(window: SheetWindow) -> None:
+    problem, count = window.problems.lines
+    assert problem.box == (100, 100, 300, 250)
+    assert "0" in count.text
+    ((_, act),) = problem.buttons
+    act()
+    assert window.board.tool == "view"
+    before = window.board.transform().m11()
+    _key(window, QtCore.Qt.Key.Key_Tab)
+    assert window.board.transform().m11() > before
+
+
+def test_a_verdict_leads_and_a_correction_takes_it_back(window: SheetWindow) -> None:
+    report = {
+        "status": "approximate",
+        "measures": {"uncertainty_mm": 0.02},
+        "reasons": [{"code": "ambiguous", "message": "two solids"}],
+        "assumptions": [{"code": "hole-through", "message": "a hole", "at": [140, 160, 180, 200]}],
+        "disagreements": [{"missing": True, "length_mm": 3.0, "at": [120, 120]}],
+    }
+    window.desk.solved.emit(report, "")
+    verdict, reason, assumed, lacks, *_ = window.problems.lines
+    assert verdict.colour and "0.02" in verdict.text
+    assert "two solids" in reason.text
+    assert lacks.box == (100.0, 100.0, 140.0, 140.0)
+    (_, yes), _no = assumed.buttons
+    yes()
+    assert window.operations == [{"op": "note", "circle": [160.0, 180.0, 20.0], "through": True}]
+    assert not any(own.colour for own in window.problems.lines)
+
+
+def test_layers_and_bare_ink(window: SheetWindow) -> None:
+    scene = window.board.scene()
+    strokes = scene._layers["strokes"]
+    window.board.set_layer("strokes", False)
+    assert not any(own.isVisible() for own in strokes)
+    window.board.set_layer("strokes", True)
+    key = QtCore.Qt.Key.Key_Space
+    press = QtGui.QKeyEvent(QtCore.QEvent.Type.KeyPress, key, _NONE)
+    QtWidgets.QApplication.sendEvent(window.board, press)
+    assert not any(own.isVisible() for own in strokes)
+    release = QtGui.QKeyEvent(QtCore.QEvent.Type.KeyRelease, key, _NONE)
+    QtWidgets.QApplication.sendEvent(window.board, release)
+    assert all(own.isVisible() for own in strokes)

@@ -1,0 +1,144 @@
+"""Who keeps a person's corrections: a file beside the sheet here; in FreeCAD the document."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Protocol
+
+SCHEMA = "gaussiancad-corrections/1"
+
+
+class Keeper(Protocol):
+    """Corrections in the order in which they were said.
+
+    Attributes:
+        operations: all of them.
+        own_steps: whether undo and redo are the canvas's own keys.
+    """
+
+    operations: list[dict]
+    own_steps: bool
+
+    def say(self, operations: list[dict]) -> None:
+        """Add operations as one step."""
+
+    def undo(self) -> None:
+        """Take the last step back, if there is one."""
+
+    def redo(self) -> None:
+        """Say again what was taken back last."""
+
+
+class Beside:
+    """Corrections in the file beside a sheet, with the steps since it was opened.
+
+    Args:
+        sheet: path of it.
+
+    Raises:
+        ValueError: the file is damaged.
+    """
+
+    own_steps = True
+
+    def __init__(self, sheet: Path) -> None:
+        self._sheet = sheet
+        self._sha256, found = read_corrections(sheet)
+        self._steps: list[list[dict]] = [[own] for own in found]
+        self._undone: list[list[dict]] = []
+
+    @property
+    def operations(self) -> list[dict]:
+        """All of them, in order."""
+        return [own for step in self._steps for own in step]
+
+    def belongs_to(self, sha256: str) -> bool:
+        """Whether the corrections are of a sheet.
+
+        Those of another one, or of another version, are left out, and moved aside before anything
+        is written.
+        """
+        mine = not self._sha256 or self._sha256 == sha256
+        if not mine:
+            self._steps = []
+        self._sha256 = sha256
+        return mine
+
+    def say(self, operations: list[dict]) -> None:
+        """Add operations that are one step."""
+        if operations:
+            self._steps.append(list(operations))
+            self._undone.clear()
+            self._write()
+
+    def undo(self) -> None:
+        """Take the last step back, if there is one."""
+        if self._steps:
+            self._undone.append(self._steps.pop())
+            self._write()
+
+    def redo(self) -> None:
+        """Say again what was taken back last, if anything was."""
+        if self._undone:
+            self._steps.append(self._undone.pop())
+            self._write()
+
+    def _write(self) -> None:
+        path = corrections_path(self._sheet)
+        if path.is_file() and read_corrections(self._sheet)[0] != self._sha256:
+            os.replace(path, path.with_name(path.name + ".old"))
+        write_corrections(path, self._sha256, self.operations)
+
+
+def read_again(operations: list[dict]) -> list[dict]:
+    """The first operations, up to the last that boxes a view: with them the engine has to read the
+    sheet again, to tell the strokes in the box; none where no view was boxed."""
+    boxed = [n for n, own in enumerate(operations, start=1) if own["op"] == "view" and "box" in own]
+    return operations[: boxed[-1]] if boxed else []
+
+
+def corrections_path(sheet: Path) -> Path:
+    """Where the corrections of a sheet are, beside it."""
+    return sheet.with_name(sheet.name + ".corrections.json")
+
+
+def read_corrections(sheet: Path) -> tuple[str, list[dict]]:
+    """SHA-256 of the sheet that the corrections beside a sheet are of, and the operations; nothing
+    where there is no file.
+
+    Raises:
+        ValueError: the file is no corrections.
+    """
+    path = corrections_path(sheet)
+    if not path.is_file():
+        return "", []
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+    except ValueError:
+        found = None
+    whole = isinstance(found, dict) and found.get("schema") == SCHEMA
+    operations = operations_in(found.get("ops", [])) if whole else None
+    if operations is None:
+        raise ValueError(f"{path.name} is no file of corrections: move it away, or mend it")
+    return str(found.get("sheet_sha256", "")), operations
+
+
+def operations_in(found: object) -> list[dict] | None:
+    """JSON values as operations; None where they are none."""
+    if not isinstance(found, list):
+        return None
+    whole = all(isinstance(own, dict) and isinstance(own.get("op"), str) for own in found)
+    return found if whole else None
+
+
+def write_corrections(path: Path, sha256: str, operations: list[dict]) -> None:
+    """Write a file of corrections, whole or not at all; where there are none, no file is left."""
+    if not operations:
+        path.unlink(missing_ok=True)
+        return
+    content = {"schema": SCHEMA, "sheet_sha256": sha256, "ops": operations}
+    beside = path.with_name(path.name + ".part")
+    beside.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+    os.replace(beside, path)

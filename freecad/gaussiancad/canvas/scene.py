@@ -1,0 +1,250 @@
+"""What the canvas draws: the pale sheet, views, strokes by kind, numbers, planes, marks, handles.
+
+Everything is in px of the sheet as stored; lines and texts keep their width on the screen.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import pairwise
+from math import hypot
+
+from freecad.gaussiancad.canvas.handles import corners_of, handles_of
+from freecad.gaussiancad.canvas.kinds import (
+    CHOSEN,
+    COLOURS,
+    DOUBT,
+    DOUBTFUL,
+    DRAWN,
+    MARK,
+    NUMBER,
+    OTHER,
+    PLANE,
+    ROLES,
+    UNUSED,
+    VIEW,
+    name_of,
+)
+from freecad.gaussiancad.canvas.sheet import Box, Point, Sheet, Stroke, View
+from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
+
+LAYERS = ("sheet", "views", "strokes", "annotation", "numbers", "planes", "marks")
+"""What can be shown or not, from the bottom up."""
+
+PALE = 0.45
+"""Opacity of the sheet under its strokes."""
+
+_FRAME = 10.0
+"""px between the lines of a view and its frame."""
+
+_LABEL = 16.0
+"""px of the screen that a view's name stands above its frame."""
+
+_HANDLE = 4.0
+"""px of the screen, half a handle."""
+
+Mark = tuple[Box, str]
+"""A place, and what is said of it."""
+
+
+class SheetScene(QtWidgets.QGraphicsScene):
+    """The drawing; what is selected is told by :class:`.Board`."""
+
+    def __init__(self, parent: QtCore.QObject | None = None) -> None:
+        super().__init__(parent)
+        self._picture: QtWidgets.QGraphicsPixmapItem | None = None
+        self._layers: dict[str, list[QtWidgets.QGraphicsItem]] = {name: [] for name in LAYERS}
+        self._strokes: dict[str, QtWidgets.QGraphicsPathItem] = {}
+        self._handles: list[QtWidgets.QGraphicsItem] = []
+        self._rubber: QtWidgets.QGraphicsPathItem | None = None
+        self._hidden: set[str] = set()
+        self._bare = False
+
+    def show_picture(self, path: str, size: tuple[int, int] | None) -> None:
+        """Show the picture of a sheet that is ``size`` px large as stored."""
+        pixmap = QtGui.QPixmap(path)
+        if self._picture is not None:
+            self.removeItem(self._picture)
+        self._picture = self.addPixmap(pixmap)
+        self._picture.setTransformationMode(QtCore.Qt.TransformationMode.SmoothTransformation)
+        self._picture.setZValue(-2.0)
+        if size is not None and pixmap.width():
+            self._picture.setScale(size[0] / pixmap.width())
+        self.setSceneRect(self._picture.sceneBoundingRect())
+        self._show_layers()
+
+    def show_sheet(self, sheet: Sheet, chosen: set[str]) -> None:
+        """Show what was read, with what is selected."""
+        for name in LAYERS[:-1]:
+            self._clear(name)
+        self._strokes = {}
+        for own in sheet.views:
+            self._add_view(own, chosen=own.id in chosen)
+        for own in sheet.strokes:
+            self._add_stroke(own, chosen=own.id in chosen)
+        for own in sheet.numbers:
+            text = f"{own.value:g}" if own.given else own.text
+            self._add_text("numbers", text, own.box, NUMBER if own.used else OTHER)
+        for own in sheet.notes:
+            self._add_text("numbers", own.text, own.box, NUMBER)
+        for own in sheet.planes:
+            self._add_plane(own.label, own.line)
+        self._show_layers()
+
+    def show_marks(self, marks: Iterable[Mark]) -> None:
+        """Show places that something is said of, in place of those before."""
+        self._clear("marks")
+        for (x0, y0, x1, y1), text in marks:
+            item = self.addEllipse(x0, y0, x1 - x0, y1 - y0, _pen(MARK, 1.5))
+            item.setToolTip(text)
+            item.setZValue(2.0)
+            self._layers["marks"].append(item)
+        self._show_layers()
+
+    def show_chosen(self, sheet: Sheet, chosen: set[str]) -> None:
+        """Show what is selected, and the handles of what is selected alone."""
+        for own in sheet.strokes:
+            self._strokes[own.id].setPen(_stroke_pen(own, chosen=own.id in chosen))
+        for item in self._handles:
+            self.removeItem(item)
+        self._handles = []
+        for place in handle_places(sheet, chosen):
+            half = QtCore.QRectF(-_HANDLE, -_HANDLE, 2.0 * _HANDLE, 2.0 * _HANDLE)
+            item = self.addRect(half, _pen(CHOSEN, 1.5), QtGui.QColor("white"))
+            item.setPos(*place)
+            item.setFlag(QtWidgets.QGraphicsItem.GraphicsItemFlag.ItemIgnoresTransformations)
+            item.setZValue(4.0)
+            self._handles.append(item)
+
+    def set_layer(self, name: str, shown: bool) -> None:
+        """Show a layer, or not."""
+        self._hidden = self._hidden - {name} if shown else self._hidden | {name}
+        self._show_layers()
+
+    def show_bare(self, bare: bool) -> None:
+        """Show the ink alone, or everything again."""
+        self._bare = bare
+        self._show_layers()
+
+    def show_rubber(self, path: QtGui.QPainterPath) -> None:
+        """Show what a gesture would make."""
+        self.drop_rubber()
+        self._rubber = self.addPath(path, _pen(VIEW, 1.5, QtCore.Qt.PenStyle.DashLine))
+        self._rubber.setZValue(3.0)
+
+    def drop_rubber(self) -> None:
+        """Show it no more."""
+        if self._rubber is not None:
+            self.removeItem(self._rubber)
+            self._rubber = None
+
+    def _clear(self, layer: str) -> None:
+        for item in self._layers[layer]:
+            self.removeItem(item)
+        self._layers[layer] = []
+
+    def _show_layers(self) -> None:
+        for name, items in self._layers.items():
+            for item in items:
+                item.setVisible(not self._bare and name not in self._hidden)
+        if self._picture is not None:
+            self._picture.setVisible(self._bare or "sheet" not in self._hidden)
+            self._picture.setOpacity(1.0 if self._bare else PALE)
+
+    def _add_stroke(self, own: Stroke, chosen: bool) -> None:
+        item = self.addPath(_path(own.points()), _stroke_pen(own, chosen=chosen))
+        item.setZValue(1.0 if own.kind in DRAWN else 0.0)
+        self._strokes[own.id] = item
+        self._layers["strokes" if own.kind in DRAWN else "annotation"].append(item)
+
+    def _add_view(self, view: View, chosen: bool) -> None:
+        colour = CHOSEN if chosen else VIEW if view.shown else UNUSED
+        x0, y0, x1, y1 = frame_of(view)
+        pen = _pen(colour, 1.0, QtCore.Qt.PenStyle.DotLine)
+        frame = self.addRect(x0, y0, x1 - x0, y1 - y0, pen)
+        name = name_of(view.role if view.role in ROLES else view.id)
+        label = self.addSimpleText(name)
+        label.setBrush(QtGui.QColor(colour))
+        label.setPos(x0, y0)
+        label.setTransform(QtGui.QTransform.fromTranslate(0.0, -_LABEL))
+        label.setFlag(QtWidgets.QGraphicsItem.GraphicsItemFlag.ItemIgnoresTransformations)
+        for item in (frame, label):
+            item.setZValue(-1.0)
+            self._layers["views"].append(item)
+
+    def _add_text(self, layer: str, text: str, box: Box, colour: str) -> None:
+        x0, y0, x1, y1 = box
+        frame = self.addRect(x0, y0, x1 - x0, y1 - y0, _pen(colour, 1.0))
+        label = self.addSimpleText(text)
+        label.setBrush(QtGui.QColor(colour))
+        label.setPos(x0, y1)
+        label.setFlag(QtWidgets.QGraphicsItem.GraphicsItemFlag.ItemIgnoresTransformations)
+        self._layers[layer] += [frame, label]
+
+    def _add_plane(self, label: str, line: Iterable[Point]) -> None:
+        points = list(line)
+        item = self.addPath(_path(points), _pen(PLANE, 2.0, QtCore.Qt.PenStyle.DashDotLine))
+        text = self.addSimpleText(label)
+        text.setBrush(QtGui.QColor(PLANE))
+        text.setPos(*points[0])
+        text.setFlag(QtWidgets.QGraphicsItem.GraphicsItemFlag.ItemIgnoresTransformations)
+        for own in (item, text):
+            own.setZValue(1.5)
+            self._layers["planes"].append(own)
+
+
+def frame_of(view: View) -> Box:
+    """The frame that is drawn around a view."""
+    x0, y0, x1, y1 = view.box
+    return x0 - _FRAME, y0 - _FRAME, x1 + _FRAME, y1 + _FRAME
+
+
+def handle_places(sheet: Sheet, chosen: set[str]) -> list[Point]:
+    """Where handles are: of the one stroke, or the one view, that is selected."""
+    if len(chosen) != 1:
+        return []
+    (name,) = chosen
+    stroke = next((own for own in sheet.strokes if own.id == name), None)
+    if stroke is not None:
+        return handles_of(stroke) if stroke.kind in DRAWN else []
+    view = next((own for own in sheet.views if own.id == name), None)
+    return corners_of(view.box) if view is not None else []
+
+
+def distance(points: list[Point], at: Point) -> float:
+    """px from a place to a chain of points."""
+    best = float("inf")
+    for (x0, y0), (x1, y1) in pairwise(points):
+        dx, dy = x1 - x0, y1 - y0
+        length = dx * dx + dy * dy
+        share = 0.0
+        if length:
+            share = min(1.0, max(0.0, ((at[0] - x0) * dx + (at[1] - y0) * dy) / length))
+        best = min(best, hypot(at[0] - x0 - share * dx, at[1] - y0 - share * dy))
+    return best
+
+
+def _path(points: list[Point]) -> QtGui.QPainterPath:
+    path = QtGui.QPainterPath()
+    first, *rest = points
+    path.moveTo(*first)
+    for point in rest:
+        path.lineTo(*point)
+    return path
+
+
+def _pen(
+    colour: str, width: float, style: QtCore.Qt.PenStyle = QtCore.Qt.PenStyle.SolidLine
+) -> QtGui.QPen:
+    pen = QtGui.QPen(QtGui.QColor(colour), width, style)
+    pen.setCosmetic(True)
+    return pen
+
+
+def _stroke_pen(own: Stroke, *, chosen: bool) -> QtGui.QPen:
+    doubtful = own.kind in DRAWN and own.confidence < DOUBT and not own.given
+    colour = DOUBTFUL if doubtful else COLOURS.get(own.kind, OTHER)
+    width = 2.0 if own.kind in DRAWN else 1.0
+    styles = QtCore.Qt.PenStyle
+    style = styles.DashLine if own.kind == "hidden" else styles.SolidLine
+    return _pen(CHOSEN if chosen else colour, width + (2.0 if chosen else 0.0), style)

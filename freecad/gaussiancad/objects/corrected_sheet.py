@@ -1,0 +1,210 @@
+"""A drawing that a person corrects, in a document: a group with the sheet, what was read, the
+corrections, and the part that follows from them.
+
+Opening it and each correction are undo steps.  The part follows from the corrections as the result
+of a recompute does: it is changed in place, and no step of its own, so that what was built on it
+lives and undoing a correction brings the part of before.
+"""
+
+import hashlib
+import json
+from pathlib import Path
+
+import FreeCAD
+
+from freecad.gaussiancad.canvas.keeping import corrections_path as beside
+from freecad.gaussiancad.canvas.keeping import operations_in, read_corrections, write_corrections
+from freecad.gaussiancad.engine.job import Outcome, ReconstructJob
+from freecad.gaussiancad.engine.report import read_report
+from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
+from freecad.gaussiancad.objects.loading import PartSource, read_shape
+from freecad.gaussiancad.objects.properties import Access, PropertySpec, add_properties
+from freecad.gaussiancad.objects.reconstruction import (
+    add_empty_part,
+    find_part,
+    new_reconstruction,
+    show_solution,
+)
+from freecad.gaussiancad.objects.transaction import transaction
+
+CORRECTIONS = "Corrections"
+"""The property that holds a person's operations, as JSON."""
+
+READING = "Reading"
+"""The property with the file of what was read."""
+
+SOLVED = "SolvedFrom"
+"""The property with the hash of the corrections that the part follows from."""
+
+
+def open_in(document: FreeCAD.Document, sheet: Path, page: int) -> FreeCAD.DocumentObject:
+    """The group of a drawing in a document, added in one undo step where there is none yet.
+
+    Args:
+        document: that has the group, or gets it.
+        sheet: path of the drawing; corrections beside it are taken over.
+        page: of a file with pages.
+
+    Raises:
+        ValueError: the corrections beside the drawing are damaged.
+    """
+    known = _group_of(document, sheet, page)
+    if known is not None and hasattr(known, CORRECTIONS):
+        return known
+    _, found = read_corrections(sheet)
+    with transaction(document, translate("GaussianCAD", "Open Drawing")):
+        if known is None:
+            job = ReconstructJob(str(sheet), "", page=page, outcome=Outcome.SOLID)
+            known = new_reconstruction(document, job)
+        add_properties(known, _properties(found))
+        if find_part(known) is None:
+            add_empty_part(known)
+        document.recompute()
+        known.Proxy.show(known)
+    return known
+
+
+def corrections_of(group: FreeCAD.DocumentObject) -> list[dict]:
+    """A person's operations; none where the text is damaged."""
+    try:
+        found = operations_in(json.loads(getattr(group, CORRECTIONS, "") or "[]"))
+    except ValueError:
+        found = None
+    return found or []
+
+
+def take_reading(group: FreeCAD.DocumentObject, file: Path) -> None:
+    """Keep what was read, so that the document shows it without the engine."""
+    setattr(group, READING, str(file))
+
+
+def is_solved(group: FreeCAD.DocumentObject) -> bool:
+    """Whether the part follows from the corrections as they are."""
+    return getattr(group, SOLVED, "") == _hash(getattr(group, CORRECTIONS, ""))
+
+
+def take_solution(group: FreeCAD.DocumentObject, folder: Path) -> None:
+    """Change the part, and what is known of it, in place.
+
+    Args:
+        group: of the drawing.
+        folder: that a run left.
+
+    Raises:
+        WorkbenchError: what the run left cannot be read.
+    """
+    report = read_report(folder / "report.json")
+    shape = read_shape(folder / PartSource.SOLID.value)
+    if find_part(group) is None:
+        add_empty_part(group)
+    show_solution(group, shape, report)
+    setattr(group, SOLVED, _hash(getattr(group, CORRECTIONS)))
+    group.Document.recompute()
+
+
+class InDocument:
+    """Keeps corrections in a document, each step an undo step of it, and a copy beside the drawing,
+    where every other run finds it.
+
+    Args:
+        group: of the drawing.
+        sheet: its path.
+    """
+
+    own_steps = False
+
+    def __init__(self, group: FreeCAD.DocumentObject, sheet: Path) -> None:
+        self.document, self.group = group.Document.Name, group.Name
+        self._sheet = sheet
+        self._sha256 = ""
+
+    def find(self) -> FreeCAD.DocumentObject | None:
+        """The group, or None where it was removed or its document closed."""
+        if self.document not in FreeCAD.listDocuments():
+            return None
+        return FreeCAD.getDocument(self.document).getObject(self.group)
+
+    @property
+    def operations(self) -> list[dict]:
+        """All of them, in order."""
+        group = self.find()
+        return corrections_of(group) if group is not None else []
+
+    def belongs_to(self, sha256: str) -> bool:
+        """Whether the corrections are of a sheet: those of a document are of the one in it."""
+        group, self._sha256 = self.find(), sha256
+        if group is None or not self.operations:
+            return True
+        told, _ = read_corrections(self._sheet)
+        return not told or told == sha256
+
+    def say(self, operations: list[dict]) -> None:
+        """Add operations as one undo step."""
+        group = self.find()
+        if group is None:
+            return
+        with transaction(group.Document, translate("GaussianCAD", "Correct Drawing")):
+            setattr(group, CORRECTIONS, json.dumps([*corrections_of(group), *operations]))
+        self.copy()
+
+    def undo(self) -> None:
+        """Take the last step of the document back."""
+        group = self.find()
+        if group is not None:
+            group.Document.undo()
+
+    def redo(self) -> None:
+        """Say again what was taken back last."""
+        group = self.find()
+        if group is not None:
+            group.Document.redo()
+
+    def copy(self) -> None:
+        """Write the corrections beside the drawing, where that can be written."""
+        try:
+            write_corrections(beside(self._sheet), self._sha256, self.operations)
+        except OSError as error:
+            FreeCAD.Console.PrintLog(f"GaussianCAD: no corrections beside the drawing: {error}\n")
+
+
+def _group_of(document: FreeCAD.Document, sheet: Path, page: int) -> FreeCAD.DocumentObject | None:
+    for own in document.Objects:
+        settings = getattr(own, "Settings", {})
+        same = str(sheet.absolute()) in (getattr(own, name, "") for name in ("SheetPath", "Sheet"))
+        if same and str(dict(settings).get("page", "1")) == str(page):
+            return own
+    return None
+
+
+def _hash(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _properties(operations: list[dict]) -> list[PropertySpec]:
+    group = "Drawing"
+    return [
+        PropertySpec(
+            "String",
+            CORRECTIONS,
+            group,
+            QT_TRANSLATE_NOOP("App::Property", "What was corrected by hand, as JSON"),
+            json.dumps(operations),
+            Access.HIDDEN,
+        ),
+        PropertySpec(
+            "FileIncluded",
+            READING,
+            group,
+            QT_TRANSLATE_NOOP("App::Property", "What the engine read on the drawing"),
+            "",
+            Access.HIDDEN,
+        ),
+        PropertySpec(
+            "String",
+            SOLVED,
+            group,
+            QT_TRANSLATE_NOOP("App::Property", "The corrections that the part follows from"),
+            "",
+            Access.HIDDEN,
+        ),
+    ]
