@@ -41,7 +41,7 @@ class _Engine:
                 return event
         raise AssertionError("the engine went away")
 
-    def ask(self, do: str, **fields: Any) -> dict[str, Any]:
+    def ask(self, do: str, **fields: object) -> dict[str, Any]:
         self._number += 1
         self.send(json.dumps({"id": self._number, "do": do, "sheet": str(self.sheet), **fields}))
         found = self.answer()

@@ -14,6 +14,7 @@ from window import WindowCase, spin
 from freecad.gaussiancad.canvas.keeping import corrections_path
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.panels import correct
+from freecad.gaussiancad.panels.jobs import JobState, job_list
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
 GIVEN = os.environ.get("GAUSSIANCAD_PYTHON")
@@ -91,6 +92,34 @@ class Canvas(WindowCase):
         self.assertAlmostEqual(self.part.Shape.BoundBox.XLength, 2.0 * first, delta=0.02 * first)
         kept = json.loads(corrections_path(self.copy).read_text(encoding="utf-8"))
         self.assertEqual(kept["ops"], self.canvas.operations)
+
+    def test_mesh_and_gaussians_follow_as_a_job(self) -> None:
+        part = self.part.Name
+        self.dock.make_all()
+        self.dock.make_all()
+        entries = job_list().entries[-2:]
+        self.assertEqual(entries[1].state, JobState.WAITING)
+        job_list().cancel(entries[1])
+        self.assertEqual(entries[1].state, JobState.CANCELLED)
+        self.close_docks()
+        self.wait_for(lambda: entries[0].is_over, 300.0)
+        self.assertEqual(entries[0].state, JobState.DONE, entries[0].item.text(1))
+        self.picture("canvas-job")
+        group = self.part.InList[0]
+        names = {own.Name for own in group.Group}
+        self.assertTrue({part, "Surface", "Gaussians"} <= names, names)
+        self.assertEqual(self.document.UndoNames[0], "Reconstruct from Drawing")
+        self.document.undo()
+        self.assertEqual([own.Name for own in group.Group], [part])
+
+    def test_a_job_that_works_is_cancelled_within_two_seconds(self) -> None:
+        self.dock.make_all()
+        entry = job_list().entries[-1]
+        self.wait_for(lambda: "Stage" in entry.item.text(1), 60.0)
+        job_list().cancel(entry)
+        self.wait_for(lambda: entry.is_over, 2.0)
+        self.assertEqual(entry.state, JobState.CANCELLED)
+        self.assertEqual(self.document.UndoNames, ["Open Drawing"])
 
     def test_delete_on_the_canvas_erases_a_stroke_and_no_object(self) -> None:
         box = self.document.addObject("Part::Box", "Box")

@@ -7,6 +7,7 @@ is out of date.
 from __future__ import annotations
 
 import json
+import shutil
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
@@ -124,17 +125,29 @@ class Desk(QtCore.QObject):
         self._solver_stops()
         self._runs += 1
         folder = Path(self._folder.name) / f"part-{self._runs}"
-        more = {"reading": str(self._reading)}
-        rest = self.keeper.operations[len(self._within) :]
-        if rest:
-            path = Path(self._folder.name) / "solved.corrections.json"
-            write_corrections(path, self._read.sha256, rest)
-            more["corrections"] = str(path)
+        asked = Path(self._folder.name) / f"asked-{self._runs}"
+        asked.mkdir()
+        reading, corrections = self._handed_over(asked)
+        more = {"reading": str(reading)}
+        if corrections is not None:
+            more["corrections"] = str(corrections)
 
         def done(answer: Answer) -> None:
             self._was_solved(answer, folder)
 
         self._solver.ask("solve", done, **self._asked(folder), **more)
+
+    def _handed_over(self, folder: Path) -> tuple[Path, Path | None]:
+        """Write what was read, and what was said of it since, into a folder; no second file where
+        nothing was said."""
+        reading = folder / "reading.json"
+        shutil.copyfile(self._reading, reading)
+        rest = self.keeper.operations[len(self._within) :]
+        if not rest or self._read is None:
+            return reading, None
+        corrections = folder / "corrections.json"
+        write_corrections(corrections, self._read.sha256, rest)
+        return reading, corrections
 
     def trace(self, at: Point, done: Callable[[tuple[str, tuple] | None], None]) -> None:
         """Ask for the stroke whose ink lies at a place of a view."""

@@ -99,6 +99,10 @@ class SheetWindow(QtWidgets.QMainWindow):
         self.keeper.redo()
         self.desk.refresh()
 
+    def add_action(self, text: str, called: Callable[[], None]) -> None:
+        """Put a button for something else at the end of the toolbar."""
+        self._add(self._bar, text, called)
+
     def tell(self, text: str) -> None:
         """Put a sentence in place of the list."""
         self.problems.show_lines([Line(own) for own in text.splitlines() if own.strip()])
@@ -291,6 +295,7 @@ class SheetWindow(QtWidgets.QMainWindow):
     def _add_tools(self) -> None:
         bar = self.addToolBar("GaussianCAD")
         bar.setObjectName("GaussianCADCanvas")
+        self._bar = bar
         draw, kinds = QtWidgets.QMenu(self), QtWidgets.QMenu(self)
         self._add_menu(bar, translate("GaussianCAD", "Draw"), draw)
         for key, name in TOOLS.items():

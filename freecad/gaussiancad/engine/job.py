@@ -89,6 +89,8 @@ class ReconstructJob:
         page: of a PDF, TIFF or DXF file, from 1.
         seed: of everything random.
         scale_down: the edges of the images that train the Gaussians are divided by this.
+        reading, corrections: files that say what is on the sheet, or empty; of one sheet, so that
+            no batch takes them.
     """
 
     sheet: str
@@ -102,6 +104,8 @@ class ReconstructJob:
     page: int = 1
     seed: int = 0
     scale_down: int = 1
+    reading: str = ""
+    corrections: str = ""
 
     @classmethod
     def told(cls, sheet: str, output: str, settings: Mapping[str, Any]) -> "ReconstructJob":
@@ -142,6 +146,8 @@ class ReconstructJob:
             "--output",
             self.output,
             *self.options(),
+            *(("--reading", self.reading) if self.reading else ()),
+            *(("--corrections", self.corrections) if self.corrections else ()),
             "--events",
             "--",
             self.sheet,

@@ -8,6 +8,7 @@ lives and undoing a correction brings the part of before.
 
 import hashlib
 import json
+import shutil
 from pathlib import Path
 
 import FreeCAD
@@ -16,6 +17,7 @@ from freecad.gaussiancad.canvas.keeping import corrections_path as beside
 from freecad.gaussiancad.canvas.keeping import operations_in, read_corrections, write_corrections
 from freecad.gaussiancad.engine.job import Outcome, ReconstructJob
 from freecad.gaussiancad.engine.report import read_report
+from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
 from freecad.gaussiancad.objects.loading import PartSource, read_shape
 from freecad.gaussiancad.objects.properties import Access, PropertySpec, add_properties
@@ -78,9 +80,26 @@ def take_reading(group: FreeCAD.DocumentObject, file: Path) -> None:
     setattr(group, READING, str(file))
 
 
-def is_solved(group: FreeCAD.DocumentObject) -> bool:
-    """Whether the part follows from the corrections as they are."""
-    return getattr(group, SOLVED, "") == _hash(getattr(group, CORRECTIONS, ""))
+def hand_over(group: FreeCAD.DocumentObject, folder: Path) -> tuple[Path, Path | None]:
+    """Write what was read and what was corrected into a folder, for a run.
+
+    Returns:
+        The files; no second one where nothing was corrected.
+
+    Raises:
+        WorkbenchError: the drawing was not read yet.
+    """
+    if not group.Reading:
+        text = translate("GaussianCAD", "The drawing was not read yet. Wait until it is.")
+        raise WorkbenchError(ErrorCode.RESULT_UNREADABLE, text)
+    reading = Path(shutil.copyfile(group.Reading, folder / "reading.json"))
+    sha256 = json.loads(reading.read_text(encoding="utf-8"))["sheet"]["sha256"]
+    operations = corrections_of(group)
+    if not operations:
+        return reading, None
+    corrections = folder / "corrections.json"
+    write_corrections(corrections, sha256, operations)
+    return reading, corrections
 
 
 def take_solution(group: FreeCAD.DocumentObject, folder: Path) -> None:

@@ -141,6 +141,20 @@ def show_solution(group: FreeCAD.DocumentObject, shape: Part.Shape, report: Repo
     add_properties(group, [*_report_properties(report), *_engine_properties(report, engine)])
 
 
+def add_surface(group: FreeCAD.DocumentObject, run: LoadedRun) -> None:
+    """Put mesh, Gaussians, views and alternatives of a run into a group, in place of those before,
+    in one undo step; the part stays the object that it is."""
+    document, part = group.Document, find_part(group)
+    with transaction(document, undo_step()):
+        for own in [member.Name for member in group.Group if member is not part]:
+            document.removeObject(own)
+        features = _features(document, run, with_part=part is None)
+        if part is not None and run.part is not None:
+            part.Shape = run.part.shape
+            part.Label = _part_label(run.part, run.report)
+        _fill(group, run, features)
+
+
 def extend_reconstruction(group: FreeCAD.DocumentObject, run: LoadedRun) -> FreeCAD.DocumentObject:
     """Add to a part that stands alone what else its run left, in an undo step of its own."""
     with transaction(group.Document, undo_step()):

@@ -23,6 +23,8 @@ from freecad.gaussiancad.objects.corrected_sheet import (
 )
 from freecad.gaussiancad.objects.document_sheets import export_sheet, first_sheet_object
 from freecad.gaussiancad.objects.reconstruction import find_part
+from freecad.gaussiancad.panels.full_run import full_job
+from freecad.gaussiancad.panels.jobs import job_list
 from freecad.gaussiancad.preferences import read_preferences
 from freecad.gaussiancad.qt import QtCore, QtWidgets
 
@@ -120,6 +122,7 @@ class CanvasDock(QtWidgets.QDockWidget):
         self.canvas = SheetWindow(path, page, program=program, keeper=keeper, parent=self)
         self.canvas.setWindowFlags(QtCore.Qt.WindowType.Widget)
         self.setWidget(self.canvas)
+        self.canvas.add_action(translate("GaussianCAD", "Mesh and Gaussians"), self.make_all)
         self._shown_mm = 0.0
         desk = self.canvas.desk
         desk.changed.connect(self._keep_reading)
@@ -146,6 +149,12 @@ class CanvasDock(QtWidgets.QDockWidget):
         if event.type() == QtCore.QEvent.Type.FocusIn and self.keeper.find() is not None:
             FreeCAD.setActiveDocument(self.keeper.document)
         return super().eventFilter(watched, event)
+
+    def make_all(self) -> None:
+        """Have mesh and Gaussians made as well, as a job of the list."""
+        group, desk = self.keeper.find(), self.canvas.desk
+        if group is not None and desk.sheet is not None:
+            job_list().add(full_job(self.keeper, desk.path, desk.page))
 
     def follow(self) -> None:
         """Show the corrections that the document has now, and make their part."""

@@ -1,0 +1,50 @@
+"""Mesh and Gaussians of a drawing that was corrected: a job that completes its group."""
+
+from pathlib import Path
+
+from freecad.gaussiancad.engine.job import ReconstructJob
+from freecad.gaussiancad.engine.summary import verdict_text
+from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
+from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.objects.corrected_sheet import InDocument, hand_over
+from freecad.gaussiancad.objects.loading import load_run
+from freecad.gaussiancad.objects.reconstruction import add_surface
+from freecad.gaussiancad.panels.jobs import Job
+
+
+def full_job(keeper: InDocument, sheet: Path, page: int) -> Job:
+    """The job; what was said until it starts counts.
+
+    Args:
+        keeper: knows the group that is completed.
+        sheet: path of the drawing.
+        page: of a file with pages.
+    """
+    made: list[ReconstructJob] = []
+
+    def prepare(scratch: Path) -> list[str]:
+        reading, corrections = hand_over(_known(keeper), scratch)
+        told = "" if corrections is None else str(corrections)
+        job = ReconstructJob(
+            str(sheet), str(scratch / "run"), page=page, reading=str(reading), corrections=told
+        )
+        made.append(job)
+        return job.arguments()
+
+    def absorb(scratch: Path) -> str:
+        views = scratch / "views"
+        views.mkdir()
+        run = load_run(made[-1], views)
+        add_surface(_known(keeper), run)
+        return verdict_text(run.report)
+
+    title = translate("GaussianCAD", "Mesh and Gaussians of {0}").format(sheet.name)
+    return Job(title, prepare, absorb)
+
+
+def _known(keeper: InDocument) -> object:
+    group = keeper.find()
+    if group is None:
+        text = translate("GaussianCAD", "The drawing is no longer in the document")
+        raise WorkbenchError(ErrorCode.SHEET_MISSING, text)
+    return group
