@@ -183,6 +183,18 @@
         <source>Bound that 95 % of the faces&apos; places keep; 0 if it is not known</source>
         <translation>Grenze, die 95 % der Flächen in ihrer Lage einhalten; 0, wenn sie nicht bekannt ist</translation>
     </message>
+    <message>
+        <source>What was corrected by hand, as JSON</source>
+        <translation>Was von Hand korrigiert wurde, als JSON</translation>
+    </message>
+    <message>
+        <source>What the engine read on the drawing</source>
+        <translation>Was die Engine auf der Zeichnung gelesen hat</translation>
+    </message>
+    <message>
+        <source>The corrections that the part follows from</source>
+        <translation>Die Korrekturen, aus denen das Teil folgt</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCAD</name>
@@ -229,6 +241,10 @@
     <message>
         <source>Surface</source>
         <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Part (not there yet)</source>
+        <translation>Bauteil (noch nicht vorhanden)</translation>
     </message>
     <message>
         <source>Gaussians</source>
@@ -361,6 +377,54 @@
     <message>
         <source>Ignore Area</source>
         <translation>Bereich ignorieren</translation>
+    </message>
+    <message>
+        <source>Pick from Ink</source>
+        <translation>Aus dem Strich aufnehmen</translation>
+    </message>
+    <message>
+        <source>Cutting Plane</source>
+        <translation>Schnittebene</translation>
+    </message>
+    <message>
+        <source>section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>detail</source>
+        <translation>Einzelheit</translation>
+    </message>
+    <message>
+        <source>auxiliary view</source>
+        <translation>Hilfsansicht</translation>
+    </message>
+    <message>
+        <source>pictorial</source>
+        <translation>Bildhafte Ansicht</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>Lines of the Part</source>
+        <translation>Linien des Teils</translation>
+    </message>
+    <message>
+        <source>Other Lines</source>
+        <translation>Andere Linien</translation>
+    </message>
+    <message>
+        <source>Numbers and Notes</source>
+        <translation>Zahlen und Hinweise</translation>
+    </message>
+    <message>
+        <source>Cutting Planes</source>
+        <translation>Schnittebenen</translation>
+    </message>
+    <message>
+        <source>Problems and Disagreements</source>
+        <translation>Probleme und Abweichungen</translation>
     </message>
     <message>
         <source>front</source>
@@ -503,18 +567,6 @@
         <translation>Projektion</translation>
     </message>
     <message>
-        <source>Problems</source>
-        <translation>Probleme</translation>
-    </message>
-    <message>
-        <source>{0} correction(s), beside the sheet</source>
-        <translation>{0} Korrektur(en), neben dem Blatt gespeichert</translation>
-    </message>
-    <message>
-        <source>The engine is at work…</source>
-        <translation>Die Engine arbeitet …</translation>
-    </message>
-    <message>
         <source>Click to see the place</source>
         <translation>Klicken, um die Stelle zu sehen</translation>
     </message>
@@ -523,8 +575,92 @@
         <translation>Maßstab</translation>
     </message>
     <message>
+        <source>The sheet is read…</source>
+        <translation>Das Blatt wird gelesen …</translation>
+    </message>
+    <message>
+        <source>The corrections beside the sheet are of another version of it: they were left out, and will be kept as a file of their own.</source>
+        <translation>Die Korrekturen neben dem Blatt gehören zu einer anderen Fassung davon: Sie wurden weggelassen und bleiben als eigene Datei erhalten.</translation>
+    </message>
+    <message>
+        <source>{0} correction(s) by hand</source>
+        <translation>{0} Korrektur(en) von Hand</translation>
+    </message>
+    <message>
+        <source>Box a View</source>
+        <translation>Ansicht umrahmen</translation>
+    </message>
+    <message>
+        <source>Draw a Line</source>
+        <translation>Linie zeichnen</translation>
+    </message>
+    <message>
+        <source>Tell a Length</source>
+        <translation>Länge angeben</translation>
+    </message>
+    <message>
+        <source>Set the Plane</source>
+        <translation>Ebene festlegen</translation>
+    </message>
+    <message>
+        <source>Other Projection</source>
+        <translation>Andere Projektion</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>Es wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Making the part…</source>
+        <translation>Das Teil wird erzeugt …</translation>
+    </message>
+    <message>
         <source>Length between the two points in mm:</source>
         <translation>Länge zwischen den zwei Punkten in mm:</translation>
+    </message>
+    <message>
+        <source>What “{0}” gives, in mm:</source>
+        <translation>Was „{0}“ angibt, in mm:</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
+        <source>Depth of the hole in mm:</source>
+        <translation>Tiefe der Bohrung in mm:</translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation>Bohrung</translation>
+    </message>
+    <message>
+        <source>There is no line of a view at this place</source>
+        <translation>An dieser Stelle liegt keine Linie einer Ansicht</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Solve as I Go</source>
+        <translation>Laufend lösen</translation>
+    </message>
+    <message>
+        <source>Makes the part (Enter)</source>
+        <translation>Erzeugt das Teil (Eingabetaste)</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -533,6 +669,10 @@
     <message>
         <source>Redo</source>
         <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Anzeigen</translation>
     </message>
     <message>
         <source>Solve</source>
@@ -715,8 +855,36 @@
         <translation>Referenz</translation>
     </message>
     <message>
+        <source>GaussianCAD Jobs</source>
+        <translation>GaussianCAD-Aufträge</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>Auftrag</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Clear List</source>
+        <translation>Liste leeren</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>Abgebrochen</translation>
+    </message>
+    <message>
+        <source>Stage {index} of {count}</source>
+        <translation>Stufe {index} von {count}</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -765,6 +933,10 @@
     <message>
         <source>There is no file {path}. Choose another drawing.</source>
         <translation>Die Datei {path} gibt es nicht. Wählen Sie eine andere Zeichnung.</translation>
+    </message>
+    <message>
+        <source>Mesh and Gaussians</source>
+        <translation>Netz und Gaußfunktionen</translation>
     </message>
     <message>
         <source>Choose a Drawing</source>
@@ -1207,6 +1379,14 @@
         <translation>Warum</translation>
     </message>
     <message>
+        <source>Hole Goes Through</source>
+        <translation>Bohrung geht durch</translation>
+    </message>
+    <message>
+        <source>Depth of Hole…</source>
+        <translation>Tiefe der Bohrung…</translation>
+    </message>
+    <message>
         <source>Select all like this</source>
         <translation>Alle gleichartigen auswählen</translation>
     </message>
@@ -1231,6 +1411,18 @@
         <translation>Diese Linien widersprechen einander</translation>
     </message>
     <message>
+        <source>Yes, Through</source>
+        <translation>Ja, durchgehend</translation>
+    </message>
+    <message>
+        <source>No, so Deep…</source>
+        <translation>Nein, so tief…</translation>
+    </message>
+    <message>
+        <source>Measures to ±{0} mm</source>
+        <translation>Maße auf ±{0} mm</translation>
+    </message>
+    <message>
         <source>Verified: the part has the sheet&apos;s lines, no others</source>
         <translation>Verifiziert: das Teil hat die Linien des Blatts und keine anderen</translation>
     </message>
@@ -1241,6 +1433,674 @@
     <message>
         <source>No part follows from the sheet as it is</source>
         <translation>Aus dem Blatt, wie es ist, folgt kein Teil</translation>
+    </message>
+    <message>
+        <source>The engine broke off: {reason}</source>
+        <translation>Die Engine ist abgebrochen: {reason}</translation>
+    </message>
+    <message>
+        <source>A mirror image of the result fits better. Check the projection and the views.</source>
+        <translation>Ein Spiegelbild des Ergebnisses passt besser. Prüfen Sie die Projektion und die Ansichten.</translation>
+    </message>
+    <message>
+        <source>The result is {ratio} times as large as the reference: their units differ. Scale the result by {factor} to have it in millimetres.</source>
+        <translation>Das Ergebnis ist {ratio}-mal so groß wie die Referenz: Die Einheiten sind verschieden. Skalieren Sie das Ergebnis mit {factor}, damit es in Millimetern ist.</translation>
+    </message>
+    <message>
+        <source>Not closed: {model} (open edges: {count}). Its volume is not certain, and distances from it have no sign.</source>
+        <translation>Nicht geschlossen: {model} (offene Kanten: {count}). Das Volumen ist nicht sicher, und Abstände davon haben kein Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>FreeCAD&apos;s geometry check refuses this solid: {model}. Its volume may be wrong.</source>
+        <translation>Die Geometrieprüfung von FreeCAD lehnt diesen Festkörper ab: {model}. Sein Volumen kann falsch sein.</translation>
+    </message>
+    <message>
+        <source>Only surfaces that do not close up to a solid: {model}. Its volume is not certain, and distances from it have no sign.</source>
+        <translation>Nur Flächen, die sich nicht zu einem Festkörper schließen: {model}. Das Volumen ist nicht sicher, und Abstände davon haben kein Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>Surfaces without a solid: {model}. Sewn together they are closed, and are measured as a solid.</source>
+        <translation>Flächen ohne Festkörper: {model}. Zusammengenäht sind sie geschlossen und werden als Festkörper gemessen.</translation>
+    </message>
+    <message>
+        <source>Faces beside the solids are not measured: {model} (faces: {count}). Remove them, or make solids of them.</source>
+        <translation>Flächen neben den Festkörpern werden nicht gemessen: {model} (Flächen: {count}). Entfernen Sie sie, oder machen Sie Festkörper daraus.</translation>
+    </message>
+    <message>
+        <source>Solids that touch or overlap are measured as one body, without the faces between them: {model} (solids: {count}).</source>
+        <translation>Festkörper, die sich berühren oder überschneiden, werden als ein Körper gemessen, ohne die Flächen dazwischen: {model} (Festkörper: {count}).</translation>
+    </message>
+    <message>
+        <source>Closed, but without a volume: {model}.</source>
+        <translation>Geschlossen, aber ohne Volumen: {model}.</translation>
+    </message>
+    <message>
+        <source>Result: bodies {result_bodies}, through holes {result_holes}, cavities {result_cavities}. Reference: bodies {reference_bodies}, through holes {reference_holes}, cavities {reference_cavities}.</source>
+        <translation>Ergebnis: Körper {result_bodies}, durchgehende Löcher {result_holes}, Hohlräume {result_cavities}. Referenz: Körper {reference_bodies}, durchgehende Löcher {reference_holes}, Hohlräume {reference_cavities}.</translation>
+    </message>
+    <message>
+        <source>The models cannot be compared: one is damaged. Export it again.</source>
+        <translation>Die Modelle lassen sich nicht vergleichen: Eines ist beschädigt. Exportieren Sie es neu.</translation>
+    </message>
+    <message>
+        <source>The file is no model. Choose a STEP, BREP, STL, PLY or OBJ file.</source>
+        <translation>Die Datei ist kein Modell. Wählen Sie eine STEP-, BREP-, STL-, PLY- oder OBJ-Datei.</translation>
+    </message>
+    <message>
+        <source>The model&apos;s file is damaged, or of another format. Export it again.</source>
+        <translation>Die Datei des Modells ist beschädigt oder hat ein anderes Format. Exportieren Sie es neu.</translation>
+    </message>
+    <message>
+        <source>The file holds no solid and no surfaces. Export a solid or its faces.</source>
+        <translation>Die Datei enthält weder Festkörper noch Flächen. Exportieren Sie einen Festkörper oder seine Flächen.</translation>
+    </message>
+    <message>
+        <source>The model has no surface. Export it with its faces.</source>
+        <translation>Das Modell hat keine Oberfläche. Exportieren Sie es mit seinen Flächen.</translation>
+    </message>
+    <message>
+        <source>The model is points without faces. Make a surface of them first.</source>
+        <translation>Das Modell besteht aus Punkten ohne Flächen. Machen Sie zuerst eine Oberfläche daraus.</translation>
+    </message>
+    <message>
+        <source>The model&apos;s file is cut off or damaged. Export it again.</source>
+        <translation>Die Datei des Modells ist abgeschnitten oder beschädigt. Exportieren Sie es neu.</translation>
+    </message>
+    <message>
+        <source>The model&apos;s file is too large. Export it with fewer triangles.</source>
+        <translation>Die Datei des Modells ist zu groß. Exportieren Sie es mit weniger Dreiecken.</translation>
+    </message>
+    <message>
+        <source>The model is too small, or too far from the origin, to be measured. Export it in millimetres, near the origin.</source>
+        <translation>Das Modell ist zu klein oder liegt zu weit vom Ursprung, um gemessen zu werden. Exportieren Sie es in Millimetern nahe am Ursprung.</translation>
+    </message>
+    <message>
+        <source>The models differ too much in size to be compared. Check that these are the right ones.</source>
+        <translation>Die Modelle sind zu verschieden groß für einen Vergleich. Prüfen Sie, ob es die richtigen sind.</translation>
+    </message>
+    <message>
+        <source>The earth mover&apos;s distance could not be computed.</source>
+        <translation>Der Earth-Mover-Abstand ließ sich nicht berechnen.</translation>
+    </message>
+    <message>
+        <source>No exact solid was found. The model is a surface that fills what the outlines leave: measure nothing from it.</source>
+        <translation>Es wurde kein exakter Festkörper gefunden. Das Modell ist eine Oberfläche, die füllt, was die Umrisse lassen: Nehmen Sie keine Maße davon ab.</translation>
+    </message>
+    <message>
+        <source>The exact solid that fits best has only {percent} % of the drawing&apos;s lines and was not kept. Check in Correct Sheet whether the lines were read right.</source>
+        <translation>Der exakte Festkörper, der am besten passt, hat nur {percent} % der Linien der Zeichnung und wurde nicht behalten. Prüfen Sie mit „Blatt korrigieren“, ob die Linien richtig gelesen wurden.</translation>
+    </message>
+    <message>
+        <source>No exact solid was found. This one fills what the outlines and the through holes leave: pockets and blind holes are missing.</source>
+        <translation>Es wurde kein exakter Festkörper gefunden. Dieser füllt, was die Umrisse und die Durchgangslöcher lassen: Taschen und Grundlöcher fehlen.</translation>
+    </message>
+    <message>
+        <source>The lines of the views contradict each other, so that no solid has them all. Check in Correct Sheet whether a line was read wrong.</source>
+        <translation>Die Linien der Ansichten widersprechen sich, sodass kein Festkörper sie alle hat. Prüfen Sie mit „Blatt korrigieren“, ob eine Linie falsch gelesen wurde.</translation>
+    </message>
+    <message>
+        <source>Lines contradict each other as they were read. They are marked on the sheet: correct or erase the wrong one in Correct Sheet.</source>
+        <translation>Linien widersprechen sich, so wie sie gelesen wurden. Sie sind auf dem Blatt markiert: Korrigieren oder löschen Sie die falsche mit „Blatt korrigieren“.</translation>
+    </message>
+    <message>
+        <source>What fits the lines best does not close up to a solid: lines are missing or wrong. Check them in Correct Sheet.</source>
+        <translation>Was am besten zu den Linien passt, schließt sich nicht zu einem Festkörper: Linien fehlen oder sind falsch. Prüfen Sie sie mit „Blatt korrigieren“.</translation>
+    </message>
+    <message>
+        <source>The drawing has too many lines for an exact solid. Draw fewer of them on one sheet.</source>
+        <translation>Die Zeichnung hat zu viele Linien für einen exakten Festkörper. Zeichnen Sie weniger davon auf ein Blatt.</translation>
+    </message>
+    <message>
+        <source>The solid is not one valid closed body.</source>
+        <translation>Der Festkörper ist nicht ein einziger gültiger, geschlossener Körper.</translation>
+    </message>
+    <message>
+        <source>{count} different solids have the lines of this drawing. Choose the one that is meant with Choose among Solutions.</source>
+        <translation>{count} verschiedene Festkörper haben die Linien dieser Zeichnung. Wählen Sie den gemeinten mit „Unter Lösungen wählen“.</translation>
+    </message>
+    <message>
+        <source>The views fit different solids in first and in third angle. Choose the angle under Projection.</source>
+        <translation>Die Ansichten passen nach Projektionsmethode 1 und 3 zu verschiedenen Festkörpern. Wählen Sie die Methode unter „Projektion“.</translation>
+    </message>
+    <message>
+        <source>The search for solids with these lines was not completed: there may be others.</source>
+        <translation>Die Suche nach Festkörpern mit diesen Linien wurde nicht abgeschlossen: Es kann andere geben.</translation>
+    </message>
+    <message>
+        <source>The search for solids took much longer than usual and was ended. Close other programs and run the drawing again.</source>
+        <translation>Die Suche nach Festkörpern dauerte viel länger als üblich und wurde beendet. Schließen Sie andere Programme und starten Sie die Zeichnung erneut.</translation>
+    </message>
+    <message>
+        <source>The views may fit a solid in the other projection as well. Choose first or third angle under Projection.</source>
+        <translation>Die Ansichten passen vielleicht auch in der anderen Projektion zu einem Festkörper. Wählen Sie Projektionsmethode 1 oder 3 unter „Projektion“.</translation>
+    </message>
+    <message>
+        <source>The drawing has more lines than can be understood together. Draw fewer of them on one sheet.</source>
+        <translation>Die Zeichnung hat mehr Linien, als sich zusammen verstehen lassen. Zeichnen Sie weniger davon auf ein Blatt.</translation>
+    </message>
+    <message>
+        <source>The part does not have all lines of the drawing, or it has others.</source>
+        <translation>Das Teil hat nicht alle Linien der Zeichnung, oder es hat andere.</translation>
+    </message>
+    <message>
+        <source>The part lacks lines of the drawing; the longest one, of {length_mm} mm, is in the view “{view}”.</source>
+        <translation>Dem Teil fehlen Linien der Zeichnung; die längste, {length_mm} mm lang, liegt in der Ansicht „{view}“.</translation>
+    </message>
+    <message>
+        <source>The part has lines that the drawing does not show; the longest one, of {length_mm} mm, is in the view “{view}”.</source>
+        <translation>Das Teil hat Linien, die die Zeichnung nicht zeigt; die längste, {length_mm} mm lang, liegt in der Ansicht „{view}“.</translation>
+    </message>
+    <message>
+        <source>The surface does not have all lines of these views, or it has others: {views}.</source>
+        <translation>Die Oberfläche hat nicht alle Linien dieser Ansichten, oder sie hat andere: {views}.</translation>
+    </message>
+    <message>
+        <source>Lines that nearly meet were taken to meet: small steps may be missing.</source>
+        <translation>Linien, die sich fast treffen, wurden als verbunden genommen: Kleine Absätze können fehlen.</translation>
+    </message>
+    <message>
+        <source>In the view “{view}” the drawn line lies {distance_mm} mm beside the part&apos;s: a curve may have been misread there.</source>
+        <translation>In der Ansicht „{view}“ liegt die gezeichnete Linie {distance_mm} mm neben der des Teils: Dort kann eine Kurve falsch gelesen sein.</translation>
+    </message>
+    <message>
+        <source>A line of the drawing lies {distance_mm} mm beside the part&apos;s: a small step may be missing.</source>
+        <translation>Eine Linie der Zeichnung liegt {distance_mm} mm neben der des Teils: Ein kleiner Absatz kann fehlen.</translation>
+    </message>
+    <message>
+        <source>The views and the part differ by up to {distance_mm} mm in size: a small step may be missing.</source>
+        <translation>Die Ansichten und das Teil sind um bis zu {distance_mm} mm verschieden groß: Ein kleiner Absatz kann fehlen.</translation>
+    </message>
+    <message>
+        <source>Not used: {kind}. What it shows of the part may be missing.</source>
+        <translation>Nicht verwendet: {kind}. Was dort vom Teil zu sehen ist, kann fehlen.</translation>
+    </message>
+    <message>
+        <source>Groups of lines belong to no view and are large enough to be one ({count}). Box them as views in Correct Sheet if they show the part.</source>
+        <translation>Gruppen von Linien gehören zu keiner Ansicht und sind groß genug, eine zu sein ({count}). Umrahmen Sie sie mit „Blatt korrigieren“ als Ansichten, wenn sie das Teil zeigen.</translation>
+    </message>
+    <message>
+        <source>Lines that cross a view in another line width were not used ({count}). If they are edges of the part, make them visible lines in Correct Sheet.</source>
+        <translation>Linien, die in anderer Strichbreite durch eine Ansicht laufen, wurden nicht verwendet ({count}). Wenn es Kanten des Teils sind, machen Sie sie mit „Blatt korrigieren“ zu sichtbaren Linien.</translation>
+    </message>
+    <message>
+        <source>Corrections that no longer find what they corrected: {count}. Look at them again in Correct Sheet.</source>
+        <translation>Korrekturen, die nicht mehr finden, was sie korrigierten: {count}. Sehen Sie sie mit „Blatt korrigieren“ noch einmal an.</translation>
+    </message>
+    <message>
+        <source>No view has a hidden line. It was assumed that nothing lies inside the part that no view shows.</source>
+        <translation>Keine Ansicht hat eine verdeckte Linie. Es wurde angenommen, dass im Inneren des Teils nichts liegt, was keine Ansicht zeigt.</translation>
+    </message>
+    <message>
+        <source>These views have no hidden line: {views}. It was assumed that none was left out; otherwise another solid fits as well, see Choose among Solutions.</source>
+        <translation>Diese Ansichten haben keine verdeckte Linie: {views}. Es wurde angenommen, dass keine weggelassen wurde; sonst passt auch ein anderer Festkörper, siehe „Unter Lösungen wählen“.</translation>
+    </message>
+    <message>
+        <source>The solid has long faces too narrow for any view to show: lines that belong together may have been read apart.</source>
+        <translation>Der Festkörper hat lange Flächen, die zu schmal für jede Ansicht sind: Linien, die zusammengehören, wurden vielleicht getrennt gelesen.</translation>
+    </message>
+    <message>
+        <source>Hidden lines as short as a dash look like visible ones. Some were taken for the other kind, as the other views have it.</source>
+        <translation>Verdeckte Linien, die nicht länger als ein Strich sind, sehen wie sichtbare aus. Einige wurden nach den anderen Ansichten für die andere Art genommen.</translation>
+    </message>
+    <message>
+        <source>The projection symbol says {symbol}, but the lines fit {other} better. Taken was {taken}; choose under Projection if it is the other.</source>
+        <translation>Das Projektionssymbol sagt {symbol}, aber die Linien passen besser zu {other}. Angenommen wurde {taken}; wählen Sie unter „Projektion“, wenn es die andere ist.</translation>
+    </message>
+    <message>
+        <source>The drawing&apos;s dimensions agree on {sheet} mm per pixel, but the scale that was set gives {told}. The dimensions were not used: check what is set under Scale.</source>
+        <translation>Die Maße der Zeichnung ergeben übereinstimmend {sheet} mm je Pixel, der eingestellte Maßstab aber {told}. Die Maße wurden nicht verwendet: Prüfen Sie, was unter „Maßstab“ eingestellt ist.</translation>
+    </message>
+    <message>
+        <source>The drawing has only two directions of view: what a third would show is not known.</source>
+        <translation>Die Zeichnung hat nur zwei Blickrichtungen: Was eine dritte zeigen würde, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Used as a view: {kind}. What was cut away in front of the cut is shown by no line.</source>
+        <translation>Als Ansicht verwendet: {kind}. Was vor dem Schnitt weggeschnitten ist, zeigt keine Linie.</translation>
+    </message>
+    <message>
+        <source>The note “{note}” speaks of {count} holes, and the view “{view}” has {found} of that kind: the note was taken for all of them.</source>
+        <translation>Der Hinweis „{note}“ spricht von {count} Bohrungen, und die Ansicht „{view}“ hat {found} dieser Art: Der Hinweis wurde auf alle bezogen.</translation>
+    </message>
+    <message>
+        <source>The drawing has one view; what a second would show was assumed.</source>
+        <translation>Die Zeichnung hat eine Ansicht; was eine zweite zeigen würde, wurde angenommen.</translation>
+    </message>
+    <message>
+        <source>The drawing has one view with diameters across its axis: a turned part was assumed. If it is none, another view is needed.</source>
+        <translation>Die Zeichnung hat eine Ansicht mit Durchmessern quer zur Achse: Ein Drehteil wurde angenommen. Wenn es keines ist, wird eine weitere Ansicht gebraucht.</translation>
+    </message>
+    <message>
+        <source>The drawing has one view and a thickness: it was assumed that the part is of that thickness everywhere and that what is drawn inside goes through.</source>
+        <translation>Die Zeichnung hat eine Ansicht und eine Dicke: Es wurde angenommen, dass das Teil überall so dick ist und dass durchgeht, was innen gezeichnet ist.</translation>
+    </message>
+    <message>
+        <source>A view is broken, so that its length is not as drawn. Set a length along another axis under Scale.</source>
+        <translation>Eine Ansicht ist unterbrochen gezeichnet, sodass ihre Länge nicht die gezeichnete ist. Stellen Sie unter „Maßstab“ eine Länge entlang einer anderen Achse ein.</translation>
+    </message>
+    <message>
+        <source>A view is drawn up to its centre line: what lies beyond was taken as its mirror image.</source>
+        <translation>Eine Ansicht ist bis zu ihrer Mittellinie gezeichnet: Was jenseits liegt, wurde als ihr Spiegelbild genommen.</translation>
+    </message>
+    <message>
+        <source>The hole of {diameter_mm} mm in the view “{view}” was taken to go through, as nothing tells its depth.</source>
+        <translation>Die Bohrung von {diameter_mm} mm in der Ansicht „{view}“ wurde als durchgehend genommen, da nichts ihre Tiefe angibt.</translation>
+    </message>
+    <message>
+        <source>Section {label} was taken to cut through the middle of the part, as it has no cutting line.</source>
+        <translation>Schnitt {label} wurde durch die Mitte des Teils gelegt, da er keine Schnittlinie hat.</translation>
+    </message>
+    <message>
+        <source>A section without a title was taken to cut through the middle of the part, as it has no cutting line.</source>
+        <translation>Ein Schnitt ohne Bezeichnung wurde durch die Mitte des Teils gelegt, da er keine Schnittlinie hat.</translation>
+    </message>
+    <message>
+        <source>There are bores, pockets or cavities that only hidden lines would show.</source>
+        <translation>Es gibt Bohrungen, Taschen oder Hohlräume, die nur verdeckte Linien zeigen würden.</translation>
+    </message>
+    <message>
+        <source>It ends inside: give its depth in a note, or draw its hidden lines.</source>
+        <translation>Sie endet im Inneren: Geben Sie ihre Tiefe in einem Hinweis an, oder zeichnen Sie ihre verdeckten Linien.</translation>
+    </message>
+    <message>
+        <source>It cuts elsewhere: draw its cutting line.</source>
+        <translation>Er schneidet woanders: Zeichnen Sie seine Schnittlinie.</translation>
+    </message>
+    <message>
+        <source>It is another part with the same view.</source>
+        <translation>Es ist ein anderes Teil mit derselben Ansicht.</translation>
+    </message>
+    <message>
+        <source>The lines fit both {taken} and {other}. Taken was {taken}; choose under Projection if it is the other.</source>
+        <translation>Die Linien passen zu {taken} und zu {other}. Angenommen wurde {taken}; wählen Sie unter „Projektion“, wenn es die andere ist.</translation>
+    </message>
+    <message>
+        <source>Dimensions do not fit the scale of the others ({numbers}): they were misread, or the drawing is not to scale there.</source>
+        <translation>Maße passen nicht zum Maßstab der anderen ({numbers}): Sie wurden falsch gelesen, oder die Zeichnung ist dort nicht maßstäblich.</translation>
+    </message>
+    <message>
+        <source>The sheet is so large that it was read at a lower resolution: measures are known less well. Cut out the views to have them read as they are.</source>
+        <translation>Das Blatt ist so groß, dass es mit geringerer Auflösung gelesen wurde: Die Maße sind weniger genau bekannt. Schneiden Sie die Ansichten aus, damit sie gelesen werden, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>The dimensions on the sheet were not read, as the engine has no text recognition. Set a length under Scale.</source>
+        <translation>Die Maße auf dem Blatt wurden nicht gelesen, da der Engine die Texterkennung fehlt. Stellen Sie unter „Maßstab“ eine Länge ein.</translation>
+    </message>
+    <message>
+        <source>The sheet has no readable scale: 1:1 was assumed. Set a length under Scale if it is another.</source>
+        <translation>Das Blatt hat keine lesbare Maßstabsangabe: 1:1 wurde angenommen. Stellen Sie unter „Maßstab“ eine Länge ein, wenn es anders ist.</translation>
+    </message>
+    <message>
+        <source>The scale is not known: the longest edge was made 100 mm. Set a length under Scale.</source>
+        <translation>Der Maßstab ist nicht bekannt: Die längste Kante wurde 100 mm lang gemacht. Stellen Sie unter „Maßstab“ eine Länge ein.</translation>
+    </message>
+    <message>
+        <source>Corrections by hand that were taken: {count}. The result is checked by the sheet as corrected.</source>
+        <translation>Übernommene Korrekturen von Hand: {count}. Das Ergebnis wird am korrigierten Blatt geprüft.</translation>
+    </message>
+    <message>
+        <source>The views differ by {spread_mm} mm in the part&apos;s extent along {axis}: the mean was taken.</source>
+        <translation>Die Ansichten unterscheiden sich um {spread_mm} mm in der Ausdehnung des Teils entlang {axis}: Der Mittelwert wurde genommen.</translation>
+    </message>
+    <message>
+        <source>The SVG refers to other files, which are never opened: what they hold is missing.</source>
+        <translation>Die SVG-Datei verweist auf andere Dateien, die nie geöffnet werden: Was sie enthalten, fehlt.</translation>
+    </message>
+    <message>
+        <source>The file does not say how large its paper is. Set a length under Scale.</source>
+        <translation>Die Datei sagt nicht, wie groß ihr Papier ist. Stellen Sie unter „Maßstab“ eine Länge ein.</translation>
+    </message>
+    <message>
+        <source>Groups of lines belong to no view and were left out: {count}.</source>
+        <translation>Gruppen von Linien, die zu keiner Ansicht gehören und weggelassen wurden: {count}.</translation>
+    </message>
+    <message>
+        <source>A pictorial view was left out: it illustrates what the other views show.</source>
+        <translation>Eine bildhafte Ansicht wurde weggelassen: Sie veranschaulicht, was die anderen Ansichten zeigen.</translation>
+    </message>
+    <message>
+        <source>The outlines of these views have gaps: {views}. The surface was made with the exact solid&apos;s outline there.</source>
+        <translation>Die Umrisse dieser Ansichten haben Lücken: {views}. Die Oberfläche wurde dort mit dem Umriss des exakten Festkörpers erzeugt.</translation>
+    </message>
+    <message>
+        <source>On a processor this takes an hour or more. Choose the quality Draft or smaller images, or use a graphics card.</source>
+        <translation>Auf einem Prozessor dauert das eine Stunde oder länger. Wählen Sie die Qualität „Entwurf“ oder kleinere Bilder, oder verwenden Sie eine Grafikkarte.</translation>
+    </message>
+    <message>
+        <source>The interrupted run in the folder belongs to another drawing, other settings or another version: the training began anew.</source>
+        <translation>Der unterbrochene Lauf in dem Ordner gehört zu einer anderen Zeichnung, anderen Einstellungen oder einer anderen Version: Das Training begann von vorn.</translation>
+    </message>
+    <message>
+        <source>Thread symbols were left out: the model has plain cylinders there.</source>
+        <translation>Gewindesymbole wurden weggelassen: Das Modell hat dort glatte Zylinder.</translation>
+    </message>
+    <message>
+        <source>There is no such file: {path}. Choose it again.</source>
+        <translation>Diese Datei gibt es nicht: {path}. Wählen Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>{path} is no file. Choose a drawing.</source>
+        <translation>{path} ist keine Datei. Wählen Sie eine Zeichnung.</translation>
+    </message>
+    <message>
+        <source>{path} cannot be opened. Check that you may read it.</source>
+        <translation>{path} lässt sich nicht öffnen. Prüfen Sie, ob Sie die Datei lesen dürfen.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read. Check that you may read it.</source>
+        <translation>Die Datei lässt sich nicht lesen. Prüfen Sie, ob Sie sie lesen dürfen.</translation>
+    </message>
+    <message>
+        <source>The file is empty. Export it again.</source>
+        <translation>Die Datei ist leer. Exportieren Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>The file is no PNG, JPEG, TIFF, BMP, WebP, PDF, SVG or DXF, whatever its name says. Export the drawing as one of them.</source>
+        <translation>Die Datei ist kein PNG, JPEG, TIFF, BMP, WebP, PDF, SVG oder DXF, was auch immer ihr Name sagt. Exportieren Sie die Zeichnung in eines dieser Formate.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged. Export or scan the drawing again.</source>
+        <translation>Das Bild ist beschädigt. Exportieren oder scannen Sie die Zeichnung neu.</translation>
+    </message>
+    <message>
+        <source>The file is no PDF, or is damaged. Export the drawing again, or as PNG.</source>
+        <translation>Die Datei ist kein PDF oder ist beschädigt. Exportieren Sie die Zeichnung neu oder als PNG.</translation>
+    </message>
+    <message>
+        <source>The file is no SVG, or is damaged. Export the drawing again, or as PNG.</source>
+        <translation>Die Datei ist kein SVG oder ist beschädigt. Exportieren Sie die Zeichnung neu oder als PNG.</translation>
+    </message>
+    <message>
+        <source>The file is no DXF, or is damaged. Export the drawing again, or as PNG.</source>
+        <translation>Die Datei ist kein DXF oder ist beschädigt. Exportieren Sie die Zeichnung neu oder als PNG.</translation>
+    </message>
+    <message>
+        <source>What was read of the sheet is damaged, or of another version. Open the drawing in Correct Sheet again.</source>
+        <translation>Was vom Blatt gelesen wurde, ist beschädigt oder von einer anderen Version. Öffnen Sie die Zeichnung noch einmal mit „Blatt korrigieren“.</translation>
+    </message>
+    <message>
+        <source>The corrections in {path} are damaged, or of another version. Remove that file, or mend it.</source>
+        <translation>Die Korrekturen in {path} sind beschädigt oder von einer anderen Version. Entfernen Sie diese Datei, oder bringen Sie sie in Ordnung.</translation>
+    </message>
+    <message>
+        <source>The PDF is protected by a password. Save it without one.</source>
+        <translation>Das PDF ist durch ein Kennwort geschützt. Speichern Sie es ohne Kennwort.</translation>
+    </message>
+    <message>
+        <source>The SVG declares XML entities, which are never expanded. Save it as plain SVG.</source>
+        <translation>Die SVG-Datei deklariert XML-Entitäten, die nie aufgelöst werden. Speichern Sie sie als einfaches SVG.</translation>
+    </message>
+    <message>
+        <source>All that the SVG shows lies in other files, which are never opened. Embed it.</source>
+        <translation>Alles, was die SVG-Datei zeigt, liegt in anderen Dateien, die nie geöffnet werden. Betten Sie es ein.</translation>
+    </message>
+    <message>
+        <source>The page has no lines. Choose another page or file.</source>
+        <translation>Die Seite hat keine Linien. Wählen Sie eine andere Seite oder Datei.</translation>
+    </message>
+    <message>
+        <source>The file has {count} pages, at most {most} are read. Save the sheet in a file by itself.</source>
+        <translation>Die Datei hat {count} Seiten, höchstens {most} werden gelesen. Speichern Sie das Blatt in einer eigenen Datei.</translation>
+    </message>
+    <message>
+        <source>There is no page {page}: the last page of the file is page {count}.</source>
+        <translation>Es gibt keine Seite {page}: Die letzte Seite der Datei ist Seite {count}.</translation>
+    </message>
+    <message>
+        <source>The picture is too large: at most {most} million pixels are read. Export or scan it at a lower resolution, or on smaller paper.</source>
+        <translation>Das Bild ist zu groß: Höchstens {most} Millionen Pixel werden gelesen. Exportieren oder scannen Sie es mit geringerer Auflösung oder auf kleinerem Papier.</translation>
+    </message>
+    <message>
+        <source>The picture has only {width} × {height} pixels. Export the drawing with 1920 × 1080 or more.</source>
+        <translation>Das Bild hat nur {width} × {height} Pixel. Exportieren Sie die Zeichnung mit 1920 × 1080 oder mehr.</translation>
+    </message>
+    <message>
+        <source>{format} files are not read. Save the drawing as PDF, SVG, DXF or PNG.</source>
+        <translation>{format}-Dateien werden nicht gelesen. Speichern Sie die Zeichnung als PDF, SVG, DXF oder PNG.</translation>
+    </message>
+    <message>
+        <source>The file holds no Gaussians that can be read. Choose another one.</source>
+        <translation>Die Datei enthält keine lesbaren Gaußfunktionen. Wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>Correct Sheet needs PySide6 in the engine&apos;s environment. Open it from FreeCAD instead.</source>
+        <translation>„Blatt korrigieren“ braucht PySide6 in der Umgebung der Engine. Öffnen Sie es stattdessen aus FreeCAD.</translation>
+    </message>
+    <message>
+        <source>The run left no report. Run it again.</source>
+        <translation>Der Lauf hat keinen Bericht hinterlassen. Starten Sie ihn erneut.</translation>
+    </message>
+    <message>
+        <source>The run&apos;s report is damaged. Run it again.</source>
+        <translation>Der Bericht des Laufs ist beschädigt. Starten Sie ihn erneut.</translation>
+    </message>
+    <message>
+        <source>The run&apos;s report is of another version. Run it again.</source>
+        <translation>Der Bericht des Laufs ist von einer anderen Version. Starten Sie ihn erneut.</translation>
+    </message>
+    <message>
+        <source>The sheet is blank: there are no lines.</source>
+        <translation>Das Blatt ist leer: Es gibt keine Linien.</translation>
+    </message>
+    <message>
+        <source>This does not look like a line drawing. Use an export or a scan of the drawing, not a photograph.</source>
+        <translation>Das sieht nicht wie eine Strichzeichnung aus. Verwenden Sie einen Export oder Scan der Zeichnung, kein Foto.</translation>
+    </message>
+    <message>
+        <source>No view of a part was found. Box the views in Correct Sheet and say which is which.</source>
+        <translation>Es wurde keine Ansicht eines Teils gefunden. Umrahmen Sie die Ansichten mit „Blatt korrigieren“ und sagen Sie, welche welche ist.</translation>
+    </message>
+    <message>
+        <source>Only one view was found. A part follows from two views, or from one with diameters across its axis or with a thickness. Box the views in Correct Sheet if there are more.</source>
+        <translation>Es wurde nur eine Ansicht gefunden. Ein Teil folgt aus zwei Ansichten, oder aus einer mit Durchmessern quer zur Achse oder mit einer Dicke. Umrahmen Sie die Ansichten mit „Blatt korrigieren“, wenn es mehr gibt.</translation>
+    </message>
+    <message>
+        <source>The views do not line up with each other. Box them in Correct Sheet and say which is which.</source>
+        <translation>Die Ansichten liegen nicht in Flucht zueinander. Umrahmen Sie sie mit „Blatt korrigieren“ und sagen Sie, welche welche ist.</translation>
+    </message>
+    <message>
+        <source>The view “{view}” has no visible line. Draw its edges in Correct Sheet, or say that the box is another view.</source>
+        <translation>Die Ansicht „{view}“ hat keine sichtbare Linie. Zeichnen Sie ihre Kanten mit „Blatt korrigieren“, oder sagen Sie, dass der Rahmen eine andere Ansicht ist.</translation>
+    </message>
+    <message>
+        <source>The views show nothing of the {axis} axis. Two views at right angles are needed: box them in Correct Sheet.</source>
+        <translation>Die Ansichten zeigen nichts von der {axis}-Achse. Zwei rechtwinklig zueinander liegende Ansichten werden gebraucht: Umrahmen Sie sie mit „Blatt korrigieren“.</translation>
+    </message>
+    <message>
+        <source>The views differ by {percent} % in the part&apos;s extent along {axis} ({views}). Check that they show one part at one scale, or box them in Correct Sheet.</source>
+        <translation>Die Ansichten unterscheiden sich um {percent} % in der Ausdehnung des Teils entlang {axis} ({views}). Prüfen Sie, ob sie ein Teil in einem Maßstab zeigen, oder umrahmen Sie sie mit „Blatt korrigieren“.</translation>
+    </message>
+    <message>
+        <source>The outline of the view “{view}” is not closed. Draw what is missing of its visible edges in Correct Sheet.</source>
+        <translation>Der Umriss der Ansicht „{view}“ ist nicht geschlossen. Zeichnen Sie mit „Blatt korrigieren“, was von ihren sichtbaren Kanten fehlt.</translation>
+    </message>
+    <message>
+        <source>The edges of the view “{view}” run together to one line. Export the drawing with more pixels.</source>
+        <translation>Die Kanten der Ansicht „{view}“ laufen zu einer Linie zusammen. Exportieren Sie die Zeichnung mit mehr Pixeln.</translation>
+    </message>
+    <message>
+        <source>The outlines of the views have no body in common, so that there is no surface. Check which view is which, and the projection.</source>
+        <translation>Die Umrisse der Ansichten haben keinen gemeinsamen Körper, sodass es keine Oberfläche gibt. Prüfen Sie, welche Ansicht welche ist, und die Projektion.</translation>
+    </message>
+    <message>
+        <source>The Gaussians bound no body, so that there is no surface of them. Choose a finer quality, or check that the views belong together.</source>
+        <translation>Die Gaußfunktionen begrenzen keinen Körper, sodass es keine Oberfläche daraus gibt. Wählen Sie eine feinere Qualität, oder prüfen Sie, ob die Ansichten zusammengehören.</translation>
+    </message>
+    <message>
+        <source>There are no lines in the box of the view “{view}”. Draw it again.</source>
+        <translation>Im Rahmen der Ansicht „{view}“ liegen keine Linien. Ziehen Sie ihn neu auf.</translation>
+    </message>
+    <message>
+        <source>Two boxes are named “{view}”. Give one of them another name in Correct Sheet.</source>
+        <translation>Zwei Rahmen heißen „{view}“. Geben Sie einem davon mit „Blatt korrigieren“ einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The drawing has changed since it was read. Open it in Correct Sheet again.</source>
+        <translation>Die Zeichnung hat sich geändert, seit sie gelesen wurde. Öffnen Sie sie noch einmal mit „Blatt korrigieren“.</translation>
+    </message>
+    <message>
+        <source>The corrections in {path} belong to another drawing, or to an earlier version of it. Remove that file, or correct the drawing again.</source>
+        <translation>Die Korrekturen in {path} gehören zu einer anderen Zeichnung oder zu einer früheren Fassung davon. Entfernen Sie diese Datei, oder korrigieren Sie die Zeichnung neu.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory. Choose the quality Draft or a smaller file, or export a vector drawing as PNG.</source>
+        <translation>Der Speicher reicht nicht. Wählen Sie die Qualität „Entwurf“ oder eine kleinere Datei, oder exportieren Sie eine Vektorzeichnung als PNG.</translation>
+    </message>
+    <message>
+        <source>The drawing has more lines and other elements than can be read ({most}). Save only the views, or export it as PNG.</source>
+        <translation>Die Zeichnung hat mehr Linien und andere Elemente, als gelesen werden können ({most}). Speichern Sie nur die Ansichten, oder exportieren Sie sie als PNG.</translation>
+    </message>
+    <message>
+        <source>The file has more than {most} MB. Save only the views, or export the drawing as PNG.</source>
+        <translation>Die Datei hat mehr als {most} MB. Speichern Sie nur die Ansichten, oder exportieren Sie die Zeichnung als PNG.</translation>
+    </message>
+    <message>
+        <source>The drawing was not read after {seconds} s. Save only the views, or export it as PNG.</source>
+        <translation>Die Zeichnung war nach {seconds} s nicht gelesen. Speichern Sie nur die Ansichten, oder exportieren Sie sie als PNG.</translation>
+    </message>
+    <message>
+        <source>It took longer than is allowed, and was ended.</source>
+        <translation>Es dauerte länger als erlaubt und wurde beendet.</translation>
+    </message>
+    <message>
+        <source>There is no space left on the disk. Free some, then try again.</source>
+        <translation>Auf dem Datenträger ist kein Platz mehr. Machen Sie Platz und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The folder {path} cannot be written to. Choose another one.</source>
+        <translation>In den Ordner {path} lässt sich nicht schreiben. Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>The graphics card cannot be used. GaussianCAD &gt; Check Engine shows what is missing.</source>
+        <translation>Die Grafikkarte lässt sich nicht verwenden. GaussianCAD &gt; Engine prüfen zeigt, was fehlt.</translation>
+    </message>
+    <message>
+        <source>The engine is incomplete. Choose GaussianCAD &gt; Check Engine to see what to do.</source>
+        <translation>Die Engine ist unvollständig. Wählen Sie GaussianCAD &gt; Engine prüfen, um zu sehen, was zu tun ist.</translation>
+    </message>
+    <message>
+        <source>The surface cannot be simplified to a closed one. Choose a finer quality.</source>
+        <translation>Die Oberfläche lässt sich nicht zu einer geschlossenen vereinfachen. Wählen Sie eine feinere Qualität.</translation>
+    </message>
+    <message>
+        <source>The surface does not become a valid solid: only its mesh can be used.</source>
+        <translation>Aus der Oberfläche wird kein gültiger Festkörper: Nur ihr Netz ist zu gebrauchen.</translation>
+    </message>
+    <message>
+        <source>The solid cannot be saved as STEP.</source>
+        <translation>Der Festkörper lässt sich nicht als STEP speichern.</translation>
+    </message>
+    <message>
+        <source>reading the sheet</source>
+        <translation>Blatt lesen</translation>
+    </message>
+    <message>
+        <source>finding the views</source>
+        <translation>Ansichten finden</translation>
+    </message>
+    <message>
+        <source>reading the lines</source>
+        <translation>Linien lesen</translation>
+    </message>
+    <message>
+        <source>bringing the views together</source>
+        <translation>Ansichten zusammenführen</translation>
+    </message>
+    <message>
+        <source>finding the solid</source>
+        <translation>Festkörper finden</translation>
+    </message>
+    <message>
+        <source>carving the outlines</source>
+        <translation>Umrisse schnitzen</translation>
+    </message>
+    <message>
+        <source>training the Gaussians</source>
+        <translation>Gaußfunktionen trainieren</translation>
+    </message>
+    <message>
+        <source>making the surface</source>
+        <translation>Oberfläche erzeugen</translation>
+    </message>
+    <message>
+        <source>checking against the sheet</source>
+        <translation>Am Blatt prüfen</translation>
+    </message>
+    <message>
+        <source>writing the files</source>
+        <translation>Dateien schreiben</translation>
+    </message>
+    <message>
+        <source>half section</source>
+        <translation>Halbschnitt</translation>
+    </message>
+    <message>
+        <source>broken-out section</source>
+        <translation>Ausbruch</translation>
+    </message>
+    <message>
+        <source>pictorial view</source>
+        <translation>bildhafte Ansicht</translation>
+    </message>
+    <message>
+        <source>enlarged detail</source>
+        <translation>vergrößerte Einzelheit</translation>
+    </message>
+    <message>
+        <source>views of another part</source>
+        <translation>Ansichten eines anderen Teils</translation>
+    </message>
+    <message>
+        <source>broken view</source>
+        <translation>unterbrochene Ansicht</translation>
+    </message>
+    <message>
+        <source>half view</source>
+        <translation>halbe Ansicht</translation>
+    </message>
+    <message>
+        <source>thread symbol</source>
+        <translation>Gewindesymbol</translation>
+    </message>
+    <message>
+        <source>group of lines</source>
+        <translation>Gruppe von Linien</translation>
+    </message>
+    <message>
+        <source>first angle</source>
+        <translation>Projektionsmethode 1</translation>
+    </message>
+    <message>
+        <source>third angle</source>
+        <translation>Projektionsmethode 3</translation>
+    </message>
+    <message>
+        <source>the result</source>
+        <translation>das Ergebnis</translation>
+    </message>
+    <message>
+        <source>the reference</source>
+        <translation>die Referenz</translation>
+    </message>
+    <message>
+        <source>Open Drawing</source>
+        <translation>Zeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>The drawing was not read yet. Wait until it is.</source>
+        <translation>Die Zeichnung ist noch nicht gelesen. Warten Sie, bis sie es ist.</translation>
+    </message>
+    <message>
+        <source>Correct Drawing</source>
+        <translation>Zeichnung korrigieren</translation>
+    </message>
+    <message>
+        <source>Mesh and Gaussians of {0}</source>
+        <translation>Netz und Gaußfunktionen von {0}</translation>
+    </message>
+    <message>
+        <source>The drawing is no longer in the document</source>
+        <translation>Die Zeichnung ist nicht mehr im Dokument</translation>
     </message>
 </context>
 <context>
