@@ -45,7 +45,12 @@ def verdict_lines(report: dict, tell_hole: TellHole, offers: dict[str, Buttons])
     text = f"{SIGNS[status]} {_shape(status)}"
     measures = _measures(report)
     lines = [Line(f"{text}\n{measures}" if measures else text, colour=_COLOURS[status])]
-    lines += [_remark("doubt", own, offers) for own in report.get("reasons", ())]
+    assumed = {own["message"] for own in report.get("assumptions", ())}
+    lines += [
+        _remark("doubt", own, offers)
+        for own in report.get("reasons", ())
+        if own["message"] not in assumed
+    ]
     lines += [_assumed(own, tell_hole) for own in report.get("assumptions", ())]
     lines += [Line(text, box) for box, text in _disagreements(report)]
     lines += [_remark("warning", own, offers) for own in report.get("warnings", ())]

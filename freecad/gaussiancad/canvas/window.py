@@ -14,6 +14,7 @@ from freecad.gaussiancad.canvas.board import DRAWING, TOOLS, Board
 from freecad.gaussiancad.canvas.desk import Desk
 from freecad.gaussiancad.canvas.keeping import Beside, Keeper
 from freecad.gaussiancad.canvas.kinds import KEYS, ROLES, name_of
+from freecad.gaussiancad.canvas.pages import Pages
 from freecad.gaussiancad.canvas.rows import Line, Rows
 from freecad.gaussiancad.canvas.scene import LAYERS
 from freecad.gaussiancad.canvas.serving import Program
@@ -35,7 +36,12 @@ class SheetWindow(QtWidgets.QMainWindow):
 
     Raises:
         ValueError: the corrections beside the sheet are damaged.
+
+    Signals:
+        page_asked: another page of the file.
     """
+
+    page_asked = QtCore.Signal(int)
 
     def __init__(
         self,
@@ -47,20 +53,27 @@ class SheetWindow(QtWidgets.QMainWindow):
         parent: QtWidgets.QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self.keeper = keeper or Beside(path)
+        self.keeper = keeper or Beside(path, page)
         self.desk = Desk(path, page, program or Program(), self.keeper, self)
         self.board = Board(self)
         self.problems = Rows(self)
         self._report: dict | None = None
         self._pictured = False
         self._listen()
+        self.pages = Pages(self.desk.thumbnail, lambda: not self.busy, self)
+        self.pages.chosen.connect(self.page_asked)
         split = QtWidgets.QSplitter(QtCore.Qt.Orientation.Vertical)
         split.addWidget(self.board)
         split.addWidget(self.problems)
         split.setStretchFactor(0, 1)
         split.setStretchFactor(1, 0)
         split.setSizes([600, 220])
-        self.setCentralWidget(split)
+        middle = QtWidgets.QWidget()
+        layout = QtWidgets.QHBoxLayout(middle)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.pages)
+        layout.addWidget(split)
+        self.setCentralWidget(middle)
         self._add_tools()
         self.setWindowTitle(f"{path.name} \u2013 GaussianCAD")
         self.resize(1280, 900)
@@ -151,13 +164,21 @@ class SheetWindow(QtWidgets.QMainWindow):
         desk.told.connect(self.tell)
         desk.working.connect(self._show_work)
 
-    def _show_picture(self, path: str, size: object) -> None:
+    def _show_picture(self, path: str, size: object, pages: int) -> None:
         self.board.show_picture(path, size)
+        self.pages.show_pages(pages, self.desk.page)
         if not self._pictured:
             self._pictured = True
             self.board.fit()
 
     def _was_read(self) -> None:
+        """The first time: show the views, and tell of corrections that are not the sheet's."""
+        boxes = [own.box for own in self.sheet.views if own.shown]
+        if boxes:
+            low, high = zip(*((own[:2], own[2:]) for own in boxes), strict=True)
+            self.board.zoom_to(
+                (*map(min, zip(*low, strict=True)), *map(max, zip(*high, strict=True)))
+            )
         belongs = getattr(self.keeper, "belongs_to", None)
         if belongs is not None and not belongs(self.desk.sheet.sha256):
             kept = translate(
@@ -380,7 +401,16 @@ class SheetWindow(QtWidgets.QMainWindow):
 def show(path: Path, page: int = 1) -> int:
     """Open the window for a sheet, and wait until it is closed."""
     application = QtWidgets.QApplication.instance() or QtWidgets.QApplication(sys.argv[:1])
-    window = SheetWindow(path, page)
-    window.show()
-    window.start()
+    opened: list[SheetWindow] = []
+
+    def turn_to(page: int) -> None:
+        window = SheetWindow(path, page)
+        window.page_asked.connect(turn_to)
+        window.show()
+        window.start()
+        opened.append(window)
+        if len(opened) > 1:
+            opened.pop(0).close()
+
+    turn_to(page)
     return application.exec()
