@@ -8,6 +8,7 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.rays import SightLines
 from gaussiancad_core.exact_stage import Reading
+from gaussiancad_core.messages import Message
 from gaussiancad_core.report import Assumption
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.options import Box
@@ -58,8 +59,12 @@ def assumed_holes(reading: Reading, shape: TopoDS_Shape, turn: Turn) -> Iterator
 def _assumed(circle: Arc, role: Role, box: Box) -> Assumption:
     return Assumption(
         "hole-through",
-        f"the hole of {2.0 * circle.radius:.4g} mm in the {role.value} view was taken to go "
-        "through, as nothing tells its depth",
+        Message(
+            "the hole of {diameter_mm:.4g} mm in the {view} view was taken to go through, as "
+            "nothing tells its depth",
+            diameter_mm=2.0 * circle.radius,
+            view=role,
+        ),
         box,
         "it ends inside: tell its depth in a note, or draw its hidden lines",
     )

@@ -9,6 +9,7 @@ from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.brep import bounding_box, soundness, tessellate
 from gaussiancad_core.exact_stage import ExactModel, drawn_views
 from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.messages import Message
 from gaussiancad_core.reasoning.conflict_lines import Conflict
 from gaussiancad_core.report import SolidReport
 from gaussiancad_core.sheet.annotations.marks import Mark
@@ -106,8 +107,12 @@ def check_surface(
         reasons.append(
             (
                 "lines-unexplained",
-                f"the surface does not show all lines of the {', '.join(unexplained)} view(s), or "
-                "shows others: see overlay.png",
+                Message(
+                    "the surface does not show all lines of the {views} view(s), or shows others: "
+                    "see overlay.png",
+                    case="surface",
+                    views=", ".join(unexplained),
+                ),
             )
         )
     return CheckedModel(surface, matched, SURFACE_TOLERANCE_PX, tuple(reasons))

@@ -1,11 +1,13 @@
 """The one family of errors that a user can cause, and the exit codes they end in.
 
 Every error carries a ``code`` (kebab-case, stable, listed in ``docs/messages.md``) and a message of
-one sentence or two: what happened, where, and what to do.  Anything else that escapes the engine is
-a defect of the engine and ends in :attr:`ExitCode.ENGINE`.
+one sentence or two: what happened, where, and what to do; its values travel with it.  Anything
+else that escapes the engine is a defect of the engine and ends in :attr:`ExitCode.ENGINE`.
 """
 
 from enum import IntEnum
+
+from gaussiancad_core.messages import Message
 
 
 class ExitCode(IntEnum):
@@ -27,14 +29,16 @@ class GaussianCadError(Exception):
     Args:
         code: kebab-case identifier, stable between versions.
         message: what happened, where, what to do; no trailing newline.
+        values: what fills the places ``{name}`` of the message.
     """
 
     exit_code: ExitCode = ExitCode.ENGINE
 
-    def __init__(self, code: str, message: str) -> None:
-        super().__init__(message)
+    def __init__(self, code: str, message: str, /, **values: object) -> None:
+        known = message if isinstance(message, Message) else Message(message, **values)
+        super().__init__(str(known))
         self.code = code
-        self.message = message
+        self.message = known
 
 
 class UsageError(GaussianCadError, ValueError):

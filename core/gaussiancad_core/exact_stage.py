@@ -14,6 +14,7 @@ from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.cuts import Cut, SectionRole
 from gaussiancad_core.holes import NotedHole
 from gaussiancad_core.line_noise import bound_of_seen_px, noise_px
+from gaussiancad_core.messages import Message
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, views_as_read
 from gaussiancad_core.reasoning.labelling import Effort
@@ -45,8 +46,11 @@ TOLERANCE_PX = {
 
 _UNSETTLED = (
     "search-unfinished",
-    "whether the views fit a solid in the other projection as well is not certain: "
-    "tell --projection",
+    Message(
+        "whether the views fit a solid in the other projection as well is not certain: "
+        "tell --projection",
+        case="projection",
+    ),
 )
 
 OPEN_ENDED = ("search-unfinished", "part-too-complex")
@@ -60,7 +64,10 @@ _MORE_USUAL = 0.8
 
 _AMBIGUOUS = (
     "ambiguous",
-    "the views fit different solids in first and in third angle: tell --projection",
+    Message(
+        "the views fit different solids in first and in third angle: tell --projection",
+        case="projection",
+    ),
 )
 
 
@@ -286,8 +293,12 @@ def _solved(reading: Reading, limits: Limits) -> ExactResult:
         return result
     reason = (
         "no-exact-solid",
-        f"the exact solid that fits best agrees with {100 * share:.0f} % of the lines only and was "
-        "not kept: lines were misread, or the part has surfaces that are not supported yet",
+        Message(
+            "the exact solid that fits best agrees with {percent} % of the lines only and was not "
+            "kept: lines were misread, or the part has surfaces that are not supported yet",
+            case="refused",
+            percent=round(100 * share),
+        ),
     )
     return replace(
         result,

@@ -8,6 +8,7 @@ import numpy as np
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.holes import HoleStep, NotedHole
+from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.notes.callouts import NoteKind
 from gaussiancad_core.sheet.notes.finding import SheetNote
 from gaussiancad_core.sheet.options import Box
@@ -89,8 +90,14 @@ def hole_notes(
             doubts.append(
                 (
                     "note-count",
-                    f"the note {first.text!r} speaks of {count} holes, and the {role.value} view "
-                    f"has {len(own)} of that kind: all of them were taken to be meant",
+                    Message(
+                        "the note {note!r} speaks of {count} holes, and the {view} view has "
+                        "{found} of that kind: all of them were taken to be meant",
+                        note=first.text,
+                        count=count,
+                        view=role,
+                        found=len(own),
+                    ),
                 )
             )
         used.update((each.text, each.box) for each in group)

@@ -18,6 +18,7 @@ from gaussiancad_core.drawing.brep import moved_to_origin, soundness
 from gaussiancad_core.drawing.hlr import LineDrawing
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.drawing.strokes import Polyline, mapped
+from gaussiancad_core.messages import Message
 from gaussiancad_core.samples.modelling import cut, cylinder
 from gaussiancad_core.sheet.notes.callouts import NoteKind
 from gaussiancad_core.sheet.notes.finding import SheetNote
@@ -98,13 +99,15 @@ def companion(
     return None
 
 
-_TURNED = (
+_TURNED = Message(
     "the sheet has one view, alike on both sides of its axis, with diameters: a turned part was "
-    "assumed; if it is none, another view is needed"
+    "assumed; if it is none, another view is needed",
+    case="turned",
 )
-_PLATE = (
+_PLATE = Message(
     "the sheet has one view and a thickness: that all of the part is as thick, and that what is "
-    "drawn inside goes through, was assumed"
+    "drawn inside goes through, was assumed",
+    case="plate",
 )
 
 

@@ -197,11 +197,14 @@ def os_error(path: Path, error: OSError) -> GaussianCadError:
 def _folder_error(path: Path, error: OSError) -> GaussianCadError:
     if error.errno in (errno.ENOSPC, errno.EDQUOT):
         return LimitError(
-            "disk-full", f"no space left on the disk of {path}: free some, then retry"
+            "disk-full", "no space left on the disk of {path}: free some, then retry", path=path
         )
     reason = error.strerror or str(error)
     return UsageError(
-        "output-not-writable", f"cannot write to {path} ({reason}): choose another output folder"
+        "output-not-writable",
+        "cannot write to {path} ({reason}): choose another output folder",
+        path=path,
+        reason=reason,
     )
 
 

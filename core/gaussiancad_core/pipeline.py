@@ -17,6 +17,7 @@ from gaussiancad_core.errors import (
 from gaussiancad_core.events import Listener, Progress, cancellation_behind
 from gaussiancad_core.finished import REPORT_FILE, finished_report
 from gaussiancad_core.job import Job
+from gaussiancad_core.messages import Message
 from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
 from gaussiancad_core.opened_sheet import OpenedSheet, open_image, tell_image, with_ink
 from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
@@ -88,7 +89,9 @@ def reconstruct(job: Job, listener: Listener, kept: OpenedSheet | None = None) -
     except (CancelledError, SystemError) as error:
         if (cancelled := cancellation_behind(error)) is None:
             raise
-        raise CancelledError(cancelled.code, f"{cancelled.message} {run.how_far()}") from error
+        raise CancelledError(
+            cancelled.code, "{cause} {how_far}", cause=cancelled.message, how_far=run.how_far()
+        ) from error
     except (NoModelError, LimitError) as error:
         run.write_failure(error)
         raise
@@ -345,8 +348,11 @@ class _Run:
             names = " and ".join(role.value for role in outlined.closed)
             self.notes.warn(
                 "outline-of-solid",
-                f"the lines around the {names} view leave gaps: the surface was made with the "
-                "exact solid's outline there",
+                Message(
+                    "the lines around the {views} view leave gaps: the surface was made with the "
+                    "exact solid's outline there",
+                    views=names,
+                ),
             )
         return replace(registered, views=outlined.views)
 
@@ -385,9 +391,12 @@ class _Run:
             taken = self.notes.report.projection
             self.notes.warn(
                 "projection-assumed",
-                f"the lines fit first and third angle alike: {taken.value} angle was taken; tell "
-                f"--projection {taken.other.value} if the sheet is drawn in {taken.other.value} "
-                "angle",
+                Message(
+                    "the lines fit first and third angle alike: {taken} angle was taken; tell "
+                    "--projection {other} if the sheet is drawn in {other} angle",
+                    taken=taken,
+                    other=taken.other,
+                ),
             )
         checked = (
             check_solid(registered, solid)

@@ -9,6 +9,7 @@ from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.job import Job
+from gaussiancad_core.messages import Message
 from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.one_view_stage import companion
 from gaussiancad_core.projection_choice import opposite
@@ -214,9 +215,9 @@ def _with_companion(
     if other is None:
         raise NoModelError(
             "one-view",
-            "only one view was found, at ({:.0f}, {:.0f})-({:.0f}, {:.0f}) px, and neither "
-            "diameters across an axis nor a thickness tell the part: a model needs two orthogonal "
-            "views or more".format(*view.box),
+            "only one view was found, at {places} px, and neither diameters across an axis nor a "
+            "thickness tell the part: a model needs two orthogonal views or more",
+            places="({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*view.box),
         )
     notes.doubt("second-view-assumed", other.message)
     x0, y0, x1, y1 = visible_bounds(other.strokes)
@@ -353,8 +354,12 @@ def _tell_doubtful(notes: RunNotes, boxes: Sequence[Box]) -> None:
         )
         notes.doubt(
             "other-pen-lines",
-            f"{len(boxes)} line(s) run from edge to edge in another pen than the part's and were "
-            f"not used, at {places} px: if they show the part, what they show is missing",
+            Message(
+                "{count} line(s) run from edge to edge in another pen than the part's and were not "
+                "used, at {places} px: if they show the part, what they show is missing",
+                count=len(boxes),
+                places=places,
+            ),
         )
 
 
@@ -400,14 +405,23 @@ def tell_layout(notes: RunNotes, layout: Layout, turn: Turn) -> None:
     if left_out:
         notes.warn(
             "lines-left-out",
-            f"{len(left_out)} group(s) of lines belong to no view and were left out: "
-            f"{_places(left_out)} px",
+            Message(
+                "{count} group(s) of lines belong to no view and were left out: {places} px",
+                count=len(left_out),
+                places=_places(left_out),
+            ),
         )
     if view_like:
         notes.doubt(
             UNUSED,
-            f"{len(view_like)} group(s) of lines at {_places(view_like)} px belong to no view, and "
-            f"are large enough to be one: {_WHY_UNUSED}",
+            Message(
+                "{count} group(s) of lines at {places} px belong to no view, and are large enough "
+                "to be one: {why}",
+                case="lines",
+                count=len(view_like),
+                places=_places(view_like),
+                why=_WHY_UNUSED,
+            ),
         )
     rest = [view for view in special if not view.used]
     notes.tell(

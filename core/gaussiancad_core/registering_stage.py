@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from gaussiancad_core.axes import Projection, mutually_orthogonal
 from gaussiancad_core.exact_stage import Reading
 from gaussiancad_core.job import Job
+from gaussiancad_core.messages import Message
 from gaussiancad_core.modes import Recipe, ResultKind
 from gaussiancad_core.notes_stage import hole_notes
 from gaussiancad_core.projection_choice import both_readings, choose_projection, opposite
@@ -99,9 +100,13 @@ def tell_symbol(notes: RunNotes, found: SheetFindings, taken: Projection) -> Non
             return
     notes.doubt(
         "symbol-contradicts-lines",
-        f"the projection symbol says {symbol.value} angle, but the visible and hidden "
-        f"lines fit {symbol.other.value} angle better: {taken.value} angle was taken; "
-        "tell --projection if it is the other",
+        Message(
+            "the projection symbol says {symbol} angle, but the visible and hidden lines fit "
+            "{other} angle better: {taken} angle was taken; tell --projection if it is the other",
+            symbol=symbol,
+            other=symbol.other,
+            taken=taken,
+        ),
     )
 
 
@@ -140,9 +145,12 @@ def _with_measures(
     if contradicts(found.own.registered, scale):
         notes.doubt(
             "scale-contradicts-dimensions",
-            f"the dimensions on the sheet agree on {scale.mm_per_pixel:.4g} mm a pixel, but "
-            f"{found.own.registered.mm_per_pixel:.4g} was told: check --length or --mm-per-pixel; "
-            "their numbers were not used",
+            Message(
+                "the dimensions on the sheet agree on {sheet:.4g} mm a pixel, but {told:.4g} was "
+                "told: check --length or --mm-per-pixel; their numbers were not used",
+                sheet=scale.mm_per_pixel,
+                told=found.own.registered.mm_per_pixel,
+            ),
         )
     measured = [
         reading and replace(reading, measures=trusted(reading.registered, scale))
@@ -221,9 +229,14 @@ def _tell_registration(notes: RunNotes, registered: RegisteredSheet, turn: Turn)
         residual = registered.extents.residuals[axis]
         notes.warn(
             "views-disagree",
-            f"the views differ by {spread:.1f} px in the part's extent along {axis.name}, and "
-            f"by up to {residual.largest:.1f} px from the coordinates that they share: "
-            "their mean was taken",
+            Message(
+                "the views differ by {spread:.1f} px in the part's extent along {axis}, and by up "
+                "to {largest:.1f} px from the coordinates that they share: their mean was taken",
+                axis=axis.name,
+                spread=spread,
+                largest=residual.largest,
+                spread_mm=round(spread * registered.mm_per_pixel, 2),
+            ),
         )
     if not mutually_orthogonal(registered.views.roles):
         notes.doubt(

@@ -12,6 +12,7 @@ import psutil
 from gaussiancad_core import __version__
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.explanation import explained, verdict
+from gaussiancad_core.messages import told
 from gaussiancad_core.modes import Status
 from gaussiancad_core.sheet.scale.estimate import ReadDimension
 from gaussiancad_core.sheet.special_views.kinds import SpecialView
@@ -23,7 +24,10 @@ SCHEMA = 2
 
 @dataclass(frozen=True)
 class Remark:
-    """A reason or a warning: a kebab-case code and a sentence for a person."""
+    """A reason or a warning: a kebab-case code and a sentence for a person.
+
+    Values travel with a sentence that is a :class:`.Message`.
+    """
 
     code: str
     message: str
@@ -53,7 +57,7 @@ class Assumption:
 
     Attributes:
         code: kebab-case.
-        message: what was assumed.
+        message: what was assumed; values travel with it as with a :class:`Remark`.
         at: where on the sheet, a box in px; None where that is the whole sheet.
         alternative: what else might be.
     """
@@ -390,8 +394,8 @@ class Report:
         return {
             "schema": SCHEMA,
             "status": self.status.value,
-            "reasons": [asdict(remark) for remark in self.reasons],
-            "warnings": [asdict(remark) for remark in self.warnings],
+            "reasons": [told(own.code, own.message) for own in self.reasons],
+            "warnings": [told(own.code, own.message) for own in self.warnings],
             "stage": self.stage,
             "projection": self.projection.value,
             "projection_source": self.projection_source,
@@ -417,7 +421,10 @@ class Report:
             "sections": [_with_box(asdict(own), "box") for own in self.sections],
             "notes": [_with_box(asdict(own), "at") for own in self.notes],
             "unused": [_with_box(asdict(own), "box") for own in self.unused],
-            "assumptions": [_with_box(asdict(own), "at") for own in self.assumptions],
+            "assumptions": [
+                {**_with_box(asdict(own), "at"), **told(own.code, own.message)}
+                for own in self.assumptions
+            ],
             "tolerance_px": self.tolerance_px,
             "scale_mm_per_pixel": self.scale_mm_per_pixel,
             "scale_source": self.scale_source,

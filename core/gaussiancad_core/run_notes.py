@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from gaussiancad_core.events import Progress
+from gaussiancad_core.messages import told
 from gaussiancad_core.report import Report
 
 
@@ -37,10 +38,10 @@ class RunNotes:
         self.report = replace(self.report, **fields)
 
     def warn(self, code: str, message: str) -> None:
-        """Put a warning into the report, and send it."""
+        """Put a warning into the report, and send it; a :class:`.Message` with its values."""
         self.report = self.report.warned(code, message)
-        self.progress.listener.send("warning", code=code, message=message)
+        self.progress.listener.send("warning", **told(code, message))
 
     def doubt(self, code: str, message: str) -> None:
-        """Put a reason into the report why its result is not sure."""
+        """Put a reason into the report why its result is not sure; values as of :meth:`warn`."""
         self.report = self.report.doubted(code, message)

@@ -6,6 +6,7 @@ from dataclasses import replace
 from gaussiancad_core.axes import Role
 from gaussiancad_core.cuts import Cut, SectionRole
 from gaussiancad_core.exact_stage import Reading
+from gaussiancad_core.messages import Message
 from gaussiancad_core.report import Assumption, PlaneReport, SectionReport
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.notes.sections import NamedSection
@@ -72,8 +73,13 @@ def assumed_planes(sections: Sequence[SectionReport]) -> tuple[Assumption, ...]:
     return tuple(
         Assumption(
             "section-through-middle",
-            f"the {own.role} section {own.label or 'without a title'} was taken to cut through the "
-            "middle of the part, as nothing tells where",
+            Message(
+                "the {view} section {label} was taken to cut through the middle of the part, as "
+                "nothing tells where",
+                view=own.role,
+                label=own.label or "without a title",
+                **({} if own.label else {"case": "untitled"}),
+            ),
             own.box,
             "it cuts elsewhere: draw its cutting line",
         )

@@ -1,12 +1,14 @@
 """What a run tells goes into its report, and warnings go out at once."""
 
+import json
 from typing import Any
 
 import pytest
 
-from gaussiancad_core.axes import Projection
+from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.events import Progress
-from gaussiancad_core.report import Report
+from gaussiancad_core.messages import Message
+from gaussiancad_core.report import Assumption, Report
 from gaussiancad_core.run_notes import RunNotes
 
 
@@ -48,6 +50,20 @@ def test_a_warning_is_in_the_report_and_sent_but_a_doubt_is_in_the_report_only(
         ("scale-assumed", "one")
     ]
     assert [(note.code, note.message) for note in notes.report.reasons] == [("two-views", "two")]
+
+
+def test_values_go_with_a_message_into_the_event_and_the_report(
+    notes: RunNotes, heard: Heard
+) -> None:
+    notes.warn("lines-left-out", Message("{count} groups", count=2))
+    notes.doubt("two-views", "two")
+    notes.tell(assumptions=(Assumption("a", Message("{view}", view=Role.TOP), None, "b"),))
+    told = {"code": "lines-left-out", "message": "2 groups", "args": {"count": 2}}
+    assert heard.events == [("warning", told)]
+    written = json.loads(json.dumps(notes.report.as_json()))
+    assert written["warnings"] == [told]
+    assert written["reasons"] == [{"code": "two-views", "message": "two"}]
+    assert written["assumptions"][0]["args"] == {"view": "top"}
 
 
 def test_a_stage_that_breaks_off_is_named_and_not_timed(notes: RunNotes) -> None:

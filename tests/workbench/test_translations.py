@@ -19,7 +19,7 @@ def texts_in_code() -> set[tuple[str, str]]:
             if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
                 continue
             if node.func.id in ("translate", "QT_TRANSLATE_NOOP"):
-                context, text = (argument.value for argument in node.args)
+                context, text = (getattr(own, "value", None) for own in node.args)
                 found.add((context, text))
     return found
 

@@ -22,6 +22,7 @@ from gaussiancad_core.events import (
     cancel_on_stdin,
     open_event_stream,
 )
+from gaussiancad_core.messages import Message, on_one_line, told
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -46,7 +47,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return _tell(listener, cancelled.code, cancelled.message, cancelled.exit_code)
         if isinstance(error, SystemError):
             raise
-        message = f"the engine is incomplete ({error}): run `gaussiancad doctor`"
+        message = Message(
+            "the engine is incomplete ({reason}): run `gaussiancad doctor`", reason=error
+        )
         return _tell(listener, "engine-incomplete", message, ExitCode.ENGINE)
     except KeyboardInterrupt:
         return _tell(listener, "cancelled", "stopped by SIGINT", CancelledError.exit_code)
@@ -61,7 +64,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _tell(listener: Listener, code: str, message: str, exit_code: ExitCode) -> int:
     """One line on stderr, one event, and the exit code."""
-    line = " ".join(message.split())
+    line = on_one_line(message)
     print(f"gaussiancad: {line} [{code}]", file=sys.stderr, flush=True)
-    listener.send("error", code=code, message=line, exit_code=int(exit_code))
+    listener.send("error", **told(code, line), exit_code=int(exit_code))
     return int(exit_code)

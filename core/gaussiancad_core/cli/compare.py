@@ -104,7 +104,8 @@ def _failure(exit_code: int, line: str) -> GaussianCadError:
         return error
     return UnreadableError(
         "damaged-model",
-        f"the models cannot be compared ({line}): one is damaged; export it again",
+        "the models cannot be compared ({reason}): one is damaged; export it again",
+        reason=line,
     )
 
 

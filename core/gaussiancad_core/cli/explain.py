@@ -38,7 +38,10 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
         if options.view not in report["views"]:
             known = ", ".join(report["views"]) or "none"
             raise UsageError(
-                "unknown-view", f"the sheet has no view {options.view}; it has: {known}"
+                "unknown-view",
+                "the sheet has no view {view}; it has: {known}",
+                view=options.view,
+                known=known,
             )
         lines = explained_view(report, _reading(options.folder), options.view)
     else:
@@ -75,13 +78,15 @@ def _values(path: Path) -> dict[str, Any]:
         values = json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
         raise UnreadableError(
-            "no-report", f"{path} does not exist: give the output folder of a run"
+            "no-report", "{path} does not exist: give the output folder of a run", path=path
         ) from None
     except (OSError, ValueError) as error:
-        raise UnreadableError("damaged-report", f"{path} cannot be read: {error}") from error
+        raise UnreadableError(
+            "damaged-report", "{path} cannot be read: {reason}", path=path, reason=error
+        ) from error
     if not isinstance(values, dict) or values.get("schema") not in (2, "gaussiancad-reading/1"):
         raise UnreadableError(
-            "old-report", f"{path} was written by another version: run the sheet again"
+            "old-report", "{path} was written by another version: run the sheet again", path=path
         )
     return values
 

@@ -10,6 +10,7 @@ from typing import Any
 from gaussiancad_core.cli.reconstruct import greet
 from gaussiancad_core.errors import CancelledError, ExitCode, GaussianCadError, is_out_of_memory
 from gaussiancad_core.events import Listener, stop_main_thread
+from gaussiancad_core.messages import Message, on_one_line, told
 
 _END = ""
 
@@ -51,7 +52,8 @@ def run(_options: argparse.Namespace, listener: Listener) -> ExitCode:
         try:
             request = msgspec.json.decode(line, type=Request)
         except msgspec.MsgspecError as error:
-            _refuse(listener, None, "unknown-request", f"this is no request: {error}")
+            message = Message("this is no request: {reason}", reason=error)
+            _refuse(listener, None, "unknown-request", message)
             continue
         busy.set()
         numbered = _Numbered(listener, request.id)
@@ -72,8 +74,7 @@ def run(_options: argparse.Namespace, listener: Listener) -> ExitCode:
 
 
 def _refuse(listener: Listener, number: int | None, code: str, message: str) -> None:
-    line = " ".join(message.split())
-    listener.send("answer", id=number, error={"code": code, "message": line})
+    listener.send("answer", id=number, error=told(code, on_one_line(message)))
 
 
 def _listen(lines: "SimpleQueue[str]", busy: threading.Event) -> None:

@@ -126,8 +126,9 @@ def _check_sizes(result: TriangleMesh, reference: TriangleMesh) -> None:
     if not 1.0 / _MOST_RATIO <= ratio <= _MOST_RATIO:
         raise UsageError(
             "sizes-too-different",
-            f"the result is {ratio:.3g} times as long as the reference: "
+            "the result is {ratio:.3g} times as long as the reference: "
             "see --factor, or whether these are the right files",
+            ratio=ratio,
         )
 
 

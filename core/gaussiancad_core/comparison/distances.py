@@ -93,7 +93,9 @@ def earth_movers_distance(first: Points, second: Points) -> float:
     costs = ot.dist(first, second, metric="euclidean")
     value, log = ot.emd2(weights, weights, costs, numItermax=10_000_000, log=True)
     if log["warning"] is not None:
-        raise EngineError("emd-not-solved", f"optimal transport failed: {log['warning']}")
+        raise EngineError(
+            "emd-not-solved", "optimal transport failed: {reason}", reason=log["warning"]
+        )
     return float(value)
 
 

@@ -135,7 +135,8 @@ def _comparable(path: Path) -> _Comparable:
     if not faces:
         raise UnreadableError(
             "not-a-solid",
-            f"{path} holds neither solids nor surfaces: export a solid or its faces",
+            "{path} holds neither solids nor surfaces: export a solid or its faces",
+            path=path,
         )
     solids = subshapes(shape, TopAbs_ShapeEnum.TopAbs_SOLID)
     if not solids:

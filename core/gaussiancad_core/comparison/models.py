@@ -111,7 +111,10 @@ def format_of(path: Path) -> ModelFormat:
             return model_format
     known = ", ".join(suffix for each in ModelFormat for suffix in each.value)
     raise UnreadableError(
-        "model-format-unknown", f"{path} has no suffix of a known model format: use one of {known}"
+        "model-format-unknown",
+        "{path} has no suffix of a known model format: use one of {known}",
+        path=path,
+        known=known,
     )
 
 
@@ -135,7 +138,9 @@ def read_model(path: Path) -> Model:
     """
     if path.is_dir():
         raise UnreadableError(
-            "file-not-readable", f"cannot read {path} (it is a folder): name a model in it"
+            "file-not-readable",
+            "cannot read {path} (it is a folder): name a model in it",
+            path=path,
         )
     model_format = format_of(path)
     _check_size(path)
@@ -154,24 +159,30 @@ def read_model(path: Path) -> Model:
 def _check_mesh(path: Path, mesh: TriangleMesh) -> None:
     if not np.isfinite(mesh.vertices).all():
         raise UnreadableError(
-            "not-a-model", f"{path} holds coordinates that are not numbers: export the model again"
+            "not-a-model",
+            "{path} holds coordinates that are not numbers: export the model again",
+            path=path,
         )
     least, most = _SIZES_MM
     if len(mesh.vertices) and np.abs(mesh.vertices).max() > most:
         raise UnreadableError(
             "size-out-of-range",
-            f"{path} has coordinates beyond {most:g} mm: export the model in millimetres, near the "
+            "{path} has coordinates beyond {most:g} mm: export the model in millimetres, near the "
             "origin",
+            path=path,
+            most=most,
         )
     extent = np.ptp(mesh.vertices, axis=0).max() if len(mesh.triangles) else 0.0
     if extent <= 0.0 or mesh.area <= 0.0:
         raise UnreadableError(
-            "empty-model", f"{path} holds no surface: export the model with its faces"
+            "empty-model", "{path} holds no surface: export the model with its faces", path=path
         )
     if extent < least:
         raise UnreadableError(
             "size-out-of-range",
-            f"{path} is smaller than {least:g} mm: export the model in millimetres",
+            "{path} is smaller than {least:g} mm: export the model in millimetres",
+            path=path,
+            least=least,
         )
 
 
@@ -195,13 +206,15 @@ def _parsed(path: Path, model_format: ModelFormat) -> TriangleMesh:
         raise _not_a_model(path, model_format) from error
     if isinstance(mesh, trimesh.PointCloud):
         raise UnreadableError(
-            "point-cloud", f"{path} holds points without faces: make a surface of them first"
+            "point-cloud",
+            "{path} holds points without faces: make a surface of them first",
+            path=path,
         )
     if not isinstance(mesh, trimesh.Trimesh) or not len(mesh.vertices):
         raise _not_a_model(path, model_format)
     if not len(mesh.faces):
         raise UnreadableError(
-            "empty-model", f"{path} holds no triangles: export the model with its faces"
+            "empty-model", "{path} holds no triangles: export the model with its faces", path=path
         )
     if mesh.faces.min() < 0 or mesh.faces.max() >= len(mesh.vertices):
         raise _not_a_model(path, model_format)
@@ -216,7 +229,9 @@ def _check_size(path: Path) -> None:
         return
     if size > _LARGEST_FILE:
         raise UnreadableError(
-            "file-too-large", f"{path} is larger than 1 GiB: export it with fewer triangles"
+            "file-too-large",
+            "{path} is larger than 1 GiB: export it with fewer triangles",
+            path=path,
         )
 
 
@@ -224,21 +239,28 @@ def _read(path: Path) -> bytes:
     try:
         content = path.read_bytes()
     except FileNotFoundError as error:
-        raise UnreadableError("file-missing", f"{path} does not exist: check the path") from error
+        raise UnreadableError(
+            "file-missing", "{path} does not exist: check the path", path=path
+        ) from error
     except OSError as error:
         reason = error.strerror or str(error)
         raise UnreadableError(
-            "file-not-readable", f"cannot read {path} ({reason}): check what and whose it is"
+            "file-not-readable",
+            "cannot read {path} ({reason}): check what and whose it is",
+            path=path,
+            reason=reason,
         ) from error
     if not content.strip():
-        raise UnreadableError("empty-file", f"{path} is empty: export the model again")
+        raise UnreadableError("empty-file", "{path} is empty: export the model again", path=path)
     return content
 
 
 def _not_a_model(path: Path, model_format: ModelFormat) -> UnreadableError:
     return UnreadableError(
         "not-a-model",
-        f"{path} is damaged or no {model_format.name} file: export the model again",
+        "{path} is damaged or no {format} file: export the model again",
+        path=path,
+        format=model_format.name,
     )
 
 

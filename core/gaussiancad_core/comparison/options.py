@@ -67,18 +67,27 @@ class CompareOptions:
         if not low <= self.points <= high:
             raise UsageError(
                 "points-out-of-range",
-                f"{self.points} points cannot be compared: use {low} to {high:,}",
+                "{points} points cannot be compared: use {low} to {high:,}",
+                points=self.points,
+                low=low,
+                high=high,
             )
         if self.seed < 0:
-            raise UsageError("seed-negative", f"the seed {self.seed} is negative: use 0 or more")
+            raise UsageError(
+                "seed-negative", "the seed {seed} is negative: use 0 or more", seed=self.seed
+            )
         if not math.isfinite(self.factor) or self.factor <= 0.0:
             raise UsageError(
-                "factor-not-positive", f"the factor {self.factor} is no number above 0"
+                "factor-not-positive",
+                "the factor {factor} is no number above 0",
+                factor=self.factor,
             )
         tolerance = self.tolerance_mm
         if tolerance is not None and not (math.isfinite(tolerance) and tolerance > 0.0):
             raise UsageError(
-                "tolerance-not-positive", f"the tolerance {tolerance} mm is no length above 0"
+                "tolerance-not-positive",
+                "the tolerance {tolerance} mm is no length above 0",
+                tolerance=tolerance,
             )
         bound = self.alignment is not None or self.scale is not None
         if bound and self.protocols == (Protocol.DEEPCAD,):

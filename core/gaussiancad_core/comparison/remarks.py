@@ -3,6 +3,7 @@
 from gaussiancad_core.comparison.distances import encloses_volume
 from gaussiancad_core.comparison.models import Content, ExactFacts, Model
 from gaussiancad_core.comparison.topology import Topology
+from gaussiancad_core.messages import Message
 from gaussiancad_core.report import Remark
 
 
@@ -29,8 +30,10 @@ def remarks_on(
         found.append(
             _warned(
                 "unit-mismatch",
-                f"the result's measures are the reference's times {1.0 / factor:.6g}: its unit "
-                f"differs; compare with --factor {factor:.6g} to have it in millimetres",
+                "the result's measures are the reference's times {ratio:.6g}: its unit differs; "
+                "compare with --factor {factor:.6g} to have it in millimetres",
+                ratio=1.0 / factor,
+                factor=factor,
             )
         )
     for name, model, topology in zip(("result", "reference"), pair, topologies, strict=True):
@@ -40,7 +43,11 @@ def remarks_on(
         found.append(
             _warned(
                 "topology-differs",
-                f"the result has {_words(first)}, the reference {_words(second)}",
+                "the result has {result}, the reference {reference}",
+                result=_words(first),
+                reference=_words(second),
+                **_numbered("result", first),
+                **_numbered("reference", second),
             )
         )
     return tuple(found)
@@ -55,7 +62,8 @@ def _on_model(name: str, model: Model, topology: Topology) -> list[Remark]:
         found.append(
             _warned(
                 "solid-invalid",
-                f"OpenCASCADE's check refuses the {name}: its volume and Booleans may be wrong",
+                "OpenCASCADE's check refuses the {model}: its volume and Booleans may be wrong",
+                model=name,
             )
         )
     elif topology.betti is None:
@@ -64,12 +72,16 @@ def _on_model(name: str, model: Model, topology: Topology) -> list[Remark]:
         found.append(
             _warned(
                 "model-open",
-                f"the {name} is not closed ({edges}): it has no volume for certain, and distances "
+                "the {model} is not closed ({edges}): it has no volume for certain, and distances "
                 "from it have no sign",
+                model=name,
+                edges=edges,
+                count=count,
             )
         )
     elif not encloses_volume(model.mesh):
-        found.append(_warned("no-volume", f"the {name} is closed but encloses no volume"))
+        message = "the {model} is closed but encloses no volume"
+        found.append(_warned("no-volume", message, model=name))
     return found
 
 
@@ -80,24 +92,28 @@ def _on_content(name: str, exact: ExactFacts) -> list[Remark]:
         found.append(
             _warned(
                 "surfaces-sewn",
-                f"the {name} holds surfaces and no solid: sewn together they are closed, and are "
+                "the {model} holds surfaces and no solid: sewn together they are closed, and are "
                 "measured as a solid",
+                model=name,
             )
         )
     if exact.content is Content.SURFACES:
         found.append(
             _warned(
                 "surfaces-only",
-                f"the {name} holds surfaces that do not close up to a solid: it has no volume for "
+                "the {model} holds surfaces that do not close up to a solid: it has no volume for "
                 "certain, and distances from it have no sign",
+                model=name,
             )
         )
     if exact.united:
         found.append(
             _warned(
                 "solids-united",
-                f"{exact.united} solids of the {name} touch or overlap: they are measured as one "
-                "body, without the faces between them",
+                "{count} solids of the {model} touch or overlap: they are measured as one body, "
+                "without the faces between them",
+                count=exact.united,
+                model=name,
             )
         )
     if exact.left_out:
@@ -105,8 +121,11 @@ def _on_content(name: str, exact: ExactFacts) -> list[Remark]:
         found.append(
             _warned(
                 "surfaces-left-out",
-                f"the {name} holds {faces} beside its solids, which are not measured: remove them, "
+                "the {model} holds {faces} beside its solids, which are not measured: remove them, "
                 "or make solids of them",
+                model=name,
+                faces=faces,
+                count=exact.left_out,
             )
         )
     return found
@@ -120,5 +139,12 @@ def _words(betti: tuple[int, int, int]) -> str:
     )
 
 
-def _warned(code: str, message: str) -> Remark:
-    return Remark(code, message)
+def _numbered(model: str, betti: tuple[int, int, int]) -> dict[str, int]:
+    return {
+        f"{model}_{name}": count
+        for name, count in zip(("bodies", "holes", "cavities"), betti, strict=True)
+    }
+
+
+def _warned(code: str, message: str, /, **values: object) -> Remark:
+    return Remark(code, Message(message, **values))

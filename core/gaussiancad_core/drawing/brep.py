@@ -82,7 +82,8 @@ def read_solid(path: Path) -> TopoDS_Shape:
     if not solids:
         raise UnreadableError(
             "not-a-solid",
-            f"{path} holds no solid, only surfaces or curves: export a closed solid",
+            "{path} holds no solid, only surfaces or curves: export a closed solid",
+            path=path,
         )
     return solids[0] if len(solids) == 1 else compound_of(solids)
 
@@ -102,7 +103,7 @@ def read_shape(path: Path) -> TopoDS_Shape:
     if any(magic in content[:_HEAD] for magic in _BREP_MAGIC):
         return _parse_brep(path, content)
     raise UnreadableError(
-        "not-a-solid", f"{path} is neither STEP nor BREP: export the solid as STEP"
+        "not-a-solid", "{path} is neither STEP nor BREP: export the solid as STEP", path=path
     )
 
 
@@ -110,20 +111,26 @@ def _read_bytes(path: Path) -> bytes:
     try:
         content = path.read_bytes()
     except FileNotFoundError as error:
-        raise UnreadableError("file-missing", f"{path} does not exist: check the path") from error
+        raise UnreadableError(
+            "file-missing", "{path} does not exist: check the path", path=path
+        ) from error
     except OSError as error:
         reason = error.strerror or str(error)
         raise UnreadableError(
             "file-not-readable",
-            f"cannot read {path} ({reason}): check what and whose it is",
+            "cannot read {path} ({reason}): check what and whose it is",
+            path=path,
+            reason=reason,
         ) from error
     if not content.strip():
-        raise UnreadableError("empty-file", f"{path} is empty: export the solid again")
+        raise UnreadableError("empty-file", "{path} is empty: export the solid again", path=path)
     return content
 
 
 def _damaged(path: Path) -> UnreadableError:
-    return UnreadableError("file-damaged", f"{path} is cut off or damaged: export the solid again")
+    return UnreadableError(
+        "file-damaged", "{path} is cut off or damaged: export the solid again", path=path
+    )
 
 
 def _parse_step(path: Path, content: bytes) -> TopoDS_Shape:
@@ -184,10 +191,12 @@ def write_step(shape: TopoDS_Shape, path: Path) -> None:
     stream = io.BytesIO()
     done = IFSelect_ReturnStatus.IFSelect_RetDone
     if writer.Transfer(shape, STEPControl_StepModelType.STEPControl_AsIs) != done:
-        raise EngineError("step-not-written", f"the solid for {path} cannot be expressed as STEP")
+        raise EngineError(
+            "step-not-written", "the solid for {path} cannot be expressed as STEP", path=path
+        )
     _name_product(writer.Model(), path.stem if _PLAIN_NAME.fullmatch(path.stem) else "part")
     if writer.WriteStream(stream) != done:
-        raise EngineError("step-not-written", f"the STEP text for {path} cannot be made")
+        raise EngineError("step-not-written", "the STEP text for {path} cannot be made", path=path)
     write_whole(path, stream.getvalue())
 
 

@@ -57,5 +57,8 @@ def open_typed(path: Path, kind: type[Kind], code: str) -> Kind:
 
 def _wrong(path: Path, why: str, code: str) -> UnreadableError:
     return UnreadableError(
-        code, f"{path} was not taken: {why}; write it with `gaussiancad read`, or mend that place"
+        code,
+        "{path} was not taken: {reason}; write it with `gaussiancad read`, or mend that place",
+        path=path,
+        reason=why,
     )

@@ -22,6 +22,7 @@ Size = Annotated[float, Meta(gt=0.0, le=LARGEST)]
 Share = Annotated[float, Meta(ge=0.0, le=1.0)]
 Sweep = Annotated[float, Meta(gt=0.0, le=6.2831854)]
 Text = Annotated[str, Meta(max_length=1000)]
+Sentence = Annotated[str, Meta(max_length=10000)]
 
 Point = tuple[Number, Number]
 Box = tuple[Number, Number, Number, Number]
@@ -260,13 +261,15 @@ class Problem(Struct, frozen=True, kw_only=True, omit_defaults=True):
         severity: ``refused`` where no part follows, ``doubt`` where it takes the word from one.
         at: boxes on the sheet.
         offers: corrections that may help, by their ``op``.
+        args: the values in the message, by name.
     """
 
     code: Text
-    message: Annotated[str, Meta(max_length=10000)]
+    message: Sentence
     severity: Literal["refused", "doubt", "warning"]
     at: tuple[Box, ...] = ()
     offers: tuple[Text, ...] = ()
+    args: dict[Text, int | float | Sentence] = {}
 
 
 class SheetReading(Struct, frozen=True, kw_only=True):

@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.job import Job
+from gaussiancad_core.messages import Message
 from gaussiancad_core.readings.correcting import Corrected, Ink, corrected
 from gaussiancad_core.readings.opening import open_reading, open_typed
 from gaussiancad_core.readings.operations import Corrections
@@ -42,8 +43,9 @@ def given_reading(
     if told.sheet_sha256 != sheet_sha256:
         raise UsageError(
             "corrections-of-another-sheet",
-            f"{path} corrects another sheet, or another version of it: remove it, or correct the "
+            "{path} corrects another sheet, or another version of it: remove it, or correct the "
             "sheet again",
+            path=path,
         )
     found = corrected(reading, told.ops, ink)
     _tell(found, notes)
@@ -54,12 +56,20 @@ def _tell(found: Corrected, notes: RunNotes) -> None:
     taken = found.reading.corrected
     if taken:
         notes.warn(
-            "corrected", f"{taken} correction(s) by hand were taken: the result is checked by them"
+            "corrected",
+            Message(
+                "{count} correction(s) by hand were taken: the result is checked by them",
+                count=taken,
+            ),
         )
     if found.unmatched:
         names = ", ".join(map(str, found.unmatched[:10]))
         notes.doubt(
             "corrections-unmatched",
-            f"{len(found.unmatched)} correction(s) found nothing to correct any more (number "
-            f"{names}): look at them again",
+            Message(
+                "{count} correction(s) found nothing to correct any more (number {numbers}): look "
+                "at them again",
+                count=len(found.unmatched),
+                numbers=names,
+            ),
         )

@@ -12,6 +12,7 @@ from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import NoModelError, UsageError
 from gaussiancad_core.job import Job
+from gaussiancad_core.messages import filled
 from gaussiancad_core.opened_sheet import OpenedSheet
 from gaussiancad_core.reading_stage import (
     SheetLines,
@@ -99,8 +100,9 @@ def taken_lines(
     if reading.sheet.sha256 != image.sha256 or reading.sheet.page != job.page:
         raise UsageError(
             "reading-of-another-sheet",
-            f"the reading belongs to another sheet or page than {image.path.name}: read that with "
+            "the reading belongs to another sheet or page than {sheet}: read that with "
             "`gaussiancad read`",
+            sheet=image.path.name,
         )
     turn = clean.turn
     with notes.stage("views"):
@@ -119,7 +121,7 @@ def taken_lines(
         for problem in reading.problems:
             if problem.code in _CARRIED:
                 tell = notes.doubt if problem.severity == "doubt" else notes.warn
-                tell(problem.code, problem.message)
+                tell(problem.code, filled(problem.message, problem.args))
         found = tuple(_note(own, turn) for own in reading.notes)
         tell_notes(notes, found, turn)
         sections = tuple(_section(own, turn) for own in reading.sections)
@@ -145,8 +147,11 @@ def _principal(reading: SheetReading) -> dict[Role, ViewEntry]:
         if role in found:
             raise UsageError(
                 "role-repeated",
-                f"the reading has two {role.value} views, {found[role].id} and {view.id}: a part "
-                "is seen from there once",
+                "the reading has two {view} views, {first} and {second}: a part is seen from there "
+                "once",
+                view=role,
+                first=found[role].id,
+                second=view.id,
             )
         found[role] = view
     return found
@@ -209,9 +214,9 @@ def _drawn(reading: SheetReading, clean: CleanSheet, reread: Reread) -> tuple[Re
         if views[role].id in known:
             raise NoModelError(
                 "empty-view",
-                "the {} view at ({:.0f}, {:.0f})-({:.0f}, {:.0f}) px has no visible line".format(
-                    role.value, *views[role].box
-                ),
+                "the {view} view at {place} px has no visible line",
+                view=role,
+                place="({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*views[role].box),
             )
     boxes = tuple((role, view.box) for role, view in views.items())
     found = {view.role: view for view in (reread(boxes) if empty else ())}

@@ -9,6 +9,7 @@ import numpy as np
 from gaussiancad_core import __version__
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.messages import told
 from gaussiancad_core.reading_stage import SheetLines
 from gaussiancad_core.readings.schema import (
     LARGEST,
@@ -109,7 +110,7 @@ def sheet_reading(
     """
     scale = lines.scale
     doubts = [
-        Problem(code=own.code, message=own.message, severity=severity, offers=_offers(own.code))
+        Problem(**told(own.code, own.message), severity=severity, offers=_offers(own.code))
         for remarks, severity in ((report.reasons, "doubt"), (report.warnings, "warning"))
         for own in remarks
     ]
@@ -148,9 +149,7 @@ def sheet_reading(
 
 def refusal(code: str, message: str) -> Problem:
     """Why no part follows from a sheet."""
-    return Problem(
-        code=code, message=message, severity="refused", offers=_offers(code) or _NO_VIEWS
-    )
+    return Problem(**told(code, message), severity="refused", offers=_offers(code) or _NO_VIEWS)
 
 
 def write_reading(reading: SheetReading, folder: Path) -> None:

@@ -270,6 +270,7 @@ def _until(pieces: Iterable[Piece], deadline: Deadline) -> Iterator[Piece]:
                 "search-unfinished",
                 "the drawing has more lines than are understood with the work allowed for one "
                 "sheet: draw less in one sheet",
+                case="lines",
             )
         yield piece
 
@@ -277,7 +278,8 @@ def _until(pieces: Iterable[Piece], deadline: Deadline) -> Iterator[Piece]:
 def _too_complex(what: str) -> LimitError:
     return LimitError(
         "part-too-complex",
-        f"the drawing is too complex for an exact solid: {what}; draw less in one sheet",
+        "the drawing is too complex for an exact solid: {what}; draw less in one sheet",
+        what=what,
     )
 
 

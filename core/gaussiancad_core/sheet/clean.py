@@ -107,8 +107,9 @@ def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL)
     if share > _MAX_INK:
         raise NoModelError(
             "not-a-line-drawing",
-            f"{share:.0%} of the sheet is dark, which no line drawing is: "
+            "{percent} % of the sheet is dark, which no line drawing is: "
             "use an export or a scan of the drawing, not a photograph",
+            percent=round(100 * share),
         )
     weight, plotted = _weight(grey, ink)
     unturned = Turn(0.0, (grey.shape[1] / 2, grey.shape[0] / 2))
@@ -128,8 +129,9 @@ def upright_sheet(sheet: CleanSheet) -> CleanSheet:
     if pieces > _MOST_PIECES and along_lines < _LEAST_LINES * len(ridges.points):
         raise NoModelError(
             "not-a-line-drawing",
-            f"the sheet has {pieces} pieces of ink and hardly a line: use an export or a scan of "
+            "the sheet has {pieces} pieces of ink and hardly a line: use an export or a scan of "
             "the drawing, not a photograph",
+            pieces=pieces,
         )
     turn = find_turn(shapes, sheet.ink.shape)
     if turn.angle:

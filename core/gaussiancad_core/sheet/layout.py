@@ -342,12 +342,15 @@ def _no_views(clusters: list[Box]) -> NoModelError:
     if len(clusters) < 2:
         return NoModelError(
             "one-view",
-            f"only one view was found, at {places} px: a model needs two orthogonal views or more",
+            "only one view was found, at {places} px: a model needs two orthogonal views or more",
+            places=places,
         )
     return NoModelError(
         "views-not-aligned",
-        f"{len(clusters)} groups of lines were found ({places} px), but none is aligned with two "
-        "others as views are: name the views with --view ROLE=X0,Y0,X1,Y1",
+        "{count} groups of lines were found ({places} px), but none is aligned with two others as "
+        "views are: name the views with --view ROLE=X0,Y0,X1,Y1",
+        count=len(clusters),
+        places=places,
     )
 
 
@@ -358,7 +361,9 @@ def _inside(clusters: list[Box], box: Box, role: Role) -> Box:
     if not found:
         raise UsageError(
             "empty-view-box",
-            f"--view {role.value}: there are no lines in the box {x0:g},{y0:g},{x1:g},{y1:g}",
+            "--view {view}: there are no lines in the box {box}",
+            view=role,
+            box=f"{x0:g},{y0:g},{x1:g},{y1:g}",
         )
     return _union(found)
 

@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.files.content import MAX_PIXELS, MIN_SIDE, MOST_WORKED_ON, Note
 from gaussiancad_core.sheet.files.isolation import read_isolated
 from gaussiancad_core.sheet.files.kinds import VECTOR_SUFFIXES, detect
@@ -100,8 +101,14 @@ def _reduced(image: SheetImage) -> SheetImage:
         tint = cv2.resize(tint, size, interpolation=cv2.INTER_NEAREST)
     note = Note(
         "resolution-lowered",
-        f"the sheet has {width} x {height} px and was read at {size[0]} x {size[1]}: measures are "
-        "known less well; a cut around the views is read as it is",
+        Message(
+            "the sheet has {width} x {height} px and was read at {read_width} x {read_height}: "
+            "measures are known less well; a cut around the views is read as it is",
+            width=width,
+            height=height,
+            read_width=size[0],
+            read_height=size[1],
+        ),
     )
     dpi = image.pixels_per_inch and image.pixels_per_inch / factor
     notes = (*image.notes, note)

@@ -173,18 +173,22 @@ def read_views(
 
 
 def _check_outline(view: ReadView) -> None:
-    fault = ""
+    case = fault = ""
     x0, y0, x1, y1 = view.box
     if view.outline is None:
-        fault = "is not closed: draw its visible edges without gaps"
+        case, fault = "gap", "is not closed: draw its visible edges without gaps"
     elif min(x1 - x0, y1 - y0) < _LEAST_PX:
         # Two edges that melted into one line are closed, and bound nothing.
+        case = "thin"
         fault = "encloses nothing, its edges are one line: export the sheet with more pixels"
     if fault:
         raise NoModelError(
             "open-outline",
-            f"the outline of the {view.role.value} view at ({x0:.0f}, {y0:.0f})-({x1:.0f}, "
-            f"{y1:.0f}) px {fault}",
+            "the outline of the {view} view at {place} px {fault}",
+            view=view.role,
+            place=f"({x0:.0f}, {y0:.0f})-({x1:.0f}, {y1:.0f})",
+            case=case,
+            fault=fault,
         )
 
 

@@ -206,7 +206,8 @@ def axis_extents(boxes: dict[Role, Box]) -> AxisExtents:
     if missing:
         raise NoModelError(
             "views-parallel",
-            f"the views show nothing of the {missing[0]} axis: two orthogonal views are needed",
+            "the views show nothing of the {axis} axis: two orthogonal views are needed",
+            axis=missing[0],
         )
     for axis, by_role in seen.items():
         longest, shortest = max(by_role.values()), min(by_role.values())
@@ -214,8 +215,12 @@ def axis_extents(boxes: dict[Role, Box]) -> AxisExtents:
             told = ", ".join(f"{role.value} {px:.0f} px" for role, px in by_role.items())
             raise NoModelError(
                 "views-contradict",
-                f"the views disagree about the part's extent along {axis.name} ({told}): "
+                "the views disagree about the part's extent along {axis} ({extents}): "
                 "check that they show one part at one scale, or name them with --view",
+                axis=axis.name,
+                extents=told,
+                views=", ".join(role.value for role in by_role),
+                percent=round(100 * (1.0 - shortest / longest)),
             )
     extents = {axis: float(np.mean(list(seen[axis].values()))) for axis in Axis}
     spread = {axis: max(seen[axis].values()) - min(seen[axis].values()) for axis in Axis}

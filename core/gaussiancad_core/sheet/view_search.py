@@ -168,8 +168,9 @@ def _require_largest(layout: Layout) -> None:
         x0, y0, x1, y1 = (round(value) for value in figure)
         raise NoModelError(
             "views-not-aligned",
-            f"the largest figure on the sheet, from ({x0}, {y0}) to ({x1}, {y1}) px, has no "
-            "aligned neighbour: name the views with --view ROLE=X0,Y0,X1,Y1",
+            "the largest figure on the sheet, from {place} px, has no aligned neighbour: name the "
+            "views with --view ROLE=X0,Y0,X1,Y1",
+            place=f"({x0}, {y0}) to ({x1}, {y1})",
         )
 
 

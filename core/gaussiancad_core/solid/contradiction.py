@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from gaussiancad_core.messages import Message
 from gaussiancad_core.reasoning.conflict_lines import Conflict, ConflictLine
 from gaussiancad_core.views import Linetype
 
@@ -20,16 +21,27 @@ def conflict_reason(conflict: Conflict) -> tuple[str, str]:
     if conflict.suspects:
         one = len(conflict.suspects) == 1
         start = "the lines, as they were read, contradict each other, and would agree but for one: "
-        return CODE, start + named if one else f"{start}any of these: {named}"
+        return CODE, Message(
+            start + ("{lines}" if one else "any of these: {lines}"),
+            lines=named,
+            suspects=len(conflict.suspects),
+        )
     if len(conflict.lines) == 1:
-        return CODE, (
+        return CODE, Message(
             "no solid with the surfaces that are supported has this line beside what is blank "
-            f"around it: {named}"
+            "around it: {lines}",
+            lines=named,
+            count=1,
         )
     few = "the fewest lines of which this is known" if conflict.minimal else "not all are needed"
     return (
         CODE,
-        f"{len(conflict.lines)} lines, as they were read, contradict each other ({few}): {named}",
+        Message(
+            "{count} lines, as they were read, contradict each other ({few}): {lines}",
+            count=len(conflict.lines),
+            few=few,
+            lines=named,
+        ),
     )
 
 

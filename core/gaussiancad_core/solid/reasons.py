@@ -3,13 +3,14 @@
 from collections.abc import Sequence
 
 from gaussiancad_core.axes import Role, mutually_orthogonal
+from gaussiancad_core.messages import Message
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.solid.verify import Verification
 from gaussiancad_core.verification.ink_offsets import InkOffset
 from gaussiancad_core.views import Linetype
 
 Reason = tuple[str, str]
-"""A kebab-case code, and a sentence."""
+"""A kebab-case code, and a sentence: a :class:`.Message` where it has values."""
 
 ASSUMED = "assumed"
 """Code of what rests on something that no line says."""
@@ -30,8 +31,11 @@ UNFINISHED: Reason = (
 )
 GUARDED: Reason = (
     "search-unfinished",
-    "the clock ended the search, after many times as long as it takes on an ordinary machine: run "
-    "the sheet again where less else is running",
+    Message(
+        "the clock ended the search, after many times as long as it takes on an ordinary machine: "
+        "run the sheet again where less else is running",
+        case="clock",
+    ),
 )
 UNDRAWN: Reason = (
     ASSUMED,
@@ -41,12 +45,13 @@ UNDRAWN: Reason = (
 
 def undrawn_in(roles: Sequence[Role]) -> Reason:
     """That another solid has all lines if some views, which have no hidden line, draw none."""
-    names = " and ".join(role.value for role in roles)
-    return (
-        ASSUMED,
-        f"the {names} view{'s have' if len(roles) > 1 else ' has'} no hidden line: that none was "
-        "left out there was assumed; otherwise another solid has all lines, too: see alternatives/",
+    template = (
+        "the {views} view{have} no hidden line: that none was left out there was assumed; "
+        "otherwise another solid has all lines, too: see alternatives/"
     )
+    names = " and ".join(role.value for role in roles)
+    have = "s have" if len(roles) > 1 else " has"
+    return ASSUMED, Message(template, case="views", views=names, have=have)
 
 
 _RETOLD: Reason = (
@@ -98,7 +103,12 @@ def reasons_of(
         reasons.append(UNDRAWN)
     if agreeing > 1:
         reasons.append(
-            ("ambiguous", f"{agreeing} different solids have these lines: see alternatives/")
+            (
+                "ambiguous",
+                Message(
+                    "{count} different solids have these lines: see alternatives/", count=agreeing
+                ),
+            )
         )
     if not complete:
         reasons.append(UNFINISHED)
@@ -115,28 +125,48 @@ def beside_ink(offset: InkOffset, pixel: float) -> Reason:
     right, up = offset.place
     return (
         "lines-apart",
-        f"the ink lies {offset.offset * pixel:.2g} mm beside the solid's line at ({right:.1f}, "
-        f"{up:.1f}) mm of the {offset.role.value} view: a curve may have been misread there",
+        Message(
+            "the ink lies {distance_mm:.2g} mm beside the solid's line at ({right:.1f}, {up:.1f}) "
+            "mm of the {view} view: a curve may have been misread there",
+            case="ink",
+            distance_mm=offset.offset * pixel,
+            right=right,
+            up=up,
+            view=offset.role,
+        ),
     )
 
 
 def _unexplained(verification: Verification) -> Reason:
     worst = verification.flaws[0]
-    what = "does not show" if worst.missing else "shows"
     others = len(verification.flaws) - 1
-    more = f", and {others} more" if others else ""
+    right, up = worst.place
     return (
         "lines-unexplained",
-        f"the solid {what} a line of {worst.length:.1f} mm that the {worst.role.value} "
-        f"view has{'' if worst.missing else ' not'}, at ({worst.place[0]:.1f}, "
-        f"{worst.place[1]:.1f}) mm{more}",
+        Message(
+            "the solid {what} a line of {length_mm:.1f} mm that the {view} view {has}, at "
+            "({right:.1f}, {up:.1f}) mm{more}",
+            case="missing" if worst.missing else "beyond",
+            what="does not show" if worst.missing else "shows",
+            length_mm=worst.length,
+            view=worst.role,
+            has="has" if worst.missing else "has not",
+            right=right,
+            up=up,
+            more=f", and {others} more" if others else "",
+            count=others + 1,
+        ),
     )
 
 
 def _apart(verification: Verification) -> Reason:
     spread, misfit = verification.spread, verification.misfit
     if misfit > spread:
-        where = f"the views reach up to {misfit:.2g} mm beyond the solid, or less far"
+        case, where = (
+            "extent",
+            "the views reach up to {distance_mm:.2g} mm beyond the solid, or less far",
+        )
     else:
-        where = f"a line of the sheet lies {spread:.2g} mm beside the solid's"
-    return "lines-apart", f"{where}: a small step may be missing"
+        case, where = "line", "a line of the sheet lies {distance_mm:.2g} mm beside the solid's"
+    template = where + ": a small step may be missing"
+    return "lines-apart", Message(template, case=case, distance_mm=max(misfit, spread))

@@ -19,7 +19,9 @@ def backend_for(device: Device) -> Backend:
     if problem is None:
         return Backend.GSPLAT
     if device is Device.CUDA:
-        raise EngineError("cuda-unavailable", f"{problem}, or use --device auto or cpu")
+        raise EngineError(
+            "cuda-unavailable", "{reason}, or use --device auto or cpu", reason=problem
+        )
     return Backend.TILES
 
 

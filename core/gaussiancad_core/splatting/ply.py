@@ -130,5 +130,8 @@ def _gaussians(table: np.ndarray) -> Gaussians:
 
 def _unreadable(path: Path, reason: str) -> UnreadableError:
     return UnreadableError(
-        "gaussians-unreadable", f"cannot read Gaussians from {path}: {reason}; choose another file"
+        "gaussians-unreadable",
+        "cannot read Gaussians from {path}: {reason}; choose another file",
+        path=path,
+        reason=reason,
     )

@@ -47,5 +47,6 @@ def decimated(mesh: TriangleMesh, limit: int = FACETED_LIMIT) -> TriangleMesh:
         target *= _SHRINK
     raise EngineError(
         "decimation-failed",
-        f"the surface cannot be closed with {limit} triangles: use the STL or a finer preset",
+        "the surface cannot be closed with {limit} triangles: use the STL or a finer preset",
+        limit=limit,
     )

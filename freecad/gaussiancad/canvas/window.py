@@ -175,10 +175,8 @@ class SheetWindow(QtWidgets.QMainWindow):
         """The first time: show the views, and tell of corrections that are not the sheet's."""
         boxes = [own.box for own in self.sheet.views if own.shown]
         if boxes:
-            low, high = zip(*((own[:2], own[2:]) for own in boxes), strict=True)
-            self.board.zoom_to(
-                (*map(min, zip(*low, strict=True)), *map(max, zip(*high, strict=True)))
-            )
+            x0, y0, x1, y1 = zip(*boxes, strict=True)
+            self.board.zoom_to((min(x0), min(y0), max(x1), max(y1)))
         belongs = getattr(self.keeper, "belongs_to", None)
         if belongs is not None and not belongs(self.desk.sheet.sha256):
             kept = translate(

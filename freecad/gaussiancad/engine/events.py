@@ -49,6 +49,11 @@ class Event:
         """Whether the field is true."""
         return self.fields.get(key) is True
 
+    def values(self, key: str) -> dict[str, Any]:
+        """The field as an object, empty if it is missing."""
+        value = self.fields.get(key)
+        return value if isinstance(value, dict) else {}
+
     def number(self, key: str) -> float | None:
         """The field as a finite number, or None."""
         value = self.fields.get(key)

@@ -53,8 +53,13 @@ class RunResult:
 
     @property
     def message(self) -> str:
-        """A sentence for the user, empty if done."""
+        """A sentence, empty if done; the engine's own is English."""
         return self.verdict.message
+
+    @property
+    def words(self) -> str:
+        """The same for who uses the window, in their language."""
+        return self.verdict.words
 
 
 @dataclass(frozen=True)

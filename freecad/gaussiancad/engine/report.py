@@ -11,6 +11,7 @@ from enum import Enum
 from pathlib import Path
 from typing import Any
 
+from freecad.gaussiancad.engine.wording import worded
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
 
@@ -31,14 +32,21 @@ class Remark:
 
     Attributes:
         code: kebab-case, for machines.
-        message: for people.
+        message: the engine's own sentence, English.
+        args: the values in it.
     """
 
     code: str
     message: str
+    args: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def words(self) -> str:
+        """For people, in their language."""
+        return worded(self.code, self.message, self.args)
 
     def __str__(self) -> str:
-        return f"{self.code}: {self.message}" if self.message else self.code
+        return f"{self.code}: {self.words}" if self.message else self.code
 
 
 @dataclass(frozen=True)
@@ -306,10 +314,14 @@ def _remarks(values: object) -> tuple[Remark, ...]:
     if not isinstance(values, list):
         return ()
     return tuple(
-        Remark(str(value.get("code", "")), str(value.get("message", "")))
+        Remark(str(value.get("code", "")), str(value.get("message", "")), _args(value.get("args")))
         for value in values
         if isinstance(value, dict)
     )
+
+
+def _args(value: object) -> dict[str, Any]:
+    return value if isinstance(value, dict) else {}
 
 
 def _alternatives(values: object) -> tuple[AlternativeReport, ...]:

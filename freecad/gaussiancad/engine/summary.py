@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 from freecad.gaussiancad.engine.report import Report, Status
+from freecad.gaussiancad.engine.wording import role_name
 from freecad.gaussiancad.language import translate
 
 
@@ -44,18 +45,6 @@ def explanation_lines(report: Report) -> list[str]:
     return [str(line) for line in lines] if isinstance(lines, list) else []
 
 
-def role_name(role: str) -> str:
-    """The name of a view, for people; an unknown one stays as it is."""
-    return {
-        "front": translate("GaussianCAD", "front"),
-        "top": translate("GaussianCAD", "top"),
-        "right": translate("GaussianCAD", "right"),
-        "left": translate("GaussianCAD", "left"),
-        "bottom": translate("GaussianCAD", "bottom"),
-        "rear": translate("GaussianCAD", "rear"),
-    }.get(role, role)
-
-
 def _source_name(source: str) -> str:
     """Where a scale comes from, for people."""
     return {
@@ -68,8 +57,7 @@ def _source_name(source: str) -> str:
 
 def report_lines(report: Report) -> list[str]:
     """Reasons, warnings, scale, views, models and time, a line each."""
-    lines = [f"• {remark.message or remark.code}" for remark in report.reasons]
-    lines += [f"• {remark.message or remark.code}" for remark in report.warnings]
+    lines = [f"• {remark.words}" for remark in (*report.reasons, *report.warnings)]
     if report.mm_per_pixel:
         text = translate("GaussianCAD", "Scale: {scale} mm per pixel ({source})")
         source = _source_name(report.word("scale_source"))

@@ -1,11 +1,13 @@
 """What the end of a run means."""
 
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from enum import Enum
+from typing import Any
 
 from freecad.gaussiancad.engine.events import Event
+from freecad.gaussiancad.engine.wording import worded
 from freecad.gaussiancad.language import translate
 
 ENGINE_EXIT = 6
@@ -53,12 +55,19 @@ class Verdict:
     Attributes:
         state: done, refused by the engine, cancelled, killed from outside, or the engine is broken.
         code: the engine's kebab-case code, or empty.
-        message: a sentence for the user, empty if done.
+        message: a sentence, empty if done; the engine's own is English.
+        args: the values in the engine's.
     """
 
     state: RunState
     code: str = ""
     message: str = ""
+    args: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def words(self) -> str:
+        """The sentence for who uses the window, in their language."""
+        return worded(self.code, self.message, self.args)
 
 
 def judge(ending: Ending) -> Verdict:
@@ -89,7 +98,8 @@ def _refusal(ending: Ending) -> Verdict:
     """The engine ended by itself with an error; its own words go first."""
     state = RunState.BROKEN if ending.exit_code == ENGINE_EXIT else RunState.FAILED
     if ending.error is not None:
-        return Verdict(state, ending.error.text("code"), ending.error.text("message"))
+        error = ending.error
+        return Verdict(state, error.text("code"), error.text("message"), error.values("args"))
     told = next((match for line in reversed(ending.log) if (match := _TOLD.match(line))), None)
     if told is not None:
         return Verdict(state, told["code"], told["message"])

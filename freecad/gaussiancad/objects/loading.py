@@ -77,7 +77,7 @@ def load_run(job: ReconstructJob, scratch: Path) -> LoadedRun:
     mesh = _load_mesh(folder)
     if report.status is Status.FAILED or (part is None and mesh is None):
         message = translate("GaussianCAD", "The engine made no model of {sheet}: {reason}").format(
-            sheet=job.sheet, reason="; ".join(str(r) for r in report.reasons) or "?"
+            sheet=job.sheet, reason=" ".join(reason.words for reason in report.reasons) or "?"
         )
         raise WorkbenchError(ErrorCode.RESULT_UNREADABLE, message)
     gaussians = folder / "gaussians.ply"

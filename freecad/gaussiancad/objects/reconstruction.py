@@ -11,7 +11,7 @@ import Part
 
 from freecad.gaussiancad.engine.job import ReconstructJob
 from freecad.gaussiancad.engine.report import AlternativeReport, Report, Status
-from freecad.gaussiancad.engine.summary import role_name
+from freecad.gaussiancad.engine.wording import role_name
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
 from freecad.gaussiancad.objects.gaussians import add_points
 from freecad.gaussiancad.objects.loading import LoadedPart, LoadedRun, PartSource

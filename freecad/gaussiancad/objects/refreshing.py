@@ -77,7 +77,7 @@ class Refresh:
 
     def _finish(self, result: RunResult) -> None:
         if result.state is not RunState.DONE:
-            self._end(result.message)
+            self._end(result.words)
             return
         try:
             scratch = Path(self._scratch.name)

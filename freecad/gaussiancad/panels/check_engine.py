@@ -90,7 +90,7 @@ class CheckEngineDialog(QtWidgets.QDialog):
         self._run = None
         parts = [part for part in (result.output, result.log) if part.strip()]
         if result.state is not RunState.DONE:
-            parts.append(result.message)
+            parts.append(result.words)
             parts.append(_repair_text())
         self.text.setPlainText("\n\n".join(parts))
 

@@ -85,7 +85,7 @@ class ComparePanel(EnginePanel):
         self._shown = group.Name
         self.view.show_group(group)
         bring_into_sight(self.view)
-        warnings = [str(remark) for remark in loaded.report.warnings]
+        warnings = [remark.words for remark in loaded.report.warnings]
         lines = self.view.distances.millimetre_lines(loaded.report)
         return Success(translate("GaussianCAD", "Finished"), (*warnings, *lines))
 

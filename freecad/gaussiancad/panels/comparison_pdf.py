@@ -104,7 +104,7 @@ def _html(names: tuple[str, str], report: Comparison, pictures: dict[str, QtGui.
     values = report.values
     parts = [f"<h1>{escape(title.format(result=names[0], reference=names[1]))}</h1>"]
     if report.warnings:
-        items = "".join(f"<li>{escape(str(remark))}</li>" for remark in report.warnings)
+        items = "".join(f"<li>{escape(remark.words)}</li>" for remark in report.warnings)
         parts.append(f"<ul>{items}</ul>")
     if "picture" in pictures:
         parts.append(_image("picture", pictures["picture"], _WIDTH * 0.8))

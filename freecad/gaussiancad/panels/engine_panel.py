@@ -193,7 +193,7 @@ class EnginePanel(ABC):
 
     def _finish(self, result: RunResult) -> None:
         if self._closed:
-            self.give_up(result.message)
+            self.give_up(result.words)
             self._forget_run()
             return
         success, complaint = self._outcome(result)
@@ -201,8 +201,8 @@ class EnginePanel(ABC):
             self.run_view.show_report(success.lines)
             self.run_view.end(success.headline, whole=True)
         else:
-            stopped = translate("GaussianCAD", "Stopped") if complaint else result.message
-            left = self.give_up(complaint or result.message)
+            stopped = translate("GaussianCAD", "Stopped") if complaint else result.words
+            left = self.give_up(complaint or result.words)
             self.run_view.end(f"{stopped.rstrip('.')}. {left}" if left else stopped, whole=False)
         self._forget_run()
         if complaint:
@@ -213,7 +213,7 @@ class EnginePanel(ABC):
         if result.state is RunState.CANCELLED:
             return None, ""
         if result.state is not RunState.DONE:
-            return None, result.message
+            return None, result.words
         self.run_view.say(translate("GaussianCAD", "Adding the result to the document"))
         QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.CursorShape.WaitCursor)
         try:

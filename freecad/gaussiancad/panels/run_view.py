@@ -4,6 +4,7 @@ import time
 from collections.abc import Callable, Iterable
 
 from freecad.gaussiancad.engine.events import Event, EventKind
+from freecad.gaussiancad.engine.wording import stage_name, worded
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.panels.widgets import bring_into_sight
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
@@ -79,7 +80,8 @@ class RunView(QtWidgets.QWidget):
         elif event.kind is EventKind.PROGRESS:
             self._take_progress(event)
         elif event.kind is EventKind.WARNING:
-            self.take_log(event.text("message") or event.text("code"))
+            message = event.text("message")
+            self.take_log(worded(event.text("code"), message, event.values("args")))
 
     def take_log(self, line: str) -> None:
         """Add a line to the log."""
@@ -137,7 +139,7 @@ class RunView(QtWidgets.QWidget):
     def _take_stage(self, event: Event) -> None:
         index, count = event.number("index"), event.number("of")
         self._stage_index, self._stage_count = int(index or 0), int(count or 0)
-        name = event.text("name").replace("-", " ").replace("_", " ")
+        name = stage_name(event.text("name"))
         if self._stage_count > 0:
             text = translate("GaussianCAD", "Stage {index} of {count}: {name}")
             name = text.format(index=self._stage_index, count=self._stage_count, name=name)

@@ -156,7 +156,7 @@ class SolutionsPanel:
         report = parse_report(group.ReportJson, json.loads(group.ReportJson))
         if report.reasons:
             doubts = _text_box("doubts", 4)
-            doubts.setPlainText("\n".join(f"• {r.message or r.code}" for r in report.reasons))
+            doubts.setPlainText("\n".join(f"• {own.words}" for own in report.reasons))
             layout.addWidget(QtWidgets.QLabel(translate("GaussianCAD", "Why there is doubt")))
             layout.addWidget(doubts)
         layout.addWidget(self.keep_button)

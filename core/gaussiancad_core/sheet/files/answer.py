@@ -17,6 +17,7 @@ from gaussiancad_core.errors import (
     UnreadableError,
     UsageError,
 )
+from gaussiancad_core.messages import Message, filled, told
 from gaussiancad_core.sheet.files.content import FileContent, Note
 from gaussiancad_core.sheet.files.vectors import (
     Chain,
@@ -46,6 +47,8 @@ _KINDS: dict[str, type[Any]] = {
     )
 }
 
+_MESSAGE = Message.__name__
+
 _ERRORS: dict[str, type[GaussianCadError]] = {
     kind.__name__: kind for kind in (UnreadableError, LimitError, NoModelError, UsageError)
 }
@@ -67,7 +70,7 @@ def content_bytes(content: FileContent) -> bytes:
 
 def error_bytes(error: GaussianCadError) -> bytes:
     """Why nothing was read."""
-    return _line({"error": type(error).__name__, "code": error.code, "message": error.message})
+    return _line({"error": type(error).__name__, **told(error.code, error.message)})
 
 
 def outcome_of(answer: bytes) -> FileContent | GaussianCadError:
@@ -80,7 +83,8 @@ def outcome_of(answer: bytes) -> FileContent | GaussianCadError:
     try:
         head = json.loads(line)
         if "error" in head:
-            return _ERRORS[head["error"]](str(head["code"]), str(head["message"]))
+            message = filled(str(head["message"]), head.get("args", {}))
+            return _ERRORS[head["error"]](str(head["code"]), message)
         height, width = (int(length) for length in head["shape"])
         count = 2 if head["tinted"] else 1
         planes = np.frombuffer(pixels, np.uint8).reshape(count, height, width).copy()
@@ -104,6 +108,8 @@ def _plain(value: Any) -> Any:  # noqa: ANN401
     """A value as JSON has it; of those with a name the name comes first."""
     if isinstance(value, Enum):
         return {"": [type(value).__name__, value.value]}
+    if isinstance(value, Message):
+        return {"": [_MESSAGE, str(value), *([name, own] for name, own in value.args.items())]}
     if is_dataclass(value):
         own = [_plain(getattr(value, field.name)) for field in fields(value)]
         return {"": [type(value).__name__, *own]}
@@ -117,6 +123,8 @@ def _plain(value: Any) -> Any:  # noqa: ANN401
 def _made(value: Any) -> Any:  # noqa: ANN401
     if isinstance(value, dict):
         name, *own = value[""]
+        if name == _MESSAGE:
+            return filled(own[0], dict(own[1:]))
         return _KINDS[name](*(_made(each) for each in own))
     if isinstance(value, list):
         return tuple(_made(each) for each in value)

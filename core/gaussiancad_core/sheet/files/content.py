@@ -40,7 +40,7 @@ class Note:
 
     Attributes:
         code: kebab-case, listed among the warnings in the docs.
-        message: one sentence.
+        message: one sentence: a :class:`.Message` where it has values.
     """
 
     code: str
@@ -80,8 +80,10 @@ def check_pixels(path: Path, width: float, height: float) -> None:
     if min(width, height) < MIN_SIDE:
         raise UnreadableError(
             "image-too-small",
-            f"{path} has only {width:.0f} x {height:.0f} px: "
-            "export the drawing at 1920 x 1080 px or more",
+            "{path} has only {width} x {height} px: export the drawing at 1920 x 1080 px or more",
+            path=path,
+            width=round(width),
+            height=round(height),
         )
 
 
@@ -89,15 +91,22 @@ def too_large(path: Path, size: str) -> UnreadableError:
     """The error for a sheet of so many pixels."""
     return UnreadableError(
         "image-too-large",
-        f"{path} is too large ({MAX_PIXELS // 1_000_000} million pixels are read, it has {size}): "
-        "export or scan it at a lower resolution, vector drawings on smaller paper",
+        "{path} is too large ({most} million pixels are read, it has {size}): export or scan it at "
+        "a lower resolution, vector drawings on smaller paper",
+        path=path,
+        most=MAX_PIXELS // 1_000_000,
+        size=size,
     )
 
 
 def page_missing(path: Path, count: int, page: int) -> UnreadableError:
     """The error for a page that a file does not have."""
     return UnreadableError(
-        "page-missing", f"{path} has {count} page(s), there is no page {page}: choose another"
+        "page-missing",
+        "{path} has {count} page(s), there is no page {page}: choose another",
+        path=path,
+        count=count,
+        page=page,
     )
 
 
@@ -105,8 +114,10 @@ def too_many_pages(path: Path, count: int) -> UnreadableError:
     """The error for a file of more pages than any set of drawings has."""
     return UnreadableError(
         "too-many-pages",
-        f"{path} has {count} pages, at most {MAX_PAGES} are read: "
-        "save the sheet in a file by itself",
+        "{path} has {count} pages, at most {most} are read: save the sheet in a file by itself",
+        path=path,
+        count=count,
+        most=MAX_PAGES,
     )
 
 
@@ -114,6 +125,8 @@ def too_many_elements(path: Path) -> LimitError:
     """The error for a vector page that would take too long."""
     return LimitError(
         "too-many-elements",
-        f"{path} has more than {MAX_ELEMENTS:,} lines and other elements: "
+        "{path} has more than {most:,} lines and other elements: "
         "save only the views, or export it as PNG",
+        path=path,
+        most=MAX_ELEMENTS,
     )

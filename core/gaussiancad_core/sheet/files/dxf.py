@@ -23,7 +23,6 @@ from gaussiancad_core.errors import LimitError, UnreadableError
 from gaussiancad_core.sheet.files.content import (
     MAX_ELEMENTS,
     FileContent,
-    Note,
     check_pixels,
     page_missing,
     too_many_elements,
@@ -33,7 +32,7 @@ from gaussiancad_core.sheet.files.dxf_entities import DrawnCurve, Exploder, Expl
 from gaussiancad_core.sheet.files.dxf_text import PlacedText
 from gaussiancad_core.sheet.files.fitting import curve_along
 from gaussiancad_core.sheet.files.painting import paint
-from gaussiancad_core.sheet.files.sizing import Sizing, notes_on, size_drawing
+from gaussiancad_core.sheet.files.sizing import Sizing, no_paper_size, notes_on, size_drawing
 from gaussiancad_core.sheet.files.vectors import (
     Box,
     Chain,
@@ -111,7 +110,10 @@ def read_dxf(path: Path, page: int) -> FileContent:
     box = bounds(curves)
     if box is None or max(box[2] - box[0], box[3] - box[1]) <= 0.0:
         raise UnreadableError(
-            "empty-drawing", f"{path} has no lines on page {page}: choose another page or file"
+            "empty-drawing",
+            "{path} has no lines on page {page}: choose another page or file",
+            path=path,
+            page=page,
         )
     sheet = _sheet_box(box, content.limits)
     width, height = sheet[2] - sheet[0], sheet[3] - sheet[1]
@@ -120,16 +122,9 @@ def read_dxf(path: Path, page: int) -> FileContent:
     check_pixels(path, *size)
     vectors = _placed(content.found, sheet, sizing)
     dpi = sizing.pixels_per_inch
-    notes = notes_on(path, dpi) if dpi else (_size_note(path),)
+    notes = notes_on(path, dpi) if dpi else (no_paper_size(path),)
     picture = paint(vectors, *size)
     return FileContent(picture, dpi, vectors, notes, pages=content.pages)
-
-
-def _size_note(path: Path) -> Note:
-    return Note(
-        "paper-size-unknown",
-        f"{path.name} does not say how large its paper is: tell --length or --mm-per-pixel",
-    )
 
 
 def _check_size(path: Path) -> None:
@@ -138,8 +133,10 @@ def _check_size(path: Path) -> None:
     if size > _MAX_BYTES:
         raise LimitError(
             "drawing-file-too-large",
-            f"{path} has {size // 1_000_000} MB, {_MAX_BYTES // 1_000_000} are read: "
-            "save only the views, or export it as PNG",
+            "{path} has {size} MB, {most} are read: save only the views, or export it as PNG",
+            path=path,
+            size=size // 1_000_000,
+            most=_MAX_BYTES // 1_000_000,
         )
     with path.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
         for count, _ in enumerate(_ENTITY.finditer(data)):
@@ -178,7 +175,10 @@ def _recovered(path: Path) -> Drawing:
         return recover.readfile(path)[0]
     except _BROKEN as error:
         raise UnreadableError(
-            "damaged-dxf", f"{path} is no DXF file, or is damaged ({error}): save it again"
+            "damaged-dxf",
+            "{path} is no DXF file, or is damaged ({reason}): save it again",
+            path=path,
+            reason=error,
         ) from error
 
 

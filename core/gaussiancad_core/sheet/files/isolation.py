@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 from gaussiancad_core.errors import LimitError, UnreadableError
+from gaussiancad_core.messages import filled
 from gaussiancad_core.sheet.files.answer import outcome_of
 from gaussiancad_core.sheet.files.content import FileContent
 from gaussiancad_core.sheet.files.kinds import FileKind
@@ -59,8 +60,10 @@ def read_isolated(
         except subprocess.TimeoutExpired:
             raise LimitError(
                 "reading-takes-too-long",
-                f"{path} is not read after {time_limit:g} seconds: "
+                "{path} is not read after {seconds:g} seconds: "
                 "save only the views, or export it as PNG",
+                path=path,
+                seconds=time_limit,
             ) from None
         finally:
             # Also when the run is cancelled meanwhile.
@@ -75,15 +78,22 @@ def _outcome(kind: FileKind, path: Path, answer: bytes) -> FileContent:
     except ValueError:
         raise UnreadableError(
             kind.damaged,
-            f"{path} is damaged, reading it crashed: export the drawing again, or as PNG",
+            "{path} is damaged, reading it crashed: export the drawing again, or as PNG",
+            path=path,
         ) from None
     if isinstance(outcome, FileContent):
         return outcome
     if outcome.code == "out-of-memory":
         raise LimitError(
             outcome.code,
-            f"{path} takes too much memory to read: export it as PNG, of fewer pixels",
+            "{path} takes too much memory to read: export it as PNG, of fewer pixels",
+            path=path,
         )
     # Messages name the file as the user did.
-    message = outcome.message.replace(str(path.absolute()), str(path))
+    absolute = str(path.absolute())
+    args = {
+        name: value.replace(absolute, str(path)) if isinstance(value, str) else value
+        for name, value in outcome.message.args.items()
+    }
+    message = filled(outcome.message.replace(absolute, str(path)), args)
     raise type(outcome)(outcome.code, message)

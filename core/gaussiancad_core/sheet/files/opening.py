@@ -14,23 +14,31 @@ def head_of(path: Path) -> bytes:
             ``format-not-supported``.
     """
     if path.is_dir():
-        raise UnreadableError("not-a-file", f"{path} is a folder: name a drawing file")
+        raise UnreadableError("not-a-file", "{path} is a folder: name a drawing file", path=path)
     if not path.exists():
-        raise UnreadableError("file-missing", f"{path} does not exist: check the name of the sheet")
+        raise UnreadableError(
+            "file-missing", "{path} does not exist: check the name of the sheet", path=path
+        )
     if not path.is_file():
-        raise UnreadableError("not-a-file", f"{path} is a device or pipe: name a drawing file")
+        raise UnreadableError(
+            "not-a-file", "{path} is a device or pipe: name a drawing file", path=path
+        )
     try:
         with path.open("rb") as file:
             head = file.read(HEAD_BYTES)
     except OSError as error:
         raise cannot_open(path, error) from error
     if not head:
-        raise UnreadableError("empty-file", f"{path} is empty: export the drawing again")
+        raise UnreadableError("empty-file", "{path} is empty: export the drawing again", path=path)
     known = unsupported(head)
     if known is not None:
         name, advice = known
         raise UnreadableError(
-            "format-not-supported", f"{path} is a {name} file, which is not read: {advice}"
+            "format-not-supported",
+            "{path} is a {format} file, which is not read: {advice}",
+            path=path,
+            format=name,
+            advice=advice,
         )
     return head
 
@@ -38,5 +46,8 @@ def head_of(path: Path) -> bytes:
 def cannot_open(path: Path, error: OSError) -> UnreadableError:
     """The error for a file that the system does not let one read."""
     return UnreadableError(
-        "file-unreadable", f"{path} cannot be opened ({error.strerror}): check its permissions"
+        "file-unreadable",
+        "{path} cannot be opened ({reason}): check its permissions",
+        path=path,
+        reason=error.strerror,
     )

@@ -100,7 +100,9 @@ def _open(path: Path) -> pdfium.PdfDocument:
         code = getattr(error, "err_code", None)
         if code in (raw.FPDF_ERR_PASSWORD, raw.FPDF_ERR_SECURITY):
             raise UnreadableError(
-                "encrypted-pdf", f"{path} is protected by a password: save it without one"
+                "encrypted-pdf",
+                "{path} is protected by a password: save it without one",
+                path=path,
             ) from error
         raise _damaged(path, error) from error
     except OSError as error:
@@ -109,7 +111,10 @@ def _open(path: Path) -> pdfium.PdfDocument:
 
 def _damaged(path: Path, error: Exception) -> UnreadableError:
     return UnreadableError(
-        "damaged-pdf", f"{path} is no PDF file, or is damaged ({error}): export the drawing again"
+        "damaged-pdf",
+        "{path} is no PDF file, or is damaged ({reason}): export the drawing again",
+        path=path,
+        reason=error,
     )
 
 

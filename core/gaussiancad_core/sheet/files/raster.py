@@ -64,8 +64,9 @@ def read_raster(path: Path, page: int) -> FileContent:
     except UnidentifiedImageError as error:
         raise UnreadableError(
             "not-an-image",
-            f"{path} is not a PNG, JPEG, TIFF, BMP, WebP, PDF, SVG or DXF file: "
+            "{path} is not a PNG, JPEG, TIFF, BMP, WebP, PDF, SVG or DXF file: "
             "export the drawing as one of them",
+            path=path,
         ) from error
     except Image.DecompressionBombError as error:
         raise too_large(path, "many more") from error
@@ -74,7 +75,10 @@ def read_raster(path: Path, page: int) -> FileContent:
     except (OSError, ValueError, SyntaxError, EOFError, KeyError, TypeError) as error:
         # Pillow's decoders let the errors of their parsers through.
         raise UnreadableError(
-            "damaged-image", f"{path} is damaged ({error}): export or scan the drawing again"
+            "damaged-image",
+            "{path} is damaged ({reason}): export or scan the drawing again",
+            path=path,
+            reason=error,
         ) from error
 
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from math import sqrt
 from pathlib import Path
 
+from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.files.content import MAX_PIXELS, MOST_WORKED_ON, VECTOR_DPI, Note
 
 _SMALLEST, _LARGEST = 2.0, 104.0
@@ -51,8 +52,19 @@ def notes_on(path: Path, dpi: float | None) -> tuple[Note, ...]:
     """That a drawing on paper was drawn at less than usual, if it was."""
     if dpi is None or dpi >= VECTOR_DPI:
         return ()
-    message = (
-        f"{path.name} is so large that it was looked at in {dpi:.0f} dpi: its lines are exact, but "
-        "what is thin or close may not be told apart"
+    message = Message(
+        "{name} is so large that it was looked at in {dpi} dpi: its lines are exact, but what is "
+        "thin or close may not be told apart",
+        name=path.name,
+        dpi=round(dpi),
     )
     return (Note("resolution-lowered", message),)
+
+
+def no_paper_size(path: Path) -> Note:
+    """That a file does not say how large its paper is."""
+    message = Message(
+        "{name} does not say how large its paper is: tell --length or --mm-per-pixel",
+        name=path.name,
+    )
+    return Note("paper-size-unknown", message)

@@ -12,6 +12,7 @@ from xml.etree.ElementTree import Element, tostring
 import numpy as np
 
 from gaussiancad_core.errors import UnreadableError
+from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.files.content import (
     VECTOR_DPI,
     FileContent,
@@ -20,7 +21,7 @@ from gaussiancad_core.sheet.files.content import (
     page_missing,
 )
 from gaussiancad_core.sheet.files.painting import render_svg, shown_share
-from gaussiancad_core.sheet.files.sizing import notes_on, paper_dpi, size_drawing
+from gaussiancad_core.sheet.files.sizing import no_paper_size, notes_on, paper_dpi, size_drawing
 from gaussiancad_core.sheet.files.svg_safety import SafeSvg, load_svg
 from gaussiancad_core.sheet.files.svg_shapes import svg_strokes, svg_texts
 from gaussiancad_core.sheet.files.vectors import VectorDrawing, bounds
@@ -73,7 +74,10 @@ def read_svg(path: Path, page: int) -> FileContent:
     except (ValueError, TypeError, KeyError, IndexError, AttributeError, ArithmeticError) as error:
         # What svgelements and resvg raise on values that no drawing has.
         raise UnreadableError(
-            "damaged-svg", f"{path} cannot be drawn ({error}): export the drawing again"
+            "damaged-svg",
+            "{path} cannot be drawn ({reason}): export the drawing again",
+            path=path,
+            reason=error,
         ) from error
 
 
@@ -96,7 +100,8 @@ def _read_tree(path: Path, safe: SafeSvg) -> FileContent:
     if safe.external and not (strokes or texts or safe.pictures):
         raise UnreadableError(
             "external-content",
-            f"{path} only refers to other files, which are never opened: embed the drawing in it",
+            "{path} only refers to other files, which are never opened: embed the drawing in it",
+            path=path,
         )
     grey = render_svg(tostring(safe.root, encoding="unicode"), width, height, scale)
     shown = tuple(stroke for stroke in strokes if shown_share(stroke, grey) >= _SHOWN)
@@ -111,17 +116,16 @@ def _notes(path: Path, safe: SafeSvg, size: _Size) -> tuple[Note, ...]:
         notes.append(
             Note(
                 "external-left-out",
-                f"{path.name} refers to {safe.external} other file(s), which are never opened: "
-                "what they hold is missing",
+                Message(
+                    "{name} refers to {count} other file(s), which are never opened: what they "
+                    "hold is missing",
+                    name=path.name,
+                    count=safe.external,
+                ),
             )
         )
     if not size.physical:
-        notes.append(
-            Note(
-                "paper-size-unknown",
-                f"{path.name} does not say how large its paper is: tell --length or --mm-per-pixel",
-            )
-        )
+        notes.append(no_paper_size(path))
     return tuple(notes)
 
 
@@ -172,7 +176,9 @@ def _size_of_content(path: Path, safe: SafeSvg) -> _Size:
     box = bounds([stroke.curve for stroke in svg_strokes(safe.root, 1.0)])
     if box is None or box[2] <= 0.0 or box[3] <= 0.0:
         raise UnreadableError(
-            "empty-drawing", f"{path} has no lines and no size: export the drawing again"
+            "empty-drawing",
+            "{path} has no lines and no size: export the drawing again",
+            path=path,
         )
     return _Size(box[2] + max(box[0], 0.0), box[3] + max(box[1], 0.0), physical=False)
 

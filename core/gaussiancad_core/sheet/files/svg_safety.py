@@ -98,7 +98,8 @@ def load_svg(path: Path) -> SafeSvg:
     except DefusedXmlException as error:
         raise UnreadableError(
             "svg-entities",
-            f"{path} declares XML entities, which are never expanded: save it as plain SVG",
+            "{path} declares XML entities, which are never expanded: save it as plain SVG",
+            path=path,
         ) from error
     except (ParseError, ValueError, LookupError) as error:
         raise _damaged(path, error) from error
@@ -113,7 +114,10 @@ def load_svg(path: Path) -> SafeSvg:
 
 def _damaged(path: Path, reason: object) -> UnreadableError:
     return UnreadableError(
-        "damaged-svg", f"{path} is no SVG file, or is damaged ({reason}): export the drawing again"
+        "damaged-svg",
+        "{path} is no SVG file, or is damaged ({reason}): export the drawing again",
+        path=path,
+        reason=reason,
     )
 
 
@@ -129,8 +133,9 @@ def _bounded_bytes(path: Path) -> bytes:
     if len(data) > _MAX_BYTES:
         raise LimitError(
             "drawing-file-too-large",
-            f"{path} has more than {_MAX_BYTES // 1_000_000} MB: "
-            "save only the views, or export it as PNG",
+            "{path} has more than {most} MB: save only the views, or export it as PNG",
+            path=path,
+            most=_MAX_BYTES // 1_000_000,
         )
     return data
 

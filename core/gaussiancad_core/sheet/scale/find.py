@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.files.content import Note
@@ -56,6 +57,9 @@ _MOST_RULES = 5000
 
 _MOST_TEXTS = 200
 """The same of the texts that give lengths, in the sheet's order."""
+
+_MOST_NAMED = 5
+"""Numbers that one message names at most."""
 
 _PART = 0.5
 """Weight of a part of what two arrowheads measure, in that of what lies between any lines."""
@@ -170,7 +174,9 @@ def _texts(
         return (), ()
     problem = ocr_problem()
     if problem is not None:
-        message = f"the dimensions on the sheet were not read, as OCR is {problem}"
+        message = Message(
+            "the dimensions on the sheet were not read, as OCR is {reason}", reason=problem
+        )
         return (), (Note("dimensions-not-read", message),)
     return pixel_texts(sheet, marks), ()
 
@@ -277,12 +283,17 @@ def _disagreement(found: Agreement) -> tuple[Note, ...]:
     if not others:
         return ()
     places = "; ".join(
-        f"{own.text!r} at ({own.box[0]:.0f}, {own.box[1]:.0f})" for own in others[:5]
+        f"{own.text!r} at ({own.box[0]:.0f}, {own.box[1]:.0f})" for own in others[:_MOST_NAMED]
     )
     return (
         Note(
             "dimensions-disagree",
-            f"{len(others)} dimension(s) do not fit the scale of the others: {places} px; they may "
-            "have been misread, or the drawing is not to scale there",
+            Message(
+                "{count} dimension(s) do not fit the scale of the others: {places} px; they may "
+                "have been misread, or the drawing is not to scale there",
+                count=len(others),
+                places=places,
+                numbers=", ".join(own.text for own in others[:_MOST_NAMED]),
+            ),
         ),
     )

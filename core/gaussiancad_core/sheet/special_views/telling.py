@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.special_views.kinds import SECTIONS, SpecialKind, SpecialView
 
@@ -19,7 +20,7 @@ class Telling:
 
     Attributes:
         code: kebab-case.
-        message: one sentence that names the boxes.
+        message: one sentence that names the boxes, with its values.
         doubt: whether it is a reason why the model is not verified; otherwise it is a warning.
     """
 
@@ -49,20 +50,17 @@ def tellings(special: Sequence[SpecialView]) -> list[Telling]:
 
 
 def _told(kind: SpecialKind, used: bool, boxes: list[Box]) -> Telling:
-    places = _places(boxes)
+    places, doubt = _places(boxes), True
     if not used:
-        illustrates = kind in _ILLUSTRATIONS
-        code = _ILLUSTRATIONS[kind][0] if illustrates else UNUSED
-        what = f"{_NAMES[kind]} at {places} px was not used: {why_unused(kind)}"
-        return Telling(code, what, doubt=not illustrates)
-    if kind in SECTIONS:
-        return Telling(
-            "section-used",
-            f"{_NAMES[kind]} at {places} px stands for a view: what was cut away before it no "
-            "line shows",
-            doubt=True,
-        )
-    return Telling(_USED[kind], f"{_NAMES[kind]} at {places} px: {_DOUBTS[kind]}", doubt=True)
+        doubt = kind not in _ILLUSTRATIONS
+        code = UNUSED if doubt else _ILLUSTRATIONS[kind][0]
+        template, why = "{what} at {places} px was not used: {why}", why_unused(kind)
+    elif kind in SECTIONS:
+        code, template, why = "section-used", "{what} at {places} px stands for a view: {why}", _CUT
+    else:
+        code, template, why = _USED[kind], "{what} at {places} px: {why}", _DOUBTS[kind]
+    values = {"kind": kind, "count": len(boxes), "places": places, "why": why}
+    return Telling(code, Message(template, what=_NAMES[kind], **values), doubt)
 
 
 def why_unused(kind: SpecialKind) -> str:
@@ -98,6 +96,8 @@ _ILLUSTRATIONS = {
     ),
 }
 """Code, and why nothing is missing without it, of what shows no more than the views do."""
+
+_CUT = "what was cut away before it no line shows"
 
 _USED = {
     SpecialKind.BROKEN: "broken-view",

@@ -40,6 +40,7 @@ def test_errors_come_back_with_the_name_that_was_given(
         read_isolated(FileKind.SVG, Path("bad.svg"), 1)
     assert caught.value.code == "damaged-svg"
     assert caught.value.message.startswith("bad.svg ")
+    assert caught.value.message.args["path"] == "bad.svg"
 
 
 def test_defects_of_parsers_are_told_in_one_line(

@@ -1,0 +1,72 @@
+"""Sentences that still know what fills their places.
+
+A message is written once, as a template with the values of its places, as in ``Message("{path} has
+{count} pages", path=path, count=count)``.  It is an English sentence wherever a text is wanted;
+whoever words it anew, in another language or for a window, takes its code and its ``args``.  Where
+one code has several sentences, ``case`` among the values tells which it is.
+"""
+
+from collections.abc import Mapping
+from enum import Enum
+from numbers import Integral, Real
+from types import MappingProxyType
+from typing import Any
+
+Argument = str | int | float
+"""What travels of a value, as JSON has it."""
+
+
+class Message(str):
+    """A sentence for a person.
+
+    Args:
+        template: the sentence, with ``{name}`` for each value; text without values as it is.
+        values: by the names of their places; they may be of any type that formats.
+
+    Attributes:
+        args: the values as numbers and texts; those of enums, and the texts of all else.
+    """
+
+    args: Mapping[str, Argument]
+
+    def __new__(cls, template: str, /, **values: object) -> "Message":
+        """Fill the places."""
+        plain = {name: _plain(value) for name, value in values.items()}
+        made = super().__new__(cls, template.format(**plain) if plain else template)
+        made.args = MappingProxyType(plain)
+        return made
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Copies and pickles keep the values."""
+        return filled, (str(self), dict(self.args))
+
+
+def filled(text: str, args: Mapping[str, Argument]) -> Message:
+    """A sentence whose values are known beside it, as from JSON."""
+    made = Message(text)
+    made.args = MappingProxyType(dict(args))
+    return made
+
+
+def args_of(message: str) -> dict[str, Argument]:
+    """The values in a message; none in a text that is no :class:`Message`."""
+    return dict(message.args) if isinstance(message, Message) else {}
+
+
+def on_one_line(message: str) -> Message:
+    """The same without line breaks."""
+    return filled(" ".join(message.split()), args_of(message))
+
+
+def told(code: str, message: str) -> dict[str, Any]:
+    """A message as JSON has it: ``code``, ``message`` and, where it has values, ``args``."""
+    args = args_of(message)
+    return {"code": code, "message": str(message), **({"args": args} if args else {})}
+
+
+def _plain(value: object) -> Argument:
+    if isinstance(value, Enum):
+        value = value.value
+    if isinstance(value, Integral):
+        return int(value)
+    return float(value) if isinstance(value, Real) else str(value)

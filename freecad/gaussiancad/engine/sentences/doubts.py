@@ -1,0 +1,306 @@
+"""Why a part's shape is not certain, what was assumed, and what was left out."""
+
+from freecad.gaussiancad.language import QT_TRANSLATE_NOOP
+
+REASONS = {
+    "no-exact-solid": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "No exact solid was found. The model is a surface that fills what the outlines leave: "
+        "measure nothing from it.",
+    ),
+    "no-exact-solid:refused": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The exact solid that fits best has only {percent} % of the drawing's lines and was not "
+        "kept. Check in Correct Sheet whether the lines were read right.",
+    ),
+    "outlines-swept": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "No exact solid was found. This one fills what the outlines and the through holes leave: "
+        "pockets and blind holes are missing.",
+    ),
+    "no-solid-fits": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The lines of the views contradict each other, so that no solid has them all. Check in "
+        "Correct Sheet whether a line was read wrong.",
+    ),
+    "lines-contradict": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "Lines contradict each other as they were read. They are marked on the sheet: correct or "
+        "erase the wrong one in Correct Sheet.",
+    ),
+    "no-valid-solid": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "What fits the lines best does not close up to a solid: lines are missing or wrong. Check "
+        "them in Correct Sheet.",
+    ),
+    "part-too-complex": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The drawing has too many lines for an exact solid. Draw fewer of them on one sheet.",
+    ),
+    "solid-unsound": QT_TRANSLATE_NOOP("GaussianCAD", "The solid is not one valid closed body."),
+    "ambiguous": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "{count} different solids have the lines of this drawing. Choose the one that is meant "
+        "with Choose among Solutions.",
+    ),
+    "ambiguous:projection": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The views fit different solids in first and in third angle. Choose the angle under "
+        "Projection.",
+    ),
+    "search-unfinished": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The search for solids with these lines was not completed: there may be others.",
+    ),
+    "search-unfinished:clock": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The search for solids took much longer than usual and was ended. Close other programs "
+        "and run the drawing again.",
+    ),
+    "search-unfinished:projection": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The views may fit a solid in the other projection as well. Choose first or third angle "
+        "under Projection.",
+    ),
+    "search-unfinished:lines": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The drawing has more lines than can be understood together. Draw fewer of them on one "
+        "sheet.",
+    ),
+    "lines-unexplained": QT_TRANSLATE_NOOP(
+        "GaussianCAD", "The part does not have all lines of the drawing, or it has others."
+    ),
+    "lines-unexplained:missing": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The part lacks lines of the drawing; the longest one, of {length_mm} mm, is in the view "
+        "“{view}”.",
+    ),
+    "lines-unexplained:beyond": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The part has lines that the drawing does not show; the longest one, of {length_mm} mm, "
+        "is in the view “{view}”.",
+    ),
+    "lines-unexplained:surface": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The surface does not have all lines of these views, or it has others: {views}.",
+    ),
+    "lines-apart": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "Lines that nearly meet were taken to meet: small steps may be missing.",
+    ),
+    "lines-apart:ink": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "In the view “{view}” the drawn line lies {distance_mm} mm beside the part's: a curve may "
+        "have been misread there.",
+    ),
+    "lines-apart:line": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "A line of the drawing lies {distance_mm} mm beside the part's: a small step may be "
+        "missing.",
+    ),
+    "lines-apart:extent": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The views and the part differ by up to {distance_mm} mm in size: a small step may be "
+        "missing.",
+    ),
+    "unused-view": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "Not used: {kind}. What it shows of the part may be missing.",
+    ),
+    "unused-view:lines": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "Groups of lines belong to no view and are large enough to be one ({count}). Box them as "
+        "views in Correct Sheet if they show the part.",
+    ),
+    "other-pen-lines": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "Lines that cross a view in another line width were not used ({count}). If they are edges "
+        "of the part, make them visible lines in Correct Sheet.",
+    ),
+    "corrections-unmatched": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "Corrections that no longer find what they corrected: {count}. Look at them again in "
+        "Correct Sheet.",
+    ),
+    "assumed": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "No view has a hidden line. It was assumed that nothing lies inside the part that no view "
+        "shows.",
+    ),
+    "assumed:views": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "These views have no hidden line: {views}. It was assumed that none was left out; "
+        "otherwise another solid fits as well, see Choose among Solutions.",
+    ),
+    "faces-thin": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The solid has long faces too narrow for any view to show: lines that belong together may "
+        "have been read apart.",
+    ),
+    "linetypes-retold": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "Hidden lines as short as a dash look like visible ones. Some were taken for the other "
+        "kind, as the other views have it.",
+    ),
+    "symbol-contradicts-lines": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The projection symbol says {symbol}, but the lines fit {other} better. Taken was "
+        "{taken}; choose under Projection if it is the other.",
+    ),
+    "scale-contradicts-dimensions": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The drawing's dimensions agree on {sheet} mm per pixel, but the scale that was set gives "
+        "{told}. The dimensions were not used: check what is set under Scale.",
+    ),
+    "two-views": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The drawing has only two directions of view: what a third would show is not known.",
+    ),
+    "section-used": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "Used as a view: {kind}. What was cut away in front of the cut is shown by no line.",
+    ),
+    "note-count": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The note “{note}” speaks of {count} holes, and the view “{view}” has {found} of that "
+        "kind: the note was taken for all of them.",
+    ),
+    "second-view-assumed": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The drawing has one view; what a second would show was assumed.",
+    ),
+    "second-view-assumed:turned": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The drawing has one view with diameters across its axis: a turned part was assumed. If "
+        "it is none, another view is needed.",
+    ),
+    "second-view-assumed:plate": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The drawing has one view and a thickness: it was assumed that the part is of that "
+        "thickness everywhere and that what is drawn inside goes through.",
+    ),
+    "broken-view": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "A view is broken, so that its length is not as drawn. Set a length along another axis "
+        "under Scale.",
+    ),
+    "half-view": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "A view is drawn up to its centre line: what lies beyond was taken as its mirror image.",
+    ),
+}
+
+ASSUMPTIONS = {
+    "nothing-hidden": REASONS["assumed"],
+    "nothing-hidden:views": REASONS["assumed:views"],
+    "hole-through": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The hole of {diameter_mm} mm in the view “{view}” was taken to go through, as nothing "
+        "tells its depth.",
+    ),
+    "section-through-middle": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "Section {label} was taken to cut through the middle of the part, as it has no cutting "
+        "line.",
+    ),
+    "section-through-middle:untitled": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "A section without a title was taken to cut through the middle of the part, as it has no "
+        "cutting line.",
+    ),
+    "second-view": REASONS["second-view-assumed"],
+    "second-view:turned": REASONS["second-view-assumed:turned"],
+    "second-view:plate": REASONS["second-view-assumed:plate"],
+}
+
+ALTERNATIVES = {
+    "nothing-hidden": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "There are bores, pockets or cavities that only hidden lines would show.",
+    ),
+    "hole-through": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "It ends inside: give its depth in a note, or draw its hidden lines.",
+    ),
+    "section-through-middle": QT_TRANSLATE_NOOP(
+        "GaussianCAD", "It cuts elsewhere: draw its cutting line."
+    ),
+    "second-view": QT_TRANSLATE_NOOP("GaussianCAD", "It is another part with the same view."),
+}
+"""What else may be, by the code of an assumption."""
+
+WARNINGS = {
+    "projection-assumed": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The lines fit both {taken} and {other}. Taken was {taken}; choose under Projection if it "
+        "is the other.",
+    ),
+    "dimensions-disagree": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "Dimensions do not fit the scale of the others ({numbers}): they were misread, or the "
+        "drawing is not to scale there.",
+    ),
+    "resolution-lowered": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The sheet is so large that it was read at a lower resolution: measures are known less "
+        "well. Cut out the views to have them read as they are.",
+    ),
+    "dimensions-not-read": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The dimensions on the sheet were not read, as the engine has no text recognition. Set a "
+        "length under Scale.",
+    ),
+    "full-scale-assumed": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The sheet has no readable scale: 1:1 was assumed. Set a length under Scale if it is "
+        "another.",
+    ),
+    "scale-assumed": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The scale is not known: the longest edge was made 100 mm. Set a length under Scale.",
+    ),
+    "corrected": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "Corrections by hand that were taken: {count}. The result is checked by the sheet as "
+        "corrected.",
+    ),
+    "views-disagree": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The views differ by {spread_mm} mm in the part's extent along {axis}: the mean was taken.",
+    ),
+    "external-left-out": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The SVG refers to other files, which are never opened: what they hold is missing.",
+    ),
+    "paper-size-unknown": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The file does not say how large its paper is. Set a length under Scale.",
+    ),
+    "lines-left-out": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "Groups of lines belong to no view and were left out: {count}.",
+    ),
+    "pictorial-left-out": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "A pictorial view was left out: it illustrates what the other views show.",
+    ),
+    "outline-of-solid": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The outlines of these views have gaps: {views}. The surface was made with the exact "
+        "solid's outline there.",
+    ),
+    "training-takes-long": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "On a processor this takes an hour or more. Choose the quality Draft or smaller images, "
+        "or use a graphics card.",
+    ),
+    "checkpoint-ignored": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The interrupted run in the folder belongs to another drawing, other settings or another "
+        "version: the training began anew.",
+    ),
+    "thread-left-out": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "Thread symbols were left out: the model has plain cylinders there.",
+    ),
+}
