@@ -16,10 +16,17 @@ from freecad.gaussiancad.canvas.correcting import corrected
 from freecad.gaussiancad.canvas.keeping import Keeper, read_again, write_corrections
 from freecad.gaussiancad.canvas.serving import Answer, Program, Server
 from freecad.gaussiancad.canvas.sheet import Point, Sheet, sheet_of
+from freecad.gaussiancad.engine.wording import worded
 from freecad.gaussiancad.qt import QtCore
 
 _REST_MS = 400
 """Milliseconds without a correction after which the part is made again."""
+
+
+def _worded(answer: Answer) -> str:
+    """Why an answer is none."""
+    error = answer.get("error", {})
+    return worded(error.get("code", ""), error.get("message", ""), error.get("args"))
 
 
 class Desk(QtCore.QObject):
@@ -39,6 +46,7 @@ class Desk(QtCore.QObject):
         solved: report and folder of a run; the folder is empty where no part follows.
         told: a line for the person.
         working: whether an engine is at work has changed.
+        stage: name of what an engine does now.
     """
 
     pictured = QtCore.Signal(str, object, int)
@@ -47,6 +55,7 @@ class Desk(QtCore.QObject):
     solved = QtCore.Signal(object, str)
     told = QtCore.Signal(str)
     working = QtCore.Signal()
+    stage = QtCore.Signal(str)
 
     def __init__(
         self, path: Path, page: int, program: Program, keeper: Keeper, parent: QtCore.QObject
@@ -61,6 +70,7 @@ class Desk(QtCore.QObject):
         self._clerk = Server(program, self)
         for own in (self._reader, self._solver):
             own.changed.connect(self.working)
+            own.stage.connect(self.stage)
         self._read: Sheet | None = None
         self._reading = Path()
         self._within: list[dict] = []
@@ -206,7 +216,7 @@ class Desk(QtCore.QObject):
 
     def _was_read(self, answer: Answer, within: list[dict]) -> None:
         if "reading" not in answer:
-            self.told.emit(answer["error"]["message"])
+            self.told.emit(_worded(answer))
             return
         first = self._read is None
         self._reading = Path(answer["reading"])
@@ -225,6 +235,6 @@ class Desk(QtCore.QObject):
         try:
             report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
         except (OSError, ValueError):
-            self.told.emit(answer.get("error", {}).get("message", ""))
+            self.told.emit(_worded(answer))
             return
         self.solved.emit(report, "" if "error" in answer else str(folder))

@@ -20,6 +20,7 @@ from freecad.gaussiancad.canvas.scene import LAYERS
 from freecad.gaussiancad.canvas.serving import Program
 from freecad.gaussiancad.canvas.sheet import Box, Number, Point, Row, Sheet
 from freecad.gaussiancad.canvas.verdict import SIGNS, marks_of, verdict_lines
+from freecad.gaussiancad.engine.wording import stage_name
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
@@ -163,6 +164,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         desk.solved.connect(self._was_solved)
         desk.told.connect(self.tell)
         desk.working.connect(self._show_work)
+        desk.stage.connect(self._show_stage)
 
     def _show_picture(self, path: str, size: object, pages: int) -> None:
         self.board.show_picture(path, size)
@@ -250,6 +252,10 @@ class SheetWindow(QtWidgets.QMainWindow):
         else:
             text = translate("GaussianCAD", "Ready")
         self.statusBar().showMessage(text)
+
+    def _show_stage(self, name: str) -> None:
+        if self.busy:
+            self.statusBar().showMessage(f"{stage_name(name)}\u2026")
 
     def _ask_role(self, box: tuple) -> None:
         menu = QtWidgets.QMenu(self)
