@@ -24,6 +24,8 @@ from freecad.gaussiancad.engine.wording import stage_name
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
+_TRANSLATIONS = Path(__file__).resolve().parents[3] / "resources" / "translations"
+
 
 class SheetWindow(QtWidgets.QMainWindow):
     """The window.
@@ -405,6 +407,9 @@ class SheetWindow(QtWidgets.QMainWindow):
 def show(path: Path, page: int = 1) -> int:
     """Open the window for a sheet, and wait until it is closed."""
     application = QtWidgets.QApplication.instance() or QtWidgets.QApplication(sys.argv[:1])
+    translator = QtCore.QTranslator(application)
+    if translator.load(QtCore.QLocale(), "GaussianCAD", "_", str(_TRANSLATIONS)):
+        application.installTranslator(translator)
     opened: list[SheetWindow] = []
 
     def turn_to(page: int) -> None:
