@@ -11,12 +11,14 @@ from gaussiancad_core.sheet.files.opening import head_of
 from gaussiancad_core.sheet.options import ReadingOptions
 
 _CORRECTIONS = ".corrections.json"
-"""Ends the name of the file beside a sheet, after the sheet's whole name."""
+"""Ends the name of the file beside a sheet, after the sheet's whole name, and the page where that
+is not the first: ``set.pdf.page-2.corrections.json``."""
 
 
-def corrections_beside(sheet: Path) -> Path | None:
+def corrections_beside(sheet: Path, page: int = 1) -> Path | None:
     """The corrections beside a sheet, if there are some."""
-    path = sheet.with_name(sheet.name + _CORRECTIONS)
+    name = sheet.name if page == 1 else f"{sheet.name}.page-{page}"
+    path = sheet.with_name(name + _CORRECTIONS)
     return path if path.is_file() else None
 
 

@@ -28,6 +28,7 @@ from gaussiancad_core.readings.operations import Corrections
 from gaussiancad_core.readings.schema import Box, Point, SheetReading
 from gaussiancad_core.report import Report
 from gaussiancad_core.run_notes import RunNotes
+from gaussiancad_core.sheet.read import SheetImage, read_sheet
 from gaussiancad_core.verification.preview import png_bytes
 
 
@@ -36,7 +37,7 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
 
     Attributes:
         id: that the answer carries.
-        do: ``render``, ``read``, ``reread``, ``trace`` or ``solve``.
+        do: ``render``, ``thumbnail``, ``read``, ``reread``, ``trace`` or ``solve``.
         sheet, page: of which is spoken.
         output: folder of the files that the answer names.
         most: px that a picture is long at most; None for all.
@@ -85,9 +86,9 @@ class Desk:
             listener: told how far it is.
 
         Returns:
-            JSON values: ``picture`` and ``size`` (px of the sheet as stored), ``reading``,
-            ``refused`` (how many reasons there are why no part follows), ``shape`` (of a stroke, or
-            null), ``report`` and ``status``, as the request has them.
+            JSON values: ``picture``, ``size`` (px of the sheet as stored) and ``pages``,
+            ``reading``, ``refused`` (how many reasons there are why no part follows), ``shape``
+            (of a stroke, or null), ``report`` and ``status``, as the request has them.
 
         Raises:
             GaussianCadError: ``unknown-request``, and as of the commands.
@@ -105,15 +106,21 @@ class Desk:
 
     def _render(self, request: Request) -> dict[str, Any]:
         """The sheet's picture, as soon as it is there."""
-        kept = self._opened(request)
-        grey, _ = kept.sheet.picture
+        sheet = self._opened(request).sheet
+        found = self._pictured(request, sheet.image, SHEET_FILE)
+        return {**found, "size": sheet.size}
+
+    def _thumbnail(self, request: Request) -> dict[str, Any]:
+        """The picture of any page; the sheet that is open stays so."""
+        image = read_sheet(Path(request.sheet), request.page)
+        return self._pictured(request, image, f"page-{request.page}.png")
+
+    def _pictured(self, request: Request, image: SheetImage, name: str) -> dict[str, Any]:
+        grey = image.grey
         factor = 1.0 if request.most is None else min(1.0, request.most / max(grey.shape))
         if factor < 1.0:
             grey = cv2.resize(grey, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA)
-        return {
-            "picture": self._write(request, SHEET_FILE, png_bytes(grey)),
-            "size": kept.sheet.size,
-        }
+        return {"picture": self._write(request, name, png_bytes(grey)), "pages": image.pages}
 
     def _do_read(self, request: Request) -> dict[str, Any]:
         """Everything that is on the sheet, with no one's corrections."""
@@ -189,6 +196,7 @@ class Desk:
 
 _REQUESTS: Mapping[str, Callable[[Desk, Request], dict[str, Any]]] = {
     "render": Desk._render,
+    "thumbnail": Desk._thumbnail,
     "read": Desk._do_read,
     "reread": Desk._reread,
     "trace": Desk._trace,

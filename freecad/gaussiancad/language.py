@@ -8,8 +8,12 @@ try:
 except ImportError:
 
     def translate(context: str, text: str) -> str:
-        """Return the English text."""
-        return text
+        """The text in the language of a translator that is installed, English without one."""
+        try:
+            from PySide6.QtCore import QCoreApplication
+        except ImportError:
+            return text
+        return QCoreApplication.translate(context, text)
 
     def QT_TRANSLATE_NOOP(context: str, text: str) -> str:  # the name that lupdate looks for
         """Mark the text for translation, and return it."""

@@ -54,7 +54,7 @@ def collect_sheets(named: Iterable[str], job: Job, job_of: JobOf) -> list[BatchS
     found: dict[str, BatchSheet] = {}
     for name in named:
         for sheet in _sheets(name, job, job_of):
-            own = replace(sheet.job, corrections=corrections_beside(sheet.path))
+            own = replace(sheet.job, corrections=corrections_beside(sheet.path, sheet.job.page))
             found.setdefault(os.path.abspath(sheet.path), replace(sheet, job=own))
     if not found:
         raise UsageError("no-sheets", "no drawing was found: name files, folders, or a table")

@@ -33,7 +33,7 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
         UsageError: ``window-missing``, Qt or the workbench is not there.
     """
     head_of(options.sheet)
-    beside = corrections_beside(options.sheet)
+    beside = corrections_beside(options.sheet, options.page)
     if beside is not None:
         open_typed(beside, Corrections, "corrections-not-read")
     root = Path(__file__).resolve().parents[3]

@@ -37,7 +37,7 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
         reading=reading_of(options),
         page=options.page,
         given=options.reading,
-        corrections=options.corrections or corrections_beside(options.sheet),
+        corrections=options.corrections or corrections_beside(options.sheet, options.page),
     )
     job.check()
 

@@ -181,7 +181,7 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     job = replace(
         job_of(options, options.sheet, options.output),
         given=options.reading,
-        corrections=options.corrections or corrections_beside(options.sheet),
+        corrections=options.corrections or corrections_beside(options.sheet, options.page),
     )
     job.check()
 

@@ -36,6 +36,7 @@ class SheetImage:
         notes: what was left out or assumed.
         reduction: px of the sheet as stored per px of ``grey``.
         tint: (h, w) uint8, hue + 1 of coloured ink, 0 elsewhere; None where there is none.
+        pages: of the file.
     """
 
     path: Path
@@ -46,6 +47,7 @@ class SheetImage:
     notes: tuple[Note, ...] = ()
     reduction: float = 1.0
     tint: npt.NDArray[np.uint8] | None = None
+    pages: int = 1
 
 
 def read_sheet(path: Path, page: int = 1) -> SheetImage:
@@ -72,7 +74,14 @@ def read_sheet(path: Path, page: int = 1) -> SheetImage:
         # The paper's colour is no pen's.
         grey, tint = 255 - grey, None
     image = SheetImage(
-        path, grey, sha256, content.pixels_per_inch, content.vectors, content.notes, tint=tint
+        path,
+        grey,
+        sha256,
+        content.pixels_per_inch,
+        content.vectors,
+        content.notes,
+        tint=tint,
+        pages=content.pages,
     )
     return _reduced(image) if content.vectors is None else image
 

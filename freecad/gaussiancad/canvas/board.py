@@ -136,7 +136,7 @@ class Board(QtWidgets.QGraphicsView):
     def zoom_to(self, box: Box) -> None:
         """Show a box of the sheet and a little around it."""
         x0, y0, x1, y1 = box
-        margin = 0.5 * max(x1 - x0, y1 - y0, 40.0)
+        margin = max(0.1 * max(x1 - x0, y1 - y0), 40.0)
         rect = QtCore.QRectF(x0, y0, x1 - x0, y1 - y0)
         rect = rect.adjusted(-margin, -margin, margin, margin)
         self.fitInView(rect, QtCore.Qt.AspectRatioMode.KeepAspectRatio)

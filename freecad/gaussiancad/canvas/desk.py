@@ -1,7 +1,7 @@
 """One sheet at work: what was read, what a person says, and the part that follows.
 
 Two engines stay: one keeps the sheet's ink and reads, one solves and is ended where what it solves
-is out of date.
+is out of date.  Where the file has several pages, a third makes their pictures.
 """
 
 from __future__ import annotations
@@ -16,10 +16,17 @@ from freecad.gaussiancad.canvas.correcting import corrected
 from freecad.gaussiancad.canvas.keeping import Keeper, read_again, write_corrections
 from freecad.gaussiancad.canvas.serving import Answer, Program, Server
 from freecad.gaussiancad.canvas.sheet import Point, Sheet, sheet_of
+from freecad.gaussiancad.engine.wording import worded
 from freecad.gaussiancad.qt import QtCore
 
 _REST_MS = 400
 """Milliseconds without a correction after which the part is made again."""
+
+
+def _worded(answer: Answer) -> str:
+    """Why an answer is none."""
+    error = answer.get("error", {})
+    return worded(error.get("code", ""), error.get("message", ""), error.get("args"))
 
 
 class Desk(QtCore.QObject):
@@ -33,20 +40,22 @@ class Desk(QtCore.QObject):
         parent: its owner.
 
     Signals:
-        pictured: path of the sheet's picture, and its size in px as stored.
+        pictured: path of the sheet's picture, its size in px as stored, and pages of the file.
         read: the sheet was read, for the first time or again.
         changed: what is to be shown has changed.
         solved: report and folder of a run; the folder is empty where no part follows.
         told: a line for the person.
         working: whether an engine is at work has changed.
+        stage: name of what an engine does now.
     """
 
-    pictured = QtCore.Signal(str, object)
+    pictured = QtCore.Signal(str, object, int)
     read = QtCore.Signal()
     changed = QtCore.Signal()
     solved = QtCore.Signal(object, str)
     told = QtCore.Signal(str)
     working = QtCore.Signal()
+    stage = QtCore.Signal(str)
 
     def __init__(
         self, path: Path, page: int, program: Program, keeper: Keeper, parent: QtCore.QObject
@@ -58,8 +67,10 @@ class Desk(QtCore.QObject):
             prefix="gaussiancad-", ignore_cleanup_errors=True
         )
         self._reader, self._solver = Server(program, self), Server(program, self)
+        self._clerk = Server(program, self)
         for own in (self._reader, self._solver):
             own.changed.connect(self.working)
+            own.stage.connect(self.stage)
         self._read: Sheet | None = None
         self._reading = Path()
         self._within: list[dict] = []
@@ -164,11 +175,17 @@ class Desk(QtCore.QObject):
         folder = Path(self._folder.name)
         self._reader.ask("trace", answered, at=list(at), box=box, **self._asked(folder))
 
+    def thumbnail(self, page: int, most: int, done: Callable[[str], None]) -> None:
+        """Ask for the picture of any page, so many px long; the answer is its path, or nothing."""
+        asked = {**self._asked(Path(self._folder.name) / "pages"), "page": page, "most": most}
+        self._clerk.ask("thumbnail", lambda answer: done(answer.get("picture", "")), **asked)
+
     def close(self) -> None:
         """End both engines and remove what they wrote."""
         self._rest.stop()
         self._reader.stop()
         self._solver.stop()
+        self._clerk.stop()
         self._folder.cleanup()
 
     def _asked(self, folder: Path) -> dict[str, object]:
@@ -195,11 +212,11 @@ class Desk(QtCore.QObject):
 
     def _was_rendered(self, answer: Answer) -> None:
         if "picture" in answer:
-            self.pictured.emit(answer["picture"], tuple(answer["size"]))
+            self.pictured.emit(answer["picture"], tuple(answer["size"]), answer["pages"])
 
     def _was_read(self, answer: Answer, within: list[dict]) -> None:
         if "reading" not in answer:
-            self.told.emit(answer["error"]["message"])
+            self.told.emit(_worded(answer))
             return
         first = self._read is None
         self._reading = Path(answer["reading"])
@@ -218,6 +235,6 @@ class Desk(QtCore.QObject):
         try:
             report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
         except (OSError, ValueError):
-            self.told.emit(answer.get("error", {}).get("message", ""))
+            self.told.emit(_worded(answer))
             return
         self.solved.emit(report, "" if "error" in answer else str(folder))

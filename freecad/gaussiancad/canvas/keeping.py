@@ -36,6 +36,7 @@ class Beside:
 
     Args:
         sheet: path of it.
+        page: of a file with pages.
 
     Raises:
         ValueError: the file is damaged.
@@ -43,9 +44,9 @@ class Beside:
 
     own_steps = True
 
-    def __init__(self, sheet: Path) -> None:
-        self._sheet = sheet
-        self._sha256, found = read_corrections(sheet)
+    def __init__(self, sheet: Path, page: int = 1) -> None:
+        self._path = corrections_path(sheet, page)
+        self._sha256, found = read_corrections(self._path)
         self._steps: list[list[dict]] = [[own] for own in found]
         self._undone: list[list[dict]] = []
 
@@ -86,8 +87,8 @@ class Beside:
             self._write()
 
     def _write(self) -> None:
-        path = corrections_path(self._sheet)
-        if path.is_file() and read_corrections(self._sheet)[0] != self._sha256:
+        path = self._path
+        if path.is_file() and read_corrections(path)[0] != self._sha256:
             os.replace(path, path.with_name(path.name + ".old"))
         write_corrections(path, self._sha256, self.operations)
 
@@ -99,19 +100,19 @@ def read_again(operations: list[dict]) -> list[dict]:
     return operations[: boxed[-1]] if boxed else []
 
 
-def corrections_path(sheet: Path) -> Path:
+def corrections_path(sheet: Path, page: int = 1) -> Path:
     """Where the corrections of a sheet are, beside it."""
-    return sheet.with_name(sheet.name + ".corrections.json")
+    name = sheet.name if page == 1 else f"{sheet.name}.page-{page}"
+    return sheet.with_name(name + ".corrections.json")
 
 
-def read_corrections(sheet: Path) -> tuple[str, list[dict]]:
-    """SHA-256 of the sheet that the corrections beside a sheet are of, and the operations; nothing
-    where there is no file.
+def read_corrections(path: Path) -> tuple[str, list[dict]]:
+    """SHA-256 of the sheet that a file of corrections is of, and the operations; nothing where
+    there is no file.
 
     Raises:
         ValueError: the file is no corrections.
     """
-    path = corrections_path(sheet)
     if not path.is_file():
         return "", []
     try:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from math import atan2, cos, hypot, pi, sin
 
 from freecad.gaussiancad.canvas.kinds import DRAWN, ROLES
+from freecad.gaussiancad.engine.wording import worded
 
 Point = tuple[float, float]
 Box = tuple[float, float, float, float]
@@ -135,15 +136,14 @@ class Note:
 
 @dataclass(frozen=True)
 class Row:
-    """A problem: how grave, what it is, its code, its place if it has one, and which corrections
-    may help, by their ``op``."""
+    """A problem: how grave, what it is, in the user's words, its code, its place if it has one, and
+    which corrections may help, by their ``op``."""
 
     severity: str
     message: str
     code: str
     box: Box | None = None
     offers: tuple[str, ...] = ()
-    arguments: tuple[tuple[str, object], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -216,11 +216,10 @@ def sheet_of(reading: dict) -> Sheet:
         tuple(
             Row(
                 own["severity"],
-                own["message"],
+                worded(own["code"], own["message"], own.get("args")),
                 own["code"],
                 next(map(tuple, own.get("at", ())), None),
                 tuple(own.get("offers", ())),
-                tuple(own.get("args", {}).items()),
             )
             for own in reading.get("problems", ())
         ),

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from freecad.gaussiancad.canvas.rows import Line
 from freecad.gaussiancad.canvas.scene import Mark
 from freecad.gaussiancad.canvas.sheet import Box
+from freecad.gaussiancad.engine.wording import alternative, worded
 from freecad.gaussiancad.language import translate
 
 SIGNS = {
@@ -45,7 +46,12 @@ def verdict_lines(report: dict, tell_hole: TellHole, offers: dict[str, Buttons])
     text = f"{SIGNS[status]} {_shape(status)}"
     measures = _measures(report)
     lines = [Line(f"{text}\n{measures}" if measures else text, colour=_COLOURS[status])]
-    lines += [_remark("doubt", own, offers) for own in report.get("reasons", ())]
+    assumed = {own["message"] for own in report.get("assumptions", ())}
+    lines += [
+        _remark("doubt", own, offers)
+        for own in report.get("reasons", ())
+        if own["message"] not in assumed
+    ]
     lines += [_assumed(own, tell_hole) for own in report.get("assumptions", ())]
     lines += [Line(text, box) for box, text in _disagreements(report)]
     lines += [_remark("warning", own, offers) for own in report.get("warnings", ())]
@@ -53,7 +59,8 @@ def verdict_lines(report: dict, tell_hole: TellHole, offers: dict[str, Buttons])
 
 
 def _remark(severity: str, own: dict, offers: dict[str, Buttons]) -> Line:
-    return Line(f"{SIGNS[severity]} {own['message']}", buttons=offers.get(own["code"], ()))
+    text = worded(own["code"], own["message"], own.get("args"))
+    return Line(f"{SIGNS[severity]} {text}", buttons=offers.get(own["code"], ()))
 
 
 def marks_of(report: dict) -> list[Mark]:
@@ -76,7 +83,11 @@ def _disagreements(report: dict) -> Iterator[Mark]:
 
 
 def _assumed(own: dict, tell_hole: TellHole) -> Line:
-    text = translate("GaussianCAD", "Assumed: {0}").format(own["message"])
+    told = worded(own["code"], own["message"], own.get("args"))
+    text = translate("GaussianCAD", "Assumed: {0}").format(told)
+    if own.get("alternative"):
+        other = alternative(own["code"], own["alternative"])
+        text += "\n" + translate("GaussianCAD", "Otherwise: {0}").format(other)
     box: Box | None = tuple(own["at"]) if own.get("at") else None
     if own["code"] != "hole-through" or box is None:
         return Line(text, box)

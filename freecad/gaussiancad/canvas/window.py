@@ -14,13 +14,17 @@ from freecad.gaussiancad.canvas.board import DRAWING, TOOLS, Board
 from freecad.gaussiancad.canvas.desk import Desk
 from freecad.gaussiancad.canvas.keeping import Beside, Keeper
 from freecad.gaussiancad.canvas.kinds import KEYS, ROLES, name_of
+from freecad.gaussiancad.canvas.pages import Pages
 from freecad.gaussiancad.canvas.rows import Line, Rows
 from freecad.gaussiancad.canvas.scene import LAYERS
 from freecad.gaussiancad.canvas.serving import Program
 from freecad.gaussiancad.canvas.sheet import Box, Number, Point, Row, Sheet
 from freecad.gaussiancad.canvas.verdict import SIGNS, marks_of, verdict_lines
+from freecad.gaussiancad.engine.wording import stage_name
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
+
+_TRANSLATIONS = Path(__file__).resolve().parents[3] / "resources" / "translations"
 
 
 class SheetWindow(QtWidgets.QMainWindow):
@@ -35,7 +39,12 @@ class SheetWindow(QtWidgets.QMainWindow):
 
     Raises:
         ValueError: the corrections beside the sheet are damaged.
+
+    Signals:
+        page_asked: another page of the file.
     """
+
+    page_asked = QtCore.Signal(int)
 
     def __init__(
         self,
@@ -47,20 +56,27 @@ class SheetWindow(QtWidgets.QMainWindow):
         parent: QtWidgets.QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self.keeper = keeper or Beside(path)
+        self.keeper = keeper or Beside(path, page)
         self.desk = Desk(path, page, program or Program(), self.keeper, self)
         self.board = Board(self)
         self.problems = Rows(self)
         self._report: dict | None = None
         self._pictured = False
         self._listen()
+        self.pages = Pages(self.desk.thumbnail, lambda: not self.busy, self)
+        self.pages.chosen.connect(self.page_asked)
         split = QtWidgets.QSplitter(QtCore.Qt.Orientation.Vertical)
         split.addWidget(self.board)
         split.addWidget(self.problems)
         split.setStretchFactor(0, 1)
         split.setStretchFactor(1, 0)
         split.setSizes([600, 220])
-        self.setCentralWidget(split)
+        middle = QtWidgets.QWidget()
+        layout = QtWidgets.QHBoxLayout(middle)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.pages)
+        layout.addWidget(split)
+        self.setCentralWidget(middle)
         self._add_tools()
         self.setWindowTitle(f"{path.name} \u2013 GaussianCAD")
         self.resize(1280, 900)
@@ -150,14 +166,21 @@ class SheetWindow(QtWidgets.QMainWindow):
         desk.solved.connect(self._was_solved)
         desk.told.connect(self.tell)
         desk.working.connect(self._show_work)
+        desk.stage.connect(self._show_stage)
 
-    def _show_picture(self, path: str, size: object) -> None:
+    def _show_picture(self, path: str, size: object, pages: int) -> None:
         self.board.show_picture(path, size)
+        self.pages.show_pages(pages, self.desk.page)
         if not self._pictured:
             self._pictured = True
             self.board.fit()
 
     def _was_read(self) -> None:
+        """The first time: show the views, and tell of corrections that are not the sheet's."""
+        boxes = [own.box for own in self.sheet.views if own.shown]
+        if boxes:
+            x0, y0, x1, y1 = zip(*boxes, strict=True)
+            self.board.zoom_to((min(x0), min(y0), max(x1), max(y1)))
         belongs = getattr(self.keeper, "belongs_to", None)
         if belongs is not None and not belongs(self.desk.sheet.sha256):
             kept = translate(
@@ -231,6 +254,10 @@ class SheetWindow(QtWidgets.QMainWindow):
         else:
             text = translate("GaussianCAD", "Ready")
         self.statusBar().showMessage(text)
+
+    def _show_stage(self, name: str) -> None:
+        if self.busy:
+            self.statusBar().showMessage(f"{stage_name(name)}\u2026")
 
     def _ask_role(self, box: tuple) -> None:
         menu = QtWidgets.QMenu(self)
@@ -380,7 +407,19 @@ class SheetWindow(QtWidgets.QMainWindow):
 def show(path: Path, page: int = 1) -> int:
     """Open the window for a sheet, and wait until it is closed."""
     application = QtWidgets.QApplication.instance() or QtWidgets.QApplication(sys.argv[:1])
-    window = SheetWindow(path, page)
-    window.show()
-    window.start()
+    translator = QtCore.QTranslator(application)
+    if translator.load(QtCore.QLocale(), "GaussianCAD", "_", str(_TRANSLATIONS)):
+        application.installTranslator(translator)
+    opened: list[SheetWindow] = []
+
+    def turn_to(page: int) -> None:
+        window = SheetWindow(path, page)
+        window.page_asked.connect(turn_to)
+        window.show()
+        window.start()
+        opened.append(window)
+        if len(opened) > 1:
+            opened.pop(0).close()
+
+    turn_to(page)
     return application.exec()

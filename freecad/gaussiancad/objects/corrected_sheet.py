@@ -53,7 +53,7 @@ def open_in(document: FreeCAD.Document, sheet: Path, page: int) -> FreeCAD.Docum
     known = _group_of(document, sheet, page)
     if known is not None and hasattr(known, CORRECTIONS):
         return known
-    _, found = read_corrections(sheet)
+    _, found = read_corrections(beside(sheet, page))
     with transaction(document, translate("GaussianCAD", "Open Drawing")):
         if known is None:
             job = ReconstructJob(str(sheet), "", page=page, outcome=Outcome.SOLID)
@@ -128,13 +128,14 @@ class InDocument:
     Args:
         group: of the drawing.
         sheet: its path.
+        page: of a file with pages.
     """
 
     own_steps = False
 
-    def __init__(self, group: FreeCAD.DocumentObject, sheet: Path) -> None:
+    def __init__(self, group: FreeCAD.DocumentObject, sheet: Path, page: int) -> None:
         self.document, self.group = group.Document.Name, group.Name
-        self._sheet = sheet
+        self._beside = beside(sheet, page)
         self._sha256 = ""
 
     def find(self) -> FreeCAD.DocumentObject | None:
@@ -154,7 +155,7 @@ class InDocument:
         group, self._sha256 = self.find(), sha256
         if group is None or not self.operations:
             return True
-        told, _ = read_corrections(self._sheet)
+        told, _ = read_corrections(self._beside)
         return not told or told == sha256
 
     def say(self, operations: list[dict]) -> None:
@@ -181,7 +182,7 @@ class InDocument:
     def copy(self) -> None:
         """Write the corrections beside the drawing, where that can be written."""
         try:
-            write_corrections(beside(self._sheet), self._sha256, self.operations)
+            write_corrections(self._beside, self._sha256, self.operations)
         except OSError as error:
             FreeCAD.Console.PrintLog(f"GaussianCAD: no corrections beside the drawing: {error}\n")
 

@@ -79,7 +79,7 @@ def open_sheet(path: Path, page: int = 1) -> "CanvasDock | None":
         if own.keeper.find() is group:
             own.raise_()
             return own
-    dock = CanvasDock(path, page, program, InDocument(group, path), main)
+    dock = CanvasDock(path, page, program, InDocument(group, path, page), main)
     main.addDockWidget(QtCore.Qt.DockWidgetArea.RightDockWidgetArea, dock)
     for own in others:
         main.tabifyDockWidget(own, dock)
@@ -125,6 +125,7 @@ class CanvasDock(QtWidgets.QDockWidget):
         self.canvas.add_action(translate("GaussianCAD", "Mesh and Gaussians"), self.make_all)
         self._shown_mm = 0.0
         desk = self.canvas.desk
+        self.canvas.page_asked.connect(lambda number: open_sheet(path, number))
         desk.changed.connect(self._keep_reading)
         desk.solved.connect(self._take)
         self.canvas.board.installEventFilter(self)

@@ -93,6 +93,12 @@ class JobList(QtWidgets.QDockWidget):
         self._tree = QtWidgets.QTreeWidget()
         self._tree.setColumnCount(3)
         self._tree.setRootIsDecorated(False)
+        self._tree.header().setStretchLastSection(False)
+        modes = QtWidgets.QHeaderView.ResizeMode
+        for column, mode in enumerate(
+            (modes.ResizeToContents, modes.Stretch, modes.ResizeToContents)
+        ):
+            self._tree.header().setSectionResizeMode(column, mode)
         self._tree.setHeaderLabels(
             [translate("GaussianCAD", "Job"), translate("GaussianCAD", "State"), ""]
         )
@@ -101,7 +107,7 @@ class JobList(QtWidgets.QDockWidget):
         widget = QtWidgets.QWidget()
         layout = QtWidgets.QVBoxLayout(widget)
         layout.addWidget(self._tree)
-        layout.addWidget(clear)
+        layout.addWidget(clear, 0, QtCore.Qt.AlignmentFlag.AlignLeft)
         self.setWidget(widget)
 
     @property

@@ -80,7 +80,7 @@ def window(application: QtWidgets.QApplication, tmp_path: Path):  # noqa: ANN201
     own.resize(900, 900)
     own.show()
     own.desk.live = False
-    own.desk.pictured.emit(str(sheet), (640, 480))
+    own.desk.pictured.emit(str(sheet), (640, 480), 1)
     own.desk._was_read({"reading": str(_written(tmp_path, _reading()))}, [])
     application.processEvents()
     own.board.fit()
@@ -227,14 +227,15 @@ def test_corrections_lie_beside_the_sheet_whole_or_not_at_all(tmp_path: Path) ->
     sheet = tmp_path / "part.pdf"
     own = [{"op": "unit", "value": "in"}]
     write_corrections(corrections_path(sheet), "1" * 64, own)
-    assert read_corrections(sheet) == ("1" * 64, own)
+    assert read_corrections(corrections_path(sheet)) == ("1" * 64, own)
     assert [each.name for each in tmp_path.iterdir()] == ["part.pdf.corrections.json"]
+    assert corrections_path(sheet, 3).name == "part.pdf.page-3.corrections.json"
     corrections_path(sheet).write_text("[]", encoding="utf-8")
     with pytest.raises(ValueError, match="no file of corrections"):
-        read_corrections(sheet)
+        read_corrections(corrections_path(sheet))
     corrections_path(sheet).write_text(json.dumps({"schema": "other"}), encoding="utf-8")
     with pytest.raises(ValueError, match="no file of corrections"):
-        read_corrections(sheet)
+        read_corrections(corrections_path(sheet))
 
 
 def test_a_step_of_several_operations_is_undone_at_once(tmp_path: Path) -> None:
@@ -258,9 +259,9 @@ def test_corrections_of_another_version_of_the_sheet_are_kept_aside(tmp_path: Pa
     assert own.operations == before
     assert not own.belongs_to("2" * 64)
     assert own.operations == []
-    assert read_corrections(sheet) == ("1" * 64, before)
+    assert read_corrections(corrections_path(sheet)) == ("1" * 64, before)
     own.say([{"op": "projection", "value": "first"}])
-    assert read_corrections(sheet)[0] == "2" * 64
+    assert read_corrections(corrections_path(sheet))[0] == "2" * 64
     aside = tmp_path / "sheet.png.corrections.json.old"
     assert json.loads(aside.read_text(encoding="utf-8"))["ops"] == before
 
@@ -304,7 +305,7 @@ def test_damaged_corrections_are_told(tmp_path: Path, content: str) -> None:
     sheet = tmp_path / "sheet.png"
     corrections_path(sheet).write_text(content, encoding="utf-8")
     with pytest.raises(ValueError, match="no file of corrections"):
-        read_corrections(sheet)
+        read_corrections(corrections_path(sheet))
 
 
 def test_an_engine_that_does_not_start_is_told(
@@ -441,3 +442,24 @@ def test_layers_and_bare_ink(window: SheetWindow) -> None:
     release = QtGui.QKeyEvent(QtCore.QEvent.Type.KeyRelease, key, _NONE)
     QtWidgets.QApplication.sendEvent(window.board, release)
     assert all(own.isVisible() for own in strokes)
+
+
+def test_a_file_of_many_pages_is_listed_at_once(
+    application: QtWidgets.QApplication, window: SheetWindow
+) -> None:
+    assert not window.pages.isVisible()
+    asked, turned = [], []
+    window.pages._ask = lambda page, most, done: asked.append((page, most, done))
+    window.page_asked.connect(turned.append)
+    window.pages.show_pages(200, 1)
+    application.processEvents()
+    assert window.pages.isVisible() and window.pages.count() == 200
+    for _ in range(3):
+        window.pages._next()
+    assert [own[0] for own in asked] == [1]
+    asked[0][2]("")
+    window.pages._next()
+    assert [own[0] for own in asked] == [1, 2]
+    window.pages.itemClicked.emit(window.pages.item(0))
+    window.pages.itemClicked.emit(window.pages.item(6))
+    assert turned == [7]

@@ -62,6 +62,7 @@ def content_bytes(content: FileContent) -> bytes:
         "vectors": _plain(content.vectors),
         "notes": _plain(content.notes),
         "tinted": content.tint is not None,
+        "pages": content.pages,
     }
     planes = [content.grey] if content.tint is None else [content.grey, content.tint]
     return _line(head) + b"".join(np.ascontiguousarray(own).tobytes() for own in planes)
@@ -93,6 +94,7 @@ def outcome_of(answer: bytes) -> FileContent | GaussianCadError:
             _made(head["vectors"]),
             _made(head["notes"]),
             planes[1] if count > 1 else None,
+            int(head["pages"]),
         )
     except (TypeError, LookupError, AttributeError) as error:
         raise ValueError(f"no answer: {error}") from error

@@ -58,6 +58,7 @@ class FileContent:
         notes: what was left out or assumed.
         tint: (h, w) uint8, 0 where ink or paper has no colour, else 1 to 180 by its hue in steps of
             two degrees; None where nothing has.
+        pages: of the file.
     """
 
     grey: Grey
@@ -65,6 +66,7 @@ class FileContent:
     vectors: VectorDrawing | None = None
     notes: tuple[Note, ...] = ()
     tint: Grey | None = None
+    pages: int = 1
 
 
 def check_pixels(path: Path, width: float, height: float) -> None:

@@ -86,11 +86,13 @@ class _Page:
         found: its curves and texts.
         limits: (x0, y0, x1, y1) of its paper as the file says, or None.
         inches_per_unit: as the file says, or None.
+        pages: of the file.
     """
 
     found: Explosion
     limits: Box | None
     inches_per_unit: float | None
+    pages: int
 
 
 def read_dxf(path: Path, page: int) -> FileContent:
@@ -121,7 +123,8 @@ def read_dxf(path: Path, page: int) -> FileContent:
     vectors = _placed(content.found, sheet, sizing)
     dpi = sizing.pixels_per_inch
     notes = notes_on(path, dpi) if dpi else (no_paper_size(path),)
-    return FileContent(paint(vectors, *size), dpi, vectors, notes)
+    picture = paint(vectors, *size)
+    return FileContent(picture, dpi, vectors, notes, pages=content.pages)
 
 
 def _check_size(path: Path) -> None:
@@ -191,7 +194,8 @@ def _page(doc: Drawing, path: Path, page: int) -> _Page:
     layout = layouts[page - 1]
     exploder = Exploder(doc, path)
     if isinstance(layout, Modelspace):
-        return _Page(exploder.explode(layout), _model_limits(doc), _inches_per_unit(doc))
+        found, inches = exploder.explode(layout), _inches_per_unit(doc)
+        return _Page(found, _model_limits(doc), inches, len(layouts))
     found = exploder.explode(entity for entity in layout if not isinstance(entity, Viewport))
     for viewport in _views_of_model(layout):
         shown = exploder.explode(model, viewport.get_transformation_matrix())
@@ -202,7 +206,7 @@ def _page(doc: Drawing, path: Path, page: int) -> _Page:
         found.complete &= shown.complete
     inches = 1.0 if layout.dxf.get("plot_paper_units", 1) == 0 else 1.0 / _MM_PER_INCH
     low, high = layout.get_paper_limits()
-    return _Page(found, (low.x, low.y, high.x, high.y), inches)
+    return _Page(found, (low.x, low.y, high.x, high.y), inches, len(layouts))
 
 
 def _shows_anything(layout: Layout, model: Layout) -> bool:

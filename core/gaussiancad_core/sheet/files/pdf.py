@@ -138,7 +138,7 @@ def _read_page(document: pdfium.PdfDocument, path: Path, index: int) -> FileCont
     page.close()
     vectors = VectorDrawing(strokes, content.texts, content.complete)
     shown = vectors if strokes or content.texts else None
-    return FileContent(grey, dpi, shown, notes_on(path, dpi))
+    return FileContent(grey, dpi, shown, notes_on(path, dpi), pages=len(document))
 
 
 def _geometry(document: pdfium.PdfDocument, index: int) -> _Geometry:

@@ -60,7 +60,7 @@ def read_raster(path: Path, page: int) -> FileContent:
                 check_pixels(path, image.width, image.height)
                 resolution = _resolution(image)
                 grey, tint = _to_grey(image)
-                return FileContent(grey, resolution, tint=tint)
+                return FileContent(grey, resolution, tint=tint, pages=_pages_after(path, page))
     except UnidentifiedImageError as error:
         raise UnreadableError(
             "not-an-image",
@@ -93,6 +93,14 @@ def _select_page(path: Path, image: Image.Image, page: int) -> None:
             image.seek(page - 1)
     except EOFError:
         raise page_missing(path, _count_pages(path), page) from None
+
+
+def _pages_after(path: Path, page: int) -> int:
+    """Pages of a file of which one was read; what cannot be counted has no more than that."""
+    try:
+        return max(page, _count_pages(path))
+    except (OSError, ValueError, SyntaxError, EOFError, KeyError, TypeError):
+        return page
 
 
 def _count_pages(path: Path) -> int:
