@@ -1411,6 +1411,10 @@
         <translation>Diese Linien widersprechen einander</translation>
     </message>
     <message>
+        <source>Otherwise: {0}</source>
+        <translation>Sonst: {0}</translation>
+    </message>
+    <message>
         <source>Yes, Through</source>
         <translation>Ja, durchgehend</translation>
     </message>
@@ -2101,6 +2105,10 @@
     <message>
         <source>The drawing is no longer in the document</source>
         <translation>Die Zeichnung ist nicht mehr im Dokument</translation>
+    </message>
+    <message>
+        <source>Page {0}</source>
+        <translation>Seite {0}</translation>
     </message>
 </context>
 <context>

@@ -363,6 +363,10 @@
         <translation>假定：{0}</translation>
     </message>
     <message>
+        <source>Otherwise: {0}</source>
+        <translation>否则：{0}</translation>
+    </message>
+    <message>
         <source>Yes, Through</source>
         <translation>是，通孔</translation>
     </message>
@@ -2101,6 +2105,10 @@
     <message>
         <source>GaussianCAD</source>
         <translation>GaussianCAD</translation>
+    </message>
+    <message>
+        <source>Page {0}</source>
+        <translation>第 {0} 页</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,9 @@ from freecad.gaussiancad.qt import QtCore
 
 PLACEHOLDER = re.compile(r"{\w+}")
 
+LANGUAGES = ("de", "zh-CN")
+"""As FreeCAD names them in the files of its own texts."""
+
 
 def texts_in_code() -> set[tuple[str, str]]:
     """(context, text) of every call that marks or translates one."""
@@ -18,9 +21,10 @@ def texts_in_code() -> set[tuple[str, str]]:
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
                 continue
-            if node.func.id in ("translate", "QT_TRANSLATE_NOOP"):
-                context, text = (getattr(own, "value", None) for own in node.args)
-                found.add((context, text))
+            # A text that a variable holds was marked where it was written.
+            texts = [own.value for own in node.args if isinstance(own, ast.Constant)]
+            if node.func.id in ("translate", "QT_TRANSLATE_NOOP") and len(texts) == 2:
+                found.add((texts[0], texts[1]))
     return found
 
 
@@ -31,9 +35,9 @@ def texts_in_forms() -> set[tuple[str, str]]:
     return {(context, node.text) for node in root.iter("string")}
 
 
-def translations() -> dict[tuple[str, str], str]:
-    """The German texts by context and English text."""
-    root = ElementTree.parse(TRANSLATIONS / "GaussianCAD_de.ts").getroot()
+def translations(language: str) -> dict[tuple[str, str], str]:
+    """The texts in a language by context and English text."""
+    root = ElementTree.parse(TRANSLATIONS / f"GaussianCAD_{language}.ts").getroot()
     return {
         (context.find("name").text, message.find("source").text): message.find("translation").text
         for context in root.findall("context")
@@ -42,18 +46,27 @@ def translations() -> dict[tuple[str, str], str]:
     }
 
 
-class German(unittest.TestCase):
+class Languages(unittest.TestCase):
     def test_every_text_is_translated_and_none_is_left_over(self) -> None:
-        self.assertEqual(set(translations()), texts_in_code() | texts_in_forms())
+        for language in LANGUAGES:
+            with self.subTest(language):
+                self.assertEqual(set(translations(language)), texts_in_code() | texts_in_forms())
 
     def test_placeholders_are_the_same(self) -> None:
-        for (_, english), german in translations().items():
-            self.assertTrue(german)
-            expected = sorted(PLACEHOLDER.findall(english))
-            self.assertEqual(sorted(PLACEHOLDER.findall(german)), expected, english)
+        for language in LANGUAGES:
+            for (_, english), foreign in translations(language).items():
+                with self.subTest(language, text=english):
+                    self.assertTrue(foreign)
+                    expected = sorted(PLACEHOLDER.findall(english))
+                    self.assertEqual(sorted(PLACEHOLDER.findall(foreign)), expected)
 
     def test_the_compiled_texts_are_the_same(self) -> None:
-        translator = QtCore.QTranslator()
-        self.assertTrue(translator.load(str(TRANSLATIONS / "GaussianCAD_de.qm")))
-        for (context, english), german in translations().items():
-            self.assertEqual(translator.translate(context, english), german)
+        for language in LANGUAGES:
+            translator = QtCore.QTranslator()
+            self.assertTrue(translator.load(str(TRANSLATIONS / f"GaussianCAD_{language}.qm")))
+            for (context, english), foreign in translations(language).items():
+                self.assertEqual(translator.translate(context, english), foreign)
+
+    def test_there_are_no_others(self) -> None:
+        found = {path.stem.partition("_")[2] for path in TRANSLATIONS.glob("*.ts")}
+        self.assertEqual(found, set(LANGUAGES))

@@ -19,12 +19,11 @@ from freecad.gaussiancad.canvas.rows import Line, Rows
 from freecad.gaussiancad.canvas.scene import LAYERS
 from freecad.gaussiancad.canvas.serving import Program
 from freecad.gaussiancad.canvas.sheet import Box, Number, Point, Row, Sheet
+from freecad.gaussiancad.canvas.translator import load_language
 from freecad.gaussiancad.canvas.verdict import SIGNS, marks_of, verdict_lines
 from freecad.gaussiancad.engine.wording import stage_name
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
-
-_TRANSLATIONS = Path(__file__).resolve().parents[3] / "resources" / "translations"
 
 
 class SheetWindow(QtWidgets.QMainWindow):
@@ -408,7 +407,7 @@ def show(path: Path, page: int = 1) -> int:
     """Open the window for a sheet, and wait until it is closed."""
     application = QtWidgets.QApplication.instance() or QtWidgets.QApplication(sys.argv[:1])
     translator = QtCore.QTranslator(application)
-    if translator.load(QtCore.QLocale(), "GaussianCAD", "_", str(_TRANSLATIONS)):
+    if load_language(translator, QtCore.QLocale().uiLanguages()):
         application.installTranslator(translator)
     opened: list[SheetWindow] = []
 
