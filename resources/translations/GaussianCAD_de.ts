@@ -2110,6 +2110,166 @@
         <source>Page {0}</source>
         <translation>Seite {0}</translation>
     </message>
+    <message>
+        <source>The lines as they are drawn</source>
+        <translation>Die Linien, wie sie gezeichnet sind</translation>
+    </message>
+    <message>
+        <source>Without the chamfers around faces, which are put on last</source>
+        <translation>Ohne die umlaufenden Fasen, die zuletzt angebracht werden</translation>
+    </message>
+    <message>
+        <source>Short lines as visible or hidden, whichever fits</source>
+        <translation>Kurze Linien als sichtbar oder verdeckt, je nachdem was passt</translation>
+    </message>
+    <message>
+        <source>The open outline closed by a straight line</source>
+        <translation>Der offene Umriss mit einer geraden Linie geschlossen</translation>
+    </message>
+    <message>
+        <source>With bodies of revolution that only one view shows</source>
+        <translation>Mit Rotationskörpern, die nur eine Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>Rough arcs taken for curves in which surfaces meet</source>
+        <translation>Ungenaue Bögen als Kurven genommen, in denen sich Flächen treffen</translation>
+    </message>
+    <message>
+        <source>Lines taken together that lie farther apart</source>
+        <translation>Linien zusammengefasst, die weiter auseinanderliegen</translation>
+    </message>
+    <message>
+        <source>With lines that one view may lack and the others show</source>
+        <translation>Mit Linien, die einer Ansicht fehlen können und die andere zeigen</translation>
+    </message>
+    <message>
+        <source>Lines taken together only if they lie closer</source>
+        <translation>Linien nur zusammengefasst, wenn sie näher beieinanderliegen</translation>
+    </message>
+    <message>
+        <source>Lines led onto the curves in which two surfaces meet</source>
+        <translation>Linien auf die Kurven geführt, in denen sich zwei Flächen treffen</translation>
+    </message>
+    <message>
+        <source>With lines that may go on beyond their ends</source>
+        <translation>Mit Linien, die über ihre Enden hinausgehen können</translation>
+    </message>
+    <message>
+        <source>Places less than a pixel apart taken as one</source>
+        <translation>Stellen, die weniger als ein Pixel auseinanderliegen, als eine genommen</translation>
+    </message>
+    <message>
+        <source>With hidden lines that may have been left out</source>
+        <translation>Mit verdeckten Linien, die weggelassen sein können</translation>
+    </message>
+    <message>
+        <source>With measures that are most likely round</source>
+        <translation>Mit Maßen, die wahrscheinlich rund sind</translation>
+    </message>
+    <message>
+        <source>a solid with all lines</source>
+        <translation>ein Festkörper mit allen Linien</translation>
+    </message>
+    <message>
+        <source>a solid whose lines differ from the drawing&apos;s</source>
+        <translation>ein Festkörper, dessen Linien von denen der Zeichnung abweichen</translation>
+    </message>
+    <message>
+        <source>a solid that is not one valid closed body</source>
+        <translation>ein Festkörper, der nicht ein einziger gültiger, geschlossener Körper ist</translation>
+    </message>
+    <message>
+        <source>faces that do not close</source>
+        <translation>Flächen, die sich nicht schließen</translation>
+    </message>
+    <message>
+        <source>nothing that bounds a body</source>
+        <translation>nichts, was einen Körper begrenzt</translation>
+    </message>
+    <message>
+        <source>no solid, as the lines contradict each other</source>
+        <translation>kein Festkörper, da sich die Linien widersprechen</translation>
+    </message>
+    <message>
+        <source>no answer within the work that is allowed</source>
+        <translation>keine Antwort mit dem erlaubten Aufwand</translation>
+    </message>
+    <message>
+        <source>not tried, as there are too many lines</source>
+        <translation>nicht versucht, da es zu viele Linien sind</translation>
+    </message>
+    <message>
+        <source>Why there is no part:</source>
+        <translation>Warum es kein Teil gibt:</translation>
+    </message>
+    <message>
+        <source>Why the shape is not certain:</source>
+        <translation>Warum die Form nicht sicher ist:</translation>
+    </message>
+    <message>
+        <source>What was assumed:</source>
+        <translation>Was angenommen wurde:</translation>
+    </message>
+    <message>
+        <source>What was not used:</source>
+        <translation>Was nicht verwendet wurde:</translation>
+    </message>
+    <message>
+        <source>What was tried for the solid:</source>
+        <translation>Was für den Festkörper versucht wurde:</translation>
+    </message>
+    <message>
+        <source>Where the part&apos;s lines and the drawing&apos;s differ:</source>
+        <translation>Wo sich die Linien von Teil und Zeichnung unterscheiden:</translation>
+    </message>
+    <message>
+        <source>Lines that contradict each other:</source>
+        <translation>Linien, die sich widersprechen:</translation>
+    </message>
+    <message>
+        <source>{model}: {outcome}.</source>
+        <translation>{model}: {outcome}.</translation>
+    </message>
+    <message>
+        <source>Faces: {faces}, agreement of the lines: {share}.</source>
+        <translation>Flächen: {faces}, Übereinstimmung der Linien: {share}.</translation>
+    </message>
+    <message>
+        <source>Length of the lines that were given up: {length} mm.</source>
+        <translation>Länge der aufgegebenen Linien: {length} mm.</translation>
+    </message>
+    <message>
+        <source>This one was taken.</source>
+        <translation>Dieser wurde genommen.</translation>
+    </message>
+    <message>
+        <source>{view}: the part lacks a line of {length} mm</source>
+        <translation>{view}: Dem Teil fehlt eine Linie von {length} mm</translation>
+    </message>
+    <message>
+        <source>{view}: the part has a line of {length} mm too many</source>
+        <translation>{view}: Das Teil hat eine Linie von {length} mm zu viel</translation>
+    </message>
+    <message>
+        <source>{view}: a visible line</source>
+        <translation>{view}: eine sichtbare Linie</translation>
+    </message>
+    <message>
+        <source>{view}: a hidden line</source>
+        <translation>{view}: eine verdeckte Linie</translation>
+    </message>
+    <message>
+        <source>{view}: a place where nothing is drawn</source>
+        <translation>{view}: eine Stelle, an der nichts gezeichnet ist</translation>
+    </message>
+    <message>
+        <source>without it all others agree</source>
+        <translation>ohne sie stimmen alle anderen überein</translation>
+    </message>
+    <message>
+        <source>and {count} more</source>
+        <translation>und {count} weitere</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>

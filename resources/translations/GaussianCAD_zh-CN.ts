@@ -2110,6 +2110,166 @@
         <source>Page {0}</source>
         <translation>第 {0} 页</translation>
     </message>
+    <message>
+        <source>The lines as they are drawn</source>
+        <translation>按所画的线</translation>
+    </message>
+    <message>
+        <source>Without the chamfers around faces, which are put on last</source>
+        <translation>先不计环绕面的倒角，最后再加上</translation>
+    </message>
+    <message>
+        <source>Short lines as visible or hidden, whichever fits</source>
+        <translation>短线按可见线或隐藏线处理，以吻合者为准</translation>
+    </message>
+    <message>
+        <source>The open outline closed by a straight line</source>
+        <translation>用直线封闭有缺口的轮廓</translation>
+    </message>
+    <message>
+        <source>With bodies of revolution that only one view shows</source>
+        <translation>含有仅一个视图表达的回转体</translation>
+    </message>
+    <message>
+        <source>Rough arcs taken for curves in which surfaces meet</source>
+        <translation>将粗略的圆弧视为两面的交线</translation>
+    </message>
+    <message>
+        <source>Lines taken together that lie farther apart</source>
+        <translation>将相距较远的线合并</translation>
+    </message>
+    <message>
+        <source>With lines that one view may lack and the others show</source>
+        <translation>含有某一视图可能缺少而其他视图画出的线</translation>
+    </message>
+    <message>
+        <source>Lines taken together only if they lie closer</source>
+        <translation>仅将更接近的线合并</translation>
+    </message>
+    <message>
+        <source>Lines led onto the curves in which two surfaces meet</source>
+        <translation>将线引到两面的交线上</translation>
+    </message>
+    <message>
+        <source>With lines that may go on beyond their ends</source>
+        <translation>含有可能越过其端点的线</translation>
+    </message>
+    <message>
+        <source>Places less than a pixel apart taken as one</source>
+        <translation>将相距不到一个像素的位置视为同一位置</translation>
+    </message>
+    <message>
+        <source>With hidden lines that may have been left out</source>
+        <translation>含有可能被省略的隐藏线</translation>
+    </message>
+    <message>
+        <source>With measures that are most likely round</source>
+        <translation>采用最可能为整数的尺寸</translation>
+    </message>
+    <message>
+        <source>a solid with all lines</source>
+        <translation>具有全部线的实体</translation>
+    </message>
+    <message>
+        <source>a solid whose lines differ from the drawing&apos;s</source>
+        <translation>线与图纸不同的实体</translation>
+    </message>
+    <message>
+        <source>a solid that is not one valid closed body</source>
+        <translation>不是一个有效封闭体的实体</translation>
+    </message>
+    <message>
+        <source>faces that do not close</source>
+        <translation>不能封闭的面</translation>
+    </message>
+    <message>
+        <source>nothing that bounds a body</source>
+        <translation>没有围成实体的内容</translation>
+    </message>
+    <message>
+        <source>no solid, as the lines contradict each other</source>
+        <translation>没有实体，因为各线互相矛盾</translation>
+    </message>
+    <message>
+        <source>no answer within the work that is allowed</source>
+        <translation>在允许的计算量内没有结果</translation>
+    </message>
+    <message>
+        <source>not tried, as there are too many lines</source>
+        <translation>未尝试，因为线太多</translation>
+    </message>
+    <message>
+        <source>Why there is no part:</source>
+        <translation>得不出零件的原因：</translation>
+    </message>
+    <message>
+        <source>Why the shape is not certain:</source>
+        <translation>形状不确定的原因：</translation>
+    </message>
+    <message>
+        <source>What was assumed:</source>
+        <translation>所作的假定：</translation>
+    </message>
+    <message>
+        <source>What was not used:</source>
+        <translation>未使用的内容：</translation>
+    </message>
+    <message>
+        <source>What was tried for the solid:</source>
+        <translation>为求实体所作的尝试：</translation>
+    </message>
+    <message>
+        <source>Where the part&apos;s lines and the drawing&apos;s differ:</source>
+        <translation>零件的线与图纸的线不同之处：</translation>
+    </message>
+    <message>
+        <source>Lines that contradict each other:</source>
+        <translation>互相矛盾的线：</translation>
+    </message>
+    <message>
+        <source>{model}: {outcome}.</source>
+        <translation>{model}：{outcome}。</translation>
+    </message>
+    <message>
+        <source>Faces: {faces}, agreement of the lines: {share}.</source>
+        <translation>面数：{faces}，线的一致程度：{share}。</translation>
+    </message>
+    <message>
+        <source>Length of the lines that were given up: {length} mm.</source>
+        <translation>舍弃的线的长度：{length} mm。</translation>
+    </message>
+    <message>
+        <source>This one was taken.</source>
+        <translation>采用了这一结果。</translation>
+    </message>
+    <message>
+        <source>{view}: the part lacks a line of {length} mm</source>
+        <translation>{view}：零件缺少一条 {length} mm 的线</translation>
+    </message>
+    <message>
+        <source>{view}: the part has a line of {length} mm too many</source>
+        <translation>{view}：零件多出一条 {length} mm 的线</translation>
+    </message>
+    <message>
+        <source>{view}: a visible line</source>
+        <translation>{view}：一条可见线</translation>
+    </message>
+    <message>
+        <source>{view}: a hidden line</source>
+        <translation>{view}：一条隐藏线</translation>
+    </message>
+    <message>
+        <source>{view}: a place where nothing is drawn</source>
+        <translation>{view}：一处未画线的位置</translation>
+    </message>
+    <message>
+        <source>without it all others agree</source>
+        <translation>去掉它，其余的线都一致</translation>
+    </message>
+    <message>
+        <source>and {count} more</source>
+        <translation>以及另外 {count} 处</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>

@@ -143,7 +143,7 @@ class Panel(WindowCase):
         self.behave("slow")
         self.choose_sheet(self.sheet)
         button = self.start()
-        self.wait_for_stage("Stage 2 of 3: solid")
+        self.wait_for_stage("Stage 2 of 3: finding the solid")
         self.wait_for(lambda: widget(QtWidgets.QProgressBar, "fraction").value() == 1000)
         self.assertFalse(widget(QtWidgets.QLineEdit, "sheet").isEnabled())
         self.assertIn("Elapsed 0:0", widget(QtWidgets.QLabel, "elapsed").text())
@@ -235,9 +235,9 @@ class Panel(WindowCase):
         text.write_text("this is no picture")
         missing = self.folder / "gone.png"
         cases = (
-            ("ok", text, "text.png is no image"),
+            ("ok", text, "The file is no PNG, JPEG,"),
             ("ok", missing, str(missing)),
-            ("refuse", self.sheet, "only one view was found: draw at least two"),
+            ("refuse", self.sheet, "Only one view was found. A part follows from two"),
             ("liar", self.sheet, "report.json"),
             ("half", self.sheet, "surface.stl"),
             ("broken", self.sheet, "No module named gaussiancad_core"),

@@ -31,7 +31,10 @@ class Report(WindowCase):
         text = dialog.findChild(QtWidgets.QPlainTextEdit, "text").toPlainText()
         self.assertIn("another solid fits the sheet", text)
         why = dialog.findChild(QtWidgets.QPlainTextEdit, "why").toPlainText()
-        self.assertEqual(why.splitlines(), ["Shape not certain."])
+        self.assertEqual(
+            why.splitlines(),
+            ["Why the shape is not certain:", "• another solid fits the sheet"],
+        )
         self.assertTrue(dialog.findChild(QtWidgets.QLabel, "preview").has_picture)
         self.picture("report")
         dialog.reject()

@@ -90,8 +90,7 @@ def report(sheet: str, status: str, reasons: list[dict[str, str]]) -> dict[str, 
         "schema": 1,
         "status": status,
         "reasons": reasons,
-        "explanation": ["Shape verified." if status == "verified" else "Shape not certain."],
-        "warnings": [{"code": "scale-unknown", "message": "the longest edge was made 100 mm"}],
+        "warnings": [{"code": "scale-assumed", "message": "the longest edge was made 100 mm"}],
         "projection": "third",
         "projection_source": "inferred",
         "projection_alternatives": [],
@@ -231,7 +230,7 @@ def reconstruct(arguments: list[str]) -> int:
                 {"file": "alternatives/2.step", "agreement": 0.9902, "projection": "first"},
             ]
         (output / "report.json").write_text(json.dumps(values), encoding="utf-8")
-    send("warning", code="scale-unknown", message="the longest edge was made 100 mm")
+    send("warning", code="scale-assumed", message="the longest edge was made 100 mm")
     send("result", path=str(output / "report.json"))
     return 0
 

@@ -11,6 +11,7 @@ import FreeCAD
 from support import FolderCase, draw_sheet, run_fake
 
 from freecad.gaussiancad.engine.job import ReconstructJob, Scale, ScaleKind
+from freecad.gaussiancad.engine.sentences import SENTENCES
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.objects.loading import LoadedRun, PartSource, load_run
 from freecad.gaussiancad.objects.reconstruction import add_reconstruction, find_part
@@ -86,7 +87,7 @@ class Documents(FolderCase):
         group = add_reconstruction(self.document, run)
         self.assertEqual(group.Status, "approximate")
         self.assertEqual(group.Reasons, ["ambiguous: another solid fits the sheet"])
-        self.assertEqual(group.Warnings, ["scale-unknown: the longest edge was made 100 mm"])
+        self.assertEqual(group.Warnings, [f"scale-assumed: {SENTENCES['scale-assumed']}"])
         self.assertEqual(group.MillimetresPerPixel, 0.25)
         self.assertEqual(group.TotalSeconds, 3.75)
         self.assertEqual(group.Seconds["solid"], "1.25")

@@ -39,12 +39,6 @@ def measures_text(report: Report) -> str:
     return text.format(bound=f"{bound:.2g}", source=source)
 
 
-def explanation_lines(report: Report) -> list[str]:
-    """What was tried and why the shape is not certain, as the engine says it."""
-    lines = report.values.get("explanation")
-    return [str(line) for line in lines] if isinstance(lines, list) else []
-
-
 def _source_name(source: str) -> str:
     """Where a scale comes from, for people."""
     return {

@@ -5,13 +5,9 @@ import json
 import FreeCAD
 import FreeCADGui
 
+from freecad.gaussiancad.engine.explaining import explanation_lines
 from freecad.gaussiancad.engine.report import Status, parse_report
-from freecad.gaussiancad.engine.summary import (
-    explanation_lines,
-    report_lines,
-    status_text,
-    verdict_text,
-)
+from freecad.gaussiancad.engine.summary import report_lines, status_text, verdict_text
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.solutions import SolutionSet, has_choice
 from freecad.gaussiancad.panels.sheet_preview import SheetPreview
