@@ -119,6 +119,7 @@ class _Run:
         self.folder = folder
         self.progress = progress
         self.notes = RunNotes(Report("", job.settings()), progress)
+        self._turn: Turn | None = None
 
     def all_stages(self, kept: OpenedSheet | None) -> Report:
         """Read, reconstruct, check and write."""
@@ -135,6 +136,7 @@ class _Run:
                 return earlier
             sheet = kept or with_ink(self.job, image)
         clean = sheet.clean
+        self._turn = clean.turn
         lines = sheet_lines(self.job, sheet, self.notes)
         self._write_reading(lines, sheet)
         found = registered_lines(self.job, lines, clean.turn, self.notes)
@@ -165,7 +167,10 @@ class _Run:
 
     def write_failure(self, error: GaussianCadError) -> None:
         """Leave a report of how far the run came and why it ended there."""
-        self.notes.doubt(error.code, error.message)
+        message = error.message
+        if self._turn is not None:
+            message = message.moved(self._turn.box_to_stored)
+        self.notes.doubt(error.code, message)
         self.folder.clear()
         self._finish(Status.APPROXIMATE if self.notes.report.solid else Status.FAILED)
 

@@ -71,7 +71,7 @@ def read_sheet_lines(
         lines = sheet_lines(job, sheet, notes)
         registered_lines(job, lines, sheet.clean.turn, notes)
     except NoModelError as error:
-        refused.append(refusal(error.code, error.message))
+        refused.append(refusal(error.code, error.message.moved(sheet.clean.turn.box_to_stored)))
     if lines is None:
         lines = partial_lines(job, sheet.image, sheet.clean)
     return lines, _reading(lines, sheet, notes, refused)

@@ -217,6 +217,7 @@ def _with_companion(
             "one-view",
             "only one view was found, at {places} px, and neither diameters across an axis nor a "
             "thickness tell the part: a model needs two orthogonal views or more",
+            boxes=[view.box],
             places="({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*view.box),
         )
     notes.doubt("second-view-assumed", other.message)
@@ -407,6 +408,7 @@ def tell_layout(notes: RunNotes, layout: Layout, turn: Turn) -> None:
             "lines-left-out",
             Message(
                 "{count} group(s) of lines belong to no view and were left out: {places} px",
+                boxes=left_out,
                 count=len(left_out),
                 places=_places(left_out),
             ),
@@ -417,6 +419,7 @@ def tell_layout(notes: RunNotes, layout: Layout, turn: Turn) -> None:
             Message(
                 "{count} group(s) of lines at {places} px belong to no view, and are large enough "
                 "to be one: {why}",
+                boxes=view_like,
                 case="lines",
                 count=len(view_like),
                 places=_places(view_like),

@@ -583,6 +583,10 @@
         <translation>Die Korrekturen neben dem Blatt gehören zu einer anderen Fassung davon: Sie wurden weggelassen und bleiben als eigene Datei erhalten.</translation>
     </message>
     <message>
+        <source>Nothing meets this end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} correction(s) by hand</source>
         <translation>{0} Korrektur(en) von Hand</translation>
     </message>
@@ -605,6 +609,10 @@
     <message>
         <source>Other Projection</source>
         <translation>Andere Projektion</translation>
+    </message>
+    <message>
+        <source>Close Gaps</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Reading…</source>

@@ -399,6 +399,10 @@
         <translation>图纸旁的更正属于图纸的另一个版本：已略过，并将另存为单独的文件。</translation>
     </message>
     <message>
+        <source>Nothing meets this end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} correction(s) by hand</source>
         <translation>手工更正 {0} 处</translation>
     </message>
@@ -421,6 +425,10 @@
     <message>
         <source>Other Projection</source>
         <translation>另一种投影画法</translation>
+    </message>
+    <message>
+        <source>Close Gaps</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Reading…</source>

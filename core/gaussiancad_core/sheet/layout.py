@@ -343,12 +343,14 @@ def _no_views(clusters: list[Box]) -> NoModelError:
         return NoModelError(
             "one-view",
             "only one view was found, at {places} px: a model needs two orthogonal views or more",
+            boxes=clusters,
             places=places,
         )
     return NoModelError(
         "views-not-aligned",
         "{count} groups of lines were found ({places} px), but none is aligned with two others as "
         "views are: name the views with --view ROLE=X0,Y0,X1,Y1",
+        boxes=clusters,
         count=len(clusters),
         places=places,
     )

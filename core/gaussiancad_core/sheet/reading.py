@@ -185,6 +185,7 @@ def _check_outline(view: ReadView) -> None:
         raise NoModelError(
             "open-outline",
             "the outline of the {view} view at {place} px {fault}",
+            boxes=[view.box],
             view=view.role,
             place=f"({x0:.0f}, {y0:.0f})-({x1:.0f}, {y1:.0f})",
             case=case,

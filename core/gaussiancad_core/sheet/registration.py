@@ -217,6 +217,7 @@ def axis_extents(boxes: dict[Role, Box]) -> AxisExtents:
                 "views-contradict",
                 "the views disagree about the part's extent along {axis} ({extents}): "
                 "check that they show one part at one scale, or name them with --view",
+                boxes=[boxes[role] for role in by_role],
                 axis=axis.name,
                 extents=told,
                 views=", ".join(role.value for role in by_role),

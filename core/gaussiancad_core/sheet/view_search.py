@@ -170,6 +170,7 @@ def _require_largest(layout: Layout) -> None:
             "views-not-aligned",
             "the largest figure on the sheet, from {place} px, has no aligned neighbour: name the "
             "views with --view ROLE=X0,Y0,X1,Y1",
+            boxes=[figure],
             place=f"({x0}, {y0}) to ({x1}, {y1})",
         )
 

@@ -145,6 +145,11 @@ class Row:
     box: Box | None = None
     offers: tuple[str, ...] = ()
 
+    @property
+    def pinned(self) -> bool:
+        """Whether its place is marked on the sheet: whole drawings have frames of their own."""
+        return "view" not in self.offers
+
 
 @dataclass(frozen=True)
 class Sheet:

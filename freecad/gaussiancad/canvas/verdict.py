@@ -60,7 +60,8 @@ def verdict_lines(report: dict, tell_hole: TellHole, offers: dict[str, Buttons])
 
 def _remark(severity: str, own: dict, offers: dict[str, Buttons]) -> Line:
     text = worded(own["code"], own["message"], own.get("args"))
-    return Line(f"{SIGNS[severity]} {text}", buttons=offers.get(own["code"], ()))
+    box: Box | None = next(map(tuple, own.get("at", ())), None)
+    return Line(f"{SIGNS[severity]} {text}", box, offers.get(own["code"], ()))
 
 
 def marks_of(report: dict) -> list[Mark]:

@@ -12,11 +12,12 @@ from pathlib import Path
 
 from freecad.gaussiancad.canvas.board import DRAWING, TOOLS, Board
 from freecad.gaussiancad.canvas.desk import Desk
+from freecad.gaussiancad.canvas.gaps import closing_lines, open_ends
 from freecad.gaussiancad.canvas.keeping import Beside, Keeper
 from freecad.gaussiancad.canvas.kinds import KEYS, ROLES, name_of
 from freecad.gaussiancad.canvas.pages import Pages
 from freecad.gaussiancad.canvas.rows import Line, Rows
-from freecad.gaussiancad.canvas.scene import LAYERS
+from freecad.gaussiancad.canvas.scene import LAYERS, Mark
 from freecad.gaussiancad.canvas.serving import Program
 from freecad.gaussiancad.canvas.sheet import Box, Number, Point, Row, Sheet
 from freecad.gaussiancad.canvas.translator import load_language
@@ -24,6 +25,12 @@ from freecad.gaussiancad.canvas.verdict import SIGNS, marks_of, verdict_lines
 from freecad.gaussiancad.engine.wording import stage_name
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
+
+_PIN = 8.0
+"""px of the sheet around an end that is marked."""
+
+_OPEN = "open-outline"
+"""The engine's code for a view whose outline has a gap."""
 
 
 class SheetWindow(QtWidgets.QMainWindow):
@@ -194,9 +201,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         self._report = None
         sheet = self.sheet
         self.board.show_sheet(sheet)
-        self.board.show_marks(
-            (own.box, own.message) for own in sheet.problems if own.box is not None
-        )
+        self.board.show_marks(self._marks())
         self._show_rows()
         for name, value in (("projection", sheet.projection), ("unit", sheet.unit)):
             for action in self._choices[name].actions():
@@ -204,8 +209,22 @@ class SheetWindow(QtWidgets.QMainWindow):
 
     def _was_solved(self, report: dict, _folder: str) -> None:
         self._report = report
-        self.board.show_marks(marks_of(report))
+        self.board.show_marks([*marks_of(report), *self._marks()])
         self._show_rows()
+
+    def _marks(self) -> list[Mark]:
+        """Places of problems; where outlines are open, of the ends that nothing meets."""
+        sheet = self.sheet
+        marks = [(own.box, own.message) for own in sheet.problems if own.box and own.pinned]
+        if any(own.code == _OPEN for own in sheet.problems):
+            text = translate("GaussianCAD", "Nothing meets this end")
+            marks += [
+                ((x - _PIN, y - _PIN, x + _PIN, y + _PIN), text)
+                for view in sheet.views
+                if view.shown
+                for x, y in open_ends(sheet, view)
+            ]
+        return marks
 
     def _show_rows(self) -> None:
         """What the last run says; until there is one, what is in doubt of what was read."""
@@ -233,7 +252,22 @@ class SheetWindow(QtWidgets.QMainWindow):
             "section": (translate("GaussianCAD", "Set the Plane"), lambda: take("plane")),
             "projection": (translate("GaussianCAD", "Other Projection"), self._turn_projection),
         }
-        return tuple(known[own] for own in row.offers if own in known)
+        close = translate("GaussianCAD", "Close Gaps"), self._close_gaps
+        first = (close,) if row.code == _OPEN and self._closing() else ()
+        return (*first, *(known[own] for own in row.offers if own in known))
+
+    def _closing(self) -> list[dict]:
+        """What closes the outlines that are open."""
+        sheet = self.sheet
+        return [
+            {"op": "draw", "view": view.id, "kind": "visible", "line": line}
+            for view in sheet.views
+            if view.shown and view.role in ROLES
+            for line in closing_lines(sheet, view)
+        ]
+
+    def _close_gaps(self) -> None:
+        self.desk.say(self._closing())
 
     def _turn_projection(self) -> None:
         other = {"first": "third", "third": "first"}[self.sheet.projection]

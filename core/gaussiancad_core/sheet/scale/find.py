@@ -291,6 +291,7 @@ def _disagreement(found: Agreement) -> tuple[Note, ...]:
             Message(
                 "{count} dimension(s) do not fit the scale of the others: {places} px; they may "
                 "have been misread, or the drawing is not to scale there",
+                boxes=[own.box for own in others],
                 count=len(others),
                 places=places,
                 numbers=", ".join(own.text for own in others[:_MOST_NAMED]),

@@ -60,7 +60,7 @@ def _told(kind: SpecialKind, used: bool, boxes: list[Box]) -> Telling:
     else:
         code, template, why = _USED[kind], "{what} at {places} px: {why}", _DOUBTS[kind]
     values = {"kind": kind, "count": len(boxes), "places": places, "why": why}
-    return Telling(code, Message(template, what=_NAMES[kind], **values), doubt)
+    return Telling(code, Message(template, boxes=boxes, what=_NAMES[kind], **values), doubt)
 
 
 def why_unused(kind: SpecialKind) -> str:

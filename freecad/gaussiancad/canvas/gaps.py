@@ -1,0 +1,54 @@
+"""Where the outline of a view is open, and the lines that would close it."""
+
+from __future__ import annotations
+
+from itertools import combinations
+from math import hypot
+
+from freecad.gaussiancad.canvas.scene import distance
+from freecad.gaussiancad.canvas.sheet import Point, Sheet, Stroke, View
+
+_MEET_PX = 3.0
+"""px within which an end meets another stroke."""
+
+_FAR = 0.5
+"""Share of a view's longer side that a gap is long at most."""
+
+
+def open_ends(sheet: Sheet, view: View) -> list[Point]:
+    """Ends of visible strokes of a view that meet no other stroke of it."""
+    return [end for _, end in _open(sheet, view)]
+
+
+def closing_lines(sheet: Sheet, view: View) -> list[tuple[Point, Point]]:
+    """Lines between open ends of a view's strokes, the nearest to each other first, each end once;
+    ends that have none within half of the view stay open."""
+    x0, y0, x1, y1 = view.box
+    far = _FAR * max(x1 - x0, y1 - y0)
+    pairs = sorted(
+        (hypot(a[0] - b[0], a[1] - b[1]), a, b)
+        for (one, a), (other, b) in combinations(_open(sheet, view), 2)
+        if one != other
+    )
+    taken: set[Point] = set()
+    found = []
+    for apart, a, b in pairs:
+        if apart <= far and not taken & {a, b}:
+            taken |= {a, b}
+            found.append((a, b))
+    return found
+
+
+def _open(sheet: Sheet, view: View) -> list[tuple[str, Point]]:
+    strokes = [own for own in sheet.strokes if own.view == view.id and own.kind == "visible"]
+    return [
+        (own.id, end)
+        for own in strokes
+        if own.circle is None
+        for end in (own.points()[0], own.points()[-1])
+        if not _meets(end, own, strokes)
+    ]
+
+
+def _meets(end: Point, own: Stroke, strokes: list[Stroke]) -> bool:
+    return any(distance(other.points(), end) <= _MEET_PX for other in strokes if other is not own)
