@@ -584,7 +584,7 @@
     </message>
     <message>
         <source>Nothing meets this end</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts trifft auf dieses Ende</translation>
     </message>
     <message>
         <source>{0} correction(s) by hand</source>
@@ -612,7 +612,7 @@
     </message>
     <message>
         <source>Close Gaps</source>
-        <translation type="unfinished"></translation>
+        <translation>Lücken schließen</translation>
     </message>
     <message>
         <source>Reading…</source>

@@ -400,7 +400,7 @@
     </message>
     <message>
         <source>Nothing meets this end</source>
-        <translation type="unfinished"></translation>
+        <translation>此端点没有线相接</translation>
     </message>
     <message>
         <source>{0} correction(s) by hand</source>
@@ -428,7 +428,7 @@
     </message>
     <message>
         <source>Close Gaps</source>
-        <translation type="unfinished"></translation>
+        <translation>封闭缺口</translation>
     </message>
     <message>
         <source>Reading…</source>
