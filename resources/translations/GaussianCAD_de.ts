@@ -1555,6 +1555,18 @@
         <translation>Linien widersprechen sich, so wie sie gelesen wurden. Sie sind auf dem Blatt markiert: Korrigieren oder löschen Sie die falsche mit „Blatt korrigieren“.</translation>
     </message>
     <message>
+        <source>The lines contradict each other as they were read. They would agree if the view “{view}” had one more {linetype}: draw it in Correct Sheet.</source>
+        <translation>Die Linien widersprechen sich, so wie sie gelesen wurden. Sie würden übereinstimmen, wenn die Ansicht „{view}“ eine weitere {linetype} hätte: Zeichnen Sie sie mit „Blatt korrigieren“.</translation>
+    </message>
+    <message>
+        <source>The lines contradict each other as they were read. They would agree without one {linetype} of the view “{view}”: erase it in Correct Sheet if it is wrong.</source>
+        <translation>Die Linien widersprechen sich, so wie sie gelesen wurden. Sie würden ohne eine {linetype} der Ansicht „{view}“ übereinstimmen: Löschen Sie diese mit „Blatt korrigieren“, wenn sie falsch ist.</translation>
+    </message>
+    <message>
+        <source>The lines contradict each other as they were read. They would agree if another line of the view “{view}” were a {linetype}: change it in Correct Sheet if it was read wrong.</source>
+        <translation>Die Linien widersprechen sich, so wie sie gelesen wurden. Sie würden übereinstimmen, wenn eine andere Linie der Ansicht „{view}“ eine {linetype} wäre: Ändern Sie sie mit „Blatt korrigieren“, wenn sie falsch gelesen wurde.</translation>
+    </message>
+    <message>
         <source>What fits the lines best does not close up to a solid: lines are missing or wrong. Check them in Correct Sheet.</source>
         <translation>Was am besten zu den Linien passt, schließt sich nicht zu einem Festkörper: Linien fehlen oder sind falsch. Prüfen Sie sie mit „Blatt korrigieren“.</translation>
     </message>
@@ -2077,6 +2089,14 @@
     <message>
         <source>group of lines</source>
         <translation>Gruppe von Linien</translation>
+    </message>
+    <message>
+        <source>visible line</source>
+        <translation>sichtbare Linie</translation>
+    </message>
+    <message>
+        <source>hidden line</source>
+        <translation>verdeckte Linie</translation>
     </message>
     <message>
         <source>first angle</source>

@@ -691,6 +691,18 @@
         <translation>按读出的结果，有些线互相矛盾。它们已在图纸上标出：请在“校正图纸”中改正或删除错误的线。</translation>
     </message>
     <message>
+        <source>The lines contradict each other as they were read. They would agree if the view “{view}” had one more {linetype}: draw it in Correct Sheet.</source>
+        <translation>按读出的结果，各线互相矛盾。如果“{view}”多一条{linetype}，各线就会一致：请在“校正图纸”中画出它。</translation>
+    </message>
+    <message>
+        <source>The lines contradict each other as they were read. They would agree without one {linetype} of the view “{view}”: erase it in Correct Sheet if it is wrong.</source>
+        <translation>按读出的结果，各线互相矛盾。如果去掉“{view}”的一条{linetype}，各线就会一致：如果它是错的，请在“校正图纸”中删除。</translation>
+    </message>
+    <message>
+        <source>The lines contradict each other as they were read. They would agree if another line of the view “{view}” were a {linetype}: change it in Correct Sheet if it was read wrong.</source>
+        <translation>按读出的结果，各线互相矛盾。如果“{view}”的另一条线是{linetype}，各线就会一致：如果它读错了，请在“校正图纸”中更改。</translation>
+    </message>
+    <message>
         <source>What fits the lines best does not close up to a solid: lines are missing or wrong. Check them in Correct Sheet.</source>
         <translation>与各线最吻合的形状不能封闭成实体：有线缺失或错误。请在“校正图纸”中检查。</translation>
     </message>
@@ -1309,6 +1321,14 @@
     <message>
         <source>group of lines</source>
         <translation>线组</translation>
+    </message>
+    <message>
+        <source>visible line</source>
+        <translation>可见线</translation>
+    </message>
+    <message>
+        <source>hidden line</source>
+        <translation>隐藏线</translation>
     </message>
     <message>
         <source>first angle</source>

@@ -100,7 +100,7 @@ class Panel(WindowCase):
         self.assertEqual(rows[:3], [["-0.01", "-0.01"], ["0.05", "0.05"], ["-0.75", "-0.75"]])
         self.assertEqual(rows[3:], [["0.5", "1"], ["87.5", "87.5"], ["-2", ""], ["–", ""]])
         log = widget(QtWidgets.QPlainTextEdit, "log").toPlainText()
-        self.assertIn("model-open", log)
+        self.assertIn("Not closed: the result (open edges: 3).", log)
 
     def test_the_view_flies_to_a_worst_point(self) -> None:
         self.compare()

@@ -61,7 +61,7 @@ class Panel(WindowCase):
         self.assertEqual(self.boxes(), [])
         self.assertIn("Shape not certain", widget(QtWidgets.QLabel, "stage").text())
         log = widget(QtWidgets.QPlainTextEdit, "log")
-        self.assertIn("a hidden line is missing in the top view", log.toPlainText())
+        self.assertIn("if the view “top” had one more hidden line", log.toPlainText())
         self.picture("panel-contradicts")
         group = self.document.getObject("Reconstruction")
         self.assertTrue(group.Reasons[0].startswith("lines-contradict: "))

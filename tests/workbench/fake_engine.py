@@ -214,6 +214,7 @@ def reconstruct(arguments: list[str]) -> int:
                     "message": "the lines, as they were read, contradict each other, and would "
                     "agree but for one: a hidden line is missing in the top view from (0.0, 18.0) "
                     "to (14.0, 18.0) mm",
+                    "args": {"case": "missing", "view": "top", "linetype": "hidden"},
                 }
             ],
             "surface": [{"code": "no-solid", "message": "no exact solid was found"}],
@@ -303,7 +304,13 @@ def compare(arguments: list[str]) -> int:
                 {"of": "result", "point_mm": [0.0, 0.0, 30.0], "deviation_mm": -0.75},
             ],
         },
-        "warnings": [{"code": "model-open", "message": "the result is not closed"}],
+        "warnings": [
+            {
+                "code": "model-open",
+                "message": "the result is not closed",
+                "args": {"model": "result", "count": 3},
+            }
+        ],
         "protocols": {"engineering": ENGINEERING},
     }
     (output / "comparison.html").write_text("<!doctype html><h1>fake</h1>")

@@ -25,6 +25,7 @@ def conflict_reason(conflict: Conflict) -> tuple[str, str]:
             start + ("{lines}" if one else "any of these: {lines}"),
             lines=named,
             suspects=len(conflict.suspects),
+            **(_wanted(conflict.suspects[0]) if one else {}),
         )
     if len(conflict.lines) == 1:
         return CODE, Message(
@@ -60,6 +61,15 @@ def _described(line: ConflictLine) -> str:
         Linetype.HIDDEN: "should be hidden",
     }[line.fitting]
     return f"the {line.drawn.value} line in the {view} view {where} {instead}"
+
+
+def _wanted(line: ConflictLine) -> dict[str, object]:
+    """Values for the only line that is in doubt: what would have to be, and where."""
+    if line.drawn is None:
+        return {"case": "missing", "view": line.role, "linetype": line.fitting or Linetype.VISIBLE}
+    if line.fitting is None:
+        return {"case": "surplus", "view": line.role, "linetype": line.drawn}
+    return {"case": "kind", "view": line.role, "linetype": line.fitting}
 
 
 def _where(line: ConflictLine) -> str:

@@ -92,6 +92,7 @@ def _filled(sentence: str, values: Mapping[str, object]) -> str:
 
 
 def _word(name: str, value: object) -> str:
+    """A value for its place in a sentence: words of the engine in the user's language."""
     if isinstance(value, float):
         return f"{value:.4g}"
     text = str(value)
@@ -99,14 +100,23 @@ def _word(name: str, value: object) -> str:
         return ", ".join(role_name(own) for own in _BETWEEN.split(text))
     if name == "kind":
         return drawing_name(text)
+    return _words(name).get(text, text)
+
+
+def _words(name: str) -> dict[str, str]:
+    """What the engine may send as a value of a name."""
     if name in ("taken", "other", "symbol"):
         return {
             "first": translate("GaussianCAD", "first angle"),
             "third": translate("GaussianCAD", "third angle"),
-        }.get(text, text)
-    if name == "model":
-        return {
+        }
+    return {
+        "linetype": {
+            "visible": translate("GaussianCAD", "visible line"),
+            "hidden": translate("GaussianCAD", "hidden line"),
+        },
+        "model": {
             "result": translate("GaussianCAD", "the result"),
             "reference": translate("GaussianCAD", "the reference"),
-        }.get(text, text)
-    return text
+        },
+    }.get(name, {})

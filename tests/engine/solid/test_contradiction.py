@@ -41,6 +41,22 @@ def test_one_line_is_told_with_its_place(line: ConflictLine, words: str) -> None
     assert code == "lines-contradict" and words in sentence
 
 
+@pytest.mark.parametrize(
+    ("line", "values"),
+    [
+        (_line(None, True, Linetype.HIDDEN), ("missing", "hidden")),
+        (_line(Linetype.VISIBLE, True), ("surplus", "visible")),
+        (_line(Linetype.VISIBLE, True, Linetype.HIDDEN), ("kind", "hidden")),
+    ],
+)
+def test_the_values_say_what_would_have_to_be(line: ConflictLine, values: tuple[str, str]) -> None:
+    _, sentence = conflict_reason(Conflict((line,), True))
+    args = sentence.args
+    assert (args["case"], args["linetype"], args["view"]) == (*values, "top")
+    _, sentence = conflict_reason(Conflict((line, line), True))
+    assert sentence.args["suspects"] == 2 and "case" not in sentence.args
+
+
 def test_closed_curves_are_told_by_their_middle() -> None:
     angles = np.linspace(0.0, 2.0 * np.pi, 33)
     points = np.array([10.0, 20.0]) + 5.0 * np.stack([np.cos(angles), np.sin(angles)], 1)

@@ -28,6 +28,21 @@ REASONS = {
         "Lines contradict each other as they were read. They are marked on the sheet: correct or "
         "erase the wrong one in Correct Sheet.",
     ),
+    "lines-contradict:missing": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The lines contradict each other as they were read. They would agree if the view "
+        "“{view}” had one more {linetype}: draw it in Correct Sheet.",
+    ),
+    "lines-contradict:surplus": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The lines contradict each other as they were read. They would agree without one "
+        "{linetype} of the view “{view}”: erase it in Correct Sheet if it is wrong.",
+    ),
+    "lines-contradict:kind": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The lines contradict each other as they were read. They would agree if another line of "
+        "the view “{view}” were a {linetype}: change it in Correct Sheet if it was read wrong.",
+    ),
     "no-valid-solid": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "What fits the lines best does not close up to a solid: lines are missing or wrong. Check "
