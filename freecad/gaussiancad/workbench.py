@@ -4,16 +4,7 @@ import FreeCADGui
 
 from freecad.gaussiancad import paths
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
-
-TOOLBAR = (
-    "GaussianCAD_Reconstruct",
-    "GaussianCAD_Correct",
-    "GaussianCAD_Solutions",
-    "GaussianCAD_Compare",
-    "GaussianCAD_CheckEngine",
-)
-
-MENU = (*TOOLBAR, "GaussianCAD_InstallEngine")
+from freecad.gaussiancad.workbench_names import MENU, TOOLBAR
 
 
 class GaussianCADWorkbench(FreeCADGui.Workbench):
@@ -37,9 +28,12 @@ class GaussianCADWorkbench(FreeCADGui.Workbench):
         self.appendMenu(name, list(MENU))
 
     def ContextMenu(self, recipient: str) -> None:
-        """Offer a comparison for what is selected."""
-        if FreeCADGui.Selection.getSelection():
-            self.appendContextMenu("", ["GaussianCAD_Compare"])
+        """Offer what can be done with what is selected."""
+        chosen = FreeCADGui.Selection.getSelection()
+        drawn = any(hasattr(own, "SheetPath") for own in chosen)
+        commands = ["GaussianCAD_Correct", "GaussianCAD_Solutions"] if drawn else []
+        if chosen:
+            self.appendContextMenu("", [*commands, "GaussianCAD_Compare"])
 
 
 def register() -> None:

@@ -979,6 +979,14 @@
         <translation>Engine wird gefragt…</translation>
     </message>
     <message>
+        <source>The engine is complete and works.</source>
+        <translation>Die Engine ist vollständig und arbeitet.</translation>
+    </message>
+    <message>
+        <source>The engine does not work: see below what to do.</source>
+        <translation>Die Engine arbeitet nicht: unten steht, was zu tun ist.</translation>
+    </message>
+    <message>
         <source>not set</source>
         <translation>nicht gesetzt</translation>
     </message>

@@ -1475,6 +1475,14 @@
         <translation>正在询问引擎…</translation>
     </message>
     <message>
+        <source>The engine is complete and works.</source>
+        <translation>引擎完整且工作正常。</translation>
+    </message>
+    <message>
+        <source>The engine does not work: see below what to do.</source>
+        <translation>引擎无法工作：处理方法见下文。</translation>
+    </message>
+    <message>
         <source>not set</source>
         <translation>未设置</translation>
     </message>

@@ -4,7 +4,7 @@ import FreeCAD
 import FreeCADGui
 from window import WindowCase, spin
 
-from freecad.gaussiancad import workbench
+from freecad.gaussiancad import workbench, workbench_names
 from freecad.gaussiancad.preferences import GROUP, read_preferences
 from freecad.gaussiancad.qt import QtCore, QtWidgets
 
@@ -19,8 +19,8 @@ class Registration(WindowCase):
     def test_toolbar_and_menu_hold_the_commands(self) -> None:
         active = FreeCADGui.activeWorkbench()
         self.assertEqual(active.name(), "GaussianCADWorkbench")
-        self.assertEqual(active.getToolbarItems()["GaussianCAD"], list(workbench.TOOLBAR))
-        for name in workbench.MENU:
+        self.assertEqual(active.getToolbarItems()["GaussianCAD"], list(workbench_names.TOOLBAR))
+        for name in workbench_names.MENU:
             command = FreeCADGui.Command.get(name)
             info = command.getInfo()
             self.assertTrue(info["menuText"].endswith("…"), name)

@@ -50,6 +50,7 @@ class CheckEngineDialog(QtWidgets.QDialog):
         layout.addWidget(self.text)
         layout.addWidget(close)
         self._run: EngineRun | None = None
+        self._engine = ""
 
     @classmethod
     def open_now(cls) -> "CheckEngineDialog":
@@ -71,6 +72,7 @@ class CheckEngineDialog(QtWidgets.QDialog):
         found = translate("GaussianCAD", "Engine: {engine}").format(engine=engine.describe())
         self.headline.setText(found)
         self.text.setPlainText(translate("GaussianCAD", "Asking the engine…"))
+        self._engine = found
         self._run = EngineRun(engine, ["doctor"], Watcher(on_finished=self._show))
         self._run.start()
 
@@ -92,7 +94,14 @@ class CheckEngineDialog(QtWidgets.QDialog):
         if result.state is not RunState.DONE:
             parts.append(result.words)
             parts.append(_repair_text())
+        self.headline.setText(f"{_verdict(whole=result.state is RunState.DONE)}\n{self._engine}")
         self.text.setPlainText("\n\n".join(parts))
+
+
+def _verdict(*, whole: bool) -> str:
+    if whole:
+        return "\u2714 " + translate("GaussianCAD", "The engine is complete and works.")
+    return "\u26d4 " + translate("GaussianCAD", "The engine does not work: see below what to do.")
 
 
 def _places_text(places: SearchPlaces) -> str:
