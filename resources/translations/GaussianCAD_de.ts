@@ -851,6 +851,26 @@
         <translation>Fertig</translation>
     </message>
     <message>
+        <source>Another shape: {share} % of the volume is shared where both are as large.</source>
+        <translation>Eine andere Form: {share} % des Volumens sind gemeinsam, wenn beide gleich groß sind.</translation>
+    </message>
+    <message>
+        <source>The same part: {share} % of the volume is shared.</source>
+        <translation>Dasselbe Teil: {share} % des Volumens sind gemeinsam.</translation>
+    </message>
+    <message>
+        <source>The same shape, {ratio} times too large.</source>
+        <translation>Dieselbe Form, {ratio}-mal zu groß.</translation>
+    </message>
+    <message>
+        <source>The same shape, {ratio} times too small.</source>
+        <translation>Dieselbe Form, {ratio}-mal zu klein.</translation>
+    </message>
+    <message>
+        <source>Set Length along X to {length} mm and run it again.</source>
+        <translation>Setzen Sie „Länge entlang X“ auf {length} mm und starten Sie erneut.</translation>
+    </message>
+    <message>
         <source>The document was closed. Open it and compare again.</source>
         <translation>Das Dokument wurde geschlossen. Öffnen Sie es, und vergleichen Sie noch einmal.</translation>
     </message>

@@ -1519,6 +1519,26 @@
         <translation>已完成</translation>
     </message>
     <message>
+        <source>Another shape: {share} % of the volume is shared where both are as large.</source>
+        <translation>形状不同：在相同尺寸下共有 {share} % 的体积。</translation>
+    </message>
+    <message>
+        <source>The same part: {share} % of the volume is shared.</source>
+        <translation>同一零件：共有 {share} % 的体积。</translation>
+    </message>
+    <message>
+        <source>The same shape, {ratio} times too large.</source>
+        <translation>形状相同，但放大了 {ratio} 倍。</translation>
+    </message>
+    <message>
+        <source>The same shape, {ratio} times too small.</source>
+        <translation>形状相同，但缩小了 {ratio} 倍。</translation>
+    </message>
+    <message>
+        <source>Set Length along X to {length} mm and run it again.</source>
+        <translation>将沿 X 的长度设为 {length} mm，然后重新运行。</translation>
+    </message>
+    <message>
         <source>The document was closed. Open it and compare again.</source>
         <translation>文档已关闭。请打开后重新比较。</translation>
     </message>

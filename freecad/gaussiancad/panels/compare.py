@@ -5,6 +5,7 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui
 
+from freecad.gaussiancad.engine.comparison_verdict import comparison_verdict
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.comparable import comparable_objects
@@ -87,7 +88,7 @@ class ComparePanel(EnginePanel):
         bring_into_sight(self.view)
         warnings = [remark.words for remark in loaded.report.warnings]
         lines = self.view.distances.millimetre_lines(loaded.report)
-        return Success(translate("GaussianCAD", "Finished"), (*warnings, *lines))
+        return Success(comparison_verdict(loaded.report.values), (*warnings, *lines))
 
     def _leave(self) -> None:
         super()._leave()
