@@ -31,6 +31,7 @@ from gaussiancad_core.readings.operations import (
 )
 from gaussiancad_core.readings.schema import (
     DRAWN,
+    LINES,
     Box,
     DimensionEntry,
     Point,
@@ -139,6 +140,8 @@ def _with_view(reading: SheetReading, operation: ViewOperation) -> SheetReading 
     )
     if operation.box is None:
         return changed(reading, views=(*views, view))
+    # Groups of lines that are in the box are the view's now, and no longer left out.
+    views = [own for own in views if own.kind != LINES or own.used or not _holds(box, own.box)]
     strokes = tuple(_in_view(own, view.id, box) for own in reading.strokes)
     return changed(reading, views=(*views, view), strokes=strokes)
 

@@ -14,6 +14,9 @@ from gaussiancad_core.sheet.notes.callouts import NoteKind
 
 SCHEMA = "gaussiancad-reading/1"
 
+LINES = "lines"
+"""Kind of a group of lines that belongs to no view and has no name."""
+
 LARGEST = 1e6
 """px from the sheet's corner up to which places are taken, and mm of lengths."""
 

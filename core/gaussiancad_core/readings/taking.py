@@ -25,6 +25,7 @@ from gaussiancad_core.reading_stage import (
 from gaussiancad_core.readings.filling import Reread
 from gaussiancad_core.readings.schema import (
     DRAWN,
+    LINES,
     DimensionEntry,
     NoteEntry,
     SectionEntry,
@@ -35,7 +36,6 @@ from gaussiancad_core.readings.schema import (
     ViewRole,
 )
 from gaussiancad_core.readings.shapes import stroke_of
-from gaussiancad_core.readings.writing import LINES
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.annotations.marks import Mark, line_mark
 from gaussiancad_core.sheet.clean import CleanSheet

@@ -13,6 +13,7 @@ from gaussiancad_core.messages import told
 from gaussiancad_core.reading_stage import SheetLines
 from gaussiancad_core.readings.schema import (
     LARGEST,
+    LINES,
     SCHEMA,
     DimensionEntry,
     Measured,
@@ -44,9 +45,6 @@ from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 from gaussiancad_core.views import Linetype, Stroke
 
 READING_FILE = "reading.json"
-
-LINES = "lines"
-"""Kind of a group of lines that belongs to no view and has no name."""
 
 _ROLES = {
     SpecialKind.SECTION: ViewRole.SECTION,

@@ -22,7 +22,13 @@ _READING = msgspec.convert(
         "views": [
             {"id": "front", "role": "front", "box": [10, 10, 110, 60]},
             {"id": "top", "role": "top", "box": [10, 210, 110, 260]},
-            {"id": "lines-1", "role": "ignore", "box": [300, 10, 350, 60], "used": False},
+            {
+                "id": "lines-1",
+                "role": "ignore",
+                "kind": "lines",
+                "box": [300, 10, 350, 60],
+                "used": False,
+            },
         ],
         "strokes": [
             {"id": "s1", "view": "front", "kind": "visible", "line": _LINE},
@@ -241,3 +247,11 @@ def test_ink_is_traced_in_its_view_alone() -> None:
     assert asked == [((60.0, 230.0), (10, 210, 110, 260)), ((60.0, 30.0), (10, 10, 110, 60))]
     own = found.reading.strokes[-1]
     assert (own.view, own.kind.value, own.source) == ("top", "hidden", "given")
+
+
+def test_lines_that_a_boxed_view_takes_in_are_left_out_no_more() -> None:
+    box = {"op": "view", "id": "right", "role": "right", "box": [295, 5, 355, 65]}
+    found, _ = _with(box)
+    assert "lines-1" not in {own.id for own in found.views}
+    found, _ = _with({**box, "box": [295, 5, 330, 65]})
+    assert "lines-1" in {own.id for own in found.views}
