@@ -1,5 +1,5 @@
-"""Make the sheets of the tutorial from the sample sheet: one lacks two lines, and the views of one do
-not line up.
+"""Make the sheets of the tutorial from the sample sheet: one lacks two lines, and on one the views
+do not line up.
 
     .venv/bin/python scripts/tutorial_sheets.py docs/tutorial
 """

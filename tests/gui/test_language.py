@@ -10,7 +10,7 @@ from freecad.gaussiancad.qt import QtWidgets
 
 class Languages(WindowCase):
     def speak(self, language: str) -> None:
-        """Switch FreeCAD to a language, by its English name, until the end of the test."""
+        """Switch FreeCAD to a language, by its locale, until the end of the test."""
         self.addCleanup(FreeCADGui.setLocale, "English")
         FreeCADGui.setLocale(language)
         spin(200)
@@ -26,7 +26,7 @@ class Languages(WindowCase):
         return widget(QtWidgets.QLabel, "stage").text()
 
     def test_menu_panel_and_result_speak_german(self) -> None:
-        self.speak("German")
+        self.speak("de")
         info = FreeCADGui.Command.get("GaussianCAD_Compare")
         texts = [action.text().replace("&", "") for action in info.getAction()]
         self.assertEqual(texts, ["Mit Referenz vergleichen…"])
@@ -37,7 +37,7 @@ class Languages(WindowCase):
         self.assertEqual(document.UndoNames, ["Aus Zeichnung rekonstruieren"])
 
     def test_menu_panel_and_result_speak_chinese(self) -> None:
-        self.speak("Chinese Simplified")
+        self.speak("zh-CN")
         info = FreeCADGui.Command.get("GaussianCAD_Compare")
         texts = [action.text().replace("&", "") for action in info.getAction()]
         self.assertEqual(texts, ["与参考比较…"])
@@ -48,7 +48,7 @@ class Languages(WindowCase):
         self.assertEqual(document.UndoNames, ["由图纸重建"])
 
     def test_what_the_engine_refuses_is_told_in_the_users_language(self) -> None:
-        self.speak("German")
+        self.speak("de")
         values = {"view": "top", "case": "gap"}
         told = worded("open-outline", "the outline of the top view is not closed", values)
         self.assertTrue(told.startswith("Der Umriss der Ansicht „oben“ ist nicht geschlossen."))
