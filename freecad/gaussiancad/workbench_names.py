@@ -8,4 +8,4 @@ TOOLBAR = (
     "GaussianCAD_CheckEngine",
 )
 
-MENU = (*TOOLBAR, "GaussianCAD_InstallEngine")
+MENU = (*TOOLBAR[:-1], "GaussianCAD_FailedSheets", TOOLBAR[-1], "GaussianCAD_InstallEngine")

@@ -6,12 +6,15 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from gaussiancad_core.cli import values
-from gaussiancad_core.errors import ExitCode, UsageError
+from gaussiancad_core.errors import ExitCode, UnreadableError, UsageError
 from gaussiancad_core.events import Listener
 from gaussiancad_core.job import corrections_beside
 from gaussiancad_core.readings.opening import open_typed
 from gaussiancad_core.readings.operations import Corrections
 from gaussiancad_core.sheet.files.opening import head_of
+
+_REPORTS = (".csv", ".json")
+"""How the names of a batch's reports end."""
 
 
 def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -19,7 +22,13 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
     parser = commands.add_parser(
         "correct", help="show what was read of a sheet in a window, and correct it"
     )
-    parser.add_argument("sheet", type=Path, metavar="SHEET")
+    parser.add_argument(
+        "sheet",
+        type=Path,
+        metavar="SHEET",
+        help="or the report of a batch, report.csv or report.json: those of its sheets that are "
+        "not verified, to step through",
+    )
     parser.add_argument("--page", type=values.count, default=1, metavar="N")
     parser.set_defaults(run=run, events=False)
 
@@ -29,13 +38,16 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
 
     Raises:
         UnreadableError: the sheet is missing, empty, or of a kind that is not read;
-            ``corrections-not-read``, the corrections beside it are damaged.
+            ``corrections-not-read``, the corrections beside it are damaged; ``batch-not-read``, a
+            report is none of a batch.
         UsageError: ``window-missing``, Qt or the workbench is not there.
     """
-    head_of(options.sheet)
-    beside = corrections_beside(options.sheet, options.page)
-    if beside is not None:
-        open_typed(beside, Corrections, "corrections-not-read")
+    of_batch = options.sheet.suffix.lower() in _REPORTS
+    if not of_batch:
+        head_of(options.sheet)
+        beside = corrections_beside(options.sheet, options.page)
+        if beside is not None:
+            open_typed(beside, Corrections, "corrections-not-read")
     root = Path(__file__).resolve().parents[3]
     if find_spec("PySide6") is None or not (root / "freecad" / "gaussiancad").is_dir():
         raise UsageError(
@@ -45,6 +57,16 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
             "FreeCAD",
         )
     sys.path.insert(0, str(root))
-    from freecad.gaussiancad.canvas.window import show
+    from freecad.gaussiancad.canvas.failed import failed_sheets
+    from freecad.gaussiancad.canvas.standing import show
 
-    return ExitCode(show(options.sheet, options.page))
+    if not of_batch:
+        return ExitCode(show(options.sheet, options.page))
+    try:
+        failed = failed_sheets(options.sheet)
+    except (OSError, ValueError) as error:
+        raise UnreadableError("batch-not-read", str(error)) from error
+    if not failed:
+        print("every sheet of this batch is verified")
+        return ExitCode.DONE
+    return ExitCode(show(failed[0].sheet, failed[0].page, failed))

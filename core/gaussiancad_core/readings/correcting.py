@@ -140,8 +140,8 @@ def _with_view(reading: SheetReading, operation: ViewOperation) -> SheetReading 
     )
     if operation.box is None:
         return changed(reading, views=(*views, view))
-    # Groups of lines that are in the box are the view's now, and no longer left out.
-    views = [own for own in views if own.kind != LINES or own.used or not _holds(box, own.box)]
+    # A group of lines in the box, or one that the box was cut out of, is no longer left out.
+    views = [own for own in views if own.kind != LINES or own.used or not _nested(box, own.box)]
     strokes = tuple(_in_view(own, view.id, box) for own in reading.strokes)
     return changed(reading, views=(*views, view), strokes=strokes)
 
@@ -152,6 +152,11 @@ def _in_view(stroke: StrokeEntry, view: str, box: Box) -> StrokeEntry:
     if inside and (stroke.kind in DRAWN or stroke.view is not None):
         return changed(stroke, view=view)
     return changed(stroke, view=None) if stroke.view == view else stroke
+
+
+def _nested(box: Box, own: Box) -> bool:
+    """Whether one of two boxes holds the other."""
+    return _holds(box, own) or _holds(own, box)
 
 
 def _holds(box: Box, own: Box) -> bool:

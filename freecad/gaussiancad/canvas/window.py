@@ -5,7 +5,6 @@ It stands by itself (``gaussiancad correct SHEET``) and in a dock of FreeCAD.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -20,7 +19,6 @@ from freecad.gaussiancad.canvas.rows import Line, Rows
 from freecad.gaussiancad.canvas.scene import LAYERS, Mark
 from freecad.gaussiancad.canvas.serving import Program
 from freecad.gaussiancad.canvas.sheet import Box, Number, Point, Row, Sheet
-from freecad.gaussiancad.canvas.translator import load_language
 from freecad.gaussiancad.canvas.verdict import SIGNS, marks_of, verdict_lines
 from freecad.gaussiancad.engine.wording import stage_name
 from freecad.gaussiancad.language import translate
@@ -435,24 +433,3 @@ class SheetWindow(QtWidgets.QMainWindow):
         button.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
         button.setFocusPolicy(QtCore.Qt.FocusPolicy.NoFocus)
         bar.addWidget(button)
-
-
-def show(path: Path, page: int = 1) -> int:
-    """Open the window for a sheet, and wait until it is closed."""
-    application = QtWidgets.QApplication.instance() or QtWidgets.QApplication(sys.argv[:1])
-    translator = QtCore.QTranslator(application)
-    if load_language(translator, QtCore.QLocale().uiLanguages()):
-        application.installTranslator(translator)
-    opened: list[SheetWindow] = []
-
-    def turn_to(page: int) -> None:
-        window = SheetWindow(path, page)
-        window.page_asked.connect(turn_to)
-        window.show()
-        window.start()
-        opened.append(window)
-        if len(opened) > 1:
-            opened.pop(0).close()
-
-    turn_to(page)
-    return application.exec()

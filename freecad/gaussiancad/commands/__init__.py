@@ -8,6 +8,7 @@ def register() -> None:
     from freecad.gaussiancad.commands.check_engine import CheckEngineCommand
     from freecad.gaussiancad.commands.compare import CompareCommand
     from freecad.gaussiancad.commands.correct import CorrectCommand
+    from freecad.gaussiancad.commands.failed_sheets import FailedSheetsCommand
     from freecad.gaussiancad.commands.install_engine import InstallEngineCommand
     from freecad.gaussiancad.commands.reconstruct import ReconstructCommand
     from freecad.gaussiancad.commands.solutions import SolutionsCommand
@@ -18,6 +19,7 @@ def register() -> None:
         CorrectCommand,
         SolutionsCommand,
         CompareCommand,
+        FailedSheetsCommand,
         CheckEngineCommand,
         InstallEngineCommand,
     ):

@@ -255,3 +255,6 @@ def test_lines_that_a_boxed_view_takes_in_are_left_out_no_more() -> None:
     assert "lines-1" not in {own.id for own in found.views}
     found, _ = _with({**box, "box": [295, 5, 330, 65]})
     assert "lines-1" in {own.id for own in found.views}
+    # A box that was cut out of the group tells as well where the view is.
+    found, _ = _with({**box, "box": [310, 20, 340, 50]})
+    assert "lines-1" not in {own.id for own in found.views}

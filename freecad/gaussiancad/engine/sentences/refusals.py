@@ -79,6 +79,9 @@ FILES = {
     "gaussians-unreadable": QT_TRANSLATE_NOOP(
         "GaussianCAD", "The file holds no Gaussians that can be read. Choose another one."
     ),
+    "batch-not-read": QT_TRANSLATE_NOOP(
+        "GaussianCAD", "This is no report of a batch: choose its report.csv or report.json."
+    ),
     "window-missing": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "Correct Sheet needs PySide6 in the engine's environment. Open it from FreeCAD instead.",

@@ -1,0 +1,81 @@
+"""The window without FreeCAD: one sheet, or those of a batch that need a person."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from freecad.gaussiancad.canvas.failed import FailedSheet
+from freecad.gaussiancad.canvas.failed_list import FailedList
+from freecad.gaussiancad.canvas.serving import Program
+from freecad.gaussiancad.canvas.translator import load_language
+from freecad.gaussiancad.canvas.window import SheetWindow
+from freecad.gaussiancad.qt import QtCore, QtWidgets
+
+
+class Standing(QtWidgets.QMainWindow):
+    """A frame around the window of a sheet; another sheet, or page, takes its place.
+
+    Args:
+        failed: sheets of a batch, to step through in a list beside; none without a batch.
+        program: the engine.
+    """
+
+    def __init__(
+        self, failed: tuple[FailedSheet, ...] = (), program: Program | None = None
+    ) -> None:
+        super().__init__()
+        self._program = program
+        self.canvas: SheetWindow | None = None
+        self.list = FailedList(failed, self) if failed else None
+        if self.list is not None:
+            self.list.chosen.connect(lambda own: self.open(own.sheet, own.page))
+            dock = QtWidgets.QDockWidget(self)
+            dock.setFeatures(QtWidgets.QDockWidget.DockWidgetFeature.NoDockWidgetFeatures)
+            dock.setTitleBarWidget(QtWidgets.QWidget())
+            dock.setWidget(self.list)
+            self.addDockWidget(QtCore.Qt.DockWidgetArea.LeftDockWidgetArea, dock)
+        self.resize(1280, 900)
+
+    def open(self, path: Path, page: int = 1) -> None:
+        """Show a sheet in place of the one before, whose engines end."""
+        try:
+            canvas = SheetWindow(path, page, program=self._program, parent=self)
+        except ValueError as error:
+            QtWidgets.QMessageBox.warning(self, "GaussianCAD", str(error))
+            return
+        if self.canvas is not None:
+            self.canvas.close()
+        self.canvas = canvas
+        canvas.setWindowFlags(QtCore.Qt.WindowType.Widget)
+        canvas.page_asked.connect(lambda number: self.open(path, number))
+        if self.list is not None:
+            show = self.list.take
+            canvas.desk.solved.connect(lambda report, _: show(path, page, report["status"]))
+        self.setCentralWidget(canvas)
+        self.setWindowTitle(canvas.windowTitle())
+        canvas.start()
+
+    def closeEvent(self, event: object) -> None:
+        """End the engines with the window."""
+        if self.canvas is not None:
+            self.canvas.close()
+        super().closeEvent(event)
+
+
+def show(path: Path, page: int = 1, failed: tuple[FailedSheet, ...] = ()) -> int:
+    """Open the window, and wait until it is closed.
+
+    Args:
+        path: of the sheet that is shown first.
+        page: of a file with pages.
+        failed: sheets of a batch to step through.
+    """
+    application = QtWidgets.QApplication.instance() or QtWidgets.QApplication(sys.argv[:1])
+    translator = QtCore.QTranslator(application)
+    if load_language(translator, QtCore.QLocale().uiLanguages()):
+        application.installTranslator(translator)
+    window = Standing(failed)
+    window.show()
+    window.open(path, page)
+    return application.exec()
