@@ -24,9 +24,6 @@ WIDTH, HEIGHT = 1400, 860
 
 TIME_LIMIT_SECONDS = 540
 
-_COLOURS = 128
-"""Colours that a picture keeps."""
-
 _SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters>
   <FCParamGroup Name="Root">
@@ -99,8 +96,7 @@ def main() -> int:
         for path in sorted(pictures.glob("*.png")):
             place = "images" if path.name == "canvas.png" else "tutorial"
             target = ADDON / "docs" / place / path.name
-            picture = Image.open(path).convert("RGB").quantize(_COLOURS, dither=Image.Dither.NONE)
-            picture.save(target, optimize=True)
+            Image.open(path).convert("RGB").save(target, optimize=True)
             print(f"{target.relative_to(ADDON)}: {target.stat().st_size // 1024} KB", flush=True)
     return status
 

@@ -21,7 +21,7 @@ from freecad.gaussiancad.canvas.scene import LAYERS, Mark
 from freecad.gaussiancad.canvas.serving import Program
 from freecad.gaussiancad.canvas.sheet import Box, Number, Point, Row, Sheet
 from freecad.gaussiancad.canvas.translator import load_language
-from freecad.gaussiancad.canvas.verdict import SIGNS, marks_of, verdict_lines
+from freecad.gaussiancad.canvas.verdict import SIGNS, marks_of, verdict_line, verdict_lines
 from freecad.gaussiancad.engine.wording import stage_name
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
@@ -239,6 +239,9 @@ class SheetWindow(QtWidgets.QMainWindow):
                 for own in problems
             ]
         count = len(self.operations)
+        if report is None and not count and any(own.severity == "refused" for own in problems):
+            # What was read makes no part, and nothing was said yet: no run will tell it.
+            lines.insert(0, verdict_line("failed"))
         lines.append(Line(translate("GaussianCAD", "{0} correction(s) by hand").format(count)))
         self.problems.show_lines(lines)
 

@@ -1,6 +1,7 @@
 """Gestures on the canvas, without FreeCAD: each means operations of ``corrections.json``."""
 
 import json
+from dataclasses import replace
 import os
 import sys
 from pathlib import Path
@@ -408,6 +409,16 @@ def test_problems_lead_to_their_place_and_to_a_tool(window: SheetWindow) -> None
     before = window.board.transform().m11()
     _key(window, QtCore.Qt.Key.Key_Tab)
     assert window.board.transform().m11() > before
+
+
+def test_a_sheet_without_a_part_says_so_first(window: SheetWindow) -> None:
+    (problem,) = window.sheet.problems
+    refused = replace(problem, severity="refused")
+    window.desk._read = replace(window.sheet, problems=(refused,))
+    window.desk.changed.emit()
+    verdict, told, _ = window.problems.lines
+    assert verdict.colour and not told.colour
+    assert told.box == problem.box
 
 
 def test_a_verdict_leads_and_a_correction_takes_it_back(window: SheetWindow) -> None:
