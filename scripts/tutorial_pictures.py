@@ -2,8 +2,8 @@
 
     make tutorial
 
-FreeCAD starts with a profile of its own, so that a user's does not count; what happens in its
-window is in ``tutorial_window.py``.  GAUSSIANCAD_PYTHON names another engine than that in ``.venv``.
+FreeCAD starts with a profile of its own, so that a user's does not count.  What happens in its
+window is in ``tutorial_window.py``.  The engine is that in ``.venv``, or GAUSSIANCAD_PYTHON's.
 """
 
 import os

@@ -1,9 +1,9 @@
 """Gestures on the canvas, without FreeCAD: each means operations of ``corrections.json``."""
 
 import json
-from dataclasses import replace
 import os
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import msgspec
