@@ -27,6 +27,7 @@ def make_importable() -> None:
 
 make_importable()
 
+from freecad.gaussiancad.canvas.scene import frame_of  # noqa: E402
 from freecad.gaussiancad.panels import correct  # noqa: E402
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets  # noqa: E402
 
@@ -46,12 +47,8 @@ _KEYS = QtCore.Qt.Key
 HOLE = (((741.0, 909.0), (741.0, 1000.0)), ((892.0, 909.0), (892.0, 1000.0)))
 """Where the second sheet lacks lines, px of the sheet."""
 
-VIEWS = (
-    ("front", (410.0, 530.0), (1040.0, 1015.0)),
-    ("top", (540.0, 45.0), (1170.0, 450.0)),
-    ("right", (1185.0, 365.0), (1590.0, 845.0)),
-)
-"""Boxes around the views of the third sheet."""
+ROLES = (("lines-1", _KEYS.Key_1), ("lines-2", _KEYS.Key_2), ("lines-3", _KEYS.Key_3))
+"""Groups of lines on the third sheet, and the keys that say front, top, right."""
 
 LENGTH, LENGTH_MM = ((424.0, 1000.0), (1028.0, 1000.0)), 80.0
 """Both ends of the bracket's foot on the third sheet, and how long it is."""
@@ -132,17 +129,11 @@ class Hand:
             send_mouse(target, _EVENTS.MouseMove, last)
         send_mouse(target, _EVENTS.MouseButtonRelease, last)
 
-    def box(self, role: str, start: Point, end: Point) -> None:
-        """Box a view and take its role from the menu."""
-        self.press(_KEYS.Key_B)
-        self.drag(start, end)
-        wait_for(lambda: visible(QtWidgets.QMenu))
-        (menu,) = visible(QtWidgets.QMenu)
-        action = next(own for own in menu.actions() if own.text().split("\t")[0] == role)
-        at = menu.actionGeometry(action).center()
-        for kind in (_EVENTS.MouseButtonPress, _EVENTS.MouseButtonRelease):
-            send_mouse(menu, kind, at)
-        self.settle()
+    def click_frame(self, name: str) -> None:
+        """Click on the upper edge of a frame."""
+        own = next(own for own in self.dock.canvas.sheet.views if own.id == name)
+        x0, y0, x1, _ = frame_of(own)
+        self.drag(((x0 + x1) / 2.0, y0), ((x0 + x1) / 2.0, y0))
 
     def tell_length(self, ends: tuple[Point, Point], length: float) -> None:
         """Click at two points and type how far they are apart."""
@@ -208,18 +199,15 @@ def told(text: str) -> None:
 
 
 def arrange(dock: QtWidgets.QDockWidget) -> None:
-    """Fill the screen; beside the canvas are the tree and the 3D view alone."""
+    """Fill the screen; beside the canvas is the 3D view alone."""
     main = FreeCADGui.getMainWindow()
     main.setGeometry(QtWidgets.QApplication.primaryScreen().geometry())
     for own in main.findChildren(QtWidgets.QDockWidget):
-        if own is not dock and own.objectName() != "Combo View":
+        if own is not dock:
             own.hide()
     for view in main.findChildren(QtWidgets.QMdiSubWindow):
         view.showMaximized()
-    spin(0.3)
-    combo = main.findChild(QtWidgets.QDockWidget, "Combo View")
-    across = QtCore.Qt.Orientation.Horizontal
-    main.resizeDocks([combo, dock], [230, 700], across)
+    main.resizeDocks([dock], [700], QtCore.Qt.Orientation.Horizontal)
     spin(0.3)
 
 
@@ -248,12 +236,12 @@ def lines_missing() -> None:
 def views_moved() -> None:
     """The third sheet: views are boxed, and a length is told."""
     hand = Hand("3-views-moved")
-    hand.board.fit()
     hand.picture("3-before")
-    hand.board.fit()
-    for role, start, end in VIEWS:
-        hand.box(role, start, end)
-        hand.board.fit()
+    for name, key in ROLES:
+        hand.click_frame(name)
+        hand.press(key)
+    hand.press(_KEYS.Key_Escape)
+    hand.settle()
     hand.tell_length(LENGTH, LENGTH_MM)
     hand.picture("3-after")
     hand.close()

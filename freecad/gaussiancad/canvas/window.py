@@ -21,7 +21,13 @@ from freecad.gaussiancad.canvas.scene import LAYERS, Mark
 from freecad.gaussiancad.canvas.serving import Program
 from freecad.gaussiancad.canvas.sheet import Box, Number, Point, Row, Sheet
 from freecad.gaussiancad.canvas.translator import load_language
-from freecad.gaussiancad.canvas.verdict import SIGNS, marks_of, verdict_line, verdict_lines
+from freecad.gaussiancad.canvas.verdict import (
+    SIGNS,
+    Buttons,
+    marks_of,
+    verdict_line,
+    verdict_lines,
+)
 from freecad.gaussiancad.engine.wording import stage_name
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
@@ -31,6 +37,15 @@ _PIN = 8.0
 
 _OPEN = "open-outline"
 """The engine's code for a view whose outline has a gap."""
+
+_USUAL = {
+    "scale-assumed": "scale",
+    "full-scale-assumed": "scale",
+    "paper-size-unknown": "scale",
+    "dimensions-not-read": "scale",
+    "projection-assumed": "projection",
+}
+"""What helps with a warning that came up after the sheet was read."""
 
 
 class SheetWindow(QtWidgets.QMainWindow):
@@ -231,7 +246,8 @@ class SheetWindow(QtWidgets.QMainWindow):
         sheet, report = self.sheet, self._report
         problems = sheet.problems if sheet is not None else ()
         if report is not None:
-            offers = {own.code: self._help(own) for own in problems}
+            offers = {code: self._buttons(code, (tool,)) for code, tool in _USUAL.items()}
+            offers.update({own.code: self._help(own) for own in problems})
             lines = verdict_lines(report, self._tell_hole, offers)
         else:
             lines = [
@@ -245,8 +261,12 @@ class SheetWindow(QtWidgets.QMainWindow):
         lines.append(Line(translate("GaussianCAD", "{0} correction(s) by hand").format(count)))
         self.problems.show_lines(lines)
 
-    def _help(self, row: Row) -> tuple[tuple[str, Callable[[], None]], ...]:
-        """Buttons for what may help with a problem: the tool of each correction that is offered."""
+    def _help(self, row: Row) -> Buttons:
+        """Buttons for what may help with a problem."""
+        return self._buttons(row.code, row.offers)
+
+    def _buttons(self, code: str, offers: tuple[str, ...]) -> Buttons:
+        """The tool of each correction that is offered."""
         take = self.board.take_tool
         known: dict[str, tuple[str, Callable[[], None]]] = {
             "view": (translate("GaussianCAD", "Box a View"), lambda: take("view")),
@@ -256,8 +276,8 @@ class SheetWindow(QtWidgets.QMainWindow):
             "projection": (translate("GaussianCAD", "Other Projection"), self._turn_projection),
         }
         close = translate("GaussianCAD", "Close Gaps"), self._close_gaps
-        first = (close,) if row.code == _OPEN and self._closing() else ()
-        return (*first, *(known[own] for own in row.offers if own in known))
+        first = (close,) if code == _OPEN and self._closing() else ()
+        return (*first, *(known[own] for own in offers if own in known))
 
     def _closing(self) -> list[dict]:
         """What closes the outlines that are open."""
@@ -298,10 +318,9 @@ class SheetWindow(QtWidgets.QMainWindow):
     def _ask_role(self, box: tuple) -> None:
         menu = QtWidgets.QMenu(self)
         for number, role in enumerate((*ROLES, "pictorial", "ignore"), start=1):
-            key = f"\t{number}" if number <= len(ROLES) else ""
-            action = menu.addAction(f"{name_of(role)}{key}")
-            if key:
-                action.setShortcut(QtGui.QKeySequence(str(number)))
+            # A menu that pops up knows no shortcuts, but the keys of its letters.
+            key = f"&{number}  " if number <= len(ROLES) else ""
+            action = menu.addAction(f"{key}{name_of(role)}")
             action.triggered.connect(partial(self._take_role, role, box))
         menu.popup(QtGui.QCursor.pos())
 
