@@ -83,6 +83,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         self.problems = Rows(self)
         self._report: dict | None = None
         self._pictured = False
+        self._left_out: list[Line] = []
         self._listen()
         self.pages = Pages(self.desk.thumbnail, lambda: not self.busy, self)
         self.pages.chosen.connect(self.page_asked)
@@ -209,7 +210,7 @@ class SheetWindow(QtWidgets.QMainWindow):
                 "The corrections beside the sheet are of another version of it: they were left "
                 "out, and will be kept as a file of their own.",
             )
-            self.problems.show_lines([Line(kept)])
+            self._left_out = [Line(f"{SIGNS['doubt']} {kept}")]
 
     def _shown(self) -> None:
         """What was read, or said, has changed: the verdict is out of date."""
@@ -258,6 +259,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         if report is None and not count and any(own.severity == "refused" for own in problems):
             # What was read makes no part, and nothing was said yet: no run will tell it.
             lines.insert(0, verdict_line("failed"))
+        lines += self._left_out
         lines.append(Line(translate("GaussianCAD", "{0} correction(s) by hand").format(count)))
         self.problems.show_lines(lines)
 
