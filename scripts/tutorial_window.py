@@ -47,8 +47,12 @@ _KEYS = QtCore.Qt.Key
 HOLE = (((741.0, 909.0), (741.0, 1000.0)), ((892.0, 909.0), (892.0, 1000.0)))
 """Where the second sheet lacks lines, px of the sheet."""
 
-ROLES = (("lines-1", _KEYS.Key_1), ("lines-2", _KEYS.Key_2), ("lines-3", _KEYS.Key_3))
-"""Groups of lines on the third sheet, and the keys that say front, top, right."""
+FRAMES = (
+    ((424.0, 1001.0), _KEYS.Key_1),
+    ((554.0, 59.0), _KEYS.Key_2),
+    ((1576.0, 831.0), _KEYS.Key_3),
+)
+"""A corner of each view on the third sheet, and the keys that say front, top, right."""
 
 LENGTH, LENGTH_MM = ((424.0, 1000.0), (1028.0, 1000.0)), 80.0
 """Both ends of the bracket's foot on the third sheet, and how long it is."""
@@ -129,10 +133,10 @@ class Hand:
             send_mouse(target, _EVENTS.MouseMove, last)
         send_mouse(target, _EVENTS.MouseButtonRelease, last)
 
-    def click_frame(self, name: str) -> None:
-        """Click on the upper edge of a frame."""
-        own = next(own for own in self.dock.canvas.sheet.views if own.id == name)
-        x0, y0, x1, _ = frame_of(own)
+    def click_frame(self, corner: Point) -> None:
+        """Click on the upper edge of the frame around a place."""
+        views = [frame_of(own) for own in self.dock.canvas.sheet.views]
+        x0, y0, x1, _ = next(own for own in views if _holds(own, corner))
         self.drag(((x0 + x1) / 2.0, y0), ((x0 + x1) / 2.0, y0))
 
     def tell_length(self, ends: tuple[Point, Point], length: float) -> None:
@@ -180,6 +184,12 @@ class Hand:
         spin(0.3)
         FreeCAD.closeDocument(FreeCAD.ActiveDocument.Name)
         spin(0.3)
+
+
+def _holds(frame: tuple[float, float, float, float], at: Point) -> bool:
+    """Whether a place lies in a frame."""
+    x0, y0, x1, y1 = frame
+    return x0 <= at[0] <= x1 and y0 <= at[1] <= y1
 
 
 def _type_number(value: float) -> None:
@@ -237,11 +247,11 @@ def views_moved() -> None:
     """The third sheet: views are boxed, and a length is told."""
     hand = Hand("3-views-moved")
     hand.picture("3-before")
-    for name, key in ROLES:
-        hand.click_frame(name)
+    for corner, key in FRAMES:
+        hand.click_frame(corner)
         hand.press(key)
+        hand.settle()
     hand.press(_KEYS.Key_Escape)
-    hand.settle()
     hand.tell_length(LENGTH, LENGTH_MM)
     hand.picture("3-after")
     hand.close()

@@ -175,6 +175,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         board.said.connect(desk.say)
         board.asked_role.connect(self._ask_role)
         board.asked_length.connect(self._ask_length)
+        board.asked_view.connect(self.say_view)
         board.asked_value.connect(self._ask_value)
         board.asked_depth.connect(self._ask_depth)
         board.asked_section.connect(self._ask_section)
