@@ -421,6 +421,16 @@ def test_a_sheet_without_a_part_says_so_first(window: SheetWindow) -> None:
     assert told.box == problem.box
 
 
+def test_a_group_of_lines_that_becomes_a_view_is_boxed(window: SheetWindow) -> None:
+    view = View("lines-1", "ignore", (600.0, 600.0, 700.0, 700.0), used=False)
+    window.desk._read = replace(window.sheet, views=(*window.sheet.views, view))
+    window.desk.changed.emit()
+    window.board.select({"lines-1"})
+    _key(window, QtCore.Qt.Key.Key_4)
+    box = [590.0, 590.0, 710.0, 710.0]
+    assert window.operations == [{"op": "view", "id": "left", "role": "left", "box": box}]
+
+
 def test_a_verdict_leads_and_a_correction_takes_it_back(window: SheetWindow) -> None:
     report = {
         "status": "approximate",
