@@ -2,7 +2,7 @@
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
 .PHONY: help install demo test test-engine test-workbench test-gui test-freecad-latest lint bench \
-	benchmark lock licences sbom vulnerabilities clean
+	benchmark tutorial lock licences sbom vulnerabilities clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-20s %s\n", $$1, $$2 }' Makefile
@@ -38,6 +38,9 @@ bench: install ## the figures of the documentation: seconds and memory, and dist
 
 benchmark: install ## five methods on many sheets, ablations, one page; ARGS='--data DIR', see its --help
 	@.venv/bin/python benchmarks/benchmark.py $(ARGS)
+
+tutorial: install ## the pictures of the tutorial and the README anew, from FreeCAD's window
+	@.venv/bin/python scripts/tutorial_pictures.py
 
 lock: ## pin the engine's and the tests' packages anew; UPGRADE=1 takes the newest ones
 	@sh scripts/lock.sh $(if $(UPGRADE),--upgrade)

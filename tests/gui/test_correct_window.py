@@ -11,7 +11,7 @@ import FreeCADGui
 from test_real_engine import SAMPLE, engine
 from window import WindowCase, spin
 
-from freecad.gaussiancad.canvas.keeping import corrections_path
+from freecad.gaussiancad.canvas.keeping import corrections_path, write_corrections
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.panels import correct
 from freecad.gaussiancad.panels.jobs import JobState, job_list
@@ -156,6 +156,21 @@ class Canvas(WindowCase):
         self.assertEqual(len(self.canvas.operations), 1)
         groups = [own for own in self.document.Objects if own.Name.startswith("Reconstruction")]
         self.assertEqual(len(groups), 1)
+
+    def test_corrections_of_another_version_are_left_out_and_kept(self) -> None:
+        self.close_docks()
+        path = corrections_path(self.copy)
+        told = [{"op": "scale", "points": [[0, 0], [100, 0]], "length_mm": 1.0}]
+        write_corrections(path, "0" * 64, told)
+        self.document = FreeCAD.newDocument("Changed")
+        self.dock = self.opened()
+        self.assertEqual(self.canvas.operations, [])
+        self.assertFalse(path.exists())
+        kept = json.loads(path.with_name(path.name + ".old").read_text(encoding="utf-8"))
+        self.assertEqual(kept["ops"], told)
+        texts = [own.text for own in self.canvas.problems.lines]
+        self.assertTrue(any("another version" in own for own in texts), texts)
+        self.assertAlmostEqual(self.part.Shape.BoundBox.XLength, 100.0, delta=0.1)
 
     def test_two_documents_have_a_canvas_each(self) -> None:
         other = FreeCAD.newDocument("Other")

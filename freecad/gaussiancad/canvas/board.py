@@ -61,6 +61,7 @@ class Board(QtWidgets.QGraphicsView):
         said: operations that one gesture means.
         asked_length: two points of the sheet whose distance a person shall tell.
         asked_role: a box of the sheet whose role a person shall tell.
+        asked_view: the role of a box of the sheet, which a person has told.
         asked_value: a :class:`.Number` that a person shall tell.
         asked_depth: a circle (centre, radius) of a hole whose depth a person shall tell.
         asked_section: a line in a view, and the view's id: which section cuts there.
@@ -73,6 +74,7 @@ class Board(QtWidgets.QGraphicsView):
     said = QtCore.Signal(list)
     asked_length = QtCore.Signal(tuple)
     asked_role = QtCore.Signal(tuple)
+    asked_view = QtCore.Signal(str, tuple)
     asked_value = QtCore.Signal(object)
     asked_depth = QtCore.Signal(tuple)
     asked_section = QtCore.Signal(tuple, str)
@@ -165,9 +167,13 @@ class Board(QtWidgets.QGraphicsView):
         self._say([{"op": "kind", "target": own.target(), "to": kind} for own in chosen])
 
     def give_role(self, role: str) -> None:
-        """Say what the selected view shows."""
+        """Say what the selected view shows; what was no view yet is boxed, so that it is read."""
         view = self.selected_view
-        if view is not None and view.role != role:
+        if view is None or view.role == role:
+            return
+        if role in ROLES and not view.shown:
+            self.asked_view.emit(role, frame_of(view))
+        else:
             self._say([{"op": "view", "id": view.id, "role": role}])
 
     def erase(self) -> None:

@@ -15,7 +15,7 @@ from pathlib import Path
 from freecad.gaussiancad.canvas.correcting import corrected
 from freecad.gaussiancad.canvas.keeping import Keeper, read_again, write_corrections
 from freecad.gaussiancad.canvas.serving import Answer, Program, Server
-from freecad.gaussiancad.canvas.sheet import Point, Sheet, sheet_of
+from freecad.gaussiancad.canvas.sheet import Point, Sheet, shape_in, sheet_of
 from freecad.gaussiancad.engine.wording import worded
 from freecad.gaussiancad.qt import QtCore
 
@@ -169,8 +169,7 @@ class Desk(QtCore.QObject):
         box = [view.box[0] - 4, view.box[1] - 4, view.box[2] + 4, view.box[3] + 4]
 
         def answered(answer: Answer) -> None:
-            found = answer.get("shape") or {}
-            done(next(((name, tuple(own)) for name, own in found.items()), None))
+            done(shape_in(answer.get("shape") or {}))
 
         folder = Path(self._folder.name)
         self._reader.ask("trace", answered, at=list(at), box=box, **self._asked(folder))

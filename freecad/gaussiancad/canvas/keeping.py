@@ -87,10 +87,8 @@ class Beside:
             self._write()
 
     def _write(self) -> None:
-        path = self._path
-        if path.is_file() and read_corrections(path)[0] != self._sha256:
-            os.replace(path, path.with_name(path.name + ".old"))
-        write_corrections(path, self._sha256, self.operations)
+        move_aside(self._path, self._sha256)
+        write_corrections(self._path, self._sha256, self.operations)
 
 
 def read_again(operations: list[dict]) -> list[dict]:
@@ -132,6 +130,12 @@ def operations_in(found: object) -> list[dict] | None:
         return None
     whole = all(isinstance(own, dict) and isinstance(own.get("op"), str) for own in found)
     return found if whole else None
+
+
+def move_aside(path: Path, sha256: str) -> None:
+    """Rename a file of corrections that is not of the sheet with that SHA-256."""
+    if path.is_file() and read_corrections(path)[0] != sha256:
+        os.replace(path, path.with_name(path.name + ".old"))
 
 
 def write_corrections(path: Path, sha256: str, operations: list[dict]) -> None:

@@ -1,5 +1,6 @@
 """Kinds of strokes and roles of views: their keys, and the colours in which they are shown."""
 
+from freecad.gaussiancad.engine.wording import drawing_name
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP
 from freecad.gaussiancad.language import translate as worded
 
@@ -80,5 +81,8 @@ _NAMES = {
 
 
 def name_of(word: str) -> str:
-    """A kind, a role or a tool as a person reads it; ids of views as they are."""
-    return worded("GaussianCAD", _NAMES[word]) if word in _NAMES else word
+    """A kind, a role or a tool as a person reads it; ids of what is no view by their kind."""
+    if word in _NAMES:
+        return worded("GaussianCAD", _NAMES[word])
+    kind, _, number = word.rpartition("-")
+    return f"{drawing_name(kind)} {number}" if number.isdigit() else word

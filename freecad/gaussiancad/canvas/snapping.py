@@ -1,4 +1,5 @@
-"""Places to which a gesture snaps: ends, centres, intersections, tangents, rows and columns."""
+"""Places to which a gesture snaps: ends, centres and outermost places of circles, intersections,
+tangents, rows and columns."""
 
 from __future__ import annotations
 
@@ -12,8 +13,9 @@ from freecad.gaussiancad.canvas.sheet import Point, Sheet, Stroke
 def snapped(sheet: Sheet, at: Point, reach: float, start: Point | None = None) -> Point:
     """Where a place snaps to.
 
-    An end, a centre or an intersection goes first, then a place at which a line from ``start`` is
-    tangent to a circle, then the row and the column of an end or a centre of any view.
+    An end, a centre, an outermost place of a circle or an intersection goes first, then a place at
+    which a line from ``start`` is tangent to a circle, then the row and the column of such a place
+    in any view: the hidden lines of a hole are in the columns of its circle's left and right.
 
     Args:
         sheet: with its strokes.
@@ -46,9 +48,12 @@ def _nearest(places: Iterable[Point], at: Point, reach: float) -> Point | None:
 
 def _ends(strokes: Iterable[Stroke]) -> Iterator[Point]:
     for own in strokes:
-        points = own.points()
-        yield points[0]
-        yield points[-1]
+        if own.circle is not None:
+            x, y, radius = own.circle
+            yield from ((x - radius, y), (x + radius, y), (x, y - radius), (x, y + radius))
+        else:
+            points = own.points()
+            yield from (points[0], points[-1])
         if own.shape[0] != "line":
             yield own.shape[1][0], own.shape[1][1]
 

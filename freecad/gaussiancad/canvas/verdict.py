@@ -13,8 +13,8 @@ from freecad.gaussiancad.language import translate
 SIGNS = {
     "verified": "\u2714",
     "approximate": "\u26a0",
-    "failed": "\u26d4",
-    "refused": "\u26d4",
+    "failed": "\u2716",
+    "refused": "\u2716",
     "doubt": "\u26a0",
     "warning": "\u2139",
 }
@@ -42,10 +42,7 @@ def verdict_lines(report: dict, tell_hole: TellHole, offers: dict[str, Buttons])
         tell_hole: what yes and no do where a hole was assumed to go through.
         offers: buttons that help, by the code of a reason or a warning.
     """
-    status = report["status"]
-    text = f"{SIGNS[status]} {_shape(status)}"
-    measures = _measures(report)
-    lines = [Line(f"{text}\n{measures}" if measures else text, colour=_COLOURS[status])]
+    lines = [verdict_line(report["status"], _measures(report))]
     assumed = {own["message"] for own in report.get("assumptions", ())}
     lines += [
         _remark("doubt", own, offers)
@@ -56,6 +53,12 @@ def verdict_lines(report: dict, tell_hole: TellHole, offers: dict[str, Buttons])
     lines += [Line(text, box) for box, text in _disagreements(report)]
     lines += [_remark("warning", own, offers) for own in report.get("warnings", ())]
     return lines
+
+
+def verdict_line(status: str, measures: str = "") -> Line:
+    """The row with the verdict, in its colour; ``measures`` is a second line of it."""
+    text = f"{SIGNS[status]} {_shape(status)}"
+    return Line(f"{text}\n{measures}" if measures else text, colour=_COLOURS[status])
 
 
 def _remark(severity: str, own: dict, offers: dict[str, Buttons]) -> Line:

@@ -19,7 +19,13 @@ from freecad.gaussiancad.canvas.rows import Line, Rows
 from freecad.gaussiancad.canvas.scene import LAYERS, Mark
 from freecad.gaussiancad.canvas.serving import Program
 from freecad.gaussiancad.canvas.sheet import Box, Number, Point, Row, Sheet
-from freecad.gaussiancad.canvas.verdict import SIGNS, marks_of, verdict_lines
+from freecad.gaussiancad.canvas.verdict import (
+    SIGNS,
+    Buttons,
+    marks_of,
+    verdict_line,
+    verdict_lines,
+)
 from freecad.gaussiancad.engine.wording import stage_name
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
@@ -29,6 +35,15 @@ _PIN = 8.0
 
 _OPEN = "open-outline"
 """The engine's code for a view whose outline has a gap."""
+
+_USUAL = {
+    "scale-assumed": "scale",
+    "full-scale-assumed": "scale",
+    "paper-size-unknown": "scale",
+    "dimensions-not-read": "scale",
+    "projection-assumed": "projection",
+}
+"""What helps with a warning that came up after the sheet was read."""
 
 
 class SheetWindow(QtWidgets.QMainWindow):
@@ -66,6 +81,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         self.problems = Rows(self)
         self._report: dict | None = None
         self._pictured = False
+        self._left_out: list[Line] = []
         self._listen()
         self.pages = Pages(self.desk.thumbnail, lambda: not self.busy, self)
         self.pages.chosen.connect(self.page_asked)
@@ -157,6 +173,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         board.said.connect(desk.say)
         board.asked_role.connect(self._ask_role)
         board.asked_length.connect(self._ask_length)
+        board.asked_view.connect(self.say_view)
         board.asked_value.connect(self._ask_value)
         board.asked_depth.connect(self._ask_depth)
         board.asked_section.connect(self._ask_section)
@@ -192,7 +209,7 @@ class SheetWindow(QtWidgets.QMainWindow):
                 "The corrections beside the sheet are of another version of it: they were left "
                 "out, and will be kept as a file of their own.",
             )
-            self.problems.show_lines([Line(kept)])
+            self._left_out = [Line(f"{SIGNS['doubt']} {kept}")]
 
     def _shown(self) -> None:
         """What was read, or said, has changed: the verdict is out of date."""
@@ -229,7 +246,8 @@ class SheetWindow(QtWidgets.QMainWindow):
         sheet, report = self.sheet, self._report
         problems = sheet.problems if sheet is not None else ()
         if report is not None:
-            offers = {own.code: self._help(own) for own in problems}
+            offers = {code: self._buttons(code, (tool,)) for code, tool in _USUAL.items()}
+            offers.update({own.code: self._help(own) for own in problems})
             lines = verdict_lines(report, self._tell_hole, offers)
         else:
             lines = [
@@ -237,11 +255,19 @@ class SheetWindow(QtWidgets.QMainWindow):
                 for own in problems
             ]
         count = len(self.operations)
+        if report is None and not count and any(own.severity == "refused" for own in problems):
+            # What was read makes no part, and nothing was said yet: no run will tell it.
+            lines.insert(0, verdict_line("failed"))
+        lines += self._left_out
         lines.append(Line(translate("GaussianCAD", "{0} correction(s) by hand").format(count)))
         self.problems.show_lines(lines)
 
-    def _help(self, row: Row) -> tuple[tuple[str, Callable[[], None]], ...]:
-        """Buttons for what may help with a problem: the tool of each correction that is offered."""
+    def _help(self, row: Row) -> Buttons:
+        """Buttons for what may help with a problem."""
+        return self._buttons(row.code, row.offers)
+
+    def _buttons(self, code: str, offers: tuple[str, ...]) -> Buttons:
+        """The tool of each correction that is offered."""
         take = self.board.take_tool
         known: dict[str, tuple[str, Callable[[], None]]] = {
             "view": (translate("GaussianCAD", "Box a View"), lambda: take("view")),
@@ -251,8 +277,8 @@ class SheetWindow(QtWidgets.QMainWindow):
             "projection": (translate("GaussianCAD", "Other Projection"), self._turn_projection),
         }
         close = translate("GaussianCAD", "Close Gaps"), self._close_gaps
-        first = (close,) if row.code == _OPEN and self._closing() else ()
-        return (*first, *(known[own] for own in row.offers if own in known))
+        first = (close,) if code == _OPEN and self._closing() else ()
+        return (*first, *(known[own] for own in offers if own in known))
 
     def _closing(self) -> list[dict]:
         """What closes the outlines that are open."""
@@ -293,10 +319,9 @@ class SheetWindow(QtWidgets.QMainWindow):
     def _ask_role(self, box: tuple) -> None:
         menu = QtWidgets.QMenu(self)
         for number, role in enumerate((*ROLES, "pictorial", "ignore"), start=1):
-            key = f"\t{number}" if number <= len(ROLES) else ""
-            action = menu.addAction(f"{name_of(role)}{key}")
-            if key:
-                action.setShortcut(QtGui.QKeySequence(str(number)))
+            # A menu that pops up knows no shortcuts, but the keys of its letters.
+            key = f"&{number}  " if number <= len(ROLES) else ""
+            action = menu.addAction(f"{key}{name_of(role)}")
             action.triggered.connect(partial(self._take_role, role, box))
         menu.popup(QtGui.QCursor.pos())
 

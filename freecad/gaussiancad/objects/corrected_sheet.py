@@ -14,7 +14,12 @@ from pathlib import Path
 import FreeCAD
 
 from freecad.gaussiancad.canvas.keeping import corrections_path as beside
-from freecad.gaussiancad.canvas.keeping import operations_in, read_corrections, write_corrections
+from freecad.gaussiancad.canvas.keeping import (
+    move_aside,
+    operations_in,
+    read_corrections,
+    write_corrections,
+)
 from freecad.gaussiancad.engine.job import Outcome, ReconstructJob
 from freecad.gaussiancad.engine.report import read_report
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
@@ -151,12 +156,21 @@ class InDocument:
         return corrections_of(group) if group is not None else []
 
     def belongs_to(self, sha256: str) -> bool:
-        """Whether the corrections are of a sheet: those of a document are of the one in it."""
+        """Whether the corrections are of a sheet: those of a document are of the one in it.
+
+        Those of another version of the drawing are left out, in an undo step of its own, and their
+        file is moved aside.
+        """
         group, self._sha256 = self.find(), sha256
         if group is None or not self.operations:
             return True
         told, _ = read_corrections(self._beside)
-        return not told or told == sha256
+        mine = not told or told == sha256
+        if not mine:
+            with transaction(group.Document, translate("GaussianCAD", "Correct Drawing")):
+                setattr(group, CORRECTIONS, "[]")
+            self.copy()
+        return mine
 
     def say(self, operations: list[dict]) -> None:
         """Add operations as one undo step."""
@@ -182,6 +196,8 @@ class InDocument:
     def copy(self) -> None:
         """Write the corrections beside the drawing, where that can be written."""
         try:
+            if self._sha256:
+                move_aside(self._beside, self._sha256)
             write_corrections(self._beside, self._sha256, self.operations)
         except OSError as error:
             FreeCAD.Console.PrintLog(f"GaussianCAD: no corrections beside the drawing: {error}\n")

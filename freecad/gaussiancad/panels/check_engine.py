@@ -101,7 +101,7 @@ class CheckEngineDialog(QtWidgets.QDialog):
 def _verdict(*, whole: bool) -> str:
     if whole:
         return "\u2714 " + translate("GaussianCAD", "The engine is complete and works.")
-    return "\u26d4 " + translate("GaussianCAD", "The engine does not work: see below what to do.")
+    return "\u2716 " + translate("GaussianCAD", "The engine does not work: see below what to do.")
 
 
 def _places_text(places: SearchPlaces) -> str:

@@ -3,6 +3,7 @@
 import json
 import os
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import msgspec
@@ -408,6 +409,26 @@ def test_problems_lead_to_their_place_and_to_a_tool(window: SheetWindow) -> None
     before = window.board.transform().m11()
     _key(window, QtCore.Qt.Key.Key_Tab)
     assert window.board.transform().m11() > before
+
+
+def test_a_sheet_without_a_part_says_so_first(window: SheetWindow) -> None:
+    (problem,) = window.sheet.problems
+    refused = replace(problem, severity="refused")
+    window.desk._read = replace(window.sheet, problems=(refused,))
+    window.desk.changed.emit()
+    verdict, told, _ = window.problems.lines
+    assert verdict.colour and not told.colour
+    assert told.box == problem.box
+
+
+def test_a_group_of_lines_that_becomes_a_view_is_boxed(window: SheetWindow) -> None:
+    view = View("lines-1", "ignore", (600.0, 600.0, 700.0, 700.0), used=False)
+    window.desk._read = replace(window.sheet, views=(*window.sheet.views, view))
+    window.desk.changed.emit()
+    window.board.select({"lines-1"})
+    _key(window, QtCore.Qt.Key.Key_4)
+    box = [590.0, 590.0, 710.0, 710.0]
+    assert window.operations == [{"op": "view", "id": "left", "role": "left", "box": box}]
 
 
 def test_a_verdict_leads_and_a_correction_takes_it_back(window: SheetWindow) -> None:

@@ -28,6 +28,13 @@ def test_ends_and_centres_go_before_rows_and_columns() -> None:
     assert snapped(_SHEET, (130.0, 130.0), 5.0) == (130.0, 130.0)
 
 
+def test_hidden_lines_of_a_hole_are_in_the_columns_of_its_circle() -> None:
+    assert snapped(_SHEET, (172.0, 90.0), 5.0) == (170.0, 90.0)
+    assert snapped(_SHEET, (228.0, 90.0), 5.0) == (230.0, 90.0)
+    assert snapped(_SHEET, (90.0, 167.0), 5.0) == (90.0, 170.0)
+    assert snapped(_SHEET, (201.0, 229.0), 5.0) == (200.0, 230.0)
+
+
 def test_lines_meet_where_they_would_go_on() -> None:
     assert snapped(_SHEET, (61.0, 48.0), 5.0) == (60.0, 50.0)
 
