@@ -10,6 +10,7 @@ from freecad.gaussiancad.objects.corrected_sheet import InDocument, hand_over
 from freecad.gaussiancad.objects.loading import load_run
 from freecad.gaussiancad.objects.reconstruction import add_surface
 from freecad.gaussiancad.panels.jobs import Job
+from freecad.gaussiancad.preferences import read_preferences
 
 
 def full_job(keeper: InDocument, sheet: Path, page: int) -> Job:
@@ -34,7 +35,7 @@ def full_job(keeper: InDocument, sheet: Path, page: int) -> Job:
     def absorb(scratch: Path) -> str:
         views = scratch / "views"
         views.mkdir()
-        run = load_run(made[-1], views)
+        run = load_run(made[-1], views, read_preferences().view_planes)
         add_surface(_known(keeper), run)
         return verdict_text(run.report)
 

@@ -25,6 +25,7 @@ from freecad.gaussiancad.panels.solutions import open_solutions
 from freecad.gaussiancad.panels.widgets import PathField
 from freecad.gaussiancad.preferences import read_preferences
 from freecad.gaussiancad.qt import QtWidgets
+from freecad.gaussiancad.remembered import remember, starting_choices
 
 _PAGED_SUFFIXES = (".pdf", ".tif", ".tiff", ".dxf")
 
@@ -44,7 +45,7 @@ class ReconstructPanel(EnginePanel):
         self.sheet = PathField("sheet", self._browse_sheet)
         self.sheet.line.textChanged.connect(self._show_sheet)
         self.preview = SheetPreview(self.sheet.line.setText)
-        self.settings = SettingsForm(read_preferences())
+        self.settings = SettingsForm(starting_choices(read_preferences()))
         self.source = DocumentSource(self.take_source)
         self._exports: tempfile.TemporaryDirectory[str] | None = None
         self._scaled_sheet = ""
@@ -82,13 +83,14 @@ class ReconstructPanel(EnginePanel):
         self._document_name = document.Name if document is not None else ""
         self._early = None
         self._job = self.settings.job(sheet, str(folder))
+        remember(self.settings.choices, read_preferences())
         return self._job.arguments()
 
     def absorb(self, scratch: Path) -> Success:
         """Read everything, then add it to the document in one step."""
         views = scratch / "views"
         views.mkdir()
-        run = load_run(self._job, views)
+        run = load_run(self._job, views, read_preferences().view_planes)
         group = complete(self._early, self._document(), run)
         if run.overlay is not None:
             self.preview.show_file(str(run.overlay))
