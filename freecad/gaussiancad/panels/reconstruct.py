@@ -15,10 +15,13 @@ from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.document_sheets import export_sheet, first_sheet_object
 from freecad.gaussiancad.objects.early_part import EarlyPart, complete, leave, show_early
+from freecad.gaussiancad.objects.known_sheets import sheet_of
 from freecad.gaussiancad.objects.loading import load_run
+from freecad.gaussiancad.objects.properties import texts_of
 from freecad.gaussiancad.objects.solutions import SolutionSet, has_choice
 from freecad.gaussiancad.panels.document_source import DocumentSource
 from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts, Success
+from freecad.gaussiancad.panels.messages import show_error
 from freecad.gaussiancad.panels.settings_form import SettingsForm
 from freecad.gaussiancad.panels.sheet_preview import SheetPreview
 from freecad.gaussiancad.panels.solutions import open_solutions
@@ -73,6 +76,23 @@ class ReconstructPanel(EnginePanel):
         if exported.mm_per_pixel is not None:
             self.settings.tell_mm_per_pixel(exported.mm_per_pixel)
             self._scaled_sheet = str(exported.path)
+
+    def take_group(self, group: FreeCAD.DocumentObject) -> None:
+        """Take the drawing and the settings of a reconstruction of the document.
+
+        Raises:
+            WorkbenchError: neither the drawing nor the document's copy of it is there.
+        """
+        sheet = sheet_of(group)
+        if sheet is None:
+            text = translate(
+                "GaussianCAD",
+                "The drawing of {name} is gone, and the document holds no copy of it. Choose the "
+                "drawing in Reconstruct from Drawing.",
+            )
+            raise WorkbenchError(ErrorCode.SHEET_MISSING, text.format(name=group.Label))
+        self.sheet.line.setText(str(sheet))
+        self.settings.take_job(ReconstructJob.kept(str(sheet), "", texts_of(group, "Settings")))
 
     def prepare(self, scratch: Path) -> list[str]:
         """Turn the settings into a job; remember the document that is active now."""
@@ -175,6 +195,9 @@ class ReconstructPanel(EnginePanel):
             # The scale was that of another drawing.
             self._scaled_sheet = ""
             self.settings.forget_scale()
+        if not self.running:
+            # What is shown is of another drawing.
+            self.run_view.forget()
         self.preview.show_file(path.strip())
         self.settings.show_page(path.strip().lower().endswith(_PAGED_SUFFIXES))
 
@@ -196,6 +219,20 @@ class ReconstructPanel(EnginePanel):
         layout.addWidget(self.source)
         layout.addWidget(self.preview)
         return box
+
+
+def run_again(group: FreeCAD.DocumentObject) -> None:
+    """Open the panel on a reconstruction of the document, and start; tell the user why not."""
+    FreeCAD.setActiveDocument(group.Document.Name)
+    panel = ReconstructPanel()
+    FreeCADGui.Control.showDialog(panel)
+    try:
+        panel.take_group(group)
+    except WorkbenchError as error:
+        FreeCADGui.Control.closeDialog()
+        show_error(translate("GaussianCAD", "Run Again"), error.message)
+        return
+    panel.start()
 
 
 def _show_all(document: FreeCAD.Document) -> None:

@@ -98,6 +98,22 @@ class SettingsForm(QtWidgets.QWidget):
             scale_down=self.images.scale_down if self._perspective else 1,
         )
 
+    def take_job(self, job: ReconstructJob) -> None:
+        """Show the settings of a job, but for its paths."""
+        self.projection.choose(job.projection)
+        self.preset.choose(job.preset)
+        self.outcome.choose(job.outcome)
+        self.recipe.choose(job.recipe)
+        self.colour.set_colour(job.colour)
+        self.page.setValue(job.page)
+        if self._perspective:
+            self.images.factor.setValue(job.scale_down)
+        self.scale.choose(job.scale.kind)
+        if job.scale.kind is ScaleKind.MM_PER_PIXEL:
+            self.mm_per_pixel.setValue(job.scale.value)
+        elif job.scale.kind is not ScaleKind.UNKNOWN:
+            self.length.setProperty("rawValue", job.scale.value)
+
     def tell_mm_per_pixel(self, value: float) -> None:
         """Set a scale that is known."""
         self.scale.choose(ScaleKind.MM_PER_PIXEL)

@@ -1,0 +1,88 @@
+"""Documents of older versions: what they hold is there, in properties that FreeCAD shows."""
+
+import tempfile
+from pathlib import Path
+
+import FreeCAD
+from support import FolderCase, draw_sheet, run_fake
+
+from freecad.gaussiancad.engine.job import ReconstructJob
+from freecad.gaussiancad.objects.known_sheets import page_of
+from freecad.gaussiancad.objects.loading import load_run
+from freecad.gaussiancad.objects.properties import texts_of
+from freecad.gaussiancad.objects.reconstruction import add_reconstruction, put_reconstruction
+
+MAPS = {
+    "Settings": {"page": "2", "scale": "x = 60", "colour": "#78a0d2"},
+    "ViewBoxes": {"front": "1, 2, 3, 4"},
+    "ViewAgreement": {"front.recall": "0.97"},
+    "Seconds": {"solid": "1.25"},
+    "EngineVersions": {"versions.torch": "2.4: a note", "sheet": "C: drive.png"},
+}
+
+
+class OldDocuments(FolderCase):
+    def setUp(self) -> None:
+        super().setUp()
+        self.addCleanup(self.close_all)
+
+    def close_all(self) -> None:
+        for name in list(FreeCAD.listDocuments()):
+            FreeCAD.closeDocument(name)
+
+    def finished(self) -> object:
+        sheet = draw_sheet(self.folder / "bracket.png")
+        job = ReconstructJob(str(sheet), str(self.folder / "run"), page=2)
+        run_fake(job.arguments())
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        return load_run(job, Path(scratch.name))
+
+    def old_document(self) -> Path:
+        """As version 1 saved it."""
+        document = FreeCAD.newDocument("Old")
+        group = add_reconstruction(document, self.finished())
+        for name, texts in MAPS.items():
+            heading = group.getGroupOfProperty(name)
+            group.removeProperty(name)
+            group.addProperty("App::PropertyMap", name, heading, "an old tip")
+            setattr(group, name, texts)
+            group.setEditorMode(name, 1)
+        group.removeProperty("MeasuresWithin")
+        group.addProperty("App::PropertyFloat", "MeasuresToMillimetres", "Report", "bound")
+        group.MeasuresToMillimetres = 0.125
+        path = self.folder / "old.FCStd"
+        document.saveAs(str(path))
+        self.close_all()
+        return path
+
+    def test_all_that_an_old_document_holds_is_in_the_new_properties(self) -> None:
+        document = FreeCAD.openDocument(str(self.old_document()))
+        group = document.getObject("Reconstruction")
+        for name, texts in MAPS.items():
+            self.assertEqual(group.getTypeIdOfProperty(name), "App::PropertyStringList")
+            self.assertEqual(texts_of(group, name), texts)
+            self.assertEqual(group.getEditorMode(name), ["ReadOnly"])
+        self.assertEqual(group.getTypeIdOfProperty("MeasuresWithin"), "App::PropertyLength")
+        self.assertEqual(group.MeasuresWithin.Value, 0.125)
+        self.assertNotIn("MeasuresToMillimetres", group.PropertiesList)
+        self.assertEqual(page_of(group), 2)
+        again = self.folder / "again.FCStd"
+        document.saveAs(str(again))
+        self.close_all()
+        group = FreeCAD.openDocument(str(again)).getObject("Reconstruction")
+        self.assertEqual(texts_of(group, "Settings"), MAPS["Settings"])
+        self.assertEqual(group.MeasuresWithin.Value, 0.125)
+        self.assertTrue(group.MeasuresWithin.UserString.endswith(" mm"))
+
+    def test_a_second_run_works_on_what_was_brought_up_to_date(self) -> None:
+        document = FreeCAD.openDocument(str(self.old_document()))
+        group = document.getObject("Reconstruction")
+        put_reconstruction(document, self.finished())
+        self.assertEqual(len([o for o in document.Objects if hasattr(o, "SheetPath")]), 1)
+        self.assertEqual(texts_of(group, "Settings")["preset"], "standard")
+
+    def test_no_property_of_this_version_is_hidden_from_an_editor_by_its_type(self) -> None:
+        group = add_reconstruction(FreeCAD.newDocument("New"), self.finished())
+        kinds = {group.getTypeIdOfProperty(name) for name in group.PropertiesList}
+        self.assertNotIn("App::PropertyMap", kinds)
