@@ -77,7 +77,7 @@ class Dialog(WindowCase):
         self.assertIn("The engine is complete.", headline.text())
         details = dialog.findChild(QtWidgets.QLabel, "details").text()
         self.assertIn(f"Version {engine_version()}", details)
-        self.assertIn("GB on disk", details)
+        self.assertIn("MB on disk", details)
         self.assertEqual(self.enabled(dialog), ["repair", "remove"])
         self.picture("install-engine-complete")
         dialog.findChild(QtWidgets.QRadioButton, "cuda").click()

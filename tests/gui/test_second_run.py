@@ -33,6 +33,10 @@ class SecondRun(WindowCase):
         FreeCADGui.Selection.addSelection(own)
         spin(100)
 
+    def report(self) -> QtWidgets.QDialog:
+        tops = QtWidgets.QApplication.topLevelWidgets()
+        return next(top for top in tops if top.objectName() == DIALOG_NAME and top.isVisible())
+
     def test_the_same_objects_change_in_one_step(self) -> None:
         self.behave("contradicts")
         self.finish()
@@ -92,12 +96,15 @@ class SecondRun(WindowCase):
         self.assertFalse(FreeCADGui.Control.activeDialog())
         box.close()
         FreeCADGui.runCommand("GaussianCAD_Report")
-        widget(QtWidgets.QDialog, DIALOG_NAME).reject()
+        report = self.report()
+        preview = report.findChild(QtWidgets.QLabel, "preview")
+        self.assertIn("is gone", preview.text())
+        report.reject()
 
     def test_the_report_opens_from_the_part(self) -> None:
         self.select(self.part)
         FreeCADGui.runCommand("GaussianCAD_Report")
-        dialog = widget(QtWidgets.QDialog, DIALOG_NAME)
+        dialog = self.report()
         self.assertEqual(dialog.windowTitle(), self.group.Label)
         self.picture("report-of-part")
         dialog.reject()

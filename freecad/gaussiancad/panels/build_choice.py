@@ -30,7 +30,8 @@ class BuildChoice(QtWidgets.QWidget):
         layout = QtWidgets.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         for own in TorchBuild:
-            text = f"{build_name(own)}: {sizes[own]}"
+            text = translate("GaussianCAD", "PyTorch for {build}: {sizes}")
+            text = text.format(build=build_name(own), sizes=sizes[own])
             if own is TorchBuild.CUDA:
                 text += f" ({seen})"
             button = QtWidgets.QRadioButton(text)
@@ -51,9 +52,9 @@ class BuildChoice(QtWidgets.QWidget):
 
 
 def build_name(build: TorchBuild) -> str:
-    """A build as the user reads it."""
+    """What a build is for, as the user reads it within a sentence."""
     names = {
-        TorchBuild.CPU: translate("GaussianCAD", "For the processor (CPU)"),
-        TorchBuild.CUDA: translate("GaussianCAD", "For NVIDIA cards (CUDA)"),
+        TorchBuild.CPU: translate("GaussianCAD", "the processor (CPU)"),
+        TorchBuild.CUDA: translate("GaussianCAD", "NVIDIA cards (CUDA)"),
     }
     return names[build]

@@ -22,6 +22,9 @@ QUESTION_NAME = "GaussianCADRemoveEngine"
 
 _LOG_LINES = 5000
 
+_SMALL, _LARGE = (640, 260), (640, 520)
+"""px of the dialog before and while something is done."""
+
 
 class InstallEngineDialog(QtWidgets.QDialog):
     """Nothing is downloaded before the user presses *Download and Install* or *Repair*.
@@ -35,7 +38,7 @@ class InstallEngineDialog(QtWidgets.QDialog):
         self.setObjectName(DIALOG_NAME)
         self.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(translate("GaussianCAD", "Install Engine"))
-        self.resize(640, 520)
+        self.resize(*_SMALL)
         preference = read_preferences().engine_python
         self._places = SearchPlaces.of_this_machine(preference, os.environ)
         self._root = self._places.managed
@@ -68,6 +71,7 @@ class InstallEngineDialog(QtWidgets.QDialog):
         layout = QtWidgets.QVBoxLayout(self)
         for widget in (self.headline, self.details, self.choice, self.bar, self.log, close):
             layout.addWidget(widget)
+        self._show_log(False)
         self._installer: Installer | None = None
         self._tell_condition()
 
@@ -125,6 +129,8 @@ class InstallEngineDialog(QtWidgets.QDialog):
             self.headline.setText(error.message)
             return
         self.details.clear()
+        self._show_log(True)
+        self.resize(*_LARGE)
         self.bar.setRange(0, 0)
         watcher = InstallWatcher(self._show_step, self.log.appendPlainText, self._show_end)
         self._installer = Installer(base, self._root, self.choice.build, watcher)
@@ -138,6 +144,10 @@ class InstallEngineDialog(QtWidgets.QDialog):
             self.headline.setText(error.message)
             return
         self._look_again()
+
+    def _show_log(self, shown: bool) -> None:
+        for widget in (self.bar, self.log):
+            widget.setVisible(shown)
 
     def _show_step(self, title: str) -> None:
         self.headline.setText(title)
@@ -176,7 +186,9 @@ def _condition_texts(managed: Managed, places: SearchPlaces) -> tuple[str, str]:
     """What is there, and what can be done about it."""
     if managed.condition is Condition.COMPLETE:
         headline = "\u2714 " + translate("GaussianCAD", "The engine is complete.")
-        text = translate("GaussianCAD", "Version {version}, {build}, {size} on disk in {folder}.")
+        text = translate(
+            "GaussianCAD", "Version {version} with PyTorch for {build}, {size} on disk in {folder}."
+        )
         details = text.format(
             version=engine_version(),
             build=build_name(managed.build),
@@ -218,6 +230,8 @@ def _consent_text() -> str:
 
 
 def _size_text(size: int) -> str:
+    if size < 1e9:
+        return translate("GaussianCAD", "{count} MB").format(count=f"{size / 1e6:.0f}")
     return translate("GaussianCAD", "{count} GB").format(count=f"{size / 1e9:.1f}")
 
 

@@ -48,7 +48,12 @@ class ReportDialog(QtWidgets.QDialog):
         headline.setObjectName("headline")
         headline.setWordWrap(True)
         picture = SheetPreview()
-        picture.show_file(getattr(group, "Overlay", "") or str(sheet_of(group) or group.Sheet))
+        shown = getattr(group, "Overlay", "") or sheet_of(group)
+        if shown:
+            picture.show_file(str(shown))
+        else:
+            text = translate("GaussianCAD", "The drawing is gone, and the document holds no copy")
+            picture.setText(text)
         expanding = QtWidgets.QSizePolicy.Policy.Expanding
         picture.setSizePolicy(expanding, expanding)
         tabs = QtWidgets.QTabWidget()
