@@ -50,6 +50,13 @@ class Settings(WindowCase):
         self.assertEqual(visible(self.opened()), FEW)
 
     def test_no_value_is_clipped_in_a_narrow_panel(self) -> None:
+        self.addCleanup(FreeCADGui.setLocale, "English")
+        for language in ("English", "de", "zh-CN"):
+            FreeCADGui.setLocale(language)
+            spin(200)
+            self.check_narrow(language)
+
+    def check_narrow(self, language: str) -> None:
         form = SettingsForm(starting_choices(read_preferences()))
         form.more.heading.setChecked(True)
         form.resize(NARROW, 600)
@@ -66,7 +73,7 @@ class Settings(WindowCase):
                 right = box.mapTo(form, box.rect().topRight()).x()
                 self.assertLess(right, form.width())
         form.resize(NARROW, form.sizeHint().height())
-        form.grab().save(str(self.picture("settings-narrow")))
+        form.grab().save(str(self.picture(f"settings-narrow-{language}")))
 
     def test_what_was_chosen_comes_back_but_not_what_belongs_to_the_sheet(self) -> None:
         form = self.opened()

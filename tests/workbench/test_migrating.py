@@ -5,12 +5,21 @@ from pathlib import Path
 
 import FreeCAD
 from support import FolderCase, draw_sheet, run_fake
+from test_comparison import DocumentCase
 
-from freecad.gaussiancad.engine.job import ReconstructJob
+from freecad.gaussiancad.engine.job import CompareJob, ReconstructJob
+from freecad.gaussiancad.objects.comparable import export_geometry
+from freecad.gaussiancad.objects.comparison import (
+    CompareRequest,
+    add_comparison,
+    load_comparison,
+)
+from freecad.gaussiancad.objects.comparison_properties import range_mm
 from freecad.gaussiancad.objects.known_sheets import page_of
 from freecad.gaussiancad.objects.loading import load_run
 from freecad.gaussiancad.objects.properties import texts_of
 from freecad.gaussiancad.objects.reconstruction import add_reconstruction, put_reconstruction
+from freecad.gaussiancad.objects.sources import Source
 
 MAPS = {
     "Settings": {"page": "2", "scale": "x = 60", "colour": "#78a0d2"},
@@ -86,3 +95,27 @@ class OldDocuments(FolderCase):
         group = add_reconstruction(FreeCAD.newDocument("New"), self.finished())
         kinds = {group.getTypeIdOfProperty(name) for name in group.PropertiesList}
         self.assertNotIn("App::PropertyMap", kinds)
+
+
+class OldComparisons(DocumentCase):
+    def test_the_range_and_the_floor_are_kept(self) -> None:
+        output = self.folder / "out"
+        result = export_geometry(self.scan, self.folder, "result")
+        reference = export_geometry(self.part, self.folder, "reference")
+        run_fake(CompareJob(str(result), str(reference), str(output)).arguments())
+        request = CompareRequest(Source(self.scan), Source(self.part))
+        group = add_comparison(self.document, load_comparison(output, self.folder), request)
+        for name in ("Floor", "ColourRange"):
+            group.removeProperty(name)
+        group.addProperty("App::PropertyMap", "Floor", "Comparison", "floor")
+        group.Floor = {"chamfer": "0.03", "emd": "0.05"}
+        group.addProperty("App::PropertyFloat", "RangeMillimetres", "Comparison", "range")
+        group.RangeMillimetres = 0.75
+        name, path = group.Name, str(self.folder / "old.FCStd")
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        group = FreeCAD.openDocument(path).getObject(name)
+        self.assertEqual(texts_of(group, "Floor"), {"chamfer": "0.03", "emd": "0.05"})
+        self.assertEqual(group.ColourRange.Value, 0.75)
+        group.ColourRange = "2 mm"
+        self.assertEqual(range_mm(group), 2.0)

@@ -5,9 +5,10 @@ prints a line ``damaged: NAME``.
 """
 
 import base64
+import csv
 import hashlib
 from collections.abc import Iterator
-from importlib.metadata import Distribution, PackagePath, distributions
+from importlib.metadata import Distribution, distributions
 from pathlib import Path
 
 
@@ -15,24 +16,27 @@ def damaged() -> Iterator[str]:
     """Names of the packages that lack a file, or have one with other bytes."""
     for package in distributions():
         name = package.metadata["Name"]
-        if name and not _is_whole(package):
+        if name and not all(_is_as_installed(*row) for row in _recorded(package)):
             yield name
 
 
-def _is_whole(package: Distribution) -> bool:
-    return all(_is_as_installed(own) for own in package.files or () if own.hash is not None)
+def _recorded(package: Distribution) -> Iterator[tuple[Path, str, str]]:
+    """Path, hash and size of each file; ``Distribution.files`` leaves out those that are gone."""
+    for row in csv.reader((package.read_text("RECORD") or "").splitlines()):
+        if len(row) == 3 and row[1]:
+            yield Path(package.locate_file(row[0])), row[1], row[2]
 
 
-def _is_as_installed(own: PackagePath) -> bool:
-    path = Path(own.locate())
+def _is_as_installed(path: Path, told: str, size: str) -> bool:
+    mode, _, value = told.partition("=")
     try:
-        if own.size is not None and path.stat().st_size != own.size:
+        if size and path.stat().st_size != int(size):
             return False
         with path.open("rb") as file:
-            digest = hashlib.file_digest(file, own.hash.mode).digest()
+            digest = hashlib.file_digest(file, mode).digest()
     except (OSError, ValueError):
         return False
-    return base64.urlsafe_b64encode(digest).rstrip(b"=").decode() == own.hash.value
+    return base64.urlsafe_b64encode(digest).rstrip(b"=").decode() == value
 
 
 if __name__ == "__main__":

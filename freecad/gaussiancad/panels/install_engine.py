@@ -69,8 +69,11 @@ class InstallEngineDialog(QtWidgets.QDialog):
         )
         close.rejected.connect(self.reject)
         layout = QtWidgets.QVBoxLayout(self)
-        for widget in (self.headline, self.details, self.choice, self.bar, self.log, close):
+        for widget in (self.headline, self.details, self.choice, self.bar):
             layout.addWidget(widget)
+        layout.addWidget(self.log, 1)
+        layout.addStretch()
+        layout.addWidget(close)
         self._show_log(False)
         self._installer: Installer | None = None
         self._tell_condition()
