@@ -163,7 +163,7 @@ class Installations(FolderCase):
             (packages / f"{name}.py").write_text("x = 1\n")
             digest = hashlib.sha256(b"x = 1\n").digest()
             told = base64.urlsafe_b64encode(digest).rstrip(b"=").decode()
-            (info / "RECORD").write_text(f"{name}.py,sha256={told},6\n{name}.pyc,,\n")
+            (info / "RECORD").write_text(f"{name}.py,sha256={told},6\n{name}.pyc,sha256=other,7\n")
         (packages / "changed.py").write_text("x = 2\n")
         (packages / "lacking.py").unlink()
         ended = subprocess.run(

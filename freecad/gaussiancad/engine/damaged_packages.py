@@ -23,7 +23,8 @@ def damaged() -> Iterator[str]:
 def _recorded(package: Distribution) -> Iterator[tuple[Path, str, str]]:
     """Path, hash and size of each file; ``Distribution.files`` leaves out those that are gone."""
     for row in csv.reader((package.read_text("RECORD") or "").splitlines()):
-        if len(row) == 3 and row[1]:
+        # What Python compiled itself, it compiles anew whenever it likes.
+        if len(row) == 3 and row[1] and not row[0].endswith(".pyc"):
             yield Path(package.locate_file(row[0])), row[1], row[2]
 
 
