@@ -99,6 +99,17 @@ class Repeated(FolderCase):
         self.assertEqual(len({self.group.Name, second.Name, third.Name}), 3)
         self.assertIs(group_of(self.document, self.sheet, 2), third)
 
+    def test_a_copy_of_the_drawing_elsewhere_is_the_same_drawing(self) -> None:
+        elsewhere = self.folder / "elsewhere"
+        elsewhere.mkdir()
+        copy = Path(shutil.copy(self.sheet, elsewhere))
+        self.assertIs(group_of(self.document, copy, 1), self.group)
+        self.assertIsNone(group_of(self.document, copy, 2))
+        self.assertIsNone(group_of(self.document, copy.rename(elsewhere / "other.png"), 1))
+        changed = elsewhere / self.sheet.name
+        changed.write_bytes(self.sheet.read_bytes() + b"\0")
+        self.assertIsNone(group_of(self.document, changed, 1))
+
     def test_the_documents_copy_serves_where_the_drawing_is_gone(self) -> None:
         path = str(self.sheet)
         self.sheet.unlink()

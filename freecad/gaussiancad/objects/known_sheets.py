@@ -1,5 +1,6 @@
 """The drawings that a document has reconstructions of."""
 
+import filecmp
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -11,16 +12,35 @@ from freecad.gaussiancad.objects.properties import texts_of
 def group_of(document: FreeCAD.Document, sheet: Path, page: int) -> FreeCAD.DocumentObject | None:
     """The group of a drawing in a document, or None.
 
+    A drawing is known by its place, else by its name and its bytes: what a panel takes from the
+    document itself lies in another folder each time.
+
     Args:
         document: is searched.
         sheet: path of the drawing, or of the copy of it that the document holds.
         page: of a file with pages.
     """
-    for own in document.Objects:
-        same = str(sheet.absolute()) in (getattr(own, name, "") for name in ("SheetPath", "Sheet"))
-        if same and page_of(own) == page:
-            return own
+    groups = [own for own in document.Objects if hasattr(own, "SheetPath")]
+    groups = [own for own in groups if page_of(own) == page]
+    for is_same in (_is_at, _is_copy_of):
+        for own in groups:
+            if is_same(own, sheet):
+                return own
     return None
+
+
+def _is_at(group: FreeCAD.DocumentObject, sheet: Path) -> bool:
+    return str(sheet.absolute()) in (group.SheetPath, getattr(group, "Sheet", ""))
+
+
+def _is_copy_of(group: FreeCAD.DocumentObject, sheet: Path) -> bool:
+    kept = getattr(group, "Sheet", "")
+    if not kept or Path(group.SheetPath).name != sheet.name:
+        return False
+    try:
+        return filecmp.cmp(kept, sheet, shallow=False)
+    except OSError:
+        return False
 
 
 def page_of(group: FreeCAD.DocumentObject) -> int:
