@@ -109,6 +109,23 @@ class SecondRun(WindowCase):
         self.picture("report-of-part")
         dialog.reject()
 
+    def test_the_property_editor_shows_lists_and_lengths(self) -> None:
+        FreeCADGui.Control.closeDialog()
+        spin(200)
+        self.select(self.group)
+        spin(500)
+        shown: set[str] = set()
+        for tree in self.window.findChildren(QtWidgets.QTreeView):
+            model = tree.model()
+            if "PropertyEditor" not in tree.metaObject().className() or model is None:
+                continue
+            for row in range(model.rowCount()):
+                heading = model.index(row, 0)
+                for inner in range(model.rowCount(heading)):
+                    shown.add(str(model.index(inner, 0, heading).data()).replace(" ", ""))
+        self.picture("properties")
+        self.assertTrue({"Settings", "ViewBoxes", "Seconds", "MeasuresWithin"} <= shown, shown)
+
     def test_the_context_menu_offers_it_for_group_and_part_alone(self) -> None:
         box = self.document.addObject("Part::Box", "Box")
         self.document.recompute()
