@@ -19,7 +19,11 @@ from freecad.gaussiancad.objects.known_sheets import page_of
 from freecad.gaussiancad.objects.loading import load_run
 from freecad.gaussiancad.objects.properties import texts_of
 from freecad.gaussiancad.objects.reconstruction import add_reconstruction, put_reconstruction
+from freecad.gaussiancad.objects.reconstruction_properties import SCHEMA_VERSION
 from freecad.gaussiancad.objects.sources import Source
+
+OLD = Path(__file__).parent / "data" / "reconstruction-schema-1.FCStd"
+"""Saved by the version that kept its texts in maps."""
 
 MAPS = {
     "Settings": {"page": "2", "scale": "x = 60", "colour": "#78a0d2"},
@@ -57,6 +61,7 @@ class OldDocuments(FolderCase):
             group.addProperty("App::PropertyMap", name, heading, "an old tip")
             setattr(group, name, texts)
             group.setEditorMode(name, 1)
+        group.SchemaVersion = 1
         group.removeProperty("MeasuresWithin")
         group.addProperty("App::PropertyFloat", "MeasuresToMillimetres", "Report", "bound")
         group.MeasuresToMillimetres = 0.125
@@ -75,7 +80,7 @@ class OldDocuments(FolderCase):
         self.assertEqual(group.getTypeIdOfProperty("MeasuresWithin"), "App::PropertyLength")
         self.assertEqual(group.MeasuresWithin.Value, 0.125)
         self.assertNotIn("MeasuresToMillimetres", group.PropertiesList)
-        self.assertEqual(page_of(group), 2)
+        self.assertEqual((page_of(group), group.SchemaVersion), (2, SCHEMA_VERSION))
         again = self.folder / "again.FCStd"
         document.saveAs(str(again))
         self.close_all()
@@ -83,6 +88,18 @@ class OldDocuments(FolderCase):
         self.assertEqual(texts_of(group, "Settings"), MAPS["Settings"])
         self.assertEqual(group.MeasuresWithin.Value, 0.125)
         self.assertTrue(group.MeasuresWithin.UserString.endswith(" mm"))
+
+    def test_a_document_that_an_older_version_saved_is_read_without_loss(self) -> None:
+        group = FreeCAD.openDocument(str(OLD)).getObject("Reconstruction")
+        settings = texts_of(group, "Settings")
+        self.assertEqual((settings["preset"], settings["scale-down"]), ("standard", "1"))
+        self.assertEqual(len(settings), 9)
+        self.assertEqual(texts_of(group, "ViewBoxes")["top"], "100, 100, 340, 260")
+        self.assertEqual(len(texts_of(group, "ViewAgreement")), 12)
+        self.assertEqual(texts_of(group, "Seconds")["solid"], "1.25")
+        self.assertEqual(texts_of(group, "EngineVersions")["device"], "cpu")
+        self.assertEqual((group.MeasuresWithin.Value, group.SchemaVersion), (0.0, SCHEMA_VERSION))
+        self.assertEqual((len(group.Group), group.Status), (6, "verified"))
 
     def test_a_second_run_works_on_what_was_brought_up_to_date(self) -> None:
         document = FreeCAD.openDocument(str(self.old_document()))

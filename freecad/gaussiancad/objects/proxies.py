@@ -53,6 +53,7 @@ class GroupProxy:
     """
 
     view_proxy = GroupViewProxy
+    schema_version = 0
 
     def __init__(self, target: FreeCAD.DocumentObject) -> None:
         target.Proxy = self
@@ -69,7 +70,7 @@ class GroupProxy:
     def onDocumentRestored(self, target: FreeCAD.DocumentObject) -> None:
         """Bring what an older version made up to date, and dress what ``freecadcmd`` made, once
         the window has restored what it knows of it."""
-        migrate(target)
+        migrate(target, self.schema_version)
         if FreeCAD.GuiUp:
             QtCore.QTimer.singleShot(0, lambda: self._show_if_bare(target))
 
