@@ -52,6 +52,15 @@ class SecondRun(WindowCase):
         self.assertTrue(all(Path(plane.ImageFile).is_file() for plane in planes))
         self.picture("second-run-undone")
 
+    def test_the_view_stays_where_the_user_turned_it(self) -> None:
+        view = FreeCADGui.ActiveDocument.ActiveView
+        view.setAnimationEnabled(False)
+        view.viewTop()
+        spin(100)
+        camera = view.getCamera()
+        self.finish()
+        self.assertEqual(view.getCamera(), camera)
+
     def test_another_sheet_clears_the_verdict(self) -> None:
         stage = widget(QtWidgets.QLabel, "stage")
         self.assertIn("verified", stage.text())

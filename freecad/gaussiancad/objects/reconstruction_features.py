@@ -40,6 +40,12 @@ def find_part(group: FreeCAD.DocumentObject) -> FreeCAD.DocumentObject | None:
     return next((child for child in group.Group if child.Name.startswith(_PART)), None)
 
 
+def part_length(group: FreeCAD.DocumentObject) -> float:
+    """Diagonal of the box around a reconstruction's part, in mm; 0 without a part."""
+    part = find_part(group)
+    return 0.0 if part is None or part.Shape.isNull() else part.Shape.BoundBox.DiagonalLength
+
+
 def put_features(group: FreeCAD.DocumentObject, run: LoadedRun) -> None:
     """Give a group the features of a run; of an earlier run's, those that fit are changed in place.
 

@@ -15,9 +15,10 @@ from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.document_sheets import export_sheet, first_sheet_object
 from freecad.gaussiancad.objects.early_part import EarlyPart, complete, leave, show_early
-from freecad.gaussiancad.objects.known_sheets import sheet_of
+from freecad.gaussiancad.objects.known_sheets import group_of, sheet_of
 from freecad.gaussiancad.objects.loading import load_run
 from freecad.gaussiancad.objects.properties import texts_of
+from freecad.gaussiancad.objects.reconstruction_features import part_length
 from freecad.gaussiancad.objects.solutions import SolutionSet, has_choice
 from freecad.gaussiancad.panels.document_source import DocumentSource
 from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts, Success
@@ -29,6 +30,9 @@ from freecad.gaussiancad.panels.widgets import PathField
 from freecad.gaussiancad.preferences import read_preferences
 from freecad.gaussiancad.qt import QtWidgets
 from freecad.gaussiancad.remembered import remember, starting_choices
+
+_ALIKE = 1.3
+"""Factor by which a part may grow before the 3D view is fitted to it again."""
 
 _PAGED_SUFFIXES = (".pdf", ".tif", ".tiff", ".dxf")
 
@@ -56,6 +60,7 @@ class ReconstructPanel(EnginePanel):
         self.dress()
         self._job: ReconstructJob | None = None
         self._document_name = ""
+        self._shown_mm = 0.0
         self._early: EarlyPart | None = None
         selected = first_sheet_object(FreeCADGui.Selection.getSelection())
         if selected is not None:
@@ -103,6 +108,8 @@ class ReconstructPanel(EnginePanel):
         self._document_name = document.Name if document is not None else ""
         self._early = None
         self._job = self.settings.job(sheet, str(folder))
+        known = group_of(document, Path(sheet), self._job.page) if document is not None else None
+        self._shown_mm = 0.0 if known is None else part_length(known)
         remember(self.settings.choices, read_preferences())
         return self._job.arguments()
 
@@ -114,8 +121,7 @@ class ReconstructPanel(EnginePanel):
         group = complete(self._early, self._document(), run)
         if run.overlay is not None:
             self.preview.show_file(str(run.overlay))
-        if self._early is None:
-            _show_all(group.Document)
+        self._show(group)
         self._early = None
         if has_choice(group):
             self._offer_choice(group)
@@ -153,7 +159,14 @@ class ReconstructPanel(EnginePanel):
             FreeCAD.Console.PrintLog(traceback.format_exc())
             return
         self._document_name = document.Name
-        _show_all(document)
+        self._show(self._early.find())
+
+    def _show(self, group: FreeCAD.DocumentObject) -> None:
+        """Fit the 3D view, unless a part of about that size was there already."""
+        length = part_length(group)
+        if not 1.0 / _ALIKE < length / max(self._shown_mm, 1e-9) < _ALIKE:
+            _show_all(group.Document)
+        self._shown_mm = length
 
     def _leave(self) -> None:
         super()._leave()
