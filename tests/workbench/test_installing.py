@@ -122,6 +122,14 @@ class Installations(FolderCase):
         self.assertTrue(kept.exists())
         self.assertIs(look_at(self.root).condition, Condition.COMPLETE)
 
+    def test_a_damaged_pytorch_is_looked_for_anew(self) -> None:
+        self.install()
+        self.set_variable("GAUSSIANCAD_FAKE_DAMAGED", "damaged: torch")
+        asked = self.install(repair=True)
+        self.assertEqual(self.ends, [""])
+        looked = [arguments for arguments in asked if "--dry-run" in arguments]
+        self.assertEqual(["--force-reinstall" in arguments for arguments in looked], [True])
+
     def test_a_repair_that_stops_can_be_taken_up_again(self) -> None:
         self.install()
         self.set_variable("GAUSSIANCAD_FAKE_FAILS", "engine-cpu.txt")

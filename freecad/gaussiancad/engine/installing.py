@@ -204,7 +204,9 @@ class Installer:
         """Ask pip whether it is offered PyTorch's small build, downloading nothing."""
         self._next = then
         title = translate("GaussianCAD", "Looking for the small build of PyTorch")
-        asked = ("--dry-run", *self._indexes, "--requirement", self._excerpt({"torch"}))
+        # One that is there, though damaged, would do for pip.
+        anew = ("--force-reinstall",) if "torch" in self._damaged else ()
+        asked = ("--dry-run", *anew, *self._indexes, "--requirement", self._excerpt({"torch"}))
         return self._pip(title, *asked, may_fail=True)
 
     def _after_own_indexes(self, offered: bool) -> Step | None:
