@@ -13,7 +13,8 @@ from freecad.gaussiancad.engine.locate import SearchPlaces, find_engine
 from freecad.gaussiancad.engine.process import EngineRun
 from freecad.gaussiancad.engine.verdict import RunState
 from freecad.gaussiancad.errors import WorkbenchError
-from freecad.gaussiancad.objects.reconstruction import add_empty_part, new_reconstruction
+from freecad.gaussiancad.objects.reconstruction import new_reconstruction
+from freecad.gaussiancad.objects.reconstruction_features import add_empty_part
 from freecad.gaussiancad.preferences import read_preferences
 
 

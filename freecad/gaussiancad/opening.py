@@ -52,8 +52,9 @@ def insert(path: str, name: str) -> None:
 
 
 def _reconstruct(sheet: Path, document: FreeCAD.Document) -> None:
-    preference = read_preferences().engine_python
-    engine = find_engine(SearchPlaces.of_this_machine(preference, os.environ))
+    preferences = read_preferences()
+    places = SearchPlaces.of_this_machine(preferences.engine_python, os.environ)
+    engine = find_engine(places)
     with tempfile.TemporaryDirectory(prefix="gaussiancad-") as folder:
         scratch = Path(folder)
         job = ReconstructJob(str(sheet), str(scratch / "run"), outcome=Outcome.SOLID)
@@ -64,4 +65,4 @@ def _reconstruct(sheet: Path, document: FreeCAD.Document) -> None:
             raise WorkbenchError(ErrorCode.RESULT_UNREADABLE, result.words)
         views = scratch / "views"
         views.mkdir()
-        add_reconstruction(document, load_run(job, views))
+        add_reconstruction(document, load_run(job, views, preferences.view_planes))

@@ -6,7 +6,7 @@ from typing import TypeVar
 
 import FreeCAD
 
-from freecad.gaussiancad.engine.job import Preset, Projection
+from freecad.gaussiancad.engine.job import Outcome, Preset, Projection
 
 GROUP = "User parameter:BaseApp/Preferences/Mod/GaussianCAD"
 
@@ -17,26 +17,35 @@ _Mode = TypeVar("_Mode", bound=Enum)
 class Preferences:
     """What the preferences page holds.
 
+    There is no unit among them: the engine's parts are in millimetres, as FreeCAD's own are, and
+    FreeCAD's unit system decides how their sizes are shown.
+
     Attributes:
         engine_python: the engine's interpreter, or empty.
-        preset, projection: what the task panel starts with.
+        preset, projection, outcome: what the task panel starts with, until something else is
+            chosen in it (:mod:`freecad.gaussiancad.remembered` tells the rule).
         output_folder: folder that receives a folder for each run, or empty for a temporary one.
+        view_planes: whether the drawing's views are added as pictures around the part.
     """
 
     engine_python: str
     preset: Preset
     projection: Projection
+    outcome: Outcome
     output_folder: str
+    view_planes: bool
 
 
 def read_preferences() -> Preferences:
-    """The preferences as they are now."""
+    """The preferences as they are now; a value out of range counts as the usual one."""
     group = FreeCAD.ParamGet(GROUP)
     return Preferences(
         group.GetString("EnginePython", ""),
         _mode(Preset, group.GetInt("Preset", 1), Preset.STANDARD),
         _mode(Projection, group.GetInt("Projection", 0), Projection.AUTO),
+        _mode(Outcome, group.GetInt("Outcome", 0), Outcome.BOTH),
         group.GetString("OutputFolder", ""),
+        group.GetBool("ViewPlanes", True),
     )
 
 

@@ -4,7 +4,7 @@ import FreeCADGui
 
 from freecad.gaussiancad import paths
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
-from freecad.gaussiancad.workbench_names import MENU, TOOLBAR
+from freecad.gaussiancad.workbench_names import MENU, OF_A_RECONSTRUCTION, TOOLBAR
 
 
 class GaussianCADWorkbench(FreeCADGui.Workbench):
@@ -29,9 +29,10 @@ class GaussianCADWorkbench(FreeCADGui.Workbench):
 
     def ContextMenu(self, recipient: str) -> None:
         """Offer what can be done with what is selected."""
+        from freecad.gaussiancad.objects.known_sheets import reconstruction_among
+
         chosen = FreeCADGui.Selection.getSelection()
-        drawn = any(hasattr(own, "SheetPath") for own in chosen)
-        commands = ["GaussianCAD_Correct", "GaussianCAD_Solutions"] if drawn else []
+        commands = OF_A_RECONSTRUCTION if reconstruction_among(chosen) is not None else ()
         if chosen:
             self.appendContextMenu("", [*commands, "GaussianCAD_Compare"])
 

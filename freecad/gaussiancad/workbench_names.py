@@ -9,3 +9,11 @@ TOOLBAR = (
 )
 
 MENU = (*TOOLBAR[:-1], "GaussianCAD_FailedSheets", TOOLBAR[-1], "GaussianCAD_InstallEngine")
+
+OF_A_RECONSTRUCTION = (
+    "GaussianCAD_Correct",
+    "GaussianCAD_Solutions",
+    "GaussianCAD_RunAgain",
+    "GaussianCAD_Report",
+)
+"""What the context menu offers for a reconstruction and its part."""

@@ -136,11 +136,11 @@ class Panel(WindowCase):
         widget(QtWidgets.QDoubleSpinBox, "range").setValue(0.25)
         spin(200)
         group = self.document.getObject("Comparison")
-        self.assertEqual(group.RangeMillimetres, 0.25)
+        self.assertEqual(group.ColourRange.Value, 0.25)
         self.assertEqual(self.document.UndoCount, steps + 1)
         self.picture("compare-range")
         self.document.undo()
-        self.assertEqual(group.RangeMillimetres, 1.0)
+        self.assertEqual(group.ColourRange.Value, 1.0)
 
     def test_a_section_shows_both_outlines(self) -> None:
         self.compare()

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import FreeCAD
 import FreeCADGui
-from window import WindowCase, widget
+from window import WindowCase, spin, widget
 
 from freecad.gaussiancad.qt import QtWidgets
 
@@ -30,6 +30,17 @@ class Source(WindowCase):
         self.picture("panel-image-plane")
         FreeCADGui.Control.closeDialog()
         self.wait_for(lambda: not taken.exists())
+
+    def test_a_second_panel_on_the_same_image_updates_its_group(self) -> None:
+        for _ in range(2):
+            FreeCADGui.Selection.addSelection(self.plane)
+            self.open_panel("GaussianCAD_Reconstruct")
+            widget(QtWidgets.QPushButton, "start").click()
+            self.wait_for(widget(QtWidgets.QPushButton, "start").isEnabled)
+            FreeCADGui.Control.closeDialog()
+            spin(200)
+        groups = [own for own in self.document.Objects if hasattr(own, "SheetPath")]
+        self.assertEqual(len(groups), 1)
 
     def test_the_menu_offers_pages_and_images(self) -> None:
         self.open_panel("GaussianCAD_Reconstruct")

@@ -38,29 +38,33 @@ class Registration(WindowCase):
                 seen.extend(preset.itemText(i) for i in range(preset.count()))
                 seen.append(preset.currentText())
                 preset.setCurrentIndex(0)
+                dialog.findChild(QtWidgets.QComboBox, "outcome").setCurrentIndex(1)
+                planes = dialog.findChild(QtWidgets.QCheckBox, "viewPlanes")
+                seen.append(str(planes.isChecked()))
+                planes.setChecked(False)
                 line = dialog.findChild(QtWidgets.QWidget, "enginePython")
                 line.setProperty("fileName", "/somewhere/python")
                 self.picture("preferences")
             finally:
                 dialog.accept()
 
-        group = FreeCAD.ParamGet(GROUP)
-        self.addCleanup(group.Clear)
         QtCore.QTimer.singleShot(1500, use_the_page)
         FreeCADGui.showPreferences("GaussianCAD", 0)
         spin(200)
-        self.assertEqual(seen, ["Draft", "Standard", "Fine", "Standard"])
+        self.assertEqual(seen, ["Draft", "Standard", "Fine", "Standard", "True"])
         preferences = read_preferences()
         self.assertEqual(preferences.preset.value, "draft")
         self.assertEqual(preferences.projection.value, "auto")
         self.assertEqual(preferences.engine_python, "/somewhere/python")
+        self.assertEqual((preferences.outcome.value, preferences.view_planes), ("solid", False))
 
     def test_preferences_out_of_range_fall_back(self) -> None:
         group = FreeCAD.ParamGet(GROUP)
-        self.addCleanup(group.Clear)
         group.SetInt("Preset", 17)
         group.SetInt("Projection", -1)
+        group.SetInt("Outcome", 3)
         preferences = read_preferences()
         self.assertEqual(
-            (preferences.preset.value, preferences.projection.value), ("standard", "auto")
+            (preferences.preset.value, preferences.projection.value, preferences.outcome.value),
+            ("standard", "auto", "both"),
         )

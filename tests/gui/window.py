@@ -10,6 +10,7 @@ import FreeCADGui
 from support import FAKE_ENGINE, FolderCase, draw_sheet
 
 from freecad.gaussiancad.panels.messages import BOX_NAME
+from freecad.gaussiancad.preferences import GROUP
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
 PATIENCE_SECONDS = 60.0
@@ -37,6 +38,7 @@ class WindowCase(FolderCase):
     def setUp(self) -> None:
         super().setUp()
         self.set_variable("GAUSSIANCAD_PYTHON", FAKE_ENGINE.python)
+        self.addCleanup(FreeCAD.ParamGet(GROUP).Clear)
         self.sheet = draw_sheet(self.folder / "bracket.png")
         self.window = FreeCADGui.getMainWindow()
         self.addCleanup(self.close_all)
@@ -104,6 +106,11 @@ class WindowCase(FolderCase):
         button = widget(QtWidgets.QPushButton, "start")
         button.click()
         return button
+
+    def open_more(self) -> None:
+        """Open *More settings*."""
+        widget(QtWidgets.QToolButton, "moreSettings").setChecked(True)
+        spin(100)
 
     def choose_sheet(self, path: Path) -> None:
         """Type the path of the drawing."""

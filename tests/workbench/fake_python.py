@@ -7,10 +7,19 @@ that GAUSSIANCAD_FAKE_LOG names.  What has the word in GAUSSIANCAD_FAKE_FAILS in
 
 import json
 import os
+import re
 import shutil
 import sys
 import time
 from pathlib import Path
+
+
+def install(lock: Path) -> None:
+    """Leave what installers look at: a folder for each package of a lock."""
+    packages = Path(sys.argv[0]).parent.parent / "lib" / "python3" / "site-packages"
+    for name, version in re.findall(r"^(\S+)==(\S+)", lock.read_text(), re.MULTILINE):
+        folder = packages / f"{name.replace('-', '_')}-{version}.dist-info"
+        folder.mkdir(parents=True, exist_ok=True)
 
 
 def main() -> int:
@@ -26,8 +35,13 @@ def main() -> int:
         return 1
     if "venv" in arguments:
         folder = Path(arguments[-1]) / "bin"
-        folder.mkdir(parents=True)
+        folder.mkdir(parents=True, exist_ok=True)
         shutil.copy(__file__, folder / "python")
+        (folder.parent / "pyvenv.cfg").touch()
+    if "damaged_packages.py" in words:
+        print(os.environ.get("GAUSSIANCAD_FAKE_DAMAGED", ""), flush=True)
+    if "pip" in arguments and "--dry-run" not in arguments:
+        install(Path(arguments[-1]))
     if os.environ.get("GAUSSIANCAD_FAKE") == "slow" and "pip" in arguments:
         time.sleep(60)
     return 0

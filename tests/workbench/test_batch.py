@@ -26,6 +26,7 @@ from freecad.gaussiancad.batch_options import parse_options
 from freecad.gaussiancad.batch_report import SheetRow
 from freecad.gaussiancad.engine.job import Preset, Recipe, ScaleKind
 from freecad.gaussiancad.objects.exporting import write_step, write_stl
+from freecad.gaussiancad.objects.properties import texts_of
 from freecad.gaussiancad.paths import ADDON_ROOT
 from freecad.gaussiancad.staging import staging
 from freecad.gaussiancad.whole_files import is_whole_document, is_whole_step, is_whole_stl
@@ -121,7 +122,7 @@ class Batches(BatchCase):
         self.assertEqual(self.convert(sheet, *words), 0)
         document = FreeCAD.openDocument(str(self.output / "a.FCStd"))
         self.addCleanup(FreeCAD.closeDocument, document.Name)
-        settings = document.getObject("Reconstruction").Settings
+        settings = texts_of(document.getObject("Reconstruction"), "Settings")
         told = [settings[key] for key in ("scale", "preset", "seed", "projection", "page")]
         self.assertEqual(told, ["x = 60", "draft", "9", "third", "1"])
         self.assertEqual(document.getObject("Reconstruction").SheetPath, str(sheet))

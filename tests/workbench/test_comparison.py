@@ -154,8 +154,8 @@ class Groups(DocumentCase):
         self.assertEqual((group.Result, group.Reference), ("Scan", "Model"))
         self.assertEqual((group.Chamfer, group.Hausdorff, group.Emd), (0.0312, 0.12, 0.056))
         self.assertEqual((group.PointToSurface, group.VolumeIou), (0.004, 0.991))
-        self.assertEqual(group.Floor, {"chamfer": "0.03", "hausdorff": "0.1", "emd": "0.05"})
-        self.assertEqual(group.RangeMillimetres, 1.0)
+        self.assertEqual(group.Floor, ["chamfer: 0.03", "hausdorff: 0.1", "emd: 0.05"])
+        self.assertEqual(group.ColourRange.Value, 1.0)
         deviation, legend = group.Group
         self.assertAlmostEqual(deviation.Mesh.Volume, fake_part.VOLUME, places=2)
         for point, colour in zip(deviation.Mesh.Points, deviation.VertexColors, strict=True):
@@ -188,14 +188,14 @@ class Groups(DocumentCase):
         deviation, _ = group.Group
         self.document.UndoMode = 1
         self.document.openTransaction("Range")
-        group.RangeMillimetres = 0.5
+        group.ColourRange = 0.5
         self.document.commitTransaction()
         for value, colour in zip(deviation.Deviations, deviation.VertexColors, strict=True):
             expected = [channel / 255.0 for channel in colour_at(value / 0.5)]
             for channel, wanted in zip(colour[:3], expected, strict=True):
                 self.assertAlmostEqual(channel, wanted, delta=0.01)
         self.document.undo()
-        self.assertEqual(group.RangeMillimetres, 1.0)
+        self.assertEqual(group.ColourRange.Value, 1.0)
         self.assertAlmostEqual(deviation.VertexColors[-1][0], loaded.colours[-1][0], delta=0.01)
 
     def test_a_change_makes_it_stale_and_comparing_again_mends_that(self) -> None:
@@ -273,7 +273,7 @@ class Groups(DocumentCase):
         self.assertEqual(report.engineering["agreement"], 0.875)
         self.assertEqual(request_of(group).result.label, "Scan")
         self.assertIn("<h1>fake", Path(group.Page).read_text())
-        group.RangeMillimetres = 2.0
+        group.ColourRange = 2.0
         self.assertEqual(len(group.Group[0].Deviations), len(group.Group[0].VertexColors))
 
     def test_the_table_holds_every_number(self) -> None:

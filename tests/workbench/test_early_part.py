@@ -14,7 +14,8 @@ from freecad.gaussiancad.engine.report import Status
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.objects.early_part import EarlyPart, complete, leave, show_early
 from freecad.gaussiancad.objects.loading import LoadedRun, load_run
-from freecad.gaussiancad.objects.reconstruction import find_part
+from freecad.gaussiancad.objects.properties import texts_of
+from freecad.gaussiancad.objects.reconstruction_features import find_part
 
 STEP = "Reconstruct from Drawing"
 
@@ -56,7 +57,7 @@ class EarlyParts(FolderCase):
         self.assertEqual((part.Label, part.Exact), ("Part (approximate)", True))
         self.assertEqual((part.Status, group.Status), ("approximate", "approximate"))
         self.assertEqual(group.Label, "Reconstruction of bracket")
-        self.assertEqual(group.Settings["preset"], "standard")
+        self.assertEqual(texts_of(group, "Settings")["preset"], "standard")
         self.assertEqual(self.document.UndoNames, [STEP])
 
     def test_the_rest_comes_in_the_same_step(self) -> None:

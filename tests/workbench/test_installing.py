@@ -1,21 +1,24 @@
 """The managed environment: made in order, marked last, removed after a failure."""
 
+import base64
+import hashlib
 import json
 import os
+import subprocess
 from pathlib import Path
 
 from support import FolderCase
 
-from freecad.gaussiancad.engine.installing import (
-    Installer,
-    InstallWatcher,
-    TorchBuild,
-    find_base_python,
-    torch_entry,
-)
+from freecad.gaussiancad.engine import damaged_packages
+from freecad.gaussiancad.engine.base_python import find_base_python
+from freecad.gaussiancad.engine.installing import CPU_INDEX, Installer, InstallWatcher
 from freecad.gaussiancad.engine.locate import MARKER, SearchPlaces, find_engine
+from freecad.gaussiancad.engine.locks import TorchBuild, entries, pins
+from freecad.gaussiancad.engine.managed import Condition, look_at, remove
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.paths import CORE
+
+DAMAGED_PACKAGES = Path(damaged_packages.__file__)
 
 FAKE_PYTHON = str(Path(__file__).parent / "fake_python.py")
 
@@ -29,8 +32,12 @@ class Installations(FolderCase):
         self.set_variable("PATH", str(self.folder) + os.pathsep + "/usr/bin:/bin")
         self.ends: list[str] = []
 
-    def install(self, cancel_at: str = "") -> list[list[str]]:
-        """Install to the end; return what the fake Python was asked to do."""
+    def install(
+        self, cancel_at: str = "", build: TorchBuild = TorchBuild.CPU, repair: bool = False
+    ) -> list[list[str]]:
+        """Install or repair to the end; return what the fake Python was asked to do."""
+        self.ends.clear()
+        self.asked.write_text("")
 
         reached: list[str] = []
 
@@ -39,15 +46,15 @@ class Installations(FolderCase):
                 reached.append(title)
 
         watcher = InstallWatcher(on_step, lambda line: None, self.ends.append)
-        installer = Installer(FAKE_PYTHON, self.root, watcher)
-        installer.start()
+        installer = Installer(FAKE_PYTHON, self.root, build, watcher)
+        installer.repair() if repair else installer.start()
         while not self.ends:
             installer.pump(50)
             if reached:
                 installer.cancel()
         return [json.loads(line) for line in self.asked.read_text().splitlines()]
 
-    def test_the_small_build_is_taken_where_it_is_offered(self) -> None:
+    def test_the_small_build_is_installed_step_by_step(self) -> None:
         asked = self.install()
         self.assertEqual(self.ends, [""])
         self.assertEqual(asked[0], ["-I", "-m", "venv", str(self.root)])
@@ -56,6 +63,7 @@ class Installations(FolderCase):
         for arguments in asked[1:3]:
             self.assertIn("--require-hashes", arguments)
             self.assertIn("--no-deps", arguments)
+            self.assertNotIn(CPU_INDEX, arguments)
         self.assertEqual(asked[3][-1], str(CORE))
         self.assertEqual(asked[4], ["-I", "-u", "-m", "gaussiancad_core", "doctor"])
         self.assertEqual(asked[5], ["-I", "-u", "-m", "gaussiancad_core", "warm-up"])
@@ -64,12 +72,119 @@ class Installations(FolderCase):
         engine = find_engine(SearchPlaces("", "", self.root, self.folder / "none"))
         self.assertEqual(engine.python, str(self.root / "bin" / "python"))
 
-    def test_the_large_build_is_taken_where_the_small_one_is_not_offered(self) -> None:
+    def test_the_small_build_that_no_index_offers_is_told_and_nothing_else_taken(self) -> None:
         self.set_variable("GAUSSIANCAD_FAKE_FAILS", "--dry-run")
         asked = self.install()
+        self.assertEqual([CPU_INDEX in arguments for arguments in asked], [False, False, True])
+        self.assertIn(CPU_INDEX, self.ends[0])
+        self.assertFalse(self.root.exists())
+
+    def test_pytorchs_own_index_helps_where_pips_lacks_the_small_build(self) -> None:
+        # The second question is the one that names the index.
+        self.set_variable("GAUSSIANCAD_FAKE_FAILS", "--dry-run --requirement")
+        asked = self.install()
         self.assertEqual(self.ends, [""])
-        self.assertEqual(asked[2][-1], str(TorchBuild.CUDA.lock))
+        self.assertEqual(asked[3][-4:-1], ["--extra-index-url", CPU_INDEX, "--requirement"])
+        self.assertEqual(json.loads((self.root / MARKER).read_text())["build"], "cpu")
+
+    def test_the_large_build_is_taken_where_it_was_chosen(self) -> None:
+        asked = self.install(build=TorchBuild.CUDA)
+        self.assertEqual(self.ends, [""])
+        self.assertEqual(asked[1][-1], str(TorchBuild.CUDA.lock))
         self.assertEqual(json.loads((self.root / MARKER).read_text())["build"], "cuda")
+        self.assertIs(look_at(self.root).build, TorchBuild.CUDA)
+
+    def test_what_was_there_comes_back_after_a_failure_or_a_cancel(self) -> None:
+        self.install()
+        marker = (self.root / MARKER).read_text()
+        self.set_variable("GAUSSIANCAD_FAKE_FAILS", "engine-cuda.txt")
+        self.install(build=TorchBuild.CUDA)
+        self.assertIn("failed", self.ends[0])
+        self.install(build=TorchBuild.CUDA, cancel_at="Making")
+        self.assertIn("cancelled", self.ends[0])
+        self.assertEqual((self.root / MARKER).read_text(), marker)
+        self.assertIs(look_at(self.root).condition, Condition.COMPLETE)
+        left = sorted(path.name for path in self.root.parent.iterdir())
+        self.assertEqual(left, ["asked", "engine"])
+
+    def test_a_repair_reinstalls_what_is_damaged_and_keeps_the_rest(self) -> None:
+        self.install()
+        kept = self.root / "kept"
+        kept.touch()
+        self.set_variable("GAUSSIANCAD_FAKE_DAMAGED", "damaged: NumPy")
+        asked = self.install(repair=True)
+        self.assertEqual(self.ends, [""])
+        self.assertIn("damaged_packages.py", asked[0][-1])
+        forced = [arguments for arguments in asked if "--force-reinstall" in arguments]
+        self.assertEqual(len(forced), 1)
+        text = Path(forced[0][-1]).read_text()
+        self.assertEqual({pin.name for pin in pins(text)}, {"numpy"})
+        self.assertTrue(kept.exists())
+        self.assertIs(look_at(self.root).condition, Condition.COMPLETE)
+
+    def test_a_damaged_pytorch_is_looked_for_anew(self) -> None:
+        self.install()
+        self.set_variable("GAUSSIANCAD_FAKE_DAMAGED", "damaged: torch")
+        asked = self.install(repair=True)
+        self.assertEqual(self.ends, [""])
+        looked = [arguments for arguments in asked if "--dry-run" in arguments]
+        self.assertEqual(["--force-reinstall" in arguments for arguments in looked], [True])
+
+    def test_a_repair_that_stops_can_be_taken_up_again(self) -> None:
+        self.install()
+        self.set_variable("GAUSSIANCAD_FAKE_FAILS", "engine-cpu.txt")
+        self.install(repair=True)
+        self.assertIn("failed", self.ends[0])
+        self.assertIs(look_at(self.root).condition, Condition.INCOMPLETE)
+        self.set_variable("GAUSSIANCAD_FAKE_FAILS", "")
+        self.install(repair=True)
+        self.assertIs(look_at(self.root).condition, Condition.COMPLETE)
+
+    def test_an_environment_without_a_python_is_made_anew_by_a_repair(self) -> None:
+        self.install()
+        (self.root / "bin" / "python").unlink()
+        self.assertIs(look_at(self.root).condition, Condition.INCOMPLETE)
+        asked = self.install(repair=True)
+        self.assertEqual(asked[0], ["-I", "-m", "venv", "--clear", str(self.root)])
+        self.assertIs(look_at(self.root).condition, Condition.COMPLETE)
+
+    def test_removing_takes_all_or_nothing(self) -> None:
+        self.install()
+        remove(self.root)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["asked"])
+        self.assertIs(look_at(self.root).condition, Condition.ABSENT)
+        self.root.mkdir()
+        (self.root / "thesis.txt").touch()
+        elsewhere = self.folder / "elsewhere"
+        elsewhere.symlink_to(self.root)
+        for folder in (self.root, elsewhere):
+            with self.assertRaises(WorkbenchError):
+                remove(folder)
+        self.assertTrue((self.root / "thesis.txt").exists())
+
+    def test_damaged_files_are_found_by_the_environments_python(self) -> None:
+        packages = self.folder / "packages"
+        for name in ("whole", "changed", "lacking"):
+            info = packages / f"{name}-1.0.dist-info"
+            info.mkdir(parents=True)
+            (info / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n")
+            (packages / f"{name}.py").write_text("x = 1\n")
+            digest = hashlib.sha256(b"x = 1\n").digest()
+            told = base64.urlsafe_b64encode(digest).rstrip(b"=").decode()
+            (info / "RECORD").write_text(f"{name}.py,sha256={told},6\n{name}.pyc,sha256=other,7\n")
+        (packages / "changed.py").write_text("x = 2\n")
+        (packages / "lacking.py").unlink()
+        ended = subprocess.run(
+            [find_base_python({"PATH": "/usr/bin:/bin"}), str(DAMAGED_PACKAGES)],
+            env={"PYTHONPATH": str(packages)},
+            capture_output=True,
+            text=True,
+            check=True,
+            timeout=120,
+        )
+        found = {line for line in ended.stdout.splitlines() if line.startswith("damaged: ")}
+        self.assertTrue({"damaged: changed", "damaged: lacking"} <= found, found)
+        self.assertNotIn("damaged: whole", found)
 
     def test_kernels_that_do_not_compile_ahead_are_no_failure(self) -> None:
         self.set_variable("GAUSSIANCAD_FAKE_FAILS", "warm-up")
@@ -104,10 +219,13 @@ class Installations(FolderCase):
             program.chmod(0o755)
         self.assertEqual(find_base_python({"PATH": str(self.folder)}), str(usable))
 
-    def test_pytorchs_entry_is_cut_out_of_the_lock(self) -> None:
+    def test_entries_are_cut_out_of_the_lock(self) -> None:
         for build in TorchBuild:
-            entry = torch_entry(build.lock.read_text(encoding="utf-8"))
+            entry = entries(build.lock.read_text(encoding="utf-8"), {"torch"})
             self.assertTrue(entry.startswith("torch=="))
             self.assertEqual(entry.count("=="), 1)
             self.assertIn("--hash=sha256:", entry)
-        self.assertEqual(torch_entry("a==1 \\\n    --hash=x\n"), "")
+        self.assertEqual(entries("a==1 \\\n    --hash=x\n", {"torch"}), "\n".join([""]))
+        both = "A.b==1 ; python_version < '3.12' \\\n    --hash=x\nc==2\n"
+        self.assertEqual([pin.everywhere for pin in pins(both)], [False, True])
+        self.assertEqual(entries(both, {"a-b"}), both.replace("c==2\n", ""))

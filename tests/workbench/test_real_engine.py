@@ -33,7 +33,9 @@ from freecad.gaussiancad.objects.comparison import (
 from freecad.gaussiancad.objects.legend import colour_at
 from freecad.gaussiancad.objects.loading import load_run
 from freecad.gaussiancad.objects.ply import read_vertices
-from freecad.gaussiancad.objects.reconstruction import add_reconstruction, find_part
+from freecad.gaussiancad.objects.properties import texts_of
+from freecad.gaussiancad.objects.reconstruction import add_reconstruction
+from freecad.gaussiancad.objects.reconstruction_features import find_part
 from freecad.gaussiancad.objects.sources import Source
 from freecad.gaussiancad.paths import ADDON_ROOT
 
@@ -223,7 +225,7 @@ class Trouble(FolderCase):
         document = FreeCAD.openDocument(str(path))
         self.addCleanup(FreeCAD.closeDocument, document.Name)
         self.assertAlmostEqual(document.getObject("Part").Shape.BoundBox.XLength, 80.0, places=6)
-        settings = document.getObject("Reconstruction").Settings
+        settings = texts_of(document.getObject("Reconstruction"), "Settings")
         self.assertEqual((settings["scale"], settings["result"]), ("x = 80", "solid"))
 
     def test_the_doctor_answers(self) -> None:

@@ -14,7 +14,9 @@ from freecad.gaussiancad.engine.job import ReconstructJob, Scale, ScaleKind
 from freecad.gaussiancad.engine.sentences import SENTENCES
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.objects.loading import LoadedRun, PartSource, load_run
-from freecad.gaussiancad.objects.reconstruction import add_reconstruction, find_part
+from freecad.gaussiancad.objects.properties import texts_of
+from freecad.gaussiancad.objects.reconstruction import add_reconstruction
+from freecad.gaussiancad.objects.reconstruction_features import find_part
 
 STRANGER = """
 import os, sys
@@ -90,11 +92,11 @@ class Documents(FolderCase):
         self.assertEqual(group.Warnings, [f"scale-assumed: {SENTENCES['scale-assumed']}"])
         self.assertEqual(group.MillimetresPerPixel, 0.25)
         self.assertEqual(group.TotalSeconds, 3.75)
-        self.assertEqual(group.Seconds["solid"], "1.25")
-        self.assertEqual(group.ViewAgreement["front.hidden_recall"], "0.97")
-        self.assertEqual(group.ViewBoxes["top"], "100, 100, 340, 260")
-        self.assertEqual(group.EngineVersions["versions.torch"], "none")
-        self.assertEqual(group.Settings["scale"], "x = 60")
+        self.assertEqual(texts_of(group, "Seconds")["solid"], "1.25")
+        self.assertEqual(texts_of(group, "ViewAgreement")["front.hidden_recall"], "0.97")
+        self.assertEqual(texts_of(group, "ViewBoxes")["top"], "100, 100, 340, 260")
+        self.assertEqual(texts_of(group, "EngineVersions")["versions.torch"], "none")
+        self.assertEqual(texts_of(group, "Settings")["scale"], "x = 60")
         self.assertEqual(group.ReportJson, run.report.text)
         self.assertEqual(group.Projection, "third (inferred)")
         self.assertEqual(group.SheetPath, str(self.sheet))

@@ -10,7 +10,8 @@ from support import FolderCase, draw_sheet, run_fake
 from freecad.gaussiancad.engine.job import ReconstructJob
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.objects.loading import load_run
-from freecad.gaussiancad.objects.reconstruction import add_reconstruction, find_part
+from freecad.gaussiancad.objects.reconstruction import add_reconstruction
+from freecad.gaussiancad.objects.reconstruction_features import find_part
 from freecad.gaussiancad.objects.solutions import SolutionSet, group_with_choice, has_choice
 
 VOLUMES = (fake_part.VOLUME, *fake_part.ALTERNATIVE_VOLUMES)

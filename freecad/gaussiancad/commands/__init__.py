@@ -1,4 +1,4 @@
-"""The commands of the toolbar, one a file."""
+"""The commands of toolbar and menus, one a file."""
 
 
 def register() -> None:
@@ -11,6 +11,8 @@ def register() -> None:
     from freecad.gaussiancad.commands.failed_sheets import FailedSheetsCommand
     from freecad.gaussiancad.commands.install_engine import InstallEngineCommand
     from freecad.gaussiancad.commands.reconstruct import ReconstructCommand
+    from freecad.gaussiancad.commands.report import ReportCommand
+    from freecad.gaussiancad.commands.run_again import RunAgainCommand
     from freecad.gaussiancad.commands.solutions import SolutionsCommand
 
     known = FreeCADGui.listCommands()
@@ -20,6 +22,8 @@ def register() -> None:
         SolutionsCommand,
         CompareCommand,
         FailedSheetsCommand,
+        RunAgainCommand,
+        ReportCommand,
         CheckEngineCommand,
         InstallEngineCommand,
     ):

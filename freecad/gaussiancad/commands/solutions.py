@@ -4,6 +4,7 @@ import FreeCAD
 import FreeCADGui
 
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP
+from freecad.gaussiancad.objects.known_sheets import reconstruction_among
 from freecad.gaussiancad.objects.solutions import group_with_choice, has_choice
 
 
@@ -37,5 +38,7 @@ class SolutionsCommand:
 
 
 def _chosen_group() -> FreeCAD.DocumentObject | None:
-    selected = (one for one in FreeCADGui.Selection.getSelection() if has_choice(one))
-    return next(selected, None) or group_with_choice(FreeCAD.ActiveDocument)
+    selected = reconstruction_among(FreeCADGui.Selection.getSelection())
+    if selected is not None and has_choice(selected):
+        return selected
+    return group_with_choice(FreeCAD.ActiveDocument)

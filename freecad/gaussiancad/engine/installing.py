@@ -6,45 +6,37 @@ hash), and the addon's own ``core`` folder is linked into it.  The environment c
 once its marker is written, which happens last.
 """
 
-import hashlib
 import json
 import os
 import shutil
-import subprocess
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
-from enum import Enum
 from pathlib import Path
 
 from freecad.gaussiancad.engine.environment import clean_environment
 from freecad.gaussiancad.engine.events import LineBuffer
 from freecad.gaussiancad.engine.locate import MARKER, interpreter_of
-from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
+from freecad.gaussiancad.engine.locks import TorchBuild, entries, normalised, pins
+from freecad.gaussiancad.engine.managed import digest_of
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.paths import CORE
 from freecad.gaussiancad.qt import QtCore
 
-PYTHON_NAMES = ("python3.13", "python3.12", "python3.11", "python3.14", "python3", "python")
+CPU_INDEX = "https://download.pytorch.org/whl/cpu"
+"""Where PyTorch keeps its build for processors; packages from there are checked as all others."""
 
-_USABLE = "import ensurepip, sys, venv; sys.exit(not (3, 11) <= sys.version_info < (3, 15))"
+_DAMAGED = "damaged: "
+
+_DAMAGED_PACKAGES = Path(__file__).with_name("damaged_packages.py")
+
+_BEFORE = ".before"
+"""What is appended to the name of an environment while another one takes its place."""
 
 _LINK = (
     "import pathlib, sys, sysconfig; "
     "pathlib.Path(sysconfig.get_path('purelib'), 'gaussiancad_core.pth')"
     ".write_text(sys.argv[1] + '\\n', encoding='utf-8')"
 )
-
-
-class TorchBuild(Enum):
-    """The two builds of PyTorch that there are locks for."""
-
-    CPU = "cpu"
-    CUDA = "cuda"
-
-    @property
-    def lock(self) -> Path:
-        """The lock file."""
-        return CORE / "locks" / f"engine-{self.value}.txt"
 
 
 @dataclass(frozen=True)
@@ -78,57 +70,25 @@ class InstallWatcher:
     on_finished: Callable[[str], None]
 
 
-def find_base_python(variables: Mapping[str, str]) -> str:
-    """A Python of the system that can make environments, 3.11 to 3.14.
-
-    Args:
-        variables: the environment variables.
-
-    Raises:
-        WorkbenchError: there is none.
-    """
-    clean = clean_environment(variables)
-    for name in PYTHON_NAMES:
-        found = shutil.which(name, path=clean.get("PATH"))
-        if found and _is_usable(found, clean):
-            return found
-    raise WorkbenchError(
-        ErrorCode.ENGINE_NOT_FOUND,
-        translate(
-            "GaussianCAD",
-            "No Python from 3.11 to 3.14 with its venv module was found. Install one (on Debian: "
-            "apt-get install python3-venv), then try again.",
-        ),
-    )
-
-
-def torch_entry(lock_text: str) -> str:
-    """The lines of a lock that pin PyTorch, with their hashes."""
-    entry: list[str] = []
-    for line in lock_text.splitlines():
-        if line.startswith("torch=="):
-            entry = [line]
-        elif entry and line.startswith(" "):
-            entry.append(line)
-        elif entry:
-            break
-    return "\n".join([*entry, ""])
-
-
 class Installer:
-    """Runs the steps of an installation one after the other.
+    """Runs the steps of an installation, or of a repair, one after the other.
 
     Args:
         base: a Python of the system.
-        root: where the environment is made; what is there is replaced.
+        root: where the environment is.
+        build: of PyTorch.
         watcher: who is told.
     """
 
-    def __init__(self, base: str, root: Path, watcher: InstallWatcher) -> None:
+    def __init__(self, base: str, root: Path, build: TorchBuild, watcher: InstallWatcher) -> None:
         self._base = base
         self._root = root
+        self._before = root.with_name(root.name + _BEFORE)
+        self._build = build
         self._watcher = watcher
-        self._build = TorchBuild.CUDA
+        self._indexes: tuple[str, ...] = ()
+        self._damaged: set[str] = set()
+        self._repairing = False
         self._lines = LineBuffer()
         self._last_line = ""
         self._cancelled = False
@@ -146,23 +106,50 @@ class Installer:
         self._process.finished.connect(self._on_step_finished)
         self._process.errorOccurred.connect(self._on_process_error)
         self._step: Step | None = None
-        self._next: Callable[[bool], Step | None] = self._ask_for_cpu_build
+        self._next: Callable[[bool], Step | None] = self._begin_packages
 
     def start(self) -> None:
-        """Begin; all that follows comes through the watcher."""
-        shutil.rmtree(self._root, ignore_errors=True)
+        """Install anew; what was there before comes back where this does not succeed."""
+        try:
+            self._set_aside()
+        except OSError as error:
+            self._repairing = True  # what is there stays
+            self._end(f"{self._root}: {error.strerror or error}")
+            return
         self._root.parent.mkdir(parents=True, exist_ok=True)
-        title = translate("GaussianCAD", "Making the environment")
-        self._run(Step(title, self._base, ("-I", "-m", "venv", str(self._root))))
+        self._run(self._venv())
+
+    def repair(self) -> None:
+        """Reinstall what is missing or damaged; all else stays."""
+        self._repairing = True
+        if interpreter_of(self._root) is None:
+            self._run(self._venv("--clear"))
+            return
+        self._next = self._after_look
+        title = translate("GaussianCAD", "Looking for damaged files")
+        self._run(Step(title, self._python(), ("-I", "-u", str(_DAMAGED_PACKAGES)), may_fail=True))
 
     def cancel(self) -> None:
-        """Stop, and remove what was made."""
+        """Stop; an installation leaves what was there before, a repair what it came to."""
         self._cancelled = True
         self._process.kill()
 
     def pump(self, milliseconds: int) -> None:
         """Wait for the running step where no event loop does."""
         self._process.waitForFinished(milliseconds)
+
+    def _set_aside(self) -> None:
+        if self._before.exists() and not (self._root / MARKER).is_file():
+            # An installation ended with FreeCAD; the one before it is whole.
+            shutil.rmtree(self._root, ignore_errors=True)
+            self._before.rename(self._root)
+        shutil.rmtree(self._before, ignore_errors=True)
+        if self._root.exists():
+            self._root.rename(self._before)
+
+    def _venv(self, *options: str) -> Step:
+        title = translate("GaussianCAD", "Making the environment")
+        return Step(title, self._base, ("-I", "-m", "venv", *options, str(self._root)))
 
     def _run(self, step: Step) -> None:
         self._step = step
@@ -172,6 +159,8 @@ class Installer:
     def _read(self) -> None:
         for line in self._lines.feed(bytes(self._process.readAllStandardOutput().data())):
             self._last_line = line.strip() or self._last_line
+            if line.startswith(_DAMAGED):
+                self._damaged.add(normalised(line.removeprefix(_DAMAGED).strip()))
             self._watcher.on_log(line)
 
     def _on_process_error(self, error: QtCore.QProcess.ProcessError) -> None:
@@ -183,30 +172,75 @@ class Installer:
         normal = self._process.exitStatus() == QtCore.QProcess.ExitStatus.NormalExit
         succeeded = normal and self._process.exitCode() == 0
         if self._cancelled:
-            self._end(translate("GaussianCAD", "The installation was cancelled."))
+            self._end(self._cancelled_text())
         elif not succeeded and not self._step.may_fail:
             text = translate("GaussianCAD", "{step} failed: {reason}")
             self._end(text.format(step=self._step.title, reason=self._last_line))
         elif (step := self._next(succeeded)) is not None:
             self._run(step)
-        else:
+        elif not self._finished:
             self._write_marker()
             self._end("")
 
-    def _ask_for_cpu_build(self, _succeeded: bool) -> Step | None:
-        """Ask pip for PyTorch's small build, unless there is an NVIDIA card."""
-        if shutil.which("nvidia-smi"):
-            self._next = self._link
-            return self._pip_install(TorchBuild.CUDA)
-        entry = self._root / "torch.txt"
-        entry.write_text(torch_entry(TorchBuild.CPU.lock.read_text(encoding="utf-8")))
-        self._next = self._install_packages
-        title = translate("GaussianCAD", "Looking for the small build of PyTorch")
-        return self._pip(title, "--dry-run", "--requirement", str(entry), may_fail=True)
+    def _cancelled_text(self) -> str:
+        if self._repairing:
+            return translate("GaussianCAD", "The repair was cancelled. Repair again to finish it.")
+        return translate("GaussianCAD", "The installation was cancelled.")
 
-    def _install_packages(self, cpu_build_is_offered: bool) -> Step | None:
+    def _after_look(self, succeeded: bool) -> Step | None:
+        # From here on the environment changes: it counts as installed again when that has ended.
+        (self._root / MARKER).unlink(missing_ok=True)
+        if succeeded:
+            return self._begin_packages(True)
+        self._next = self._begin_packages
+        return self._venv("--clear")
+
+    def _begin_packages(self, _succeeded: bool) -> Step | None:
+        if self._build is TorchBuild.CUDA:
+            return self._mend_packages()
+        return self._ask_for_cpu_build(self._after_own_indexes)
+
+    def _ask_for_cpu_build(self, then: Callable[[bool], Step | None]) -> Step:
+        """Ask pip whether it is offered PyTorch's small build, downloading nothing."""
+        self._next = then
+        title = translate("GaussianCAD", "Looking for the small build of PyTorch")
+        # One that is there, though damaged, would do for pip.
+        anew = ("--force-reinstall",) if "torch" in self._damaged else ()
+        asked = ("--dry-run", *anew, *self._indexes, "--requirement", self._excerpt({"torch"}))
+        return self._pip(title, *asked, may_fail=True)
+
+    def _after_own_indexes(self, offered: bool) -> Step | None:
+        if offered:
+            return self._mend_packages()
+        self._indexes = ("--extra-index-url", CPU_INDEX)
+        return self._ask_for_cpu_build(self._after_torch_index)
+
+    def _after_torch_index(self, offered: bool) -> Step | None:
+        if offered:
+            return self._mend_packages()
+        text = translate(
+            "GaussianCAD",
+            "The build of PyTorch for processors was found neither in the package index that pip "
+            "is set up for nor in {index}. Look whether the network is there, or choose the build "
+            "for NVIDIA cards, which works without such a card, too.",
+        )
+        self._end(text.format(index=CPU_INDEX))
+        return None
+
+    def _mend_packages(self) -> Step | None:
+        known = {one.name for one in pins(self._lock_text())}
+        damaged = self._damaged & known
+        if not damaged:
+            return self._install_packages(True)
+        self._next = self._install_packages
+        title = translate("GaussianCAD", "Reinstalling damaged packages")
+        what = ("--force-reinstall", *self._indexes, "--requirement", self._excerpt(damaged))
+        return self._pip(title, *what)
+
+    def _install_packages(self, _succeeded: bool) -> Step | None:
         self._next = self._link
-        return self._pip_install(TorchBuild.CPU if cpu_build_is_offered else TorchBuild.CUDA)
+        title = translate("GaussianCAD", "Downloading and installing packages")
+        return self._pip(title, *self._indexes, "--requirement", str(self._build.lock))
 
     def _link(self, _succeeded: bool) -> Step | None:
         self._next = self._check
@@ -225,11 +259,6 @@ class Installer:
         arguments = ("-I", "-u", "-m", "gaussiancad_core", "warm-up")
         return Step(title, self._python(), arguments, may_fail=True)
 
-    def _pip_install(self, build: TorchBuild) -> Step:
-        self._build = build
-        title = translate("GaussianCAD", "Downloading and installing packages")
-        return self._pip(title, "--requirement", str(build.lock))
-
     def _pip(self, title: str, *arguments: str, may_fail: bool = False) -> Step:
         fixed = ("--require-hashes", "--only-binary", ":all:", "--no-deps", "--progress-bar", "off")
         pip = ("-I", "-u", "-m", "pip", "install", *fixed, *arguments)
@@ -239,8 +268,17 @@ class Installer:
         found = interpreter_of(self._root)
         return str(found) if found is not None else str(self._root / "bin" / "python")
 
+    def _lock_text(self) -> str:
+        return self._build.lock.read_text(encoding="utf-8")
+
+    def _excerpt(self, names: set[str]) -> str:
+        """A file with a part of the lock."""
+        path = self._root / "packages.txt"
+        path.write_text(entries(self._lock_text(), names), encoding="utf-8")
+        return str(path)
+
     def _write_marker(self) -> None:
-        digest = hashlib.sha256(self._build.lock.read_bytes()).hexdigest()
+        digest = digest_of(self._build)
         facts = {"build": self._build.value, "lock_sha256": digest, "base": self._base}
         (self._root / MARKER).write_text(json.dumps(facts, indent=2) + "\n", encoding="utf-8")
 
@@ -248,21 +286,10 @@ class Installer:
         if self._finished:
             return
         self._finished = True
-        if error:
+        if error and not self._repairing:
             shutil.rmtree(self._root, ignore_errors=True)
+            if self._before.exists():
+                self._before.rename(self._root)
+        else:
+            shutil.rmtree(self._before, ignore_errors=True)
         self._watcher.on_finished(error)
-
-
-def _is_usable(python: str, variables: Mapping[str, str]) -> bool:
-    try:
-        ended = subprocess.run(
-            [python, "-I", "-c", _USABLE],
-            env=dict(variables),
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            timeout=20,
-            check=False,
-        )
-    except (OSError, subprocess.TimeoutExpired):
-        return False
-    return ended.returncode == 0

@@ -139,6 +139,27 @@ class ReconstructJob:
             scale_down=int(settings.get("scale_down", usual.scale_down)),
         )
 
+    @classmethod
+    def kept(cls, sheet: str, output: str, settings: Mapping[str, str]) -> "ReconstructJob":
+        """The job whose :meth:`settings` a document keeps; what is damaged there is as usual.
+
+        Args:
+            sheet: path of the drawing.
+            output: folder of the engine's files.
+            settings: one text a setting.
+        """
+        told: dict[str, Any] = dict(settings)
+        kind, _, value = told.pop("scale", "").partition(" = ")
+        if kind == ScaleKind.MM_PER_PIXEL.value:
+            told["mm_per_pixel"] = value
+        elif value:
+            told["length"] = {"axis": kind, "mm": value}
+        told["scale_down"] = told.pop("scale-down", cls.scale_down)
+        try:
+            return cls.told(sheet, output, told)
+        except ValueError:
+            return cls(sheet, output)
+
     def arguments(self) -> list[str]:
         """``reconstruct --output DIR ... -- SHEET``, whose name may begin with a dash."""
         return [

@@ -15,8 +15,11 @@ from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
 from freecad.gaussiancad.objects.appearance import show_vertex_colours
 from freecad.gaussiancad.objects.comparison_colours import recolour
 from freecad.gaussiancad.objects.comparison_properties import (
+    RANGE,
+    SCHEMA_VERSION,
     add_links,
     fixed_properties,
+    range_mm,
     tell_report,
 )
 from freecad.gaussiancad.objects.legend import HEIGHT, WIDTH, DeviationRange, legend_image
@@ -53,6 +56,7 @@ class ComparisonGroup(GroupProxy):
     """Proxy of the group.  Documents name this class: it keeps its name and place."""
 
     view_proxy = ComparisonView
+    schema_version = SCHEMA_VERSION
 
     def execute(self, target: FreeCAD.DocumentObject) -> None:
         """See whether what was compared has changed; the engine never runs within a recompute."""
@@ -69,8 +73,8 @@ class ComparisonGroup(GroupProxy):
 
     def onChanged(self, target: FreeCAD.DocumentObject, name: str) -> None:
         """Colour the mesh anew when the user changes the range."""
-        if name == "RangeMillimetres" and "Restore" not in target.State:
-            recolour(target, target.RangeMillimetres)
+        if name == RANGE and "Restore" not in target.State:
+            recolour(target, range_mm(target))
 
 
 @dataclass(frozen=True)
@@ -221,7 +225,7 @@ def update_comparison(
         legend = next((each for each in group.Group if each.TypeId == "Image::ImagePlane"), None)
         if legend is not None:
             legend.ImageFile = str(loaded.legend)
-        group.RangeMillimetres = loaded.scale.limit
+        group.ColourRange = loaded.scale.limit
         group.Document.recompute()
         group.Proxy.show(group)
 

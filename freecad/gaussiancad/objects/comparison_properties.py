@@ -4,9 +4,12 @@ import FreeCAD
 
 from freecad.gaussiancad.engine.report import COMPARED, Comparison
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP
-from freecad.gaussiancad.objects.properties import Access, PropertySpec, text_map
+from freecad.gaussiancad.objects.properties import Access, PropertySpec, text_lines, text_map
 
-SCHEMA_VERSION = 2
+SCHEMA_VERSION = 3
+
+RANGE = "ColourRange"
+"""The property that says which deviation the ends of the colour scale stand for."""
 
 _LINKS = (
     ("ResultObject", QT_TRANSLATE_NOOP("App::Property", "The object that was measured")),
@@ -70,19 +73,19 @@ def fixed_properties(limit: float) -> list[PropertySpec]:
             Access.OPEN,
         ),
         PropertySpec(
-            "Float",
-            "RangeMillimetres",
+            "Length",
+            RANGE,
             "Comparison",
             QT_TRANSLATE_NOOP("App::Property", "Deviation at the ends of the colour scale"),
             limit,
             Access.OPEN,
         ),
         PropertySpec(
-            "Map",
+            "StringList",
             "Floor",
             "Comparison",
             QT_TRANSLATE_NOOP("App::Property", "What two samples of the reference give"),
-            {},
+            [],
         ),
     ]
     specs += [
@@ -90,6 +93,11 @@ def fixed_properties(limit: float) -> list[PropertySpec]:
         for name, tip in texts.items()
     ]
     return specs
+
+
+def range_mm(group: FreeCAD.DocumentObject) -> float:
+    """The deviation at the ends of the colour scale, in mm."""
+    return group.ColourRange.Value
 
 
 def distance_properties(report: Comparison) -> list[PropertySpec]:
@@ -118,7 +126,7 @@ def distance_properties(report: Comparison) -> list[PropertySpec]:
 
 def tell_report(group: FreeCAD.DocumentObject, report: Comparison) -> None:
     """Store the numbers of a report in a group that has all other properties."""
-    group.Floor = text_map(report.floor)
+    group.Floor = text_lines(text_map(report.floor))
     group.ReportJson = report.text
     for spec in distance_properties(report):
         if spec.name not in group.PropertiesList:

@@ -24,14 +24,11 @@ from freecad.gaussiancad.engine.job import Outcome, ReconstructJob
 from freecad.gaussiancad.engine.report import read_report
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
+from freecad.gaussiancad.objects.known_sheets import group_of
 from freecad.gaussiancad.objects.loading import PartSource, read_shape
 from freecad.gaussiancad.objects.properties import Access, PropertySpec, add_properties
-from freecad.gaussiancad.objects.reconstruction import (
-    add_empty_part,
-    find_part,
-    new_reconstruction,
-    show_solution,
-)
+from freecad.gaussiancad.objects.reconstruction import new_reconstruction, show_solution
+from freecad.gaussiancad.objects.reconstruction_features import add_empty_part, find_part
 from freecad.gaussiancad.objects.transaction import transaction
 
 CORRECTIONS = "Corrections"
@@ -55,7 +52,7 @@ def open_in(document: FreeCAD.Document, sheet: Path, page: int) -> FreeCAD.Docum
     Raises:
         ValueError: the corrections beside the drawing are damaged.
     """
-    known = _group_of(document, sheet, page)
+    known = group_of(document, sheet, page)
     if known is not None and hasattr(known, CORRECTIONS):
         return known
     _, found = read_corrections(beside(sheet, page))
@@ -201,15 +198,6 @@ class InDocument:
             write_corrections(self._beside, self._sha256, self.operations)
         except OSError as error:
             FreeCAD.Console.PrintLog(f"GaussianCAD: no corrections beside the drawing: {error}\n")
-
-
-def _group_of(document: FreeCAD.Document, sheet: Path, page: int) -> FreeCAD.DocumentObject | None:
-    for own in document.Objects:
-        settings = getattr(own, "Settings", {})
-        same = str(sheet.absolute()) in (getattr(own, name, "") for name in ("SheetPath", "Sheet"))
-        if same and str(dict(settings).get("page", "1")) == str(page):
-            return own
-    return None
 
 
 def _hash(text: str) -> str:

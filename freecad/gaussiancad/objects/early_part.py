@@ -2,7 +2,8 @@
 
 All that a run adds is one undo step.  Where the user did something between, this is left alone,
 and the rest follows in a step of its own.  A run that is cancelled or fails leaves the part, with a
-note: the user may be at work with it, and one *Undo* removes it.
+note: the user may be at work with it, and one *Undo* removes it.  Where the document had a result
+of the same drawing, the part is changed in place, and that *Undo* brings the result of before.
 """
 
 from dataclasses import dataclass
@@ -14,10 +15,10 @@ from freecad.gaussiancad.engine.job import ReconstructJob
 from freecad.gaussiancad.engine.report import Status
 from freecad.gaussiancad.objects.loading import LoadedPart, LoadedRun, PartSource, read_shape
 from freecad.gaussiancad.objects.reconstruction import (
-    add_part_alone,
-    add_reconstruction,
-    extend_reconstruction,
+    put_part_of_run,
+    put_reconstruction,
     undo_step,
+    update_reconstruction,
 )
 
 
@@ -45,10 +46,10 @@ class EarlyPart:
 def show_early(
     document: FreeCAD.Document, job: ReconstructJob, path: Path, status: Status
 ) -> EarlyPart:
-    """Add the part of a run that goes on, in one undo step.
+    """Show the part of a run that goes on, in one undo step.
 
     Args:
-        document: receives a group with the part in it.
+        document: has a group of the drawing, or receives one.
         job: what was asked.
         path: of the solid's STEP file.
         status: how far the solid can be trusted.
@@ -57,7 +58,7 @@ def show_early(
         WorkbenchError: the file cannot be read.
     """
     part = LoadedPart(read_shape(path), PartSource.SOLID)
-    group = add_part_alone(document, job, part, status)
+    group = put_part_of_run(document, job, part, status)
     return EarlyPart(document.Name, group.Name, tuple(document.UndoNames))
 
 
@@ -76,13 +77,14 @@ def complete(
     """
     group = early.find() if early is not None else None
     if group is None:
-        return add_reconstruction(document, run)
+        return put_reconstruction(document, run)
     home = group.Document
     if tuple(home.UndoNames) == early.steps and early.steps[:1] == (undo_step(),):
         # Nothing was done since: the part and the rest become one step.
         home.undo()
-        return add_reconstruction(home, run)
-    return extend_reconstruction(group, run)
+        return put_reconstruction(home, run)
+    update_reconstruction(group, run)
+    return group
 
 
 def leave(early: EarlyPart | None, note: str) -> bool:

@@ -42,17 +42,17 @@ def read_gaussians(path: Path) -> GaussianCloud:
     return GaussianCloud(centres, [_colour(entry) for entry in coefficients])
 
 
-def add_points(document: FreeCAD.Document, cloud: GaussianCloud) -> FreeCAD.DocumentObject:
-    """Add the cloud as a points feature; hidden, since it lies on the part's surface."""
-    feature = document.addObject("Points::Feature", "Gaussians")
+def fill_points(feature: FreeCAD.DocumentObject, cloud: GaussianCloud) -> None:
+    """Put the cloud into a points feature, which stays where it is."""
+    placement = feature.Placement
     kernel = Points.Points()
     kernel.addPoints(cloud.centres)
     feature.Points = kernel
-    if cloud.colours:
+    feature.Placement = placement
+    if cloud.colours and not hasattr(feature, "Color"):
         feature.addProperty("App::PropertyColorList", "Color", "Points", "Colour of each point")
+    if hasattr(feature, "Color"):
         feature.Color = cloud.colours
-    feature.Visibility = False
-    return feature
 
 
 def _colour(coefficients: tuple[float, ...]) -> _Triple:

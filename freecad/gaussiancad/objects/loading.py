@@ -61,12 +61,13 @@ class LoadedRun:
     overlay: Path | None
 
 
-def load_run(job: ReconstructJob, scratch: Path) -> LoadedRun:
+def load_run(job: ReconstructJob, scratch: Path, with_views: bool = True) -> LoadedRun:
     """Read the files in the job's output folder.
 
     Args:
         job: the finished job.
         scratch: a folder for the pieces of the sheet; needed until they are in a document.
+        with_views: whether the views are cut out of the sheet.
 
     Raises:
         WorkbenchError: the report or a file that it promises cannot be read, or nothing was made.
@@ -89,7 +90,7 @@ def load_run(job: ReconstructJob, scratch: Path) -> LoadedRun:
         _load_alternatives(folder / "alternatives"),
         mesh,
         read_gaussians(gaussians) if gaussians.is_file() else None,
-        tuple(_cut_views(job, report, scratch)),
+        tuple(_cut_views(job, report, scratch)) if with_views else (),
         overlay if overlay.is_file() else None,
     )
 

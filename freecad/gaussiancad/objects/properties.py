@@ -6,7 +6,7 @@ from enum import IntFlag
 
 import FreeCAD
 
-PropertyValue = str | float | int | bool | list[str] | Mapping[str, str]
+PropertyValue = str | float | int | bool | list[str]
 
 
 class Access(IntFlag):
@@ -48,7 +48,7 @@ def add_properties(target: FreeCAD.DocumentObject, specs: Iterable[PropertySpec]
 
 
 def text_map(values: Mapping[str, object], prefix: str = "") -> dict[str, str]:
-    """Nested JSON values as one level of texts, with dotted keys: what a PropertyMap holds."""
+    """Nested JSON values as one level of texts, with dotted keys."""
     flat: dict[str, str] = {}
     for key, value in values.items():
         if isinstance(value, Mapping):
@@ -56,3 +56,17 @@ def text_map(values: Mapping[str, object], prefix: str = "") -> dict[str, str]:
         elif value is not None:
             flat[f"{prefix}{key}"] = f"{value:.6g}" if isinstance(value, float) else str(value)
     return flat
+
+
+_BETWEEN = ": "
+
+
+def text_lines(values: Mapping[str, str]) -> list[str]:
+    """Texts by name as lines: a list of these is shown by every FreeCAD, a PropertyMap is not."""
+    return [f"{name}{_BETWEEN}{value}" for name, value in values.items()]
+
+
+def texts_of(target: FreeCAD.DocumentObject, name: str) -> dict[str, str]:
+    """The texts by name that :func:`text_lines` put into a property; none where it is not there."""
+    parted = (line.partition(_BETWEEN) for line in getattr(target, name, []))
+    return {own: value for own, _, value in parted}

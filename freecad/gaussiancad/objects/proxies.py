@@ -3,6 +3,8 @@
 import FreeCAD
 
 from freecad.gaussiancad.objects.appearance import dress
+from freecad.gaussiancad.objects.migrating import migrate
+from freecad.gaussiancad.objects.properties import texts_of
 from freecad.gaussiancad.qt import QtCore
 
 
@@ -51,6 +53,7 @@ class GroupProxy:
     """
 
     view_proxy = GroupViewProxy
+    schema_version = 0
 
     def __init__(self, target: FreeCAD.DocumentObject) -> None:
         target.Proxy = self
@@ -62,10 +65,12 @@ class GroupProxy:
         """Make the group's view provider and its objects' looks; nothing without a window."""
         if FreeCAD.GuiUp:
             self.view_proxy(target.ViewObject)
-            dress(target, getattr(target, "Settings", {}).get("colour"))
+            dress(target, texts_of(target, "Settings").get("colour"))
 
     def onDocumentRestored(self, target: FreeCAD.DocumentObject) -> None:
-        """Dress what ``freecadcmd`` made, once the window has restored what it knows of it."""
+        """Bring what an older version made up to date, and dress what ``freecadcmd`` made, once
+        the window has restored what it knows of it."""
+        migrate(target, self.schema_version)
         if FreeCAD.GuiUp:
             QtCore.QTimer.singleShot(0, lambda: self._show_if_bare(target))
 

@@ -79,13 +79,18 @@ def add_image_plane(
 ) -> FreeCAD.DocumentObject:
     """Add an image plane; the image's file becomes part of the document."""
     feature = document.addObject("Image::ImagePlane", name)
+    fill_image_plane(feature, image, plane)
+    return feature
+
+
+def fill_image_plane(feature: FreeCAD.DocumentObject, image: Path, plane: PlanePlacement) -> None:
+    """Give an image plane its image, its size and its place."""
     feature.ImageFile = str(image)
     feature.XSize, feature.YSize = plane.width, plane.height
     rotation = FreeCAD.Rotation(
         FreeCAD.Vector(*plane.right), FreeCAD.Vector(*plane.up), FreeCAD.Vector(*plane.towards)
     )
     feature.Placement = FreeCAD.Placement(FreeCAD.Vector(*plane.centre), rotation)
-    return feature
 
 
 def _crop(view: ViewReport, sheet: QtGui.QImage) -> ViewBox | None:

@@ -13,7 +13,7 @@ import Part
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
 from freecad.gaussiancad.objects.properties import PropertySpec, add_properties
-from freecad.gaussiancad.objects.reconstruction import ALTERNATIVE, find_part
+from freecad.gaussiancad.objects.reconstruction_features import ALTERNATIVE, find_part
 from freecad.gaussiancad.objects.transaction import transaction
 
 _SAME = 1e-7

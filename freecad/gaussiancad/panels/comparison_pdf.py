@@ -10,6 +10,7 @@ import FreeCAD
 from freecad.gaussiancad.engine.report import Comparison
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.comparison import comparison_report, request_of
+from freecad.gaussiancad.objects.comparison_properties import range_mm
 from freecad.gaussiancad.panels.distances import distance_rows, engineering_rows
 from freecad.gaussiancad.panels.histogram import paint_histogram
 from freecad.gaussiancad.panels.worst_table import worst_rows
@@ -96,7 +97,7 @@ def _range_of(group: FreeCAD.DocumentObject, report: Comparison) -> float:
     """mm at the ends of the picture's colours, which the user's range does not change."""
     told = report.values.get("deviation")
     value = told.get("range_mm") if isinstance(told, dict) else None
-    return float(value) if isinstance(value, int | float) and value > 0 else group.RangeMillimetres
+    return float(value) if isinstance(value, int | float) and value > 0 else range_mm(group)
 
 
 def _html(names: tuple[str, str], report: Comparison, pictures: dict[str, QtGui.QImage]) -> str:

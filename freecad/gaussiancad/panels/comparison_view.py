@@ -10,6 +10,7 @@ import FreeCAD
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.comparison import comparison_report, request_of
 from freecad.gaussiancad.objects.comparison_export import comparison_csv
+from freecad.gaussiancad.objects.comparison_properties import range_mm
 from freecad.gaussiancad.objects.transaction import transaction
 from freecad.gaussiancad.panels.comparison_pdf import write_comparison_pdf
 from freecad.gaussiancad.panels.distances import DistanceTable
@@ -75,8 +76,8 @@ class ComparisonView(QtWidgets.QWidget):
         self._mark, self._section = PointMark(group.Document), SectionMark(group.Document)
         self.setEnabled(True)
         self.distances.show_comparison(report)
-        self._set_range(group.RangeMillimetres)
-        self.histogram.show_histogram(report.histogram, group.RangeMillimetres)
+        self._set_range(range_mm(group))
+        self.histogram.show_histogram(report.histogram, range_mm(group))
         self.worst.show_points(report.worst)
         request = request_of(group)
         sheet = None if request is None else request.result.sheet()
@@ -132,7 +133,7 @@ class ComparisonView(QtWidgets.QWidget):
             return
         document = self._group.Document
         with transaction(document, translate("GaussianCAD", "Range of the Colours")):
-            self._group.RangeMillimetres = value
+            self._group.ColourRange = value
         report = comparison_report(self._group)
         self.histogram.show_histogram(report.histogram, value)
 

@@ -22,7 +22,8 @@ from freecad.gaussiancad.objects.corrected_sheet import (
     take_solution,
 )
 from freecad.gaussiancad.objects.document_sheets import export_sheet, first_sheet_object
-from freecad.gaussiancad.objects.reconstruction import find_part
+from freecad.gaussiancad.objects.known_sheets import page_of, reconstruction_among, sheet_of
+from freecad.gaussiancad.objects.reconstruction_features import find_part
 from freecad.gaussiancad.panels.full_run import full_job
 from freecad.gaussiancad.panels.jobs import job_list
 from freecad.gaussiancad.preferences import read_preferences
@@ -221,14 +222,9 @@ def _complain(text: str) -> None:
 
 
 def _sheet_of(selected: Sequence[FreeCAD.DocumentObject]) -> tuple[str, int]:
-    for own in selected:
-        page = int(dict(getattr(own, "Settings", {})).get("page", "1"))
-        # A drawing that has gone is still in the document.
-        for name in ("SheetPath", "Sheet"):
-            path = getattr(own, name, "")
-            if isinstance(path, str) and path and Path(path).is_file():
-                return path, page
-    return "", 1
+    group = reconstruction_among(selected)
+    path = sheet_of(group) if group is not None else None
+    return ("", 1) if path is None else (str(path), page_of(group))
 
 
 def _asked(parent: QtWidgets.QWidget) -> str:

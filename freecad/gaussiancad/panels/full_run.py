@@ -8,8 +8,9 @@ from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.corrected_sheet import InDocument, hand_over
 from freecad.gaussiancad.objects.loading import load_run
-from freecad.gaussiancad.objects.reconstruction import add_surface
+from freecad.gaussiancad.objects.reconstruction import update_reconstruction
 from freecad.gaussiancad.panels.jobs import Job
+from freecad.gaussiancad.preferences import read_preferences
 
 
 def full_job(keeper: InDocument, sheet: Path, page: int) -> Job:
@@ -34,8 +35,8 @@ def full_job(keeper: InDocument, sheet: Path, page: int) -> Job:
     def absorb(scratch: Path) -> str:
         views = scratch / "views"
         views.mkdir()
-        run = load_run(made[-1], views)
-        add_surface(_known(keeper), run)
+        run = load_run(made[-1], views, read_preferences().view_planes)
+        update_reconstruction(_known(keeper), run)
         return verdict_text(run.report)
 
     title = translate("GaussianCAD", "Mesh and Gaussians of {0}").format(sheet.name)

@@ -15,16 +15,24 @@ from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.document_sheets import export_sheet, first_sheet_object
 from freecad.gaussiancad.objects.early_part import EarlyPart, complete, leave, show_early
+from freecad.gaussiancad.objects.known_sheets import group_of, sheet_of
 from freecad.gaussiancad.objects.loading import load_run
+from freecad.gaussiancad.objects.properties import texts_of
+from freecad.gaussiancad.objects.reconstruction_features import part_length
 from freecad.gaussiancad.objects.solutions import SolutionSet, has_choice
 from freecad.gaussiancad.panels.document_source import DocumentSource
 from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts, Success
+from freecad.gaussiancad.panels.messages import show_error
 from freecad.gaussiancad.panels.settings_form import SettingsForm
 from freecad.gaussiancad.panels.sheet_preview import SheetPreview
 from freecad.gaussiancad.panels.solutions import open_solutions
 from freecad.gaussiancad.panels.widgets import PathField
 from freecad.gaussiancad.preferences import read_preferences
 from freecad.gaussiancad.qt import QtWidgets
+from freecad.gaussiancad.remembered import remember, starting_choices
+
+_ALIKE = 1.3
+"""Factor by which a part may grow before the 3D view is fitted to it again."""
 
 _PAGED_SUFFIXES = (".pdf", ".tif", ".tiff", ".dxf")
 
@@ -44,7 +52,7 @@ class ReconstructPanel(EnginePanel):
         self.sheet = PathField("sheet", self._browse_sheet)
         self.sheet.line.textChanged.connect(self._show_sheet)
         self.preview = SheetPreview(self.sheet.line.setText)
-        self.settings = SettingsForm(read_preferences())
+        self.settings = SettingsForm(starting_choices(read_preferences()))
         self.source = DocumentSource(self.take_source)
         self._exports: tempfile.TemporaryDirectory[str] | None = None
         self._scaled_sheet = ""
@@ -52,6 +60,7 @@ class ReconstructPanel(EnginePanel):
         self.dress()
         self._job: ReconstructJob | None = None
         self._document_name = ""
+        self._shown_mm = 0.0
         self._early: EarlyPart | None = None
         selected = first_sheet_object(FreeCADGui.Selection.getSelection())
         if selected is not None:
@@ -73,6 +82,23 @@ class ReconstructPanel(EnginePanel):
             self.settings.tell_mm_per_pixel(exported.mm_per_pixel)
             self._scaled_sheet = str(exported.path)
 
+    def take_group(self, group: FreeCAD.DocumentObject) -> None:
+        """Take the drawing and the settings of a reconstruction of the document.
+
+        Raises:
+            WorkbenchError: neither the drawing nor the document's copy of it is there.
+        """
+        sheet = sheet_of(group)
+        if sheet is None:
+            text = translate(
+                "GaussianCAD",
+                "The drawing of {name} is gone, and the document holds no copy of it. Choose the "
+                "drawing in Reconstruct from Drawing.",
+            )
+            raise WorkbenchError(ErrorCode.SHEET_MISSING, text.format(name=group.Label))
+        self.sheet.line.setText(str(sheet))
+        self.settings.take_job(ReconstructJob.kept(str(sheet), "", texts_of(group, "Settings")))
+
     def prepare(self, scratch: Path) -> list[str]:
         """Turn the settings into a job; remember the document that is active now."""
         sheet = self._checked_sheet()
@@ -82,18 +108,20 @@ class ReconstructPanel(EnginePanel):
         self._document_name = document.Name if document is not None else ""
         self._early = None
         self._job = self.settings.job(sheet, str(folder))
+        known = group_of(document, Path(sheet), self._job.page) if document is not None else None
+        self._shown_mm = 0.0 if known is None else part_length(known)
+        remember(self.settings.choices, read_preferences())
         return self._job.arguments()
 
     def absorb(self, scratch: Path) -> Success:
         """Read everything, then add it to the document in one step."""
         views = scratch / "views"
         views.mkdir()
-        run = load_run(self._job, views)
+        run = load_run(self._job, views, read_preferences().view_planes)
         group = complete(self._early, self._document(), run)
         if run.overlay is not None:
             self.preview.show_file(str(run.overlay))
-        if self._early is None:
-            _show_all(group.Document)
+        self._show(group)
         self._early = None
         if has_choice(group):
             self._offer_choice(group)
@@ -131,7 +159,14 @@ class ReconstructPanel(EnginePanel):
             FreeCAD.Console.PrintLog(traceback.format_exc())
             return
         self._document_name = document.Name
-        _show_all(document)
+        self._show(self._early.find())
+
+    def _show(self, group: FreeCAD.DocumentObject) -> None:
+        """Fit the 3D view, unless a part of about that size was there already."""
+        length = part_length(group)
+        if not 1.0 / _ALIKE < length / max(self._shown_mm, 1e-9) < _ALIKE:
+            _show_all(group.Document)
+        self._shown_mm = length
 
     def _leave(self) -> None:
         super()._leave()
@@ -173,6 +208,9 @@ class ReconstructPanel(EnginePanel):
             # The scale was that of another drawing.
             self._scaled_sheet = ""
             self.settings.forget_scale()
+        if not self.running:
+            # What is shown is of another drawing.
+            self.run_view.forget()
         self.preview.show_file(path.strip())
         self.settings.show_page(path.strip().lower().endswith(_PAGED_SUFFIXES))
 
@@ -194,6 +232,20 @@ class ReconstructPanel(EnginePanel):
         layout.addWidget(self.source)
         layout.addWidget(self.preview)
         return box
+
+
+def run_again(group: FreeCAD.DocumentObject) -> None:
+    """Open the panel on a reconstruction of the document, and start; tell the user why not."""
+    FreeCAD.setActiveDocument(group.Document.Name)
+    panel = ReconstructPanel()
+    FreeCADGui.Control.showDialog(panel)
+    try:
+        panel.take_group(group)
+    except WorkbenchError as error:
+        FreeCADGui.Control.closeDialog()
+        show_error(translate("GaussianCAD", "Run Again"), error.message)
+        return
+    panel.start()
 
 
 def _show_all(document: FreeCAD.Document) -> None:

@@ -9,6 +9,7 @@ from freecad.gaussiancad.engine.explaining import explanation_lines
 from freecad.gaussiancad.engine.report import Status, parse_report
 from freecad.gaussiancad.engine.summary import report_lines, status_text, verdict_text
 from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.objects.known_sheets import sheet_of
 from freecad.gaussiancad.objects.solutions import SolutionSet, has_choice
 from freecad.gaussiancad.panels.sheet_preview import SheetPreview
 from freecad.gaussiancad.panels.solutions import open_solutions
@@ -20,6 +21,8 @@ DIALOG_NAME = "GaussianCADReport"
 def _told(group: FreeCAD.DocumentObject) -> tuple[str, list[str], list[str]]:
     """What is known, details, and why; where a run did not come to its end it left no report."""
     text = getattr(group, "ReportJson", "")
+    if not text and not hasattr(group, "Status"):
+        return translate("GaussianCAD", "No run has ended on this drawing yet."), [], []
     if not text:
         return status_text(Status(group.Status)), [f"• {own}" for own in group.Reasons], []
     report = parse_report(text, json.loads(text))
@@ -45,7 +48,12 @@ class ReportDialog(QtWidgets.QDialog):
         headline.setObjectName("headline")
         headline.setWordWrap(True)
         picture = SheetPreview()
-        picture.show_file(getattr(group, "Overlay", "") or group.Sheet)
+        shown = getattr(group, "Overlay", "") or sheet_of(group)
+        if shown:
+            picture.show_file(str(shown))
+        else:
+            text = translate("GaussianCAD", "The drawing is gone, and the document holds no copy")
+            picture.setText(text)
         expanding = QtWidgets.QSizePolicy.Policy.Expanding
         picture.setSizePolicy(expanding, expanding)
         tabs = QtWidgets.QTabWidget()

@@ -43,7 +43,6 @@ class RunView(QtWidgets.QWidget):
         self.follow_up.hide()
         self._next_step: Callable[[], None] | None = None
         self.stage = _wrapped_label("stage")
-        self.stage.setText(translate("GaussianCAD", "Ready"))
         self.overall = _bar("overall")
         self.fraction = _bar("fraction")
         self.elapsed = _wrapped_label("elapsed")
@@ -57,6 +56,17 @@ class RunView(QtWidgets.QWidget):
         self._began, self._remaining = 0.0, None
         self._clock = QtCore.QTimer(self)
         self._clock.timeout.connect(self._show_time)
+        self.forget()
+
+    def forget(self) -> None:
+        """Show nothing of an earlier run."""
+        self.stage.setText(translate("GaussianCAD", "Ready"))
+        self.elapsed.clear()
+        self.log.clear()
+        self.follow_up.hide()
+        for bar in (self.overall, self.fraction):
+            bar.setRange(0, _STEPS)
+            bar.setValue(0)
         self._set_running(False)
 
     def begin(self, headline: str) -> None:

@@ -2,41 +2,41 @@
 
 import FreeCADGui
 
-from freecad.gaussiancad.engine.job import (
-    Outcome,
-    Preset,
-    Projection,
-    Recipe,
-    ReconstructJob,
-    Scale,
-    ScaleKind,
-)
+from freecad.gaussiancad.engine.job import Outcome, Recipe, ReconstructJob, Scale, ScaleKind
 from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.panels.more_settings import MoreSettings, narrow_rows
+from freecad.gaussiancad.panels.setting_boxes import (
+    outcome_box,
+    preset_box,
+    projection_box,
+    recipe_box,
+    scale_box,
+)
 from freecad.gaussiancad.panels.training_images import TrainingImages
-from freecad.gaussiancad.panels.widgets import ColourButton, ModeBox, PathField
-from freecad.gaussiancad.preferences import Preferences
+from freecad.gaussiancad.panels.widgets import ColourButton, PathField
 from freecad.gaussiancad.qt import QtWidgets
+from freecad.gaussiancad.remembered import Choices, is_more_open, remember_more_open
 
 _DEFAULT_LENGTH_MM = 100.0
 _DEFAULT_MM_PER_PIXEL = 0.1
 
 
 class SettingsForm(QtWidgets.QWidget):
-    """What is to be made, and how.
+    """What is to be made, and how: what most need stands open, the rest is a click away.
 
     Args:
-        preferences: what the form starts with.
+        start: what the form starts with.
     """
 
-    def __init__(self, preferences: Preferences) -> None:
+    def __init__(self, start: Choices) -> None:
         super().__init__()
         self.setWindowTitle(translate("GaussianCAD", "Settings"))
-        self.projection = _projection_box(preferences.projection)
-        self.preset = _preset_box(preferences.preset)
-        self.outcome = _outcome_box()
-        self.recipe = _recipe_box()
-        self.images = TrainingImages(preferences.preset)
-        self.scale = _scale_box()
+        self.projection = projection_box(start.projection)
+        self.preset = preset_box(start.preset)
+        self.outcome = outcome_box(start.outcome)
+        self.recipe = recipe_box(start.recipe)
+        self.images = TrainingImages(start.preset, start.scale_down)
+        self.scale = scale_box()
         self.length = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
         self.length.setObjectName("length")
         self.length.setProperty("unit", "mm")
@@ -49,15 +49,14 @@ class SettingsForm(QtWidgets.QWidget):
         self.mm_per_pixel.setSingleStep(0.01)
         self.mm_per_pixel.setValue(_DEFAULT_MM_PER_PIXEL)
         self.mm_per_pixel.setSuffix(" mm")
-        for box in (self.length, self.mm_per_pixel):
-            box.setMinimumWidth(60)
-        self.colour = ColourButton(ReconstructJob.colour)
+        self.colour = ColourButton(start.colour)
         self.page = QtWidgets.QSpinBox()
         self.page.setObjectName("page")
         self.page.setRange(1, 9999)
         self.output = PathField("output", self._browse_folder)
-        self.output.line.setText(preferences.output_folder)
+        self.output.line.setText(start.output_folder)
         self.output.line.setPlaceholderText(translate("GaussianCAD", "Temporary"))
+        self.more = MoreSettings(is_more_open(), remember_more_open)
         self._lay_out()
         self.scale.currentIndexChanged.connect(self._show_scale)
         self._show_scale()
@@ -65,6 +64,19 @@ class SettingsForm(QtWidgets.QWidget):
         self.outcome.currentIndexChanged.connect(self._show_images)
         self.preset.currentIndexChanged.connect(lambda: self.images.show_preset(self.preset.mode))
         self._show_images()
+
+    @property
+    def choices(self) -> Choices:
+        """What the widgets say, without what belongs to one sheet."""
+        return Choices(
+            self.projection.mode,
+            self.preset.mode,
+            self.outcome.mode,
+            self.recipe.mode,
+            self.images.chosen,
+            self.colour.colour,
+            self.output.path,
+        )
 
     def job(self, sheet: str, output: str) -> ReconstructJob:
         """The job that the widgets describe.
@@ -85,6 +97,22 @@ class SettingsForm(QtWidgets.QWidget):
             self.page.value(),
             scale_down=self.images.scale_down if self._perspective else 1,
         )
+
+    def take_job(self, job: ReconstructJob) -> None:
+        """Show the settings of a job, but for its paths."""
+        self.projection.choose(job.projection)
+        self.preset.choose(job.preset)
+        self.outcome.choose(job.outcome)
+        self.recipe.choose(job.recipe)
+        self.colour.set_colour(job.colour)
+        self.page.setValue(job.page)
+        if self._perspective:
+            self.images.factor.setValue(job.scale_down)
+        self.scale.choose(job.scale.kind)
+        if job.scale.kind is ScaleKind.MM_PER_PIXEL:
+            self.mm_per_pixel.setValue(job.scale.value)
+        elif job.scale.kind is not ScaleKind.UNKNOWN:
+            self.length.setProperty("rawValue", job.scale.value)
 
     def tell_mm_per_pixel(self, value: float) -> None:
         """Set a scale that is known."""
@@ -125,25 +153,27 @@ class SettingsForm(QtWidgets.QWidget):
         self.images.setVisible(self._perspective)
 
     def _lay_out(self) -> None:
-        layout = QtWidgets.QFormLayout(self)
-        grow = QtWidgets.QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow
-        layout.setFieldGrowthPolicy(grow)
         self._page_label = QtWidgets.QLabel(translate("GaussianCAD", "Page"))
         self._value_label = QtWidgets.QLabel(translate("GaussianCAD", "Value"))
         self._images_label = QtWidgets.QLabel(translate("GaussianCAD", "Image size"))
         values = QtWidgets.QVBoxLayout()
         values.addWidget(self.length)
         values.addWidget(self.mm_per_pixel)
-        layout.addRow(self._page_label, self.page)
-        layout.addRow(translate("GaussianCAD", "Projection"), self.projection)
-        layout.addRow(translate("GaussianCAD", "Scale"), self.scale)
-        layout.addRow(self._value_label, values)
-        layout.addRow(translate("GaussianCAD", "Result"), self.outcome)
-        layout.addRow(translate("GaussianCAD", "Quality"), self.preset)
-        layout.addRow(translate("GaussianCAD", "Cameras"), self.recipe)
-        layout.addRow(self._images_label, self.images)
-        layout.addRow(translate("GaussianCAD", "Colour"), self.colour)
-        layout.addRow(translate("GaussianCAD", "Folder"), self.output)
+        few = narrow_rows()
+        few.addRow(self._page_label, self.page)
+        few.addRow(translate("GaussianCAD", "Scale"), self.scale)
+        few.addRow(self._value_label, values)
+        few.addRow(translate("GaussianCAD", "Result"), self.outcome)
+        more = self.more.rows
+        more.addRow(translate("GaussianCAD", "Projection"), self.projection)
+        more.addRow(translate("GaussianCAD", "Quality"), self.preset)
+        more.addRow(translate("GaussianCAD", "Cameras"), self.recipe)
+        more.addRow(self._images_label, self.images)
+        more.addRow(translate("GaussianCAD", "Colour"), self.colour)
+        more.addRow(translate("GaussianCAD", "Folder"), self.output)
+        layout = QtWidgets.QVBoxLayout(self)
+        layout.addLayout(few)
+        layout.addWidget(self.more)
         self.output.line.setToolTip(
             translate(
                 "GaussianCAD",
@@ -156,96 +186,3 @@ class SettingsForm(QtWidgets.QWidget):
     def _browse_folder(self) -> str:
         title = translate("GaussianCAD", "Folder for the Engine's Files")
         return QtWidgets.QFileDialog.getExistingDirectory(self, title, self.output.path)
-
-
-def _projection_box(start: Projection) -> ModeBox[Projection]:
-    box = ModeBox(
-        [
-            (Projection.AUTO, translate("GaussianCAD", "Automatic")),
-            (Projection.FIRST, translate("GaussianCAD", "First angle")),
-            (Projection.THIRD, translate("GaussianCAD", "Third angle")),
-        ],
-        "projection",
-    )
-    box.setToolTip(
-        translate(
-            "GaussianCAD",
-            "Tells how the views are arranged: third angle has the top view above the front view, "
-            "first angle below it",
-        )
-    )
-    box.choose(start)
-    return box
-
-
-def _preset_box(start: Preset) -> ModeBox[Preset]:
-    box = ModeBox(
-        [
-            (Preset.DRAFT, translate("GaussianCAD", "Draft")),
-            (Preset.STANDARD, translate("GaussianCAD", "Standard")),
-            (Preset.FINE, translate("GaussianCAD", "Fine")),
-        ],
-        "preset",
-    )
-    box.setToolTip(
-        translate(
-            "GaussianCAD",
-            "Trades time for detail of the surface and effort of the search",
-        )
-    )
-    box.choose(start)
-    return box
-
-
-def _outcome_box() -> ModeBox[Outcome]:
-    box = ModeBox(
-        [
-            (Outcome.BOTH, translate("GaussianCAD", "Solid and surface")),
-            (Outcome.SOLID, translate("GaussianCAD", "Solid only")),
-            (Outcome.SURFACE, translate("GaussianCAD", "Surface only")),
-        ],
-        "outcome",
-    )
-    box.setToolTip(
-        translate(
-            "GaussianCAD",
-            "Chooses the exact solid, the mesh from trained Gaussians, or both of them",
-        )
-    )
-    return box
-
-
-def _recipe_box() -> ModeBox[Recipe]:
-    box = ModeBox(
-        [
-            (
-                Recipe.ORTHOGRAPHIC,
-                translate("GaussianCAD", "Parallel, as drawings are"),
-            ),
-            (Recipe.PAPER, translate("GaussianCAD", "Perspective, as in the paper")),
-        ],
-        "recipe",
-    )
-    box.setToolTip(translate("GaussianCAD", "Chooses the cameras that train the Gaussians"))
-    return box
-
-
-def _scale_box() -> ModeBox[ScaleKind]:
-    box = ModeBox(
-        [
-            (ScaleKind.UNKNOWN, translate("GaussianCAD", "Unknown or on the sheet")),
-            (ScaleKind.LENGTH_X, translate("GaussianCAD", "Length along X")),
-            (ScaleKind.LENGTH_Y, translate("GaussianCAD", "Length along Y")),
-            (ScaleKind.LENGTH_Z, translate("GaussianCAD", "Length along Z")),
-            (ScaleKind.MM_PER_PIXEL, translate("GaussianCAD", "Millimetres per pixel")),
-        ],
-        "scale",
-    )
-    box.setToolTip(
-        translate(
-            "GaussianCAD",
-            "Tells how large the part is. X runs along the front view's width, Z up its height, "
-            "Y into depth",
-        )
-    )
-    return box

@@ -17,12 +17,13 @@ class TrainingImages(QtWidgets.QWidget):
 
     Args:
         preset: to start with.
+        chosen: a factor that the user chose before, or None.
     """
 
-    def __init__(self, preset: Preset) -> None:
+    def __init__(self, preset: Preset, chosen: int | None = None) -> None:
         super().__init__()
         self._preset = preset
-        self._chosen = False
+        self._chosen = chosen is not None
         self.factor = QtWidgets.QSpinBox()
         self.factor.setObjectName("scaleDown")
         self.factor.setRange(1, LARGEST_SCALE_DOWN)
@@ -41,6 +42,8 @@ class TrainingImages(QtWidgets.QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.factor)
         layout.addWidget(self._effort)
+        if chosen is not None:
+            self.factor.setValue(chosen)
         self._follow()
         self.factor.valueChanged.connect(self._take)
 
@@ -48,6 +51,11 @@ class TrainingImages(QtWidgets.QWidget):
     def scale_down(self) -> int:
         """By how much the images' edges are divided."""
         return self.factor.value()
+
+    @property
+    def chosen(self) -> int | None:
+        """The factor that the user chose, or None where it follows the preset."""
+        return self.scale_down if self._chosen else None
 
     def show_preset(self, preset: Preset) -> None:
         """Tell the effort of another preset."""

@@ -21,10 +21,8 @@ class ModeBox(QtWidgets.QComboBox, Generic[_Mode]):
     def __init__(self, entries: Iterable[tuple[_Mode, str]], name: str) -> None:
         super().__init__()
         self.setObjectName(name)
-        # Task panels are narrow: the box may be narrower than its longest entry.
-        policy = QtWidgets.QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
-        self.setSizeAdjustPolicy(policy)
-        self.setMinimumContentsLength(8)
+        # Never narrower than its longest entry: a form wraps the row instead.
+        self.setSizeAdjustPolicy(QtWidgets.QComboBox.SizeAdjustPolicy.AdjustToContents)
         self._modes: list[_Mode] = []
         for mode, text in entries:
             self._modes.append(mode)
