@@ -140,12 +140,16 @@ class Disagreement:
         at: px of the sheet, a point of it.
         length_mm: of the stretch.
         missing: whether the solid lacks it; otherwise the sheet does.
+        kind: ``visible`` or ``hidden``, of the line.
+        line: px of the sheet, its ends where it is straight.
     """
 
     view: str
     at: tuple[float, float]
     length_mm: float
     missing: bool
+    kind: str
+    line: tuple[tuple[float, float], tuple[float, float]] | None
 
 
 @dataclass(frozen=True)

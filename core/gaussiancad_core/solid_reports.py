@@ -29,6 +29,7 @@ from gaussiancad_core.solid.contradiction import conflict_reason
 from gaussiancad_core.solid.measures import Measures
 from gaussiancad_core.solid.reasons import ASSUMED
 from gaussiancad_core.solid.trace import Attempt
+from gaussiancad_core.solid.verify import Flaw
 from gaussiancad_core.verification.overlay import view_to_sheet
 from gaussiancad_core.views import Linetype
 
@@ -58,7 +59,7 @@ def with_solid_facts(report: Report, model: ExactModel, turn: Turn) -> Report:
             else report.sections
         ),
         disagreements=tuple(
-            Disagreement(own.role.value, sheet.place(own.role, own.place), own.length, own.missing)
+            _disagreement(own, sheet)
             for own in (verification.flaws if verification is not None else ())
         ),
         trace=tuple(_attempt(own, sheet) for own in result.trace),
@@ -95,6 +96,12 @@ class _Sheet:
         """The px of a point in mm of a view."""
         ((x, y),) = self.points(role, np.array([place])).tolist()
         return round(x, 1), round(y, 1)
+
+
+def _disagreement(own: Flaw, sheet: _Sheet) -> Disagreement:
+    line = tuple(sheet.place(own.role, end) for end in own.ends) if own.ends else None
+    at, kind = sheet.place(own.role, own.place), own.linetype.value
+    return Disagreement(own.role.value, at, own.length, own.missing, kind, line)
 
 
 def _of_sheet(report: Report, model: ExactModel, turn: Turn) -> Iterator[Assumption]:

@@ -511,8 +511,24 @@
         <translation>{step} ist gescheitert: {reason}</translation>
     </message>
     <message>
+        <source>Looking for damaged files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The repair was cancelled. Repair again to finish it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Looking for the small build of PyTorch</source>
         <translation>Kleine Fassung von PyTorch wird gesucht</translation>
+    </message>
+    <message>
+        <source>The build of PyTorch for processors was found neither in the package index that pip is set up for nor in {index}. Look whether the network is there, or choose the build for NVIDIA cards, which works without such a card, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reinstalling damaged packages</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Linking the engine</source>
@@ -539,12 +555,60 @@
         <translation>Laden und installieren</translation>
     </message>
     <message>
-        <source>The engine is installed.</source>
-        <translation>Die Engine ist installiert.</translation>
+        <source>Repair</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>GaussianCAD can download the packages of its engine from the Python package index that pip is set up for: 0.7 GB, or 3.3 GB with PyTorch for NVIDIA cards. Each package is checked against a hash that comes with this addon. They go into {folder} (up to 7 GB on disk); FreeCAD&apos;s own Python stays as it is. Nothing is sent.</source>
-        <translation>GaussianCAD kann die Pakete seiner Engine aus dem Python-Paketverzeichnis laden, das für pip eingerichtet ist: 0,7 GB, oder 3,3 GB mit PyTorch für NVIDIA-Karten. Jedes Paket wird gegen eine Prüfsumme geprüft, die zu diesem Addon gehört. Sie kommen nach {folder} (bis zu 7 GB auf der Platte); FreeCADs eigenes Python bleibt, wie es ist. Gesendet wird nichts.</translation>
+        <source>Remove…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Downloads and installs what is missing or damaged, only that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the engine in {folder}? {size} on disk become free. Drawings, documents and this addon stay as they are, and the engine can be installed again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove Engine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The engine is complete.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Version {version} with PyTorch for {build}, {size} on disk in {folder}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The engine in {folder} is not complete. Repair downloads what is missing or damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Missing, or of another version: {names}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An engine is in use already: {engine}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GaussianCAD can download the packages of its engine from the Python package index that pip is set up for, and PyTorch for the processor from {index} where that index lacks it. Each package is checked against a hash that comes with this addon. They go into {folder}; FreeCAD&apos;s own Python stays as it is. Nothing is sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} GB</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Settings</source>
@@ -799,6 +863,14 @@
         <translation>Sagt, wie groß das Bauteil ist. X läuft entlang der Breite der Vorderansicht, Z ihre Höhe hinauf, Y in die Tiefe</translation>
     </message>
     <message>
+        <source>No run has ended on this drawing yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing is gone, and the document holds no copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Details</source>
         <translation>Einzelheiten</translation>
     </message>
@@ -955,12 +1027,20 @@
         <translation>Engine wird gestartet</translation>
     </message>
     <message>
+        <source>The drawing of {name} is gone, and the document holds no copy of it. Choose the drawing in Reconstruct from Drawing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Choose a drawing first.</source>
         <translation>Wählen Sie zuerst eine Zeichnung.</translation>
     </message>
     <message>
         <source>There is no file {path}. Choose another drawing.</source>
         <translation>Die Datei {path} gibt es nicht. Wählen Sie eine andere Zeichnung.</translation>
+    </message>
+    <message>
+        <source>Run Again</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Mesh and Gaussians</source>
@@ -1915,6 +1995,10 @@
         <translation>Die Datei enthält keine lesbaren Gaußfunktionen. Wählen Sie eine andere.</translation>
     </message>
     <message>
+        <source>This is no report of a batch: choose its report.csv or report.json.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Correct Sheet needs PySide6 in the engine&apos;s environment. Open it from FreeCAD instead.</source>
         <translation>„Blatt korrigieren“ braucht PySide6 in der Umgebung der Engine. Öffnen Sie es stattdessen aus FreeCAD.</translation>
     </message>
@@ -2326,6 +2410,74 @@
         <source>and {count} more</source>
         <translation>und {count} weitere</translation>
     </message>
+    <message>
+        <source>Next Sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} of {1} sheets are not verified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{folder} is not an environment that GaussianCAD made, and stays as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The engine cannot be removed: {reason}. Nothing has changed. Close what uses it, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an NVIDIA card was found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no NVIDIA card was found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0.7 GB to download, 3 GB on disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3.3 GB to download, 7 GB on disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PyTorch for {build}: {sizes}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the processor (CPU)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NVIDIA cards (CUDA)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the Report of a Batch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reports</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every sheet of this batch is verified.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Failed Sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no file {0} any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More settings</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>
@@ -2386,12 +2538,36 @@
         <translation>Fein</translation>
     </message>
     <message>
+        <source>Result</source>
+        <translation type="unfinished">Ergebnis</translation>
+    </message>
+    <message>
+        <source>Solid and surface</source>
+        <translation type="unfinished">Festkörper und Oberfläche</translation>
+    </message>
+    <message>
+        <source>Solid only</source>
+        <translation type="unfinished">Nur Festkörper</translation>
+    </message>
+    <message>
+        <source>Surface only</source>
+        <translation type="unfinished">Nur Oberfläche</translation>
+    </message>
+    <message>
         <source>Folder for the engine&apos;s files</source>
         <translation>Ordner für die Dateien der Engine</translation>
     </message>
     <message>
         <source>Keeps the engine&apos;s files in a folder for each run. If empty, they are removed once the document holds the result.</source>
         <translation>Bewahrt die Dateien der Engine in einem Ordner je Lauf auf. Ist das Feld leer, werden sie entfernt, sobald das Dokument das Ergebnis enthält.</translation>
+    </message>
+    <message>
+        <source>Add the drawing&apos;s views as pictures around the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The task panel begins with these settings, and then with those that were used last. A change here counts from the next time that the panel opens. Parts are made in millimetres; sizes are shown in the units that are set under General &gt; Units.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2428,6 +2604,17 @@
     </message>
 </context>
 <context>
+    <name>GaussianCAD_FailedSheets</name>
+    <message>
+        <source>Open Failed Sheets…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps through the sheets of a batch that failed or are approximate</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>GaussianCAD_InstallEngine</name>
     <message>
         <source>Install Engine…</source>
@@ -2447,6 +2634,28 @@
     <message>
         <source>Creates a 3D part from a drawing with two or more views</source>
         <translation>Erzeugt ein 3D-Bauteil aus einer Zeichnung mit zwei oder mehr Ansichten</translation>
+    </message>
+</context>
+<context>
+    <name>GaussianCAD_Report</name>
+    <message>
+        <source>Report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows how far the part can be trusted, why, and what was read of the drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>GaussianCAD_RunAgain</name>
+    <message>
+        <source>Run Again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstructs the drawing of what is selected again and updates the result</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -535,8 +535,24 @@
         <translation>{step}失败：{reason}</translation>
     </message>
     <message>
+        <source>Looking for damaged files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The repair was cancelled. Repair again to finish it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Looking for the small build of PyTorch</source>
         <translation>查找 PyTorch 的小型版本</translation>
+    </message>
+    <message>
+        <source>The build of PyTorch for processors was found neither in the package index that pip is set up for nor in {index}. Look whether the network is there, or choose the build for NVIDIA cards, which works without such a card, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reinstalling damaged packages</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Linking the engine</source>
@@ -1021,6 +1037,10 @@
     <message>
         <source>The file holds no Gaussians that can be read. Choose another one.</source>
         <translation>文件中没有可读取的高斯体。请选择其他文件。</translation>
+    </message>
+    <message>
+        <source>This is no report of a batch: choose its report.csv or report.json.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Correct Sheet needs PySide6 in the engine&apos;s environment. Open it from FreeCAD instead.</source>
@@ -1807,12 +1827,60 @@
         <translation>下载并安装</translation>
     </message>
     <message>
-        <source>The engine is installed.</source>
-        <translation>引擎已安装。</translation>
+        <source>Repair</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>GaussianCAD can download the packages of its engine from the Python package index that pip is set up for: 0.7 GB, or 3.3 GB with PyTorch for NVIDIA cards. Each package is checked against a hash that comes with this addon. They go into {folder} (up to 7 GB on disk); FreeCAD&apos;s own Python stays as it is. Nothing is sent.</source>
-        <translation>GaussianCAD 可以从 pip 所设的 Python 软件包索引下载引擎的软件包：0.7 GB；若使用适用于 NVIDIA 显卡的 PyTorch，则为 3.3 GB。每个软件包都会与本插件附带的哈希值核对。它们存入 {folder}（最多占用磁盘 7 GB）；FreeCAD 自己的 Python 保持不变。不会发送任何内容。</translation>
+        <source>Remove…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Downloads and installs what is missing or damaged, only that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the engine in {folder}? {size} on disk become free. Drawings, documents and this addon stay as they are, and the engine can be installed again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove Engine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The engine is complete.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Version {version} with PyTorch for {build}, {size} on disk in {folder}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The engine in {folder} is not complete. Repair downloads what is missing or damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Missing, or of another version: {names}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An engine is in use already: {engine}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GaussianCAD can download the packages of its engine from the Python package index that pip is set up for, and PyTorch for the processor from {index} where that index lacks it. Each package is checked against a hash that comes with this addon. They go into {folder}; FreeCAD&apos;s own Python stays as it is. Nothing is sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} GB</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>GaussianCAD Jobs</source>
@@ -1871,6 +1939,10 @@
         <translation>开始</translation>
     </message>
     <message>
+        <source>The drawing of {name} is gone, and the document holds no copy of it. Choose the drawing in Reconstruct from Drawing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The part stays in the document.</source>
         <translation>零件保留在文档中。</translation>
     </message>
@@ -1893,6 +1965,18 @@
     <message>
         <source>Drawing</source>
         <translation>图纸</translation>
+    </message>
+    <message>
+        <source>Run Again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No run has ended on this drawing yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing is gone, and the document holds no copy</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Details</source>
@@ -2326,6 +2410,74 @@
         <source>and {count} more</source>
         <translation>以及另外 {count} 处</translation>
     </message>
+    <message>
+        <source>Next Sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} of {1} sheets are not verified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{folder} is not an environment that GaussianCAD made, and stays as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The engine cannot be removed: {reason}. Nothing has changed. Close what uses it, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an NVIDIA card was found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no NVIDIA card was found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0.7 GB to download, 3 GB on disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3.3 GB to download, 7 GB on disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PyTorch for {build}: {sizes}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the processor (CPU)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NVIDIA cards (CUDA)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the Report of a Batch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reports</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every sheet of this batch is verified.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Failed Sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no file {0} any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More settings</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>
@@ -2386,12 +2538,36 @@
         <translation>精细</translation>
     </message>
     <message>
+        <source>Result</source>
+        <translation type="unfinished">结果</translation>
+    </message>
+    <message>
+        <source>Solid and surface</source>
+        <translation type="unfinished">实体和表面</translation>
+    </message>
+    <message>
+        <source>Solid only</source>
+        <translation type="unfinished">仅实体</translation>
+    </message>
+    <message>
+        <source>Surface only</source>
+        <translation type="unfinished">仅表面</translation>
+    </message>
+    <message>
         <source>Folder for the engine&apos;s files</source>
         <translation>引擎文件的文件夹</translation>
     </message>
     <message>
         <source>Keeps the engine&apos;s files in a folder for each run. If empty, they are removed once the document holds the result.</source>
         <translation>将引擎的文件按每次运行保存在各自的文件夹中。如果留空，结果进入文档后这些文件即被删除。</translation>
+    </message>
+    <message>
+        <source>Add the drawing&apos;s views as pictures around the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The task panel begins with these settings, and then with those that were used last. A change here counts from the next time that the panel opens. Parts are made in millimetres; sizes are shown in the units that are set under General &gt; Units.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2428,6 +2604,17 @@
     </message>
 </context>
 <context>
+    <name>GaussianCAD_FailedSheets</name>
+    <message>
+        <source>Open Failed Sheets…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps through the sheets of a batch that failed or are approximate</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>GaussianCAD_InstallEngine</name>
     <message>
         <source>Install Engine…</source>
@@ -2447,6 +2634,28 @@
     <message>
         <source>Creates a 3D part from a drawing with two or more views</source>
         <translation>由含有两个或更多视图的图纸创建三维零件</translation>
+    </message>
+</context>
+<context>
+    <name>GaussianCAD_Report</name>
+    <message>
+        <source>Report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows how far the part can be trusted, why, and what was read of the drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>GaussianCAD_RunAgain</name>
+    <message>
+        <source>Run Again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstructs the drawing of what is selected again and updates the result</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -79,6 +79,10 @@ _SMALLEST_FLAW = 0.002
 """The same as a share of the longest extent, at least."""
 
 
+Place = tuple[float, float]
+"""(right, up) mm."""
+
+
 @dataclass(frozen=True)
 class Flaw:
     """A place where the drawings disagree.
@@ -89,6 +93,7 @@ class Flaw:
         length: mm of line.
         missing: the sheet has the line and the solid does not; otherwise the other way round.
         linetype: of the line.
+        ends: (right, up) mm, of a straight stretch; None of another one, and of an area.
     """
 
     role: Role
@@ -96,6 +101,7 @@ class Flaw:
     length: float
     missing: bool
     linetype: Linetype = Linetype.VISIBLE
+    ends: tuple[tuple[float, float], tuple[float, float]] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -196,9 +202,9 @@ def verify(shape: TopoDS_Shape, views: DrawnViews) -> Verification:
             (found.result.visible, found.visible_explained, False, least, Linetype.VISIBLE),
             (found.result.hidden, found.hidden_explained, False, unread, Linetype.HIDDEN),
         ):
-            for place, length in _places(points, ~agree, tolerance):
+            for place, length, ends in _places(points, ~agree, tolerance):
                 if length >= shortest:
-                    flaws.append(Flaw(role, place, length, missing, kind))
+                    flaws.append(Flaw(role, place, length, missing, kind, ends))
     flaws.sort(key=lambda flaw: -flaw.length)
     sound = facts.valid and facts.closed and facts.solids == 1
     misfit = _misfit(shape, views)
@@ -304,8 +310,9 @@ def _beside(points: npt.NDArray[np.float64], tree: cKDTree) -> npt.NDArray[np.fl
 
 def _places(
     points: LinePoints, wrong: npt.NDArray[np.bool_], tolerance: float
-) -> list[tuple[tuple[float, float], float]]:
-    """Groups of neighbouring wrong points: a point of each, and its length in mm."""
+) -> list[tuple[Place, float, tuple[Place, Place] | None]]:
+    """Groups of neighbouring wrong points: a point of each, its length in mm, and its ends where
+    it is straight."""
     chosen = points.only(wrong)
     if not len(chosen.points):
         return []
@@ -320,5 +327,20 @@ def _places(
     for group in range(groups):
         own = np.flatnonzero(labels == group)
         middle = chosen.points[own[len(own) // 2]]
-        found.append(((float(middle[0]), float(middle[1])), float(chosen.lengths[own].sum())))
+        length = float(chosen.lengths[own].sum())
+        found.append((_place(middle), length, _ends(chosen.points[own], tolerance)))
     return found
+
+
+def _ends(points: npt.NDArray[np.float64], tolerance: float) -> tuple[Place, Place] | None:
+    """The outermost of points that lie on one straight line; None where they do not."""
+    away = points - points.mean(axis=0)
+    _, _, (along, across) = np.linalg.svd(away, full_matrices=True)
+    if np.abs(away @ across).max() > tolerance / 2.0:
+        return None
+    order = np.argsort(away @ along)
+    return _place(points[order[0]]), _place(points[order[-1]])
+
+
+def _place(point: npt.NDArray[np.float64]) -> Place:
+    return float(point[0]), float(point[1])

@@ -16,9 +16,18 @@ from freecad.gaussiancad.canvas.handles import (
     with_corner,
     with_handle,
 )
-from freecad.gaussiancad.canvas.kinds import DRAWN, KEYS, ROLES, name_of
-from freecad.gaussiancad.canvas.scene import Mark, SheetScene, distance, frame_of, handle_places
-from freecad.gaussiancad.canvas.sheet import Box, Number, Point, Sheet, Stroke, View, arc_through
+from freecad.gaussiancad.canvas.kinds import KEYS, ROLES, name_of
+from freecad.gaussiancad.canvas.scene import Mark, SheetScene, frame_of, handle_places
+from freecad.gaussiancad.canvas.sheet import (
+    Box,
+    Number,
+    Point,
+    Sheet,
+    Stroke,
+    View,
+    arc_through,
+    distance,
+)
 from freecad.gaussiancad.canvas.snapping import snapped
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
@@ -138,7 +147,10 @@ class Board(QtWidgets.QGraphicsView):
     def zoom_to(self, box: Box) -> None:
         """Show a box of the sheet and a little around it."""
         x0, y0, x1, y1 = box
-        margin = max(0.1 * max(x1 - x0, y1 - y0), 40.0)
+        view = self._sheet.view_at(((x0 + x1) / 2.0, (y0 + y1) / 2.0)) if self._sheet else None
+        wide = max(view.box[2] - view.box[0], view.box[3] - view.box[1]) if view else 0.0
+        # Half a view stays in sight: without it a place says nothing.
+        margin = max(0.1 * max(x1 - x0, y1 - y0), 40.0, (wide / 2.0 - max(x1 - x0, y1 - y0)) / 2.0)
         rect = QtCore.QRectF(x0, y0, x1 - x0, y1 - y0)
         rect = rect.adjusted(-margin, -margin, margin, margin)
         self.fitInView(rect, QtCore.Qt.AspectRatioMode.KeepAspectRatio)
@@ -450,14 +462,7 @@ class Board(QtWidgets.QGraphicsView):
 
     def _stroke_at(self, at: Point) -> Stroke | None:
         """The stroke nearest to a place, those of the part first."""
-        reach = _CLICK / self._zoom
-        best: tuple[tuple[bool, float], Stroke] | None = None
-        for own in self._sheet.strokes if self._sheet is not None else ():
-            away = distance(own.points(), at)
-            key = (own.kind not in DRAWN, away)
-            if away <= reach and (best is None or key < best[0]):
-                best = key, own
-        return None if best is None else best[1]
+        return self._sheet.stroke_at(at, _CLICK / self._zoom) if self._sheet is not None else None
 
     def _view_at(self, at: Point) -> View | None:
         """The view whose frame is at a place."""

@@ -5,8 +5,7 @@ from __future__ import annotations
 from itertools import combinations
 from math import hypot
 
-from freecad.gaussiancad.canvas.scene import distance
-from freecad.gaussiancad.canvas.sheet import Point, Sheet, Stroke, View
+from freecad.gaussiancad.canvas.sheet import Point, Sheet, Stroke, View, distance
 
 _MEET_PX = 3.0
 """px within which an end meets another stroke."""

@@ -6,8 +6,6 @@ Everything is in px of the sheet as stored; lines and texts keep their width on 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from itertools import pairwise
-from math import hypot
 
 from freecad.gaussiancad.canvas.handles import corners_of, handles_of
 from freecad.gaussiancad.canvas.kinds import (
@@ -209,19 +207,6 @@ def handle_places(sheet: Sheet, chosen: set[str]) -> list[Point]:
         return handles_of(stroke) if stroke.kind in DRAWN else []
     view = next((own for own in sheet.views if own.id == name), None)
     return corners_of(view.box) if view is not None else []
-
-
-def distance(points: list[Point], at: Point) -> float:
-    """px from a place to a chain of points."""
-    best = float("inf")
-    for (x0, y0), (x1, y1) in pairwise(points):
-        dx, dy = x1 - x0, y1 - y0
-        length = dx * dx + dy * dy
-        share = 0.0
-        if length:
-            share = min(1.0, max(0.0, ((at[0] - x0) * dx + (at[1] - y0) * dy) / length))
-        best = min(best, hypot(at[0] - x0 - share * dx, at[1] - y0 - share * dy))
-    return best
 
 
 def _path(points: list[Point]) -> QtGui.QPainterPath:

@@ -6,6 +6,7 @@ The reading is what the engine's file holds, px of the sheet as stored, y down.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from math import atan2, cos, hypot, pi, sin
 
 from freecad.gaussiancad.canvas.kinds import DRAWN, ROLES
@@ -184,6 +185,12 @@ class Sheet:
         around = [own for own in self.views if own.used and own.holds(point)]
         return min(around, key=lambda own: _area(own.box), default=None)
 
+    def stroke_at(self, point: Point, reach: float) -> Stroke | None:
+        """The stroke nearest to a place within so many px, those of the part first."""
+        near = [(own.kind not in DRAWN, distance(own.points(), point), own) for own in self.strokes]
+        found = [own for own in near if own[1] <= reach]
+        return min(found, key=lambda own: own[:2])[2] if found else None
+
     def like(self, stroke: Stroke) -> list[Stroke]:
         """Strokes of the same kind and shape in the same view."""
         return [
@@ -291,3 +298,16 @@ def tuples(numbers: list) -> tuple:
 
 def _area(box: Box) -> float:
     return (box[2] - box[0]) * (box[3] - box[1])
+
+
+def distance(points: list[Point], at: Point) -> float:
+    """px from a place to a chain of points."""
+    best = float("inf")
+    for (x0, y0), (x1, y1) in pairwise(points):
+        dx, dy = x1 - x0, y1 - y0
+        length = dx * dx + dy * dy
+        share = 0.0
+        if length:
+            share = min(1.0, max(0.0, ((at[0] - x0) * dx + (at[1] - y0) * dy) / length))
+        best = min(best, hypot(at[0] - x0 - share * dx, at[1] - y0 - share * dy))
+    return best

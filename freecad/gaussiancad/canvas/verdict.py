@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 
 from freecad.gaussiancad.canvas.rows import Line
 from freecad.gaussiancad.canvas.scene import Mark
@@ -29,28 +30,43 @@ _MOST = 12
 
 Circle = tuple[float, float, float]
 Buttons = tuple[tuple[str, Callable[[], None]], ...]
-TellHole = Callable[[Circle, bool], None]
-"""Says of the hole of a circle whether it goes through; if not, its depth is asked for."""
 
 
-def verdict_lines(report: dict, tell_hole: TellHole, offers: dict[str, Buttons]) -> list[Line]:
+@dataclass(frozen=True)
+class Help:
+    """What can be done about what a report says.
+
+    Attributes:
+        tell_hole: says of the hole of a circle whether it goes through; if not, its depth is asked
+            for.
+        offers: buttons, by the code of a reason or a warning.
+        mend: buttons for a line that part and sheet do not share, an entry of the report.
+    """
+
+    tell_hole: Callable[[Circle, bool], None]
+    offers: Mapping[str, Buttons]
+    mend: Callable[[dict], Buttons]
+
+
+def verdict_lines(report: dict, help_with: Help) -> list[Line]:
     """Rows of a report: the verdict with its colour, its reasons, what was assumed with a yes and a
     no, where lines disagree or contradict each other, and warnings.
 
     Args:
         report: of a run.
-        tell_hole: what yes and no do where a hole was assumed to go through.
-        offers: buttons that help, by the code of a reason or a warning.
+        help_with: what is offered for its rows.
     """
     lines = [verdict_line(report["status"], _measures(report))]
     assumed = {own["message"] for own in report.get("assumptions", ())}
+    offers = help_with.offers
     lines += [
         _remark("doubt", own, offers)
         for own in report.get("reasons", ())
         if own["message"] not in assumed
     ]
-    lines += [_assumed(own, tell_hole) for own in report.get("assumptions", ())]
-    lines += [Line(text, box) for box, text in _disagreements(report)]
+    lines += [_assumed(own, help_with) for own in report.get("assumptions", ())]
+    lines += [Line(text, box, help_with.mend(own)) for own, (box, text) in _disagreements(report)]
+    lines += [Line(text, box) for box, text in _conflicts(report)]
     lines += [_remark("warning", own, offers) for own in report.get("warnings", ())]
     return lines
 
@@ -61,7 +77,7 @@ def verdict_line(status: str, measures: str = "") -> Line:
     return Line(f"{text}\n{measures}" if measures else text, colour=_COLOURS[status])
 
 
-def _remark(severity: str, own: dict, offers: dict[str, Buttons]) -> Line:
+def _remark(severity: str, own: dict, offers: Mapping[str, Buttons]) -> Line:
     text = worded(own["code"], own["message"], own.get("args"))
     box: Box | None = next(map(tuple, own.get("at", ())), None)
     return Line(f"{SIGNS[severity]} {text}", box, offers.get(own["code"], ()))
@@ -69,24 +85,27 @@ def _remark(severity: str, own: dict, offers: dict[str, Buttons]) -> Line:
 
 def marks_of(report: dict) -> list[Mark]:
     """Places of disagreements and contradictions."""
-    return list(_disagreements(report))
+    return [*(mark for _, mark in _disagreements(report)), *_conflicts(report)]
 
 
-def _disagreements(report: dict) -> Iterator[Mark]:
+def _disagreements(report: dict) -> Iterator[tuple[dict, Mark]]:
     missing = translate("GaussianCAD", "The part lacks a line of {0} mm here")
     beyond = translate("GaussianCAD", "The part has a line of {0} mm here that the sheet has not")
     for own in report.get("disagreements", ())[:_MOST]:
         text = missing if own["missing"] else beyond
         x, y = own["at"]
         box = (x - _AROUND, y - _AROUND, x + _AROUND, y + _AROUND)
-        yield box, text.format(f"{own['length_mm']:.4g}")
+        yield own, (box, text.format(f"{own['length_mm']:.4g}"))
+
+
+def _conflicts(report: dict) -> Iterator[Mark]:
     conflict = translate("GaussianCAD", "These lines contradict each other")
     for own in report.get("conflict", ()):
         x0, y0, x1, y1 = own["box"]
         yield (x0 - _AROUND, y0 - _AROUND, x1 + _AROUND, y1 + _AROUND), conflict
 
 
-def _assumed(own: dict, tell_hole: TellHole) -> Line:
+def _assumed(own: dict, help_with: Help) -> Line:
     told = worded(own["code"], own["message"], own.get("args"))
     text = translate("GaussianCAD", "Assumed: {0}").format(told)
     if own.get("alternative"):
@@ -97,12 +116,14 @@ def _assumed(own: dict, tell_hole: TellHole) -> Line:
         return Line(text, box)
     x0, y0, x1, y1 = box
     circle = ((x0 + x1) / 2.0, (y0 + y1) / 2.0, (x1 - x0) / 2.0)
-    yes = translate("GaussianCAD", "Yes, Through"), lambda: tell_hole(circle, True)
-    no = translate("GaussianCAD", "No, so Deep\u2026"), lambda: tell_hole(circle, False)
+    yes = translate("GaussianCAD", "Yes, Through"), lambda: help_with.tell_hole(circle, True)
+    no = translate("GaussianCAD", "No, so Deep\u2026"), lambda: help_with.tell_hole(circle, False)
     return Line(text, box, (yes, no))
 
 
 def _measures(report: dict) -> str:
+    if report.get("scale_source") == "default":
+        return translate("GaussianCAD", "The size is not known: tell a length")
     bound = (report.get("measures") or {}).get("uncertainty_mm")
     if not isinstance(bound, (int, float)):
         return ""

@@ -22,6 +22,7 @@ from freecad.gaussiancad.canvas.sheet import Box, Number, Point, Row, Sheet
 from freecad.gaussiancad.canvas.verdict import (
     SIGNS,
     Buttons,
+    Help,
     marks_of,
     verdict_line,
     verdict_lines,
@@ -32,6 +33,9 @@ from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
 _PIN = 8.0
 """px of the sheet around an end that is marked."""
+
+_BESIDE = 4.0
+"""px within which a stroke runs at a place."""
 
 _OPEN = "open-outline"
 """The engine's code for a view whose outline has a gap."""
@@ -248,7 +252,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         if report is not None:
             offers = {code: self._buttons(code, (tool,)) for code, tool in _USUAL.items()}
             offers.update({own.code: self._help(own) for own in problems})
-            lines = verdict_lines(report, self._tell_hole, offers)
+            lines = verdict_lines(report, Help(self._tell_hole, offers, self._mend))
         else:
             lines = [
                 Line(f"{SIGNS[own.severity]} {own.message}", own.box, self._help(own))
@@ -259,7 +263,8 @@ class SheetWindow(QtWidgets.QMainWindow):
             # What was read makes no part, and nothing was said yet: no run will tell it.
             lines.insert(0, verdict_line("failed"))
         lines += self._left_out
-        lines.append(Line(translate("GaussianCAD", "{0} correction(s) by hand").format(count)))
+        if report is None:
+            lines.append(Line(translate("GaussianCAD", "{0} correction(s) by hand").format(count)))
         self.problems.show_lines(lines)
 
     def _help(self, row: Row) -> Buttons:
@@ -279,6 +284,26 @@ class SheetWindow(QtWidgets.QMainWindow):
         close = translate("GaussianCAD", "Close Gaps"), self._close_gaps
         first = (close,) if code == _OPEN and self._closing() else ()
         return (*first, *(known[own] for own in offers if own in known))
+
+    def _mend(self, own: dict) -> Buttons:
+        """What may be said of a line that part and sheet do not share."""
+        if not own["missing"]:
+            if not own.get("line"):
+                return ()
+            view = next((view.id for view in self.sheet.views if view.role == own["view"]), "")
+            told = {"view": view, "kind": own["kind"], "line": own["line"]}
+            draw = translate("GaussianCAD", "It Belongs There")
+            return ((draw, lambda: self.desk.say([{"op": "draw", **told}])),)
+        stroke = self.sheet.stroke_at(tuple(own["at"]), _BESIDE) if self.sheet else None
+        if stroke is None:
+            return ()
+        target = stroke.target()
+        tangent = {"op": "kind", "target": target, "to": "tangent"}
+        erase = {"op": "erase", "target": target}
+        return (
+            (translate("GaussianCAD", "Tangent Edge"), lambda: self.desk.say([tangent])),
+            (translate("GaussianCAD", "Erase It"), lambda: self.desk.say([erase])),
+        )
 
     def _closing(self) -> list[dict]:
         """What closes the outlines that are open."""
@@ -378,7 +403,6 @@ class SheetWindow(QtWidgets.QMainWindow):
     def _add_tools(self) -> None:
         bar = self.addToolBar("GaussianCAD")
         bar.setObjectName("GaussianCADCanvas")
-        self._bar = bar
         draw, kinds = QtWidgets.QMenu(self), QtWidgets.QMenu(self)
         self._add_menu(bar, translate("GaussianCAD", "Draw"), draw)
         for key, name in TOOLS.items():
@@ -406,6 +430,9 @@ class SheetWindow(QtWidgets.QMainWindow):
             ),
         }
         self._add_layers(bar)
+        self.addToolBarBreak()
+        bar = self._bar = self.addToolBar("GaussianCAD")
+        bar.setObjectName("GaussianCADRuns")
         live = bar.addAction(translate("GaussianCAD", "Solve as I Go"))
         live.setCheckable(True)
         live.setChecked(True)

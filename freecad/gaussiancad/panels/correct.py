@@ -59,7 +59,12 @@ def open_canvas(selected: Sequence[FreeCAD.DocumentObject]) -> "CanvasDock | Non
         except (WorkbenchError, OSError) as error:
             _complain(str(error))
             return None
-    path = path or _asked(FreeCADGui.getMainWindow())
+    if path:
+        return open_sheet(Path(path), page)
+    path = _asked(FreeCADGui.getMainWindow())
+    if path and FreeCAD.ActiveDocument is not None and FreeCAD.ActiveDocument.Objects:
+        # Another drawing's part would lie over what is there.
+        FreeCAD.newDocument(Path(path).stem)
     return open_sheet(Path(path), page) if path else None
 
 

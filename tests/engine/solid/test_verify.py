@@ -46,6 +46,11 @@ def test_missing_and_surplus_lines_are_told_by_place_and_length(drawn: Draw) -> 
     assert sum(flaw.length for flaw in missing) == pytest.approx(26.0, rel=0.05)
     for flaw in missing:
         assert 14.9 < flaw.place[0] < 25.1 and 11.9 < flaw.place[1] < 20.1
+    # The surplus edge is straight and has ends; the slot's outline goes round corners.
+    (edge,) = surplus
+    assert sorted(edge.ends)[0] == pytest.approx((15.0, 20.0), abs=0.2)
+    assert sorted(edge.ends)[1] == pytest.approx((25.0, 20.0), abs=0.2)
+    assert [flaw.ends for flaw in missing] == [None]
     top = [flaw for flaw in found.flaws if flaw.role is Role.TOP]
     assert all(flaw.missing for flaw in top)
     assert sum(flaw.length for flaw in top) == pytest.approx(60.0, rel=0.05)

@@ -437,17 +437,42 @@ def test_a_verdict_leads_and_a_correction_takes_it_back(window: SheetWindow) -> 
         "measures": {"uncertainty_mm": 0.02},
         "reasons": [{"code": "ambiguous", "message": "two solids"}],
         "assumptions": [{"code": "hole-through", "message": "a hole", "at": [140, 160, 180, 200]}],
-        "disagreements": [{"missing": True, "length_mm": 3.0, "at": [120, 120]}],
+        "disagreements": [
+            {"view": "front", "missing": True, "length_mm": 3.0, "at": [200, 120]},
+            {
+                "view": "front",
+                "missing": False,
+                "length_mm": 2.0,
+                "at": [260, 170],
+                "kind": "hidden",
+                "line": [[260, 100], [260, 250]],
+            },
+        ],
     }
     window.desk.solved.emit(report, "")
-    verdict, reason, assumed, lacks, *_ = window.problems.lines
+    verdict, reason, assumed, lacks, beyond, *_ = window.problems.lines
     assert verdict.colour and "0.02" in verdict.text
     assert "two solids" in reason.text
-    assert lacks.box == (100.0, 100.0, 140.0, 140.0)
+    assert lacks.box == (180.0, 100.0, 220.0, 140.0)
+    for line in (lacks, beyond):
+        line.buttons[0][1]()
+    (kind, draw) = window.operations
+    assert (kind["op"], kind["target"]["id"], kind["to"]) == ("kind", "s5", "tangent")
+    told = {"view": "front", "kind": "hidden", "line": [[260, 100], [260, 250]]}
+    assert draw == {"op": "draw", **told}
+    window.undo()
+    window.undo()
     (_, yes), _no = assumed.buttons
     yes()
     assert window.operations == [{"op": "note", "circle": [160.0, 180.0, 20.0], "through": True}]
     assert not any(own.colour for own in window.problems.lines)
+
+
+def test_a_size_that_nobody_told_is_none(window: SheetWindow) -> None:
+    measures = {"uncertainty_mm": 0.02}
+    report = {"status": "verified", "measures": measures, "scale_source": "default"}
+    window.desk.solved.emit(report, "")
+    assert "0.02" not in window.problems.lines[0].text
 
 
 def test_layers_and_bare_ink(window: SheetWindow) -> None:
