@@ -512,11 +512,11 @@
     </message>
     <message>
         <source>Looking for damaged files</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschädigte Dateien werden gesucht</translation>
     </message>
     <message>
         <source>The repair was cancelled. Repair again to finish it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Reparatur wurde abgebrochen. Reparieren Sie noch einmal, um sie zu beenden.</translation>
     </message>
     <message>
         <source>Looking for the small build of PyTorch</source>
@@ -524,11 +524,11 @@
     </message>
     <message>
         <source>The build of PyTorch for processors was found neither in the package index that pip is set up for nor in {index}. Look whether the network is there, or choose the build for NVIDIA cards, which works without such a card, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>PyTorch für Prozessoren wurde weder im Paketverzeichnis gefunden, das für pip eingestellt ist, noch in {index}. Prüfen Sie das Netz, oder wählen Sie die Fassung für NVIDIA-Karten, die auch ohne solche Karte läuft.</translation>
     </message>
     <message>
         <source>Reinstalling damaged packages</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschädigte Pakete werden neu installiert</translation>
     </message>
     <message>
         <source>Linking the engine</source>
@@ -556,59 +556,59 @@
     </message>
     <message>
         <source>Repair</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparieren</translation>
     </message>
     <message>
         <source>Remove…</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen…</translation>
     </message>
     <message>
         <source>Downloads and installs what is missing or damaged, only that</source>
-        <translation type="unfinished"></translation>
+        <translation>Lädt und installiert nur, was fehlt oder beschädigt ist</translation>
     </message>
     <message>
         <source>Remove the engine in {folder}? {size} on disk become free. Drawings, documents and this addon stay as they are, and the engine can be installed again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Engine in {folder} entfernen? {size} auf der Platte werden frei. Zeichnungen, Dokumente und diese Erweiterung bleiben, wie sie sind, und die Engine kann wieder installiert werden.</translation>
     </message>
     <message>
         <source>Remove Engine</source>
-        <translation type="unfinished"></translation>
+        <translation>Engine entfernen</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>The engine is complete.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Engine ist vollständig.</translation>
     </message>
     <message>
         <source>Version {version} with PyTorch for {build}, {size} on disk in {folder}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Version {version} mit PyTorch für {build}, {size} auf der Platte in {folder}.</translation>
     </message>
     <message>
         <source>The engine in {folder} is not complete. Repair downloads what is missing or damaged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Engine in {folder} ist nicht vollständig. „Reparieren“ lädt, was fehlt oder beschädigt ist.</translation>
     </message>
     <message>
         <source>Missing, or of another version: {names}</source>
-        <translation type="unfinished"></translation>
+        <translation>Es fehlen oder sind von anderer Version: {names}</translation>
     </message>
     <message>
         <source>An engine is in use already: {engine}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wird schon eine Engine verwendet: {engine}.</translation>
     </message>
     <message>
         <source>GaussianCAD can download the packages of its engine from the Python package index that pip is set up for, and PyTorch for the processor from {index} where that index lacks it. Each package is checked against a hash that comes with this addon. They go into {folder}; FreeCAD&apos;s own Python stays as it is. Nothing is sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>GaussianCAD kann die Pakete seiner Engine aus dem Paketverzeichnis laden, das für pip eingestellt ist, und PyTorch für den Prozessor aus {index}, wo es dort fehlt. Jedes Paket wird mit einer Prüfsumme verglichen, die mit dieser Erweiterung kommt. Sie kommen nach {folder}; FreeCADs eigenes Python bleibt, wie es ist. Gesendet wird nichts.</translation>
     </message>
     <message>
         <source>{count} MB</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} MB</translation>
     </message>
     <message>
         <source>{count} GB</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} GB</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -677,6 +677,18 @@
     <message>
         <source>Close Gaps</source>
         <translation>Lücken schließen</translation>
+    </message>
+    <message>
+        <source>It Belongs There</source>
+        <translation>Sie gehört dorthin</translation>
+    </message>
+    <message>
+        <source>Tangent Edge</source>
+        <translation>Tangentenkante</translation>
+    </message>
+    <message>
+        <source>Erase It</source>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Reading…</source>
@@ -864,11 +876,11 @@
     </message>
     <message>
         <source>No run has ended on this drawing yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu dieser Zeichnung ist noch kein Lauf beendet.</translation>
     </message>
     <message>
         <source>The drawing is gone, and the document holds no copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung ist nicht mehr da, und das Dokument hat keine Kopie</translation>
     </message>
     <message>
         <source>Details</source>
@@ -1028,7 +1040,7 @@
     </message>
     <message>
         <source>The drawing of {name} is gone, and the document holds no copy of it. Choose the drawing in Reconstruct from Drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung von {name} ist nicht mehr da, und das Dokument hat keine Kopie davon. Wählen Sie die Zeichnung in „Aus Zeichnung rekonstruieren“.</translation>
     </message>
     <message>
         <source>Choose a drawing first.</source>
@@ -1040,11 +1052,15 @@
     </message>
     <message>
         <source>Run Again</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch einmal</translation>
     </message>
     <message>
         <source>Mesh and Gaussians</source>
         <translation>Netz und Gaußfunktionen</translation>
+    </message>
+    <message>
+        <source>Choose among Solutions…</source>
+        <translation>Unter Lösungen wählen…</translation>
     </message>
     <message>
         <source>Choose a Drawing</source>
@@ -1539,6 +1555,10 @@
         <translation>Nein, so tief…</translation>
     </message>
     <message>
+        <source>The size is not known: tell a length</source>
+        <translation>Die Größe ist nicht bekannt: geben Sie eine Länge an</translation>
+    </message>
+    <message>
         <source>Measures to ±{0} mm</source>
         <translation>Maße auf ±{0} mm</translation>
     </message>
@@ -1996,7 +2016,7 @@
     </message>
     <message>
         <source>This is no report of a batch: choose its report.csv or report.json.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist kein Bericht eines Stapels: wählen Sie dessen report.csv oder report.json.</translation>
     </message>
     <message>
         <source>Correct Sheet needs PySide6 in the engine&apos;s environment. Open it from FreeCAD instead.</source>
@@ -2235,6 +2255,10 @@
         <translation>Die Zeichnung ist noch nicht gelesen. Warten Sie, bis sie es ist.</translation>
     </message>
     <message>
+        <source>Show Solutions</source>
+        <translation>Lösungen zeigen</translation>
+    </message>
+    <message>
         <source>Correct Drawing</source>
         <translation>Zeichnung korrigieren</translation>
     </message>
@@ -2412,71 +2436,71 @@
     </message>
     <message>
         <source>Next Sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächstes Blatt</translation>
     </message>
     <message>
         <source>{0} of {1} sheets are not verified</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} von {1} Blättern sind nicht bestätigt</translation>
     </message>
     <message>
         <source>{folder} is not an environment that GaussianCAD made, and stays as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>{folder} ist keine Umgebung, die GaussianCAD angelegt hat, und bleibt, wie es ist.</translation>
     </message>
     <message>
         <source>The engine cannot be removed: {reason}. Nothing has changed. Close what uses it, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Engine kann nicht entfernt werden: {reason}. Nichts wurde geändert. Schließen Sie, was sie benutzt, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>an NVIDIA card was found</source>
-        <translation type="unfinished"></translation>
+        <translation>eine NVIDIA-Karte wurde gefunden</translation>
     </message>
     <message>
         <source>no NVIDIA card was found</source>
-        <translation type="unfinished"></translation>
+        <translation>keine NVIDIA-Karte wurde gefunden</translation>
     </message>
     <message>
         <source>0.7 GB to download, 3 GB on disk</source>
-        <translation type="unfinished"></translation>
+        <translation>0,7 GB zu laden, 3 GB auf der Platte</translation>
     </message>
     <message>
         <source>3.3 GB to download, 7 GB on disk</source>
-        <translation type="unfinished"></translation>
+        <translation>3,3 GB zu laden, 7 GB auf der Platte</translation>
     </message>
     <message>
         <source>PyTorch for {build}: {sizes}</source>
-        <translation type="unfinished"></translation>
+        <translation>PyTorch für {build}: {sizes}</translation>
     </message>
     <message>
         <source>the processor (CPU)</source>
-        <translation type="unfinished"></translation>
+        <translation>den Prozessor (CPU)</translation>
     </message>
     <message>
         <source>NVIDIA cards (CUDA)</source>
-        <translation type="unfinished"></translation>
+        <translation>NVIDIA-Karten (CUDA)</translation>
     </message>
     <message>
         <source>Choose the Report of a Batch</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht eines Stapels wählen</translation>
     </message>
     <message>
         <source>Reports</source>
-        <translation type="unfinished"></translation>
+        <translation>Berichte</translation>
     </message>
     <message>
         <source>Every sheet of this batch is verified.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Blätter dieses Stapels sind bestätigt.</translation>
     </message>
     <message>
         <source>Failed Sheets</source>
-        <translation type="unfinished"></translation>
+        <translation>Misslungene Blätter</translation>
     </message>
     <message>
         <source>There is no file {0} any more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei {0} gibt es nicht mehr.</translation>
     </message>
     <message>
         <source>More settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Weitere Einstellungen</translation>
     </message>
 </context>
 <context>
@@ -2539,19 +2563,19 @@
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished">Ergebnis</translation>
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>Solid and surface</source>
-        <translation type="unfinished">Festkörper und Oberfläche</translation>
+        <translation>Festkörper und Oberfläche</translation>
     </message>
     <message>
         <source>Solid only</source>
-        <translation type="unfinished">Nur Festkörper</translation>
+        <translation>Nur Festkörper</translation>
     </message>
     <message>
         <source>Surface only</source>
-        <translation type="unfinished">Nur Oberfläche</translation>
+        <translation>Nur Oberfläche</translation>
     </message>
     <message>
         <source>Folder for the engine&apos;s files</source>
@@ -2563,11 +2587,11 @@
     </message>
     <message>
         <source>Add the drawing&apos;s views as pictures around the part</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ansichten der Zeichnung als Bilder um das Bauteil stellen</translation>
     </message>
     <message>
         <source>The task panel begins with these settings, and then with those that were used last. A change here counts from the next time that the panel opens. Parts are made in millimetres; sizes are shown in the units that are set under General &gt; Units.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufgabenleiste beginnt mit diesen Einstellungen, danach mit den zuletzt verwendeten. Eine Änderung hier gilt, wenn die Leiste das nächste Mal geöffnet wird. Bauteile entstehen in Millimetern; Größen werden in den Einheiten gezeigt, die unter Allgemein &gt; Einheiten eingestellt sind.</translation>
     </message>
 </context>
 <context>
@@ -2607,11 +2631,11 @@
     <name>GaussianCAD_FailedSheets</name>
     <message>
         <source>Open Failed Sheets…</source>
-        <translation type="unfinished"></translation>
+        <translation>Misslungene Blätter öffnen…</translation>
     </message>
     <message>
         <source>Steps through the sheets of a batch that failed or are approximate</source>
-        <translation type="unfinished"></translation>
+        <translation>Geht die Blätter eines Stapels durch, die misslungen oder angenähert sind</translation>
     </message>
 </context>
 <context>
@@ -2640,22 +2664,22 @@
     <name>GaussianCAD_Report</name>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht</translation>
     </message>
     <message>
         <source>Shows how far the part can be trusted, why, and what was read of the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt, wie weit dem Bauteil zu trauen ist, warum, und was von der Zeichnung gelesen wurde</translation>
     </message>
 </context>
 <context>
     <name>GaussianCAD_RunAgain</name>
     <message>
         <source>Run Again</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch einmal</translation>
     </message>
     <message>
         <source>Reconstructs the drawing of what is selected again and updates the result</source>
-        <translation type="unfinished"></translation>
+        <translation>Rekonstruiert die Zeichnung des Gewählten noch einmal und aktualisiert das Ergebnis</translation>
     </message>
 </context>
 <context>

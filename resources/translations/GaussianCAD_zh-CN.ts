@@ -375,6 +375,10 @@
         <translation>不，深度为…</translation>
     </message>
     <message>
+        <source>The size is not known: tell a length</source>
+        <translation>尺寸未知：请指定一个长度</translation>
+    </message>
+    <message>
         <source>Measures to ±{0} mm</source>
         <translation>尺寸误差不超过 ±{0} mm</translation>
     </message>
@@ -429,6 +433,18 @@
     <message>
         <source>Close Gaps</source>
         <translation>封闭缺口</translation>
+    </message>
+    <message>
+        <source>It Belongs There</source>
+        <translation>应当有这条线</translation>
+    </message>
+    <message>
+        <source>Tangent Edge</source>
+        <translation>切边</translation>
+    </message>
+    <message>
+        <source>Erase It</source>
+        <translation>擦除</translation>
     </message>
     <message>
         <source>Reading…</source>
@@ -536,11 +552,11 @@
     </message>
     <message>
         <source>Looking for damaged files</source>
-        <translation type="unfinished"></translation>
+        <translation>正在查找损坏的文件</translation>
     </message>
     <message>
         <source>The repair was cancelled. Repair again to finish it.</source>
-        <translation type="unfinished"></translation>
+        <translation>修复已取消。请再次修复以完成。</translation>
     </message>
     <message>
         <source>Looking for the small build of PyTorch</source>
@@ -548,11 +564,11 @@
     </message>
     <message>
         <source>The build of PyTorch for processors was found neither in the package index that pip is set up for nor in {index}. Look whether the network is there, or choose the build for NVIDIA cards, which works without such a card, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>在 pip 所设的软件包索引和 {index} 中都找不到处理器版的 PyTorch。请检查网络，或选择 NVIDIA 显卡版，它在没有显卡时也能运行。</translation>
     </message>
     <message>
         <source>Reinstalling damaged packages</source>
-        <translation type="unfinished"></translation>
+        <translation>正在重新安装损坏的软件包</translation>
     </message>
     <message>
         <source>Linking the engine</source>
@@ -1040,7 +1056,7 @@
     </message>
     <message>
         <source>This is no report of a batch: choose its report.csv or report.json.</source>
-        <translation type="unfinished"></translation>
+        <translation>这不是批处理报告：请选择其 report.csv 或 report.json。</translation>
     </message>
     <message>
         <source>Correct Sheet needs PySide6 in the engine&apos;s environment. Open it from FreeCAD instead.</source>
@@ -1403,6 +1419,10 @@
         <translation>图纸尚未读完。请稍候。</translation>
     </message>
     <message>
+        <source>Show Solutions</source>
+        <translation>显示各解</translation>
+    </message>
+    <message>
         <source>Correct Drawing</source>
         <translation>校正图纸</translation>
     </message>
@@ -1667,6 +1687,10 @@
         <translation>网格和高斯体</translation>
     </message>
     <message>
+        <source>Choose among Solutions…</source>
+        <translation>在解之间选择…</translation>
+    </message>
+    <message>
         <source>Choose a Drawing</source>
         <translation>选择图纸</translation>
     </message>
@@ -1828,59 +1852,59 @@
     </message>
     <message>
         <source>Repair</source>
-        <translation type="unfinished"></translation>
+        <translation>修复</translation>
     </message>
     <message>
         <source>Remove…</source>
-        <translation type="unfinished"></translation>
+        <translation>删除…</translation>
     </message>
     <message>
         <source>Downloads and installs what is missing or damaged, only that</source>
-        <translation type="unfinished"></translation>
+        <translation>只下载并安装缺失或损坏的部分</translation>
     </message>
     <message>
         <source>Remove the engine in {folder}? {size} on disk become free. Drawings, documents and this addon stay as they are, and the engine can be installed again.</source>
-        <translation type="unfinished"></translation>
+        <translation>要删除 {folder} 中的引擎吗？将释放 {size} 磁盘空间。图纸、文档和本插件保持不变，引擎可以重新安装。</translation>
     </message>
     <message>
         <source>Remove Engine</source>
-        <translation type="unfinished"></translation>
+        <translation>删除引擎</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>删除</translation>
     </message>
     <message>
         <source>The engine is complete.</source>
-        <translation type="unfinished"></translation>
+        <translation>引擎完整。</translation>
     </message>
     <message>
         <source>Version {version} with PyTorch for {build}, {size} on disk in {folder}.</source>
-        <translation type="unfinished"></translation>
+        <translation>版本 {version}，PyTorch 用于{build}，在 {folder} 中占用 {size}。</translation>
     </message>
     <message>
         <source>The engine in {folder} is not complete. Repair downloads what is missing or damaged.</source>
-        <translation type="unfinished"></translation>
+        <translation>{folder} 中的引擎不完整。“修复”会下载缺失或损坏的部分。</translation>
     </message>
     <message>
         <source>Missing, or of another version: {names}</source>
-        <translation type="unfinished"></translation>
+        <translation>缺失或版本不同：{names}</translation>
     </message>
     <message>
         <source>An engine is in use already: {engine}.</source>
-        <translation type="unfinished"></translation>
+        <translation>已在使用一个引擎：{engine}。</translation>
     </message>
     <message>
         <source>GaussianCAD can download the packages of its engine from the Python package index that pip is set up for, and PyTorch for the processor from {index} where that index lacks it. Each package is checked against a hash that comes with this addon. They go into {folder}; FreeCAD&apos;s own Python stays as it is. Nothing is sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>GaussianCAD 可以从 pip 所设的 Python 软件包索引下载引擎的软件包；若该索引没有处理器版的 PyTorch，则从 {index} 下载。每个软件包都用随本插件提供的哈希值校验。它们放入 {folder}；FreeCAD 自带的 Python 保持不变。不会发送任何内容。</translation>
     </message>
     <message>
         <source>{count} MB</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} MB</translation>
     </message>
     <message>
         <source>{count} GB</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} GB</translation>
     </message>
     <message>
         <source>GaussianCAD Jobs</source>
@@ -1940,7 +1964,7 @@
     </message>
     <message>
         <source>The drawing of {name} is gone, and the document holds no copy of it. Choose the drawing in Reconstruct from Drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} 的图纸已不存在，文档中也没有副本。请在“由图纸重建”中选择图纸。</translation>
     </message>
     <message>
         <source>The part stays in the document.</source>
@@ -1968,15 +1992,15 @@
     </message>
     <message>
         <source>Run Again</source>
-        <translation type="unfinished"></translation>
+        <translation>再次运行</translation>
     </message>
     <message>
         <source>No run has ended on this drawing yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>此图纸尚无已结束的运行。</translation>
     </message>
     <message>
         <source>The drawing is gone, and the document holds no copy</source>
-        <translation type="unfinished"></translation>
+        <translation>图纸已不存在，文档中也没有副本</translation>
     </message>
     <message>
         <source>Details</source>
@@ -2412,71 +2436,71 @@
     </message>
     <message>
         <source>Next Sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>下一张图纸</translation>
     </message>
     <message>
         <source>{0} of {1} sheets are not verified</source>
-        <translation type="unfinished"></translation>
+        <translation>{1} 张图纸中有 {0} 张未验证</translation>
     </message>
     <message>
         <source>{folder} is not an environment that GaussianCAD made, and stays as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>{folder} 不是 GaussianCAD 创建的环境，保持不变。</translation>
     </message>
     <message>
         <source>The engine cannot be removed: {reason}. Nothing has changed. Close what uses it, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法删除引擎：{reason}。没有任何更改。请关闭正在使用它的程序后重试。</translation>
     </message>
     <message>
         <source>an NVIDIA card was found</source>
-        <translation type="unfinished"></translation>
+        <translation>找到 NVIDIA 显卡</translation>
     </message>
     <message>
         <source>no NVIDIA card was found</source>
-        <translation type="unfinished"></translation>
+        <translation>未找到 NVIDIA 显卡</translation>
     </message>
     <message>
         <source>0.7 GB to download, 3 GB on disk</source>
-        <translation type="unfinished"></translation>
+        <translation>下载 0.7 GB，占用磁盘 3 GB</translation>
     </message>
     <message>
         <source>3.3 GB to download, 7 GB on disk</source>
-        <translation type="unfinished"></translation>
+        <translation>下载 3.3 GB，占用磁盘 7 GB</translation>
     </message>
     <message>
         <source>PyTorch for {build}: {sizes}</source>
-        <translation type="unfinished"></translation>
+        <translation>PyTorch 用于{build}：{sizes}</translation>
     </message>
     <message>
         <source>the processor (CPU)</source>
-        <translation type="unfinished"></translation>
+        <translation>处理器 (CPU)</translation>
     </message>
     <message>
         <source>NVIDIA cards (CUDA)</source>
-        <translation type="unfinished"></translation>
+        <translation>NVIDIA 显卡 (CUDA)</translation>
     </message>
     <message>
         <source>Choose the Report of a Batch</source>
-        <translation type="unfinished"></translation>
+        <translation>选择批处理报告</translation>
     </message>
     <message>
         <source>Reports</source>
-        <translation type="unfinished"></translation>
+        <translation>报告</translation>
     </message>
     <message>
         <source>Every sheet of this batch is verified.</source>
-        <translation type="unfinished"></translation>
+        <translation>此批处理的所有图纸都已验证。</translation>
     </message>
     <message>
         <source>Failed Sheets</source>
-        <translation type="unfinished"></translation>
+        <translation>失败的图纸</translation>
     </message>
     <message>
         <source>There is no file {0} any more.</source>
-        <translation type="unfinished"></translation>
+        <translation>文件 {0} 已不存在。</translation>
     </message>
     <message>
         <source>More settings</source>
-        <translation type="unfinished"></translation>
+        <translation>更多设置</translation>
     </message>
 </context>
 <context>
@@ -2539,19 +2563,19 @@
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished">结果</translation>
+        <translation>结果</translation>
     </message>
     <message>
         <source>Solid and surface</source>
-        <translation type="unfinished">实体和表面</translation>
+        <translation>实体和曲面</translation>
     </message>
     <message>
         <source>Solid only</source>
-        <translation type="unfinished">仅实体</translation>
+        <translation>仅实体</translation>
     </message>
     <message>
         <source>Surface only</source>
-        <translation type="unfinished">仅表面</translation>
+        <translation>仅曲面</translation>
     </message>
     <message>
         <source>Folder for the engine&apos;s files</source>
@@ -2563,11 +2587,11 @@
     </message>
     <message>
         <source>Add the drawing&apos;s views as pictures around the part</source>
-        <translation type="unfinished"></translation>
+        <translation>将图纸各视图作为图片放在零件周围</translation>
     </message>
     <message>
         <source>The task panel begins with these settings, and then with those that were used last. A change here counts from the next time that the panel opens. Parts are made in millimetres; sizes are shown in the units that are set under General &gt; Units.</source>
-        <translation type="unfinished"></translation>
+        <translation>任务面板先使用这些设置，之后使用上次所用的设置。此处的更改在下次打开面板时生效。零件以毫米建立；尺寸按“常规 &gt; 单位”中设定的单位显示。</translation>
     </message>
 </context>
 <context>
@@ -2607,11 +2631,11 @@
     <name>GaussianCAD_FailedSheets</name>
     <message>
         <source>Open Failed Sheets…</source>
-        <translation type="unfinished"></translation>
+        <translation>打开失败的图纸…</translation>
     </message>
     <message>
         <source>Steps through the sheets of a batch that failed or are approximate</source>
-        <translation type="unfinished"></translation>
+        <translation>逐一查看批处理中失败或近似的图纸</translation>
     </message>
 </context>
 <context>
@@ -2640,22 +2664,22 @@
     <name>GaussianCAD_Report</name>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>报告</translation>
     </message>
     <message>
         <source>Shows how far the part can be trusted, why, and what was read of the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>显示零件的可信程度、原因以及从图纸读到的内容</translation>
     </message>
 </context>
 <context>
     <name>GaussianCAD_RunAgain</name>
     <message>
         <source>Run Again</source>
-        <translation type="unfinished"></translation>
+        <translation>再次运行</translation>
     </message>
     <message>
         <source>Reconstructs the drawing of what is selected again and updates the result</source>
-        <translation type="unfinished"></translation>
+        <translation>再次重建所选对象的图纸并更新结果</translation>
     </message>
 </context>
 <context>

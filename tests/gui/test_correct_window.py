@@ -93,6 +93,32 @@ class Canvas(WindowCase):
         kept = json.loads(corrections_path(self.copy).read_text(encoding="utf-8"))
         self.assertEqual(kept["ops"], self.canvas.operations)
 
+    def test_other_solids_that_fit_are_offered_until_the_next_correction(self) -> None:
+        run = Path(shutil.copytree(self.dock._folder, self.folder / "run"))
+        others = run / "alternatives"
+        others.mkdir(exist_ok=True)
+        shutil.copy(run / "solid.step", others / "1.step")
+        report = json.loads((run / "report.json").read_text(encoding="utf-8"))
+        why = {"code": "ambiguous", "message": "others fit", "args": {"case": "solids", "count": 1}}
+        report.update(status="approximate", reasons=[why])
+        self.canvas.desk.solved.emit(report, str(run))
+        (button,) = (
+            called
+            for line in self.canvas.problems.lines
+            for text, called in line.buttons
+            if text == "Choose among Solutions…"
+        )
+        button()
+        names = [own.Name for own in self.part.InList[0].Group]
+        self.assertIn("Alternative", names)
+        self.assertTrue(FreeCADGui.Control.activeDialog())
+        FreeCADGui.Control.closeDialog()
+        self.canvas.say_length(_LENGTH, 100.0)
+        self.assertIsNone(self.document.getObject("Alternative"))
+        self.document.undo()
+        self.assertIsNotNone(self.document.getObject("Alternative"))
+        self.settled()
+
     def test_mesh_and_gaussians_follow_as_a_job(self) -> None:
         part = self.part.Name
         self.dock.make_all()

@@ -85,6 +85,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         self.problems = Rows(self)
         self._report: dict | None = None
         self._pictured = False
+        self._more_help: dict[str, Buttons] = {}
         self._left_out: list[Line] = []
         self._listen()
         self.pages = Pages(self.desk.thumbnail, lambda: not self.busy, self)
@@ -142,6 +143,10 @@ class SheetWindow(QtWidgets.QMainWindow):
     def add_action(self, text: str, called: Callable[[], None]) -> None:
         """Put a button for something else at the end of the toolbar."""
         self._add(self._bar, text, called)
+
+    def add_help(self, code: str, text: str, called: Callable[[], None]) -> None:
+        """Put a button for something else beside what a report says under a code."""
+        self._more_help[code] = ((text, called),)
 
     def tell(self, text: str) -> None:
         """Put a sentence in place of the list."""
@@ -252,6 +257,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         if report is not None:
             offers = {code: self._buttons(code, (tool,)) for code, tool in _USUAL.items()}
             offers.update({own.code: self._help(own) for own in problems})
+            offers.update(self._more_help)
             lines = verdict_lines(report, Help(self._tell_hole, offers, self._mend))
         else:
             lines = [

@@ -25,10 +25,14 @@ from freecad.gaussiancad.engine.report import read_report
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
 from freecad.gaussiancad.objects.known_sheets import group_of
-from freecad.gaussiancad.objects.loading import PartSource, read_shape
+from freecad.gaussiancad.objects.loading import PartSource, load_alternatives, read_shape
 from freecad.gaussiancad.objects.properties import Access, PropertySpec, add_properties
 from freecad.gaussiancad.objects.reconstruction import new_reconstruction, show_solution
-from freecad.gaussiancad.objects.reconstruction_features import add_empty_part, find_part
+from freecad.gaussiancad.objects.reconstruction_features import (
+    add_empty_part,
+    find_part,
+    put_alternatives,
+)
 from freecad.gaussiancad.objects.transaction import transaction
 
 CORRECTIONS = "Corrections"
@@ -123,6 +127,23 @@ def take_solution(group: FreeCAD.DocumentObject, folder: Path) -> None:
     group.Document.recompute()
 
 
+def offer_solutions(group: FreeCAD.DocumentObject, folder: Path) -> None:
+    """Put the other solids that have the drawing's lines beside the part, in one undo step; the
+    next correction takes them away.
+
+    Args:
+        group: of the drawing.
+        folder: that the run left.
+
+    Raises:
+        WorkbenchError: what the run left cannot be read.
+    """
+    report = read_report(folder / "report.json")
+    shapes = load_alternatives(folder / "alternatives")
+    with transaction(group.Document, translate("GaussianCAD", "Show Solutions")):
+        put_alternatives(group, shapes, report)
+
+
 class InDocument:
     """Keeps corrections in a document, each step an undo step of it, and a copy beside the drawing,
     where every other run finds it.
@@ -175,6 +196,7 @@ class InDocument:
         if group is None:
             return
         with transaction(group.Document, translate("GaussianCAD", "Correct Drawing")):
+            put_alternatives(group, ())
             setattr(group, CORRECTIONS, json.dumps([*corrections_of(group), *operations]))
         self.copy()
 

@@ -87,7 +87,7 @@ def load_run(job: ReconstructJob, scratch: Path, with_views: bool = True) -> Loa
         job,
         report,
         part,
-        _load_alternatives(folder / "alternatives"),
+        load_alternatives(folder / "alternatives"),
         mesh,
         read_gaussians(gaussians) if gaussians.is_file() else None,
         tuple(_cut_views(job, report, scratch)) if with_views else (),
@@ -103,7 +103,8 @@ def _load_part(folder: Path) -> LoadedPart | None:
     return None
 
 
-def _load_alternatives(folder: Path) -> tuple[Part.Shape, ...]:
+def load_alternatives(folder: Path) -> tuple[Part.Shape, ...]:
+    """The other solids that a run left in a folder, best first."""
     numbered = [path for path in folder.glob("*.step") if path.stem.isdigit()]
     return tuple(read_shape(path) for path in sorted(numbered, key=lambda path: int(path.stem)))
 

@@ -79,6 +79,16 @@ def put_features(group: FreeCAD.DocumentObject, run: LoadedRun) -> None:
     place.finish()
 
 
+def put_alternatives(
+    group: FreeCAD.DocumentObject, shapes: tuple[Part.Shape, ...], report: Report | None = None
+) -> None:
+    """Give a group the other solids that have the drawing's lines, in place of those before."""
+    place = _Place(group, ALTERNATIVE)
+    for number, shape in enumerate(shapes, start=1):
+        _put_alternative(place, number, shape, report)
+    place.finish()
+
+
 def put_part_alone(group: FreeCAD.DocumentObject, part: LoadedPart, status: Status) -> None:
     """Give a group the part of a run that goes on, and take away what an earlier run left."""
     place = _Place(group)
@@ -107,11 +117,12 @@ class _Place:
 
     Args:
         group: the reconstruction.
+        names: how the names of the features begin; all of them where none are given.
     """
 
-    def __init__(self, group: FreeCAD.DocumentObject) -> None:
+    def __init__(self, group: FreeCAD.DocumentObject, *names: str) -> None:
         self._group = group
-        self._left = [own for own in group.Group if _is_own(own)]
+        self._left = [own for own in group.Group if _is_own(own, names or tuple(_TYPES))]
         self._new: list[FreeCAD.DocumentObject] = []
 
     def take(self, name: str, kind: str = "") -> tuple[FreeCAD.DocumentObject, bool]:
@@ -135,10 +146,8 @@ class _Place:
                 own.Visibility = False
 
 
-def _is_own(child: FreeCAD.DocumentObject) -> bool:
-    return any(
-        child.Name.startswith(name) and child.TypeId == kind for name, kind in _TYPES.items()
-    )
+def _is_own(child: FreeCAD.DocumentObject, names: tuple[str, ...]) -> bool:
+    return any(child.Name.startswith(name) and child.TypeId == _TYPES[name] for name in names)
 
 
 def _set_in_place(feature: FreeCAD.DocumentObject, name: str, geometry: object) -> None:
@@ -167,14 +176,15 @@ def _put_part(
     return feature, new
 
 
-def _put_alternative(place: _Place, number: int, shape: Part.Shape, report: Report) -> None:
+def _put_alternative(place: _Place, number: int, shape: Part.Shape, report: Report | None) -> None:
     alternative, new = place.take(ALTERNATIVE)
     _set_in_place(alternative, "Shape", shape)
     if new:
         label = translate("GaussianCAD", "Alternative {number}")
         alternative.Label = label.format(number=number)
         alternative.Visibility = False
-    told = report.alternatives[number - 1] if number <= len(report.alternatives) else None
+    known = report.alternatives if report is not None else ()
+    told = known[number - 1] if number <= len(known) else None
     if told is not None:
         add_properties(alternative, alternative_properties(told))
 

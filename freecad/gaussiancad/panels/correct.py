@@ -17,6 +17,7 @@ from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.corrected_sheet import (
     CORRECTIONS,
     InDocument,
+    offer_solutions,
     open_in,
     take_reading,
     take_solution,
@@ -26,6 +27,7 @@ from freecad.gaussiancad.objects.known_sheets import page_of, reconstruction_amo
 from freecad.gaussiancad.objects.reconstruction_features import find_part
 from freecad.gaussiancad.panels.full_run import full_job
 from freecad.gaussiancad.panels.jobs import job_list
+from freecad.gaussiancad.panels.solutions import open_solutions
 from freecad.gaussiancad.preferences import read_preferences
 from freecad.gaussiancad.qt import QtCore, QtWidgets
 
@@ -129,7 +131,9 @@ class CanvasDock(QtWidgets.QDockWidget):
         self.canvas.setWindowFlags(QtCore.Qt.WindowType.Widget)
         self.setWidget(self.canvas)
         self.canvas.add_action(translate("GaussianCAD", "Mesh and Gaussians"), self.make_all)
-        self._shown_mm = 0.0
+        solutions = translate("GaussianCAD", "Choose among Solutions…")
+        self.canvas.add_help("ambiguous", solutions, self.choose_solution)
+        self._shown_mm, self._folder = 0.0, ""
         desk = self.canvas.desk
         self.canvas.page_asked.connect(lambda number: open_sheet(path, number))
         desk.changed.connect(self._keep_reading)
@@ -163,6 +167,18 @@ class CanvasDock(QtWidgets.QDockWidget):
         if group is not None and desk.sheet is not None:
             job_list().add(full_job(self.keeper, desk.path, desk.page))
 
+    def choose_solution(self) -> None:
+        """Show all solids that have the drawing's lines, to choose one."""
+        group = self.keeper.find()
+        if group is None or not self._folder:
+            return
+        try:
+            offer_solutions(group, Path(self._folder))
+        except WorkbenchError as error:
+            self.canvas.tell(str(error))
+            return
+        open_solutions(group)
+
     def follow(self) -> None:
         """Show the corrections that the document has now, and make their part."""
         if self.keeper.find() is not None:
@@ -178,6 +194,7 @@ class CanvasDock(QtWidgets.QDockWidget):
         group = self.keeper.find()
         if group is None or not folder:
             return
+        self._folder = folder
         try:
             take_solution(group, Path(folder))
         except WorkbenchError as error:
