@@ -1688,7 +1688,7 @@
     </message>
     <message>
         <source>Choose among Solutions…</source>
-        <translation>在解之间选择…</translation>
+        <translation>在多个解中选择…</translation>
     </message>
     <message>
         <source>Choose a Drawing</source>
@@ -2567,7 +2567,7 @@
     </message>
     <message>
         <source>Solid and surface</source>
-        <translation>实体和曲面</translation>
+        <translation>实体和表面</translation>
     </message>
     <message>
         <source>Solid only</source>
@@ -2575,7 +2575,7 @@
     </message>
     <message>
         <source>Surface only</source>
-        <translation>仅曲面</translation>
+        <translation>仅表面</translation>
     </message>
     <message>
         <source>Folder for the engine&apos;s files</source>
