@@ -14,6 +14,7 @@ from window import WindowCase, dropped, spin, widget
 
 from freecad.gaussiancad.engine.job import ScaleKind
 from freecad.gaussiancad.objects.properties import texts_of
+from freecad.gaussiancad.panels.correct import open_docks
 from freecad.gaussiancad.paths import ADDON_ROOT
 from freecad.gaussiancad.qt import QtWidgets
 
@@ -253,6 +254,19 @@ class Panel(WindowCase):
             self.assertNotIn("Traceback", box.text())
             box.close()
             self.assertEqual((self.document.Objects, self.document.UndoCount), ([], 0))
+
+    def test_a_refusal_offers_the_canvas(self) -> None:
+        self.behave("refuse")
+        self.choose_sheet(self.sheet)
+        button = self.start()
+        self.wait_for(button.isEnabled)
+        (box,) = self.boxes()
+        (correct,) = (own for own in box.buttons() if own.text().startswith("Correct Sheet"))
+        correct.click()
+        (dock,) = open_docks()
+        self.addCleanup(dock.close)
+        self.assertEqual(dock.canvas.desk.path, self.sheet)
+        self.assertEqual(widget(QtWidgets.QPushButton, "followUp").text(), "Correct Sheet…")
 
     def test_without_an_engine_the_box_says_what_to_do(self) -> None:
         self.set_variable("GAUSSIANCAD_PYTHON", str(self.folder / "no python"))

@@ -8,6 +8,7 @@ import os
 import tempfile
 import traceback
 from abc import ABC, abstractmethod
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -117,6 +118,10 @@ class EnginePanel(ABC):
         """
         return ""
 
+    def way_out(self, result: RunResult) -> tuple[str, Callable[[], None]] | None:
+        """What may help after a run that did not succeed: a button's text and what it does."""
+        return None
+
     @property
     def running(self) -> bool:
         """Whether the engine works for this panel."""
@@ -206,7 +211,12 @@ class EnginePanel(ABC):
             self.run_view.end(f"{stopped.rstrip('.')}. {left}" if left else stopped, whole=False)
         self._forget_run()
         if complaint:
-            self._complain(complaint)
+            box = show_error(self._texts.title, complaint)
+            if (offered := self.way_out(result)) is not None:
+                text, called = offered
+                button = box.addButton(text, QtWidgets.QMessageBox.ButtonRole.ActionRole)
+                button.clicked.connect(lambda _=False: called())
+                self.run_view.offer(text, called)
 
     def _outcome(self, result: RunResult) -> tuple[Success | None, str]:
         """The success, or None and what to complain about; nothing if the user cancelled."""

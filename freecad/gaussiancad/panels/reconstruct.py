@@ -2,6 +2,7 @@
 
 import tempfile
 import traceback
+from collections.abc import Callable
 from pathlib import Path
 
 import FreeCAD
@@ -9,6 +10,7 @@ import FreeCADGui
 
 from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.engine.job import SHEET_SUFFIXES, ReconstructJob
+from freecad.gaussiancad.engine.process import RunResult
 from freecad.gaussiancad.engine.report import Status
 from freecad.gaussiancad.engine.summary import report_lines, verdict_text
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
@@ -20,6 +22,7 @@ from freecad.gaussiancad.objects.loading import load_run
 from freecad.gaussiancad.objects.properties import texts_of
 from freecad.gaussiancad.objects.reconstruction_features import part_length
 from freecad.gaussiancad.objects.solutions import SolutionSet, has_choice
+from freecad.gaussiancad.panels.correct import open_canvas, open_sheet
 from freecad.gaussiancad.panels.document_source import DocumentSource
 from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts, Success
 from freecad.gaussiancad.panels.messages import show_error
@@ -34,7 +37,14 @@ from freecad.gaussiancad.remembered import remember, starting_choices
 _ALIKE = 1.3
 """Factor by which a part may grow before the 3D view is fitted to it again."""
 
+_NO_MODEL = 4
+"""The engine's exit code where a drawing was read and no model follows from it."""
+
 _PAGED_SUFFIXES = (".pdf", ".tif", ".tiff", ".dxf")
+
+
+def _correct_text() -> str:
+    return translate("GaussianCAD", "Correct Sheet…")
 
 
 class ReconstructPanel(EnginePanel):
@@ -62,6 +72,7 @@ class ReconstructPanel(EnginePanel):
         self._document_name = ""
         self._shown_mm = 0.0
         self._early: EarlyPart | None = None
+        self._source: tuple[str, FreeCAD.DocumentObject] | None = None
         selected = first_sheet_object(FreeCADGui.Selection.getSelection())
         if selected is not None:
             self.take_source(selected)
@@ -78,6 +89,7 @@ class ReconstructPanel(EnginePanel):
             self._complain(str(error))
             return
         self.sheet.line.setText(str(exported.path))
+        self._source = str(exported.path), source
         if exported.mm_per_pixel is not None:
             self.settings.tell_mm_per_pixel(exported.mm_per_pixel)
             self._scaled_sheet = str(exported.path)
@@ -125,6 +137,8 @@ class ReconstructPanel(EnginePanel):
         self._early = None
         if has_choice(group):
             self._offer_choice(group)
+        elif run.report.status is not Status.VERIFIED:
+            self.run_view.offer(_correct_text(), self._correct)
         return Success(verdict_text(run.report), tuple(report_lines(run.report)))
 
     def set_editable(self, editable: bool) -> None:
@@ -148,6 +162,19 @@ class ReconstructPanel(EnginePanel):
         if leave(early, reason):
             return translate("GaussianCAD", "The part stays in the document.")
         return ""
+
+    def way_out(self, result: RunResult) -> tuple[str, Callable[[], None]] | None:
+        """The canvas, where no model follows from the drawing as it was read."""
+        return (_correct_text(), self._correct) if result.exit_code == _NO_MODEL else None
+
+    def _correct(self) -> None:
+        """Open the canvas on the drawing of the last run, in that run's document."""
+        if self._document_name in FreeCAD.listDocuments():
+            FreeCAD.setActiveDocument(self._document_name)
+        if self._source is not None and self._source[0] == self._job.sheet:
+            open_canvas([self._source[1]])
+        else:
+            open_sheet(Path(self._job.sheet), self._job.page)
 
     def _show_part(self, event: Event) -> None:
         """Add the part as soon as it is final; the rest follows when the run ends."""
