@@ -9,6 +9,7 @@ from gaussiancad_core.readings.correcting import Corrected, Ink, corrected
 from gaussiancad_core.readings.opening import open_reading, open_typed
 from gaussiancad_core.readings.operations import Corrections
 from gaussiancad_core.readings.schema import SheetReading
+from gaussiancad_core.readings.told_scales import ToldLength, contradicting_lengths
 from gaussiancad_core.run_notes import RunNotes
 
 
@@ -49,7 +50,23 @@ def given_reading(
         )
     found = corrected(reading, told.ops, ink)
     _tell(found, notes)
+    _tell_lengths(contradicting_lengths(told.ops), notes)
     return found.reading
+
+
+def _tell_lengths(pair: tuple[ToldLength, ToldLength] | None, notes: RunNotes) -> None:
+    if pair is None:
+        return
+    earlier, last = pair
+    notes.doubt(
+        "told-lengths-disagree",
+        Message(
+            "the lengths of {earlier_mm} mm and {last_mm} mm that were told contradict each other; "
+            "the last one was taken: tell one of them again",
+            earlier_mm=earlier.length_mm,
+            last_mm=last.length_mm,
+        ),
+    )
 
 
 def _tell(found: Corrected, notes: RunNotes) -> None:

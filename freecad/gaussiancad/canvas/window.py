@@ -46,6 +46,7 @@ _USUAL = {
     "paper-size-unknown": "scale",
     "dimensions-not-read": "scale",
     "projection-assumed": "projection",
+    "told-lengths-disagree": "scale",
 }
 """What helps with a warning that came up after the sheet was read."""
 

@@ -132,6 +132,11 @@ REASONS = {
         "Lines that cross a view in another line width were not used ({count}). If they are edges "
         "of the part, make them visible lines in Correct Sheet.",
     ),
+    "told-lengths-disagree": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The lengths of {earlier_mm} mm and {last_mm} mm that you told contradict each other. The "
+        "last one was taken. Tell one of them again, or take it back.",
+    ),
     "corrections-unmatched": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "Corrections that no longer find what they corrected: {count}. Look at them again in "
