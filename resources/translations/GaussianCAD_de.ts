@@ -1039,6 +1039,10 @@
         <translation>Engine wird gestartet</translation>
     </message>
     <message>
+        <source>Correct Sheet…</source>
+        <translation>Blatt korrigieren…</translation>
+    </message>
+    <message>
         <source>The drawing of {name} is gone, and the document holds no copy of it. Choose the drawing in Reconstruct from Drawing.</source>
         <translation>Die Zeichnung von {name} ist nicht mehr da, und das Dokument hat keine Kopie davon. Wählen Sie die Zeichnung in „Aus Zeichnung rekonstruieren“.</translation>
     </message>
@@ -1053,6 +1057,10 @@
     <message>
         <source>Run Again</source>
         <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Correct Sheet: {name}</source>
+        <translation>Blatt korrigieren: {name}</translation>
     </message>
     <message>
         <source>Mesh and Gaussians</source>
@@ -1679,8 +1687,8 @@
         <translation>Die Linien der Ansichten widersprechen sich, sodass kein Festkörper sie alle hat. Prüfen Sie mit „Blatt korrigieren“, ob eine Linie falsch gelesen wurde.</translation>
     </message>
     <message>
-        <source>Lines contradict each other as they were read. They are marked on the sheet: correct or erase the wrong one in Correct Sheet.</source>
-        <translation>Linien widersprechen sich, so wie sie gelesen wurden. Sie sind auf dem Blatt markiert: Korrigieren oder löschen Sie die falsche mit „Blatt korrigieren“.</translation>
+        <source>Lines contradict each other as they were read, and are marked on the sheet: one was read wrong, or another is missing. Correct it in Correct Sheet.</source>
+        <translation>Linien widersprechen einander, wie sie gelesen wurden, und sind auf dem Blatt markiert: eine wurde falsch gelesen, oder eine andere fehlt. Berichtigen Sie es mit „Blatt korrigieren“.</translation>
     </message>
     <message>
         <source>The lines contradict each other as they were read. They would agree if the view “{view}” had one more {linetype}: draw it in Correct Sheet.</source>
@@ -1773,6 +1781,10 @@
     <message>
         <source>Lines that cross a view in another line width were not used ({count}). If they are edges of the part, make them visible lines in Correct Sheet.</source>
         <translation>Linien, die in anderer Strichbreite durch eine Ansicht laufen, wurden nicht verwendet ({count}). Wenn es Kanten des Teils sind, machen Sie sie mit „Blatt korrigieren“ zu sichtbaren Linien.</translation>
+    </message>
+    <message>
+        <source>The lengths of {earlier_mm} mm and {last_mm} mm that you told contradict each other. The last one was taken. Tell one of them again, or take it back.</source>
+        <translation>Die Längen von {earlier_mm} mm und {last_mm} mm, die Sie angegeben haben, widersprechen einander. Die letzte wurde genommen. Geben Sie eine davon noch einmal an, oder nehmen Sie sie zurück.</translation>
     </message>
     <message>
         <source>Corrections that no longer find what they corrected: {count}. Look at them again in Correct Sheet.</source>

@@ -719,8 +719,8 @@
         <translation>各视图的线互相矛盾，没有实体能同时具有它们。请在“校正图纸”中检查是否有线读错。</translation>
     </message>
     <message>
-        <source>Lines contradict each other as they were read. They are marked on the sheet: correct or erase the wrong one in Correct Sheet.</source>
-        <translation>按读出的结果，有些线互相矛盾。它们已在图纸上标出：请在“校正图纸”中改正或删除错误的线。</translation>
+        <source>Lines contradict each other as they were read, and are marked on the sheet: one was read wrong, or another is missing. Correct it in Correct Sheet.</source>
+        <translation>所读到的线条相互矛盾，已在图纸上标出：其中一条读错，或缺少另一条。请在“校正图纸”中校正。</translation>
     </message>
     <message>
         <source>The lines contradict each other as they were read. They would agree if the view “{view}” had one more {linetype}: draw it in Correct Sheet.</source>
@@ -813,6 +813,10 @@
     <message>
         <source>Lines that cross a view in another line width were not used ({count}). If they are edges of the part, make them visible lines in Correct Sheet.</source>
         <translation>有些以另一种线宽穿过视图的线未被使用（{count} 条）。如果它们是零件的棱边，请在“校正图纸”中将其设为可见线。</translation>
+    </message>
+    <message>
+        <source>The lengths of {earlier_mm} mm and {last_mm} mm that you told contradict each other. The last one was taken. Tell one of them again, or take it back.</source>
+        <translation>您指定的长度 {earlier_mm} mm 和 {last_mm} mm 相互矛盾，采用了后一个。请重新指定其中一个，或将其撤销。</translation>
     </message>
     <message>
         <source>Corrections that no longer find what they corrected: {count}. Look at them again in Correct Sheet.</source>
@@ -1683,6 +1687,10 @@
         <translation>截面</translation>
     </message>
     <message>
+        <source>Correct Sheet: {name}</source>
+        <translation>校正图纸：{name}</translation>
+    </message>
+    <message>
         <source>Mesh and Gaussians</source>
         <translation>网格和高斯体</translation>
     </message>
@@ -1957,6 +1965,10 @@
     <message>
         <source>Models ({patterns})</source>
         <translation>模型 ({patterns})</translation>
+    </message>
+    <message>
+        <source>Correct Sheet…</source>
+        <translation>校正图纸…</translation>
     </message>
     <message>
         <source>Start</source>

@@ -123,7 +123,8 @@ class CanvasDock(QtWidgets.QDockWidget):
         keeper: InDocument,
         main: QtWidgets.QWidget,
     ) -> None:
-        super().__init__(path.name, main)
+        title = translate("GaussianCAD", "Correct Sheet: {name}")
+        super().__init__(title.format(name=path.name), main)
         self.setObjectName(DOCK_NAME)
         self.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)
         self.keeper = keeper

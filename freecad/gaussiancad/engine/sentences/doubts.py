@@ -25,8 +25,8 @@ REASONS = {
     ),
     "lines-contradict": QT_TRANSLATE_NOOP(
         "GaussianCAD",
-        "Lines contradict each other as they were read. They are marked on the sheet: correct or "
-        "erase the wrong one in Correct Sheet.",
+        "Lines contradict each other as they were read, and are marked on the sheet: one was read "
+        "wrong, or another is missing. Correct it in Correct Sheet.",
     ),
     "lines-contradict:missing": QT_TRANSLATE_NOOP(
         "GaussianCAD",
