@@ -2027,8 +2027,8 @@
         <translation>Die Datei enthält keine lesbaren Gaußfunktionen. Wählen Sie eine andere.</translation>
     </message>
     <message>
-        <source>This is no report of a batch: choose its report.csv or report.json.</source>
-        <translation>Das ist kein Bericht eines Stapels: wählen Sie dessen report.csv oder report.json.</translation>
+        <source>This is no report of a batch. Choose the one in the folder that it wrote.</source>
+        <translation>Das ist kein Bericht eines Stapels. Wählen Sie den in dem Ordner, den er geschrieben hat.</translation>
     </message>
     <message>
         <source>Correct Sheet needs PySide6 in the engine&apos;s environment. Open it from FreeCAD instead.</source>
@@ -2632,7 +2632,7 @@
     <name>GaussianCAD_Correct</name>
     <message>
         <source>Correct Sheet…</source>
-        <translation>Blatt korrigieren …</translation>
+        <translation>Blatt korrigieren…</translation>
     </message>
     <message>
         <source>Shows what was understood of a drawing, lets it be corrected, and makes the part</source>

@@ -1059,8 +1059,8 @@
         <translation>文件中没有可读取的高斯体。请选择其他文件。</translation>
     </message>
     <message>
-        <source>This is no report of a batch: choose its report.csv or report.json.</source>
-        <translation>这不是批处理报告：请选择其 report.csv 或 report.json。</translation>
+        <source>This is no report of a batch. Choose the one in the folder that it wrote.</source>
+        <translation>这不是批处理报告。请选择批处理所写文件夹中的报告。</translation>
     </message>
     <message>
         <source>Correct Sheet needs PySide6 in the engine&apos;s environment. Open it from FreeCAD instead.</source>

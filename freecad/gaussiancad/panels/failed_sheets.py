@@ -11,6 +11,7 @@ import FreeCADGui
 
 from freecad.gaussiancad.canvas.failed import FailedSheet, failed_sheets
 from freecad.gaussiancad.canvas.failed_list import FailedList
+from freecad.gaussiancad.engine.wording import worded
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.panels.correct import open_sheet
 from freecad.gaussiancad.qt import QtCore, QtWidgets
@@ -39,7 +40,9 @@ def open_report(report: Path) -> "FailedDock | None":
     try:
         found = failed_sheets(report)
     except (OSError, ValueError) as error:
-        QtWidgets.QMessageBox.warning(main, _TITLE, str(error))
+        known = isinstance(error, ValueError)
+        told = worded("batch-not-read", str(error)) if known else str(error)
+        QtWidgets.QMessageBox.warning(main, _TITLE, told)
         return None
     if not found:
         text = translate("GaussianCAD", "Every sheet of this batch is verified.")

@@ -80,7 +80,7 @@ FILES = {
         "GaussianCAD", "The file holds no Gaussians that can be read. Choose another one."
     ),
     "batch-not-read": QT_TRANSLATE_NOOP(
-        "GaussianCAD", "This is no report of a batch: choose its report.csv or report.json."
+        "GaussianCAD", "This is no report of a batch. Choose the one in the folder that it wrote."
     ),
     "window-missing": QT_TRANSLATE_NOOP(
         "GaussianCAD",
