@@ -56,6 +56,7 @@ class SheetScene(QtWidgets.QGraphicsScene):
         self._handles: list[QtWidgets.QGraphicsItem] = []
         self._rubber: QtWidgets.QGraphicsPathItem | None = None
         self._hidden: set[str] = set()
+        self._paper: QtWidgets.QGraphicsRectItem | None = None
         self._bare = False
 
     def show_picture(self, path: str, size: tuple[int, int] | None) -> None:
@@ -63,12 +64,19 @@ class SheetScene(QtWidgets.QGraphicsScene):
         pixmap = QtGui.QPixmap(path)
         if self._picture is not None:
             self.removeItem(self._picture)
+            self.removeItem(self._paper)
         self._picture = self.addPixmap(pixmap)
         self._picture.setTransformationMode(QtCore.Qt.TransformationMode.SmoothTransformation)
         self._picture.setZValue(-2.0)
         if size is not None and pixmap.width():
             self._picture.setScale(size[0] / pixmap.width())
-        self.setSceneRect(self._picture.sceneBoundingRect())
+        area = self._picture.sceneBoundingRect()
+        # The pale sheet lies on paper, whatever the colour of the window.
+        self._paper = self.addRect(
+            area, QtGui.QPen(QtCore.Qt.PenStyle.NoPen), QtGui.QColor("white")
+        )
+        self._paper.setZValue(-3.0)
+        self.setSceneRect(area)
         self._show_layers()
 
     def show_sheet(self, sheet: Sheet, chosen: set[str]) -> None:

@@ -509,3 +509,11 @@ def test_a_file_of_many_pages_is_listed_at_once(
     window.pages.itemClicked.emit(window.pages.item(0))
     window.pages.itemClicked.emit(window.pages.item(6))
     assert turned == [7]
+
+
+def test_a_pale_sheet_is_white_in_a_dark_window(window: SheetWindow) -> None:
+    palette = QtGui.QPalette(window.palette())
+    palette.setColor(QtGui.QPalette.ColorRole.Base, QtGui.QColor("black"))
+    window.board.setPalette(palette)
+    at = window.board.mapFromScene(400.0, 400.0)
+    assert window.board.grab().toImage().pixelColor(at).lightness() > 250
