@@ -1,8 +1,8 @@
 """Kinds of strokes and roles of views: their keys, and the colours in which they are shown."""
 
+from freecad.gaussiancad import language
 from freecad.gaussiancad.engine.wording import drawing_name
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP
-from freecad.gaussiancad.language import translate as worded
 
 KEYS = {
     "V": "visible",
@@ -83,6 +83,6 @@ _NAMES = {
 def name_of(word: str) -> str:
     """A kind, a role or a tool as a person reads it; ids of what is no view by their kind."""
     if word in _NAMES:
-        return worded("GaussianCAD", _NAMES[word])
+        return language.translate("GaussianCAD", _NAMES[word])
     kind, _, number = word.rpartition("-")
     return f"{drawing_name(kind)} {number}" if number.isdigit() else word
