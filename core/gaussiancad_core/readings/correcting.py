@@ -268,7 +268,12 @@ def _with_scale(reading: SheetReading, operation: ScaleOperation) -> SheetReadin
     apart = hypot(x1 - x0, y1 - y0)
     if apart < 1.0:
         return None
-    own = ReadScale(source=GIVEN, mm_per_px=operation.length_mm / apart)
+    own = ReadScale(
+        source=GIVEN,
+        mm_per_px=operation.length_mm / apart,
+        length_mm=operation.length_mm,
+        points=operation.points,
+    )
     return changed(reading, scale=own)
 
 

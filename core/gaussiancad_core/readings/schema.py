@@ -105,12 +105,17 @@ class ReadUnit(Struct, frozen=True, kw_only=True):
 
 
 class ReadScale(Struct, frozen=True, kw_only=True, omit_defaults=True):
-    """mm a px, or the part's extent along an axis; neither where the sheet does not tell."""
+    """mm a px, or the part's extent along an axis; neither where the sheet does not tell.
+
+    Attributes:
+        points: px of the sheet, between which a person told ``length_mm``.
+    """
 
     source: Literal["given", "sheet", "dimension", "default"]
     mm_per_px: Size | None = None
     axis: Literal["x", "y", "z"] | None = None
     length_mm: Size | None = None
+    points: tuple[Point, Point] | None = None
 
 
 class ViewEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):

@@ -50,7 +50,7 @@ def given_reading(
         )
     found = corrected(reading, told.ops, ink)
     _tell(found, notes)
-    _tell_lengths(contradicting_lengths(told.ops), notes)
+    _tell_lengths(contradicting_lengths(reading.scale, told.ops), notes)
     return found.reading
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import hypot
 
 from gaussiancad_core.readings.operations import Operation, ScaleOperation
-from gaussiancad_core.readings.schema import Point
+from gaussiancad_core.readings.schema import Point, ReadScale
 
 CLICK_PX = 3.0
 """px within which a person hits a point of the sheet."""
@@ -45,13 +45,20 @@ class ToldLength:
         return abs(mine - its) <= 2.0 * CLICK_PX * (mine / self.apart + its / other.apart)
 
 
-def contradicting_lengths(operations: Iterable[Operation]) -> tuple[ToldLength, ToldLength] | None:
+def contradicting_lengths(
+    scale: ReadScale, operations: Iterable[Operation]
+) -> tuple[ToldLength, ToldLength] | None:
     """The last length that was told, and an earlier one that no common scale gives.
 
     A length that is told again of the same points takes the place of the one before; a scale that
     is told otherwise takes the place of all.
+
+    Args:
+        scale: of the reading before the operations, which may have been told.
+        operations: a person's.
     """
-    told: list[ToldLength] = []
+    before = scale.points is not None and scale.length_mm is not None
+    told = [ToldLength(scale.points, scale.length_mm)] if before else []
     for own in operations:
         if not isinstance(own, ScaleOperation):
             continue

@@ -131,7 +131,7 @@ def test_inches_make_all_lengths_longer_and_millimetres_make_them_what_they_were
     ("scale", "expected"),
     [
         ({"mm_per_px": 0.2}, (0.2, None, None)),
-        ({"points": [[0, 0], [30, 40]], "length_mm": 5}, (0.1, None, None)),
+        ({"points": [[0, 0], [30, 40]], "length_mm": 5}, (0.1, None, 5.0)),
         ({"axis": "z", "length_mm": 80}, (None, "z", 80.0)),
     ],
 )
