@@ -7,6 +7,9 @@ from math import hypot
 
 from freecad.gaussiancad.canvas.sheet import Point, Sheet, Stroke, View, distance
 
+OPEN = "open-outline"
+"""The engine's code for a view whose outline has a gap."""
+
 _MEET_PX = 3.0
 """px within which an end meets another stroke."""
 

@@ -5,7 +5,7 @@ Everything is in px of the sheet as stored; lines and texts keep their width on 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Set
 
 from freecad.gaussiancad.canvas.handles import corners_of, handles_of
 from freecad.gaussiancad.canvas.kinds import (
@@ -79,7 +79,7 @@ class SheetScene(QtWidgets.QGraphicsScene):
         self.setSceneRect(area)
         self._show_layers()
 
-    def show_sheet(self, sheet: Sheet, chosen: set[str]) -> None:
+    def show_sheet(self, sheet: Sheet, chosen: Set[str]) -> None:
         """Show what was read, with what is selected."""
         for name in LAYERS[:-1]:
             self._clear(name)
@@ -107,7 +107,7 @@ class SheetScene(QtWidgets.QGraphicsScene):
             self._layers["marks"].append(item)
         self._show_layers()
 
-    def show_chosen(self, sheet: Sheet, chosen: set[str]) -> None:
+    def show_chosen(self, sheet: Sheet, chosen: Set[str]) -> None:
         """Show what is selected, and the handles of what is selected alone."""
         for own in sheet.strokes:
             self._strokes[own.id].setPen(_stroke_pen(own, chosen=own.id in chosen))
@@ -205,7 +205,7 @@ def frame_of(view: View) -> Box:
     return x0 - _FRAME, y0 - _FRAME, x1 + _FRAME, y1 + _FRAME
 
 
-def handle_places(sheet: Sheet, chosen: set[str]) -> list[Point]:
+def handle_places(sheet: Sheet, chosen: Set[str]) -> list[Point]:
     """Where handles are: of the one stroke, or the one view, that is selected."""
     if len(chosen) != 1:
         return []

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 from freecad.gaussiancad.canvas.rows import Line
+from freecad.gaussiancad.canvas.saying import Circle
 from freecad.gaussiancad.canvas.scene import Mark
 from freecad.gaussiancad.canvas.sheet import Box
 from freecad.gaussiancad.engine.wording import alternative, worded
@@ -28,7 +29,6 @@ _AROUND = 20.0
 _MOST = 12
 """Places of disagreement that are listed."""
 
-Circle = tuple[float, float, float]
 Buttons = tuple[tuple[str, Callable[[], None]], ...]
 
 

@@ -32,71 +32,6 @@ _SHIFT = QtCore.Qt.KeyboardModifier.ShiftModifier
 _ALT = QtCore.Qt.KeyboardModifier.AltModifier
 
 
-def _reading() -> dict:
-    """A front view: a square with a hidden line that was taken for a centre line."""
-    corners = [(100, 100), (300, 100), (300, 250), (100, 250)]
-    sides = [[list(a), list(b)] for a, b in zip(corners, [*corners[1:], corners[0]], strict=True)]
-    strokes = [
-        {"id": f"s{n}", "view": "front", "kind": "visible", "line": side}
-        for n, side in enumerate(sides, start=1)
-    ]
-    strokes.append(
-        {"id": "s5", "view": "front", "kind": "centre", "line": [[200, 100], [200, 250]]}
-    )
-    strokes.append(
-        {"id": "s6", "view": "front", "kind": "hidden", "arc": [160, 180, 20, 0, 6.283185]}
-    )
-    return {
-        "sheet": {"sha256": "0" * 64, "size": [640, 480]},
-        "views": [{"id": "front", "role": "front", "box": [100, 100, 300, 250]}],
-        "strokes": strokes,
-        "dimensions": [
-            {"id": "d1", "text": "40", "value_mm": 40.0, "box": [190, 60, 210, 75], "used": True}
-        ],
-        "problems": [
-            {
-                "code": "two-views",
-                "message": "few views",
-                "severity": "doubt",
-                "at": [[100, 100, 300, 250]],
-                "offers": ["view"],
-            }
-        ],
-    }
-
-
-@pytest.fixture(scope="module")
-def application() -> QtWidgets.QApplication:
-    return QtWidgets.QApplication.instance() or QtWidgets.QApplication([])
-
-
-@pytest.fixture
-def window(application: QtWidgets.QApplication, tmp_path: Path):  # noqa: ANN201
-    """A window whose sheet was read; no engine is at work."""
-    sheet = tmp_path / "sheet.png"
-    picture = QtGui.QImage(640, 480, QtGui.QImage.Format.Format_Grayscale8)
-    picture.fill(255)
-    assert picture.save(str(sheet))
-    own = SheetWindow(sheet, program=Program((str(tmp_path / "none"),)))
-    own.resize(900, 900)
-    own.show()
-    own.desk.live = False
-    own.desk.pictured.emit(str(sheet), (640, 480), 1)
-    own.desk._was_read({"reading": str(_written(tmp_path, _reading()))}, [])
-    application.processEvents()
-    own.board.fit()
-    yield own
-    own.close()
-    own.deleteLater()
-    application.processEvents()
-
-
-def _written(folder: Path, reading: dict) -> Path:
-    path = folder / "reading.json"
-    path.write_text(json.dumps(reading), encoding="utf-8")
-    return path
-
-
 Keys = QtCore.Qt.KeyboardModifier
 Place = tuple[float, float]
 
@@ -196,11 +131,11 @@ def test_a_box_becomes_a_view_and_two_points_a_scale(window: SheetWindow) -> Non
     assert scale["length_mm"] == 50.0
 
 
-def test_an_area_is_ignored(window: SheetWindow) -> None:
+def test_an_area_is_ignored(window: SheetWindow, reading: dict) -> None:
     _key(window, QtCore.Qt.Key.Key_R)
     _drag(window, (130, 150), (190, 210))
     assert window.operations[0]["kind"] == "ignore"
-    shown = corrected(sheet_of(_reading()), window.operations)
+    shown = corrected(sheet_of(reading), window.operations)
     assert {own.id: own.kind for own in shown.strokes}["s6"] == "ignore"
 
 

@@ -1,0 +1,88 @@
+"""What a gesture leaves open, asked of a person: a role, a section, a length, a value, a depth."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from freecad.gaussiancad.canvas import saying
+from freecad.gaussiancad.canvas.board import Board
+from freecad.gaussiancad.canvas.desk import Desk
+from freecad.gaussiancad.canvas.kinds import ROLES, name_of
+from freecad.gaussiancad.canvas.sheet import Box, Number, Point
+from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
+
+
+class Asking(QtCore.QObject):
+    """Menus and boxes for numbers; the answers are said at the desk.
+
+    Args:
+        board: the canvas, whose gestures ask.
+        desk: where the sheet is.
+        parent: the widget over which is asked, its owner.
+    """
+
+    def __init__(self, board: Board, desk: Desk, parent: QtWidgets.QWidget) -> None:
+        super().__init__(parent)
+        self._desk, self._over = desk, parent
+        board.asked_role.connect(self.ask_role)
+        board.asked_section.connect(self.ask_section)
+        board.asked_length.connect(self.ask_length)
+        board.asked_value.connect(self.ask_value)
+        board.asked_depth.connect(self.ask_depth)
+
+    def ask_role(self, box: Box) -> None:
+        """Which view a box is."""
+        menu = QtWidgets.QMenu(self._over)
+        for number, role in enumerate((*ROLES, "pictorial", "ignore"), start=1):
+            # A menu that pops up knows no shortcuts, but the keys of its letters.
+            key = f"&{number}  " if number <= len(ROLES) else ""
+            action = menu.addAction(f"{key}{name_of(role)}")
+            action.triggered.connect(partial(self._take_role, role, box))
+        menu.popup(QtGui.QCursor.pos())
+
+    def ask_section(self, line: tuple[Point, ...], in_view: str) -> None:
+        """Which view shows the section along a line in another; not asked where one may only."""
+        found = [own for own in self._desk.sheet.sections if own.id != in_view]
+        if len(found) == 1:
+            self._take_section(found[0].id, line, in_view)
+            return
+        menu = QtWidgets.QMenu(self._over)
+        for own in found:
+            action = menu.addAction(name_of(own.role if own.role in ROLES else own.id))
+            action.triggered.connect(partial(self._take_section, own.id, line, in_view))
+        menu.popup(QtGui.QCursor.pos())
+
+    def ask_length(self, points: tuple[Point, Point]) -> None:
+        """How far two points are apart."""
+        asked = translate("GaussianCAD", "Length between the two points in mm:")
+        length = self._number(translate("GaussianCAD", "Scale"), asked, 100.0)
+        if length is not None:
+            self._desk.say(saying.apart(points, length))
+
+    def ask_value(self, number: Number) -> None:
+        """What a dimension gives."""
+        asked = translate("GaussianCAD", "What \u201c{0}\u201d gives, in mm:").format(number.text)
+        value = self._number(translate("GaussianCAD", "Dimension"), asked, number.value)
+        if value is not None:
+            self._desk.say(saying.given(number, value))
+
+    def ask_depth(self, circle: saying.Circle) -> None:
+        """How deep the hole of a circle is."""
+        asked = translate("GaussianCAD", "Depth of the hole in mm:")
+        depth = self._number(translate("GaussianCAD", "Hole"), asked, 10.0)
+        if depth is not None:
+            self._desk.say(saying.hole(circle, depth))
+
+    def _take_role(self, role: str, box: Box, _checked: bool = False) -> None:
+        self._desk.say(saying.is_view(self._desk.sheet, role, box))
+
+    def _take_section(
+        self, view: str, line: tuple[Point, ...], in_view: str, _checked: bool = False
+    ) -> None:
+        self._desk.say(saying.cut_along(view, line, in_view))
+
+    def _number(self, title: str, asked: str, start: float) -> float | None:
+        get = QtWidgets.QInputDialog.getDouble
+        value, told = get(self._over, title, asked, start, 0.001, 1e6, 3)
+        return value if told else None

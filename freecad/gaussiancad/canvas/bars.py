@@ -1,0 +1,127 @@
+"""Which buttons stand above the canvas: tools, choices and layers in one bar, runs in another."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+
+from freecad.gaussiancad.canvas import saying
+from freecad.gaussiancad.canvas.board import Board
+from freecad.gaussiancad.canvas.kinds import KEYS, name_of
+from freecad.gaussiancad.canvas.scene import LAYERS
+from freecad.gaussiancad.canvas.sheet import Sheet
+from freecad.gaussiancad.canvas.tools import DRAWING, TOOLS
+from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
+
+
+class ToolBar(QtWidgets.QToolBar):
+    """What the mouse does, what strokes stand for, what the whole sheet is, and what is shown.
+
+    Args:
+        board: the canvas.
+        say: takes operations.
+        parent: the window.
+    """
+
+    def __init__(
+        self, board: Board, say: Callable[[list[dict]], None], parent: QtWidgets.QWidget
+    ) -> None:
+        super().__init__("GaussianCAD", parent)
+        self.setObjectName("GaussianCADCanvas")
+        self._board, self._say = board, say
+        draw, kinds = QtWidgets.QMenu(self), QtWidgets.QMenu(self)
+        self._add_menu(translate("GaussianCAD", "Draw"), draw)
+        for key, name in TOOLS.items():
+            place = draw if name in DRAWING else self
+            text = f"{name_of(name)} ({key})" if place is self else f"{name_of(name)}\t{key}"
+            _add(place, text, partial(board.take_tool, name))
+        for key, kind in KEYS.items():
+            _add(kinds, f"{name_of(kind)}\t{key}", partial(board.give_kind, kind))
+        self._add_menu(translate("GaussianCAD", "Kind"), kinds)
+        first = "first", translate("GaussianCAD", "First angle")
+        third = "third", translate("GaussianCAD", "Third angle")
+        self._projections = self._choice(
+            "projection", translate("GaussianCAD", "Projection"), (first, third)
+        )
+        units = (("mm", "mm"), ("in", translate("GaussianCAD", "inch")))
+        self._units = self._choice("unit", translate("GaussianCAD", "Unit"), units)
+        self._add_layers()
+
+    def show_choices(self, sheet: Sheet) -> None:
+        """Check what holds for a sheet."""
+        for menu, value in ((self._projections, sheet.projection), (self._units, sheet.unit)):
+            for action in menu.actions():
+                action.setChecked(action.data() == value)
+
+    def _choice(
+        self, name: str, title: str, values: tuple[tuple[str, str], ...]
+    ) -> QtWidgets.QMenu:
+        """A button with a menu of values, of which one holds."""
+        menu = QtWidgets.QMenu(title, self)
+        for value, text in values:
+            action = _add(menu, text, lambda own=value: self._say(saying.set_to(name, own)))
+            action.setData(value)
+            action.setCheckable(True)
+        self._add_menu(title, menu)
+        return menu
+
+    def _add_layers(self) -> None:
+        menu = QtWidgets.QMenu(self)
+        for name in LAYERS:
+            action = menu.addAction(name_of(name))
+            action.setCheckable(True)
+            action.setChecked(True)
+            action.toggled.connect(partial(self._board.set_layer, name))
+        self._add_menu(translate("GaussianCAD", "Show"), menu)
+
+    def _add_menu(self, title: str, menu: QtWidgets.QMenu) -> None:
+        button = QtWidgets.QToolButton()
+        button.setText(title)
+        button.setMenu(menu)
+        button.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
+        button.setFocusPolicy(QtCore.Qt.FocusPolicy.NoFocus)
+        self.addWidget(button)
+
+
+class RunBar(QtWidgets.QToolBar):
+    """When the part is made, and what else a host adds.
+
+    Args:
+        solve: makes the part.
+        set_live: takes whether the part follows every correction.
+        parent: the window.
+    """
+
+    def __init__(
+        self,
+        solve: Callable[[], None],
+        set_live: Callable[[bool], None],
+        parent: QtWidgets.QWidget,
+    ) -> None:
+        super().__init__("GaussianCAD", parent)
+        self.setObjectName("GaussianCADRuns")
+        live = self.addAction(translate("GaussianCAD", "Solve as I Go"))
+        live.setCheckable(True)
+        live.setChecked(True)
+        live.toggled.connect(set_live)
+        made = self.add(translate("GaussianCAD", "Solve"), solve)
+        made.setToolTip(translate("GaussianCAD", "Makes the part (Enter)"))
+
+    def add_steps(self, undo: Callable[[], None], redo: Callable[[], None]) -> None:
+        """Offer steps back and forth, with their keys; in FreeCAD these are the document's."""
+        keys = QtGui.QKeySequence.StandardKey
+        self.add(translate("GaussianCAD", "Undo"), undo).setShortcut(keys.Undo)
+        self.add(translate("GaussianCAD", "Redo"), redo).setShortcut(keys.Redo)
+
+    def add(self, text: str, called: Callable[[], None]) -> QtGui.QAction:
+        """Put a button at the end."""
+        return _add(self, text, called)
+
+
+def _add(
+    place: QtWidgets.QToolBar | QtWidgets.QMenu, text: str, called: Callable[[], None]
+) -> QtGui.QAction:
+    action = place.addAction(text)
+    action.triggered.connect(lambda _=False: called())
+    return action

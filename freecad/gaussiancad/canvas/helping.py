@@ -1,0 +1,115 @@
+"""Which buttons help with a row of the list, and what they do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from freecad.gaussiancad.canvas import saying
+from freecad.gaussiancad.canvas.desk import Desk
+from freecad.gaussiancad.canvas.gaps import OPEN, closing_lines
+from freecad.gaussiancad.canvas.kinds import ROLES
+from freecad.gaussiancad.canvas.saying import Circle
+from freecad.gaussiancad.canvas.sheet import Row
+from freecad.gaussiancad.canvas.verdict import Buttons, Help
+from freecad.gaussiancad.language import translate
+
+_BESIDE = 4.0
+"""px within which a stroke runs at a place."""
+
+_USUAL = {
+    "scale-assumed": "scale",
+    "full-scale-assumed": "scale",
+    "paper-size-unknown": "scale",
+    "dimensions-not-read": "scale",
+    "projection-assumed": "projection",
+    "told-lengths-disagree": "scale",
+}
+"""What helps with a warning that came up after the sheet was read."""
+
+
+class Helping:
+    """What helps with what is said of a sheet.
+
+    Args:
+        desk: where the sheet is, and what a button says is said.
+        take_tool: gives the mouse a tool.
+        ask_depth: asks how deep the hole of a circle is.
+    """
+
+    def __init__(
+        self, desk: Desk, take_tool: Callable[[str], None], ask_depth: Callable[[Circle], None]
+    ) -> None:
+        self._desk, self._take, self._ask_depth = desk, take_tool, ask_depth
+        self._more: dict[str, Buttons] = {}
+
+    def add(self, code: str, text: str, called: Callable[[], None]) -> None:
+        """Offer something else with what a report says under a code."""
+        self._more[code] = ((text, called),)
+
+    def with_row(self, row: Row) -> Buttons:
+        """Buttons for what may help with a problem."""
+        return self._buttons(row.code, row.offers)
+
+    def with_report(self) -> Help:
+        """Buttons for what a report says; its reasons may be problems of what was read."""
+        offers = {code: self._buttons(code, (tool,)) for code, tool in _USUAL.items()}
+        problems = self._desk.sheet.problems if self._desk.sheet is not None else ()
+        offers.update({own.code: self.with_row(own) for own in problems})
+        offers.update(self._more)
+        return Help(self._tell_hole, offers, self._mend)
+
+    def _buttons(self, code: str, offers: tuple[str, ...]) -> Buttons:
+        """The tool of each correction that is offered."""
+        take = self._take
+        known: dict[str, tuple[str, Callable[[], None]]] = {
+            "view": (translate("GaussianCAD", "Box a View"), lambda: take("view")),
+            "draw": (translate("GaussianCAD", "Draw a Line"), lambda: take("line")),
+            "scale": (translate("GaussianCAD", "Tell a Length"), lambda: take("scale")),
+            "section": (translate("GaussianCAD", "Set the Plane"), lambda: take("plane")),
+            "projection": (translate("GaussianCAD", "Other Projection"), self._turn_projection),
+        }
+        close = translate("GaussianCAD", "Close Gaps"), self._close_gaps
+        first = (close,) if code == OPEN and self._closing() else ()
+        return (*first, *(known[own] for own in offers if own in known))
+
+    def _mend(self, own: dict) -> Buttons:
+        """What may be said of a line that part and sheet do not share."""
+        say, sheet = self._desk.say, self._desk.sheet
+        if not own["missing"]:
+            if not own.get("line"):
+                return ()
+            view = next((view.id for view in sheet.views if view.role == own["view"]), "")
+            draw = saying.drawn(view, own["kind"], ("line", own["line"]))
+            return ((translate("GaussianCAD", "It Belongs There"), lambda: say(draw)),)
+        stroke = sheet.stroke_at(tuple(own["at"]), _BESIDE) if sheet is not None else None
+        if stroke is None:
+            return ()
+        tangent, erase = saying.of_kind([stroke], "tangent"), saying.erased([stroke])
+        return (
+            (translate("GaussianCAD", "Tangent Edge"), lambda: say(tangent)),
+            (translate("GaussianCAD", "Erase It"), lambda: say(erase)),
+        )
+
+    def _closing(self) -> list[dict]:
+        """What closes the outlines that are open."""
+        sheet = self._desk.sheet
+        return [
+            operation
+            for view in sheet.views
+            if view.shown and view.role in ROLES
+            for line in closing_lines(sheet, view)
+            for operation in saying.drawn(view.id, "visible", ("line", line))
+        ]
+
+    def _close_gaps(self) -> None:
+        self._desk.say(self._closing())
+
+    def _turn_projection(self) -> None:
+        other = {"first": "third", "third": "first"}[self._desk.sheet.projection]
+        self._desk.say(saying.set_to("projection", other))
+
+    def _tell_hole(self, circle: Circle, through: bool) -> None:
+        if through:
+            self._desk.say(saying.hole(circle, None))
+        else:
+            self._ask_depth(circle)

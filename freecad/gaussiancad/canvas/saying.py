@@ -1,0 +1,81 @@
+"""What a correction says: the operations of ``corrections.json`` that stand for it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from freecad.gaussiancad.canvas.handles import corners_of
+from freecad.gaussiancad.canvas.sheet import Box, Number, Point, Shape, Sheet, Stroke, View
+
+Circle = tuple[float, float, float]
+"""Centre and radius, px of the sheet."""
+
+
+def of_kind(strokes: Iterable[Stroke], kind: str) -> list[dict]:
+    """Strokes stand for a kind."""
+    return [{"op": "kind", "target": own.target(), "to": kind} for own in strokes]
+
+
+def erased(strokes: Iterable[Stroke]) -> list[dict]:
+    """Strokes are not there."""
+    return [{"op": "erase", "target": own.target()} for own in strokes]
+
+
+def drawn(view: str | None, kind: str, shape: Shape) -> list[dict]:
+    """There is a stroke in a view."""
+    name, numbers = shape
+    return [{"op": "draw", "view": view, "kind": kind, name: numbers}]
+
+
+def moved(stroke: Stroke, shape: Shape) -> list[dict]:
+    """A stroke runs elsewhere."""
+    return [*erased([stroke]), *drawn(stroke.view, stroke.kind, shape)]
+
+
+def of_role(view: View, role: str) -> list[dict]:
+    """A view shows something else."""
+    return [{"op": "view", "id": view.id, "role": role}]
+
+
+def boxed(view: View, box: Box) -> list[dict]:
+    """A view is where a box is."""
+    return [{"op": "view", "id": view.id, "role": view.role, "box": list(box)}]
+
+
+def is_view(sheet: Sheet | None, role: str, box: Box) -> list[dict]:
+    """A box is the view of a role: the one that the sheet has already, or a new one."""
+    known = sheet.views if sheet is not None else ()
+    name = next((own.id for own in known if own.role == role), role)
+    return [{"op": "view", "id": name, "role": role, "box": list(box)}]
+
+
+def ignored(box: Box) -> list[dict]:
+    """Nothing in a box is of the drawing."""
+    return [{"op": "region", "polygon": corners_of(box), "kind": "ignore"}]
+
+
+def apart(points: tuple[Point, Point], length: float) -> list[dict]:
+    """Two points are so many mm apart."""
+    return [{"op": "scale", "points": [list(own) for own in points], "length_mm": length}]
+
+
+def given(number: Number, value_mm: float) -> list[dict]:
+    """A dimension gives so many mm."""
+    return [{"op": "dimension", "id": number.id, "value_mm": value_mm}]
+
+
+def cut_along(view: str, line: tuple[Point, ...], in_view: str) -> list[dict]:
+    """A view shows the section along a line in another view."""
+    told = [list(own) for own in line]
+    return [{"op": "section", "id": view, "in_view": in_view, "line": told}]
+
+
+def hole(circle: Circle, depth_mm: float | None) -> list[dict]:
+    """The hole of a circle is so deep; None for one that goes through."""
+    told = {"through": True} if depth_mm is None else {"depth_mm": depth_mm}
+    return [{"op": "note", "circle": list(circle), **told}]
+
+
+def set_to(name: str, value: str) -> list[dict]:
+    """The whole sheet's ``projection`` or ``unit``."""
+    return [{"op": name, "value": value}]

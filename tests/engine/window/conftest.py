@@ -1,0 +1,77 @@
+"""A window with a sheet that was read, for the tests of what is done in it."""
+
+import json
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+sys.path.insert(0, str(Path(__file__).resolve().parents[3]))
+
+from freecad.gaussiancad.canvas.serving import Program
+from freecad.gaussiancad.canvas.window import SheetWindow
+from freecad.gaussiancad.qt import QtGui, QtWidgets
+
+
+@pytest.fixture
+def reading() -> dict:
+    """A front view: a square with a hidden line that was taken for a centre line."""
+    corners = [(100, 100), (300, 100), (300, 250), (100, 250)]
+    sides = [[list(a), list(b)] for a, b in zip(corners, [*corners[1:], corners[0]], strict=True)]
+    strokes = [
+        {"id": f"s{n}", "view": "front", "kind": "visible", "line": side}
+        for n, side in enumerate(sides, start=1)
+    ]
+    strokes.append(
+        {"id": "s5", "view": "front", "kind": "centre", "line": [[200, 100], [200, 250]]}
+    )
+    strokes.append(
+        {"id": "s6", "view": "front", "kind": "hidden", "arc": [160, 180, 20, 0, 6.283185]}
+    )
+    return {
+        "sheet": {"sha256": "0" * 64, "size": [640, 480]},
+        "views": [{"id": "front", "role": "front", "box": [100, 100, 300, 250]}],
+        "strokes": strokes,
+        "dimensions": [
+            {"id": "d1", "text": "40", "value_mm": 40.0, "box": [190, 60, 210, 75], "used": True}
+        ],
+        "problems": [
+            {
+                "code": "two-views",
+                "message": "few views",
+                "severity": "doubt",
+                "at": [[100, 100, 300, 250]],
+                "offers": ["view"],
+            }
+        ],
+    }
+
+
+@pytest.fixture(scope="session")
+def application() -> QtWidgets.QApplication:
+    return QtWidgets.QApplication.instance() or QtWidgets.QApplication([])
+
+
+@pytest.fixture
+def window(application: QtWidgets.QApplication, reading: dict, tmp_path: Path):  # noqa: ANN201
+    """A window whose sheet was read; no engine is at work."""
+    sheet = tmp_path / "sheet.png"
+    picture = QtGui.QImage(640, 480, QtGui.QImage.Format.Format_Grayscale8)
+    picture.fill(255)
+    assert picture.save(str(sheet))
+    own = SheetWindow(sheet, program=Program((str(tmp_path / "none"),)))
+    own.resize(900, 900)
+    own.show()
+    own.desk.live = False
+    own.desk.pictured.emit(str(sheet), (640, 480), 1)
+    written = tmp_path / "reading.json"
+    written.write_text(json.dumps(reading), encoding="utf-8")
+    own.desk._was_read({"reading": str(written)}, [])
+    application.processEvents()
+    own.board.fit()
+    yield own
+    own.close()
+    own.deleteLater()
+    application.processEvents()
