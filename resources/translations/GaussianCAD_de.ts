@@ -1563,6 +1563,10 @@
         <translation>Nein, so tief…</translation>
     </message>
     <message>
+        <source>All {0} Go Through</source>
+        <translation>Alle {0} gehen durch</translation>
+    </message>
+    <message>
         <source>The size is not known: tell a length</source>
         <translation>Die Größe ist nicht bekannt: geben Sie eine Länge an</translation>
     </message>

@@ -375,6 +375,10 @@
         <translation>不，深度为…</translation>
     </message>
     <message>
+        <source>All {0} Go Through</source>
+        <translation>全部 {0} 个都贯通</translation>
+    </message>
+    <message>
         <source>The size is not known: tell a length</source>
         <translation>尺寸未知：请指定一个长度</translation>
     </message>

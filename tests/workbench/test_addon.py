@@ -10,6 +10,7 @@ import FreeCAD
 
 import freecad
 from freecad.gaussiancad.paths import ADDON_ROOT, ICONS
+from freecad.gaussiancad.workbench_names import MENU
 
 PACKAGE = ADDON_ROOT / "freecad" / "gaussiancad"
 SPACE = {"p": "https://wiki.freecad.org/Package_Metadata"}
@@ -78,10 +79,7 @@ class Namespace(unittest.TestCase):
 class Pictures(unittest.TestCase):
     def test_every_icon_is_a_whole_svg_without_foreign_parts(self) -> None:
         names = {path.stem for path in ICONS.glob("*.svg")}
-        own = ("Workbench", "Reconstruct", "Correct", "Solutions", "Compare")
-        own = (*own, "CheckEngine", "InstallEngine")
-        expected = {f"GaussianCAD_{name}" for name in own}
-        self.assertEqual(names, expected | {"preferences-gaussiancad"})
+        self.assertEqual(names, {*MENU, "GaussianCAD_Workbench", "preferences-gaussiancad"})
         for path in ICONS.glob("*.svg"):
             root = ElementTree.parse(path).getroot()
             self.assertEqual(root.get("viewBox"), "0 0 64 64")

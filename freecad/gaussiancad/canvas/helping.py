@@ -56,7 +56,7 @@ class Helping:
         problems = self._desk.sheet.problems if self._desk.sheet is not None else ()
         offers.update({own.code: self.with_row(own) for own in problems})
         offers.update(self._more)
-        return Help(self._tell_hole, offers, self._mend)
+        return Help(self._go_through, self._ask_depth, offers, self._mend)
 
     def _buttons(self, code: str, offers: tuple[str, ...]) -> Buttons:
         """The tool of each correction that is offered."""
@@ -108,8 +108,5 @@ class Helping:
         other = {"first": "third", "third": "first"}[self._desk.sheet.projection]
         self._desk.say(saying.set_to("projection", other))
 
-    def _tell_hole(self, circle: Circle, through: bool) -> None:
-        if through:
-            self._desk.say(saying.hole(circle, None))
-        else:
-            self._ask_depth(circle)
+    def _go_through(self, circles: list[Circle]) -> None:
+        self._desk.say([told for own in circles for told in saying.hole(own, None)])

@@ -37,13 +37,14 @@ class Help:
     """What can be done about what a report says.
 
     Attributes:
-        tell_hole: says of the hole of a circle whether it goes through; if not, its depth is asked
-            for.
+        go_through: says that the holes of circles go through.
+        ask_depth: asks how deep the hole of a circle is.
         offers: buttons, by the code of a reason or a warning.
         mend: buttons for a line that part and sheet do not share, an entry of the report.
     """
 
-    tell_hole: Callable[[Circle, bool], None]
+    go_through: Callable[[list[Circle]], None]
+    ask_depth: Callable[[Circle], None]
     offers: Mapping[str, Buttons]
     mend: Callable[[dict], Buttons]
 
@@ -64,7 +65,9 @@ def verdict_lines(report: dict, help_with: Help) -> list[Line]:
         for own in report.get("reasons", ())
         if own["message"] not in assumed
     ]
-    lines += [_assumed(own, help_with) for own in report.get("assumptions", ())]
+    assumptions = report.get("assumptions", ())
+    holes = [circle for own in assumptions if (circle := _hole_of(own)) is not None]
+    lines += [_assumed(own, help_with, holes) for own in assumptions]
     lines += [Line(text, box, help_with.mend(own)) for own, (box, text) in _disagreements(report)]
     lines += [Line(text, box) for box, text in _conflicts(report)]
     lines += [_remark("warning", own, offers) for own in report.get("warnings", ())]
@@ -105,20 +108,29 @@ def _conflicts(report: dict) -> Iterator[Mark]:
         yield (x0 - _AROUND, y0 - _AROUND, x1 + _AROUND, y1 + _AROUND), conflict
 
 
-def _assumed(own: dict, help_with: Help) -> Line:
+def _hole_of(own: dict) -> Circle | None:
+    """The circle of a hole that was assumed to go through."""
+    if own["code"] != "hole-through" or not own.get("at"):
+        return None
+    x0, y0, x1, y1 = own["at"]
+    return (x0 + x1) / 2.0, (y0 + y1) / 2.0, (x1 - x0) / 2.0
+
+
+def _assumed(own: dict, help_with: Help, holes: list[Circle]) -> Line:
     told = worded(own["code"], own["message"], own.get("args"))
     text = translate("GaussianCAD", "Assumed: {0}").format(told)
     if own.get("alternative"):
         other = alternative(own["code"], own["alternative"])
         text += "\n" + translate("GaussianCAD", "Otherwise: {0}").format(other)
     box: Box | None = tuple(own["at"]) if own.get("at") else None
-    if own["code"] != "hole-through" or box is None:
+    circle, tell = _hole_of(own), help_with
+    if circle is None:
         return Line(text, box)
-    x0, y0, x1, y1 = box
-    circle = ((x0 + x1) / 2.0, (y0 + y1) / 2.0, (x1 - x0) / 2.0)
-    yes = translate("GaussianCAD", "Yes, Through"), lambda: help_with.tell_hole(circle, True)
-    no = translate("GaussianCAD", "No, so Deep\u2026"), lambda: help_with.tell_hole(circle, False)
-    return Line(text, box, (yes, no))
+    yes = translate("GaussianCAD", "Yes, Through"), lambda: tell.go_through([circle])
+    no = translate("GaussianCAD", "No, so Deep\u2026"), lambda: tell.ask_depth(circle)
+    every = translate("GaussianCAD", "All {0} Go Through").format(len(holes))
+    more = ((every, lambda: tell.go_through(holes)),) if len(holes) > 1 else ()
+    return Line(text, box, (yes, no, *more))
 
 
 def _measures(report: dict) -> str:

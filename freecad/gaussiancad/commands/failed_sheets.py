@@ -11,7 +11,7 @@ class FailedSheetsCommand:
     def GetResources(self) -> dict[str, str]:
         """Icon and texts."""
         return {
-            "Pixmap": "GaussianCAD_Correct",
+            "Pixmap": self.name,
             "MenuText": QT_TRANSLATE_NOOP("GaussianCAD_FailedSheets", "Open Failed Sheets…"),
             "ToolTip": QT_TRANSLATE_NOOP(
                 "GaussianCAD_FailedSheets",

@@ -371,7 +371,10 @@ def test_a_verdict_leads_and_a_correction_takes_it_back(window: SheetWindow) -> 
         "status": "approximate",
         "measures": {"uncertainty_mm": 0.02},
         "reasons": [{"code": "ambiguous", "message": "two solids"}],
-        "assumptions": [{"code": "hole-through", "message": "a hole", "at": [140, 160, 180, 200]}],
+        "assumptions": [
+            {"code": "hole-through", "message": "a hole", "at": [140, 160, 180, 200]},
+            {"code": "hole-through", "message": "another", "at": [240, 160, 260, 180]},
+        ],
         "disagreements": [
             {"view": "front", "missing": True, "length_mm": 3.0, "at": [200, 120]},
             {
@@ -385,7 +388,7 @@ def test_a_verdict_leads_and_a_correction_takes_it_back(window: SheetWindow) -> 
         ],
     }
     window.desk.solved.emit(report, "")
-    verdict, reason, assumed, lacks, beyond, *_ = window.problems.lines
+    verdict, reason, assumed, _other, lacks, beyond, *_ = window.problems.lines
     assert verdict.colour and "0.02" in verdict.text
     assert "two solids" in reason.text
     assert lacks.box == (180.0, 100.0, 220.0, 140.0)
@@ -397,9 +400,17 @@ def test_a_verdict_leads_and_a_correction_takes_it_back(window: SheetWindow) -> 
     assert draw == {"op": "draw", **told}
     window.undo()
     window.undo()
-    (_, yes), _no = assumed.buttons
+    (_, yes), _no, (_, both) = assumed.buttons
     yes()
-    assert window.operations == [{"op": "note", "circle": [160.0, 180.0, 20.0], "through": True}]
+    first = {"op": "note", "circle": [160.0, 180.0, 20.0], "through": True}
+    assert window.operations == [first]
+    window.undo()
+    both()
+    second = {"op": "note", "circle": [250.0, 170.0, 10.0], "through": True}
+    assert window.operations == [first, second]
+    window.undo()
+    assert window.operations == []
+    yes()
     assert not any(own.colour for own in window.problems.lines)
 
 
