@@ -2518,6 +2518,14 @@
         <source>More settings</source>
         <translation>Weitere Einstellungen</translation>
     </message>
+    <message>
+        <source>Select a view first: click its frame, or a line in it</source>
+        <translation>Wählen Sie zuerst eine Ansicht: klicken Sie auf ihren Rahmen oder auf eine Linie darin</translation>
+    </message>
+    <message>
+        <source>There is no view at this place</source>
+        <translation>An dieser Stelle ist keine Ansicht</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>

@@ -2518,6 +2518,14 @@
         <source>More settings</source>
         <translation>更多设置</translation>
     </message>
+    <message>
+        <source>Select a view first: click its frame, or a line in it</source>
+        <translation>请先选择视图：单击其边框或其中的线</translation>
+    </message>
+    <message>
+        <source>There is no view at this place</source>
+        <translation>此处没有视图</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>

@@ -13,7 +13,6 @@ from freecad.gaussiancad.canvas.ground import Ground
 from freecad.gaussiancad.canvas.hand import Hand
 from freecad.gaussiancad.canvas.kinds import KEYS, ROLES
 from freecad.gaussiancad.canvas.pane import Pane, around, pos_of
-from freecad.gaussiancad.canvas.scene import frame_of
 from freecad.gaussiancad.canvas.sheet import Box, Point, Shape, Sheet, Stroke, View
 from freecad.gaussiancad.canvas.tools import (
     TOOLS,
@@ -26,6 +25,7 @@ from freecad.gaussiancad.canvas.tools import (
     Said,
     Traced,
 )
+from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
 _KEY = QtCore.Qt.KeyboardModifier
@@ -38,6 +38,7 @@ class Board(Pane):
 
     Signals:
         said: operations that one gesture means.
+        asked_more: a sentence: what is missing for what a person wants.
         asked_length: two points of the sheet whose distance a person shall tell.
         asked_role: a box of the sheet whose role a person shall tell.
         asked_view: the role of a box of the sheet, which a person has told.
@@ -52,6 +53,7 @@ class Board(Pane):
     """
 
     said = QtCore.Signal(list)
+    asked_more = QtCore.Signal(str)
     asked_length = QtCore.Signal(tuple)
     asked_role = QtCore.Signal(tuple)
     asked_view = QtCore.Signal(str, tuple)
@@ -121,19 +123,29 @@ class Board(Pane):
         self._say(saying.of_kind([own for own in self.selected if own.kind != kind], kind))
 
     def give_role(self, role: str) -> None:
-        """Say what the selected view shows; what was no view yet is boxed, so that it is read."""
-        view = self.selected_view
-        if view is None or view.role == role:
+        """Say what a view shows: the one that is selected, or whose strokes are."""
+        view = self._ground.view_meant
+        if view is None:
+            self.asked_more.emit(
+                translate("GaussianCAD", "Select a view first: click its frame, or a line in it")
+            )
             return
-        if role in ROLES and not view.shown:
-            self.asked_view.emit(role, frame_of(view))
-        else:
-            self._say(saying.of_role(view, role))
+        self._give_role(view, role)
 
     def erase(self) -> None:
         """Say that what is selected is not there."""
         self._say(saying.erased(self.selected))
-        self.give_role("ignore")
+        if self.selected_view is not None:
+            self._give_role(self.selected_view, "ignore")
+
+    def _give_role(self, view: View, role: str) -> None:
+        """Say what a view shows; what was no view yet is boxed, so that it is read."""
+        if view.role == role:
+            return
+        if role in ROLES and not view.shown:
+            self.asked_view.emit(role, view.frame)
+        else:
+            self._say(saying.of_role(view, role))
 
     def tell_hole(self, circle: saying.Circle, depth_mm: float | None) -> None:
         """Say how deep the hole of a circle is; None for one that goes through."""
@@ -248,7 +260,9 @@ class Board(Pane):
             case Chosen(ids):
                 self.select(ids)
             case Drawn(shape, at):
-                self.draw(shape, at)
+                if not self.draw(shape, at):
+                    text = translate("GaussianCAD", "There is no view at this place")
+                    self.asked_more.emit(text)
             case Traced(at):
                 self.asked_trace.emit(at)
             case Measured(points):

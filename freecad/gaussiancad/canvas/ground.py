@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from math import hypot
 
 from freecad.gaussiancad.canvas.handles import box_between, corners_of
-from freecad.gaussiancad.canvas.scene import frame_of, handle_places
+from freecad.gaussiancad.canvas.scene import handle_places
 from freecad.gaussiancad.canvas.sheet import Number, Point, Sheet, Stroke, View, distance
 from freecad.gaussiancad.canvas.snapping import snapped
 
@@ -41,6 +41,13 @@ class Ground:
         """The view that is selected alone."""
         return next((own for own in self.sheet.views if self.chosen == {own.id}), None)
 
+    @property
+    def view_meant(self) -> View | None:
+        """The view that is selected alone, or the one that all selected strokes are of."""
+        views = {own.view for own in self.sheet.strokes if own.id in self.chosen}
+        of_strokes = (own for own in self.sheet.views if views == {own.id})
+        return self.selected_view or next(of_strokes, None)
+
     def stroke_at(self, at: Point) -> Stroke | None:
         """The stroke nearest to a place, those of the part first."""
         return self.sheet.stroke_at(at, _CLICK / self.zoom)
@@ -48,7 +55,7 @@ class Ground:
     def view_at(self, at: Point) -> View | None:
         """The view whose frame is at a place."""
         for own in self.sheet.views:
-            corners = corners_of(frame_of(own))
+            corners = corners_of(own.frame)
             if distance([*corners, corners[0]], at) <= _CLICK / self.zoom:
                 return own
         return None

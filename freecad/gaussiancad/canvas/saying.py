@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import chain
 
 from freecad.gaussiancad.canvas.handles import corners_of
 from freecad.gaussiancad.canvas.sheet import Box, Number, Point, Shape, Sheet, Stroke, View
@@ -43,10 +44,21 @@ def boxed(view: View, box: Box) -> list[dict]:
 
 
 def is_view(sheet: Sheet | None, role: str, box: Box) -> list[dict]:
-    """A box is the view of a role: the one that the sheet has already, or a new one."""
+    """A box is the view of a role: the one that the sheet has already, there or elsewhere, or a
+    new one."""
     known = sheet.views if sheet is not None else ()
-    name = next((own.id for own in known if own.role == role), role)
-    return [{"op": "view", "id": name, "role": role, "box": list(box)}]
+    there = (own.id for own in known if own.shown and _is_same(own.box, box))
+    of_role = (own.id for own in known if own.role == role)
+    return [{"op": "view", "id": next(chain(there, of_role), role), "role": role, "box": list(box)}]
+
+
+def _is_same(one: Box, other: Box) -> bool:
+    """Whether each of two boxes has the other's middle: they are drawn around the same lines."""
+    middles = [((x0 + x1) / 2.0, (y0 + y1) / 2.0) for x0, y0, x1, y1 in (one, other)]
+    return all(
+        x0 <= x <= x1 and y0 <= y <= y1
+        for (x0, y0, x1, y1), (x, y) in zip((other, one), middles, strict=True)
+    )
 
 
 def ignored(box: Box) -> list[dict]:

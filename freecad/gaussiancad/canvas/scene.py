@@ -32,9 +32,6 @@ LAYERS = ("sheet", "views", "strokes", "annotation", "numbers", "planes", "marks
 PALE = 0.45
 """Opacity of the sheet under its strokes."""
 
-_FRAME = 10.0
-"""px between the lines of a view and its frame."""
-
 _LABEL = 16.0
 """px of the screen that a view's name stands above its frame."""
 
@@ -165,7 +162,7 @@ class SheetScene(QtWidgets.QGraphicsScene):
 
     def _add_view(self, view: View, chosen: bool) -> None:
         colour = CHOSEN if chosen else VIEW if view.shown else UNUSED
-        x0, y0, x1, y1 = frame_of(view)
+        x0, y0, x1, y1 = view.frame
         pen = _pen(colour, 1.0, QtCore.Qt.PenStyle.DotLine)
         frame = self.addRect(x0, y0, x1 - x0, y1 - y0, pen)
         name = name_of(view.role if view.role in ROLES else view.id)
@@ -197,12 +194,6 @@ class SheetScene(QtWidgets.QGraphicsScene):
         for own in (item, text):
             own.setZValue(1.5)
             self._layers["planes"].append(own)
-
-
-def frame_of(view: View) -> Box:
-    """The frame that is drawn around a view."""
-    x0, y0, x1, y1 = view.box
-    return x0 - _FRAME, y0 - _FRAME, x1 + _FRAME, y1 + _FRAME
 
 
 def handle_places(sheet: Sheet, chosen: Set[str]) -> list[Point]:

@@ -75,6 +75,10 @@ class Stroke:
         return {"id": self.id, name: numbers}
 
 
+_FRAME = 10.0
+"""px between the lines of a view and its frame."""
+
+
 @dataclass(frozen=True)
 class View:
     """A view, or another group of lines.
@@ -98,9 +102,15 @@ class View:
         """Whether the part is made from it."""
         return self.used and self.role != "ignore"
 
-    def holds(self, point: Point) -> bool:
-        """Whether a place is within its box."""
+    @property
+    def frame(self) -> Box:
+        """What is drawn around it, a little larger than its box."""
         x0, y0, x1, y1 = self.box
+        return x0 - _FRAME, y0 - _FRAME, x1 + _FRAME, y1 + _FRAME
+
+    def holds(self, point: Point) -> bool:
+        """Whether a place is within its frame."""
+        x0, y0, x1, y1 = self.frame
         return x0 <= point[0] <= x1 and y0 <= point[1] <= y1
 
 

@@ -168,6 +168,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         board.said.connect(desk.say)
         board.asked_view.connect(self.say_view)
         board.asked_trace.connect(self._trace)
+        board.asked_more.connect(self.statusBar().showMessage)
         board.asked_next.connect(self.problems.show_next)
         board.asked_part.connect(self.solve)
         self.problems.place_asked.connect(board.zoom_to)

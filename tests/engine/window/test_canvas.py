@@ -414,6 +414,31 @@ def test_a_verdict_leads_and_a_correction_takes_it_back(window: SheetWindow) -> 
     assert not any(own.colour for own in window.problems.lines)
 
 
+def test_a_digit_names_the_view_of_a_selected_line(window: SheetWindow) -> None:
+    window.board.select(set())
+    _key(window, QtCore.Qt.Key.Key_4)
+    assert window.operations == [] and window.statusBar().currentMessage()
+    _click(window, (200, 100))
+    _key(window, QtCore.Qt.Key.Key_4)
+    assert window.operations == [{"op": "view", "id": "front", "role": "left"}]
+
+
+def test_a_line_begins_in_the_frame_of_a_view(window: SheetWindow) -> None:
+    _key(window, QtCore.Qt.Key.Key_L)
+    _drag(window, (95, 130), (280, 130), _ALT)
+    _drag(window, (500, 400), (560, 400), _ALT)
+    (own,) = window.operations
+    assert (own["op"], own["view"]) == ("draw", "front")
+    assert window.statusBar().currentMessage()
+
+
+def test_a_box_around_a_view_is_that_view(window: SheetWindow) -> None:
+    window.say_view("left", (90.0, 95.0, 310.0, 260.0))
+    window.say_view("top", (90.0, 300.0, 310.0, 400.0))
+    ids = [own["id"] for own in window.operations]
+    assert ids == ["front", "top"]
+
+
 def test_a_size_that_nobody_told_is_none(window: SheetWindow) -> None:
     measures = {"uncertainty_mm": 0.02}
     report = {"status": "verified", "measures": measures, "scale_source": "default"}
