@@ -1,6 +1,7 @@
 """Whole ellipses: lengths along them, ellipses through points, and distances from them."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
@@ -38,7 +39,7 @@ class WholeEllipse:
     semi_minor: float
     rotation: float
 
-    @property
+    @cached_property
     def around(self) -> float:
         """Length once around."""
         return float(self.lengths(np.array([2 * np.pi]))[0])
@@ -66,12 +67,17 @@ class WholeEllipse:
     def parameters(self, lengths: Points) -> Points:
         """(n,) lengths from parameter 0 -> (n,) parameters."""
         turns, rest = np.divmod(lengths, self.around)
-        found = np.interp(rest, self.lengths(_TURN), _TURN)
+        found = np.interp(rest, self._table, _TURN)
         # The table is good to 1e-5; Newton's method makes that exact.
         for _ in range(2):
             u, v = self.semi_major * np.sin(found), self.semi_minor * np.cos(found)
             found += (rest - self.lengths(found)) / np.hypot(u, v)
         return found + 2 * np.pi * turns
+
+    @cached_property
+    def _table(self) -> Points:
+        """(n,) lengths at the parameters of a turn: they cost more than all that is asked of it."""
+        return self.lengths(_TURN)
 
     def points_at(self, along: Points) -> Points:
         """(n,) lengths from parameter 0 -> (n, 2) points."""
