@@ -11,7 +11,7 @@ sheet as stored:
     ["length", x0, y0, x1, y1, mm]         M, two clicks, and the number
     ["depth", x, y, mm]                    the depth of a hole at a place, from its menu
     ["plane", "front", x0, y0, x1, y1]     X, and a drag
-    ["button", "Close Gaps"]               the first button of that text in the list
+    ["button", "Close Gaps"]               the first such button in the list; * is any text
     ["wait"]                               until the part is made
 """
 
@@ -24,6 +24,7 @@ import sys
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from fnmatch import fnmatchcase
 from pathlib import Path
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
@@ -204,7 +205,7 @@ class Player:
                 called
                 for line in self.window.problems.lines
                 for own, called in line.buttons
-                if own == text
+                if fnmatchcase(own, text)
             ),
             None,
         )

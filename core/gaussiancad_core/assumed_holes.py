@@ -25,14 +25,14 @@ _FINE = 1e-4
 
 
 def assumed_holes(reading: Reading, shape: TopoDS_Shape, turn: Turn) -> Iterator[Assumption]:
-    """Circles of views without hidden lines through which one looks, each diameter of a view once.
+    """Circles of views without hidden lines through which one looks, those of one diameter in a
+    view together.
 
     Args:
         reading: the views, with the holes of which notes speak.
         shape: the solid, mm.
         turn: of the sheet.
     """
-    told: set[tuple[str, float]] = set()
     tolerance = _FINE * max(reading.registered.views.size)
     for view in reading.registered.views.views:
         if view.role in reading.cuts or any(
@@ -49,14 +49,16 @@ def assumed_holes(reading: Reading, shape: TopoDS_Shape, turn: Turn) -> Iterator
             sights.columns(np.array([_beside(own, share) for own in circles]))
             for share in (1.0 - _BESIDE, 1.0 + _BESIDE)
         )
+        alike: dict[float, list[Arc]] = {}
         for own, within, around in zip(circles, inside, outside, strict=True):
-            key = view.role.value, round(own.radius, 3)
-            if not len(within.depth) and len(around.depth) and key not in told:
-                told.add(key)
-                yield _assumed(own, view.role, _box(own, reading, view.role, turn))
+            if not len(within.depth) and len(around.depth):
+                alike.setdefault(round(own.radius, 3), []).append(own)
+        for holes in alike.values():
+            boxes = tuple(_box(own, reading, view.role, turn) for own in holes)
+            yield _assumed(holes[0], view.role, boxes)
 
 
-def _assumed(circle: Arc, role: Role, box: Box) -> Assumption:
+def _assumed(circle: Arc, role: Role, boxes: tuple[Box, ...]) -> Assumption:
     return Assumption(
         "hole-through",
         Message(
@@ -64,9 +66,12 @@ def _assumed(circle: Arc, role: Role, box: Box) -> Assumption:
             "nothing tells its depth",
             diameter_mm=2.0 * circle.radius,
             view=role,
+            case="several" if len(boxes) > 1 else "one",
+            count=len(boxes),
         ),
-        box,
+        boxes[0],
         "it ends inside: tell its depth in a note, or draw its hidden lines",
+        boxes,
     )
 
 

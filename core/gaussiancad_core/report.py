@@ -60,12 +60,14 @@ class Assumption:
         message: what was assumed; values travel with it as with a :class:`Remark`.
         at: where on the sheet, a box in px; None where that is the whole sheet.
         alternative: what else might be.
+        places: boxes of all that it speaks of, where these are several things alike.
     """
 
     code: str
     message: str
     at: Box | None
     alternative: str
+    places: tuple[Box, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -69,10 +69,14 @@ class Asking(QtCore.QObject):
 
     def ask_depth(self, circle: saying.Circle) -> None:
         """How deep the hole of a circle is."""
+        self.ask_depths([circle])
+
+    def ask_depths(self, circles: list[saying.Circle]) -> None:
+        """How deep the holes of circles are, all alike."""
         asked = translate("GaussianCAD", "Depth of the hole in mm:")
         depth = self._number(translate("GaussianCAD", "Hole"), asked, 10.0)
         if depth is not None:
-            self._desk.say(saying.hole(circle, depth))
+            self._desk.say([told for own in circles for told in saying.hole(own, depth)])
 
     def _take_role(self, role: str, box: Box, _checked: bool = False) -> None:
         self._desk.say(saying.is_view(self._desk.sheet, role, box))

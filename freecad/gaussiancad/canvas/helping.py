@@ -33,13 +33,16 @@ class Helping:
     Args:
         desk: where the sheet is, and what a button says is said.
         take_tool: gives the mouse a tool.
-        ask_depth: asks how deep the hole of a circle is.
+        ask_depths: asks how deep the holes of circles are.
     """
 
     def __init__(
-        self, desk: Desk, take_tool: Callable[[str], None], ask_depth: Callable[[Circle], None]
+        self,
+        desk: Desk,
+        take_tool: Callable[[str], None],
+        ask_depths: Callable[[list[Circle]], None],
     ) -> None:
-        self._desk, self._take, self._ask_depth = desk, take_tool, ask_depth
+        self._desk, self._take, self._ask_depths = desk, take_tool, ask_depths
         self._more: dict[str, Buttons] = {}
 
     def add(self, code: str, text: str, called: Callable[[], None]) -> None:
@@ -56,7 +59,7 @@ class Helping:
         problems = self._desk.sheet.problems if self._desk.sheet is not None else ()
         offers.update({own.code: self.with_row(own) for own in problems})
         offers.update(self._more)
-        return Help(self._go_through, self._ask_depth, offers, self._mend)
+        return Help(self._go_through, self._ask_depths, offers, self._mend)
 
     def _buttons(self, code: str, offers: tuple[str, ...]) -> Buttons:
         """The tool of each correction that is offered."""

@@ -38,13 +38,13 @@ class Help:
 
     Attributes:
         go_through: says that the holes of circles go through.
-        ask_depth: asks how deep the hole of a circle is.
+        ask_depths: asks how deep the holes of circles are.
         offers: buttons, by the code of a reason or a warning.
         mend: buttons for a line that part and sheet do not share, an entry of the report.
     """
 
     go_through: Callable[[list[Circle]], None]
-    ask_depth: Callable[[Circle], None]
+    ask_depths: Callable[[list[Circle]], None]
     offers: Mapping[str, Buttons]
     mend: Callable[[dict], Buttons]
 
@@ -66,7 +66,7 @@ def verdict_lines(report: dict, help_with: Help) -> list[Line]:
         if own["message"] not in assumed
     ]
     assumptions = report.get("assumptions", ())
-    holes = [circle for own in assumptions if (circle := _hole_of(own)) is not None]
+    holes = [circle for own in assumptions for circle in _holes_of(own)]
     lines += [_assumed(own, help_with, holes) for own in assumptions]
     lines += [Line(text, box, help_with.mend(own)) for own, (box, text) in _disagreements(report)]
     lines += [Line(text, box) for box, text in _conflicts(report)]
@@ -108,12 +108,14 @@ def _conflicts(report: dict) -> Iterator[Mark]:
         yield (x0 - _AROUND, y0 - _AROUND, x1 + _AROUND, y1 + _AROUND), conflict
 
 
-def _hole_of(own: dict) -> Circle | None:
-    """The circle of a hole that was assumed to go through."""
-    if own["code"] != "hole-through" or not own.get("at"):
-        return None
-    x0, y0, x1, y1 = own["at"]
-    return (x0 + x1) / 2.0, (y0 + y1) / 2.0, (x1 - x0) / 2.0
+def _holes_of(own: dict) -> list[Circle]:
+    """The circles of holes that were assumed to go through."""
+    if own["code"] != "hole-through":
+        return []
+    return [
+        ((x0 + x1) / 2.0, (y0 + y1) / 2.0, (x1 - x0) / 2.0)
+        for x0, y0, x1, y1 in own.get("places", ())
+    ]
 
 
 def _assumed(own: dict, help_with: Help, holes: list[Circle]) -> Line:
@@ -123,13 +125,13 @@ def _assumed(own: dict, help_with: Help, holes: list[Circle]) -> Line:
         other = alternative(own["code"], own["alternative"])
         text += "\n" + translate("GaussianCAD", "Otherwise: {0}").format(other)
     box: Box | None = tuple(own["at"]) if own.get("at") else None
-    circle, tell = _hole_of(own), help_with
-    if circle is None:
+    circles, tell = _holes_of(own), help_with
+    if not circles:
         return Line(text, box)
-    yes = translate("GaussianCAD", "Yes, Through"), lambda: tell.go_through([circle])
-    no = translate("GaussianCAD", "No, so Deep\u2026"), lambda: tell.ask_depth(circle)
+    yes = translate("GaussianCAD", "Yes, Through"), lambda: tell.go_through(circles)
+    no = translate("GaussianCAD", "No, so Deep\u2026"), lambda: tell.ask_depths(circles)
     every = translate("GaussianCAD", "All {0} Go Through").format(len(holes))
-    more = ((every, lambda: tell.go_through(holes)),) if len(holes) > 1 else ()
+    more = ((every, lambda: tell.go_through(holes)),) if len(holes) > len(circles) else ()
     return Line(text, box, (yes, no, *more))
 
 

@@ -372,8 +372,18 @@ def test_a_verdict_leads_and_a_correction_takes_it_back(window: SheetWindow) -> 
         "measures": {"uncertainty_mm": 0.02},
         "reasons": [{"code": "ambiguous", "message": "two solids"}],
         "assumptions": [
-            {"code": "hole-through", "message": "a hole", "at": [140, 160, 180, 200]},
-            {"code": "hole-through", "message": "another", "at": [240, 160, 260, 180]},
+            {
+                "code": "hole-through",
+                "message": "a hole",
+                "at": [140, 160, 180, 200],
+                "places": [[140, 160, 180, 200]],
+            },
+            {
+                "code": "hole-through",
+                "message": "another",
+                "at": [240, 160, 260, 180],
+                "places": [[240, 160, 260, 180], [240, 200, 260, 220]],
+            },
         ],
         "disagreements": [
             {"view": "front", "missing": True, "length_mm": 3.0, "at": [200, 120]},
@@ -388,7 +398,7 @@ def test_a_verdict_leads_and_a_correction_takes_it_back(window: SheetWindow) -> 
         ],
     }
     window.desk.solved.emit(report, "")
-    verdict, reason, assumed, _other, lacks, beyond, *_ = window.problems.lines
+    verdict, reason, assumed, _two, lacks, beyond, *_ = window.problems.lines
     assert verdict.colour and "0.02" in verdict.text
     assert "two solids" in reason.text
     assert lacks.box == (180.0, 100.0, 220.0, 140.0)
@@ -407,7 +417,8 @@ def test_a_verdict_leads_and_a_correction_takes_it_back(window: SheetWindow) -> 
     window.undo()
     both()
     second = {"op": "note", "circle": [250.0, 170.0, 10.0], "through": True}
-    assert window.operations == [first, second]
+    third = {"op": "note", "circle": [250.0, 210.0, 10.0], "through": True}
+    assert window.operations == [first, second, third]
     window.undo()
     assert window.operations == []
     yes()

@@ -213,6 +213,11 @@ REASONS = {
 ASSUMPTIONS = {
     "nothing-hidden": REASONS["assumed"],
     "nothing-hidden:views": REASONS["assumed:views"],
+    "hole-through:several": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "{count} holes of {diameter_mm} mm in the view “{view}” were taken to go through, as "
+        "nothing tells their depth.",
+    ),
     "hole-through": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The hole of {diameter_mm} mm in the view “{view}” was taken to go through, as nothing "
