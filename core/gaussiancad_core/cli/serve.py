@@ -53,28 +53,30 @@ def run(_options: argparse.Namespace, listener: Listener) -> ExitCode:
             request = msgspec.json.decode(line, type=Request)
         except msgspec.MsgspecError as error:
             message = Message("this is no request: {reason}", reason=error)
-            _refuse(listener, None, "unknown-request", message)
+            listener.send("answer", id=None, **_refusal("unknown-request", message))
             continue
-        busy.set()
         numbered = _Numbered(listener, request.id)
+        busy.set()
         try:
-            numbered.send("answer", **desk.answer(request, numbered))
+            answer = desk.answer(request, numbered)
         except CancelledError:
             raise
         except GaussianCadError as error:
-            _refuse(listener, request.id, error.code, error.message)
+            answer = _refusal(error.code, error.message)
         except Exception as error:
             if not is_out_of_memory(error):
                 raise
             message = "the memory does not suffice: use a smaller file"
-            _refuse(listener, request.id, "out-of-memory", message)
+            answer = _refusal("out-of-memory", message)
         finally:
+            # Who has the answer may end stdin: then nothing goes on any more.
             busy.clear()
+        numbered.send("answer", **answer)
     return ExitCode.DONE
 
 
-def _refuse(listener: Listener, number: int | None, code: str, message: str) -> None:
-    listener.send("answer", id=number, error=told(code, on_one_line(message)))
+def _refusal(code: str, message: str) -> dict[str, Any]:
+    return {"error": told(code, on_one_line(message))}
 
 
 def _listen(lines: "SimpleQueue[str]", busy: threading.Event) -> None:
