@@ -1851,6 +1851,10 @@
         <translation>Eine Ansicht ist bis zu ihrer Mittellinie gezeichnet: Was jenseits liegt, wurde als ihr Spiegelbild genommen.</translation>
     </message>
     <message>
+        <source>{count} holes of {diameter_mm} mm in the view “{view}” were taken to go through, as nothing tells their depth.</source>
+        <translation>{count} Bohrungen von {diameter_mm} mm in der Ansicht „{view}“ wurden als durchgehend angenommen, da nichts ihre Tiefe sagt.</translation>
+    </message>
+    <message>
         <source>The hole of {diameter_mm} mm in the view “{view}” was taken to go through, as nothing tells its depth.</source>
         <translation>Die Bohrung von {diameter_mm} mm in der Ansicht „{view}“ wurde als durchgehend genommen, da nichts ihre Tiefe angibt.</translation>
     </message>

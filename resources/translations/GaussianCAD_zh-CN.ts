@@ -883,6 +883,10 @@
         <translation>有一个视图只画到中心线：另一半按镜像处理。</translation>
     </message>
     <message>
+        <source>{count} holes of {diameter_mm} mm in the view “{view}” were taken to go through, as nothing tells their depth.</source>
+        <translation>视图“{view}”中 {count} 个 {diameter_mm} mm 的孔假定为通孔，因为没有任何内容说明其深度。</translation>
+    </message>
+    <message>
         <source>The hole of {diameter_mm} mm in the view “{view}” was taken to go through, as nothing tells its depth.</source>
         <translation>“{view}”中直径 {diameter_mm} mm 的孔被视为通孔，因为没有任何内容说明其深度。</translation>
     </message>
