@@ -9,6 +9,9 @@ from math import acos, atan2, cos, hypot, sin
 
 from freecad.gaussiancad.canvas.sheet import Point, Sheet, Stroke
 
+_SQUARE = 0.02
+"""Share of its length by which a line may lean that is meant to be square to the sheet."""
+
 
 def snapped(sheet: Sheet, at: Point, reach: float, start: Point | None = None) -> Point:
     """Where a place snaps to.
@@ -23,6 +26,17 @@ def snapped(sheet: Sheet, at: Point, reach: float, start: Point | None = None) -
         reach: px from it.
         start: of a line that ends there, if there is one.
     """
+    found = _snapped(sheet, at, reach, start)
+    if start is None:
+        return found
+    # A line that was drawn about square is square: its places are those of different strokes.
+    across, along = abs(found[0] - start[0]), abs(found[1] - start[1])
+    if min(across, along) > min(reach, _SQUARE * max(across, along)):
+        return found
+    return (start[0], found[1]) if across < along else (found[0], start[1])
+
+
+def _snapped(sheet: Sheet, at: Point, reach: float, start: Point | None) -> Point:
     strokes = sheet.drawn()
     ends = list(_ends(strokes))
     near = _nearest(ends, at, reach) or _nearest(_crossings(strokes, at, reach), at, reach)
