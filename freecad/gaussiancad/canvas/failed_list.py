@@ -34,14 +34,14 @@ class FailedList(QtWidgets.QWidget):
         self._headline = QtWidgets.QLabel()
         self._headline.setWordWrap(True)
         self._list = QtWidgets.QListWidget()
-        self._list.setObjectName("sheets")
+        self._list.setObjectName("sheetsOfBatch")
         self._list.setWordWrap(True)
         for own in sheets:
             self._list.addItem(_text(own))
         self._list.itemActivated.connect(lambda item: self._open(self._list.row(item)))
         self._list.itemClicked.connect(lambda item: self._open(self._list.row(item)))
         self.next_button = QtWidgets.QPushButton(translate("GaussianCAD", "Next Sheet"))
-        self.next_button.setObjectName("next")
+        self.next_button.setObjectName("nextSheet")
         self.next_button.clicked.connect(lambda _=False: self.open_next())
         layout = QtWidgets.QVBoxLayout(self)
         for own in (self._headline, self._list, self.next_button):
