@@ -64,6 +64,9 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
         return ExitCode(show(options.sheet, options.page))
     try:
         failed = failed_sheets(options.sheet)
+    except FileNotFoundError as error:
+        text = f"{options.sheet} does not exist: check the name of the report"
+        raise UnreadableError("file-missing", text) from error
     except (OSError, ValueError) as error:
         raise UnreadableError("batch-not-read", str(error)) from error
     if not failed:

@@ -49,6 +49,7 @@ def failed_sheets(report: Path) -> tuple[FailedSheet, ...]:
 
 def _rows(report: Path) -> list[Mapping[str, object]]:
     text = report.read_text(encoding="utf-8", errors="replace")
+    known = {"name", "sheet", "status"}
     rows: object
     if report.suffix.lower() == ".json":
         try:
@@ -57,8 +58,9 @@ def _rows(report: Path) -> list[Mapping[str, object]]:
             found = None
         rows = found.get("sheets") if isinstance(found, dict) else None
     else:
-        rows = list(csv.DictReader(text.splitlines()))
-    known = {"name", "sheet", "status"}
+        table = csv.DictReader(text.splitlines())
+        # A table without rows is a report only by the names of its columns.
+        rows = list(table) if known <= set(table.fieldnames or ()) else None
     if not isinstance(rows, list) or not all(isinstance(own, dict) for own in rows):
         raise ValueError(f"{report.name} is no report of a batch")
     if any(not known <= own.keys() for own in rows):

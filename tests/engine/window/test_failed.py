@@ -62,7 +62,13 @@ def test_the_report_of_freecads_console_says_the_same(report: Path) -> None:
 
 @pytest.mark.parametrize(
     ("name", "content"),
-    [("a.json", "{"), ("a.json", "[]"), ("a.json", '{"sheets": [1]}'), ("a.csv", "x,y\n1,2\n")],
+    [
+        ("a.json", "{"),
+        ("a.json", "[]"),
+        ("a.json", '{"sheets": [1]}'),
+        ("a.csv", "x,y\n1,2\n"),
+        ("a.csv", "x,y\n"),
+    ],
 )
 def test_what_is_no_report_is_told(tmp_path: Path, name: str, content: str) -> None:
     path = tmp_path / name
