@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+import numpy.typing as npt
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
@@ -25,6 +26,7 @@ from gaussiancad_core.sheet.graph.heads import arrowheads
 from gaussiancad_core.sheet.graph.tangent_edges import without_tangent_edges
 from gaussiancad_core.sheet.graph.threads import without_threads
 from gaussiancad_core.sheet.graph.views import graph_views
+from gaussiancad_core.sheet.labels.network import ink_labels, labels_problem
 from gaussiancad_core.sheet.layout import Layout, may_be_views
 from gaussiancad_core.sheet.masks import supersampling_for
 from gaussiancad_core.sheet.notes.finding import SheetNote, notes_of
@@ -307,7 +309,10 @@ def _found_views(
     # Where a file has lines of one width, those of its picture only seem to differ.
     by_weight = not (image.vectors is not None and image.vectors.has_one_width)
     try:
-        found = find_views(clean, given, reading.projection, by_weight)
+        labels = None
+        if labels_problem() is None:
+            labels = ink_labels(_upright(image.grey, clean.turn))
+        found = find_views(clean, given, reading.projection, by_weight, labels)
     except NoModelError:
         if told is None:
             raise
@@ -315,6 +320,14 @@ def _found_views(
     if told is not None and len(found[1].boxes) == 1:
         return told.separated, told.layout, told.vectors
     return *found, VectorSheet.of(drawing, clean) if drawing is not None else None
+
+
+def _upright(grey: npt.NDArray[np.uint8], turn: Turn) -> npt.NDArray[np.uint8]:
+    """The picture as it was stored, turned level."""
+    if not turn.angle:
+        return grey
+    ink = turn.upright(1.0 - grey.astype(np.float32) / 255.0)
+    return np.rint(255.0 * (1.0 - ink)).astype(np.uint8)
 
 
 def _coloured_views(

@@ -14,6 +14,7 @@ from gaussiancad_core.sheet.files.isolation import read_isolated
 from gaussiancad_core.sheet.files.kinds import VECTOR_SUFFIXES, detect
 from gaussiancad_core.sheet.files.opening import cannot_open, head_of
 from gaussiancad_core.sheet.files.vectors import VectorDrawing
+from gaussiancad_core.sheet.working_scale import resampled, working_factor
 
 __all__ = ["MAX_PIXELS", "MIN_SIDE", "SHEET_SUFFIXES", "SheetImage", "read_sheet"]
 
@@ -25,7 +26,7 @@ SHEET_SUFFIXES = frozenset(
 
 @dataclass(frozen=True)
 class SheetImage:
-    """A sheet as it was stored, upright; vector sheets as drawn at 200 dpi, large ones at less.
+    """A sheet upright, pictures at the pixels at which they are read, vector sheets at 200 dpi.
 
     Attributes:
         path: where it was read from.
@@ -54,8 +55,9 @@ def read_sheet(path: Path, page: int = 1) -> SheetImage:
     """Read a sheet from a PNG, JPEG, TIFF, BMP, WebP, PDF, SVG or DXF file.
 
     EXIF rotation is applied, transparency becomes white paper, and light ink on dark paper is
-    inverted.  Pictures of more than :data:`MOST_WORKED_ON` pixels are made smaller, and a note says
-    so.  Nothing outside the file is ever opened.
+    inverted.  Pictures are resampled to the width of lines that is read
+    (:mod:`gaussiancad_core.sheet.working_scale`), to :data:`MOST_WORKED_ON` pixels at most; where
+    that takes detail off, a note says so.  Nothing outside the file is ever opened.
 
     Args:
         path: the file; its content tells its kind, its name only where the content does not.
@@ -83,36 +85,43 @@ def read_sheet(path: Path, page: int = 1) -> SheetImage:
         tint=tint,
         pages=content.pages,
     )
-    return _reduced(image) if content.vectors is None else image
+    return _at_working_scale(image) if content.vectors is None else image
 
 
-def _reduced(image: SheetImage) -> SheetImage:
-    """The picture at a resolution for which memory suffices: about 60 bytes a pixel are needed."""
+def _at_working_scale(image: SheetImage) -> SheetImage:
+    """The picture with lines of the width that is read, but of no more pixels than memory suffices
+    for: about 60 bytes a pixel are needed."""
     height, width = image.grey.shape
-    factor = float(np.sqrt(height * width / MOST_WORKED_ON))
-    if factor <= 1.0:
+    wanted = working_factor(image.grey)
+    most = float(np.sqrt(MOST_WORKED_ON / (height * width)))
+    factor = min(wanted, most)
+    if factor == 1.0:
         return image
-    size = (round(width / factor), round(height / factor))
+    size = (round(width * factor), round(height * factor))
     # Both directions get the same factor but for a part of a pixel over the whole sheet.
-    factor = width / size[0]
-    grey = cv2.resize(image.grey, size, interpolation=cv2.INTER_AREA)
+    reduction = width / size[0]
     tint = image.tint
     if tint is not None:
         tint = cv2.resize(tint, size, interpolation=cv2.INTER_NEAREST)
-    note = Note(
-        "resolution-lowered",
-        Message(
+    notes = image.notes
+    if most < min(wanted, 1.0):
+        message = Message(
             "the sheet has {width} x {height} px and was read at {read_width} x {read_height}: "
             "measures are known less well; a cut around the views is read as it is",
             width=width,
             height=height,
             read_width=size[0],
             read_height=size[1],
-        ),
+        )
+        notes = (*notes, Note("resolution-lowered", message))
+    return replace(
+        image,
+        grey=resampled(image.grey, size),
+        pixels_per_inch=image.pixels_per_inch and image.pixels_per_inch / reduction,
+        notes=notes,
+        reduction=reduction,
+        tint=tint,
     )
-    dpi = image.pixels_per_inch and image.pixels_per_inch / factor
-    notes = (*image.notes, note)
-    return replace(image, grey=grey, pixels_per_inch=dpi, notes=notes, reduction=factor, tint=tint)
 
 
 def _sha256(path: Path) -> str:

@@ -11,6 +11,8 @@ from gaussiancad_core.axes import Projection, Role, mutually_orthogonal
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.annotations.separate import SeparatedSheet, separate_annotations
 from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.labels.network import InkLabels
+from gaussiancad_core.sheet.labels.separation import separate_by_labels
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.registration import axis_extents
@@ -41,6 +43,7 @@ def find_views(
     given: dict[Role, Box],
     projection: Projection | None,
     by_weight: bool = True,
+    labels: InkLabels | None = None,
 ) -> tuple[SeparatedSheet, Layout]:
     """Take the annotations off a sheet and find the views on it.
 
@@ -51,6 +54,7 @@ def find_views(
         given: boxes that the user named, in px of the upright sheet.
         projection: as told by the user, or nothing: then the sheet's symbol is looked for.
         by_weight: whether narrow lines may be told from wide ones; a file may know better.
+        labels: what the ink stands for; None where only rules tell.
 
     Raises:
         NoModelError: see :func:`gaussiancad_core.sheet.special_views.finding.find_named_layout`.
@@ -58,6 +62,18 @@ def find_views(
     """
     symbol = find_symbol(sheet) if projection is None else None
     told = symbol.projection if symbol else projection
+    if labels is not None:
+        separated = separate_by_labels(sheet, labels)
+        try:
+            found = arranged(sheet, separated, given, told)
+        except NoModelError as error:
+            alone = None
+            if error.code == "one-view" and not given:
+                alone = lone_view(sheet, separated, told)
+            if alone is None:
+                raise
+            found = alone
+        return with_symbol(*found, symbol)
     return with_symbol(*_separated_views(sheet, given, told, by_weight), symbol)
 
 

@@ -1,0 +1,148 @@
+"""Part or annotation, along a line: where a line changes from one to the other, it is parted.
+
+An extension line goes on where an edge ends, a centre line where it leaves the view.  Along each
+line or circle the log-odds of its points are added, and a change costs as much as a few points
+tell: the cheapest assignment is found exactly (Viterbi 1967).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape, points_along
+from gaussiancad_core.sheet.labels.classes import PART, InkClass
+from gaussiancad_core.sheet.labels.network import InkLabels
+from gaussiancad_core.sheet.runs import Run
+
+Floats = npt.NDArray[np.float64]
+
+_CLIP = 4.0
+"""Log-odds that one point tells at most."""
+
+_SHARED = 0.1
+"""Weight of a point that lies on another line's ink, too: a crossing has the other's label."""
+
+_PER_PX = 0.25
+"""Weight of a px: neighbouring points see the same ink."""
+
+_CHANGE = 5.0
+"""Cost of a change along unbroken ink."""
+
+_CHANGE_AT_GAP = 1.5
+"""The same between two runs of one line: dashes of one line are mostly of one kind."""
+
+_STEP = 1.0
+"""px between the points."""
+
+_SPLIT_PX = 2.0
+"""px of the shortest piece."""
+
+
+@dataclass(frozen=True)
+class LabelledRun:
+    """A piece of a run of ink with what it stands for.
+
+    Attributes:
+        run: where it is.
+        ink: what it most likely is.
+        margin: mean log-odds of the part against annotation; positive for the part's edges.
+        runner_up: the class that it would be if it were of the other group.
+    """
+
+    run: InkedRun
+    ink: InkClass
+    margin: float
+    runner_up: InkClass
+
+    @property
+    def is_part(self) -> bool:
+        """Whether it is an edge."""
+        return self.ink in PART
+
+
+def labelled_runs(
+    shape: InkedShape, labels: InkLabels, shared: npt.NDArray[np.bool_]
+) -> list[LabelledRun]:
+    """The runs of a line or circle, parted where they change from the part's to annotation.
+
+    Args:
+        shape: with its runs.
+        labels: of the picture.
+        shared: (h, w) bool, ink that more than one line runs through.
+    """
+    odds, weights, starts = [], [], []
+    points = [points_along(shape.geometry, own.run, _STEP) for own in shape.runs]
+    for own in points:
+        starts.append(sum(map(len, odds)))
+        odds.append(np.clip(labels.odds(own), -_CLIP, _CLIP))
+        weights.append(np.where(_at(shared, own), _SHARED, 1.0))
+    if not odds:
+        return []
+    told = np.concatenate(odds) * np.concatenate(weights) * _PER_PX
+    change = np.full(len(told), _CHANGE)
+    change[starts] = _CHANGE_AT_GAP
+    is_part = _cheapest(told, change)
+    found: list[LabelledRun] = []
+    for own, start, where, weight in zip(shape.runs, starts, points, weights, strict=True):
+        for first, last in _pieces(is_part[start : start + len(where)]):
+            found.append(_labelled(own, where, weight, (first, last), labels))
+    return found
+
+
+def _cheapest(told: Floats, change: Floats) -> npt.NDArray[np.bool_]:
+    """(n,) whether each point is the part's.
+
+    Args:
+        told: (n,) log-odds.
+        change: (n,) cost of a change between a point and the one before it.
+    """
+    best = np.zeros(2)
+    back = np.zeros((len(told), 2), bool)
+    for k, (own, cost) in enumerate(zip(told.tolist(), change.tolist(), strict=True)):
+        for state in (0, 1):
+            back[k, state] = best[1 - state] - cost > best[state]
+        best = np.maximum(best, best[::-1] - cost) + np.array([-0.5 * own, 0.5 * own])
+    state = int(best[1] >= best[0])
+    states = np.zeros(len(told), bool)
+    for k in range(len(told) - 1, -1, -1):
+        states[k] = bool(state)
+        if back[k, state]:
+            state = 1 - state
+    return states
+
+
+def _pieces(states: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """First and last index of each stretch of one state."""
+    borders = np.flatnonzero(np.diff(states)) + 1
+    firsts, lasts = [0, *borders], [*(borders - 1), len(states) - 1]
+    return [(int(a), int(b)) for a, b in zip(firsts, lasts, strict=True)]
+
+
+def _labelled(
+    own: InkedRun,
+    points: Floats,
+    weights: Floats,
+    piece: tuple[int, int],
+    labels: InkLabels,
+) -> LabelledRun:
+    first, last = piece
+    step = own.run.length / max(len(points) - 1, 1)
+    start = own.run.start + step * (first - 0.5 if first else 0)
+    end = own.run.start + step * (last + 0.5) if last < len(points) - 1 else own.run.end
+    log_p = labels.at(points[first : last + 1])
+    weight = weights[first : last + 1, None]
+    mean = (log_p * weight).sum(axis=0) / weight.sum()
+    odds = np.clip(labels.odds(points[first : last + 1]), -_CLIP, _CLIP)
+    margin = float((odds * weight[:, 0]).sum() / weight.sum())
+    ranked = [InkClass(k) for k in np.argsort(-mean) if k]
+    part = next(k for k in ranked if k in PART)
+    other = next(k for k in ranked if k not in PART)
+    ink, runner_up = (part, other) if margin > 0.0 else (other, part)
+    return LabelledRun(InkedRun(Run(start, end), own.width), ink, margin, runner_up)
+
+
+def _at(mask: npt.NDArray[np.bool_], points: Floats) -> npt.NDArray[np.bool_]:
+    columns = np.clip(np.rint(points[:, 0]).astype(int), 0, mask.shape[1] - 1)
+    rows = np.clip(np.rint(points[:, 1]).astype(int), 0, mask.shape[0] - 1)
+    return mask[rows, columns]

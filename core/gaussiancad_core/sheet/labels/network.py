@@ -1,0 +1,128 @@
+"""The labels network: for each pixel of a picture what its ink stands for.
+
+A U-Net of five levels and 2.3 million parameters (Ronneberger 2015), trained on generated sheets
+and a few published ones by ``gaussiancad_core.learning``; the card beside the weights tells on
+what.  It wants lines of three px (:mod:`gaussiancad_core.sheet.working_scale`).
+"""
+
+import hashlib
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib.resources import as_file, files
+from itertools import product
+
+import numpy as np
+import numpy.typing as npt
+import onnxruntime
+
+from gaussiancad_core.messages import Message
+from gaussiancad_core.sheet.labels.classes import PART, InkClass
+
+_WEIGHTS = "labels.onnx"
+_DIGEST = "labels.onnx.sha256"
+
+_MULTIPLE = 32
+"""Px that the sides of what the network takes are multiples of."""
+
+_TILE, _MARGIN = 1536, 128
+"""Side in px of what is labelled at once, and px around it that the network sees beside it."""
+
+_PAPER = 250
+"""Grey level from which a pixel is blank."""
+
+_FLOOR = -20.0
+"""Least log-probability."""
+
+
+@dataclass(frozen=True, eq=False)
+class InkLabels:
+    """What the network says of a picture.
+
+    Attributes:
+        log_p: (classes, h, w) float16, natural logarithm of each class's probability.
+        on_hidden: (h, w) float16, probability that a pixel lies on a hidden line, on a dash or in a
+            gap between two.
+    """
+
+    log_p: npt.NDArray[np.float16]
+    on_hidden: npt.NDArray[np.float16]
+
+    def odds(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        """(n,) log-odds of the part's edges against annotation, at points (n, 2) in px whose
+        centres are at integers; paper counts for neither."""
+        log_p = self.at(points)
+        part = np.logaddexp(*(log_p[:, own] for own in PART))
+        rest = np.logaddexp.reduce(log_p[:, max(PART) + 1 :], axis=1)
+        return part - rest
+
+    def at(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        """(n, classes) log-probabilities at points (n, 2)."""
+        columns = np.clip(np.rint(points[:, 0]).astype(int), 0, self.log_p.shape[2] - 1)
+        rows = np.clip(np.rint(points[:, 1]).astype(int), 0, self.log_p.shape[1] - 1)
+        return self.log_p[:, rows, columns].T.astype(np.float64)
+
+    def best(self) -> npt.NDArray[np.uint8]:
+        """(h, w) the likeliest class of each pixel if it is ink."""
+        return (1 + self.log_p[1:].argmax(axis=0)).astype(np.uint8)
+
+
+@lru_cache(maxsize=1)
+def labels_problem() -> Message | None:
+    """Why pictures are read without the network; None where it is whole."""
+    try:
+        weights = files(__package__).joinpath(_WEIGHTS).read_bytes()
+        wanted = files(__package__).joinpath(_DIGEST).read_text(encoding="ascii").strip()
+    except OSError:
+        return Message("the weights of the labels network are missing")
+    if hashlib.sha256(weights).hexdigest() != wanted:
+        return Message("the weights of the labels network are damaged")
+    return None
+
+
+def ink_labels(grey: npt.NDArray[np.uint8]) -> InkLabels:
+    """What the ink of a picture stands for, the same on every run.
+
+    Args:
+        grey: (h, w) uint8, dark ink on light paper, wide lines about three px wide.
+    """
+    height, width = grey.shape
+    padded = np.full((_up(height), _up(width)), 255, np.uint8)
+    padded[:height, :width] = grey
+    log_p = np.full((len(InkClass), *padded.shape), _FLOOR, np.float16)
+    log_p[InkClass.PAPER] = 0.0
+    on_hidden = np.zeros(padded.shape, np.float16)
+    session = _session()
+    name = session.get_inputs()[0].name
+    for top, left in product(range(0, padded.shape[0], _TILE), range(0, padded.shape[1], _TILE)):
+        inner = np.s_[top : top + _TILE, left : left + _TILE]
+        if padded[inner].min() >= _PAPER:
+            continue
+        above, before = max(0, top - _MARGIN), max(0, left - _MARGIN)
+        seen = padded[above : top + _TILE + _MARGIN, before : left + _TILE + _MARGIN]
+        ink = 1.0 - seen[None, None].astype(np.float32) / 255.0
+        (logits,) = session.run(None, {name: ink})
+        own = logits[0, :, top - above :, left - before :][:, :_TILE, :_TILE]
+        log_p[:, *inner] = np.maximum(_log_softmax(own[: len(InkClass)]), _FLOOR)
+        on_hidden[inner] = 1.0 / (1.0 + np.exp(-own[len(InkClass)]))
+    return InkLabels(log_p[:, :height, :width], on_hidden[:height, :width])
+
+
+@lru_cache(maxsize=1)
+def _session() -> onnxruntime.InferenceSession:
+    options = onnxruntime.SessionOptions()
+    # One thread: the same result whatever the machine.
+    options.intra_op_num_threads = 1
+    options.log_severity_level = 3
+    with as_file(files(__package__).joinpath(_WEIGHTS)) as path:
+        return onnxruntime.InferenceSession(str(path), options, providers=["CPUExecutionProvider"])
+
+
+def _log_softmax(logits: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
+    """Along the first axis."""
+    shifted = logits - logits.max(axis=0)
+    return shifted - np.log(np.exp(shifted).sum(axis=0))
+
+
+def _up(side: int) -> int:
+    """The next multiple of what the network takes."""
+    return -(-side // _MULTIPLE) * _MULTIPLE

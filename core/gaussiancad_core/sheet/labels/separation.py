@@ -1,0 +1,156 @@
+"""A sheet taken apart by the labels of its lines: the part's ink, and the annotations."""
+
+import cv2
+import numpy as np
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.erase import Told, erased, masked
+from gaussiancad_core.sheet.annotations.frame import find_frame
+from gaussiancad_core.sheet.annotations.hatching import find_hatching
+from gaussiancad_core.sheet.annotations.inked import InkedShape, inked_shape, points_along
+from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
+from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.growth import GrowthRules, grow_shapes
+from gaussiancad_core.sheet.labels.classes import ANNOTATION_KINDS, PART, InkClass
+from gaussiancad_core.sheet.labels.decoding import LabelledRun, labelled_runs
+from gaussiancad_core.sheet.labels.network import InkLabels
+from gaussiancad_core.sheet.ridges import ridge_points
+from gaussiancad_core.sheet.runs import ink_field
+from gaussiancad_core.sheet.scale.dimensions import rule_of
+
+_BLOT = 1.4
+"""Widths of a line within which another one shares its ink."""
+
+_TEXT_SHARE = 0.5
+"""Share of a piece of ink that is writing from which all of it is."""
+
+
+def separate_by_labels(sheet: CleanSheet, labels: InkLabels) -> SeparatedSheet:
+    """Take what is no part's off a sheet.
+
+    Args:
+        sheet: upright.
+        labels: of the same picture.
+    """
+    marks: list[Mark] = []
+    frame = find_frame(sheet.ink, sheet.turn)
+    if frame is not None:
+        sheet = masked(sheet, frame.drawing_area)
+        marks += frame.marks
+    best = labels.best()
+    text = _writing(sheet.ink, best)
+    marks += _text_marks(text, sheet.stroke_width)
+    sheet = masked(
+        sheet, ~cv2.dilate(text.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)
+    )
+    ridges = ridge_points(sheet.weight, sheet.stroke_width)
+    rules = GrowthRules.of_width(sheet.stroke_width, sheet.dash_gap)
+    grown = grow_shapes(ridges, rules)
+    field = ink_field(sheet)
+    shapes = [inked_shape(sheet, field, ridges, own) for own in grown]
+    shared = _shared(shapes, sheet)
+    labelled = [labelled_runs(shape, labels, shared) for shape in shapes]
+    free = np.ones(len(ridges.points), dtype=bool)
+    for own in grown:
+        free[own.members] = False
+    columns, rows = np.rint(ridges.points[free]).astype(int).T
+    is_part = np.isin(best[rows, columns], PART)
+    unexplained, loose = (np.zeros(sheet.ink.shape, bool) for _ in range(2))
+    unexplained[rows[is_part], columns[is_part]] = True
+    loose[rows[~is_part], columns[~is_part]] = True
+    told = _told(shapes, labelled, unexplained, loose)
+    part = erased(sheet, told)
+    part = masked(part, ~_stray(part.ink, best))
+    marks += _line_marks(told)
+    hatched = None
+    if any(AnnotationKind.HATCHING in own for own in told.kinds):
+        found = find_hatching(sheet, shapes, ridges, free)
+        hatched = found.area if found.marks else None
+        marks += found.marks
+    return SeparatedSheet(part, tuple(marks), False, hatched, told, closed=False)
+
+
+def _writing(ink: Mask, best: np.ndarray) -> Mask:
+    """(h, w) bool, ink that is writing: by the piece where most of a piece is, else by the pixel."""
+    own = ink & (best == InkClass.TEXT)
+    count, labels = cv2.connectedComponents(ink.astype(np.uint8), connectivity=8)
+    sizes = np.bincount(labels.ravel(), minlength=count)
+    inside = np.bincount(labels[own], minlength=count)
+    most = inside > _TEXT_SHARE * sizes
+    most[0] = False
+    return most[labels] | own
+
+
+def _text_marks(text: Mask, stroke_width: float) -> list[Mark]:
+    """One mark for each piece of writing."""
+    _, _, stats, _ = cv2.connectedComponentsWithStats(text.astype(np.uint8), connectivity=8)
+    return [
+        Mark(AnnotationKind.TEXT, (float(x), float(y), float(x + w), float(y + h)))
+        for x, y, w, h, _ in stats[1:].tolist()
+        if max(w, h) > stroke_width
+    ]
+
+
+def _shared(shapes: list[InkedShape], sheet: CleanSheet) -> Mask:
+    """(h, w) bool, ink that lines of different directions run through."""
+    count = np.zeros(sheet.ink.shape, np.uint8)
+    width = max(1, round(_BLOT * sheet.stroke_width))
+    layer = np.zeros(sheet.ink.shape, np.uint8)
+    for shape in shapes:
+        boxes = []
+        for own in shape.runs:
+            path = np.rint(points_along(shape.geometry, own.run, 2.0) * 8).astype(np.int32)
+            cv2.polylines(layer, [path], False, 1, width, shift=3)
+            low = np.maximum(path.min(axis=0) // 8 - width - 1, 0)
+            high = path.max(axis=0) // 8 + width + 2
+            boxes.append(np.s_[low[1] : high[1], low[0] : high[0]])
+        for box in boxes:
+            count[box] += layer[box]
+            layer[box] = 0
+    return count > 1
+
+
+def _told(
+    shapes: list[InkedShape],
+    labelled: list[list[LabelledRun]],
+    unexplained: Mask,
+    loose: Mask,
+) -> Told:
+    found, kinds = [], []
+    for shape, own in zip(shapes, labelled, strict=True):
+        found.append(InkedShape(shape.geometry, tuple(each.run for each in own)))
+        kinds.append([_kind(shape, each) for each in own])
+    return Told(found, kinds, unexplained, loose)
+
+
+def _kind(shape: InkedShape, own: LabelledRun) -> AnnotationKind | None:
+    """What a run is, None for the part's; a slanted dimension line is a leader."""
+    if own.is_part:
+        return None
+    kind = ANNOTATION_KINDS[own.ink]
+    if kind is AnnotationKind.DIMENSION:
+        ends = points_along(shape.geometry, own.run.run, 1e9)
+        if rule_of(ends[0].tolist(), ends[-1].tolist()) is None:
+            return AnnotationKind.LEADER
+    return kind
+
+
+def _stray(ink: Mask, best: np.ndarray) -> Mask:
+    """(h, w) bool, pieces of what is left of which most is annotation: arrowheads and the like."""
+    count, labels = cv2.connectedComponents(ink.astype(np.uint8), connectivity=8)
+    part = ink & np.isin(best, PART)
+    sizes = np.bincount(labels.ravel(), minlength=count)
+    stray = np.bincount(labels[part], minlength=count) < 0.5 * sizes
+    stray[0] = False
+    return stray[labels]
+
+
+def _line_marks(told: Told) -> list[Mark]:
+    marks = []
+    for shape, own in zip(told.shapes, told.kinds, strict=True):
+        for run, kind in zip(shape.runs, own, strict=True):
+            if kind is not None:
+                ends = points_along(shape.geometry, run.run, 1e9) + 0.5
+                marks.append(line_mark(kind, tuple(ends[0].tolist()), tuple(ends[-1].tolist())))
+    return marks
