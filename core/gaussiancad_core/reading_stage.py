@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-import numpy.typing as npt
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
@@ -26,17 +25,23 @@ from gaussiancad_core.sheet.graph.heads import arrowheads
 from gaussiancad_core.sheet.graph.tangent_edges import without_tangent_edges
 from gaussiancad_core.sheet.graph.threads import without_threads
 from gaussiancad_core.sheet.graph.views import graph_views
-from gaussiancad_core.sheet.labels.network import ink_labels, labels_problem
+from gaussiancad_core.sheet.labels.network import labels_problem
 from gaussiancad_core.sheet.layout import Layout, may_be_views
 from gaussiancad_core.sheet.masks import supersampling_for
 from gaussiancad_core.sheet.notes.finding import SheetNote, notes_of
 from gaussiancad_core.sheet.notes.sections import NamedSection, named_sections
 from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
 from gaussiancad_core.sheet.painted import painted, view_by_strokes, visible_bounds
+from gaussiancad_core.sheet.picture_views import picture_views
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
 from gaussiancad_core.sheet.scale.dimensions import file_lines
-from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale, find_scale
+from gaussiancad_core.sheet.scale.find import (
+    ScaleSource,
+    SheetScale,
+    WrittenSheet,
+    find_scale,
+)
 from gaussiancad_core.sheet.special_views.beside import sections_beside
 from gaussiancad_core.sheet.special_views.hatched_areas import to_middles, with_hatched_areas
 from gaussiancad_core.sheet.special_views.kinds import SECTIONS
@@ -78,6 +83,17 @@ class SheetLines:
     beside: tuple[ReadView, ...] = ()
 
 
+@dataclass(frozen=True, eq=False)
+class _Found:
+    """What was found before lines are read: the part's ink, its views, their exact lines where the
+    file has them, and the texts where they are read already."""
+
+    separated: SeparatedSheet
+    layout: Layout
+    vectors: VectorSheet | None = None
+    written: WrittenSheet | None = None
+
+
 def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) -> SheetLines:
     """Views and lines of a sheet.
 
@@ -92,29 +108,26 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
     """
     reading = in_worked_px(job.reading, clean.turn)
     with notes.stage("views"):
-        separated, layout, vectors = _found_views(image, clean, reading, notes)
-        tell_marks(notes, separated.marks, clean.turn)
+        found = _found_views(image, clean, reading, notes)
+        tell_marks(notes, found.separated.marks, clean.turn)
     with notes.stage("lines"):
-        separated, layout, drawn, hatched = _strokes_in(
-            image, clean, (separated, layout, vectors), reading, notes
-        )
-        scale = _sheet_scale(job, image, clean, (separated.marks, drawn), notes)
+        found, drawn, hatched = _strokes_in(image, clean, found, reading, notes)
+        layout, separated = found.layout, found.separated
+        scale = _sheet_scale(job, image, clean, (found, drawn), notes)
         sections = _sections(image, scale, layout, clean.turn) if scale is not None else ()
         layout, drawn = _by_arrows(layout, drawn, sections)
 
         def read(own: Layout) -> tuple[ReadView, ...]:
-            return read_views(separated.part, own, finder=reading.finder, vectors=vectors)
+            return read_views(separated.part, own, finder=reading.finder, vectors=found.vectors)
 
         layout, beside = sections_beside(layout, sections, hatched, read)
-        found = notes_of(scale.texts, scale.unit) if scale is not None else ()
+        said = notes_of(scale.texts, scale.unit) if scale is not None else ()
         if len(drawn) == 1:
-            layout, drawn = _with_companion(clean, layout, drawn[0], (scale, found), notes)
+            layout, drawn = _with_companion(clean, layout, drawn[0], (scale, said), notes)
         tell_layout(notes, layout, clean.turn)
         options = tell_scale(reading, scale, notes)
-        tell_notes(notes, found, clean.turn)
-    return SheetLines(
-        layout, drawn, separated.marks, scale, options, found, sections, beside=beside
-    )
+        tell_notes(notes, said, clean.turn)
+    return SheetLines(layout, drawn, separated.marks, scale, options, said, sections, beside=beside)
 
 
 def boxed_views(
@@ -126,26 +139,27 @@ def boxed_views(
     """
     reading = in_worked_px(job.reading, clean.turn)
     found = _found_views(image, clean, reading, notes)
-    return _strokes_in(image, clean, found, reading, notes)[2]
+    return _strokes_in(image, clean, found, reading, notes)[1]
 
 
 def _strokes_in(
     image: SheetImage,
     clean: CleanSheet,
-    found: tuple[SeparatedSheet, Layout, VectorSheet | None],
+    found: _Found,
     reading: ReadingOptions,
     notes: RunNotes,
-) -> tuple[SeparatedSheet, Layout, tuple[ReadView, ...], Mask | None]:
+) -> tuple[_Found, tuple[ReadView, ...], Mask | None]:
     """What was found, with the strokes of its views, and what is hatched in them."""
-    separated, layout, vectors = found
-    drawn = read_views(separated.part, layout, notes.progress, reading.finder, vectors)
-    if vectors is not None:
+    separated, layout = found.separated, found.layout
+    drawn = read_views(separated.part, layout, notes.progress, reading.finder, found.vectors)
+    if found.vectors is not None:
         drawn, threads = without_threads(drawn, _arcs(image, clean.turn))
         layout = replace(layout, special=(*layout.special, *threads))
         drawn, smooth = without_tangent_edges(drawn)
         separated = replace(separated, marks=(*separated.marks, *map(_tangent_mark, smooth)))
     hatched = to_middles(separated.hatched, separated.part.stroke_width)
-    return separated, layout, with_hatched_areas(drawn, layout, hatched), hatched
+    found = replace(found, separated=separated, layout=layout)
+    return found, with_hatched_areas(drawn, layout, hatched), hatched
 
 
 def _sections(
@@ -258,13 +272,14 @@ def _sheet_scale(
     job: Job,
     image: SheetImage,
     clean: CleanSheet,
-    found: tuple[tuple[Mark, ...], tuple[ReadView, ...]],
+    read: tuple[_Found, tuple[ReadView, ...]],
     notes: RunNotes,
 ) -> SheetScale | None:
     """What the sheet's dimensions, paper and notes say; None where nobody asks."""
     if _is_given(job.reading) and job.result is ResultKind.SURFACE:
         return None
-    scale = find_scale(image, clean, *found)
+    found, drawn = read
+    scale = find_scale(image, clean, found.separated.marks, drawn, found.written)
     notes.tell(dimensions=scale.dimensions)
     for note in scale.contradictions:
         notes.doubt(note.code, note.message)
@@ -293,7 +308,7 @@ def _found_views(
     clean: CleanSheet,
     reading: ReadingOptions,
     notes: RunNotes,
-) -> tuple[SeparatedSheet, Layout, VectorSheet | None]:
+) -> _Found:
     """The part's ink, its views, and their exact lines where the file has them."""
     given = {role: clean.turn.box_to_upright(box) for role, box in reading.views}
     drawing = image.vectors if reading.finder is Finder.RIDGES else None
@@ -302,32 +317,26 @@ def _found_views(
         told = graph_views(drawing, clean, given, reading.projection)
         if told is not None and len(told.layout.boxes) > 1:
             _tell_doubtful(notes, told.doubtful)
-            return told.separated, told.layout, told.vectors
+            return _Found(told.separated, told.layout, told.vectors)
+    elif labels_problem() is None:
+        seen = picture_views(image, clean, given, reading.projection)
+        return _Found(seen.separated, seen.layout, written=seen.written)
+    else:
+        notes.warn("labels-missing", labels_problem())
     coloured = _coloured_views(image, clean, given, reading)
     if coloured is not None:
-        return *coloured, None
+        return _Found(*coloured)
     # Where a file has lines of one width, those of its picture only seem to differ.
     by_weight = not (image.vectors is not None and image.vectors.has_one_width)
     try:
-        labels = None
-        if labels_problem() is None:
-            labels = ink_labels(_upright(image.grey, clean.turn))
-        found = find_views(clean, given, reading.projection, by_weight, labels)
+        found = find_views(clean, given, reading.projection, by_weight)
     except NoModelError:
         if told is None:
             raise
         found = told.separated, told.layout
     if told is not None and len(found[1].boxes) == 1:
-        return told.separated, told.layout, told.vectors
-    return *found, VectorSheet.of(drawing, clean) if drawing is not None else None
-
-
-def _upright(grey: npt.NDArray[np.uint8], turn: Turn) -> npt.NDArray[np.uint8]:
-    """The picture as it was stored, turned level."""
-    if not turn.angle:
-        return grey
-    ink = turn.upright(1.0 - grey.astype(np.float32) / 255.0)
-    return np.rint(255.0 * (1.0 - ink)).astype(np.uint8)
+        return _Found(told.separated, told.layout, told.vectors)
+    return _Found(*found, VectorSheet.of(drawing, clean) if drawing is not None else None)
 
 
 def _coloured_views(

@@ -71,6 +71,7 @@ class LabelsNetwork(nn.Module):
         nn.init.constant_(self.head[0].bias[-4 * extra :].data, _RARE)
 
     def forward(self, ink: Tensor) -> Tensor:
+        """Logits of a batch."""
         x0 = self.stem(ink)
         x1 = self.d1(x0)
         x2 = self.d2(x1)

@@ -11,8 +11,6 @@ from gaussiancad_core.axes import Projection, Role, mutually_orthogonal
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.annotations.separate import SeparatedSheet, separate_annotations
 from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.labels.network import InkLabels
-from gaussiancad_core.sheet.labels.separation import separate_by_labels
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.registration import axis_extents
@@ -25,7 +23,7 @@ _TINY = 0.02
 _LARGEST_LEFT_OUT = 10.0
 """Size of a figure that is no view, in that of all views, at most."""
 
-_STUB = 1.8
+STUB = 1.8
 """Width of a line that sticks out of a view at most, in stroke widths."""
 
 _LIKE_A_VIEW = 0.5
@@ -43,7 +41,6 @@ def find_views(
     given: dict[Role, Box],
     projection: Projection | None,
     by_weight: bool = True,
-    labels: InkLabels | None = None,
 ) -> tuple[SeparatedSheet, Layout]:
     """Take the annotations off a sheet and find the views on it.
 
@@ -54,7 +51,6 @@ def find_views(
         given: boxes that the user named, in px of the upright sheet.
         projection: as told by the user, or nothing: then the sheet's symbol is looked for.
         by_weight: whether narrow lines may be told from wide ones; a file may know better.
-        labels: what the ink stands for; None where only rules tell.
 
     Raises:
         NoModelError: see :func:`gaussiancad_core.sheet.special_views.finding.find_named_layout`.
@@ -62,18 +58,6 @@ def find_views(
     """
     symbol = find_symbol(sheet) if projection is None else None
     told = symbol.projection if symbol else projection
-    if labels is not None:
-        separated = separate_by_labels(sheet, labels)
-        try:
-            found = arranged(sheet, separated, given, told)
-        except NoModelError as error:
-            alone = None
-            if error.code == "one-view" and not given:
-                alone = lone_view(sheet, separated, told)
-            if alone is None:
-                raise
-            found = alone
-        return with_symbol(*found, symbol)
     return with_symbol(*_separated_views(sheet, given, told, by_weight), symbol)
 
 
@@ -110,7 +94,8 @@ def _separated_views(
     for way in ways:
         tried = way()
         try:
-            tried, layout = arranged(sheet, tried, given, projection)
+            stub = STUB * tried.part.stroke_width
+            tried, layout = arranged(sheet, tried, LayoutRequest(given, projection, stub))
         except NoModelError as error:
             first = first or error
             continue
@@ -120,20 +105,18 @@ def _separated_views(
         if not doubtful and _size(best[1]) > _TINY * sheet.ink.size:
             return best
     if best is None and first.code == "one-view" and not given:
-        best = lone_view(sheet, separated, projection)
+        stub = STUB * separated.part.stroke_width
+        best = lone_view(sheet, separated, LayoutRequest({}, projection, stub))
     if best is None:
         raise first
     return best
 
 
 def arranged(
-    sheet: CleanSheet,
-    separated: SeparatedSheet,
-    given: dict[Role, Box],
-    projection: Projection | None,
+    sheet: CleanSheet, separated: SeparatedSheet, request: LayoutRequest
 ) -> tuple[SeparatedSheet, Layout]:
     """The views, without what sticks out of them where that alone makes them belong together."""
-    request = LayoutRequest(given, projection, _STUB * separated.part.stroke_width)
+    given = request.given
     failed: NoModelError | None = None
     found: tuple[SeparatedSheet, Layout] | None = None
     for figures in (False, True):
@@ -155,12 +138,11 @@ def arranged(
 
 
 def lone_view(
-    sheet: CleanSheet, separated: SeparatedSheet, projection: Projection | None
+    sheet: CleanSheet, separated: SeparatedSheet, request: LayoutRequest
 ) -> tuple[SeparatedSheet, Layout] | None:
     """The only view of a sheet; None where it has more, or none."""
-    request = LayoutRequest({}, projection, _STUB * separated.part.stroke_width, lone=True)
     try:
-        own = find_named_layout(sheet, separated, request)
+        own = find_named_layout(sheet, separated, replace(request, lone=True))
     except NoModelError:
         return None
     return own if len(own[1].boxes) == 1 else None

@@ -15,12 +15,16 @@ from gaussiancad_core.sheet.growth import GrowthRules, grow_shapes
 from gaussiancad_core.sheet.labels.classes import ANNOTATION_KINDS, PART, InkClass
 from gaussiancad_core.sheet.labels.decoding import LabelledRun, labelled_runs
 from gaussiancad_core.sheet.labels.network import InkLabels
+from gaussiancad_core.sheet.labels.words import written_lines
 from gaussiancad_core.sheet.ridges import ridge_points
 from gaussiancad_core.sheet.runs import ink_field
 from gaussiancad_core.sheet.scale.dimensions import rule_of
 
 _BLOT = 1.4
 """Widths of a line within which another one shares its ink."""
+
+_LEAST_POINT = 0.4
+"""Size of a decimal point at least, in widths of a line."""
 
 _TEXT_SHARE = 0.5
 """Share of a piece of ink that is writing from which all of it is."""
@@ -72,7 +76,7 @@ def separate_by_labels(sheet: CleanSheet, labels: InkLabels) -> SeparatedSheet:
 
 
 def _writing(ink: Mask, best: np.ndarray) -> Mask:
-    """(h, w) bool, ink that is writing: by the piece where most of a piece is, else by the pixel."""
+    """(h, w) bool, ink that is writing: all of a piece of which most is, else by the pixel."""
     own = ink & (best == InkClass.TEXT)
     count, labels = cv2.connectedComponents(ink.astype(np.uint8), connectivity=8)
     sizes = np.bincount(labels.ravel(), minlength=count)
@@ -83,13 +87,14 @@ def _writing(ink: Mask, best: np.ndarray) -> Mask:
 
 
 def _text_marks(text: Mask, stroke_width: float) -> list[Mark]:
-    """One mark for each piece of writing."""
+    """One mark for each line of writing."""
     _, _, stats, _ = cv2.connectedComponentsWithStats(text.astype(np.uint8), connectivity=8)
-    return [
-        Mark(AnnotationKind.TEXT, (float(x), float(y), float(x + w), float(y + h)))
+    letters = [
+        (float(x), float(y), float(x + w), float(y + h))
         for x, y, w, h, _ in stats[1:].tolist()
-        if max(w, h) > stroke_width
+        if max(w, h) > _LEAST_POINT * stroke_width
     ]
+    return [Mark(AnnotationKind.TEXT, box) for box in written_lines(letters)]
 
 
 def _shared(shapes: list[InkedShape], sheet: CleanSheet) -> Mask:

@@ -32,11 +32,18 @@ _AWAY = 0.9
 _ABOVE = 0.5
 """The same to a dimension line above it, which is rare."""
 
+_LOOSE, _NEARBY = 1.6, 0.5
+"""The same on any side of a text, however it runs, and the weight of what such a line measures."""
+
 _HALF = 0.6
 """Weight of what a line measures of which only one half was found."""
 
 _TOUCH = 4.0
 """px by which lines may miss each other and still meet."""
+
+_FEET, _ONE_FOOT, _NO_FOOT = 0.9, 0.7, 0.5
+"""Weight of what a dimension line measures from end to end, by how many of its ends stop at another
+line."""
 
 _HEAD = 1.1
 """Length of the arrowhead between the end of a line and what it points at, at most, in the height
@@ -157,6 +164,7 @@ def spans_of(text: SheetText, rules: Sequence[Rule], edges: Sequence[Rule]) -> t
             borders = _stops(line, [edge for edge in edges if edge.level is not level], _TOUCH)
             spans = _spans(text, line, stops, borders)
             found += [replace(span, weight=weight * span.weight) for span in spans]
+            found.append(_from_end_to_end(text, line, across, weight))
             found += _beyond(line, across, _head(text))
             found += _from_outside(text, line, own, across)
     unique: list[Span] = []
@@ -193,11 +201,28 @@ def _lines_beside(text: SheetText, level: bool, rules: Sequence[Rule]) -> list[t
     else:
         # A text that does not run along its line stands in it.
         low = high = _ACROSS_LINE * reach
-    near = sorted(
-        (rule for rule in rules if middle - low <= rule.at <= middle + high),
-        key=lambda rule: abs(rule.at - middle),
-    )
-    centre = 0.5 * (along[0] + along[1])
+    strict = [rule for rule in rules if middle - low <= rule.at <= middle + high]
+    least, most = across[0] - _LOOSE * height, across[1] + _LOOSE * height
+    loose = [rule for rule in rules if least <= rule.at <= most and rule not in strict]
+    sides = (along, across)
+    found = _lines_at(strict, sides, height)
+    return found + [(line, _NEARBY * own) for line, own in _lines_at(loose, sides, height)]
+
+
+def _lines_at(
+    near: Sequence[Rule], sides: tuple[tuple[float, float], tuple[float, float]], height: float
+) -> list[tuple[Rule, float]]:
+    """Lines out of pieces near a text that lies along them, and how likely each is its own; the
+    nearest first.
+
+    Args:
+        near: the pieces.
+        sides: interval of the text along and across them, px.
+        height: of its letters.
+    """
+    along, across = sides
+    middle, centre = 0.5 * (across[0] + across[1]), 0.5 * (along[0] + along[1])
+    near = sorted(near, key=lambda rule: abs(rule.at - middle))
     found: list[tuple[Rule, float]] = []
     while near:
         pieces = [rule for rule in near if abs(rule.at - near[0].at) < _ALIGNED]
@@ -264,6 +289,19 @@ def _from_outside(
             yield Span(line.level, ends[0], ends[1], _ACROSS)
 
 
+def _from_end_to_end(text: SheetText, line: Rule, across: Sequence[Rule], weight: float) -> Span:
+    """What a text's line measures by its own ends, or by the lines that stop near them."""
+    stops = _stops(line, across, _head(text), _head(text))
+    ends, missed = [], 0
+    for end in (line.low, line.high):
+        near = min(stops, key=lambda at, end=end: abs(at - end), default=np.inf)
+        met = abs(near - end) <= _head(text)
+        ends.append(near if met else end)
+        missed += not met
+    share = (_FEET, _ONE_FOOT, _NO_FOOT)[missed]
+    return Span(line.level, min(ends), max(ends), weight * share)
+
+
 def _beyond(line: Rule, across: Sequence[Rule], head: float) -> Iterator[Span]:
     """What lies between an end of a text's line and the next line beyond it, where another arrow
     may point at that from outside, too short to be found as a line."""
@@ -276,13 +314,15 @@ def _beyond(line: Rule, across: Sequence[Rule], head: float) -> Iterator[Span]:
             yield Span(line.level, low, high, _ONE_ARROW)
 
 
-def _stops(line: Rule, across: Sequence[Rule], beyond: float) -> list[float]:
+def _stops(
+    line: Rule, across: Sequence[Rule], beyond: float, touch: float = _TOUCH
+) -> list[float]:
     """Where other lines cross or meet a line, or lie so many px beyond its ends, in order; each
-    once, by its longest piece."""
+    once, by its longest piece.  They may end ``touch`` px before it."""
     met = [
         rule
         for rule in across
-        if rule.low - _TOUCH <= line.at <= rule.high + _TOUCH
+        if rule.low - touch <= line.at <= rule.high + touch
         and line.low - beyond <= rule.at <= line.high + beyond
     ]
     found: list[float] = []

@@ -109,6 +109,19 @@ class SheetScale:
 
 
 @dataclass(frozen=True)
+class WrittenSheet:
+    """What was read on a sheet.
+
+    Attributes:
+        texts: px of the upright sheet.
+        notes: why there are none, where that is so.
+    """
+
+    texts: tuple[SheetText, ...] = ()
+    notes: tuple[Note, ...] = ()
+
+
+@dataclass(frozen=True)
 class _Lines:
     """What dimensions may measure."""
 
@@ -120,7 +133,11 @@ class _Lines:
 
 
 def find_scale(
-    image: SheetImage, sheet: CleanSheet, marks: Sequence[Mark], drawn: Sequence[ReadView]
+    image: SheetImage,
+    sheet: CleanSheet,
+    marks: Sequence[Mark],
+    drawn: Sequence[ReadView],
+    written: WrittenSheet | None = None,
 ) -> SheetScale:
     """Find the scale of a sheet.
 
@@ -129,13 +146,15 @@ def find_scale(
         sheet: the same, upright, with all of its ink.
         marks: annotations found on it.
         drawn: its views.
+        written: what was read on it; None where nobody read it yet.
     """
-    texts, notes = _texts(image, sheet, marks)
+    written = written or read_texts(image, sheet, marks)
+    texts, notes = written.texts, written.notes
     paper_scale, assumed = _paper_scale(image, texts)
     dimensions = _dimensions(texts, marks, _lines(image, sheet, texts, (marks, drawn)))
     noted = _noted_unit(texts)
     unit = usual_unit(dimensions, noted, None if assumed else paper_scale)
-    written = {"texts": texts, "unit": unit, "unit_noted": noted is not None}
+    told_by_texts = {"texts": texts, "unit": unit, "unit_noted": noted is not None}
     found = agree(dimensions, unit, None if assumed else paper_scale)
     told = tuple(replace(own, box=sheet.turn.box_to_stored(own.box)) for own in found.dimensions)
     found = replace(found, dimensions=told)
@@ -149,10 +168,10 @@ def find_scale(
             notes if surely else notes + apart,
             apart if surely else (),
             found.measures,
-            **written,
+            **told_by_texts,
         )
     if paper_scale is None:
-        return SheetScale(None, ScaleSource.DEFAULT, told, notes, **written)
+        return SheetScale(None, ScaleSource.DEFAULT, told, notes, **told_by_texts)
     if assumed:
         notes += (
             Note(
@@ -161,24 +180,23 @@ def find_scale(
                 "part full scale; tell --length AXIS=MM if it does not",
             ),
         )
-    return SheetScale(paper_scale, ScaleSource.SHEET, told, notes, **written)
+    return SheetScale(paper_scale, ScaleSource.SHEET, told, notes, **told_by_texts)
 
 
-def _texts(
-    image: SheetImage, sheet: CleanSheet, marks: Sequence[Mark]
-) -> tuple[tuple[SheetText, ...], tuple[Note, ...]]:
+def read_texts(image: SheetImage, sheet: CleanSheet, marks: Sequence[Mark]) -> WrittenSheet:
+    """The texts of a sheet: its file's, or else those that its marks show in its pixels."""
     if _has_texts(image):
         fields = fields_of(marks, sheet.ink.size)
-        return file_texts(image.vectors.texts, sheet.turn, fields), ()
+        return WrittenSheet(file_texts(image.vectors.texts, sheet.turn, fields))
     if not any(mark.kind is AnnotationKind.TEXT for mark in marks):
-        return (), ()
+        return WrittenSheet()
     problem = ocr_problem()
     if problem is not None:
         message = Message(
             "the dimensions on the sheet were not read, as OCR is {reason}", reason=problem
         )
-        return (), (Note("dimensions-not-read", message),)
-    return pixel_texts(sheet, marks), ()
+        return WrittenSheet(notes=(Note("dimensions-not-read", message),))
+    return WrittenSheet(pixel_texts(sheet, marks))
 
 
 def _has_texts(image: SheetImage) -> bool:

@@ -26,8 +26,9 @@ _MODEL = "PP-OCRv6_rec_small.onnx"
 _ALPHABET = (
     "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
     " .,:;/+-()[]=\"'\u00b1\u00b0\u00d8\u2300\u03a6\u00f8\u00d7\u00b5\u00c9\u00df\u201d\u2033"
+    "\u00fc\u00e8\u4e3b\u6b63\u524d\u4fef\u4e0a\u9876\u5de6\u53f3\u4ef0\u4e0b\u540e\u89c6\u56fe"
 )
-"""What a drawing is written with."""
+"""What a drawing is written with; at last the letters of the names of views."""
 
 _ROWS = 48
 """px of height that the network takes."""

@@ -19,6 +19,7 @@ from gaussiancad_core.sheet.layout import (
     lone_layout,
     view_clusters,
 )
+from gaussiancad_core.sheet.notes.captions import Caption, captioned, told_projection
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.silhouettes import beside, without_stickouts
 from gaussiancad_core.sheet.special_views.broken import Break, find_breaks
@@ -42,6 +43,7 @@ class LayoutRequest:
         stub_width: px; single lines up to this width that stick out of a view do not count.
         figures: whether nothing counts that sticks out of a view's filled figure.
         lone: whether the sheet may have one view alone.
+        captions: texts that name views.
     """
 
     given: dict[Role, Box]
@@ -49,6 +51,7 @@ class LayoutRequest:
     stub_width: float = 0.0
     figures: bool = False
     lone: bool = False
+    captions: tuple[Caption, ...] = ()
 
 
 def find_named_layout(
@@ -177,6 +180,9 @@ def _arranged(clusters: list[Box], cut: dict[Box, SpecialKind], request: LayoutR
     alone = lone_layout(clusters, request.projection) if request.lone else None
     if alone is not None:
         return alone
+    named = captioned(request.captions, clusters)
+    if len(named) > 1:
+        return _named(named, clusters, request.projection)
     full = [box for box, kind in cut.items() if kind is SpecialKind.SECTION]
     plain = [box for box in clusters if box not in full]
     if full and not request.given:
@@ -191,6 +197,14 @@ def _arranged(clusters: list[Box], cut: dict[Box, SpecialKind], request: LayoutR
         if used > _ENOUGH * sum(_area(box) for box in layout.left_out):
             return replace(layout, left_out=layout.left_out + tuple(full))
     return arrange_clusters(clusters, request.given, request.projection)
+
+
+def _named(named: dict[Role, Box], clusters: list[Box], projection: Projection | None) -> Layout:
+    """The layout where captions name the views: their places tell the projection."""
+    rest = tuple(box for box in clusters if box not in named.values())
+    told = projection or told_projection(named)
+    source = "inferred" if projection is None else "given"
+    return Layout(named, told or Projection.THIRD, source, (), rest)
 
 
 def _directions(layout: Layout) -> int:
