@@ -5,7 +5,7 @@ line or circle the log-odds of its points are added, and a change costs as much 
 tell: the cheapest assignment is found exactly (Viterbi 1967).
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -35,30 +35,49 @@ _CHANGE_AT_GAP = 1.5
 _STEP = 1.0
 """px between the points."""
 
-_SPLIT_PX = 2.0
-"""px of the shortest piece."""
+_TELLING_PX = 40.0
+"""px of a line that tell what it is: what one stretch of it looks like, the rest does, too."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class LabelledRun:
     """A piece of a run of ink with what it stands for.
 
     Attributes:
         run: where it is.
-        ink: what it most likely is.
-        margin: mean log-odds of the part against annotation; positive for the part's edges.
-        runner_up: the class that it would be if it were of the other group.
+        ink: what it is taken for.
+        margin: mean log-odds of the part against annotation, before neighbours were asked.
+        log_p: (classes,) mean log-probabilities.
     """
 
     run: InkedRun
     ink: InkClass
     margin: float
-    runner_up: InkClass
+    log_p: Floats
 
     @property
     def is_part(self) -> bool:
         """Whether it is an edge."""
         return self.ink in PART
+
+    @property
+    def evidence(self) -> float:
+        """What its ink says for the part, as log-odds: no more than so many px tell."""
+        return self.margin * _PER_PX * min(self.run.run.length, _TELLING_PX)
+
+    def turned(self) -> "LabelledRun":
+        """The same as the likeliest class of the other group."""
+        return replace(self, ink=_likeliest(self.log_p, part=not self.is_part))
+
+    def as_ink(self, ink: InkClass) -> "LabelledRun":
+        """The same taken for something else."""
+        return replace(self, ink=ink)
+
+
+def _likeliest(log_p: Floats, part: bool) -> InkClass:
+    """The likeliest class of ink of a group."""
+    ranked = (InkClass(k) for k in np.argsort(-log_p, kind="stable") if k)
+    return next(own for own in ranked if (own in PART) is part)
 
 
 def labelled_runs(
@@ -135,11 +154,8 @@ def _labelled(
     mean = (log_p * weight).sum(axis=0) / weight.sum()
     odds = np.clip(labels.odds(points[first : last + 1]), -_CLIP, _CLIP)
     margin = float((odds * weight[:, 0]).sum() / weight.sum())
-    ranked = [InkClass(k) for k in np.argsort(-mean) if k]
-    part = next(k for k in ranked if k in PART)
-    other = next(k for k in ranked if k not in PART)
-    ink, runner_up = (part, other) if margin > 0.0 else (other, part)
-    return LabelledRun(InkedRun(Run(start, end), own.width), ink, margin, runner_up)
+    ink = _likeliest(mean, part=margin > 0.0)
+    return LabelledRun(InkedRun(Run(start, end), own.width), ink, margin, mean)
 
 
 def _at(mask: npt.NDArray[np.bool_], points: Floats) -> npt.NDArray[np.bool_]:

@@ -314,9 +314,7 @@ def _beyond(line: Rule, across: Sequence[Rule], head: float) -> Iterator[Span]:
             yield Span(line.level, low, high, _ONE_ARROW)
 
 
-def _stops(
-    line: Rule, across: Sequence[Rule], beyond: float, touch: float = _TOUCH
-) -> list[float]:
+def _stops(line: Rule, across: Sequence[Rule], beyond: float, touch: float = _TOUCH) -> list[float]:
     """Where other lines cross or meet a line, or lie so many px beyond its ends, in order; each
     once, by its longest piece.  They may end ``touch`` px before it."""
     met = [

@@ -1,0 +1,160 @@
+"""What a line is by those that it meets: edges end at edges, and a figure is of one kind.
+
+The network sees each pixel's surroundings; that an outline closes it does not ask.  Two relations
+say more: an edge that ends where no other edge is costs something, so that a doubtful piece between
+two loose ends is an edge; and lines that hang together are all of a view or all of a pictorial.
+"""
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+import numpy.typing as npt
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
+
+from gaussiancad_core.sheet.annotations.inked import InkedShape, points_along
+from gaussiancad_core.sheet.labels.classes import PART, InkClass
+from gaussiancad_core.sheet.labels.decoding import LabelledRun
+
+Floats = npt.NDArray[np.float64]
+
+_LOOSE_END = 6.0
+"""Cost of an end of a visible edge at which there is no other edge, as log-odds."""
+
+_REACH = 1.2
+"""Distance from an end to the edge that it meets at most, in stroke widths."""
+
+_SPARE_PX = 2.0
+"""The same, px more."""
+
+_DOUBTFUL = 3.0
+"""Margin up to which pieces that hang together are turned together."""
+
+_ROUNDS = 20
+"""Turns of one group or piece after which it is enough."""
+
+_STEP = 2.0
+"""px between the points of a piece."""
+
+Labelled = list[list[LabelledRun]]
+
+
+def related(shapes: Sequence[InkedShape], labelled: Labelled, stroke_width: float) -> Labelled:
+    """The labels of pieces, changed where those of their neighbours say otherwise.
+
+    Args:
+        shapes: lines and circles.
+        labelled: the pieces of each.
+        stroke_width: px.
+    """
+    pieces = [own for each in labelled for own in each]
+    if not pieces:
+        return labelled
+    points = [
+        points_along(shape.geometry, own.run.run, _STEP)
+        for shape, each in zip(shapes, labelled, strict=True)
+        for own in each
+    ]
+    ends = _meetings(points, _REACH * stroke_width + _SPARE_PX)
+    pieces = _of_one_figure(pieces, ends)
+    pieces = _without_loose_ends(pieces, ends)
+    rest = iter(pieces)
+    return [[next(rest) for _ in each] for each in labelled]
+
+
+def _meetings(points: Sequence[Floats], reach: float) -> list[tuple[list[int], list[int]]]:
+    """For both ends of each piece the others that pass there."""
+    every = np.concatenate(points)
+    owner = np.repeat(np.arange(len(points)), [len(own) for own in points])
+    tree = cKDTree(every)
+    firsts = tree.query_ball_point(np.array([own[0] for own in points]), reach)
+    lasts = tree.query_ball_point(np.array([own[-1] for own in points]), reach)
+    return [
+        tuple(sorted(set(owner[near].tolist()) - {k}) for near in both)
+        for k, both in enumerate(zip(firsts, lasts, strict=True))
+    ]
+
+
+def _of_one_figure(
+    pieces: list[LabelledRun], ends: list[tuple[list[int], list[int]]]
+) -> list[LabelledRun]:
+    """Pieces of a view or a pictorial, as most of what hangs together with them is."""
+    kinds = (*PART, InkClass.PICTORIAL)
+    figure = np.array([own.ink in kinds for own in pieces])
+    pairs = [(k, j) for k, both in enumerate(ends) for near in both for j in near]
+    pairs = [(k, j) for k, j in pairs if figure[k] and figure[j]]
+    groups = _components(len(pieces), pairs)
+    turned = list(pieces)
+    for group in np.unique(groups[figure]):
+        members = np.flatnonzero((groups == group) & figure)
+        pictorial = [k for k in members if pieces[k].ink is InkClass.PICTORIAL]
+        if not pictorial or len(pictorial) == len(members):
+            continue
+        odds = sum(
+            pieces[k].run.run.length
+            * (pieces[k].log_p[InkClass.PICTORIAL] - np.logaddexp(*pieces[k].log_p[list(PART)]))
+            for k in members
+        )
+        for k in members:
+            if odds > 0.0:
+                turned[k] = pieces[k].as_ink(InkClass.PICTORIAL)
+            elif pieces[k].ink is InkClass.PICTORIAL:
+                turned[k] = pieces[k].turned()
+    return turned
+
+
+def _without_loose_ends(
+    pieces: list[LabelledRun], ends: list[tuple[list[int], list[int]]]
+) -> list[LabelledRun]:
+    """Turn pieces, or groups of doubtful ones that hang together, as long as that costs less."""
+    touched: list[set[int]] = [set() for _ in pieces]
+    for k, both in enumerate(ends):
+        for j in (*both[0], *both[1]):
+            touched[j].add(k)
+    doubtful = {k for k, own in enumerate(pieces) if abs(own.margin) <= _DOUBTFUL}
+    part = [own.is_part for own in pieces]
+    pairs = [
+        (k, j) for k in doubtful for near in ends[k] for j in near if j in doubtful and not part[j]
+    ]
+    pairs = [(k, j) for k, j in pairs if not part[k]]
+    groups = _components(len(pieces), pairs)
+    chosen = [{k} for k in doubtful]
+    chosen += [
+        own
+        for group in np.unique(groups)
+        if len(own := {int(k) for k in np.flatnonzero(groups == group)} & doubtful) > 1
+    ]
+
+    def cost(around: Iterable[int], states: Sequence[bool]) -> float:
+        total = 0.0
+        for k in around:
+            total -= pieces[k].evidence * (0.5 if states[k] else -0.5)
+            if states[k] and pieces[k].log_p[InkClass.VISIBLE] >= pieces[k].log_p[InkClass.HIDDEN]:
+                total += _LOOSE_END * sum(not any(states[j] for j in near) for near in ends[k])
+        return total
+
+    for _ in range(_ROUNDS):
+        best, gain = None, 1e-9
+        for group in chosen:
+            around = set(group).union(*(touched[k] for k in group))
+            after = list(part)
+            for k in group:
+                after[k] = not after[k]
+            saved = cost(around, part) - cost(around, after)
+            if saved > gain:
+                best, gain = after, saved
+        if best is None:
+            break
+        part = best
+    return [
+        own if own.is_part is state else own.turned()
+        for own, state in zip(pieces, part, strict=True)
+    ]
+
+
+def _components(count: int, pairs: Sequence[tuple[int, int]]) -> npt.NDArray[np.int32]:
+    """(count,) the number of the group that each belongs to."""
+    rows, columns = np.array(pairs, dtype=np.int64).reshape(-1, 2).T
+    graph = coo_array((np.ones(len(rows)), (rows, columns)), shape=(count, count))
+    return connected_components(graph, directed=False)[1]
