@@ -2,11 +2,11 @@
 
     .venv/bin/python benchmarks/labels.py --data DIR [--factors F ...] --json FILE
 
-DIR has NAME.img.png beside NAME.lab.png, which has for each pixel of ink 1 (visible edge), 2 (hidden
-edge), 3 to 10 or 200 (annotation), 255 (not known).  Each picture is read as a sheet is: at working
-scale, labelled, taken apart.  The table tells, by source (what stands before ``+`` in the name) and
-by factor by which the picture was made smaller or larger before, precision and recall of visible and
-hidden lines, in px of ridge at working scale, and seconds of processor time.
+DIR has NAME.img.png beside NAME.lab.png, which has for each pixel of ink 1 (visible edge), 2
+(hidden edge), 3 to 10 or 200 (annotation), 255 (not known).  Each picture is read as a sheet is: at
+working scale, labelled, taken apart.  The table tells, by source (what stands before ``+`` in the
+name) and by factor by which the picture was made smaller or larger before, precision and recall of
+visible and hidden lines, in px of ridge at working scale, and seconds of processor time.
 """
 
 import argparse

@@ -5,20 +5,22 @@ line or circle the log-odds of its points are added, and a change costs as much 
 tell: the cheapest assignment is found exactly (Viterbi 1967).
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape, points_along
+from gaussiancad_core.sheet.annotations.marks import values_at
 from gaussiancad_core.sheet.labels.classes import PART, InkClass
-from gaussiancad_core.sheet.labels.network import InkLabels
+from gaussiancad_core.sheet.labels.network import InkLabels, part_odds
 from gaussiancad_core.sheet.runs import Run
 
 Floats = npt.NDArray[np.float64]
 
 _CLIP = 4.0
-"""Log-odds that one point tells at most."""
+"""Log-odds of one point at most."""
 
 _SHARED = 0.1
 """Weight of a point that lies on another line's ink, too: a crossing has the other's label."""
@@ -63,7 +65,7 @@ class LabelledRun:
     @property
     def evidence(self) -> float:
         """What its ink says for the part, as log-odds: no more than so many px tell."""
-        return self.margin * _PER_PX * min(self.run.run.length, _TELLING_PX)
+        return float(_weighed(self.margin)) * _PER_PX * min(self.run.run.length, _TELLING_PX)
 
     def turned(self) -> "LabelledRun":
         """The same as the likeliest class of the other group."""
@@ -80,8 +82,20 @@ def _likeliest(log_p: Floats, part: bool) -> InkClass:
     return next(own for own in ranked if (own in PART) is part)
 
 
+@dataclass(frozen=True, eq=False)
+class _Points:
+    """Of a run: (n, classes) log-probabilities, (n,) log-odds of the part, (n,) weights."""
+
+    log_p: Floats
+    odds: Floats
+    weights: Floats
+
+
 def labelled_runs(
-    shape: InkedShape, labels: InkLabels, shared: npt.NDArray[np.bool_]
+    shape: InkedShape,
+    labels: InkLabels,
+    shared: npt.NDArray[np.bool_],
+    pens: Callable[[InkedShape, InkedRun, Floats], Floats] | None = None,
 ) -> list[LabelledRun]:
     """The runs of a line or circle, parted where they change from the part's to annotation.
 
@@ -89,24 +103,33 @@ def labelled_runs(
         shape: with its runs.
         labels: of the picture.
         shared: (h, w) bool, ink that more than one line runs through.
+        pens: further log-odds of the points of a run, from their (n, classes) log-probabilities.
     """
-    odds, weights, starts = [], [], []
-    points = [points_along(shape.geometry, own.run, _STEP) for own in shape.runs]
-    for own in points:
-        starts.append(sum(map(len, odds)))
-        odds.append(np.clip(labels.odds(own), -_CLIP, _CLIP))
-        weights.append(np.where(_at(shared, own), _SHARED, 1.0))
-    if not odds:
+    points = []
+    for own in shape.runs:
+        where = points_along(shape.geometry, own.run, _STEP)
+        log_p = labels.at(where)
+        odds = part_odds(log_p) + (pens(shape, own, log_p) if pens is not None else 0.0)
+        weights = np.where(values_at(shared, where), _SHARED, 1.0)
+        points.append(_Points(log_p, np.clip(odds, -_CLIP, _CLIP), weights))
+    if not points:
         return []
-    told = np.concatenate(odds) * np.concatenate(weights) * _PER_PX
+    told = np.concatenate([_weighed(own.odds) * own.weights for own in points]) * _PER_PX
+    starts = np.cumsum([0, *(len(own.odds) for own in points)])
     change = np.full(len(told), _CHANGE)
-    change[starts] = _CHANGE_AT_GAP
+    change[starts[:-1]] = _CHANGE_AT_GAP
     is_part = _cheapest(told, change)
-    found: list[LabelledRun] = []
-    for own, start, where, weight in zip(shape.runs, starts, points, weights, strict=True):
-        for first, last in _pieces(is_part[start : start + len(where)]):
-            found.append(_labelled(own, where, weight, (first, last), labels))
-    return found
+    return [
+        _labelled(run, own, piece)
+        for run, own, start in zip(shape.runs, points, starts[:-1].tolist(), strict=True)
+        for piece in _pieces(is_part[start : start + len(own.odds)])
+    ]
+
+
+def _weighed(odds: Floats | float) -> Floats | float:
+    """What log-odds of the network are worth: small ones are right as often as not, large ones
+    nearly always."""
+    return odds * np.abs(odds) / _CLIP
 
 
 def _cheapest(told: Floats, change: Floats) -> npt.NDArray[np.bool_]:
@@ -138,27 +161,15 @@ def _pieces(states: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
     return [(int(a), int(b)) for a, b in zip(firsts, lasts, strict=True)]
 
 
-def _labelled(
-    own: InkedRun,
-    points: Floats,
-    weights: Floats,
-    piece: tuple[int, int],
-    labels: InkLabels,
-) -> LabelledRun:
+def _labelled(run: InkedRun, points: _Points, piece: tuple[int, int]) -> LabelledRun:
     first, last = piece
-    step = own.run.length / max(len(points) - 1, 1)
-    start = own.run.start + step * (first - 0.5 if first else 0)
-    end = own.run.start + step * (last + 0.5) if last < len(points) - 1 else own.run.end
-    log_p = labels.at(points[first : last + 1])
-    weight = weights[first : last + 1, None]
-    mean = (log_p * weight).sum(axis=0) / weight.sum()
-    odds = np.clip(labels.odds(points[first : last + 1]), -_CLIP, _CLIP)
-    margin = float((odds * weight[:, 0]).sum() / weight.sum())
+    count = len(points.odds)
+    step = run.run.length / max(count - 1, 1)
+    start = run.run.start + step * (first - 0.5 if first else 0)
+    end = run.run.start + step * (last + 0.5) if last < count - 1 else run.run.end
+    own = slice(first, last + 1)
+    weights = points.weights[own] / points.weights[own].sum()
+    mean = weights @ points.log_p[own]
+    margin = float(weights @ points.odds[own])
     ink = _likeliest(mean, part=margin > 0.0)
-    return LabelledRun(InkedRun(Run(start, end), own.width), ink, margin, mean)
-
-
-def _at(mask: npt.NDArray[np.bool_], points: Floats) -> npt.NDArray[np.bool_]:
-    columns = np.clip(np.rint(points[:, 0]).astype(int), 0, mask.shape[1] - 1)
-    rows = np.clip(np.rint(points[:, 1]).astype(int), 0, mask.shape[0] - 1)
-    return mask[rows, columns]
+    return LabelledRun(InkedRun(Run(start, end), run.width), ink, margin, mean)

@@ -47,14 +47,6 @@ class InkLabels:
     log_p: npt.NDArray[np.float16]
     on_hidden: npt.NDArray[np.float16]
 
-    def odds(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
-        """(n,) log-odds of the part's edges against annotation, at points (n, 2) in px whose
-        centres are at integers; paper counts for neither."""
-        log_p = self.at(points)
-        part = np.logaddexp(*(log_p[:, own] for own in PART))
-        rest = np.logaddexp.reduce(log_p[:, max(PART) + 1 :], axis=1)
-        return part - rest
-
     def at(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
         """(n, classes) log-probabilities at points (n, 2)."""
         columns = np.clip(np.rint(points[:, 0]).astype(int), 0, self.log_p.shape[2] - 1)
@@ -64,6 +56,14 @@ class InkLabels:
     def best(self) -> npt.NDArray[np.uint8]:
         """(h, w) the likeliest class of each pixel if it is ink."""
         return (1 + self.log_p[1:].argmax(axis=0)).astype(np.uint8)
+
+
+def part_odds(log_p: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+    """(n,) log-odds of the part's edges against annotation, from (n, classes) log-probabilities;
+    paper counts for neither."""
+    part = np.logaddexp(*(log_p[:, own] for own in PART))
+    rest = np.logaddexp.reduce(log_p[:, max(PART) + 1 :], axis=1)
+    return part - rest
 
 
 @lru_cache(maxsize=1)

@@ -15,6 +15,7 @@ from gaussiancad_core.sheet.growth import GrowthRules, grow_shapes
 from gaussiancad_core.sheet.labels.classes import ANNOTATION_KINDS, PART, InkClass
 from gaussiancad_core.sheet.labels.decoding import LabelledRun, labelled_runs
 from gaussiancad_core.sheet.labels.network import InkLabels
+from gaussiancad_core.sheet.labels.pens import learnt_pens
 from gaussiancad_core.sheet.labels.relations import related
 from gaussiancad_core.sheet.labels.words import written_lines
 from gaussiancad_core.sheet.ridges import ridge_points
@@ -56,6 +57,9 @@ def separate_by_labels(sheet: CleanSheet, labels: InkLabels) -> SeparatedSheet:
     shapes = [inked_shape(sheet, field, ridges, own) for own in grown]
     shared = _shared(shapes, sheet)
     labelled = [labelled_runs(shape, labels, shared) for shape in shapes]
+    pens = learnt_pens(sheet, shapes, labelled)
+    if pens is not None:
+        labelled = [labelled_runs(shape, labels, shared, pens.odds) for shape in shapes]
     labelled = related(shapes, labelled, sheet.stroke_width)
     free = np.ones(len(ridges.points), dtype=bool)
     for own in grown:
