@@ -31,25 +31,6 @@ _SLANT = 0.03
 _LONG = 1.9
 """Ratio of a box's sides from which its text runs along the longer one."""
 
-_SPACE = 0.6
-"""Gap between pieces of one text, in its height, at most: a point may stand there."""
-
-_FAT = 1.5
-"""Thickness in the sheet's usual one from which a box holds several texts."""
-
-_SAME = 1.6
-"""Ratio of the heights of pieces of one text at most."""
-
-_POINT, _BESIDE = 0.3, 0.4
-"""Sides of a decimal point, and its gap to the letters that it stands between, in their height at
-most."""
-
-_THICK = 1.3
-"""Height of a line of text at most, in the usual one."""
-
-_COMMON = 0.6
-"""Share of their height that pieces of one text have in common at least."""
-
 _BORDER = 2
 """px of paper around the picture of a text."""
 
@@ -129,7 +110,8 @@ def pixel_texts(sheet: CleanSheet, marks: Sequence[Mark]) -> tuple[SheetText, ..
         sheet: upright, with all of its ink.
         marks: found on it; those of texts and of the title block are read.
     """
-    written = _written(sheet, [mark.box for mark in marks if mark.kind is AnnotationKind.TEXT])
+    boxes = [mark.box for mark in marks if mark.kind is AnnotationKind.TEXT]
+    written = sorted(filter(_is_readable, boxes), key=_thickness, reverse=True)
     found = [_read(sheet, box) for box in written[:_MOST]]
     lines = [
         line for field in fields_of(marks, sheet.ink.size) for line in _lines_of(sheet.ink, field)
@@ -140,90 +122,13 @@ def pixel_texts(sheet: CleanSheet, marks: Sequence[Mark]) -> tuple[SheetText, ..
     return tuple(own for own in found if own.text not in _STROKES and own.confidence >= _SURE)
 
 
-def _written(sheet: CleanSheet, boxes: Sequence[Box]) -> list[Box]:
-    """Boxes of texts, each of one line."""
-    if not boxes:
-        return []
-    usual = float(np.median([_thickness(box) for box in boxes]))
-    thickest = _THICK * usual
-    single: list[Box] = []
-    for box in sorted(boxes, key=_thickness, reverse=True)[: 3 * _MOST]:
-        if _thickness(box) > _FAT * usual:
-            single += joined_boxes(_pieces(sheet, box), thickest)
-        else:
-            single.append(box)
-    lines = joined_boxes(single, thickest)
-    return [box for box in lines if _thickness(box) >= _SMALLEST_LETTER]
-
-
 def _thickness(box: Box) -> float:
     return min(box[2] - box[0], box[3] - box[1])
 
 
-def _pieces(sheet: CleanSheet, box: Box) -> list[Box]:
-    """Boxes of the letters in a box."""
-    part, (x0, y0) = _letters(sheet, box)
-    inked = (part > _INK).astype(np.uint8)
-    _, _, stats, _ = cv2.connectedComponentsWithStats(inked, connectivity=8)
-    return [
-        (float(x0 + x), float(y0 + y), float(x0 + x + w), float(y0 + y + h))
-        for x, y, w, h, _ in stats[1:].tolist()
-    ]
-
-
-def joined_boxes(boxes: Sequence[Box], thickest: float) -> list[Box]:
-    """Boxes of texts, those of the pieces of one text joined.
-
-    Args:
-        boxes: px.
-        thickest: px of height of a line of text at most: what is higher runs up the sheet.
-    """
-    joined = list(boxes)
-    changed = True
-    while changed:
-        changed, rest, joined = False, joined, []
-        while rest:
-            one = rest.pop(0)
-            near = [box for box in rest if _in_one_text(one, box, thickest)]
-            if not near:
-                joined.append(one)
-                continue
-            changed = True
-            corners = np.array([one, *near])
-            low, high = corners[:, :2].min(axis=0), corners[:, 2:].max(axis=0)
-            around = (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
-            rest = [around, *(box for box in rest if box not in near)]
-    return joined
-
-
-def _in_one_text(one: Box, two: Box, thickest: float) -> bool:
-    """Whether two boxes are pieces of one text, level or up the sheet."""
-    return _in_line(one, two, thickest) or _in_line(_turned(one), _turned(two), thickest)
-
-
-def _in_line(one: Box, two: Box, thickest: float) -> bool:
-    """Whether two boxes are pieces of one level text."""
-    heights = one[3] - one[1], two[3] - two[1]
-    common = min(one[3], two[3]) - max(one[1], two[1])
-    gap = max(one[0], two[0]) - min(one[2], two[2])
-    if max(heights) > thickest or common < _COMMON * min(heights):
-        return False
-    if max(heights) <= _SAME * min(heights):
-        return gap <= _SPACE * min(heights)
-    letter, other = (one, two) if heights[0] > heights[1] else (two, one)
-    return _is_point(other, letter) and gap <= _BESIDE * max(heights)
-
-
-def _is_point(box: Box, letter: Box) -> bool:
-    """Whether a box is a point that stands where a letter does."""
-    height = letter[3] - letter[1]
-    small = max(box[2] - box[0], box[3] - box[1]) <= _POINT * height
-    return small and box[1] >= letter[3] - _POINT * height
-
-
-def _turned(box: Box) -> Box:
-    """The box with the axes of the sheet exchanged."""
-    return box[1], box[0], box[3], box[2]
+def _is_readable(box: Box) -> bool:
+    """Whether letters of a box's size can be read."""
+    return max(box[2] - box[0], box[3] - box[1]) >= _SMALLEST_LETTER
 
 
 def _read(sheet: CleanSheet, box: Box) -> SheetText:
