@@ -25,6 +25,7 @@ from gaussiancad_core.ink_stage import compared_with_ink
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.sheet.picture_views import picture_views
 from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import RegisteredSheet, read_views, register_views
 from gaussiancad_core.sheet.scale.find import find_scale
@@ -188,9 +189,13 @@ def read_input(
     options = ReadingOptions(projection=projection, length=length)
     image = read_sheet(path)
     clean = upright_sheet(clean_sheet(image.grey, options.median_kernel))
-    # A picture does not tell of what widths the file's lines are.
-    by_weight = not (vectors and image.vectors is not None and image.vectors.has_one_width)
-    separated, layout = find_views(clean, {}, options.projection, by_weight)
+    if image.vectors is None:
+        seen = picture_views(image, clean, {}, options.projection)
+        separated, layout = seen.separated, seen.layout
+    else:
+        # A picture does not tell of what widths the file's lines are.
+        by_weight = not (vectors and image.vectors.has_one_width)
+        separated, layout = find_views(clean, {}, options.projection, by_weight)
     lines = VectorSheet.of(image.vectors, clean) if vectors and image.vectors is not None else None
     drawn = read_views(separated.part, layout, vectors=lines)
     registered = register_views(drawn, options)

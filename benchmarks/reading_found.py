@@ -1,6 +1,6 @@
 """What was read of a sheet, in px of the sheet as it is stored, and a picture of it."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import cv2
@@ -14,9 +14,11 @@ from gaussiancad_core.projection_choice import both_readings, choose_projection
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.sheet.picture_views import picture_views
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import RegisteredSheet, read_views, register_views
+from gaussiancad_core.sheet.registration import scaled
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.sheet.view_search import find_views
 from gaussiancad_core.views import Linetype
@@ -52,9 +54,13 @@ def read(path: Path, reading: ReadingOptions, direct: bool = True) -> Found:
     """
     image = read_sheet(path)
     clean = upright_sheet(clean_sheet(image.grey, reading.median_kernel))
-    # A file knows whether its lines are of one width; its picture alone does not.
-    known = direct and image.vectors is not None and image.vectors.has_one_width
-    separated, layout = find_views(clean, {}, None, by_weight=not known)
+    if image.vectors is None:
+        seen = picture_views(image, clean, {}, None)
+        separated, layout = seen.separated, seen.layout
+    else:
+        # A file knows whether its lines are of one width; its picture alone does not.
+        known = direct and image.vectors.has_one_width
+        separated, layout = find_views(clean, {}, None, by_weight=not known)
     vectors = VectorSheet.of(image.vectors, clean) if direct and image.vectors else None
     drawn = read_views(separated.part, layout, finder=reading.finder, vectors=vectors)
     projection, alternatives = layout.projection, layout.alternatives
@@ -65,9 +71,11 @@ def read(path: Path, reading: ReadingOptions, direct: bool = True) -> Found:
     else:
         registered = register_views(drawn, reading)
     drawn = registered.drawn
-    turn = clean.turn
+    turn = replace(clean.turn, scale=image.reduction)
     strokes = {
-        view.role: tuple(turned(stroke, turn.angle, turn.centre) for stroke in view.strokes)
+        view.role: scaled(
+            tuple(turned(own, turn.angle, turn.centre) for own in view.strokes), turn.scale
+        )
         for view in drawn
     }
     boxes = {view.role: view.stored_box(turn) for view in drawn}
@@ -83,7 +91,7 @@ def _shared_vertices(registered: RegisteredSheet, turn: Turn) -> Floats:
         for view in registered.views.views
     ]
     upright = np.concatenate([np.empty((0, 2)), *placed])
-    return turn.to_stored(upright) if turn.angle else upright
+    return turn.to_stored(upright)
 
 
 def drawn_over(image: npt.NDArray[np.uint8], found: Found | None, marks: Marks) -> npt.NDArray:

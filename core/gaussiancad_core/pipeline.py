@@ -416,7 +416,8 @@ class _Run:
             )
             for view in registered.drawn
         }
-        self.notes.tell(views=reports, tolerance_px=checked.tolerance_px)
+        tolerance = round(checked.tolerance_px * turn.scale, 3)
+        self.notes.tell(views=reports, tolerance_px=tolerance)
         for code, message in checked.reasons:
             self.notes.doubt(code, message)
         return checked

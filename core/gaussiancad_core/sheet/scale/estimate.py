@@ -5,6 +5,7 @@ largest group of dimensions that agree.
 """
 
 import math
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -26,6 +27,12 @@ _MISSED = 1.0
 
 _SHARE = 0.34
 """Share of the measured dimensions that agree at least: fewer may do so by chance."""
+
+_CHANCE = 0.1
+"""Probability at most with which a number whose first digits are lost fits a length by chance."""
+
+_WHOLE = re.compile(r"\d+")
+"""The digits before the point of the first number of a text."""
 
 _PAPER = 0.03
 """Share by which a single dimension may differ from the paper's scale: copies shrink."""
@@ -56,12 +63,30 @@ class Dimension:
         said: the length that it gives.
         box: around the text, px.
         candidates: lengths on the sheet, the likeliest first; empty if none was found.
+        cut: whether a line runs through its beginning, so that its first digits may be lost.
     """
 
     text: str
     said: DimensionText
     box: Box
     candidates: tuple[Candidate, ...]
+    cut: bool = False
+
+    def value_mm(self, unit: Unit, wanted_mm: float) -> float:
+        """What it gives, with the digits before those that were read that come nearest to a length.
+
+        Args:
+            unit: of texts that do not name theirs.
+            wanted_mm: the length.
+        """
+        read = self.said.millimetres(unit)
+        digits = _WHOLE.search(self.text)
+        if not self.cut or digits is None:
+            return read
+        step = 10.0 ** len(digits[0]) * read / self.said.value
+        lost = round((wanted_mm - read) / step)
+        by_chance = 2.0 * _AGREE * wanted_mm / step
+        return read + lost * step if lost > 0 and by_chance <= _CHANCE else read
 
 
 @dataclass(frozen=True)
@@ -173,12 +198,12 @@ def agree(dimensions: Sequence[Dimension], unit: Unit, paper_scale: float | None
     return Agreement(scale, told)
 
 
-def _measure(own: Dimension, unit: Unit, best: Candidate | None) -> Measure | None:
+def _measure(own: Dimension, unit: Unit, scale: float, best: Candidate | None) -> Measure | None:
     if best is None or best.place is None:
         return None
     share = best.place.radius / best.pixels if isinstance(best.place, Arc) else 1.0
-    said = own.said
-    return Measure(best.place, share * said.millimetres(unit), share * said.digit(unit))
+    value = own.value_mm(unit, scale * best.pixels)
+    return Measure(best.place, share * value, share * own.said.digit(unit))
 
 
 def _group(
@@ -193,8 +218,11 @@ def _group(
     return _refined(members, unit, scale, share)
 
 
-def _scale(own: Dimension, unit: Unit, candidate: Candidate) -> float:
-    return own.said.millimetres(unit) / candidate.pixels
+def _scale(own: Dimension, unit: Unit, candidate: Candidate, scale: float | None = None) -> float:
+    """mm per px by a dimension; where a scale is known, with the digits that it lacks."""
+    if scale is None:
+        return own.said.millimetres(unit) / candidate.pixels
+    return own.value_mm(unit, scale * candidate.pixels) / candidate.pixels
 
 
 def _fits(
@@ -202,7 +230,7 @@ def _fits(
 ) -> bool:
     """Whether a length is what a dimension says, at a scale."""
     tolerance = max(share, _MISSED / candidate.pixels)
-    return abs(math.log(_scale(own, unit, candidate) / scale)) <= tolerance
+    return abs(math.log(_scale(own, unit, candidate, scale) / scale)) <= tolerance
 
 
 def _best(own: Dimension, unit: Unit, scale: float, share: float = _AGREE) -> Candidate | None:
@@ -210,7 +238,9 @@ def _best(own: Dimension, unit: Unit, scale: float, share: float = _AGREE) -> Ca
     fitting = [c for c in own.candidates if _fits(own, unit, c, scale, share)]
     if not fitting:
         return None
-    return min(fitting, key=lambda c: (-c.weight, abs(math.log(_scale(own, unit, c) / scale))))
+    return min(
+        fitting, key=lambda c: (-c.weight, abs(math.log(_scale(own, unit, c, scale) / scale)))
+    )
 
 
 def _commonest(dimensions: Sequence[Dimension], unit: Unit) -> float | None:
@@ -231,7 +261,7 @@ def _commonest(dimensions: Sequence[Dimension], unit: Unit) -> float | None:
 def _refined(members: Sequence[Dimension], unit: Unit, scale: float, share: float) -> float:
     """The scale that fits dimensions best; long ones count more."""
     pairs = [
-        (own.said.millimetres(unit), best.pixels)
+        (own.value_mm(unit, scale * best.pixels), best.pixels)
         for own in members
         if (best := _best(own, unit, scale, share))
     ]
@@ -249,11 +279,11 @@ def _told(own: Dimension, unit: Unit, scale: float | None) -> ReadDimension:
     candidate = best or next(iter(own.candidates), None)
     return ReadDimension(
         own.text,
-        own.said.millimetres(unit),
+        own.value_mm(unit, scale * best.pixels) if best else own.said.millimetres(unit),
         own.box,
-        _scale(own, unit, candidate) if candidate else None,
+        _scale(own, unit, candidate, scale if best else None) if candidate else None,
         best is not None,
         own.said.sign,
         candidate.place if candidate else None,
-        _measure(own, unit, best),
+        _measure(own, unit, scale, best) if scale else None,
     )

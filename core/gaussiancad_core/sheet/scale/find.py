@@ -8,6 +8,7 @@ from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.files.content import Note
 from gaussiancad_core.sheet.graph.heads import arrowheads, without_heads
 from gaussiancad_core.sheet.read import SheetImage
@@ -66,6 +67,10 @@ _PART = 0.5
 
 _LEADER = 0.8
 """Weight of the circle at the tip of a leader."""
+
+_CUT = 0.7
+"""Distance of a text's beginning from a line across it, in its height, at which the line may have
+taken a letter: digits are narrower."""
 
 _OTHER = 0.6
 """Weight of a circle that the leader crosses."""
@@ -156,7 +161,7 @@ def find_scale(
     unit = usual_unit(dimensions, noted, None if assumed else paper_scale)
     told_by_texts = {"texts": texts, "unit": unit, "unit_noted": noted is not None}
     found = agree(dimensions, unit, None if assumed else paper_scale)
-    told = tuple(replace(own, box=sheet.turn.box_to_stored(own.box)) for own in found.dimensions)
+    told = tuple(_as_stored(own, sheet.turn) for own in found.dimensions)
     found = replace(found, dimensions=told)
     if found.mm_per_pixel is not None:
         apart = _disagreement(found)
@@ -181,6 +186,12 @@ def find_scale(
             ),
         )
     return SheetScale(paper_scale, ScaleSource.SHEET, told, notes, **told_by_texts)
+
+
+def _as_stored(own: ReadDimension, turn: Turn) -> ReadDimension:
+    """A dimension with its box, and the scale that it gives, in px of the sheet as stored."""
+    scale = None if own.mm_per_pixel is None else own.mm_per_pixel / turn.scale
+    return replace(own, box=turn.box_to_stored(own.box), mm_per_pixel=scale)
 
 
 def read_texts(image: SheetImage, sheet: CleanSheet, marks: Sequence[Mark]) -> WrittenSheet:
@@ -266,8 +277,21 @@ def _dimensions(
         ordinate = ordinate_length(text, zeros, lines.rules)
         if ordinate and said.sign is Sign.LENGTH:
             candidates = (Candidate(ordinate), *candidates)
-        found.append(Dimension(text.text, said, text.box, candidates))
+        found.append(Dimension(text.text, said, text.box, candidates, _is_cut(text, lines.rules)))
     return tuple(found)
+
+
+def _is_cut(text: SheetText, rules: Sequence[Rule]) -> bool:
+    """Whether a line runs across a text where it begins, through letters that were not read."""
+    x0, y0, x1, y1 = text.box
+    height = y1 - y0 if text.level else x1 - x0
+    start, middle = (x0, (y0 + y1) / 2.0) if text.level else (y1, (x0 + x1) / 2.0)
+    return any(
+        rule.level is not text.level
+        and abs(rule.at - start) <= _CUT * height
+        and rule.low <= middle <= rule.high
+        for rule in rules
+    )
 
 
 def _candidates(
