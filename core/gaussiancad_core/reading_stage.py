@@ -32,7 +32,7 @@ from gaussiancad_core.sheet.notes.finding import SheetNote, notes_of
 from gaussiancad_core.sheet.notes.sections import NamedSection, named_sections
 from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
 from gaussiancad_core.sheet.painted import painted, view_by_strokes, visible_bounds
-from gaussiancad_core.sheet.picture_views import picture_views
+from gaussiancad_core.sheet.picture_views import PictureViews, picture_views
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
 from gaussiancad_core.sheet.scale.dimensions import file_lines
@@ -320,6 +320,7 @@ def _found_views(
             return _Found(told.separated, told.layout, told.vectors)
     elif labels_problem() is None:
         seen = picture_views(image, clean, given, reading.projection)
+        _tell_labels(notes, seen, clean.turn)
         return _Found(seen.separated, seen.layout, written=seen.written)
     else:
         notes.warn("labels-missing", labels_problem())
@@ -366,6 +367,27 @@ def _like(part: CleanSheet, whole: CleanSheet) -> CleanSheet:
         ink = turn.upright(part.ink.astype(np.float32)) > 0.5
         part = replace(part, ink=ink, weight=turn.upright(part.weight))
     return replace(part, turn=turn, dash_gap=whole.dash_gap)
+
+
+def _tell_labels(notes: RunNotes, seen: PictureViews, turn: Turn) -> None:
+    """Say which lines in the views may be edges or annotation."""
+    boxes = [
+        turn.box_to_stored(box)
+        for box in seen.separated.doubtful
+        if any(_overlap(box, view) for view in seen.layout.boxes.values())
+    ]
+    if boxes:
+        message = Message(
+            "{count} line(s) may be edges of the part or annotation, at {places} px",
+            boxes=boxes,
+            count=len(boxes),
+            places=_places(boxes),
+        )
+        notes.doubt("labels-doubtful", message)
+
+
+def _overlap(one: Box, other: Box) -> bool:
+    return one[0] <= other[2] and other[0] <= one[2] and one[1] <= other[3] and other[1] <= one[3]
 
 
 def _tell_doubtful(notes: RunNotes, boxes: Sequence[Box]) -> None:

@@ -78,7 +78,7 @@ def _ocr_state() -> str:
     try:
         version = metadata.version("rapidocr")
     except metadata.PackageNotFoundError:
-        return "not installed: pip install rapidocr onnxruntime"
+        return "not installed: pip install rapidocr"
     return _problem("onnxruntime", "onnxruntime") or version
 
 

@@ -21,7 +21,7 @@ _LEAST, _MOST = 0.2, 4.0
 _INKED = 0.3
 """Darkness from which a pixel belongs to a stroke, in that of full ink."""
 
-_FULL = 90.0
+_FULL = 95.0
 """Per cent of the dark pixels that are at most as dark as full ink."""
 
 _DARK = 40
@@ -69,8 +69,8 @@ def pen_width(grey: npt.NDArray[np.uint8]) -> float | None:
     weight = _darkness(grey)
     if weight is None:
         return None
-    upright, level = _widths(weight), _widths(np.ascontiguousarray(weight.T))
-    widths = np.sort(np.concatenate([upright, level]))
+    both = [_across(weight), _across(np.ascontiguousarray(weight.T))]
+    widths = np.sort(np.concatenate(both))
     if len(widths) < 2 * _LONG_PX:
         return None
     first = np.searchsorted(widths, widths * (1.0 - _WINDOW))
@@ -108,19 +108,18 @@ def _darkness(grey: npt.NDArray[np.uint8]) -> npt.NDArray[np.float32] | None:
     return np.minimum(darkness / np.float32(np.percentile(dark, _FULL)), np.float32(1.0))
 
 
-def _widths(weight: npt.NDArray[np.float32]) -> npt.NDArray[np.float64]:
+def _across(weight: npt.NDArray[np.float32]) -> npt.NDArray[np.float64]:
     """(n,) px of ink across upright strokes, one value for each px of their length."""
     inked = weight > _INKED
     rows, first, last = _runs(inked)
+    across = last - first + 1
+    along = _lengths_down(inked)[rows, (first + last) // 2]
+    straight = along >= np.maximum(_LONG * across, _LONG_PX)
+    rows, first, last = rows[straight], first[straight], last[straight]
     # The ink of a run, with that of its smooth edges.
     total = np.cumsum(np.pad(weight, ((0, 0), (1, 0))), axis=1, dtype=np.float64)
-    columns = weight.shape[1]
-    ink = total[rows, np.minimum(last + 2, columns)] - total[rows, np.maximum(first - 1, 0)]
-    middle = (first + last) // 2
-    across = last - first + 1
-    along = _lengths_down(inked)[rows, middle]
-    straight = along >= np.maximum(_LONG * across, _LONG_PX)
-    return ink[straight]
+    after = np.minimum(last + 2, weight.shape[1])
+    return total[rows, after] - total[rows, np.maximum(first - 1, 0)]
 
 
 def _runs(

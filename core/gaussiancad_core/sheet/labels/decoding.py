@@ -120,7 +120,7 @@ def labelled_runs(
     change[starts[:-1]] = _CHANGE_AT_GAP
     is_part = _cheapest(told, change)
     return [
-        _labelled(run, own, piece)
+        _labelled(run, own, piece, part=bool(is_part[start + piece[0]]))
         for run, own, start in zip(shape.runs, points, starts[:-1].tolist(), strict=True)
         for piece in _pieces(is_part[start : start + len(own.odds)])
     ]
@@ -161,7 +161,7 @@ def _pieces(states: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
     return [(int(a), int(b)) for a, b in zip(firsts, lasts, strict=True)]
 
 
-def _labelled(run: InkedRun, points: _Points, piece: tuple[int, int]) -> LabelledRun:
+def _labelled(run: InkedRun, points: _Points, piece: tuple[int, int], part: bool) -> LabelledRun:
     first, last = piece
     count = len(points.odds)
     step = run.run.length / max(count - 1, 1)
@@ -171,5 +171,5 @@ def _labelled(run: InkedRun, points: _Points, piece: tuple[int, int]) -> Labelle
     weights = points.weights[own] / points.weights[own].sum()
     mean = weights @ points.log_p[own]
     margin = float(weights @ points.odds[own])
-    ink = _likeliest(mean, part=margin > 0.0)
+    ink = _likeliest(mean, part)
     return LabelledRun(InkedRun(Run(start, end), run.width), ink, margin, mean)

@@ -18,12 +18,17 @@ from gaussiancad_core.sheet.labels.network import InkLabels
 from gaussiancad_core.sheet.labels.pens import learnt_pens
 from gaussiancad_core.sheet.labels.relations import related
 from gaussiancad_core.sheet.labels.words import written_lines
+from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.ridges import ridge_points
 from gaussiancad_core.sheet.runs import ink_field
 from gaussiancad_core.sheet.scale.dimensions import rule_of
 
 _BLOT = 1.4
 """Widths of a line within which another one shares its ink."""
+
+_DOUBT, _LONG = 0.5, 5.0
+"""Margin under which a line may be either, and its length in widths of a line from which that
+matters."""
 
 _LEAST_POINT = 0.4
 """Size of a decimal point at least, in widths of a line."""
@@ -78,7 +83,8 @@ def separate_by_labels(sheet: CleanSheet, labels: InkLabels) -> SeparatedSheet:
         found = find_hatching(sheet, shapes, ridges, free)
         hatched = found.area if found.marks else None
         marks += found.marks
-    return SeparatedSheet(part, tuple(marks), False, hatched, told, closed=False)
+    doubtful = _doubtful(shapes, labelled, sheet.stroke_width)
+    return SeparatedSheet(part, tuple(marks), False, hatched, told, doubtful=doubtful)
 
 
 def _writing(ink: Mask, best: np.ndarray) -> Mask:
@@ -145,6 +151,21 @@ def _kind(shape: InkedShape, own: LabelledRun) -> AnnotationKind | None:
         if rule_of(ends[0].tolist(), ends[-1].tolist()) is None:
             return AnnotationKind.LEADER
     return kind
+
+
+def _doubtful(
+    shapes: list[InkedShape], labelled: list[list[LabelledRun]], stroke_width: float
+) -> tuple[Box, ...]:
+    """Boxes of lines of which the network does not know whether they are edges, the most doubtful
+    first."""
+    found = []
+    for shape, pieces in zip(shapes, labelled, strict=True):
+        for own in pieces:
+            if abs(own.margin) < _DOUBT and own.run.run.length > _LONG * stroke_width:
+                points = points_along(shape.geometry, own.run.run, 2.0)
+                low, high = points.min(axis=0), points.max(axis=0)
+                found.append((abs(own.margin), (*low.tolist(), *high.tolist())))
+    return tuple(box for _, box in sorted(found))
 
 
 def _stray(ink: Mask, best: np.ndarray) -> Mask:

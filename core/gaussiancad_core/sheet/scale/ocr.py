@@ -59,11 +59,11 @@ class ReadText:
 def ocr_problem() -> str | None:
     """Why texts cannot be read from pixels, with what to do; nothing if they can."""
     if _model_path() is None:
-        return "not installed: pip install rapidocr onnxruntime"
+        return "not installed: pip install rapidocr"
     try:
         import onnxruntime  # noqa: F401
     except ImportError as error:
-        return f"broken ({error}): pip install rapidocr onnxruntime"
+        return f"broken ({error}): pip install rapidocr"
     return None
 
 

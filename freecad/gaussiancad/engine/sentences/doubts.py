@@ -270,6 +270,15 @@ WARNINGS = {
         "The sheet is so large that it was read at a lower resolution: measures are known less "
         "well. Cut out the views to have them read as they are.",
     ),
+    "labels-missing": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The trained network that tells edges from dimensions is missing or damaged: the picture "
+        "was read by rules. Repair the engine under Check Engine.",
+    ),
+    "labels-doubtful": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "{count} lines may be edges of the part or annotation. Look at them in Correct Sheet.",
+    ),
     "dimensions-not-read": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The dimensions on the sheet were not read, as the engine has no text recognition. Set a "

@@ -69,4 +69,4 @@ def test_the_extra_may_be_absent(monkeypatch: pytest.MonkeyPatch) -> None:
         raise PackageNotFoundError
 
     monkeypatch.setattr(ocr, "distribution", missing)
-    assert "pip install rapidocr onnxruntime" in ocr_problem()
+    assert "pip install rapidocr" in ocr_problem()
