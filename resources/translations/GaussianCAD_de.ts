@@ -1895,6 +1895,14 @@
         <translation>Das Blatt ist so groß, dass es mit geringerer Auflösung gelesen wurde: Die Maße sind weniger genau bekannt. Schneiden Sie die Ansichten aus, damit sie gelesen werden, wie sie sind.</translation>
     </message>
     <message>
+        <source>The trained network that tells edges from dimensions is missing or damaged: the picture was read by rules. Repair the engine under Check Engine.</source>
+        <translation>Das trainierte Netz, das Kanten von Maßen unterscheidet, fehlt oder ist beschädigt: das Bild wurde nach Regeln gelesen. Reparieren Sie die Engine unter „Engine prüfen“.</translation>
+    </message>
+    <message>
+        <source>{count} lines may be edges of the part or annotation. Look at them in Correct Sheet.</source>
+        <translation>{count} Linien können Kanten des Teils oder Beschriftung sein. Sehen Sie sie unter „Blatt korrigieren“ an.</translation>
+    </message>
+    <message>
         <source>The dimensions on the sheet were not read, as the engine has no text recognition. Set a length under Scale.</source>
         <translation>Die Maße auf dem Blatt wurden nicht gelesen, da der Engine die Texterkennung fehlt. Stellen Sie unter „Maßstab“ eine Länge ein.</translation>
     </message>

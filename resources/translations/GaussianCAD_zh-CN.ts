@@ -927,6 +927,14 @@
         <translation>图纸过大，已按较低分辨率读取：尺寸精度较低。请裁出各视图，以便按原样读取。</translation>
     </message>
     <message>
+        <source>The trained network that tells edges from dimensions is missing or damaged: the picture was read by rules. Repair the engine under Check Engine.</source>
+        <translation>区分轮廓线与尺寸线的训练网络缺失或已损坏：该图片按规则读取。请在“检查引擎”中修复引擎。</translation>
+    </message>
+    <message>
+        <source>{count} lines may be edges of the part or annotation. Look at them in Correct Sheet.</source>
+        <translation>有 {count} 条线可能是零件的边，也可能是标注。请在“校正图纸”中查看。</translation>
+    </message>
+    <message>
         <source>The dimensions on the sheet were not read, as the engine has no text recognition. Set a length under Scale.</source>
         <translation>引擎没有文字识别功能，未读取图纸上的尺寸。请在“比例”中设置一个长度。</translation>
     </message>
