@@ -88,7 +88,11 @@ def test_locks_hold_hashes_and_no_addresses(lock: str) -> None:
 
 @pytest.mark.parametrize(
     ("folder", "declared"),
-    [("core", ENGINE + OCR + CLUSTER), ("benchmarks", ENGINE), ("tests/engine", ENGINE + TESTS)],
+    [
+        ("core", ENGINE + OCR + CLUSTER + EXTRAS["learning"]),
+        ("benchmarks", ENGINE),
+        ("tests/engine", ENGINE + TESTS),
+    ],
 )
 def test_every_import_is_declared(folder: str, declared: list[str]) -> None:
     # The window is the workbench's, which lies beside the engine.

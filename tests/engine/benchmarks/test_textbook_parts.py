@@ -4,6 +4,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import cv2
 import numpy as np
 import pytest
 from textbook_drawing import textbook_lines
@@ -111,8 +112,9 @@ def test_a_sheet_is_solved_and_measured(tmp_path: Path) -> None:
 def test_sheets_on_paper_are_turned_and_noisy(kind: SheetKind, tmp_path: Path) -> None:
     lines = textbook_lines(FAMILIES["wedge"].part(4))
     task = Task("wedge", 4, False, kind, told=True, limit=60.0)
-    grey = read_sheet(draw(task, lines, tmp_path)).grey
-    plain = read_sheet(draw(replace(task, kind=SheetKind.PICTURE), lines, tmp_path)).grey
+    grey = cv2.imread(str(draw(task, lines, tmp_path)), cv2.IMREAD_GRAYSCALE)
+    as_plotted = draw(replace(task, kind=SheetKind.PICTURE), lines, tmp_path)
+    plain = cv2.imread(str(as_plotted), cv2.IMREAD_GRAYSCALE)
     assert grey.shape == plain.shape
     # Paper is not of one shade, and level lines are level no more; copies have dark borders.
     assert grey[grey > 128].std() > 1.0

@@ -17,10 +17,11 @@ from gaussiancad_core.sheet.graph.chains import with_whole_edges
 from gaussiancad_core.sheet.graph.labels import Label, LabelledDrawing, labelled
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.special_views.finding import LayoutRequest
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 from gaussiancad_core.sheet.special_views.symbol import find_symbol
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet, drawing_grid
-from gaussiancad_core.sheet.view_search import arranged, lone_view, with_symbol
+from gaussiancad_core.sheet.view_search import STUB, arranged, lone_view, with_symbol
 
 _COVERED = 0.75
 """Share of an area that is near its hatching at least, if it is hatched as a whole."""
@@ -78,12 +79,13 @@ def graph_views(
     separated, vectors = _part(found, sheet, drawing_grid(drawing))
     symbol = find_symbol(sheet) if projection is None else None
     told = symbol.projection if symbol else projection
+    request = LayoutRequest(given, told, STUB * separated.part.stroke_width)
     try:
-        separated, layout = arranged(sheet, separated, given, told)
+        separated, layout = arranged(sheet, separated, request)
     except NoModelError as error:
         alone = None
         if error.code == "one-view" and not given:
-            alone = lone_view(sheet, separated, told)
+            alone = lone_view(sheet, separated, request)
         if alone is None:
             return None
         separated, layout = alone

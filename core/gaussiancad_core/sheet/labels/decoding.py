@@ -37,6 +37,9 @@ _CHANGE_AT_GAP = 1.5
 _STEP = 1.0
 """px between the points."""
 
+_NEVER = -20.0
+"""Log-probability of what is known not to be."""
+
 _TELLING_PX = 40.0
 """px of a line that tell what it is: what one stretch of it looks like, the rest does, too."""
 
@@ -74,6 +77,13 @@ class LabelledRun:
     def as_ink(self, ink: InkClass) -> "LabelledRun":
         """The same taken for something else."""
         return replace(self, ink=ink)
+
+    def no_longer(self, ink: InkClass) -> "LabelledRun":
+        """The same where it is known that it is not of a class: the others tell what it is."""
+        log_p = self.log_p.copy()
+        log_p[ink] = _NEVER
+        margin = float(part_odds(log_p[None])[0])
+        return replace(self, ink=_likeliest(log_p, margin > 0.0), margin=margin, log_p=log_p)
 
 
 def _likeliest(log_p: Floats, part: bool) -> InkClass:

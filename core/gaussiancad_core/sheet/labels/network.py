@@ -10,13 +10,16 @@ from dataclasses import dataclass
 from functools import lru_cache
 from importlib.resources import as_file, files
 from itertools import product
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
-import onnxruntime
 
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.labels.classes import PART, InkClass
+
+if TYPE_CHECKING:
+    from onnxruntime import InferenceSession
 
 _WEIGHTS = "labels.onnx"
 _DIGEST = "labels.onnx.sha256"
@@ -108,11 +111,16 @@ def ink_labels(grey: npt.NDArray[np.uint8]) -> InkLabels:
 
 
 @lru_cache(maxsize=1)
-def _session() -> onnxruntime.InferenceSession:
+def _session() -> "InferenceSession":
+    # Its threads would keep a process from making children.
+    import onnxruntime
+
     options = onnxruntime.SessionOptions()
     # One thread: the same result whatever the machine.
     options.intra_op_num_threads = 1
     options.log_severity_level = 3
+    # Memory goes back when a sheet is labelled: a long-lived engine reads one now and then.
+    options.enable_cpu_mem_arena = False
     with as_file(files(__package__).joinpath(_WEIGHTS)) as path:
         return onnxruntime.InferenceSession(str(path), options, providers=["CPUExecutionProvider"])
 

@@ -100,7 +100,7 @@ def _of_one_figure(
             if odds > 0.0:
                 turned[k] = pieces[k].as_ink(InkClass.PICTORIAL)
             elif pieces[k].ink is InkClass.PICTORIAL:
-                turned[k] = pieces[k].turned()
+                turned[k] = pieces[k].no_longer(InkClass.PICTORIAL)
     return turned
 
 

@@ -2,6 +2,7 @@
 
 import cv2
 import numpy as np
+import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.erase import Told, erased, masked
@@ -14,7 +15,7 @@ from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.growth import GrowthRules, grow_shapes
 from gaussiancad_core.sheet.labels.classes import ANNOTATION_KINDS, PART, InkClass
 from gaussiancad_core.sheet.labels.decoding import LabelledRun, labelled_runs
-from gaussiancad_core.sheet.labels.network import InkLabels
+from gaussiancad_core.sheet.labels.network import InkLabels, part_odds
 from gaussiancad_core.sheet.labels.pens import learnt_pens
 from gaussiancad_core.sheet.labels.relations import related
 from gaussiancad_core.sheet.labels.words import written_lines
@@ -69,11 +70,7 @@ def separate_by_labels(sheet: CleanSheet, labels: InkLabels) -> SeparatedSheet:
     free = np.ones(len(ridges.points), dtype=bool)
     for own in grown:
         free[own.members] = False
-    columns, rows = np.rint(ridges.points[free]).astype(int).T
-    is_part = np.isin(best[rows, columns], PART)
-    unexplained, loose = (np.zeros(sheet.ink.shape, bool) for _ in range(2))
-    unexplained[rows[is_part], columns[is_part]] = True
-    loose[rows[~is_part], columns[~is_part]] = True
+    unexplained, loose = _free_curves(ridges.points[free], labels, sheet.ink.shape)
     told = _told(shapes, labelled, unexplained, loose)
     part = erased(sheet, told)
     part = masked(part, ~_stray(part.ink, best))
@@ -126,6 +123,24 @@ def _shared(shapes: list[InkedShape], sheet: CleanSheet) -> Mask:
             count[box] += layer[box]
             layer[box] = 0
     return count > 1
+
+
+def _free_curves(
+    points: npt.NDArray[np.float64], labels: InkLabels, shape: tuple[int, int]
+) -> tuple[Mask, Mask]:
+    """(h, w) bool each, ridge points of no line or circle: the part's, and annotation.  Those that
+    hang together are of one kind."""
+    columns, rows = np.rint(points).astype(int).T
+    curves = np.zeros(shape, np.uint8)
+    curves[rows, columns] = 1
+    _, chains = cv2.connectedComponents(curves, connectivity=8)
+    own = chains[rows, columns]
+    odds = np.bincount(own, weights=part_odds(labels.at(points)))
+    part = (odds > 0.0)[own]
+    unexplained, loose = np.zeros(shape, bool), np.zeros(shape, bool)
+    unexplained[rows[part], columns[part]] = True
+    loose[rows[~part], columns[~part]] = True
+    return unexplained, loose
 
 
 def _told(

@@ -6,7 +6,7 @@ from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.marks import line_mark
 from gaussiancad_core.sheet.scale.dimensions import Rule, Span, mark_rules, rule_of, spans_of
 from gaussiancad_core.sheet.scale.leaders import circles_at, leaders_of, shelves_of
-from gaussiancad_core.sheet.scale.texts import SheetText, joined_boxes
+from gaussiancad_core.sheet.scale.texts import SheetText
 from gaussiancad_core.views import Arc, Linetype
 
 Box = tuple[float, float, float, float]
@@ -192,25 +192,3 @@ def test_a_leader_that_an_edge_cuts_may_point_at_either_circle() -> None:
     note = text((175.0, 8.0, 225.0, 26.0))
     found = circles_at(note, leaders_of(marks), shelves_of(marks), arcs)
     assert {arc.radius for arc in found} == {20.0, 42.4}
-
-
-def test_pieces_of_a_text_are_joined_and_rows_are_not() -> None:
-    word, digit = (10.0, 10.0, 38.0, 28.0), (42.0, 10.0, 53.0, 28.0)
-    below = (12.0, 44.0, 40.0, 62.0)
-    assert sorted(joined_boxes([word, digit, below], 22.0)) == [(10.0, 10.0, 53.0, 28.0), below]
-    up = [(y0, x0, y1, x1) for x0, y0, x1, y1 in (word, digit)]
-    assert joined_boxes(up, 22.0) == [(10.0, 10.0, 28.0, 53.0)]
-
-
-@pytest.mark.parametrize("up", [False, True])
-@pytest.mark.parametrize(("point", "joined"), [(10.0, True), (20.0, False)])
-def test_a_number_is_one_text_with_its_decimal_point(up: bool, point: float, joined: bool) -> None:
-    # The gap around the point is wider than a space; what is as large as a letter is none.
-    two, dot, digits = (0, 0, 22, 36), (31, 36 - point, 31 + point, 36), (48, 0, 130, 37)
-    boxes = [tuple(map(float, box)) for box in (two, digits, dot)]
-    if up:
-        boxes = [(y0, x0, y1, x1) for x0, y0, x1, y1 in boxes]
-    found = joined_boxes(boxes, 48.0)
-    assert (len(found) == 1) == joined
-    raised = [(x0, y0 - 15.0, x1, y1 - 15.0) for x0, y0, x1, y1 in boxes[2:]]
-    assert up or len(joined_boxes([*boxes[:2], *raised], 48.0)) == 3

@@ -18,12 +18,12 @@ from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.files.vectors import VectorDrawing, VectorText
+from gaussiancad_core.sheet.picture_views import picture_views
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
 from gaussiancad_core.sheet.scale import find
 from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale, find_scale
 from gaussiancad_core.sheet.scale.ocr import ocr_problem
-from gaussiancad_core.sheet.view_search import find_views
 
 Grey = npt.NDArray[np.uint8]
 
@@ -69,9 +69,10 @@ def case(part: str, style: str) -> Case:
     drawn = draw_sheet(sample(part).build(), roles, Projection.THIRD, look)
     grey = cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)
     clean = upright_sheet(clean_sheet(grey))
-    separated, layout = find_views(clean, {}, Projection.THIRD)
-    views = read_views(separated.part, layout)
-    return Case(drawn, grey, clean, separated.marks, views)
+    image = SheetImage(Path("sheet.png"), grey, "")
+    found = picture_views(image, clean, {}, Projection.THIRD)
+    views = read_views(found.separated.part, found.layout)
+    return Case(drawn, grey, clean, found.separated.marks, views)
 
 
 def dimension_texts(sheet: Sheet) -> list[str]:
