@@ -3,6 +3,7 @@
 import hashlib
 import io
 import warnings
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -18,17 +19,20 @@ _LEAST_HALVED = 64
 """Numbers of a tensor from which it is stored in half precision."""
 
 
-def write_network(network: LabelsNetwork, path: Path) -> str:
+def write_network(
+    network: LabelsNetwork, path: Path, metadata: Mapping[str, str] | None = None
+) -> str:
     """Write the graph with its weights in half precision, and its digest beside it.
 
     Args:
         network: trained; it is put into its mode of use.
         path: of the ONNX file; ``path`` + ``.sha256`` has the digest.
+        metadata: what the file tells of itself beside the graph.
 
     Returns:
         The SHA-256 of the file, hexadecimal.
     """
-    data = _halved(_recorded(network))
+    data = _halved(_recorded(network), metadata or {})
     digest = hashlib.sha256(data).hexdigest()
     path.write_bytes(data)
     path.with_name(path.name + ".sha256").write_text(f"{digest}\n", encoding="ascii")
@@ -54,7 +58,7 @@ def _recorded(network: LabelsNetwork) -> bytes:
     return buffer.getvalue()
 
 
-def _halved(data: bytes) -> bytes:
+def _halved(data: bytes, metadata: Mapping[str, str]) -> bytes:
     """The same with its weights in half precision, each made whole again when it is loaded."""
     import onnx
 
@@ -70,5 +74,6 @@ def _halved(data: bytes) -> bytes:
             )
     for node in reversed(casts):
         model.graph.node.insert(0, node)
+    onnx.helper.set_model_props(model, dict(metadata))
     onnx.checker.check_model(model)
     return model.SerializeToString()

@@ -1,0 +1,7 @@
+"""``python -m gaussiancad_core.learning`` draws sheets and trains the labels network on them."""
+
+import sys
+
+from gaussiancad_core.learning.command import main
+
+sys.exit(main())
