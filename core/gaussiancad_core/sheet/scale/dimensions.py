@@ -41,9 +41,8 @@ _HALF = 0.6
 _TOUCH = 4.0
 """px by which lines may miss each other and still meet."""
 
-_FEET, _ONE_FOOT, _NO_FOOT = 0.9, 0.7, 0.5
-"""Weight of what a dimension line measures from end to end, by how many of its ends stop at another
-line."""
+_FEET = 0.9
+"""Weight of what a dimension line measures between the lines near its ends."""
 
 _HEAD = 1.1
 """Length of the arrowhead between the end of a line and what it points at, at most, in the height
@@ -164,7 +163,7 @@ def spans_of(text: SheetText, rules: Sequence[Rule], edges: Sequence[Rule]) -> t
             borders = _stops(line, [edge for edge in edges if edge.level is not level], _TOUCH)
             spans = _spans(text, line, stops, borders)
             found += [replace(span, weight=weight * span.weight) for span in spans]
-            found.append(_from_end_to_end(text, line, across, weight))
+            found += _from_end_to_end(text, line, across, weight)
             found += _beyond(line, across, _head(text))
             found += _from_outside(text, line, own, across)
     unique: list[Span] = []
@@ -289,17 +288,19 @@ def _from_outside(
             yield Span(line.level, ends[0], ends[1], _ACROSS)
 
 
-def _from_end_to_end(text: SheetText, line: Rule, across: Sequence[Rule], weight: float) -> Span:
-    """What a text's line measures by its own ends, or by the lines that stop near them."""
+def _from_end_to_end(
+    text: SheetText, line: Rule, across: Sequence[Rule], weight: float
+) -> list[Span]:
+    """What a text's line measures between the lines near its two ends, which may stop short of
+    it; none where there is no line near one of them."""
     stops = _stops(line, across, _head(text), _head(text))
-    ends, missed = [], 0
-    for end in (line.low, line.high):
-        near = min(stops, key=lambda at, end=end: abs(at - end), default=np.inf)
-        met = abs(near - end) <= _head(text)
-        ends.append(near if met else end)
-        missed += not met
-    share = (_FEET, _ONE_FOOT, _NO_FOOT)[missed]
-    return Span(line.level, min(ends), max(ends), weight * share)
+    ends = [
+        min(stops, key=lambda at, end=end: abs(at - end), default=np.inf)
+        for end in (line.low, line.high)
+    ]
+    if ends[0] >= ends[1] or not _meets(ends, line, _head(text)):
+        return []
+    return [Span(line.level, ends[0], ends[1], weight * _FEET)]
 
 
 def _beyond(line: Rule, across: Sequence[Rule], head: float) -> Iterator[Span]:

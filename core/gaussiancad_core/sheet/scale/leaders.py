@@ -18,6 +18,16 @@ Points = npt.NDArray[np.float64]
 Leader = tuple[Points, Points]
 """(2,) px each of the two ends of its slanted line."""
 
+_NARROW = frozenset(
+    {
+        AnnotationKind.EXTENSION,
+        AnnotationKind.DIMENSION,
+        AnnotationKind.LEADER,
+        AnnotationKind.SYMBOL,
+    }
+)
+"""What narrow lines are taken for: a leader may look like a part of a symbol."""
+
 _NEAR = 1.2
 """Distance from a text to the line that leads away from it at most, in its height."""
 
@@ -39,7 +49,7 @@ def leaders_of(marks: Iterable[Mark]) -> list[Leader]:
     return [
         (np.array(mark.line[0]), np.array(mark.line[1]))
         for mark in marks
-        if mark.kind in (AnnotationKind.EXTENSION, AnnotationKind.LEADER)
+        if mark.kind in _NARROW
         and mark.line is not None
         and rule_of(*mark.line) is None
     ]
@@ -76,7 +86,7 @@ def shelves_of(marks: Iterable[Mark]) -> list[Leader]:
     """The level narrow lines among the marks of a sheet, under the texts of leaders."""
     found = []
     for mark in marks:
-        if mark.kind is AnnotationKind.EXTENSION and mark.line is not None:
+        if mark.kind in _NARROW and mark.line is not None:
             rule = rule_of(*mark.line)
             if rule is not None and rule.level:
                 found.append((np.array(mark.line[0]), np.array(mark.line[1])))
