@@ -31,8 +31,10 @@ _LEVELS = 3
 """Levels of those, the simplest ones: sheets show few parts of a hundred faces."""
 
 _MORE_VIEWS = (Role.RIGHT, Role.LEFT, Role.BOTTOM, Role.REAR)
+"""Views beside front and top."""
+
 _MORE_VIEWS_ODDS = (0.6, 0.2, 0.12, 0.08)
-"""Views beside front and top, and how often each is drawn."""
+"""How often each of them is."""
 
 _SECTIONED, _PICTURED = 0.6, 0.5
 """Shares of the solids of which sections, and the isometric picture, are drawn, too."""

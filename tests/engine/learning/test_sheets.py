@@ -2,6 +2,7 @@
 
 import random
 
+import cv2
 import numpy as np
 import pytest
 
@@ -9,11 +10,14 @@ from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.style import SectionKind
 from gaussiancad_core.learning.parts import Circle, DrawnPart, PartSection, PartView
 from gaussiancad_core.learning.samples import EITHER, HEAT_MOST, HEAT_SHIFT, ON_HIDDEN, UNKNOWN
-from gaussiancad_core.learning.sheets import clean_sheet, font_names, samples
+from gaussiancad_core.learning.sheets import clean_sheet, composing, font_names, samples
 from gaussiancad_core.learning.sheets.canvas import Canvas
 from gaussiancad_core.learning.sheets.curves import beyond, dashed, length, rectangle, segment
+from gaussiancad_core.learning.sheets.fonts import Fonts
 from gaussiancad_core.learning.sheets.hatching import hatch_lines
+from gaussiancad_core.learning.sheets.lettering import Lettering, text_mask
 from gaussiancad_core.learning.sheets.rendering import INK, Rendered, rendered
+from gaussiancad_core.learning.sheets.spoiling import spoiled
 from gaussiancad_core.learning.sheets.variants import slab, squashed
 from gaussiancad_core.sheet.labels.classes import InkClass
 
@@ -148,3 +152,32 @@ def test_slabs_and_squashed_parts_fit_together() -> None:
 
 def test_there_is_always_a_font() -> None:
     assert font_names()[0] == "Hershey"
+
+
+def test_sheets_are_lettered_without_any_font_of_the_system(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(composing, "system_fonts", lambda: Fonts((), ()))
+    found = [clean_sheet(random.Random(seed), [_part()]) for seed in range(4)]
+    assert any((sheet.classes == InkClass.TEXT).any() for sheet in found)
+
+
+def test_letters_that_a_font_lacks_are_replaced() -> None:
+    lettering = Lettering(None, cv2.FONT_HERSHEY_SIMPLEX, 1.0)
+    plain, crossed = (text_mask(own, 12.0, lettering) for own in ("O12", "⌀12"))
+    assert plain.shape == crossed.shape
+    assert crossed.sum() > plain.sum()
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_spoiling_keeps_the_truth_on_the_ink(seed: int) -> None:
+    sheet = Canvas(200, 200)
+    sheet.lines([rectangle(40.0, 60.0, 160.0, 140.0)], InkClass.VISIBLE, 5.0, 255)
+    clean = rendered(sheet, smooth=True)
+    own = spoiled(clean, np.random.default_rng(seed))
+    ink = own.grey[own.classes == InkClass.VISIBLE].astype(float)
+    paper = own.grey[own.classes == InkClass.PAPER].astype(float)
+    inverted = np.median(paper) < np.median(ink)
+    contrast = np.median(paper) - np.median(ink)
+    assert contrast < -30.0 if inverted else contrast > 30.0
+    assert abs(len(ink) - (clean.classes == InkClass.VISIBLE).sum()) < 0.2 * len(ink)

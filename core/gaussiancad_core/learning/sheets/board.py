@@ -20,6 +20,7 @@ Anchor = tuple[float, float]
 """Which point of a text's box is where it is written: shares of its width and height."""
 
 MIDDLE, LEFT, RIGHT, TOP, FOOT = (0.5, 0.5), (0.0, 0.5), (1.0, 0.5), (0.5, 0.0), (0.5, 1.0)
+"""Anchors."""
 
 _SLOPES_DEG = (30, 45, 60, 120, 135, 150, -30, -45, -60, -120, -135, -150)
 """Of leaders."""

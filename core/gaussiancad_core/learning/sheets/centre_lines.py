@@ -17,6 +17,7 @@ _SMALLEST_PX = 3.0
 """Radius of a circle that is given a cross."""
 
 _BENDS = ("UP 90° R{}", "DOWN 90° R {}", "BEND {}", "UP {}°", "90° R{}")
+"""What stands at bend lines."""
 
 
 class Cross(Enum):

@@ -32,6 +32,9 @@ from gaussiancad_core.learning.sheets.wording import caption
 _TRIES = 20
 """Layouts without room for the views, one after the other, from which something is wrong."""
 
+_PICTURED = 0.8
+"""Share of the sheets with a picture, where there is one of the part."""
+
 _CAPTIONED = (0.08, 0.08, 0.15, 0.9)
 """Shares of the views that have captions, one of them on each sheet."""
 
@@ -45,6 +48,7 @@ class _Hidden(Enum):
 
 
 _HIDDEN_ODDS = (0.52, 0.3, 0.18)
+"""How often each."""
 
 
 def clean_sheet(chance: random.Random, parts: Sequence[DrawnPart]) -> Rendered:
@@ -71,7 +75,7 @@ def clean_sheet(chance: random.Random, parts: Sequence[DrawnPart]) -> Rendered:
         cutting_line(board, chance.choice(plain))
     if board.likely(0.2):
         draw_detail(board, chance.choice(views), views)
-    if part.picture and board.likely(0.45):
+    if part.picture and board.likely(_PICTURED):
         draw_picture(board, part, views)
     furnish(board)
     litter(board, views)

@@ -22,6 +22,7 @@ _LETTER = 0.62
 """Width of a letter in its height, about."""
 
 _SHORTEST_PX = 2.0
+"""px of a dimension line or an extension line, under which there is none."""
 
 _OUTSIDE = 2.4
 """Lengths of a head under which both stand outside of what is measured."""

@@ -25,6 +25,8 @@ Levels = dict[tuple[int, int], float]
 """px from a view's border, of the outermost dimension line along an axis at a side of it."""
 
 _TRIES = 8
+"""Times that edges are chosen to measure between."""
+
 _NARROWEST_PX = 5.0
 """Between two edges that are measured."""
 

@@ -18,12 +18,13 @@ _STAMPS = (
     "DRAFT", "CONFIDENTIAL", "COPY", "APPROVED", "SAMPLE", "PRELIMINARY", "VOID",
     "FOR REFERENCE ONLY",
 )  # fmt: skip
+"""What stamps say."""
 
 _STRAIGHT = "ILTHE1470"
 """Characters that look like lines of a part."""
 
-_CLEARANCE_PX = 8.0
-_TRIES = 12
+_CLEARANCE_PX, _TRIES = 8.0, 12
+"""px from views at least, and places that are tried."""
 
 
 def litter(board: Board, views: Sequence[SheetView]) -> None:

@@ -17,7 +17,10 @@ _FOLDERS = (
     Path("/Library/Fonts"),
     Path("C:/Windows/Fonts"),
 )
+"""Where systems keep their fonts."""
+
 _SUFFIXES = (".ttf", ".otf", ".ttc")
+"""Of their files."""
 
 _NO_LETTERS = re.compile(
     "symbol|dingbat|emoji|icon|awesome|math|cmex|cmsy|cmmi|msam|msbm|rsfs|wasy|stmary|esint|"
@@ -39,6 +42,7 @@ HERSHEY = (
 """OpenCV's, those of single lines more often, as on drawings."""
 
 _PROBE_PX = 24
+"""Size in which it is looked what a font has."""
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,9 @@ _ROW = 1.7
 """Heights of the text from line to line of notes."""
 
 _LOGOS = ("ACME", "TECH", "LAB", "CAD", "MTC")
+"""Letters of logos."""
+
+
 _MARK_PX = 20.0
 """Length of the marks at the middles of the border."""
 

@@ -13,11 +13,13 @@ from gaussiancad_core.learning.sheets.views import SheetView
 from gaussiancad_core.sheet.labels.classes import InkClass
 
 _ANGLES_DEG = (45, 45, 45, 45, -45, -45, 135, 30, 60, 0, 90, 15, 75)
+"""Of the lines, the usual ones more often."""
 
 _MOST_LINES = 900
 """Across an area."""
 
 _SHORTEST_PX = 0.8
+"""px of a line at least."""
 
 
 class Hatching(Enum):

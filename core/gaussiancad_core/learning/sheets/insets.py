@@ -20,12 +20,14 @@ from gaussiancad_core.learning.sheets.views import SheetView
 from gaussiancad_core.learning.sheets.wording import number
 from gaussiancad_core.sheet.labels.classes import InkClass
 
-_TRIES = 25
-_CLEARANCE_PX = 20.0
+_CLEARANCE_PX, _TRIES = 20.0, 25
+"""px from views at least, and places that are tried."""
+
 _BORDER = 0.06
 """Share of the sheet's width that pictures leave free at its borders."""
 
 _DETAILS = ("DETAIL {} (2:1)", "{} ( 4 : 1 )", "DETAIL {}", "DETAIL {} SCALE 2:1", "{}")
+"""What stands under details."""
 
 
 def draw_picture(board: Board, part: DrawnPart, views: Sequence[SheetView]) -> None:

@@ -25,8 +25,10 @@ _DOWN = np.diag([1.0, -1.0]).astype(np.float32)
 """From a view's plane, whose second axis runs up, to the sheet, where it runs down."""
 
 _LOOSE_PLACES: tuple[Place, ...] = ((0, 0), (1, 0), (0, 1), (1, 1), (2, 0), (0, 2), (2, 1))
-_ASPECTS = (0.6, 0.68, 0.707, 0.75, 1.0, 1.414)
-_WIDEST_UPRIGHT_PX = 1700
+"""Where views stand that do not stand in projection."""
+
+_ASPECTS, _WIDEST_UPRIGHT_PX = (0.6, 0.68, 0.707, 0.75, 1.0, 1.414), 1700
+"""Heights of sheets in their widths, and the widest sheet that is higher than wide."""
 
 
 class Arrangement(Enum):

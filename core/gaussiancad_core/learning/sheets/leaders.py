@@ -10,6 +10,7 @@ from gaussiancad_core.learning.sheets.curves import circle, norm, segment, shift
 from gaussiancad_core.sheet.labels.classes import InkClass
 
 _SHORTEST_PX = 4.0
+"""px of a leader at least."""
 
 _ROW = 1.5
 """Heights of the text from line to line."""

@@ -37,7 +37,11 @@ _ORDER = (
 """Where kinds of ink meet, the later one counts."""
 
 _RANKS = {ink: rank for rank, ink in enumerate(_ORDER)}
+"""Place in the order of each kind."""
+
 _CLASS_OF_RANK = np.resize(np.array(_ORDER, np.uint8), 256)
+"""(256,) table back from it."""
+
 _TAKEN = 60
 """Darkness of a stamp's mask from which a pixel counts as its own."""
 

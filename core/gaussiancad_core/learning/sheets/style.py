@@ -142,10 +142,10 @@ def random_style(chance: random.Random, fonts: Fonts) -> Style:
     """
     widths = _widths(chance)
     height = _height(chance)
-    factor, own = (
-        (widths.thin, (0.8, 1.3)) if chance.random() < 0.7 else (widths.visible, (0.8, 1.2))
-    )
-    lettering = random_lettering(chance, fonts, height, factor * chance.uniform(*own))
+    pen = widths.visible * chance.uniform(0.8, 1.2)
+    if chance.random() < 0.7:
+        pen = widths.thin * chance.uniform(0.8, 1.3)
+    lettering = random_lettering(chance, fonts, height, pen)
     han = None
     if fonts.han and chance.random() < 0.12:
         han = replace(lettering, font=chance.choice(fonts.han))

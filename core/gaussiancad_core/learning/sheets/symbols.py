@@ -19,8 +19,13 @@ from gaussiancad_core.learning.sheets.views import SheetView
 from gaussiancad_core.sheet.labels.classes import InkClass
 
 _TOLERANCES = ("0.1", "0.05", "⌀0.2", "0.02", "⌀0.1")
+"""In tolerance frames."""
+
 _ROUGHNESSES = ("3.2", "1.6", "Ra 0.8", "6.3", "12.5")
+"""At signs of surfaces."""
+
 _WELDS = ("3", "a4", "5", "z6", "6")
+"""Sizes of welds."""
 
 _SIGNS: tuple[tuple[tuple[tuple[float, float], ...], ...], ...] = (
     (((0, -1.3), (0, 1.3)), ((-1.3, 0), (1.3, 0))),

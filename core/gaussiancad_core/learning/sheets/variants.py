@@ -135,14 +135,32 @@ class _Slab:
 
 def _outline(chance: random.Random) -> Points:
     """(n, 2) corners of an outline that fills a square of side 1."""
-    a, b, c, d = (chance.uniform(0.12, 0.45) for _ in range(4))
+    low, stem, high, edge = (chance.uniform(0.12, 0.45) for _ in range(4))
     box = [(0, 0), (1, 0), (1, 1), (0, 1)]
-    angle = [(0, 0), (1, 0), (1, a), (b, a), (b, 1), (0, 1)]
-    channel = [(0, 0), (1, 0), (1, 1), (1 - a, 1), (1 - a, b), (c, b), (c, 1), (0, 1)]
-    tee = [(a, 0), (1 - b, 0), (1 - b, c), (1, c), (1, 1), (0, 1), (0, c), (a, c)]
-    clamp = [(0, 0), (1, 0), (1, a), (b, a), (b, 1 - c), (1, 1 - c), (1, 1), (0, 1)]
+    angle = [(0, 0), (1, 0), (1, low), (stem, low), (stem, 1), (0, 1)]
+    channel = [
+        (0, 0),
+        (1, 0),
+        (1, 1),
+        (1 - low, 1),
+        (1 - low, stem),
+        (high, stem),
+        (high, 1),
+        (0, 1),
+    ]
+    tee = [
+        (low, 0),
+        (1 - stem, 0),
+        (1 - stem, high),
+        (1, high),
+        (1, 1),
+        (0, 1),
+        (0, high),
+        (low, high),
+    ]
+    clamp = [(0, 0), (1, 0), (1, low), (stem, low), (stem, 1 - high), (1, 1 - high), (1, 1), (0, 1)]
     nut = [(0.25, 0), (0.75, 0), (1, 0.5), (0.75, 1), (0.25, 1), (0, 0.5)]
-    wedge = [(0, 0), (1, 0), (1, d), (b, 1), (0, 1)]
+    wedge = [(0, 0), (1, 0), (1, edge), (stem, 1), (0, 1)]
     forms = [box, box, angle, channel, tee, clamp, nut, wedge, _skyline(chance)]
     return np.array(chance.choice(forms), dtype=np.float64)
 

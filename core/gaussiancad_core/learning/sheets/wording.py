@@ -3,6 +3,7 @@
 import random
 
 _REMARKS = ("±0.1", " ±0.05", " H7", " h6", " +0.1", "°", " TYP", " REF", " mm", '"')
+"""After numbers."""
 
 _NOTES = (
     "2x ⌀{size} THRU", "⌀{size} ↧ {depth}", "4x M{whole}", "M{whole}x0.7 ↧{depth}",
@@ -12,6 +13,7 @@ _NOTES = (
     "4 HOLES EQ. SP.", "PCD {size}", "SLOT {depth} WIDE", "TYP", "{whole} PLACES", "KNURL",
     "A/F {size}",
 )  # fmt: skip
+"""What leaders tell."""
 
 _WORDS = (
     "ALL DIMENSIONS IN MM UNLESS OTHERWISE STATED REMOVE BURRS SHARP EDGES MATERIAL STEEL "
@@ -21,14 +23,17 @@ _WORDS = (
     "BRACKET SHAFT PLATE FLANGE HOUSING COVER Ra 3.2 1.6 HRC 58-62 DIN EN 10025 S235JR fillets R1 "
     "chamfer C0.5 thread M6 depth holes"
 )
+"""Of title blocks, tables and notes."""
 
 _CAPTIONS = (
     "{0}-{0}", "SECTION {0}-{0}", "{0}-{0} (1:1)", "VIEW {0}", "{0}", "FRONT", "TOP VIEW",
     "Front View", "Right View", "Top View", "VIEW FROM {0}", "SIDE", "{0} - {0}", "FIG. {0}",
     "PLAN", "ELEVATION",
 )  # fmt: skip
+"""Of views."""
 
 _HAN = "技术要求材料比例图号名称数量备注设计审核批准日期标记签名共张第未注倒角圆角热处理公差表面"
+"""Characters of Chinese title blocks and notes."""
 
 
 def number(chance: random.Random) -> str:

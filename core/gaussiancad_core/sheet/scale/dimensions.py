@@ -41,6 +41,10 @@ _HALF = 0.6
 _TOUCH = 4.0
 """px by which lines may miss each other and still meet."""
 
+_EXTENT, _OFF = 0.4, 1.0
+"""Weight of a view's extent that a text stands beside, and distance of the text's middle from the
+extent's at most, in its height."""
+
 _FEET = 0.9
 """Weight of what a dimension line measures between the lines near its ends."""
 
@@ -171,6 +175,28 @@ def spans_of(text: SheetText, rules: Sequence[Rule], edges: Sequence[Rule]) -> t
         if span.length >= _SHORTEST and not any(_same(span, other) for other in unique):
             unique.append(span)
     return tuple(unique)
+
+
+def extents_beside(text: SheetText, boxes: Iterable[Box]) -> tuple[Span, ...]:
+    """The extents of the views that a text stands beside, in the middle of a side: a dimension of
+    a few px may be all heads, without a line that could be found.
+
+    Args:
+        text: of a dimension.
+        boxes: of the views, between the centre lines of their outermost strokes.
+    """
+    x0, y0, x1, y1 = text.box
+    height = y1 - y0 if text.level else x1 - x0
+    found = []
+    for box in boxes:
+        for level in (True, False):
+            (low, high), (first, last) = _sides(box, level)
+            along, across = _sides(text.box, level)
+            off = abs(along[0] + along[1] - low - high) / 2.0
+            away = max(across[0] - last, first - across[1])
+            if off <= _OFF * height and 0.0 <= away <= _REACH * height:
+                found.append(Span(level, low, high, _EXTENT))
+    return tuple(found)
 
 
 def _same(one: Span, other: Span) -> bool:

@@ -11,12 +11,14 @@ from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.files.content import Note
 from gaussiancad_core.sheet.graph.heads import arrowheads, without_heads
+from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView
 from gaussiancad_core.sheet.scale.arrows import ArrowPair, arrow_pairs, arrow_spans
 from gaussiancad_core.sheet.scale.dimensions import (
     Rule,
     Span,
+    extents_beside,
     file_lines,
     file_rules,
     mark_rules,
@@ -135,6 +137,7 @@ class _Lines:
     arcs: list[Arc]
     pairs: tuple[ArrowPair, ...] = ()
     leaders: tuple[Leader, ...] = ()
+    boxes: tuple[Box, ...] = ()
 
 
 def find_scale(
@@ -260,7 +263,8 @@ def _lines(
     edges = [rule_of(own.start, own.end) for own in strokes if isinstance(own, Segment)]
     arcs = [stroke for stroke in strokes if isinstance(stroke, Arc)]
     borders = [edge for edge in edges if edge is not None]
-    return _Lines(rules, borders, arcs, pairs, tuple(leaders))
+    boxes = tuple(view.box for view in drawn)
+    return _Lines(rules, borders, arcs, pairs, tuple(leaders), boxes)
 
 
 def _dimensions(
@@ -299,7 +303,7 @@ def _candidates(
 ) -> tuple[Candidate, ...]:
     found = []
     if said.sign is not Sign.RADIUS:
-        spans = _spans(text, lines)
+        spans = (*_spans(text, lines), *extents_beside(text, lines.boxes))
         found += [Candidate(span.length, span.weight, span) for span in spans]
     # Where the sign was not read, the leader tells that it is a diameter.
     times = 1.0 if said.sign is Sign.RADIUS else 2.0

@@ -49,9 +49,7 @@ def leaders_of(marks: Iterable[Mark]) -> list[Leader]:
     return [
         (np.array(mark.line[0]), np.array(mark.line[1]))
         for mark in marks
-        if mark.kind in _NARROW
-        and mark.line is not None
-        and rule_of(*mark.line) is None
+        if mark.kind in _NARROW and mark.line is not None and rule_of(*mark.line) is None
     ]
 
 

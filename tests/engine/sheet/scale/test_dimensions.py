@@ -4,7 +4,14 @@ import pytest
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.marks import line_mark
-from gaussiancad_core.sheet.scale.dimensions import Rule, Span, mark_rules, rule_of, spans_of
+from gaussiancad_core.sheet.scale.dimensions import (
+    Rule,
+    Span,
+    extents_beside,
+    mark_rules,
+    rule_of,
+    spans_of,
+)
 from gaussiancad_core.sheet.scale.leaders import circles_at, leaders_of, shelves_of
 from gaussiancad_core.sheet.scale.texts import SheetText
 from gaussiancad_core.views import Arc, Linetype
@@ -192,3 +199,18 @@ def test_a_leader_that_an_edge_cuts_may_point_at_either_circle() -> None:
     note = text((175.0, 8.0, 225.0, 26.0))
     found = circles_at(note, leaders_of(marks), shelves_of(marks), arcs)
     assert {arc.radius for arc in found} == {20.0, 42.4}
+
+
+@pytest.mark.parametrize("level", [True, False])
+def test_a_text_in_the_middle_of_a_side_may_tell_the_extent(level: bool) -> None:
+    box = (100.0, 100.0, 300.0, 106.0) if level else (100.0, 100.0, 106.0, 300.0)
+    beside = (320.0, 94.0, 370.0, 112.0) if level else (78.0, 320.0, 128.0, 338.0)
+    thin = Span(not level, 100.0, 106.0, 0.4)
+    assert extents_beside(text(beside), [box]) == (thin,)
+    # Far away, or off the middle, it tells nothing.
+    x0, y0, x1, y1 = beside
+    far = 200.0
+    away = (x0 + far, y0, x1 + far, y1) if level else (x0, y0 + far, x1, y1 + far)
+    off = (x0, y0 + 30.0, x1, y1 + 30.0) if level else (x0 + 40.0, y0, x1 + 40.0, y1)
+    assert extents_beside(text(away), [box]) == ()
+    assert extents_beside(text(off), [box]) == ()
