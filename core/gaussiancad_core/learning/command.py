@@ -4,6 +4,7 @@ import argparse
 import os
 import sys
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 from gaussiancad_core.cli.libraries import prepare_environment
@@ -68,7 +69,8 @@ def _run(options: argparse.Namespace) -> None:
         start=options.start,
         seed=options.seed,
     )
-    make(order, Generator(drawn_parts, samples, font_names()), _tell)
+    draw = partial(drawn_parts, workers=options.workers)
+    make(order, Generator(draw, samples, font_names()), _tell)
     print(order.out / CARD_FILE)
 
 
