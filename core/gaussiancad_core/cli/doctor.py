@@ -30,6 +30,7 @@ _NEEDED = {
     "manifold3d": "manifold3d",
     "ot": "POT",
     "OCP": "cadquery-ocp-novtk",
+    "onnxruntime": "onnxruntime",
 }
 """Module -> distribution, of all but Open3D, which has two."""
 
@@ -64,6 +65,7 @@ def run(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
         broken += problem is not None
         state = f"BROKEN: {problem}" if problem else metadata.version(distribution)
         print(f"  {distribution:24} {state}", flush=True)
+    print(f"  {'labels network':24} {_labels_state()}", flush=True)
     print(f"  {'ocr (optional)':24} {_ocr_state()}", flush=True)
     print(f"  {'gpu (optional)':24} {_gpu_state()}", flush=True)
     if broken:
@@ -71,6 +73,14 @@ def run(_options: argparse.Namespace, _listener: Listener) -> ExitCode:
         return ExitCode.ENGINE
     print("the engine is complete")
     return ExitCode.DONE
+
+
+def _labels_state() -> str:
+    """Whether pictures are labelled by the trained network."""
+    from gaussiancad_core.sheet.labels.network import labels_problem
+
+    problem = labels_problem()
+    return "whole" if problem is None else f"not used, pictures are read by rules: {problem}"
 
 
 def _ocr_state() -> str:
