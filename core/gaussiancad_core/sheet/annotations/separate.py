@@ -196,7 +196,7 @@ def separate_annotations(
         told = Told(*split_loose(shapes, kinds, left, rule), unexplained)
     if any(kind for own in told.kinds for kind in own):
         told = with_clear_tips(told, sheet.ink, sheet.stroke_width)
-        marks += _line_marks(told)
+        marks += line_marks(told)
         part = replace(erased(part, told), stroke_width=weights.visible)
         if weights.limit:
             part = without_slivers(without_heads(part, told, weights.visible), told, sheet)
@@ -347,7 +347,8 @@ def _in_letters(shape: Grown, ridges: RidgePoints, mask: Mask) -> bool:
     return bool(mask[rows, columns].mean() > 0.5)
 
 
-def _line_marks(told: Told) -> list[Mark]:
+def line_marks(told: Told) -> list[Mark]:
+    """One mark for each run that is an annotation, between its ends."""
     marks = []
     for shape, own in zip(told.shapes, told.kinds, strict=True):
         for run, kind in zip(shape.runs, own, strict=True):

@@ -43,12 +43,9 @@ class InkLabels:
 
     Attributes:
         log_p: (classes, h, w) float16, natural logarithm of each class's probability.
-        on_hidden: (h, w) float16, probability that a pixel lies on a hidden line, on a dash or in a
-            gap between two.
     """
 
     log_p: npt.NDArray[np.float16]
-    on_hidden: npt.NDArray[np.float16]
 
     def at(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
         """(n, classes) log-probabilities at points (n, 2)."""
@@ -79,6 +76,10 @@ def labels_problem() -> Message | None:
         return Message("the weights of the labels network are missing")
     if hashlib.sha256(weights).hexdigest() != wanted:
         return Message("the weights of the labels network are damaged")
+    try:
+        import onnxruntime  # noqa: F401
+    except ImportError as error:
+        return Message("the labels network does not run, as {reason}", reason=error)
     return None
 
 
@@ -93,7 +94,6 @@ def ink_labels(grey: npt.NDArray[np.uint8]) -> InkLabels:
     padded[:height, :width] = grey
     log_p = np.full((len(InkClass), *padded.shape), _FLOOR, np.float16)
     log_p[InkClass.PAPER] = 0.0
-    on_hidden = np.zeros(padded.shape, np.float16)
     session = _session()
     name = session.get_inputs()[0].name
     for top, left in product(range(0, padded.shape[0], _TILE), range(0, padded.shape[1], _TILE)):
@@ -106,8 +106,7 @@ def ink_labels(grey: npt.NDArray[np.uint8]) -> InkLabels:
         (logits,) = session.run(None, {name: ink})
         own = logits[0, :, top - above :, left - before :][:, :_TILE, :_TILE]
         log_p[:, *inner] = np.maximum(_log_softmax(own[: len(InkClass)]), _FLOOR)
-        on_hidden[inner] = 1.0 / (1.0 + np.exp(-own[len(InkClass)]))
-    return InkLabels(log_p[:, :height, :width], on_hidden[:height, :width])
+    return InkLabels(log_p[:, :height, :width])
 
 
 @lru_cache(maxsize=1)

@@ -9,8 +9,8 @@ from gaussiancad_core.sheet.annotations.erase import Told, erased, masked
 from gaussiancad_core.sheet.annotations.frame import find_frame
 from gaussiancad_core.sheet.annotations.hatching import find_hatching
 from gaussiancad_core.sheet.annotations.inked import InkedShape, inked_shape, points_along
-from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
-from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
+from gaussiancad_core.sheet.annotations.marks import Mark, Mask
+from gaussiancad_core.sheet.annotations.separate import SeparatedSheet, line_marks
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.growth import GrowthRules, grow_shapes
 from gaussiancad_core.sheet.labels.classes import ANNOTATION_KINDS, PART, InkClass
@@ -74,7 +74,7 @@ def separate_by_labels(sheet: CleanSheet, labels: InkLabels) -> SeparatedSheet:
     told = _told(shapes, labelled, unexplained, loose)
     part = erased(sheet, told)
     part = masked(part, ~_stray(part.ink, best))
-    marks += _line_marks(told)
+    marks += line_marks(told)
     hatched = None
     if any(AnnotationKind.HATCHING in own for own in told.kinds):
         found = find_hatching(sheet, shapes, ridges, free)
@@ -107,7 +107,7 @@ def _text_marks(text: Mask, stroke_width: float) -> list[Mark]:
 
 
 def _shared(shapes: list[InkedShape], sheet: CleanSheet) -> Mask:
-    """(h, w) bool, ink that lines of different directions run through."""
+    """(h, w) bool, ink that more than one line or circle runs through."""
     count = np.zeros(sheet.ink.shape, np.uint8)
     width = max(1, round(_BLOT * sheet.stroke_width))
     layer = np.zeros(sheet.ink.shape, np.uint8)
@@ -191,13 +191,3 @@ def _stray(ink: Mask, best: np.ndarray) -> Mask:
     stray = np.bincount(labels[part], minlength=count) < 0.5 * sizes
     stray[0] = False
     return stray[labels]
-
-
-def _line_marks(told: Told) -> list[Mark]:
-    marks = []
-    for shape, own in zip(told.shapes, told.kinds, strict=True):
-        for run, kind in zip(shape.runs, own, strict=True):
-            if kind is not None:
-                ends = points_along(shape.geometry, run.run, 1e9) + 0.5
-                marks.append(line_mark(kind, tuple(ends[0].tolist()), tuple(ends[-1].tolist())))
-    return marks

@@ -28,7 +28,7 @@ _MISSED = 1.0
 _SHARE = 0.34
 """Share of the measured dimensions that agree at least: fewer may do so by chance."""
 
-_CHANCE = 0.1
+_CHANCE = 0.05
 """Probability at most with which a number whose first digits are lost fits a length by chance."""
 
 _WHOLE = re.compile(r"\d+")

@@ -29,7 +29,7 @@ def labels_of(*pieces: tuple[int, InkClass, float]) -> InkLabels:
         log_p[ink, :, start:end] = -0.1
         log_p[rest, :, start:end] = -0.1 - odds
         start = end
-    return InkLabels(log_p.astype(np.float16), np.zeros(SIZE, np.float16))
+    return InkLabels(log_p.astype(np.float16))
 
 
 def line(*spans: tuple[float, float]) -> InkedShape:
