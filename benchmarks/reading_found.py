@@ -14,13 +14,11 @@ from gaussiancad_core.projection_choice import both_readings, choose_projection
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.options import ReadingOptions
-from gaussiancad_core.sheet.picture_views import picture_views
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import RegisteredSheet, read_views, register_views
 from gaussiancad_core.sheet.registration import scaled
-from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
-from gaussiancad_core.sheet.view_search import find_views
+from gaussiancad_core.sheet.sheet_views import sheet_views
 from gaussiancad_core.views import Linetype
 
 
@@ -54,15 +52,9 @@ def read(path: Path, reading: ReadingOptions, direct: bool = True) -> Found:
     """
     image = read_sheet(path)
     clean = upright_sheet(clean_sheet(image.grey, reading.median_kernel))
-    if image.vectors is None:
-        seen = picture_views(image, clean, {}, None)
-        separated, layout = seen.separated, seen.layout
-    else:
-        # A file knows whether its lines are of one width; its picture alone does not.
-        known = direct and image.vectors.has_one_width
-        separated, layout = find_views(clean, {}, None, by_weight=not known)
-    vectors = VectorSheet.of(image.vectors, clean) if direct and image.vectors else None
-    drawn = read_views(separated.part, layout, finder=reading.finder, vectors=vectors)
+    seen = sheet_views(image if direct else replace(image, vectors=None), clean)
+    layout = seen.layout
+    drawn = read_views(seen.separated.part, layout, finder=reading.finder, vectors=seen.vectors)
     projection, alternatives = layout.projection, layout.alternatives
     if alternatives:
         choice = choose_projection(*both_readings(drawn, reading), projection)

@@ -3,8 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import NoModelError
@@ -16,38 +14,31 @@ from gaussiancad_core.projection_choice import opposite
 from gaussiancad_core.report import NoteReport, Unused, ViewReport
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
-from gaussiancad_core.sheet.annotations.separate import SeparatedSheet, separate_annotations
-from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
-from gaussiancad_core.sheet.colour_pens import colour_pens
+from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.files.vectors import CircularArc
 from gaussiancad_core.sheet.graph.heads import arrowheads
 from gaussiancad_core.sheet.graph.tangent_edges import without_tangent_edges
 from gaussiancad_core.sheet.graph.threads import without_threads
-from gaussiancad_core.sheet.graph.views import graph_views
-from gaussiancad_core.sheet.labels.network import labels_problem
 from gaussiancad_core.sheet.layout import Layout, may_be_views
 from gaussiancad_core.sheet.masks import supersampling_for
 from gaussiancad_core.sheet.notes.finding import SheetNote, notes_of
 from gaussiancad_core.sheet.notes.sections import NamedSection, named_sections
-from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
+from gaussiancad_core.sheet.options import Box, ReadingOptions
 from gaussiancad_core.sheet.painted import painted, view_by_strokes, visible_bounds
-from gaussiancad_core.sheet.picture_views import PictureViews, picture_views
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
 from gaussiancad_core.sheet.scale.dimensions import file_lines
 from gaussiancad_core.sheet.scale.find import (
     ScaleSource,
     SheetScale,
-    WrittenSheet,
     find_scale,
 )
+from gaussiancad_core.sheet.sheet_views import SheetViews, sheet_views
 from gaussiancad_core.sheet.special_views.beside import sections_beside
 from gaussiancad_core.sheet.special_views.hatched_areas import to_middles, with_hatched_areas
 from gaussiancad_core.sheet.special_views.kinds import SECTIONS
 from gaussiancad_core.sheet.special_views.telling import UNUSED, tellings, why_unused
-from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
-from gaussiancad_core.sheet.view_search import find_views
 from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
 
 _MOST_PLACES = 5
@@ -83,17 +74,6 @@ class SheetLines:
     beside: tuple[ReadView, ...] = ()
 
 
-@dataclass(frozen=True, eq=False)
-class _Found:
-    """What was found before lines are read: the part's ink, its views, their exact lines where the
-    file has them, and the texts where they are read already."""
-
-    separated: SeparatedSheet
-    layout: Layout
-    vectors: VectorSheet | None = None
-    written: WrittenSheet | None = None
-
-
 def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) -> SheetLines:
     """Views and lines of a sheet.
 
@@ -108,7 +88,7 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
     """
     reading = in_worked_px(job.reading, clean.turn)
     with notes.stage("views"):
-        found = _found_views(image, clean, reading, notes)
+        found = _views(image, clean, reading, notes)
         tell_marks(notes, found.separated.marks, clean.turn)
     with notes.stage("lines"):
         found, drawn, hatched = _strokes_in(image, clean, found, reading, notes)
@@ -138,17 +118,17 @@ def boxed_views(
     Args, Raises: as of :func:`read_lines`.
     """
     reading = in_worked_px(job.reading, clean.turn)
-    found = _found_views(image, clean, reading, notes)
+    found = _views(image, clean, reading, notes)
     return _strokes_in(image, clean, found, reading, notes)[1]
 
 
 def _strokes_in(
     image: SheetImage,
     clean: CleanSheet,
-    found: _Found,
+    found: SheetViews,
     reading: ReadingOptions,
     notes: RunNotes,
-) -> tuple[_Found, tuple[ReadView, ...], Mask | None]:
+) -> tuple[SheetViews, tuple[ReadView, ...], Mask | None]:
     """What was found, with the strokes of its views, and what is hatched in them."""
     separated, layout = found.separated, found.layout
     drawn = read_views(separated.part, layout, notes.progress, reading.finder, found.vectors)
@@ -272,7 +252,7 @@ def _sheet_scale(
     job: Job,
     image: SheetImage,
     clean: CleanSheet,
-    read: tuple[_Found, tuple[ReadView, ...]],
+    read: tuple[SheetViews, tuple[ReadView, ...]],
     notes: RunNotes,
 ) -> SheetScale | None:
     """What the sheet's dimensions, paper and notes say; None where nobody asks."""
@@ -303,78 +283,25 @@ def tell_scale(
     return replace(reading, mm_per_pixel=scale.mm_per_pixel)
 
 
-def _found_views(
-    image: SheetImage,
-    clean: CleanSheet,
-    reading: ReadingOptions,
-    notes: RunNotes,
-) -> _Found:
-    """The part's ink, its views, and their exact lines where the file has them."""
+def _views(
+    image: SheetImage, clean: CleanSheet, reading: ReadingOptions, notes: RunNotes
+) -> SheetViews:
+    """The part's ink and its views, with what is in doubt about them told."""
     given = {role: clean.turn.box_to_upright(box) for role, box in reading.views}
-    drawing = image.vectors if reading.finder is Finder.RIDGES else None
-    told = None
-    if drawing is not None:
-        told = graph_views(drawing, clean, given, reading.projection)
-        if told is not None and len(told.layout.boxes) > 1:
-            _tell_doubtful(notes, told.doubtful)
-            return _Found(told.separated, told.layout, told.vectors)
-    elif labels_problem() is None:
-        seen = picture_views(image, clean, given, reading.projection)
-        _tell_labels(notes, seen, clean.turn)
-        return _Found(seen.separated, seen.layout, written=seen.written)
-    else:
-        notes.warn("labels-missing", labels_problem())
-    coloured = _coloured_views(image, clean, given, reading)
-    if coloured is not None:
-        return _Found(*coloured)
-    # Where a file has lines of one width, those of its picture only seem to differ.
-    by_weight = not (image.vectors is not None and image.vectors.has_one_width)
-    try:
-        found = find_views(clean, given, reading.projection, by_weight)
-    except NoModelError:
-        if told is None:
-            raise
-        found = told.separated, told.layout
-    if told is not None and len(found[1].boxes) == 1:
-        return _Found(told.separated, told.layout, told.vectors)
-    return _Found(*found, VectorSheet.of(drawing, clean) if drawing is not None else None)
+    found = sheet_views(image, clean, given, reading.projection, reading.finder)
+    if found.labels_problem is not None:
+        notes.warn("labels-missing", found.labels_problem)
+    _tell_labels(notes, found, clean.turn)
+    _tell_doubtful(notes, found.other_pens)
+    return found
 
 
-def _coloured_views(
-    image: SheetImage, clean: CleanSheet, given: dict[Role, Box], reading: ReadingOptions
-) -> tuple[SeparatedSheet, Layout] | None:
-    """The part's ink and its views, where colours tell the pens apart; what the other pens drew is
-    annotation.  None where there is one pen, or its lines are no views that belong together."""
-    pens = colour_pens(image.grey, image.tint) if image.tint is not None else None
-    if pens is None:
-        return None
-    try:
-        part = _like(clean_sheet(pens.part, reading.median_kernel), clean)
-        separated, layout = find_views(part, given, reading.projection)
-    except NoModelError:
-        return None
-    try:
-        beside = separate_annotations(_like(clean_sheet(pens.others, 0), clean)).marks
-    except NoModelError:
-        beside = ()
-    return replace(separated, marks=(*separated.marks, *beside)), layout
-
-
-def _like(part: CleanSheet, whole: CleanSheet) -> CleanSheet:
-    """A part of a sheet's ink, turned as the sheet is."""
-    turn = whole.turn
-    if turn.angle:
-        ink = turn.upright(part.ink.astype(np.float32)) > 0.5
-        part = replace(part, ink=ink, weight=turn.upright(part.weight))
-    return replace(part, turn=turn, dash_gap=whole.dash_gap)
-
-
-def _tell_labels(notes: RunNotes, seen: PictureViews, turn: Turn) -> None:
+def _tell_labels(notes: RunNotes, found: SheetViews, turn: Turn) -> None:
     """Say which lines in the views may be edges or annotation."""
     boxes = [
         turn.box_to_stored(box)
-        for box in seen.separated.doubtful
-        if any(_overlap(box, view) for view in seen.layout.boxes.values())
+        for box in found.separated.doubtful
+        if any(_overlap(box, view) for view in found.layout.boxes.values())
     ]
     if boxes:
         message = Message(

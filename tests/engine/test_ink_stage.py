@@ -18,7 +18,7 @@ from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import RegisteredSheet, read_views, register_views
-from gaussiancad_core.sheet.view_search import find_views
+from gaussiancad_core.sheet.sheet_views import sheet_views
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.views import Arc
 
@@ -36,10 +36,11 @@ def read(
     roles = (Role.FRONT, Role.TOP, Role.RIGHT)
     sheet = draw_sheet(sample_solid("l-bracket"), roles, Projection.THIRD, parse_style("clean"), 0)
     write_image(sheet.image, path, 95, sheet.dpi)
-    clean = upright_sheet(clean_sheet(read_sheet(path).grey))
-    separated, layout = find_views(clean, {}, Projection.THIRD)
+    image = read_sheet(path)
+    clean = upright_sheet(clean_sheet(image.grey))
+    seen = sheet_views(image, clean, projection=Projection.THIRD)
     options = ReadingOptions(projection=Projection.THIRD, length=(Axis.X, _LENGTH))
-    registered = register_views(read_views(separated.part, layout), options)
+    registered = register_views(read_views(seen.separated.part, seen.layout), options)
     return find_exact(Reading(registered, Projection.THIRD), None).result, registered, clean
 
 

@@ -7,10 +7,13 @@ import numpy.typing as npt
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
+from gaussiancad_core.messages import Message
+from gaussiancad_core.sheet.annotations.marks import values_at
+from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.labels.network import ink_labels
+from gaussiancad_core.sheet.labels.network import InkLabels, ink_labels, labels_problem
+from gaussiancad_core.sheet.labels.plain import plain_labels
 from gaussiancad_core.sheet.labels.separation import separate_by_labels
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.notes.captions import captions_of
@@ -20,6 +23,7 @@ from gaussiancad_core.sheet.scale.find import WrittenSheet, read_texts
 from gaussiancad_core.sheet.special_views.finding import LayoutRequest
 from gaussiancad_core.sheet.special_views.symbol import find_symbol
 from gaussiancad_core.sheet.view_search import STUB, arranged, lone_view, with_symbol
+from gaussiancad_core.sheet.working_scale import resampled, working_factor
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,11 +34,13 @@ class PictureViews:
         separated: the part's ink, and the annotations.
         layout: where the views are.
         written: the texts; they are read before the views, as captions name these.
+        problem: why the picture was read without the network; None where it was not.
     """
 
     separated: SeparatedSheet
     layout: Layout
     written: WrittenSheet
+    problem: Message | None = None
 
 
 def picture_views(
@@ -52,7 +58,9 @@ def picture_views(
         NoModelError: there are fewer than two views that belong together, and not one alone.
         UsageError: a given box holds no ink.
     """
-    separated = separate_by_labels(sheet, ink_labels(_upright(image.grey, sheet.turn)))
+    problem = labels_problem()
+    labels = _labels(image, sheet) if problem is None else plain_labels(sheet)
+    separated = separate_by_labels(sheet, labels, _upright_tint(image.tint, sheet.turn))
     written = read_texts(image, sheet, separated.marks)
     symbol = find_symbol(sheet) if projection is None else None
     told = symbol.projection if symbol else projection
@@ -71,7 +79,29 @@ def picture_views(
         if alone is None:
             raise
         found = alone
-    return PictureViews(*with_symbol(*found, symbol), written)
+    return PictureViews(*with_symbol(*found, symbol), written, problem)
+
+
+def _labels(image: SheetImage, sheet: CleanSheet) -> InkLabels:
+    """The labels of a sheet's pixels; the picture of a file is labelled at working scale."""
+    grey = _upright(image.grey, sheet.turn)
+    factor = working_factor(grey) if image.vectors is not None else 1.0
+    if factor == 1.0:
+        return ink_labels(grey)
+    height, width = grey.shape
+    seen = ink_labels(resampled(grey, (round(width * factor), round(height * factor))))
+    return seen.at_size(width, height)
+
+
+def _upright_tint(tint: npt.NDArray[np.uint8] | None, turn: Turn) -> npt.NDArray[np.uint8] | None:
+    """The colours of a picture turned level: each pixel that of the nearest one."""
+    if tint is None or not turn.angle:
+        return tint
+    height, width = tint.shape
+    columns, rows = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
+    level = replace(turn, scale=1.0)
+    stored = level.to_stored(np.stack([columns.ravel(), rows.ravel()], axis=1)) - 0.5
+    return values_at(tint, stored).reshape(height, width)
 
 
 def _upright(grey: npt.NDArray[np.uint8], turn: Turn) -> npt.NDArray[np.uint8]:

@@ -1,24 +1,20 @@
-"""Which of a sheet's lines are views, tried in several ways: by line widths, by form, as it is.
+"""Which of a sheet's lines are views: those that belong together.
 
-Annotations that were not told make views larger than they are, or tie them to others; edges that
-were told as annotations leave holes.  The way counts that leads to views that belong together.
+What is left of annotations may stick out of a view and make it larger than it is: where views do
+not belong together with it, they are asked for without.
 """
 
-from collections.abc import Callable
 from dataclasses import replace
 
-from gaussiancad_core.axes import Projection, Role, mutually_orthogonal
+from gaussiancad_core.axes import mutually_orthogonal
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.sheet.annotations.separate import SeparatedSheet, separate_annotations
+from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.registration import axis_extents
 from gaussiancad_core.sheet.special_views.finding import LayoutRequest, find_named_layout
-from gaussiancad_core.sheet.special_views.symbol import ProjectionSymbol, find_symbol
-
-_TINY = 0.02
-"""Share of the sheet that its views take together at least, to be relied on at once."""
+from gaussiancad_core.sheet.special_views.symbol import ProjectionSymbol
 
 _LARGEST_LEFT_OUT = 10.0
 """Size of a figure that is no view, in that of all views, at most."""
@@ -28,37 +24,6 @@ STUB = 1.8
 
 _LIKE_A_VIEW = 0.5
 """Area of a figure that may be a view at least, as a share of the smallest one."""
-
-_LEAST_WHOLE = 0.4
-"""Size of views along all three axes, as a share of that of two views, at least."""
-
-_MUCH_LARGER = 2.0
-"""Factor by which other views must be larger to be preferred."""
-
-
-def find_views(
-    sheet: CleanSheet,
-    given: dict[Role, Box],
-    projection: Projection | None,
-    by_weight: bool = True,
-) -> tuple[SeparatedSheet, Layout]:
-    """Take the annotations off a sheet and find the views on it.
-
-    Where the widths of the lines lead to no views, or to tiny ones, they are not relied on.
-
-    Args:
-        sheet: upright.
-        given: boxes that the user named, in px of the upright sheet.
-        projection: as told by the user, or nothing: then the sheet's symbol is looked for.
-        by_weight: whether narrow lines may be told from wide ones; a file may know better.
-
-    Raises:
-        NoModelError: see :func:`gaussiancad_core.sheet.special_views.finding.find_named_layout`.
-        UsageError: a given box holds no ink.
-    """
-    symbol = find_symbol(sheet) if projection is None else None
-    told = symbol.projection if symbol else projection
-    return with_symbol(*_separated_views(sheet, given, told, by_weight), symbol)
 
 
 def with_symbol(
@@ -72,44 +37,6 @@ def with_symbol(
     return separated, replace(
         layout, symbol=symbol.projection, source="inferred", alternatives=alternatives
     )
-
-
-def _separated_views(
-    sheet: CleanSheet, given: dict[Role, Box], projection: Projection | None, by_weight: bool
-) -> tuple[SeparatedSheet, Layout]:
-    """Without relying on line widths, or on annotations at all, where that leads to more.
-
-    Where the widths leave two views only, outlines may have been taken for annotations.
-    """
-    separated = separate_annotations(sheet, by_weight)
-    ways: list[Callable[[], SeparatedSheet]] = [lambda: separated]
-    if separated.by_weight:
-        ways.append(lambda: separate_annotations(sheet, by_weight=False))
-    if sheet.plotted:
-        ways.append(lambda: separate_annotations(sheet, by_weight=False, closed=False))
-    if separated.marks:
-        ways.append(lambda: SeparatedSheet(sheet, (), False))
-    best: tuple[SeparatedSheet, Layout] | None = None
-    first: NoModelError | None = None
-    for way in ways:
-        tried = way()
-        try:
-            stub = STUB * tried.part.stroke_width
-            tried, layout = arranged(sheet, tried, LayoutRequest(given, projection, stub))
-        except NoModelError as error:
-            first = first or error
-            continue
-        if best is None or _is_better(layout, best[1]):
-            best = tried, layout
-        doubtful = (tried.by_weight or tried.closed) and not _is_whole(layout)
-        if not doubtful and _size(best[1]) > _TINY * sheet.ink.size:
-            return best
-    if best is None and first.code == "one-view" and not given:
-        stub = STUB * separated.part.stroke_width
-        best = lone_view(sheet, separated, LayoutRequest({}, projection, stub))
-    if best is None:
-        raise first
-    return best
 
 
 def arranged(
@@ -171,18 +98,6 @@ def _require_largest(layout: Layout) -> None:
             boxes=[figure],
             place=f"({x0}, {y0}) to ({x1}, {y1})",
         )
-
-
-def _is_better(layout: Layout, other: Layout) -> bool:
-    """Whether views are much larger than others, and belong together unless those do not either;
-    or are whole and larger than those that are not.  Where those lack a view, they may be larger:
-    dimensions that stayed lose one, and add to the others."""
-    size = _size(other)
-    least = size if mutually_orthogonal(tuple(other.boxes)) else _LEAST_WHOLE * size
-    if _is_whole(layout) and not _is_whole(other) and _size(layout) > least:
-        return True
-    larger = _size(layout) > _MUCH_LARGER * size
-    return larger and (_belong_together(layout) or not _belong_together(other))
 
 
 def _is_whole(layout: Layout) -> bool:

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,9 +16,10 @@ from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.pen import Pen, fit_pen
+from gaussiancad_core.sheet.picture_views import picture_views
+from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import read_views
 from gaussiancad_core.sheet.strokes import classify_strokes
-from gaussiancad_core.sheet.view_search import find_views
 from gaussiancad_core.sheet.view_shapes import find_shapes, view_rhythm
 from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
 
@@ -160,9 +162,9 @@ def test_a_line_that_was_seen_in_an_arc_has_no_fillet_of_its_own() -> None:
     title = "FILLETS-4004"
     drawn = compose_sheet(lines, Projection.THIRD, PRESETS["clean"], 4004, title=title)
     grey = drawn.image.mean(axis=2) if drawn.image.ndim == 3 else drawn.image
-    sheet = upright_sheet(clean_sheet(grey.astype(np.uint8)))
-    separated, layout = find_views(sheet, {}, Projection.THIRD)
-    views = {view.role: view.strokes for view in read_views(separated.part, layout)}
+    image = SheetImage(Path("sheet.png"), grey.astype(np.uint8), "")
+    seen = picture_views(image, upright_sheet(clean_sheet(image.grey)), {}, Projection.THIRD)
+    views = {view.role: view.strokes for view in read_views(seen.separated.part, seen.layout)}
     arcs = [stroke for stroke in views[Role.TOP] if isinstance(stroke, Arc)]
     assert [arc.radius for arc in arcs] == pytest.approx([15.09, 15.09], abs=0.15)
     assert [arc.sweep for arc in arcs] == pytest.approx([np.pi / 2] * 2, abs=0.02)

@@ -9,7 +9,7 @@ from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
-from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
+from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
 from gaussiancad_core.sheet.files.painting import paint
 from gaussiancad_core.sheet.files.vectors import Line, VectorDrawing, VectorStroke, bounds
@@ -121,7 +121,7 @@ def _part(
     # Chords that make one arc together are rounded, too.
     own = VectorDrawing(found.of(Label.VISIBLE, Label.HIDDEN), ())
     vectors = VectorSheet(drawing, part, drawing_grid(own) or grid)
-    return SeparatedSheet(part, tuple(marks), False, hatched), vectors
+    return SeparatedSheet(part, tuple(marks), hatched), vectors
 
 
 def _mark(stroke: VectorStroke, kind: AnnotationKind) -> Mark | None:

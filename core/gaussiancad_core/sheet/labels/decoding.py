@@ -5,7 +5,7 @@ line or circle the log-odds of its points are added, and a change costs as much 
 tell: the cheapest assignment is found exactly (Viterbi 1967).
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -105,7 +105,7 @@ def labelled_runs(
     shape: InkedShape,
     labels: InkLabels,
     shared: npt.NDArray[np.bool_],
-    pens: Callable[[InkedShape, InkedRun, Floats], Floats] | None = None,
+    pens: Sequence[Callable[[InkedShape, InkedRun, Floats], Floats]] = (),
 ) -> list[LabelledRun]:
     """The runs of a line or circle, parted where they change from the part's to annotation.
 
@@ -113,13 +113,14 @@ def labelled_runs(
         shape: with its runs.
         labels: of the picture.
         shared: (h, w) bool, ink that more than one line runs through.
-        pens: further log-odds of the points of a run, from their (n, classes) log-probabilities.
+        pens: further log-odds of the points of a run each, from their (n, classes)
+            log-probabilities.
     """
     points = []
     for own in shape.runs:
         where = points_along(shape.geometry, own.run, _STEP)
         log_p = labels.at(where)
-        odds = part_odds(log_p) + (pens(shape, own, log_p) if pens is not None else 0.0)
+        odds = part_odds(log_p) + sum(told(shape, own, log_p) for told in pens)
         weights = np.where(values_at(shared, where), _SHARED, 1.0)
         points.append(_Points(log_p, np.clip(odds, -_CLIP, _CLIP), weights))
     if not points:

@@ -53,6 +53,12 @@ class InkLabels:
         rows = np.clip(np.rint(points[:, 1]).astype(int), 0, self.log_p.shape[1] - 1)
         return self.log_p[:, rows, columns].T.astype(np.float64)
 
+    def at_size(self, width: int, height: int) -> "InkLabels":
+        """The labels of the same picture at another size in px, by the nearest pixel."""
+        rows = np.arange(height) * self.log_p.shape[1] // height
+        columns = np.arange(width) * self.log_p.shape[2] // width
+        return InkLabels(self.log_p[:, rows[:, None], columns])
+
     def best(self) -> npt.NDArray[np.uint8]:
         """(h, w) the likeliest class of each pixel if it is ink."""
         return (1 + self.log_p[1:].argmax(axis=0)).astype(np.uint8)

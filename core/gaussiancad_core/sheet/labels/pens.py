@@ -83,6 +83,8 @@ def learnt_pens(
 ) -> Pens | None:
     """The pens of a sheet; None where its lines are of one width.
 
+    Where no line is sure, the widths part two pens by themselves.
+
     Args:
         sheet: the ink.
         shapes: its lines and circles.
@@ -96,9 +98,31 @@ def learnt_pens(
             if known and own.ink in (InkClass.VISIBLE, *_THIN):
                 width = run_width(sheet, shape.geometry, own.run.run)
                 (thick if own.is_part else thin).append(width)
+    if not thick and not thin:
+        thick, thin = _by_width_alone(sheet, shapes)
     thick, thin = ([own for own in each if np.isfinite(own)] for each in (thick, thin))
     if min(len(thick), len(thin)) < _LEAST:
         return None
     wide, narrow = float(np.median(thick)), float(np.median(thin))
     apart = np.percentile(thin, _MOST) < np.percentile(thick, 100.0 - _MOST)
     return Pens(sheet, wide, narrow) if apart and narrow <= _APART * wide else None
+
+
+def _by_width_alone(
+    sheet: CleanSheet, shapes: Sequence[InkedShape]
+) -> tuple[list[float], list[float]]:
+    """Widths in px of the long lines of two pens, the wide one's first: parted where that leaves
+    the least variance within both (Otsu 1979)."""
+    widths = np.sort(
+        [
+            own.width
+            for shape in shapes
+            for own in shape.runs
+            if own.width is not None and own.run.length >= _LONG * sheet.stroke_width
+        ]
+    )
+    if len(widths) < 2 * _LEAST:
+        return [], []
+    cuts = range(_LEAST, len(widths) - _LEAST + 1)
+    cut = min(cuts, key=lambda k: k * widths[:k].var() + (len(widths) - k) * widths[k:].var())
+    return widths[cut:].tolist(), widths[:cut].tolist()

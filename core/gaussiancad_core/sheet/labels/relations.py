@@ -1,8 +1,9 @@
 """What a line is by those that it meets: edges end at edges, and a figure is of one kind.
 
 The network sees each pixel's surroundings; that an outline closes it does not ask.  Two relations
-say more: an edge that ends where no other edge is costs something, so that a doubtful piece between
-two loose ends is an edge; and lines that hang together are all of a view or all of a pictorial.
+say more: an edge that ends where no other edge or break line is costs something, so that a doubtful
+piece between two loose ends is an edge; and lines that hang together are all of a view or all of a
+pictorial.
 """
 
 from collections.abc import Iterable, Sequence
@@ -21,6 +22,9 @@ Floats = npt.NDArray[np.float64]
 
 _LOOSE_END = 6.0
 """Cost of an end of a visible edge at which there is no other edge, as log-odds."""
+
+_BROKEN_END = 3.0
+"""The same where it meets what may be a break line."""
 
 _REACH = 1.2
 """Distance from an end to the edge that it meets at most, in stroke widths."""
@@ -126,12 +130,18 @@ def _without_loose_ends(
         if len(own := {int(k) for k in np.flatnonzero(groups == group)} & doubtful) > 1
     ]
 
+    def looseness(near: Sequence[int], states: Sequence[bool]) -> float:
+        if any(states[j] for j in near):
+            return 0.0
+        broken = any(pieces[j].ink is InkClass.OTHER for j in near)
+        return _BROKEN_END if broken else _LOOSE_END
+
     def cost(around: Iterable[int], states: Sequence[bool]) -> float:
         total = 0.0
         for k in around:
             total -= pieces[k].evidence * (0.5 if states[k] else -0.5)
             if states[k] and pieces[k].log_p[InkClass.VISIBLE] >= pieces[k].log_p[InkClass.HIDDEN]:
-                total += _LOOSE_END * sum(not any(states[j] for j in near) for near in ends[k])
+                total += sum(looseness(near, states) for near in ends[k])
         return total
 
     for _ in range(_ROUNDS):

@@ -1,5 +1,7 @@
 """A sheet taken apart by the labels of its lines: the part's ink, and the annotations."""
 
+from dataclasses import replace
+
 import cv2
 import numpy as np
 import numpy.typing as npt
@@ -10,16 +12,18 @@ from gaussiancad_core.sheet.annotations.frame import find_frame
 from gaussiancad_core.sheet.annotations.hatching import find_hatching
 from gaussiancad_core.sheet.annotations.inked import InkedShape, inked_shape, points_along
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask
-from gaussiancad_core.sheet.annotations.separate import SeparatedSheet, line_marks
+from gaussiancad_core.sheet.annotations.separated import SeparatedSheet, line_marks
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.growth import GrowthRules, grow_shapes
 from gaussiancad_core.sheet.labels.classes import ANNOTATION_KINDS, PART, InkClass
+from gaussiancad_core.sheet.labels.colours import Tints, learnt_colours
 from gaussiancad_core.sheet.labels.decoding import LabelledRun, labelled_runs
 from gaussiancad_core.sheet.labels.network import InkLabels, part_odds
 from gaussiancad_core.sheet.labels.pens import learnt_pens
 from gaussiancad_core.sheet.labels.relations import related
 from gaussiancad_core.sheet.labels.words import written_lines
 from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.pale_strokes import mean_stroke_width
 from gaussiancad_core.sheet.ridges import ridge_points
 from gaussiancad_core.sheet.runs import ink_field
 from gaussiancad_core.sheet.scale.dimensions import rule_of
@@ -38,12 +42,15 @@ _TEXT_SHARE = 0.5
 """Share of a piece of ink that is writing from which all of it is."""
 
 
-def separate_by_labels(sheet: CleanSheet, labels: InkLabels) -> SeparatedSheet:
+def separate_by_labels(
+    sheet: CleanSheet, labels: InkLabels, tint: Tints | None = None
+) -> SeparatedSheet:
     """Take what is no part's off a sheet.
 
     Args:
         sheet: upright.
         labels: of the same picture.
+        tint: of the same; None where it has no colours.
     """
     marks: list[Mark] = []
     frame = find_frame(sheet.ink, sheet.turn)
@@ -64,8 +71,12 @@ def separate_by_labels(sheet: CleanSheet, labels: InkLabels) -> SeparatedSheet:
     shared = _shared(shapes, sheet)
     labelled = [labelled_runs(shape, labels, shared) for shape in shapes]
     pens = learnt_pens(sheet, shapes, labelled)
-    if pens is not None:
-        labelled = [labelled_runs(shape, labels, shared, pens.odds) for shape in shapes]
+    told_by = [pens.odds] if pens is not None else []
+    colours = tint is not None and learnt_colours(tint, shapes, labelled, sheet.stroke_width)
+    if colours:
+        told_by.append(colours.odds)
+    if told_by:
+        labelled = [labelled_runs(shape, labels, shared, told_by) for shape in shapes]
     labelled = related(shapes, labelled, sheet.stroke_width)
     free = np.ones(len(ridges.points), dtype=bool)
     for own in grown:
@@ -74,6 +85,8 @@ def separate_by_labels(sheet: CleanSheet, labels: InkLabels) -> SeparatedSheet:
     told = _told(shapes, labelled, unexplained, loose)
     part = erased(sheet, told)
     part = masked(part, ~_stray(part.ink, best))
+    width = pens.thick if pens is not None else mean_stroke_width(part.ink, part.weight)
+    part = replace(part, stroke_width=width)
     marks += line_marks(told)
     hatched = None
     if any(AnnotationKind.HATCHING in own for own in told.kinds):
@@ -81,7 +94,8 @@ def separate_by_labels(sheet: CleanSheet, labels: InkLabels) -> SeparatedSheet:
         hatched = found.area if found.marks else None
         marks += found.marks
     doubtful = _doubtful(shapes, labelled, sheet.stroke_width)
-    return SeparatedSheet(part, tuple(marks), False, hatched, told, doubtful=doubtful)
+    askew = sheet.ink & ~part.ink & (best == InkClass.PICTORIAL)
+    return SeparatedSheet(part, tuple(marks), hatched, askew, told, doubtful)
 
 
 def _writing(ink: Mask, best: np.ndarray) -> Mask:

@@ -35,17 +35,27 @@ def written_lines(letters: Sequence[Box]) -> list[Box]:
     Args:
         letters: boxes of letters, signs and points, px.
     """
+    return [_around(np.array([letters[k] for k in own])) for own in written_groups(letters)]
+
+
+def written_groups(letters: Sequence[Box]) -> list[list[int]]:
+    """For each line of writing the numbers of its letters; some stand alone.
+
+    Args:
+        letters: as for :func:`written_lines`.
+    """
     if not letters:
         return []
     boxes = np.array(letters, dtype=np.float64)
     sizes = (boxes[:, 2:] - boxes[:, :2]).max(axis=1)
-    boxes = boxes[np.argsort(-sizes, kind="stable")[:_MOST]]
-    level = _groups(boxes)
+    looked = np.argsort(-sizes, kind="stable")[:_MOST]
+    level = _groups(boxes[looked])
     alone = np.bincount(level)[level] == 1
-    found = _around(boxes[~alone], level[~alone])
-    turned = _turned(boxes[alone])
-    found += [_turned_box(own) for own in _around(turned, _groups(turned))]
-    return found
+    turned = looked[alone]
+    ways = ((looked[~alone], level[~alone]), (turned, _groups(_turned(boxes[turned]))))
+    return [
+        numbers[groups == own].tolist() for numbers, groups in ways for own in np.unique(groups)
+    ]
 
 
 def _groups(boxes: Floats) -> npt.NDArray[np.int32]:
@@ -67,22 +77,13 @@ def _groups(boxes: Floats) -> npt.NDArray[np.int32]:
     return connected_components(graph, directed=False)[1]
 
 
-def _around(boxes: Floats, groups: npt.NDArray[np.int32]) -> list[Box]:
-    """The box around each group."""
-    found = []
-    for group in np.unique(groups):
-        own = boxes[groups == group]
-        low, high = own[:, :2].min(axis=0), own[:, 2:].max(axis=0)
-        found.append((float(low[0]), float(low[1]), float(high[0]), float(high[1])))
-    return found
+def _around(boxes: Floats) -> Box:
+    """The box around some others (n, 4)."""
+    low, high = boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)
+    return float(low[0]), float(low[1]), float(high[0]), float(high[1])
 
 
 def _turned(boxes: Floats) -> Floats:
     """Boxes turned so that what runs up the sheet runs level."""
     x0, y0, x1, y1 = boxes.T
     return np.stack([-y1, x0, -y0, x1], axis=1)
-
-
-def _turned_box(box: Box) -> Box:
-    """A box turned back."""
-    return box[1], -box[2], box[3], -box[0]

@@ -10,7 +10,7 @@ from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.annotations.erase import masked
 from gaussiancad_core.sheet.annotations.marks import Mark
-from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
+from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.layout import (
     Layout,
@@ -101,6 +101,7 @@ def find_named_layout(
             if kind is not None:
                 special.append(SpecialView(kind, box))
                 rest.remove(box)
+    special += _askew(separated)
     for other in _other_parts(rest, layout):
         special.append(SpecialView(SpecialKind.OTHER_PART, merged(other)))
         rest = [box for box in rest if box not in other]
@@ -115,6 +116,14 @@ def find_named_layout(
     special += threads
     rest = [box for box in rest if box not in whole]
     return separated, replace(layout, left_out=tuple(rest), special=tuple(special))
+
+
+def _askew(separated: SeparatedSheet) -> list[SpecialView]:
+    """Pictorials and auxiliary views, told by their ink."""
+    if separated.askew is None:
+        return []
+    kinds = {box: special_kind(separated.told, box) for box in find_clusters(separated.askew)}
+    return [SpecialView(kind, box) for box, kind in kinds.items() if kind is not None]
 
 
 def _figures(separated: SeparatedSheet, clusters: list[Box]) -> tuple[SeparatedSheet, list[Box]]:
@@ -156,12 +165,17 @@ def _completed(
 
 
 def _restored(sheet: CleanSheet, separated: SeparatedSheet, broken: Break) -> SeparatedSheet:
-    """With the break lines of a view, which are as narrow as dimensions."""
+    """With the break lines of a view, each as far as its ink goes in the view."""
     part = separated.part
-    near = cv2.dilate(broken.lines.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    x0, y0, x1, y1 = (int(value) for value in broken.box)
+    gone = np.zeros(part.ink.shape, np.uint8)
+    gone[y0:y1, x0:x1] = (sheet.ink & (~part.ink | broken.lines))[y0:y1, x0:x1]
+    _, pieces = cv2.connectedComponents(gone, connectivity=8)
+    lines = np.isin(pieces, np.setdiff1d(pieces[broken.lines], 0)) | broken.lines
+    near = cv2.dilate(lines.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
     whole = replace(
         part,
-        ink=part.ink | broken.lines,
+        ink=part.ink | lines,
         weight=np.where(near, sheet.weight, part.weight),
     )
     return replace(separated, part=whole)

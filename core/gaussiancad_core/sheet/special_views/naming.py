@@ -54,6 +54,10 @@ _MEETING = 4.0
 """Distance of a detail's strokes from its circle at their ends at most, in stroke widths."""
 
 
+_SHOWS = None, AnnotationKind.PICTURE
+"""What lines are that show a part."""
+
+
 @dataclass(frozen=True, eq=False)
 class Lines:
     """The straight lines of a drawing.
@@ -74,7 +78,7 @@ class Lines:
 
 
 def lines_in(told: Told, box: Box) -> Lines:
-    """The straight lines of the part in a box."""
+    """The straight lines in a box that show a part."""
     ends, angles = [], []
     for shape, own in zip(told.shapes, told.kinds, strict=True):
         if not isinstance(shape.geometry, Line):
@@ -82,7 +86,7 @@ def lines_in(told: Told, box: Box) -> Lines:
         way = shape.geometry.direction
         for run, kind in zip(shape.runs, own, strict=True):
             both = points_along(shape.geometry, run.run, 1e9)[[0, -1]] + 0.5
-            if kind is None and _within(both, box):
+            if kind in _SHOWS and _within(both, box):
                 ends.append(both)
                 angles.append(np.arctan2(way[1], way[0]) % np.pi)
     stacked = np.array(ends).reshape(-1, 2, 2)
@@ -113,7 +117,7 @@ def _is_round_pictorial(told: Told, lines: Lines, box: Box) -> bool:
     for shape, own in zip(told.shapes, told.kinds, strict=True):
         if isinstance(shape.geometry, Line):
             continue
-        runs = [run for run, kind in zip(shape.runs, own, strict=True) if kind is None]
+        runs = [run for run, kind in zip(shape.runs, own, strict=True) if kind in _SHOWS]
         runs = [r for r in runs if _within(points_along(shape.geometry, r.run, 2.0) + 0.5, box)]
         length = sum(run.run.length for run in runs)
         round_one = isinstance(shape.geometry, Circle)

@@ -15,7 +15,7 @@ from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.erase import Kinds, Told, erased
 from gaussiancad_core.sheet.annotations.inked import InkedShape
 from gaussiancad_core.sheet.annotations.marks import Mask
-from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
+from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box

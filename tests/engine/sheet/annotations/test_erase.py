@@ -5,8 +5,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from gaussiancad_core.sheet.annotations.separate import separate_annotations
 from gaussiancad_core.sheet.clean import clean_sheet
+from gaussiancad_core.sheet.labels.network import ink_labels
+from gaussiancad_core.sheet.labels.separation import separate_by_labels
 from gaussiancad_core.sheet.strokes import classify_strokes
 from gaussiancad_core.sheet.view_shapes import find_shapes, view_pens, view_rhythm
 from gaussiancad_core.views import Arc
@@ -32,7 +33,8 @@ def test_extension_lines_to_a_rounded_corner_leave_it_round(
     drawn.line((RIGHT, BOTTOM + 4.0), (RIGHT, 285.0), narrow)
     drawn.line((20.0, BOTTOM), (LEFT + radius / 2, BOTTOM), narrow)
     drawn.line((20.0, TOP), (LEFT - 4.0, TOP), narrow)
-    part = separate_annotations(clean_sheet(drawn.grey)).part
+    sheet = clean_sheet(drawn.grey)
+    part = separate_by_labels(sheet, ink_labels(sheet.picture)).part
     view = find_shapes(part, (LEFT - 2.0, TOP - 2.0, RIGHT + 2.0, BOTTOM + 2.0))
     rhythm = view_rhythm([view], part.stroke_width)
     strokes = classify_strokes(view, rhythm, view_pens([view], rhythm))

@@ -13,8 +13,9 @@ from gaussiancad_core.drawing.raster import rasterise
 from gaussiancad_core.drawing.sheet import PartLines, compose_sheet, part_lines
 from gaussiancad_core.drawing.style import SectionKind, parse_style
 from gaussiancad_core.samples import sample
-from gaussiancad_core.sheet.annotations.separate import separate_annotations
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
+from gaussiancad_core.sheet.labels.network import ink_labels
+from gaussiancad_core.sheet.labels.separation import separate_by_labels
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 SIZE = "width=1440,height=900,section=front"
@@ -49,7 +50,7 @@ def test_hatching_is_taken_off(part: str, look: str) -> None:
     style = parse_style(f"{look},{SIZE}")
     drawn = compose_sheet(_lines(part), Projection.THIRD, style)
     clean = clean_sheet(cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY))
-    separated = separate_annotations(clean)
+    separated = separate_by_labels(clean, ink_labels(clean.picture))
     hatching = tuple(m for m in drawn.annotations if m.kind is AnnotationKind.HATCHING)
     strokes = tuple(stroke for view in drawn.views for stroke in view.strokes)
     part_ink = rasterise(strokes, style) > 0.5
@@ -74,7 +75,7 @@ def test_hatching_of_a_turned_sheet_is_taken_off() -> None:
     style = parse_style(f"photocopy,{SIZE}")
     drawn = compose_sheet(_lines("counterbored-block"), Projection.THIRD, style)
     clean = upright_sheet(clean_sheet(cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)))
-    separated = separate_annotations(clean)
+    separated = separate_by_labels(clean, ink_labels(clean.picture))
     upright = tuple(
         mark.turned(np.radians(3.0), (720.0, 450.0))
         for mark in drawn.annotations
@@ -105,16 +106,16 @@ def _teeth(sketch, steep: bool):  # noqa: ANN001, ANN202
 @pytest.mark.parametrize("steep", [True, False])
 def test_teeth_are_no_hatching(sketch, steep: bool) -> None:  # noqa: ANN001
     clean = clean_sheet(_teeth(sketch, steep).grey)
-    separated = separate_annotations(clean)
-    assert separated.marks == ()
-    assert np.array_equal(separated.part.ink, clean.ink)
+    separated = separate_by_labels(clean, ink_labels(clean.picture))
+    assert AnnotationKind.HATCHING not in {mark.kind for mark in separated.marks}
 
 
 def test_three_lines_are_no_hatching(sketch) -> None:  # noqa: ANN001
     drawn = sketch().lines((20, 20), (180, 20), (180, 140), (20, 140), (20, 20))
     for k in range(3):
         drawn.line((40.0 + 20.0 * k, 140.0), (160.0 + 20.0 * k - 40.0, 20.0))
-    separated = separate_annotations(clean_sheet(drawn.grey))
+    sheet = clean_sheet(drawn.grey)
+    separated = separate_by_labels(sheet, ink_labels(sheet.picture))
     assert AnnotationKind.HATCHING not in {mark.kind for mark in separated.marks}
 
 
@@ -130,7 +131,7 @@ def test_hatching_goes_on_beyond_a_bore(sketch) -> None:  # noqa: ANN001
             if last - first > 8.0:
                 drawn.line((first, total - first), (last, total - last), 2.0)
     clean = clean_sheet(drawn.grey)
-    separated = separate_annotations(clean)
+    separated = separate_by_labels(clean, ink_labels(clean.picture))
     below = separated.part.ink[356:394, 26:114]
     assert clean.ink[356:394, 26:114].sum() > 100
     # What is left is where the lines touch the outline.

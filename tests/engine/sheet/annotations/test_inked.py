@@ -1,4 +1,4 @@
-"""Runs of ink along shapes, how wide they are, and where they change their width."""
+"""Runs of ink along shapes, how wide they are."""
 
 from typing import Any
 
@@ -8,9 +8,7 @@ import pytest
 from gaussiancad_core.sheet.annotations.inked import (
     InkedShape,
     inked_shape,
-    normals_along,
     points_along,
-    split_by_width,
 )
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
 from gaussiancad_core.sheet.geometry import Circle, Line
@@ -50,24 +48,21 @@ def _level(shapes: list[InkedShape], y: float) -> InkedShape:
     return near[0]
 
 
-def test_points_and_normals_of_a_line() -> None:
+def test_points_of_a_line() -> None:
     run = Run(-5.0, 15.0)
     points = points_along(LEVEL, run, 1.0)
     assert points == pytest.approx(np.stack([np.arange(5.0, 26.0), np.full(21, 20.0)], axis=1))
-    assert np.abs(normals_along(LEVEL, run, 1.0)) == pytest.approx(np.array([[0.0, 1.0]] * 21))
     # Both ends are there, however far apart the points may be.
     assert points_along(LEVEL, run, 1e9) == pytest.approx(np.array([[5.0, 20.0], [25.0, 20.0]]))
 
 
-def test_points_and_normals_of_a_circle() -> None:
+def test_points_of_a_circle() -> None:
     circle = Circle((50.0, 60.0), 20.0)
     run = Run(-10.0, 30.0)
     points = points_along(circle, run, 0.5)
     assert circle.distances(points) == pytest.approx(0.0, abs=1e-9)
     steps = np.hypot(*np.diff(points, axis=0).T)
     assert steps == pytest.approx(0.5, abs=0.01)
-    radial = points - np.array(circle.centre)
-    assert normals_along(circle, run, 0.5) * 20.0 == pytest.approx(radial)
     first = (50.0 + 20.0 * np.cos(-0.5), 60.0 + 20.0 * np.sin(-0.5))
     assert points[0] == pytest.approx(first)
 
@@ -114,63 +109,3 @@ def test_a_line_beside_does_not_widen(sketch: Sketch, gap: float) -> None:
     _, shapes = _inked(drawn)
     assert [own.width for own in _level(shapes, 60.0).runs] == pytest.approx([2.0], abs=0.2)
     assert [own.width for own in _level(shapes, 60.0 + gap).runs] == pytest.approx([3.0], abs=0.2)
-
-
-@pytest.mark.parametrize("place", [60.0, 80.5, 130.0])
-def test_an_extension_line_that_goes_on_as_an_edge_is_cut(sketch: Sketch, place: float) -> None:
-    sheet, shape = _only(
-        sketch().line((20, 60), (place, 60), 1.5).line((place, 60), (180, 60), 3.0)
-    )
-    assert len(shape.runs) == 1
-    cut = split_by_width(sheet, shape, 2.2, 3.0)
-    assert cut.geometry == shape.geometry
-    assert len(cut.runs) == 2
-    ends = sorted(
-        (points_along(shape.geometry, own.run, 1e9)[:, 0].min(), own.width) for own in cut.runs
-    )
-    assert [width for _, width in ends] == pytest.approx([1.5, 3.0], abs=0.2)
-    assert ends[1][0] == pytest.approx(place, abs=2.0)
-    # The parts are the whole.
-    assert sum(own.run.length for own in cut.runs) == pytest.approx(shape.runs[0].run.length)
-    assert cut.runs[0].run.start == shape.runs[0].run.start
-    assert cut.runs[0].run.end == cut.runs[1].run.start
-
-
-@pytest.mark.parametrize("length", [60, 15])
-def test_an_edge_between_two_extension_lines(sketch: Sketch, length: int) -> None:
-    """A short one is no arrowhead: it is as wide as edges all along."""
-    drawn = sketch().line((20, 60), (70, 60), 1.5).line((70, 60), (70 + length, 60), 3.0)
-    sheet, shape = _only(drawn.line((70 + length, 60), (180, 60), 1.5))
-    cut = split_by_width(sheet, shape, 2.2, 3.0)
-    assert [own.width for own in cut.runs] == pytest.approx([1.5, 3.0, 1.5], abs=0.2)
-    assert [own.run.length for own in cut.runs] == pytest.approx([50, length, 110 - length], abs=3)
-
-
-def test_arrowheads_stay_with_their_line(sketch: Sketch) -> None:
-    drawn = sketch().line((20, 60), (180, 60), 1.5)
-    drawn.filled((20, 60), (32, 57.5), (32, 62.5)).filled((180, 60), (168, 57.5), (168, 62.5))
-    # The sheet's other lines: without them the arrows would be as wide as its strokes.
-    drawn.line((20, 110), (180, 110), 3.0).line((20, 130), (180, 130), 3.0)
-    sheet, shapes = _inked(drawn)
-    cut = split_by_width(sheet, _level(shapes, 60.0), 2.2, 3.0)
-    assert len(cut.runs) == 1
-    assert cut.runs[0].width == pytest.approx(1.5, abs=0.25)
-
-
-def test_a_large_wide_arrowhead_is_no_edge(sketch: Sketch) -> None:
-    """It is longer than a short edge, and twice as wide."""
-    drawn = sketch().line((20, 60), (180, 60), 1.0).filled((180, 60), (158, 53), (158, 67))
-    for y in (90, 100, 110, 120, 130):
-        drawn.line((20, y), (180, y), 2.0)
-    sheet, shapes = _inked(drawn)
-    cut = split_by_width(sheet, _level(shapes, 60.0), 1.4, 2.0)
-    assert len(cut.runs) == 1
-
-
-def test_lines_of_one_width_stay_whole(sketch: Sketch) -> None:
-    for width in (1.5, 3.0):
-        drawn = sketch().line((20, 60), (180, 60), width).line((90, 20), (90, 140), 3.0)
-        sheet, shapes = _inked(drawn)
-        shape = _level(shapes, 60.0)
-        cut = split_by_width(sheet, shape, 2.2, 3.0)
-        assert [own.run for own in cut.runs] == [own.run for own in shape.runs]

@@ -79,7 +79,7 @@ def test_a_pen_turns_a_doubt() -> None:
     shape = line((10.0, 200.0))
     (plain,) = labelled_runs(shape, labels, NOT_SHARED)
     (thin,) = labelled_runs(
-        shape, labels, NOT_SHARED, lambda shape, run, log_p: np.full(len(log_p), -3.0)
+        shape, labels, NOT_SHARED, [lambda shape, run, log_p: np.full(len(log_p), -3.0)]
     )
     assert plain.is_part
     assert not thin.is_part

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from pathlib import Path
 
 import cv2
 import pytest
@@ -11,10 +12,11 @@ from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.sheet import PartLines, Sheet, compose_sheet, part_lines
 from gaussiancad_core.drawing.style import SectionKind, parse_style
 from gaussiancad_core.samples import sample
-from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
+from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.layout import Layout
-from gaussiancad_core.sheet.view_search import find_views
+from gaussiancad_core.sheet.picture_views import picture_views
+from gaussiancad_core.sheet.read import SheetImage
 
 
 @dataclass(frozen=True)
@@ -49,9 +51,11 @@ def _lines(part: str, roles: str) -> PartLines:
 def _found(part: str, style: str, roles: str, projection: str) -> Found:
     look = parse_style(f"{style},width=1440,height=900")
     drawn = compose_sheet(_lines(part, roles), Projection(projection), look)
-    clean = upright_sheet(clean_sheet(cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)))
-    separated, layout = find_views(clean, {}, Projection(projection))
-    return Found(drawn, clean, separated, layout)
+    grey = cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)
+    clean = upright_sheet(clean_sheet(grey))
+    image = SheetImage(Path("sheet.png"), grey, "")
+    seen = picture_views(image, clean, {}, Projection(projection))
+    return Found(drawn, clean, seen.separated, seen.layout)
 
 
 @pytest.fixture(scope="session")

@@ -1,6 +1,7 @@
 """The projection symbol is found, told right, and nothing else is taken for it."""
 
 from functools import cache
+from pathlib import Path
 
 import cv2
 import numpy as np
@@ -15,8 +16,9 @@ from gaussiancad_core.drawing.sheet import PartLines, compose_sheet, part_lines
 from gaussiancad_core.drawing.style import SheetStyle, parse_style
 from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
+from gaussiancad_core.sheet.picture_views import PictureViews, picture_views
+from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.special_views.symbol import find_symbol
-from gaussiancad_core.sheet.view_search import find_views
 
 
 @cache
@@ -24,9 +26,19 @@ def _lines() -> PartLines:
     return part_lines(sample("boss-plate").build(), (Role.FRONT, Role.TOP, Role.RIGHT))
 
 
-def _sheet(projection: Projection, look: str) -> CleanSheet:
+def _grey(projection: Projection, look: str) -> np.ndarray:
     drawn = compose_sheet(_lines(), projection, parse_style(look))
-    return upright_sheet(clean_sheet(cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)))
+    return cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)
+
+
+def _sheet(projection: Projection, look: str) -> CleanSheet:
+    return upright_sheet(clean_sheet(_grey(projection, look)))
+
+
+def _views(projection: Projection, told: Projection | None) -> PictureViews:
+    grey = _grey(projection, "dimensioned")
+    image = SheetImage(Path("sheet.png"), grey, "")
+    return picture_views(image, upright_sheet(clean_sheet(grey)), {}, told)
 
 
 @pytest.mark.parametrize("projection", Projection)
@@ -93,15 +105,14 @@ def test_without_a_symbol_none_is_found(look: str) -> None:
 
 @pytest.mark.parametrize("projection", Projection)
 def test_the_views_are_named_by_the_symbol(projection: Projection) -> None:
-    clean = _sheet(projection, "dimensioned")
-    separated, layout = find_views(clean, {}, None)
+    found = _views(projection, None)
+    layout = found.layout
     assert set(layout.boxes) == {Role.FRONT, Role.TOP, Role.RIGHT}
     assert (layout.projection, layout.source) == (projection, "inferred")
     assert (layout.symbol, layout.alternatives) == (projection, (projection.other,))
-    assert AnnotationKind.SYMBOL in {mark.kind for mark in separated.marks}
+    assert AnnotationKind.SYMBOL in {mark.kind for mark in found.separated.marks}
 
 
 def test_what_the_user_says_counts_more() -> None:
-    clean = _sheet(Projection.FIRST, "dimensioned")
-    _, layout = find_views(clean, {}, Projection.THIRD)
+    layout = _views(Projection.FIRST, Projection.THIRD).layout
     assert (layout.projection, layout.source, layout.symbol) == (Projection.THIRD, "given", None)

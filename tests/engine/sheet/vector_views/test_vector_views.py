@@ -1,6 +1,7 @@
 """Views from the curves of files: as exact as the file, whatever way it writes them."""
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 import cv2
 import numpy as np
@@ -9,11 +10,11 @@ import pytest
 from gaussiancad_core.axes import Projection
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.sheet.picture_views import picture_views
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import ReadView, read_views, register_views
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
-from gaussiancad_core.sheet.view_search import find_views
 from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
 
 EXACT = 1e-3
@@ -22,11 +23,12 @@ EXACT = 1e-3
 
 def read(path, change=lambda grey: grey) -> tuple[ReadView, ...]:  # noqa: ANN001
     """The views of a file, its picture changed before it is looked at."""
-    image = read_sheet(path)
-    clean = upright_sheet(clean_sheet(change(image.grey)))
-    separated, layout = find_views(clean, {}, Projection.THIRD)
+    stored = read_sheet(path)
+    image = replace(stored, grey=change(stored.grey))
+    clean = upright_sheet(clean_sheet(image.grey))
+    seen = picture_views(image, clean, {}, Projection.THIRD)
     vectors = VectorSheet.of(image.vectors, clean)
-    return read_views(separated.part, layout, vectors=vectors)
+    return read_views(seen.separated.part, seen.layout, vectors=vectors)
 
 
 def distances(points: np.ndarray, strokes: Iterable[Stroke]) -> np.ndarray:

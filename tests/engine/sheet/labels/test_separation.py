@@ -8,16 +8,17 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.drawing.annotation import Annotation, AnnotationKind
+from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.drawing.inking import ink_annotations
-from gaussiancad_core.drawing.lettering import label
 from gaussiancad_core.drawing.raster import rasterise
 from gaussiancad_core.drawing.sheet import PartLines, Sheet, compose_sheet, part_lines
 from gaussiancad_core.drawing.style import PRESETS, SheetStyle
 from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.annotations.marks import Mask
-from gaussiancad_core.sheet.annotations.separate import SeparatedSheet, separate_annotations
-from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
+from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
+from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
+from gaussiancad_core.sheet.labels.network import ink_labels
+from gaussiancad_core.sheet.labels.separation import separate_by_labels
 
 Kind = AnnotationKind
 
@@ -44,8 +45,9 @@ def _lines(part: str) -> PartLines:
 def _case(part: str, name: str) -> Case:
     style = replace(PRESETS[name], width=1440, height=900)
     drawn = compose_sheet(_lines(part), Projection.THIRD, style)
-    clean = clean_sheet(cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY))
-    return Case(style, drawn, clean, separate_annotations(clean))
+    grey = cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)
+    clean = clean_sheet(grey)
+    return Case(style, drawn, clean, separate_by_labels(clean, ink_labels(grey)))
 
 
 def _wider(mask: Mask, px: int) -> Mask:
@@ -155,7 +157,7 @@ def test_every_text_of_the_drawing_is_marked(part: str) -> None:
 def test_marks_lie_where_there_was_ink(part: str) -> None:
     case = _case(part, "dimensioned")
     kinds = {mark.kind for mark in case.separated.marks}
-    assert {Kind.FRAME, Kind.TITLE_BLOCK, Kind.TEXT, Kind.EXTENSION} <= kinds
+    assert {Kind.FRAME, Kind.TITLE_BLOCK, Kind.TEXT, Kind.DIMENSION} <= kinds
     for mark in case.separated.marks:
         x0, y0, x1, y1 = mark.box
         rows = slice(max(int(y0) - 1, 0), int(np.ceil(y1)) + 2)
@@ -170,32 +172,7 @@ def test_marks_lie_where_there_was_ink(part: str) -> None:
 def test_twice_is_once() -> None:
     """What is left of a sheet has nothing more to take off but crumbs."""
     case = _case("l-bracket", "dimensioned")
-    again = separate_annotations(case.separated.part).part.ink
+    left = case.separated.part
+    again = separate_by_labels(left, ink_labels(left.picture)).part.ink
     lost = case.separated.part.ink & ~again
     assert lost.sum() < 0.02 * case.separated.part.ink.sum()
-
-
-def test_captions_alone_make_no_extension_lines(sketch) -> None:  # noqa: ANN001
-    """Dashes longer than most part nothing; where no dimension is they are the part's."""
-    drawn = sketch(700, 400).lines((60, 60), (460, 60), (460, 300), (60, 300), (60, 60), width=2)
-    for y in (120.0, 180.0):
-        drawn.broken((60, y), (460, y), (30, 12), 2.0)
-    words = Annotation(AnnotationKind.TEXT, 0, label=label("FRONT VIEW", (180, 340), 18.0, 0.0))
-    written = ink_annotations((words,), SheetStyle(width=700, height=400))
-    grey = np.minimum(drawn.grey, np.rint(255.0 * (1.0 - written)).astype(np.uint8))
-    sheet = clean_sheet(grey)
-    separated = separate_annotations(sheet, by_weight=False)
-    assert {mark.kind for mark in separated.marks} == {Kind.TEXT}
-    rows = [119, 120, 121, 179, 180, 181]
-    assert (separated.part.ink[rows, 60:460] == sheet.ink[rows, 60:460]).all()
-
-
-def test_dashes_longer_than_short_extension_lines_stay() -> None:
-    """All lines are of one width, and many hidden ones of two dashes."""
-    widths = {"visible_width": 2.0, "hidden_width": 2.0, "annotation_width": 2.0}
-    style = replace(PRESETS["dimensioned"], width=1440, height=900, dash=36.0, gap=18.0, **widths)
-    drawn = compose_sheet(_lines("three-axis-block"), Projection.THIRD, style)
-    clean = upright_sheet(clean_sheet(cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)))
-    case = Case(style, drawn, clean, separate_annotations(clean))
-    assert not case.separated.by_weight
-    assert _recall(case) >= 0.99

@@ -1,0 +1,41 @@
+"""A sheet taken apart: the part's ink, and the annotations."""
+
+from dataclasses import dataclass
+
+from gaussiancad_core.sheet.annotations.erase import Told
+from gaussiancad_core.sheet.annotations.inked import points_along
+from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.options import Box
+
+
+@dataclass(frozen=True, eq=False)
+class SeparatedSheet:
+    """A sheet without its annotations.
+
+    Attributes:
+        part: the sheet with the part's ink alone.
+        marks: what was taken off.
+        hatched: (h, w) bool, cut material; nothing where there is none.
+        askew: (h, w) bool, ink of pictorials and auxiliary views; nothing where none was told.
+        told: the lines and circles, and what each is; nothing where they were not looked at.
+        doubtful: boxes of lines that may be edges or annotation, the most doubtful first.
+    """
+
+    part: CleanSheet
+    marks: tuple[Mark, ...]
+    hatched: Mask | None = None
+    askew: Mask | None = None
+    told: Told | None = None
+    doubtful: tuple[Box, ...] = ()
+
+
+def line_marks(told: Told) -> list[Mark]:
+    """One mark for each run that is an annotation, between its ends."""
+    marks = []
+    for shape, own in zip(told.shapes, told.kinds, strict=True):
+        for run, kind in zip(shape.runs, own, strict=True):
+            if kind is not None:
+                ends = points_along(shape.geometry, run.run, 1e9) + 0.5
+                marks.append(line_mark(kind, tuple(ends[0].tolist()), tuple(ends[-1].tolist())))
+    return marks

@@ -1,0 +1,84 @@
+"""The views of a sheet, whatever it is: by the strokes of its file, else by its picture."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.messages import Message
+from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.graph.views import GraphViews, graph_views
+from gaussiancad_core.sheet.layout import Layout
+from gaussiancad_core.sheet.options import Box, Finder
+from gaussiancad_core.sheet.picture_views import picture_views
+from gaussiancad_core.sheet.read import SheetImage
+from gaussiancad_core.sheet.scale.find import WrittenSheet
+from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
+
+
+@dataclass(frozen=True, eq=False)
+class SheetViews:
+    """What was found on a sheet before its lines are read.
+
+    Attributes:
+        separated: the part's ink, and the annotations.
+        layout: where the views are.
+        vectors: exact lines of the part, where the file has them.
+        written: the texts, where they are read already.
+        labels_problem: why a picture was read without the labels network; None where it was not.
+        other_pens: boxes in px of strokes in other pens than the part's that may be its own.
+    """
+
+    separated: SeparatedSheet
+    layout: Layout
+    vectors: VectorSheet | None = None
+    written: WrittenSheet | None = None
+    labels_problem: Message | None = None
+    other_pens: tuple[Box, ...] = ()
+
+
+def sheet_views(
+    image: SheetImage,
+    sheet: CleanSheet,
+    given: Mapping[Role, Box] | None = None,
+    projection: Projection | None = None,
+    finder: Finder = Finder.RIDGES,
+) -> SheetViews:
+    """Find the views of a sheet.
+
+    The pens of a file tell its part where one of them drew views that belong together; all else is
+    read from the picture.
+
+    Args:
+        image: as stored.
+        sheet: the same, upright.
+        given: boxes that the user named, in px of the upright sheet.
+        projection: as told by the user, or nothing: then the sheet is asked.
+        finder: only ridges take the lines of a file.
+
+    Raises:
+        NoModelError: there are fewer than two views that belong together, and not one alone.
+        UsageError: a given box holds no ink.
+    """
+    boxes = dict(given or {})
+    drawing = image.vectors if finder is Finder.RIDGES else None
+    by_pens = None
+    if drawing is not None:
+        by_pens = graph_views(drawing, sheet, boxes, projection)
+        if by_pens is not None and len(by_pens.layout.boxes) > 1:
+            return _of_pens(by_pens)
+    try:
+        seen = picture_views(image, sheet, boxes, projection)
+    except NoModelError:
+        if by_pens is None:
+            raise
+        return _of_pens(by_pens)
+    if by_pens is not None and len(seen.layout.boxes) == 1:
+        return _of_pens(by_pens)
+    vectors = VectorSheet.of(drawing, sheet) if drawing is not None else None
+    return SheetViews(seen.separated, seen.layout, vectors, seen.written, seen.problem)
+
+
+def _of_pens(found: GraphViews) -> SheetViews:
+    return SheetViews(found.separated, found.layout, found.vectors, other_pens=found.doubtful)
