@@ -30,9 +30,6 @@ _SHORTEST, _SEEN = 1.3, 0.8
 _FREE = 0.75
 """Line widths around an end within which there is no other stroke."""
 
-_SAME = 0.75
-"""px between ends that are one corner."""
-
 _FLATTEST, _STEEPEST = np.cos(np.radians(12.0)), np.cos(np.radians(78.0))
 """Cosines of the turns between a line and its chamfer that are looked for."""
 

@@ -70,7 +70,6 @@ class CleanSheet:
         stroke_width: px, the mean over the sheet.
         turn: by which the sheet was turned back to be upright.
         dash_gap: px between dashes, of an upright sheet; 0 where they do not tell.
-        plotted: whether the paper has no darkness of its own.
     """
 
     ink: Ink
@@ -78,7 +77,6 @@ class CleanSheet:
     stroke_width: float
     turn: Turn
     dash_gap: float = 0.0
-    plotted: bool = False
 
     @property
     def picture(self) -> npt.NDArray[np.uint8]:
@@ -111,9 +109,9 @@ def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL)
             "use an export or a scan of the drawing, not a photograph",
             percent=round(100 * share),
         )
-    weight, plotted = _weight(grey, ink)
+    weight = _weight(grey, ink)
     unturned = Turn(0.0, (grey.shape[1] / 2, grey.shape[0] / 2))
-    return CleanSheet(ink, weight, mean_stroke_width(ink, weight), unturned, plotted=plotted)
+    return CleanSheet(ink, weight, mean_stroke_width(ink, weight), unturned)
 
 
 def upright_sheet(sheet: CleanSheet) -> CleanSheet:
@@ -159,9 +157,8 @@ def _threshold(grey: npt.NDArray[np.uint8]) -> Ink:
     return binary > 0
 
 
-def _weight(grey: npt.NDArray[np.uint8], ink: Ink) -> tuple[npt.NDArray[np.float32], bool]:
-    """Darkness of each pixel between the paper's around it (0) and the ink's (1), and whether the
-    sheet was plotted and not scanned."""
+def _weight(grey: npt.NDArray[np.uint8], ink: Ink) -> npt.NDArray[np.float32]:
+    """Darkness of each pixel between the paper's around it (0) and the ink's (1)."""
     darkness = _paper(grey) - grey
     full = float(np.percentile(darkness[ink], 75))
     blank = darkness[cv2.dilate(ink.astype(np.uint8), np.ones((5, 5), np.uint8)) == 0]
@@ -171,7 +168,7 @@ def _weight(grey: npt.NDArray[np.uint8], ink: Ink) -> tuple[npt.NDArray[np.float
     # In the midst of much ink the paper is taken for darker than it is; noise is darker, too.
     dark = np.clip(blank, 0.0, 0.25 * full)
     plotted = not len(blank) or float(np.sqrt(np.mean(dark**2))) < _EVEN_PAPER
-    return (with_pale(weight, ink) if plotted else weight), plotted
+    return with_pale(weight, ink) if plotted else weight
 
 
 def _paper(grey: npt.NDArray[np.uint8]) -> npt.NDArray[np.float32]:

@@ -24,10 +24,6 @@ _ARC_NODES = 65
 """Points by which an elliptic arc's length and box are taken."""
 
 
-_ALIKE = 1.3
-"""Ratio of widths below which lines are of one width (ISO 128-2 asks for 2, many take 1.4)."""
-
-
 class StrokeRole(Enum):
     """What the name of a linetype or layer, or the dash pattern, says a stroke stands for.
 
@@ -227,12 +223,6 @@ class VectorDrawing:
     strokes: tuple[VectorStroke, ...]
     texts: tuple[VectorText, ...]
     complete: bool = True
-
-    @property
-    def has_one_width(self) -> bool:
-        """Whether the file says that all its solid lines are about as wide as each other."""
-        widths = [stroke.width for stroke in self.strokes if stroke.is_solid]
-        return None not in widths and max(widths, default=0.0) < _ALIKE * min(widths, default=1.0)
 
 
 def bounds(curves: list[Curve]) -> Box | None:

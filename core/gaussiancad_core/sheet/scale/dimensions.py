@@ -67,9 +67,6 @@ _ALIGNED = 1.5
 _GAP = 6.0
 """px between pieces of a line that other lines cross."""
 
-_SPARE = 3.0
-"""Room that a text leaves in the line that it interrupts, in its height, at most."""
-
 _SHORTEST = 6.0
 """px under which a length says little."""
 

@@ -15,7 +15,6 @@ from gaussiancad_core.sheet.annotations.erase import Told
 from gaussiancad_core.sheet.annotations.marks import Mask
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Line
-from gaussiancad_core.sheet.layout import find_clusters
 from gaussiancad_core.sheet.options import Box
 
 _LEVEL = 0.02
@@ -94,28 +93,6 @@ def find_halves(ink: Mask, told: Told, clusters: Sequence[Box], stroke_width: fl
                 if near and _is_open(own, (y0, y1), (at, beyond), stroke_width):
                     found.append(Half(box, upright, at, beyond, span))
     return found
-
-
-def with_open_sides(ink: Mask, told: Told, stroke_width: float) -> Mask:
-    """The ink with the centre lines that bound half views, which their outlines need to close.
-
-    Args:
-        ink: (h, w) bool, without the centre lines.
-        told: the sheet's lines, and which of them are centre lines.
-        stroke_width: px.
-    """
-    if not any(AnnotationKind.CENTRE_LINE in kinds for kinds in told.kinds):
-        return ink
-    halves = find_halves(ink, told, find_clusters(ink), stroke_width)
-    if not halves:
-        return ink
-    closed = ink.astype(np.uint8)
-    for half in halves:
-        x0, y0, x1, y1 = half.box
-        ends = ((half.at, y0), (half.at, y1)) if half.upright else ((x0, half.at), (x1, half.at))
-        first, last = (tuple(round(value) for value in end) for end in ends)
-        cv2.line(closed, first, last, 1, int(np.ceil(stroke_width)))
-    return closed > 0
 
 
 def _centre_lines(told: Told) -> list[tuple[bool, float, tuple[float, float]]]:

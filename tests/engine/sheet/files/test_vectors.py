@@ -6,10 +6,6 @@ from gaussiancad_core.sheet.files.vectors import (
     CircularArc,
     EllipticArc,
     Line,
-    StrokeKind,
-    StrokeRole,
-    VectorDrawing,
-    VectorStroke,
     bounds,
 )
 
@@ -52,27 +48,3 @@ def test_full_turns_are_known() -> None:
 
 
 EDGE = Line((0.0, 0.0), (50.0, 0.0))
-
-
-@pytest.mark.parametrize(
-    ("others", "expected"),
-    [
-        ((), True),
-        ((VectorStroke(EDGE, 2.4, role=StrokeRole.VISIBLE),), True),
-        ((VectorStroke(EDGE, 1.4, role=StrokeRole.HIDDEN),), True),
-        ((VectorStroke(EDGE, 1.0, dashes=(6.0, 3.0)),), True),
-        (
-            (VectorStroke(EDGE, None, role=StrokeRole.CENTRE, kind=StrokeKind.BLOCK),),
-            True,
-        ),
-        ((VectorStroke(EDGE, None, kind=StrokeKind.FILL),), True),
-        ((VectorStroke(EDGE, 1.4, role=StrokeRole.VISIBLE),), False),
-        ((VectorStroke(EDGE, 1.0, kind=StrokeKind.DIMENSION),), False),
-        ((VectorStroke(EDGE, None, role=StrokeRole.VISIBLE),), False),
-    ],
-)
-def test_one_width_is_that_of_all_solid_lines(
-    others: tuple[VectorStroke, ...], expected: bool
-) -> None:
-    edge = VectorStroke(EDGE, 2.0, role=StrokeRole.VISIBLE)
-    assert VectorDrawing((edge, *others), ()).has_one_width is expected
