@@ -19,7 +19,6 @@ from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.files.vectors import CircularArc
 from gaussiancad_core.sheet.graph.heads import arrowheads
 from gaussiancad_core.sheet.graph.tangent_edges import without_tangent_edges
-from gaussiancad_core.sheet.graph.threads import without_threads
 from gaussiancad_core.sheet.layout import Layout, may_be_views
 from gaussiancad_core.sheet.masks import supersampling_for
 from gaussiancad_core.sheet.notes.finding import SheetNote, notes_of
@@ -39,6 +38,7 @@ from gaussiancad_core.sheet.special_views.beside import sections_beside
 from gaussiancad_core.sheet.special_views.hatched_areas import to_middles, with_hatched_areas
 from gaussiancad_core.sheet.special_views.kinds import SECTIONS
 from gaussiancad_core.sheet.special_views.telling import UNUSED, tellings, why_unused
+from gaussiancad_core.sheet.special_views.threads import arcs_of, without_threads
 from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
 
 _MOST_PLACES = 5
@@ -133,8 +133,12 @@ def _strokes_in(
     separated, layout = found.separated, found.layout
     drawn = read_views(separated.part, layout, notes.progress, reading.finder, found.vectors)
     if found.vectors is not None:
-        drawn, threads = without_threads(drawn, _arcs(image, clean.turn))
-        layout = replace(layout, special=(*layout.special, *threads))
+        beside = _arcs(image, clean.turn)
+    else:
+        beside = arcs_of(separated.told) if separated.told is not None else []
+    drawn, threads = without_threads(drawn, beside)
+    layout = replace(layout, special=(*layout.special, *threads))
+    if found.vectors is not None:
         drawn, smooth = without_tangent_edges(drawn)
         separated = replace(separated, marks=(*separated.marks, *map(_tangent_mark, smooth)))
     hatched = to_middles(separated.hatched, separated.part.stroke_width)

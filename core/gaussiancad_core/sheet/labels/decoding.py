@@ -32,7 +32,13 @@ _CHANGE = 5.0
 """Cost of a change along unbroken ink."""
 
 _CHANGE_AT_GAP = 1.5
-"""The same between two runs of one line: dashes of one line are mostly of one kind."""
+"""The same between two runs of one line."""
+
+_CHANGE_IN_ROW = 8.0
+"""The same between dashes of a row: they are of one kind, whatever crosses them."""
+
+_ALIKE = 1.35
+"""Ratio of the lengths of dashes in a row at most."""
 
 _STEP = 1.0
 """px between the points."""
@@ -128,13 +134,23 @@ def labelled_runs(
     told = np.concatenate([_weighed(own.odds) * own.weights for own in points]) * _PER_PX
     starts = np.cumsum([0, *(len(own.odds) for own in points)])
     change = np.full(len(told), _CHANGE)
-    change[starts[:-1]] = _CHANGE_AT_GAP
+    change[starts[:-1]] = _changes_at_gaps([own.run.length for own in shape.runs])
     is_part = _cheapest(told, change)
     return [
         _labelled(run, own, piece, part=bool(is_part[start + piece[0]]))
         for run, own, start in zip(shape.runs, points, starts[:-1].tolist(), strict=True)
         for piece in _pieces(is_part[start : start + len(own.odds)])
     ]
+
+
+def _changes_at_gaps(lengths: Sequence[float]) -> Floats:
+    """(n,) cost of a change before each of the runs of a line."""
+    own = np.asarray(lengths)
+    alike = np.maximum(own[1:], own[:-1]) <= _ALIKE * np.minimum(own[1:], own[:-1])
+    # Two of equal length may be anything; three are a row.
+    beside = np.pad(alike, 1)
+    row = alike & (beside[:-2] | beside[2:])
+    return np.concatenate([[_CHANGE_AT_GAP], np.where(row, _CHANGE_IN_ROW, _CHANGE_AT_GAP)])
 
 
 def _weighed(odds: Floats | float) -> Floats | float:

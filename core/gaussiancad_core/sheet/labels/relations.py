@@ -116,7 +116,12 @@ def _without_loose_ends(
     for k, both in enumerate(ends):
         for j in (*both[0], *both[1]):
             touched[j].add(k)
-    doubtful = {k for k, own in enumerate(pieces) if abs(own.margin) <= _DOUBTFUL}
+    # What the rest of its line decided against its own ink stays as it is.
+    doubtful = {
+        k
+        for k, own in enumerate(pieces)
+        if abs(own.margin) <= _DOUBTFUL and own.is_part is (own.margin > 0.0)
+    }
     part = [own.is_part for own in pieces]
     pairs = [
         (k, j) for k in doubtful for near in ends[k] for j in near if j in doubtful and not part[j]

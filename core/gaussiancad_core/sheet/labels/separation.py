@@ -1,7 +1,5 @@
 """A sheet taken apart by the labels of its lines: the part's ink, and the annotations."""
 
-from dataclasses import replace
-
 import cv2
 import numpy as np
 import numpy.typing as npt
@@ -11,7 +9,7 @@ from gaussiancad_core.sheet.annotations.erase import Told, erased, masked
 from gaussiancad_core.sheet.annotations.frame import find_frame
 from gaussiancad_core.sheet.annotations.hatching import find_hatching
 from gaussiancad_core.sheet.annotations.inked import InkedShape, inked_shape, points_along
-from gaussiancad_core.sheet.annotations.marks import Mark, Mask
+from gaussiancad_core.sheet.annotations.marks import Mark, Mask, values_at
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet, line_marks
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.growth import GrowthRules, grow_shapes
@@ -21,9 +19,9 @@ from gaussiancad_core.sheet.labels.decoding import LabelledRun, labelled_runs
 from gaussiancad_core.sheet.labels.network import InkLabels, part_odds
 from gaussiancad_core.sheet.labels.pens import learnt_pens
 from gaussiancad_core.sheet.labels.relations import related
+from gaussiancad_core.sheet.labels.rhythm import rhythm_odds
 from gaussiancad_core.sheet.labels.words import written_lines
 from gaussiancad_core.sheet.options import Box
-from gaussiancad_core.sheet.pale_strokes import mean_stroke_width
 from gaussiancad_core.sheet.ridges import ridge_points
 from gaussiancad_core.sheet.runs import ink_field
 from gaussiancad_core.sheet.scale.dimensions import rule_of
@@ -69,13 +67,15 @@ def separate_by_labels(
     field = ink_field(sheet)
     shapes = [inked_shape(sheet, field, ridges, own) for own in grown]
     shared = _shared(shapes, sheet)
-    labelled = [labelled_runs(shape, labels, shared) for shape in shapes]
+    told_by = [rhythm_odds]
+    labelled = [labelled_runs(shape, labels, shared, told_by) for shape in shapes]
     pens = learnt_pens(sheet, shapes, labelled)
-    told_by = [pens.odds] if pens is not None else []
+    if pens is not None:
+        told_by.append(pens.odds)
     colours = tint is not None and learnt_colours(tint, shapes, labelled, sheet.stroke_width)
     if colours:
         told_by.append(colours.odds)
-    if told_by:
+    if len(told_by) > 1:
         labelled = [labelled_runs(shape, labels, shared, told_by) for shape in shapes]
     labelled = related(shapes, labelled, sheet.stroke_width)
     free = np.ones(len(ridges.points), dtype=bool)
@@ -84,9 +84,7 @@ def separate_by_labels(
     unexplained, loose = _free_curves(ridges.points[free], labels, sheet.ink.shape)
     told = _told(shapes, labelled, unexplained, loose)
     part = erased(sheet, told)
-    part = masked(part, ~_stray(part.ink, best))
-    width = pens.thick if pens is not None else mean_stroke_width(part.ink, part.weight)
-    part = replace(part, stroke_width=width)
+    part = masked(part, ~_stray(part.ink, best, told))
     marks += line_marks(told)
     hatched = None
     if any(AnnotationKind.HATCHING in own for own in told.kinds):
@@ -197,11 +195,16 @@ def _doubtful(
     return tuple(box for _, box in sorted(found))
 
 
-def _stray(ink: Mask, best: np.ndarray) -> Mask:
-    """(h, w) bool, pieces of what is left of which most is annotation: arrowheads and the like."""
+def _stray(ink: Mask, best: np.ndarray, told: Told) -> Mask:
+    """(h, w) bool, pieces of what is left through which no edge runs and of which most is
+    annotation: arrowheads and the like."""
     count, labels = cv2.connectedComponents(ink.astype(np.uint8), connectivity=8)
     part = ink & np.isin(best, PART)
     sizes = np.bincount(labels.ravel(), minlength=count)
     stray = np.bincount(labels[part], minlength=count) < 0.5 * sizes
+    for shape, kinds in zip(told.shapes, told.kinds, strict=True):
+        for own, kind in zip(shape.runs, kinds, strict=True):
+            if kind is None:
+                stray[values_at(labels, points_along(shape.geometry, own.run, 1.0))] = False
     stray[0] = False
     return stray[labels]

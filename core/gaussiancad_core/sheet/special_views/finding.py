@@ -27,7 +27,6 @@ from gaussiancad_core.sheet.special_views.halves import Half, completed, find_ha
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 from gaussiancad_core.sheet.special_views.naming import details, inside, merged, special_kind
 from gaussiancad_core.sheet.special_views.sections import hatched_box, section_kind
-from gaussiancad_core.sheet.special_views.threads import without_threads
 
 _ENOUGH = 0.5
 """Size of the views without the sections as a share of what is left out of them, at least."""
@@ -112,8 +111,6 @@ def find_named_layout(
         for half, whole in halves
     ]
     whole += [box for _, box in halves]
-    separated, threads = without_threads(separated, layout)
-    special += threads
     rest = [box for box in rest if box not in whole]
     return separated, replace(layout, left_out=tuple(rest), special=tuple(special))
 

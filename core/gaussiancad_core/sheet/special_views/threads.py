@@ -1,225 +1,217 @@
-"""Thread symbols: three quarters of a thin circle about a wide one (ISO 6410-1).
+"""Thread symbols among strokes (ISO 6410-1), in all views.
 
-Beside the circle the thread's other diameter shows as two lines along its axis.  None of these is
-an edge: they are told, and taken off the part.
+Along its axis a thread is a whole circle and three quarters of another one about it; from the side
+the second one shows as two more lines.  These are no edges: what is left is the plain cylinder.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
 
 from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.sheet.annotations.erase import Kinds, Told, erased
-from gaussiancad_core.sheet.annotations.inked import InkedShape
-from gaussiancad_core.sheet.annotations.marks import Mask
-from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
-from gaussiancad_core.sheet.geometry import Circle, Line
-from gaussiancad_core.sheet.layout import Layout
+from gaussiancad_core.sheet.annotations.erase import Told
+from gaussiancad_core.sheet.geometry import Circle
 from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.reading import ReadView
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
+from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
 
-DRAWN = (0.6, 0.9)
+_DRAWN = (0.6, 0.9)
 """Share of the thin circle that is drawn: about three quarters."""
 
 _BROKEN = 0.08
 """Share of it that gaps besides the one large take at most: it is no dashed circle."""
 
-_WHOLE = 0.92
-"""Share of the wide circle that is drawn at least."""
-
-RATIO = (0.7, 0.95)
+_RATIO = (0.7, 0.95)
 """The smaller radius in larger ones: minor diameters are 0.8 to 0.9 of major ones."""
 
-_CONCENTRIC_PX = 2.0
+_CONCENTRIC_PX = 1.5
+"""px between the centres of a thread's circles, and between its lines and where they belong."""
 
-_THIN = 0.8
-"""Width of the thin circle at most, in those of the wide one, where the sheet's lines differ."""
+_WHOLE = 0.98
+"""Share of a circle from which it is drawn whole."""
 
-_AROUND = 3.0
-"""Distance from an end of the arc within which nothing else is, in stroke widths."""
+_SHORTEST_PX = 3.0
+"""px of a line that shows a thread from the side at least."""
 
-_ON = 1.5
-"""Distance from its circle within which ink is its own, in the same."""
-
-_SAME_PX = 2.0
-"""px by which a line of another view may lie beside the thread's diameter."""
-
-_SHORTEST_PX = 6.0
-
-_SOLID_PX = 20.0
-"""px of a run whose width counts."""
+_ALONG = 0.7
+"""Share of such a line beside which the rim runs at least: at the end of a blind hole the
+drill went farther."""
 
 
 @dataclass(frozen=True)
-class Thread:
-    """A thread symbol seen along its axis.
+class ThreadSymbol:
+    """A thread seen along its axis.
 
     Attributes:
-        arc: the thin circle's number among the shapes.
-        circle: the same, px of the upright sheet, corner of the first pixel at (0, 0).
+        role: of the view.
+        thin: the circle that is drawn in part, px of the upright sheet.
+        rim: the whole one.
     """
 
-    arc: int
-    circle: Circle
+    role: Role
+    thin: Arc
+    rim: Arc
 
     @property
-    def box(self) -> Box:
-        """px around the thin circle."""
-        (x, y), r = self.circle.centre, self.circle.radius
-        return x - r, y - r, x + r, y + r
+    def special(self) -> SpecialView:
+        """How it is told."""
+        (x, y), r = self.thin.centre, self.thin.radius
+        return SpecialView(SpecialKind.THREAD, (x - r, y - r, x + r, y + r))
 
 
 def without_threads(
-    separated: SeparatedSheet, layout: Layout
-) -> tuple[SeparatedSheet, tuple[SpecialView, ...]]:
-    """The sheet without the thin lines of its thread symbols, and the symbols.
+    drawn: Sequence[ReadView], beside: Sequence[Arc]
+) -> tuple[tuple[ReadView, ...], tuple[SpecialView, ...]]:
+    """Views without the lines of thread symbols, and the symbols.
 
     Args:
-        separated: without annotations.
-        layout: the views; symbols elsewhere are left as they are.
+        drawn: the views.
+        beside: arcs in other pens than the part's, or of which nobody knows.
     """
-    if separated.told is None:
-        return separated, ()
-    told = separated.told
-    found = find_threads(told, separated.part.ink, separated.part.stroke_width)
-    marked: Kinds = [[None] * len(shape.runs) for shape in told.shapes]
-    special = []
-    for thread in found:
-        role = next((r for r, box in layout.boxes.items() if _holds(box, thread)), None)
-        if role is None:
-            continue
-        special.append(SpecialView(SpecialKind.THREAD, thread.box))
-        marked[thread.arc] = [AnnotationKind.THREAD] * len(marked[thread.arc])
-        for number in _side_lines(told, layout, role, thread):
-            marked[number] = [AnnotationKind.THREAD] * len(marked[number])
-    if not special:
-        return separated, ()
-    part = erased(separated.part, Told(told.shapes, marked, told.unexplained))
-    return replace(separated, part=part), tuple(special)
+    found = [symbol for view in drawn for symbol in _symbols(view, beside)]
+    views = tuple(
+        replace(
+            view,
+            strokes=tuple(
+                stroke
+                for stroke in view.strokes
+                if not any(_is_of(stroke, symbol, view, drawn) for symbol in found)
+            ),
+        )
+        for view in drawn
+    )
+    return views, tuple(symbol.special for symbol in found)
 
 
-def find_threads(told: Told, ink: Mask, stroke_width: float) -> list[Thread]:
-    """Thread symbols seen along their axis.
+def arcs_of(told: Told) -> list[Arc]:
+    """The circles of a picture that are no edges and of which one piece is missing, px of the
+    upright sheet.
 
     Args:
-        told: the sheet's lines and circles.
-        ink: (h, w) bool, the part's.
-        stroke_width: px, of the part.
+        told: the sheet's lines and circles, and what each is.
     """
-    by_form = not _has_thin_lines(told)
-    circles = [
-        (number, shape)
-        for number, shape in enumerate(told.shapes)
-        if isinstance(shape.geometry, Circle)
-    ]
-    rims = [shape for _, shape in circles if _drawn(shape)[0] > _WHOLE]
     found = []
-    for number, shape in circles:
-        share, largest = _drawn(shape)
-        broken = 1.0 - share - largest
-        if not DRAWN[0] < share < DRAWN[1] or broken > _BROKEN:
+    for shape, kinds in zip(told.shapes, told.kinds, strict=True):
+        runs = [own.run for own in shape.runs]
+        if not isinstance(shape.geometry, Circle) or not runs or None in kinds:
             continue
-        about = [rim for rim in rims if _is_thread(shape, rim, by_form)]
-        if any(_ends_free(shape, rim, ink, stroke_width) for rim in about):
+        around = shape.geometry.around
+        gaps = [after.start - before.end for before, after in pairwise(runs)]
+        gaps.append(runs[0].start + around - runs[-1].end)
+        missing = int(np.argmax(gaps))
+        if sum(gaps) - gaps[missing] <= _BROKEN * around:
+            start = runs[(missing + 1) % len(runs)].start
             (x, y), radius = shape.geometry.centre, shape.geometry.radius
-            found.append(Thread(number, Circle((x + 0.5, y + 0.5), radius)))
+            sweep = (around - gaps[missing]) / radius
+            found.append(Arc((x + 0.5, y + 0.5), radius, start / radius, sweep, Linetype.VISIBLE))
     return found
 
 
-def _has_thin_lines(told: Told) -> bool:
-    """Whether the sheet has circles or lines much thinner than its widest ones."""
-    widths = [
-        own.width
-        for shape in told.shapes
-        for own in shape.runs
-        if own.width is not None and own.run.length > _SOLID_PX
-    ]
-    return bool(widths) and float(np.percentile(widths, 10)) < _THIN * float(np.median(widths))
-
-
-def _drawn(shape: InkedShape) -> tuple[float, float]:
-    """Shares of a circle that are ink, and that its largest gap takes."""
-    around = shape.geometry.around
-    runs = [own.run for own in shape.runs]
-    if not runs:
-        return 0.0, 1.0
-    gaps = [after.start - before.end for before, after in pairwise(runs)]
-    gaps.append(runs[0].start + around - runs[-1].end)
-    return sum(run.length for run in runs) / around, max(*gaps, 0.0) / around
-
-
-def _is_thread(arc: InkedShape, rim: InkedShape, by_form: bool) -> bool:
-    """Whether an arc lies about a whole circle as the thin circle of a thread does."""
-    away = np.hypot(*np.subtract(arc.geometry.centre, rim.geometry.centre))
-    small, large = sorted((arc.geometry.radius, rim.geometry.radius))
-    if away > _CONCENTRIC_PX or not RATIO[0] < small / large < RATIO[1]:
-        return False
-    thin, wide = _width(arc), _width(rim)
-    # On sheets of one line width the form alone tells; an arc wider than the rim is an edge.
-    return thin is None or wide is None or thin < _THIN * wide or by_form
-
-
-def _width(shape: InkedShape) -> float | None:
-    """px, of the ink of a circle."""
-    known = [own.width for own in shape.runs if own.width is not None]
-    return float(np.median(known)) if known else None
-
-
-def _ends_free(shape: InkedShape, rim: InkedShape, ink: Mask, stroke_width: float) -> bool:
-    """Whether the arc ends at nothing: an edge goes on, or ends at another."""
-    circle = shape.geometry
-    around = np.linspace(0.0, 2.0 * np.pi, 48, endpoint=False)
-    ring = _AROUND * stroke_width * np.stack([np.cos(around), np.sin(around)], axis=1)
-    start, end = _open_ends(shape)
-    for position in (start, end):
-        places = circle.points_at(np.array([position]))[0] + ring
-        away = np.minimum(circle.distances(places), rim.geometry.distances(places))
-        columns, rows = np.rint(places[away > _ON * stroke_width]).astype(int).T
-        inside = (columns >= 0) & (rows >= 0)
-        inside &= (columns < ink.shape[1]) & (rows < ink.shape[0])
-        if ink[rows[inside], columns[inside]].any():
-            return False
-    return True
-
-
-def _open_ends(shape: InkedShape) -> tuple[float, float]:
-    """Positions along a circle at which its largest gap ends and begins."""
-    runs = [own.run for own in shape.runs]
-    around = shape.geometry.around
-    following = [*runs[1:], replace(runs[0], start=runs[0].start + around)]
-    before, after = max(
-        zip(runs, following, strict=True), key=lambda pair: pair[1].start - pair[0].end
-    )
-    return after.start, before.end
-
-
-def _holds(box: Box, thread: Thread) -> bool:
-    x, y = thread.circle.centre
-    return box[0] < x < box[2] and box[1] < y < box[3]
-
-
-def _side_lines(told: Told, layout: Layout, role: Role, thread: Thread) -> Iterator[int]:
-    """Numbers of the lines that show a thread's diameter in the other views, both or none."""
-    for other, box in layout.boxes.items():
-        if other is role:
+def _symbols(view: ReadView, beside: Sequence[Arc]) -> Iterator[ThreadSymbol]:
+    own = [stroke for stroke in view.strokes if isinstance(stroke, Arc)]
+    rims = [arc for arc in own if _share(arc) >= _WHOLE]
+    seen: list[Arc] = []
+    for arc in (*beside, *own):
+        if not _DRAWN[0] < _share(arc) < _DRAWN[1] or any(_same(arc, other) for other in seen):
             continue
-        for axis in shared_axes_of(role, other):
-            upright = other.frame.right_axis[0] is axis
-            if other.frame.right_axis[0] is not axis and other.frame.up_axis[0] is not axis:
-                continue
-            places = [
-                across_of(other, box, axis, place)
-                for place in places_of(role, layout.boxes[role], axis, thread.circle)
-            ]
-            pairs = [_lines_at(told, box, upright, place) for place in places]
-            if all(pairs):
-                yield from (number for lines in pairs for number in lines)
+        if sum(_same(arc, other) for other in own) > 1:
+            continue  # A circle in pieces.
+        rim = next((rim for rim in rims if _about(arc, rim)), None)
+        if rim is not None:
+            seen.append(arc)
+            yield ThreadSymbol(view.role, arc, rim)
 
 
-def shared_axes_of(one: Role, other: Role) -> list[Axis]:
+def _share(arc: Arc) -> float:
+    return arc.sweep / (2.0 * np.pi)
+
+
+def _same(arc: Arc, other: Arc) -> bool:
+    near = np.hypot(*np.subtract(arc.centre, other.centre)) <= _CONCENTRIC_PX
+    return bool(near) and abs(arc.radius - other.radius) <= _CONCENTRIC_PX
+
+
+def _about(arc: Arc, rim: Arc) -> bool:
+    small, large = sorted((arc.radius, rim.radius))
+    near = np.hypot(*np.subtract(arc.centre, rim.centre)) <= _CONCENTRIC_PX
+    return bool(near) and _RATIO[0] < small / large < _RATIO[1]
+
+
+def _is_of(stroke: Stroke, symbol: ThreadSymbol, view: ReadView, drawn: Sequence[ReadView]) -> bool:
+    """Whether a stroke of a view is one of a thread's that are no edges."""
+    if isinstance(stroke, Arc):
+        if view.role is symbol.role:
+            return _same(stroke, symbol.thin)
+        return any(_same(stroke, own) for own in _seen_along(symbol, view, drawn))
+    if not isinstance(stroke, Segment) or view.role is symbol.role:
+        return False
+    return any(
+        _runs_at(stroke, upright, thin) and _is_beside(stroke, upright, rim, view.strokes)
+        for upright, thins, rims in _sides(symbol, view, drawn)
+        for thin, rim in zip(thins, rims, strict=True)
+    )
+
+
+def _is_beside(stroke: Segment, upright: bool, at: float, strokes: Sequence[Stroke]) -> bool:
+    """Whether the rim's line runs along most of a line."""
+    along = 1 if upright else 0
+    low, high = sorted((stroke.start[along], stroke.end[along]))
+    covered = 0.0
+    for own in strokes:
+        if isinstance(own, Segment) and _runs_at(own, upright, at):
+            first, last = sorted((own.start[along], own.end[along]))
+            covered += max(0.0, min(last, high) - max(first, low))
+    return covered >= _ALONG * (high - low)
+
+
+def _sides(
+    symbol: ThreadSymbol, view: ReadView, drawn: Sequence[ReadView]
+) -> Iterator[tuple[bool, tuple[float, ...], tuple[float, ...]]]:
+    """Whether lines along the axis run upright in a view, and where those of the thin circle and
+    those of the rim are, in the same order."""
+    source = _box(symbol.role, drawn)
+    for axis in _shared_axes_of(symbol.role, view.role):
+        upright = view.role.frame.right_axis[0] is axis
+        thins, rims = (
+            tuple(
+                _across_of(view.role, view.box, axis, place)
+                for place in _places_of(symbol.role, source, axis, circle)
+            )
+            for circle in (symbol.thin, symbol.rim)
+        )
+        yield upright, thins, rims
+
+
+def _seen_along(symbol: ThreadSymbol, view: ReadView, drawn: Sequence[ReadView]) -> Iterator[Arc]:
+    """The thin circle where a view along the same axis, from the other side, has it."""
+    frame, own = view.role.frame, symbol.role.frame
+    if frame.look_axis[0] is not own.look_axis[0]:
+        return
+    source = _box(symbol.role, drawn)
+    middle: dict[Axis, float] = {}
+    for axis in (own.right_axis[0], own.up_axis[0]):
+        low, high = _places_of(symbol.role, source, axis, symbol.thin)
+        middle[axis] = (low + high) / 2.0
+    x = _across_of(view.role, view.box, frame.right_axis[0], middle[frame.right_axis[0]])
+    y = _across_of(view.role, view.box, frame.up_axis[0], middle[frame.up_axis[0]])
+    yield replace(symbol.thin, centre=(x, y))
+
+
+def _box(role: Role, drawn: Sequence[ReadView]) -> tuple[float, float, float, float]:
+    return next(view.box for view in drawn if view.role is role)
+
+
+def _runs_at(stroke: Segment, upright: bool, at: float) -> bool:
+    along, across = (1, 0) if upright else (0, 1)
+    ends = stroke.start, stroke.end
+    beside = max(abs(end[across] - at) for end in ends)
+    return beside <= _CONCENTRIC_PX and abs(ends[0][along] - ends[1][along]) >= _SHORTEST_PX
+
+
+def _shared_axes_of(one: Role, other: Role) -> list[Axis]:
     """Axes that two views with different directions both show."""
     if one.frame.look_axis[0] is other.frame.look_axis[0]:
         return []
@@ -227,7 +219,7 @@ def shared_axes_of(one: Role, other: Role) -> list[Axis]:
     return [axis for axis in axes[0] if axis in axes[1]]
 
 
-def places_of(role: Role, box: Box, axis: Axis, circle: Circle) -> tuple[float, float]:
+def _places_of(role: Role, box: Box, axis: Axis, circle: Circle | Arc) -> tuple[float, float]:
     """px along an axis of the part, from its lower end, of both sides of a circle."""
     frame = role.frame
     if frame.right_axis[0] is axis:
@@ -239,33 +231,9 @@ def places_of(role: Role, box: Box, axis: Axis, circle: Circle) -> tuple[float, 
     return middle - circle.radius, middle + circle.radius
 
 
-def across_of(role: Role, box: Box, axis: Axis, place: float) -> float:
+def _across_of(role: Role, box: Box, axis: Axis, place: float) -> float:
     """The sheet's coordinate of a place along an axis of the part."""
     frame = role.frame
     if frame.right_axis[0] is axis:
         return box[0] + place if frame.right_axis[1] > 0 else box[2] - place
     return box[3] - place if frame.up_axis[1] > 0 else box[1] + place
-
-
-def _lines_at(told: Told, box: Box, upright: bool, at: float) -> list[int]:
-    """Numbers of the upright or level lines of a view at a coordinate."""
-    across = 0 if upright else 1
-    found = []
-    for number, shape in enumerate(told.shapes):
-        if not isinstance(shape.geometry, Line) or not shape.runs:
-            continue
-        ends = _ends(shape)
-        beside = np.abs(ends[:, across] - at).max() <= _SAME_PX
-        inside = (ends > np.array(box[:2]) - _SHORTEST_PX).all()
-        inside &= (ends < np.array(box[2:]) + _SHORTEST_PX).all()
-        if beside and inside and np.ptp(ends[:, 1 - across]) > _SHORTEST_PX:
-            found.append(number)
-    return found
-
-
-def _ends(shape: InkedShape) -> np.ndarray:
-    """(2, 2) px, where the ink of a line begins and ends."""
-    runs = shape.runs
-    return (
-        np.array([shape.geometry.at(runs[0].run.start), shape.geometry.at(runs[-1].run.end)]) + 0.5
-    )

@@ -104,3 +104,11 @@ def test_the_cheapest_assignment_is_the_best_of_all() -> None:
 def _cost(states: Sequence[int], told: np.ndarray, change: np.ndarray) -> float:
     turns = [change[k] for k in range(1, len(states)) if states[k] != states[k - 1]]
     return sum(turns) - sum(t * (s - 0.5) for t, s in zip(told, states, strict=True))
+
+
+def test_a_dash_is_what_the_others_of_its_row_are() -> None:
+    """Something that looks otherwise crosses it; a line of another length after a gap is free."""
+    row = decoding._changes_at_gaps([11.0, 12.0, 11.0, 11.0])
+    pair = decoding._changes_at_gaps([40.0, 38.0, 90.0])
+    assert (row[1:] > pair[1:].max()).all()
+    assert row[0] == pair[0]

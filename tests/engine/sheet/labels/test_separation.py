@@ -138,7 +138,7 @@ def test_nothing_is_drawn_anew(part: str) -> None:
     same = left.weight == case.clean.weight
     assert (same | (left.weight == 0.0)).all()
     assert left.turn == case.clean.turn
-    assert left.stroke_width == pytest.approx(3.0, abs=0.3)
+    assert left.stroke_width == case.clean.stroke_width
 
 
 @pytest.mark.parametrize("part", PARTS)

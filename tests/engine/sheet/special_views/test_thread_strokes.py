@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.axes import Role
-from gaussiancad_core.sheet.graph.threads import without_threads
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import ReadView
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind
+from gaussiancad_core.sheet.special_views.threads import without_threads
 from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
 
 _FRONT, _TOP = (100.0, 300.0, 300.0, 400.0), (100.0, 100.0, 300.0, 200.0)

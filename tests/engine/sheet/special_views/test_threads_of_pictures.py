@@ -4,12 +4,19 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.sheet.reading import read_views
-from gaussiancad_core.sheet.special_views.kinds import SpecialKind
+from gaussiancad_core.sheet.reading import ReadView, read_views
+from gaussiancad_core.sheet.special_views.kinds import SpecialView
+from gaussiancad_core.sheet.special_views.threads import arcs_of, without_threads
 
 
-def _threads(found) -> list:  # noqa: ANN001
-    return [view for view in found.layout.special if view.kind is SpecialKind.THREAD]
+def _views(found) -> tuple[tuple[ReadView, ...], tuple[SpecialView, ...]]:  # noqa: ANN001
+    """The views without their threads, and these."""
+    drawn = read_views(found.separated.part, found.layout)
+    return without_threads(drawn, arcs_of(found.separated.told))
+
+
+def _threads(found) -> tuple[SpecialView, ...]:  # noqa: ANN001
+    return _views(found)[1]
 
 
 @pytest.mark.parametrize(
@@ -29,9 +36,10 @@ def test_each_symbol_is_told_where_it_stands(find, part: str, style: str, px: fl
         for note in found.drawn.annotations
         if note.kind is AnnotationKind.THREAD
     ]
-    told = [found.stored(view.box) for view in _threads(found)]
+    threads = _threads(found)
+    told = [found.stored(view.box) for view in threads]
     assert len(told) == len(drawn) > 0
-    assert not any(view.used for view in _threads(found))
+    assert not any(view.used for view in threads)
     for (x, y), radius in drawn:
         boxes = np.array([x - radius, y - radius, x + radius, y + radius]) - np.array(told)
         assert np.abs(boxes).max(axis=1).min() < px
@@ -41,10 +49,7 @@ def test_each_symbol_is_told_where_it_stands(find, part: str, style: str, px: fl
 def test_what_is_left_are_the_lines_of_the_part(find, part: str, style: str) -> None:  # noqa: ANN001
     found = find(part, f"{style},threads=on")
     plain = find(part, style)
-    views, bare = (
-        {view.role: view for view in read_views(own.separated.part, own.layout)}
-        for own in (found, plain)
-    )
+    views, bare = ({view.role: view for view in _views(own)[0]} for own in (found, plain))
     for role, view in views.items():
         kinds = [
             sorted((type(stroke).__name__, stroke.linetype.value) for stroke in own.strokes)
@@ -56,4 +61,4 @@ def test_what_is_left_are_the_lines_of_the_part(find, part: str, style: str) -> 
 @pytest.mark.parametrize("style", ["clean", "even", "dimensioned", "photocopy", "ansi"])
 @pytest.mark.parametrize("part", ["counterbored-block", "stepped-shaft", "pulley", "slotted-link"])
 def test_plain_concentric_circles_are_no_threads(find, part: str, style: str) -> None:  # noqa: ANN001
-    assert _threads(find(part, style)) == []
+    assert _threads(find(part, style)) == ()
