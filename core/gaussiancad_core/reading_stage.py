@@ -9,6 +9,7 @@ from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.job import Job
+from gaussiancad_core.label_doubts import tell_doubtful_labels, weighed_views
 from gaussiancad_core.messages import Message
 from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.one_view_stage import companion
@@ -25,6 +26,7 @@ from gaussiancad_core.sheet.graph.heads import arrowheads
 from gaussiancad_core.sheet.graph.tangent_edges import without_tangent_edges
 from gaussiancad_core.sheet.graph.threads import without_threads
 from gaussiancad_core.sheet.graph.views import graph_views
+from gaussiancad_core.sheet.labels.evidence import NO_LABELS, SheetLabels
 from gaussiancad_core.sheet.labels.network import labels_problem
 from gaussiancad_core.sheet.layout import Layout, may_be_views
 from gaussiancad_core.sheet.masks import supersampling_for
@@ -32,7 +34,7 @@ from gaussiancad_core.sheet.notes.finding import SheetNote, notes_of
 from gaussiancad_core.sheet.notes.sections import NamedSection, named_sections
 from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
 from gaussiancad_core.sheet.painted import painted, view_by_strokes, visible_bounds
-from gaussiancad_core.sheet.picture_views import PictureViews, picture_views
+from gaussiancad_core.sheet.picture_views import picture_views
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
 from gaussiancad_core.sheet.scale.dimensions import file_lines
@@ -70,6 +72,7 @@ class SheetLines:
         sections: those that have a title.
         loose: lines of the part that belong to no view, where none was found.
         beside: sections that stand beside plain views of their directions.
+        labels: what the lines of the sheet were taken for; nothing where no labels told it.
     """
 
     layout: Layout
@@ -81,6 +84,7 @@ class SheetLines:
     sections: tuple[NamedSection, ...] = ()
     loose: tuple[Stroke, ...] = ()
     beside: tuple[ReadView, ...] = ()
+    labels: SheetLabels = NO_LABELS
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,7 +122,8 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
         layout, drawn = _by_arrows(layout, drawn, sections)
 
         def read(own: Layout) -> tuple[ReadView, ...]:
-            return read_views(separated.part, own, finder=reading.finder, vectors=found.vectors)
+            more = read_views(separated.part, own, finder=reading.finder, vectors=found.vectors)
+            return weighed_views(more, separated.labels)
 
         layout, beside = sections_beside(layout, sections, hatched, read)
         said = notes_of(scale.texts, scale.unit) if scale is not None else ()
@@ -127,7 +132,8 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
         tell_layout(notes, layout, clean.turn)
         options = tell_scale(reading, scale, notes)
         tell_notes(notes, said, clean.turn)
-    return SheetLines(layout, drawn, separated.marks, scale, options, said, sections, beside=beside)
+    told = separated.marks, scale, options, said, sections
+    return SheetLines(layout, drawn, *told, beside=beside, labels=separated.labels)
 
 
 def boxed_views(
@@ -157,6 +163,7 @@ def _strokes_in(
         layout = replace(layout, special=(*layout.special, *threads))
         drawn, smooth = without_tangent_edges(drawn)
         separated = replace(separated, marks=(*separated.marks, *map(_tangent_mark, smooth)))
+    drawn = weighed_views(drawn, separated.labels)
     hatched = to_middles(separated.hatched, separated.part.stroke_width)
     found = replace(found, separated=separated, layout=layout)
     return found, with_hatched_areas(drawn, layout, hatched), hatched
@@ -320,7 +327,7 @@ def _found_views(
             return _Found(told.separated, told.layout, told.vectors)
     elif labels_problem() is None:
         seen = picture_views(image, clean, given, reading.projection)
-        _tell_labels(notes, seen, clean.turn)
+        tell_doubtful_labels(notes, seen.separated.labels, seen.layout.boxes, clean.turn)
         return _Found(seen.separated, seen.layout, written=seen.written)
     else:
         notes.warn("labels-missing", labels_problem())
@@ -367,27 +374,6 @@ def _like(part: CleanSheet, whole: CleanSheet) -> CleanSheet:
         ink = turn.upright(part.ink.astype(np.float32)) > 0.5
         part = replace(part, ink=ink, weight=turn.upright(part.weight))
     return replace(part, turn=turn, dash_gap=whole.dash_gap)
-
-
-def _tell_labels(notes: RunNotes, seen: PictureViews, turn: Turn) -> None:
-    """Say which lines in the views may be edges or annotation."""
-    boxes = [
-        turn.box_to_stored(box)
-        for box in seen.separated.doubtful
-        if any(_overlap(box, view) for view in seen.layout.boxes.values())
-    ]
-    if boxes:
-        message = Message(
-            "{count} line(s) may be edges of the part or annotation, at {places} px",
-            boxes=boxes,
-            count=len(boxes),
-            places=_places(boxes),
-        )
-        notes.doubt("labels-doubtful", message)
-
-
-def _overlap(one: Box, other: Box) -> bool:
-    return one[0] <= other[2] and other[0] <= one[2] and one[1] <= other[3] and other[1] <= one[3]
 
 
 def _tell_doubtful(notes: RunNotes, boxes: Sequence[Box]) -> None:

@@ -55,7 +55,7 @@ from gaussiancad_core.sheet.annotations.virtual_corners import mark_virtual_corn
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Circle
 from gaussiancad_core.sheet.growth import Grown, GrowthRules, grow_shapes
-from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.labels.evidence import NO_LABELS, SheetLabels
 from gaussiancad_core.sheet.ridges import RidgePoints, ridge_points
 from gaussiancad_core.sheet.runs import ink_field
 from gaussiancad_core.sheet.special_views.halves import with_open_sides
@@ -119,7 +119,7 @@ class SeparatedSheet:
         hatched: (h, w) bool, cut material; nothing where there is none.
         told: the lines and circles, and what each is; nothing where they were not looked at.
         closed: whether outlines were taken to have no gaps.
-        doubtful: boxes of lines that may be edges or annotation, the most doubtful first.
+        labels: what each line was taken for, and how surely; nothing where no labels told it.
     """
 
     part: CleanSheet
@@ -128,7 +128,7 @@ class SeparatedSheet:
     hatched: Mask | None = None
     told: Told | None = None
     closed: bool = False
-    doubtful: tuple[Box, ...] = ()
+    labels: SheetLabels = NO_LABELS
 
 
 def separate_annotations(
