@@ -87,6 +87,7 @@ _OFFERS = {
     "unused-view": ("view",),
     "lines-left-out": ("view",),
     "other-pen-lines": ("kind",),
+    "labels-doubtful": ("kind",),
     "views-disagree": ("view", "erase"),
     "symbol-contradicts-lines": ("projection",),
 }
