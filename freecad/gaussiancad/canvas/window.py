@@ -14,6 +14,7 @@ from freecad.gaussiancad.canvas.asking import Asking
 from freecad.gaussiancad.canvas.bars import RunBar, ToolBar
 from freecad.gaussiancad.canvas.board import Board
 from freecad.gaussiancad.canvas.desk import Desk
+from freecad.gaussiancad.canvas.doubts import doubt_lines
 from freecad.gaussiancad.canvas.gaps import OPEN, open_ends
 from freecad.gaussiancad.canvas.helping import Helping
 from freecad.gaussiancad.canvas.keeping import Beside, Keeper
@@ -245,6 +246,8 @@ class SheetWindow(QtWidgets.QMainWindow):
         if report is None and not count and any(own.severity == "refused" for own in problems):
             # What was read makes no part, and nothing was said yet: no run will tell it.
             lines.insert(0, verdict_line("failed"))
+        if sheet is not None:
+            lines += doubt_lines(sheet, self.desk.say)
         lines += self._left_out
         if report is None:
             lines.append(Line(translate("GaussianCAD", "{0} correction(s) by hand").format(count)))
