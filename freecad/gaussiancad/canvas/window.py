@@ -235,19 +235,20 @@ class SheetWindow(QtWidgets.QMainWindow):
         """What the last run says; until there is one, what is in doubt of what was read."""
         sheet, report, helping = self.sheet, self._report, self._helping
         problems = sheet.problems if sheet is not None else ()
+        doubts = doubt_lines(sheet, self.desk.say) if sheet is not None else []
         if report is not None:
-            lines = verdict_lines(report, helping.with_report())
+            lines = verdict_lines(report, helping.with_report(), doubts)
         else:
-            lines = [
+            rows = [
                 Line(f"{SIGNS[own.severity]} {own.message}", own.box, helping.with_row(own))
                 for own in problems
             ]
+            grave = sum(own.severity != "warning" for own in problems)
+            lines = [*rows[:grave], *doubts, *rows[grave:]]
         count = len(self.operations)
         if report is None and not count and any(own.severity == "refused" for own in problems):
             # What was read makes no part, and nothing was said yet: no run will tell it.
             lines.insert(0, verdict_line("failed"))
-        if sheet is not None:
-            lines += doubt_lines(sheet, self.desk.say)
         lines += self._left_out
         if report is None:
             lines.append(Line(translate("GaussianCAD", "{0} correction(s) by hand").format(count)))

@@ -96,10 +96,12 @@ def test_a_key_says_that_a_doubtful_stroke_is_what_it_seems(window: SheetWindow)
 
 
 def test_doubts_stay_listed_under_a_verdict(window: SheetWindow, tmp_path: Path) -> None:
-    report = {"status": "approximate", "reasons": [], "warnings": []}
+    warning = {"code": "scale-assumed", "message": "of no known size"}
+    report = {"status": "approximate", "reasons": [], "warnings": [warning]}
     window.desk.solved.emit(report, str(tmp_path))
     assert window.problems.lines[0].colour
-    assert len(doubts(window)) == 2
+    assert window.problems.lines[1:3] == doubts(window)
+    assert len(window.problems.lines) == 4
 
 
 def _many() -> Iterator[dict]:
