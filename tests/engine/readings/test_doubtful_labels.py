@@ -112,23 +112,27 @@ def test_the_doubt_goes_with_the_reading(read: Path, tmp_path: Path) -> None:
     assert again == edge_of(values(read / "run" / "reading.json"))
 
 
-def corrected(read: Path, tmp_path: Path, operation: dict[str, Any]) -> dict[str, Any]:
-    sheet = read / "wedge.png"
+def is_visible(edge: dict[str, Any]) -> dict[str, Any]:
+    """The correction that says so."""
+    target = {"id": edge["id"], "line": edge["line"]}
+    return {"op": "kind", "target": target, "to": "visible"}
+
+
+def corrected(read: Path, folder: Path, operation: dict[str, Any]) -> dict[str, Any]:
+    """The report of a run in a folder over a reading and one correction of it."""
     told = {
         "schema": "gaussiancad-corrections/1",
-        "sheet_sha256": hashlib.sha256(sheet.read_bytes()).hexdigest(),
+        "sheet_sha256": hashlib.sha256(SHEET.read_bytes()).hexdigest(),
         "ops": [operation],
     }
-    path = tmp_path / "corrections.json"
+    path = folder / "corrections.json"
     path.write_text(json.dumps(told), encoding="utf-8")
-    reading = read / "run" / "reading.json"
-    return made(sheet, tmp_path / "out", "--reading", reading, "--corrections", path)
+    return made(SHEET, folder / "out", "--reading", read, "--corrections", path)
 
 
 def test_a_person_settles_it(read: Path, tmp_path: Path) -> None:
-    edge = edge_of(values(read / "run" / "reading.json"))
-    target = {"id": edge["id"], "line": edge["line"]}
-    report = corrected(read, tmp_path, {"op": "kind", "target": target, "to": "visible"})
+    reading = read / "run" / "reading.json"
+    report = corrected(reading, tmp_path, is_visible(edge_of(values(reading))))
     assert report["status"] == "verified"
     said = edge_of(values(tmp_path / "out" / "reading.json"))
     assert said["source"] == "given"
@@ -136,12 +140,14 @@ def test_a_person_settles_it(read: Path, tmp_path: Path) -> None:
 
 
 def test_a_correction_elsewhere_leaves_it(read: Path, tmp_path: Path) -> None:
-    report = corrected(read, tmp_path, {"op": "unit", "value": "mm"})
+    report = corrected(read / "run" / "reading.json", tmp_path, {"op": "unit", "value": "mm"})
     assert report["status"] == "approximate"
     assert codes(report) == ["labels-doubtful"]
 
 
-def test_an_annotation_may_be_an_edge(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_annotation_may_be_an_edge_and_a_person_says_so(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(picture_views, "ink_labels", doubting(-0.2))
     assert main(["read", str(SHEET), "--output", str(tmp_path)]) == 0
     reading = values(tmp_path / "reading.json")
@@ -150,3 +156,6 @@ def test_an_annotation_may_be_an_edge(tmp_path: Path, monkeypatch: pytest.Monkey
     assert 0.5 < edge["confidence"] < 0.62
     assert edge["why"]["otherwise"] == "visible"
     assert "labels-doubtful" in [own["code"] for own in reading["problems"]]
+    report = corrected(tmp_path / "reading.json", tmp_path, is_visible(edge))
+    assert report["status"] == "verified"
+    assert edge_of(values(tmp_path / "out" / "reading.json"))["view"] == "top"
