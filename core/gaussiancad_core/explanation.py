@@ -7,7 +7,8 @@ after it ended.
 from collections.abc import Iterable, Sequence
 from math import hypot
 
-from gaussiancad_core.pointing import Values, distance, holds, length
+from gaussiancad_core.pointing import Values, distance, holds
+from gaussiancad_core.stroke_sentences import percent, stroke_in_words
 
 _MOST = 6
 """Places that one sentence names at most."""
@@ -110,9 +111,9 @@ def explained_view(report: Values, reading: Values, role: str) -> list[str]:
     ]
     if "visible_recall" in view:
         lines.append(
-            f"Of its visible lines the result has {_percent(view['visible_recall'])}, of its "
-            f"hidden ones {_percent(view['hidden_recall'])}; of the result's lines it has "
-            f"{_percent(view['visible_precision'])} and {_percent(view['hidden_precision'])}."
+            f"Of its visible lines the result has {percent(view['visible_recall'])}, of its "
+            f"hidden ones {percent(view['hidden_recall'])}; of the result's lines it has "
+            f"{percent(view['visible_precision'])} and {percent(view['hidden_precision'])}."
         )
     lines += [_disagreement(own) for own in report["disagreements"] if own["view"] == role]
     lines += [_conflict(own) for own in report["conflict"] if own["view"] == role]
@@ -159,7 +160,7 @@ def read_place(reading: Values, at: tuple[float, float]) -> list[str]:
         ((distance(stroke, at), stroke) for stroke in reading["strokes"]), key=lambda own: own[0]
     )
     found = [stroke for away, stroke in near if away <= _NEAR_PX]
-    lines = [_stroke(stroke) for stroke in found[:_MOST]]
+    lines = [stroke_in_words(stroke) for stroke in found[:_MOST]]
     if not found:
         away = f"; the nearest is {near[0][0]:.0f} px away" if near else ""
         lines.append(f"No line was read at {where} px{away}.")
@@ -227,7 +228,7 @@ def _attempt(number: int, attempt: Values) -> list[str]:
     ]
     if attempt["faces"]:
         lines.append(
-            f"   {attempt['faces']} faces; {_percent(attempt['agreement'])} of all lines agree, "
+            f"   {attempt['faces']} faces; {percent(attempt['agreement'])} of all lines agree, "
             f"{attempt['disagreements']} places differ."
         )
     if attempt["others"]:
@@ -273,21 +274,5 @@ def _conflict(own: Values) -> str:
     return f"{kind} in the {own['view']} view at {_box(own['box'])} px{suspect}"
 
 
-def _stroke(stroke: Values) -> str:
-    long = length(stroke)
-    size = f" of {long:.0f} px" if long else ""
-    if stroke["view"] is None:
-        return f"A {stroke['kind']}{size}: no line of the part ({stroke['id']})."
-    confidence = stroke.get("confidence", 1.0)
-    sure = f", {_percent(confidence)} sure" if confidence < 1.0 else ""
-    shape = next(name for name in ("line", "arc", "ellipse") if name in stroke)
-    return f"A {stroke['kind']} {shape}{size} of the {stroke['view']} view{sure} ({stroke['id']})."
-
-
 def _box(box: Sequence[float]) -> str:
     return "({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*box)
-
-
-def _percent(share: float) -> str:
-    # What is not all is not called all.
-    return f"{100.0 * share:.1f} %" if share < 0.9995 or share == 1.0 else "99.9 %"

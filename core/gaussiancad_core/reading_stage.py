@@ -7,6 +7,7 @@ from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.job import Job
+from gaussiancad_core.label_doubts import tell_doubtful_labels, weighed_views
 from gaussiancad_core.messages import Message
 from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.one_view_stage import companion
@@ -19,6 +20,7 @@ from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.files.vectors import CircularArc
 from gaussiancad_core.sheet.graph.heads import arrowheads
 from gaussiancad_core.sheet.graph.tangent_edges import without_tangent_edges
+from gaussiancad_core.sheet.labels.evidence import NO_LABELS, SheetLabels
 from gaussiancad_core.sheet.layout import Layout, may_be_views
 from gaussiancad_core.sheet.masks import supersampling_for
 from gaussiancad_core.sheet.notes.finding import SheetNote, notes_of
@@ -61,6 +63,7 @@ class SheetLines:
         sections: those that have a title.
         loose: lines of the part that belong to no view, where none was found.
         beside: sections that stand beside plain views of their directions.
+        labels: what the lines of the sheet were taken for; nothing where no labels told it.
     """
 
     layout: Layout
@@ -72,6 +75,7 @@ class SheetLines:
     sections: tuple[NamedSection, ...] = ()
     loose: tuple[Stroke, ...] = ()
     beside: tuple[ReadView, ...] = ()
+    labels: SheetLabels = NO_LABELS
 
 
 def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) -> SheetLines:
@@ -98,7 +102,8 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
         layout, drawn = _by_arrows(layout, drawn, sections)
 
         def read(own: Layout) -> tuple[ReadView, ...]:
-            return read_views(separated.part, own, finder=reading.finder, vectors=found.vectors)
+            more = read_views(separated.part, own, finder=reading.finder, vectors=found.vectors)
+            return weighed_views(more, separated.labels)
 
         layout, beside = sections_beside(layout, sections, hatched, read)
         said = notes_of(scale.texts, scale.unit) if scale is not None else ()
@@ -107,7 +112,8 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
         tell_layout(notes, layout, clean.turn)
         options = tell_scale(reading, scale, notes)
         tell_notes(notes, said, clean.turn)
-    return SheetLines(layout, drawn, separated.marks, scale, options, said, sections, beside=beside)
+    told = separated.marks, scale, options, said, sections
+    return SheetLines(layout, drawn, *told, beside=beside, labels=separated.labels)
 
 
 def boxed_views(
@@ -141,6 +147,7 @@ def _strokes_in(
     if found.vectors is not None:
         drawn, smooth = without_tangent_edges(drawn)
         separated = replace(separated, marks=(*separated.marks, *map(_tangent_mark, smooth)))
+    drawn = weighed_views(drawn, separated.labels)
     hatched = to_middles(separated.hatched, separated.part.stroke_width)
     found = replace(found, separated=separated, layout=layout)
     return found, with_hatched_areas(drawn, layout, hatched), hatched
@@ -295,30 +302,9 @@ def _views(
     found = sheet_views(image, clean, given, reading.projection, reading.finder)
     if found.labels_problem is not None:
         notes.warn("labels-missing", found.labels_problem)
-    _tell_labels(notes, found, clean.turn)
+    tell_doubtful_labels(notes, found.separated.labels, found.layout.boxes, clean.turn)
     _tell_doubtful(notes, found.other_pens)
     return found
-
-
-def _tell_labels(notes: RunNotes, found: SheetViews, turn: Turn) -> None:
-    """Say which lines in the views may be edges or annotation."""
-    boxes = [
-        turn.box_to_stored(box)
-        for box in found.separated.doubtful
-        if any(_overlap(box, view) for view in found.layout.boxes.values())
-    ]
-    if boxes:
-        message = Message(
-            "{count} line(s) may be edges of the part or annotation, at {places} px",
-            boxes=boxes,
-            count=len(boxes),
-            places=_places(boxes),
-        )
-        notes.doubt("labels-doubtful", message)
-
-
-def _overlap(one: Box, other: Box) -> bool:
-    return one[0] <= other[2] and other[0] <= one[2] and one[1] <= other[3] and other[1] <= one[3]
 
 
 def _tell_doubtful(notes: RunNotes, boxes: Sequence[Box]) -> None:

@@ -359,6 +359,42 @@
         <translation>ignorieren</translation>
     </message>
     <message>
+        <source>cutting line</source>
+        <translation>Schnittlinie</translation>
+    </message>
+    <message>
+        <source>hatching</source>
+        <translation>Schraffur</translation>
+    </message>
+    <message>
+        <source>extension line</source>
+        <translation>Maßhilfslinie</translation>
+    </message>
+    <message>
+        <source>leader</source>
+        <translation>Hinweislinie</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>Schrift</translation>
+    </message>
+    <message>
+        <source>thread</source>
+        <translation>Gewinde</translation>
+    </message>
+    <message>
+        <source>symbol</source>
+        <translation>Symbol</translation>
+    </message>
+    <message>
+        <source>line of a pictorial view</source>
+        <translation>Linie einer bildlichen Ansicht</translation>
+    </message>
+    <message>
         <source>Line</source>
         <translation>Linie</translation>
     </message>
@@ -1557,6 +1593,50 @@
     <message>
         <source>Yes, Through</source>
         <translation>Ja, durchgehend</translation>
+    </message>
+    <message>
+        <source>Its ink looks like that.</source>
+        <translation>So sieht ihre Tinte aus.</translation>
+    </message>
+    <message>
+        <source>Its width, color or rhythm tells it, against its look.</source>
+        <translation>Ihre Breite, Farbe oder Strichfolge sagt es, gegen ihr Aussehen.</translation>
+    </message>
+    <message>
+        <source>The rest of its line tells it, against its look.</source>
+        <translation>Der Rest ihrer Linie sagt es, gegen ihr Aussehen.</translation>
+    </message>
+    <message>
+        <source>The figure that it is a part of tells it.</source>
+        <translation>Die Figur, zu der sie gehört, sagt es.</translation>
+    </message>
+    <message>
+        <source>As an edge it would end at no other edge.</source>
+        <translation>Als Kante endete sie an keiner anderen Kante.</translation>
+    </message>
+    <message>
+        <source>Without it other edges would end at nothing.</source>
+        <translation>Ohne sie endeten andere Kanten im Leeren.</translation>
+    </message>
+    <message>
+        <source>Its dashes, or its pen, tell it.</source>
+        <translation>Ihre Striche oder ihr Stift sagen es.</translation>
+    </message>
+    <message>
+        <source>In doubt: {kind}, {share} sure.</source>
+        <translation>Fraglich: {kind}, zu {share} sicher.</translation>
+    </message>
+    <message>
+        <source>More lines in doubt: {0}</source>
+        <translation>Weitere fragliche Linien: {0}</translation>
+    </message>
+    <message>
+        <source>Yes: {0}</source>
+        <translation>Ja: {0}</translation>
+    </message>
+    <message>
+        <source>No: {0}</source>
+        <translation>Nein: {0}</translation>
     </message>
     <message>
         <source>No, so Deep…</source>

@@ -239,6 +239,42 @@
         <translation>忽略</translation>
     </message>
     <message>
+        <source>cutting line</source>
+        <translation>剖切线</translation>
+    </message>
+    <message>
+        <source>hatching</source>
+        <translation>剖面线</translation>
+    </message>
+    <message>
+        <source>extension line</source>
+        <translation>尺寸界线</translation>
+    </message>
+    <message>
+        <source>leader</source>
+        <translation>引线</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>图框</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>thread</source>
+        <translation>螺纹</translation>
+    </message>
+    <message>
+        <source>symbol</source>
+        <translation>符号</translation>
+    </message>
+    <message>
+        <source>line of a pictorial view</source>
+        <translation>立体图中的线</translation>
+    </message>
+    <message>
         <source>Line</source>
         <translation>直线</translation>
     </message>
@@ -369,6 +405,50 @@
     <message>
         <source>Yes, Through</source>
         <translation>是，通孔</translation>
+    </message>
+    <message>
+        <source>Its ink looks like that.</source>
+        <translation>从墨迹的样子判断。</translation>
+    </message>
+    <message>
+        <source>Its width, color or rhythm tells it, against its look.</source>
+        <translation>由线宽、颜色或线段节奏判定，与其外观不符。</translation>
+    </message>
+    <message>
+        <source>The rest of its line tells it, against its look.</source>
+        <translation>由这条线的其余部分判断，与外观不符。</translation>
+    </message>
+    <message>
+        <source>The figure that it is a part of tells it.</source>
+        <translation>由它所属的图形判断。</translation>
+    </message>
+    <message>
+        <source>As an edge it would end at no other edge.</source>
+        <translation>若为棱边，其端点不接任何其他棱边。</translation>
+    </message>
+    <message>
+        <source>Without it other edges would end at nothing.</source>
+        <translation>没有它，其他棱边的端点将悬空。</translation>
+    </message>
+    <message>
+        <source>Its dashes, or its pen, tell it.</source>
+        <translation>由虚线段或线宽判断。</translation>
+    </message>
+    <message>
+        <source>In doubt: {kind}, {share} sure.</source>
+        <translation>存疑：{kind}，把握 {share}。</translation>
+    </message>
+    <message>
+        <source>More lines in doubt: {0}</source>
+        <translation>其他存疑的线：{0}</translation>
+    </message>
+    <message>
+        <source>Yes: {0}</source>
+        <translation>是：{0}</translation>
+    </message>
+    <message>
+        <source>No: {0}</source>
+        <translation>否：{0}</translation>
     </message>
     <message>
         <source>No, so Deep…</source>

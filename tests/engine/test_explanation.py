@@ -98,6 +98,29 @@ _READING = {
             "confidence": 1,
         },
         {"id": "s4", "view": None, "kind": "text", "box": [300, 20, 340, 40]},
+        {
+            "id": "s5",
+            "view": "front",
+            "kind": "visible",
+            "line": [[600, 20], [640, 20]],
+            "confidence": 0.52,
+            "why": {"by": "network", "otherwise": "dimension", "margin": 0.08},
+        },
+        {
+            "id": "s6",
+            "view": None,
+            "kind": "centre",
+            "line": [[600, 80], [640, 80]],
+            "confidence": 0.9,
+            "why": {"by": "pen", "otherwise": "hidden", "margin": 2.2},
+        },
+        {
+            "id": "s7",
+            "view": "front",
+            "kind": "hidden",
+            "line": [[600, 140], [640, 140]],
+            "source": "given",
+        },
     ],
 }
 
@@ -151,6 +174,18 @@ def test_all_that_was_tried_is_told_in_order() -> None:
         ((100, 91), "A hidden arc of 63 px of the front view, 80.0 % sure (s2)."),
         ((141, 270), "A visible ellipse of the top view (s3)."),
         ((320, 30), "A text: no line of the part (s4)."),
+        (
+            (620, 21),
+            "A visible line of 40 px of the front view, 52.0 % sure (s5). The labels network tells "
+            "it by the look of its ink. If that is wrong, it is a dimension line.",
+        ),
+        (
+            (620, 81),
+            "A centre of 40 px: no line of the part, 90.0 % sure (s6). Its pen tells it, by width, "
+            "colour or rhythm; by its look it would be an edge. If that is wrong, it is a hidden "
+            "edge.",
+        ),
+        ((620, 141), "A hidden line of 40 px of the front view (s7). A person said so."),
         ((450, 70), "It lies within a section that was not used: it shows more."),
         ((100, 48), "No line was read at (100, 48) px; the nearest is 28 px away."),
         ((50, 62), "the solid lacks 4.1 mm of line in the front view, at (52, 61) px"),
@@ -162,7 +197,7 @@ def test_a_place_is_told_what_is_known_of_it(at: tuple[float, float], told: str)
 
 def test_a_view_is_told_with_what_was_given_up_in_it() -> None:
     lines = explained_view(_REPORT, _READING, "front")
-    assert lines[0].endswith("has 1 visible and 1 hidden lines.")
+    assert lines[0].endswith("has 2 visible and 2 hidden lines.")
     # What is not all is not called all.
     assert "99.9 %" in lines[1]
     assert any(line.startswith("- a stretch where nothing is drawn") for line in lines)

@@ -12,6 +12,7 @@ from test_real_engine import SAMPLE, engine
 from window import WindowCase, spin
 
 from freecad.gaussiancad.canvas.keeping import corrections_path, write_corrections
+from freecad.gaussiancad.canvas.kinds import DOUBTFUL
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.panels import correct
 from freecad.gaussiancad.panels.jobs import JobState, job_list
@@ -92,6 +93,31 @@ class Canvas(WindowCase):
         self.assertAlmostEqual(self.part.Shape.BoundBox.XLength, 2.0 * first, delta=0.02 * first)
         kept = json.loads(corrections_path(self.copy).read_text(encoding="utf-8"))
         self.assertEqual(kept["ops"], self.canvas.operations)
+
+    def test_a_stroke_in_doubt_is_orange_until_a_person_settles_it(self) -> None:
+        self.canvas.say_length(_LENGTH, 50.0)
+        self.settled()
+        reading = json.loads(self.canvas.desk.reading_file.read_text(encoding="utf-8"))
+        doubtful = next(own for own in reading["strokes"] if own["kind"] == "visible")
+        why = {"by": "network", "otherwise": "dimension", "margin": 0.1}
+        doubtful.update(confidence=0.52, why=why)
+        path = self.folder / "doubtful.json"
+        path.write_text(json.dumps(reading), encoding="utf-8")
+        self.canvas.desk._was_read({"reading": str(path)}, [])
+        self.settled()
+        self.picture("canvas-doubt")
+        (line,) = (own for own in self.canvas.problems.lines if "In doubt" in own.text)
+        self.assertIn("Otherwise: dimension", line.text)
+        drawn = self.canvas.board._drawing._strokes[doubtful["id"]]
+        self.assertEqual(drawn.pen().color().name(), DOUBTFUL)
+        codes = [own["code"] for own in self.canvas._report["reasons"]]
+        self.assertEqual(codes, ["labels-doubtful"])
+        self.assertEqual(self.canvas._report["status"], "approximate")
+        line.buttons[0][1]()
+        self.settled()
+        self.picture("canvas-settled")
+        self.assertEqual(self.canvas._report["reasons"], [])
+        self.assertEqual(self.canvas._report["status"], "verified")
 
     def test_other_solids_that_fit_are_offered_until_the_next_correction(self) -> None:
         run = Path(shutil.copytree(self.dock._folder, self.folder / "run"))

@@ -31,6 +31,7 @@ from gaussiancad_core.readings.operations import (
 )
 from gaussiancad_core.readings.schema import (
     DRAWN,
+    GIVEN,
     LINES,
     Box,
     DimensionEntry,
@@ -44,9 +45,6 @@ from gaussiancad_core.readings.schema import (
     ViewRole,
 )
 from gaussiancad_core.readings.told_features import with_note, with_section
-
-GIVEN = "given"
-"""Source of what a person said."""
 
 _MM_PER_INCH = 25.4
 
@@ -181,7 +179,7 @@ def _with_kind(reading: SheetReading, operation: KindOperation) -> SheetReading 
     view = target.view
     if view is None and operation.to in DRAWN:
         view = _around(reading, target)
-    own = changed(target, kind=operation.to, view=view, confidence=1.0, source=GIVEN)
+    own = changed(target, kind=operation.to, view=view, confidence=1.0, source=GIVEN, why=None)
     return _with_stroke(reading, target, own)
 
 
@@ -317,11 +315,11 @@ def _opposite(role: ViewRole) -> ViewRole:
 
 def _with_region(reading: SheetReading, operation: RegionOperation) -> SheetReading:
     polygon = np.array(operation.polygon, np.float32).reshape(-1, 1, 2)
+    told = {"kind": operation.kind, "confidence": 1.0, "source": GIVEN, "why": None}
     return changed(
         reading,
         strokes=tuple(
-            changed(own, kind=operation.kind, source=GIVEN) if _is_within(polygon, own) else own
-            for own in reading.strokes
+            changed(own, **told) if _is_within(polygon, own) else own for own in reading.strokes
         ),
     )
 

@@ -5,18 +5,17 @@ from collections.abc import Callable
 from msgspec.structs import replace as changed
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.readings.certainty import read_entry, view_certainty
 from gaussiancad_core.readings.schema import (
     DRAWN,
     Box,
     SheetReading,
     StrokeEntry,
-    StrokeKind,
     ViewEntry,
 )
-from gaussiancad_core.readings.shapes import shape_of, stored_ring
+from gaussiancad_core.readings.shapes import stored_ring
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.reading import ReadView
-from gaussiancad_core.views import Linetype
 
 Reread = Callable[[tuple[tuple[Role, Box], ...]], tuple[ReadView, ...]]
 """Reads the views in boxes that a person named, px of the sheet as stored."""
@@ -64,13 +63,6 @@ def with_read_views(reading: SheetReading, reread: Reread, turn: Turn) -> SheetR
 
 def _entries(view: ViewEntry, own: ReadView, turn: Turn) -> list[StrokeEntry]:
     return [
-        StrokeEntry(
-            id=f"{view.id}:{number}",
-            view=view.id,
-            kind=(StrokeKind.HIDDEN if stroke.linetype is Linetype.HIDDEN else StrokeKind.VISIBLE),
-            confidence=round(float(stroke.confidence), 4),
-            source=own.source.value,
-            **shape_of(stroke, turn),
-        )
-        for number, stroke in enumerate(own.strokes, start=1)
+        read_entry(f"{view.id}:{number}", view.id, stroke, turn, told)
+        for number, (stroke, told) in enumerate(view_certainty(own), start=1)
     ]

@@ -10,12 +10,16 @@ from typing import Annotated, Any, Literal
 import msgspec
 from msgspec import Meta, Struct
 
+from gaussiancad_core.sheet.labels.classes import Evidence
 from gaussiancad_core.sheet.notes.callouts import NoteKind
 
 SCHEMA = "gaussiancad-reading/1"
 
 LINES = "lines"
 """Kind of a group of lines that belongs to no view and has no name."""
+
+GIVEN = "given"
+"""Source of what a person said."""
 
 LARGEST = 1e6
 """px from the sheet's corner up to which places are taken, and mm of lengths."""
@@ -175,6 +179,21 @@ class SectionEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
     looks: ViewRole | None = None
 
 
+class Why(Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """Why a stroke is of its kind.
+
+    Attributes:
+        by: what decided.
+        otherwise: the kind that it would be if that is wrong.
+        margin: log-odds of the kind from the stroke's own ink, of a part's edge against annotation
+            or the other way round; negative where something else decided.
+    """
+
+    by: Evidence
+    otherwise: StrokeKind | None = None
+    margin: Number | None = None
+
+
 class StrokeEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
     """A stroke: one of ``line``, ``arc`` and ``ellipse``, or only a box.
 
@@ -186,6 +205,7 @@ class StrokeEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
         box: around what has no shape.
         confidence: how sure the kind is.
         source: ``given`` where a person drew it or said its kind.
+        why: what tells the kind; nothing where a person does.
     """
 
     id: Text
@@ -197,6 +217,7 @@ class StrokeEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
     box: Box | None = None
     confidence: Share = 1.0
     source: Text = ""
+    why: Why | None = None
 
 
 class Measured(Struct, frozen=True, kw_only=True, omit_defaults=True):

@@ -7,6 +7,8 @@ import numpy as np
 
 from gaussiancad_core.readings.schema import Box, StrokeEntry, StrokeKind
 from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.labels.classes import BY_LABELS
+from gaussiancad_core.sheet.labels.evidence import solver_weight
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
 _DIGITS = 4
@@ -33,7 +35,7 @@ def shape_of(stroke: Stroke, turn: Turn) -> Mapping[str, Any]:
 def stroke_of(entry: StrokeEntry, turn: Turn) -> Stroke | None:
     """A stroke of a reading on the upright sheet; None where it has no shape, or no length."""
     linetype = Linetype.HIDDEN if entry.kind is StrokeKind.HIDDEN else Linetype.VISIBLE
-    kind = linetype, entry.confidence
+    kind = linetype, _weight(entry)
     if entry.line is not None:
         start, end = _upright(entry.line, turn)
         return Segment(start, end, *kind) if start != end else None
@@ -48,6 +50,12 @@ def stroke_of(entry: StrokeEntry, turn: Turn) -> Stroke | None:
         axes = major / turn.scale, minor / turn.scale, rotation - _turned(centre, turn)
         return Ellipse(centre, *axes, start, sweep, *kind)
     return None
+
+
+def _weight(entry: StrokeEntry) -> float:
+    """How sure a stroke is whether it is visible or hidden, and what a doubtful label takes."""
+    by_label = entry.why is not None and entry.why.by in BY_LABELS
+    return solver_weight(entry.confidence) if by_label else entry.confidence
 
 
 def stored_box(box: Box, turn: Turn) -> Box:

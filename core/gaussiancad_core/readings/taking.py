@@ -12,6 +12,7 @@ from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import NoModelError, UsageError
 from gaussiancad_core.job import Job
+from gaussiancad_core.label_doubts import DOUBTFUL, tell_doubtful_labels
 from gaussiancad_core.messages import filled
 from gaussiancad_core.opened_sheet import OpenedSheet
 from gaussiancad_core.reading_stage import (
@@ -22,6 +23,7 @@ from gaussiancad_core.reading_stage import (
     tell_notes,
     tell_scale,
 )
+from gaussiancad_core.readings.certainty import entry_labels
 from gaussiancad_core.readings.filling import Reread
 from gaussiancad_core.readings.schema import (
     DRAWN,
@@ -40,6 +42,7 @@ from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.annotations.marks import Mark, line_mark
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.labels.evidence import SheetLabels
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.masks import supersampling_for
 from gaussiancad_core.sheet.notes.callouts import Callout
@@ -126,7 +129,22 @@ def taken_lines(
         tell_notes(notes, found, turn)
         sections = tuple(_section(own, turn) for own in reading.sections)
         beside = _beside(reading, clean)
-    return SheetLines(layout, drawn, marks, scale, options, found, sections, beside=beside)
+        labels = entry_labels(reading.strokes, turn, clean.stroke_width)
+        _tell_labels(notes, reading, labels, layout, turn)
+    told = marks, scale, options, found, sections
+    return SheetLines(layout, drawn, *told, beside=beside, labels=labels)
+
+
+def _tell_labels(
+    notes: RunNotes, reading: SheetReading, labels: SheetLabels, layout: Layout, turn: Turn
+) -> None:
+    """Say which lines may be edges or annotation: as the reading does, or, where a person
+    corrected it, those that are still in doubt."""
+    read = next((own for own in reading.problems if own.code == DOUBTFUL), None)
+    if read is not None and not reading.corrected:
+        notes.doubt(DOUBTFUL, filled(read.message, read.args, read.at))
+    else:
+        tell_doubtful_labels(notes, labels, layout.boxes, turn)
 
 
 def _told_axis(job: Job, reading: SheetReading) -> Job:
@@ -231,6 +249,7 @@ def _drawn(reading: SheetReading, clean: CleanSheet, reread: Reread) -> tuple[Re
             drawn.append(found[role])
             continue
         own = view_by_strokes(role, strokes[role], part, factor, (_source(view), view.dash))
+        own = replace(own, labels=_labels_of(reading, view, clean))
         drawn.append(_cut_open(own, view, clean.turn))
     return tuple(drawn)
 
@@ -243,9 +262,22 @@ def _beside(reading: SheetReading, clean: CleanSheet) -> tuple[ReadView, ...]:
         strokes = _strokes_of(reading, view, clean.turn)
         if role is None or view.role is not ViewRole.SECTION or not strokes:
             continue
-        own = ReadView(role, visible_bounds(strokes), strokes, None, _source(view), view.dash)
+        own = ReadView(
+            role,
+            visible_bounds(strokes),
+            strokes,
+            None,
+            _source(view),
+            view.dash,
+            labels=_labels_of(reading, view, clean),
+        )
         found.append(_cut_open(own, view, clean.turn))
     return tuple(own for own in found if own.hatched)
+
+
+def _labels_of(reading: SheetReading, view: ViewEntry, clean: CleanSheet) -> SheetLabels:
+    own = (entry for entry in reading.strokes if entry.view == view.id and entry.kind in DRAWN)
+    return entry_labels(own, clean.turn, clean.stroke_width)
 
 
 def _strokes_of(reading: SheetReading, view: ViewEntry, turn: Turn) -> tuple[Stroke, ...]:

@@ -11,6 +11,13 @@ from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.messages import told
 from gaussiancad_core.reading_stage import SheetLines
+from gaussiancad_core.readings.certainty import (
+    OF_FILE,
+    Certainty,
+    mark_certainty,
+    read_entry,
+    view_certainty,
+)
 from gaussiancad_core.readings.schema import (
     LARGEST,
     LINES,
@@ -30,19 +37,18 @@ from gaussiancad_core.readings.schema import (
     ViewEntry,
     ViewRole,
 )
-from gaussiancad_core.readings.shapes import shape_of, stored_box, stored_points, stored_ring
+from gaussiancad_core.readings.shapes import stored_box, stored_points, stored_ring
 from gaussiancad_core.report import Report
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.notes.finding import SheetNote
 from gaussiancad_core.sheet.notes.sections import NamedSection, Trace
-from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import ReadView
 from gaussiancad_core.sheet.scale.dimensions import Span
 from gaussiancad_core.sheet.scale.estimate import ReadDimension
 from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
-from gaussiancad_core.views import Linetype, Stroke
+from gaussiancad_core.views import Stroke
 
 READING_FILE = "reading.json"
 
@@ -81,6 +87,7 @@ _OFFERS = {
     "unused-view": ("view",),
     "lines-left-out": ("view",),
     "other-pen-lines": ("kind",),
+    "labels-doubtful": ("kind",),
     "views-disagree": ("view", "erase"),
     "symbol-contradicts-lines": ("projection",),
 }
@@ -269,36 +276,29 @@ def _left_out(number: int, box: tuple[float, float, float, float], turn: Turn) -
 
 
 def _strokes(lines: SheetLines, turn: Turn) -> Iterator[StrokeEntry]:
-    owned: list[tuple[str | None, str, Stroke]] = [
-        (view.role.value, view.source.value, stroke)
+    owned: list[tuple[str | None, Certainty, Stroke]] = [
+        (view.role.value, sure, stroke)
         for view in lines.drawn
-        for stroke in view.strokes
+        for stroke, sure in view_certainty(view)
     ]
     names = [own.id for own in _specials(lines, turn) if own.looks is not None]
     owned += [
-        (name, view.source.value, stroke)
+        (name, sure, stroke)
         for name, view in zip(names, lines.beside, strict=True)
-        for stroke in view.strokes
+        for stroke, sure in view_certainty(view)
     ]
-    owned += [(None, StrokesSource.VECTOR.value, stroke) for stroke in lines.loose]
-    for number, (view, source, stroke) in enumerate(owned, start=1):
-        hidden = stroke.linetype is Linetype.HIDDEN
-        yield StrokeEntry(
-            id=f"s{number}",
-            view=view,
-            kind=StrokeKind.HIDDEN if hidden else StrokeKind.VISIBLE,
-            confidence=round(float(stroke.confidence), 4),
-            source=source,
-            **shape_of(stroke, turn),
-        )
+    owned += [(None, OF_FILE, stroke) for stroke in lines.loose]
+    for number, (view, sure, stroke) in enumerate(owned, start=1):
+        yield read_entry(f"s{number}", view, stroke, turn, sure)
     for number, mark in enumerate(lines.marks, start=1 + len(owned)):
-        yield _marked(f"s{number}", mark, turn)
+        yield _marked(f"s{number}", mark, turn, mark_certainty(mark, lines.labels))
 
 
-def _marked(name: str, mark: Mark, turn: Turn) -> StrokeEntry:
+def _marked(name: str, mark: Mark, turn: Turn, told: Certainty) -> StrokeEntry:
     kind = _KINDS.get(mark.kind, StrokeKind.IGNORE)
     line = None if mark.line is None else tuple(stored_points(mark.line, turn))
-    return StrokeEntry(id=name, view=None, kind=kind, line=line, box=stored_box(mark.box, turn))
+    box = stored_box(mark.box, turn)
+    return StrokeEntry(id=name, view=None, kind=kind, line=line, box=box, **told)
 
 
 def _dimension(number: int, own: ReadDimension, turn: Turn) -> DimensionEntry:

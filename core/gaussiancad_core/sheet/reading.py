@@ -11,6 +11,7 @@ from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.dash_blocks import with_dash_blocks
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.edge_dashes import with_edge_dashes
+from gaussiancad_core.sheet.labels.evidence import NO_LABELS, SheetLabels
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.masks import Outline, Region, find_outline, supersampling_for
 from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
@@ -64,6 +65,7 @@ class ReadView:
             the pens or the file tell linetypes.
         hatched: of a section the outlines of what is cut: an odd number of them surrounds it.
         opened: corners of the region that is cut open; empty where that is all of the view.
+        labels: what the lines of its ink were taken for; nothing where no labels told it.
     """
 
     role: Role
@@ -74,6 +76,7 @@ class ReadView:
     dash: float | None = None
     hatched: tuple[Ring, ...] = ()
     opened: Ring = ()
+    labels: SheetLabels = NO_LABELS
 
     @property
     def has_hidden_lines(self) -> bool:

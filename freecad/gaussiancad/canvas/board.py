@@ -119,8 +119,9 @@ class Board(Pane):
         self.select({other.id for own in self.selected for other in self._sheet.like(own)})
 
     def give_kind(self, kind: str) -> None:
-        """Say that what is selected stands for a kind."""
-        self._say(saying.of_kind([own for own in self.selected if own.kind != kind], kind))
+        """Say that what is selected stands for a kind; of what is in doubt, that it does indeed."""
+        meant = [own for own in self.selected if own.kind != kind or own.doubtful]
+        self._say(saying.of_kind(meant, kind))
 
     def give_role(self, role: str) -> None:
         """Say what a view shows: the one that is selected, or whose strokes are."""

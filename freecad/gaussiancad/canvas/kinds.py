@@ -42,8 +42,8 @@ NUMBER, PLANE, MARK, CHOSEN = "#2e8b2e", "#aa3c00", "#dc1e1e", "#dc1e1e"
 
 OTHER = "#969696"
 
-DOUBTFUL, DOUBT = "#ff8c00", 0.6
-"""Colour of strokes of the part whose kind is less sure than this."""
+DOUBTFUL, DOUBT = "#ff8c00", 0.62
+"""Colour of strokes whose kind is less sure than this; the engine calls it a doubt from there."""
 
 _NAMES = {
     "visible": QT_TRANSLATE_NOOP("GaussianCAD", "visible"),
@@ -52,6 +52,15 @@ _NAMES = {
     "tangent": QT_TRANSLATE_NOOP("GaussianCAD", "tangent edge"),
     "dimension": QT_TRANSLATE_NOOP("GaussianCAD", "dimension"),
     "ignore": QT_TRANSLATE_NOOP("GaussianCAD", "ignore"),
+    "cut": QT_TRANSLATE_NOOP("GaussianCAD", "cutting line"),
+    "hatch": QT_TRANSLATE_NOOP("GaussianCAD", "hatching"),
+    "extension": QT_TRANSLATE_NOOP("GaussianCAD", "extension line"),
+    "leader": QT_TRANSLATE_NOOP("GaussianCAD", "leader"),
+    "frame": QT_TRANSLATE_NOOP("GaussianCAD", "frame"),
+    "text": QT_TRANSLATE_NOOP("GaussianCAD", "writing"),
+    "thread": QT_TRANSLATE_NOOP("GaussianCAD", "thread"),
+    "symbol": QT_TRANSLATE_NOOP("GaussianCAD", "symbol"),
+    "picture": QT_TRANSLATE_NOOP("GaussianCAD", "line of a pictorial view"),
     "line": QT_TRANSLATE_NOOP("GaussianCAD", "Line"),
     "arc": QT_TRANSLATE_NOOP("GaussianCAD", "Arc"),
     "circle": QT_TRANSLATE_NOOP("GaussianCAD", "Circle"),

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Set
 
+from freecad.gaussiancad.canvas.doubts import doubt_in_words
 from freecad.gaussiancad.canvas.handles import corners_of, handles_of
 from freecad.gaussiancad.canvas.kinds import (
     CHOSEN,
     COLOURS,
-    DOUBT,
     DOUBTFUL,
     DRAWN,
     MARK,
@@ -156,7 +156,9 @@ class SheetScene(QtWidgets.QGraphicsScene):
 
     def _add_stroke(self, own: Stroke, chosen: bool) -> None:
         item = self.addPath(_path(own.points()), _stroke_pen(own, chosen=chosen))
-        item.setZValue(1.0 if own.kind in DRAWN else 0.0)
+        item.setZValue(1.0 if own.kind in DRAWN else 0.5 if own.doubtful else 0.0)
+        if own.doubtful:
+            item.setToolTip(doubt_in_words(own))
         self._strokes[own.id] = item
         self._layers["strokes" if own.kind in DRAWN else "annotation"].append(item)
 
@@ -226,9 +228,8 @@ def _pen(
 
 
 def _stroke_pen(own: Stroke, *, chosen: bool) -> QtGui.QPen:
-    doubtful = own.kind in DRAWN and own.confidence < DOUBT and not own.given
-    colour = DOUBTFUL if doubtful else COLOURS.get(own.kind, OTHER)
-    width = 2.0 if own.kind in DRAWN else 1.0
+    colour = DOUBTFUL if own.doubtful else COLOURS.get(own.kind, OTHER)
+    width = 2.0 if own.kind in DRAWN or own.doubtful else 1.0
     styles = QtCore.Qt.PenStyle
     style = styles.DashLine if own.kind == "hidden" else styles.SolidLine
     return _pen(CHOSEN if chosen else colour, width + (2.0 if chosen else 0.0), style)

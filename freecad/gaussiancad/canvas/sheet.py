@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import atan2, cos, hypot, pi, sin
 
-from freecad.gaussiancad.canvas.kinds import DRAWN, ROLES
+from freecad.gaussiancad.canvas.kinds import DOUBT, DRAWN, ROLES
 from freecad.gaussiancad.engine.wording import worded
 
 Point = tuple[float, float]
@@ -35,6 +35,8 @@ class Stroke:
         shape: where it runs.
         confidence: how sure the kind is.
         given: whether a person drew it or said its kind.
+        why: what told its kind, as the engine names it; empty where it does not say.
+        otherwise: the kind that it would be if that is wrong; empty where none is known.
     """
 
     id: str
@@ -43,6 +45,13 @@ class Stroke:
     shape: Shape
     confidence: float = 1.0
     given: bool = False
+    why: str = ""
+    otherwise: str = ""
+
+    @property
+    def doubtful(self) -> bool:
+        """Whether its kind is so unsure that a person should look at it."""
+        return self.confidence < DOUBT and not self.given
 
     @property
     def circle(self) -> tuple[float, float, float] | None:
@@ -273,8 +282,10 @@ def _strokes(reading: dict) -> list[Stroke]:
     for own in reading.get("strokes", ()):
         shape = shape_in(own)
         if shape is not None:
+            why = own.get("why") or {}
             told = own.get("confidence", 1.0), own.get("source") == "given"
-            found.append(Stroke(own["id"], own.get("view"), own["kind"], shape, *told))
+            reasons = why.get("by", ""), why.get("otherwise", "")
+            found.append(Stroke(own["id"], own.get("view"), own["kind"], shape, *told, *reasons))
     return found
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from freecad.gaussiancad.canvas.rows import Line
@@ -49,13 +49,14 @@ class Help:
     mend: Callable[[dict], Buttons]
 
 
-def verdict_lines(report: dict, help_with: Help) -> list[Line]:
+def verdict_lines(report: dict, help_with: Help, doubts: Sequence[Line] = ()) -> list[Line]:
     """Rows of a report: the verdict with its colour, its reasons, what was assumed with a yes and a
-    no, where lines disagree or contradict each other, and warnings.
+    no, where lines disagree or contradict each other, strokes in doubt, and warnings.
 
     Args:
         report: of a run.
         help_with: what is offered for its rows.
+        doubts: rows of strokes in doubt.
     """
     lines = [verdict_line(report["status"], _measures(report))]
     assumed = {own["message"] for own in report.get("assumptions", ())}
@@ -70,6 +71,7 @@ def verdict_lines(report: dict, help_with: Help) -> list[Line]:
     lines += [_assumed(own, help_with, holes) for own in assumptions]
     lines += [Line(text, box, help_with.mend(own)) for own, (box, text) in _disagreements(report)]
     lines += [Line(text, box) for box, text in _conflicts(report)]
+    lines += doubts
     lines += [_remark("warning", own, offers) for own in report.get("warnings", ())]
     return lines
 

@@ -14,6 +14,7 @@ from freecad.gaussiancad.canvas.asking import Asking
 from freecad.gaussiancad.canvas.bars import RunBar, ToolBar
 from freecad.gaussiancad.canvas.board import Board
 from freecad.gaussiancad.canvas.desk import Desk
+from freecad.gaussiancad.canvas.doubts import doubt_lines
 from freecad.gaussiancad.canvas.gaps import OPEN, open_ends
 from freecad.gaussiancad.canvas.helping import Helping
 from freecad.gaussiancad.canvas.keeping import Beside, Keeper
@@ -234,13 +235,16 @@ class SheetWindow(QtWidgets.QMainWindow):
         """What the last run says; until there is one, what is in doubt of what was read."""
         sheet, report, helping = self.sheet, self._report, self._helping
         problems = sheet.problems if sheet is not None else ()
+        doubts = doubt_lines(sheet, self.desk.say) if sheet is not None else []
         if report is not None:
-            lines = verdict_lines(report, helping.with_report())
+            lines = verdict_lines(report, helping.with_report(), doubts)
         else:
-            lines = [
+            rows = [
                 Line(f"{SIGNS[own.severity]} {own.message}", own.box, helping.with_row(own))
                 for own in problems
             ]
+            grave = sum(own.severity != "warning" for own in problems)
+            lines = [*rows[:grave], *doubts, *rows[grave:]]
         count = len(self.operations)
         if report is None and not count and any(own.severity == "refused" for own in problems):
             # What was read makes no part, and nothing was said yet: no run will tell it.

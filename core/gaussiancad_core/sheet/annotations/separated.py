@@ -6,7 +6,7 @@ from gaussiancad_core.sheet.annotations.erase import Told
 from gaussiancad_core.sheet.annotations.inked import points_along
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
 from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.labels.evidence import NO_LABELS, SheetLabels
 
 
 @dataclass(frozen=True, eq=False)
@@ -19,7 +19,7 @@ class SeparatedSheet:
         hatched: (h, w) bool, cut material; nothing where there is none.
         askew: (h, w) bool, ink of pictorials and auxiliary views; nothing where none was told.
         told: the lines and circles, and what each is; nothing where they were not looked at.
-        doubtful: boxes of lines that may be edges or annotation, the most doubtful first.
+        labels: what each line was taken for, and how surely; nothing where no labels told it.
     """
 
     part: CleanSheet
@@ -27,7 +27,7 @@ class SeparatedSheet:
     hatched: Mask | None = None
     askew: Mask | None = None
     told: Told | None = None
-    doubtful: tuple[Box, ...] = ()
+    labels: SheetLabels = NO_LABELS
 
 
 def line_marks(told: Told) -> list[Mark]:

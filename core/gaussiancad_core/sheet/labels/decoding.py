@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape, points_along
 from gaussiancad_core.sheet.annotations.marks import values_at
-from gaussiancad_core.sheet.labels.classes import PART, InkClass
+from gaussiancad_core.sheet.labels.classes import PART, Evidence, InkClass
 from gaussiancad_core.sheet.labels.network import InkLabels, part_odds
 from gaussiancad_core.sheet.runs import Run
 
@@ -59,12 +59,16 @@ class LabelledRun:
         ink: what it is taken for.
         margin: mean log-odds of the part against annotation, before neighbours were asked.
         log_p: (classes,) mean log-probabilities.
+        why: what decided.
+        support: log-odds of the decision where something else than its own ink made it.
     """
 
     run: InkedRun
     ink: InkClass
     margin: float
     log_p: Floats
+    why: Evidence = Evidence.NETWORK
+    support: float | None = None
 
     @property
     def is_part(self) -> bool:
@@ -76,23 +80,30 @@ class LabelledRun:
         """What its ink says for the part, as log-odds: no more than so many px tell."""
         return float(_weighed(self.margin)) * _PER_PX * min(self.run.run.length, _TELLING_PX)
 
-    def turned(self) -> "LabelledRun":
-        """The same as the likeliest class of the other group."""
-        return replace(self, ink=_likeliest(self.log_p, part=not self.is_part))
+    def turned(self, support: float | None = None) -> "LabelledRun":
+        """The same as the likeliest class of the other group, as its ends are loose otherwise."""
+        ink = likeliest(self.log_p, part=not self.is_part)
+        return replace(self, ink=ink, why=Evidence.LOOSE_END, support=support)
 
-    def as_ink(self, ink: InkClass) -> "LabelledRun":
-        """The same taken for something else."""
-        return replace(self, ink=ink)
+    def as_figure(self, ink: InkClass, support: float) -> "LabelledRun":
+        """The same taken for what its figure is."""
+        return replace(self, ink=ink, why=Evidence.FIGURE, support=support)
 
     def no_longer(self, ink: InkClass) -> "LabelledRun":
         """The same where it is known that it is not of a class: the others tell what it is."""
         log_p = self.log_p.copy()
         log_p[ink] = _NEVER
         margin = float(part_odds(log_p[None])[0])
-        return replace(self, ink=_likeliest(log_p, margin > 0.0), margin=margin, log_p=log_p)
+        ink = likeliest(log_p, margin > 0.0)
+        told = {"why": Evidence.FIGURE, "support": None}
+        return replace(self, ink=ink, margin=margin, log_p=log_p, **told)
+
+    def otherwise(self) -> InkClass:
+        """The likeliest class of the other group: what it would be if the decision is wrong."""
+        return likeliest(self.log_p, part=not self.is_part)
 
 
-def _likeliest(log_p: Floats, part: bool) -> InkClass:
+def likeliest(log_p: Floats, part: bool) -> InkClass:
     """The likeliest class of ink of a group."""
     ranked = (InkClass(k) for k in np.argsort(-log_p, kind="stable") if k)
     return next(own for own in ranked if (own in PART) is part)
@@ -100,10 +111,12 @@ def _likeliest(log_p: Floats, part: bool) -> InkClass:
 
 @dataclass(frozen=True, eq=False)
 class _Points:
-    """Of a run: (n, classes) log-probabilities, (n,) log-odds of the part, (n,) weights."""
+    """Of a run: (n, classes) log-probabilities, (n,) log-odds of the part, the same by the network
+    alone, (n,) weights."""
 
     log_p: Floats
     odds: Floats
+    network: Floats
     weights: Floats
 
 
@@ -126,9 +139,11 @@ def labelled_runs(
     for own in shape.runs:
         where = points_along(shape.geometry, own.run, _STEP)
         log_p = labels.at(where)
-        odds = part_odds(log_p) + sum(told(shape, own, log_p) for told in pens)
+        network = part_odds(log_p)
+        odds = network + sum(told(shape, own, log_p) for told in pens)
         weights = np.where(values_at(shared, where), _SHARED, 1.0)
-        points.append(_Points(log_p, np.clip(odds, -_CLIP, _CLIP), weights))
+        odds, network = (np.clip(each, -_CLIP, _CLIP) for each in (odds, network))
+        points.append(_Points(log_p, odds, network, weights))
     if not points:
         return []
     told = np.concatenate([_weighed(own.odds) * own.weights for own in points]) * _PER_PX
@@ -137,7 +152,13 @@ def labelled_runs(
     change[starts[:-1]] = _changes_at_gaps([own.run.length for own in shape.runs])
     is_part = _cheapest(told, change)
     return [
-        _labelled(run, own, piece, part=bool(is_part[start + piece[0]]))
+        _labelled(
+            run,
+            own,
+            piece,
+            part=bool(is_part[start + piece[0]]),
+            kept=_kept(told, change, is_part, (start + piece[0], start + piece[1])),
+        )
         for run, own, start in zip(shape.runs, points, starts[:-1].tolist(), strict=True)
         for piece in _pieces(is_part[start : start + len(own.odds)])
     ]
@@ -188,7 +209,29 @@ def _pieces(states: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
     return [(int(a), int(b)) for a, b in zip(firsts, lasts, strict=True)]
 
 
-def _labelled(run: InkedRun, points: _Points, piece: tuple[int, int], part: bool) -> LabelledRun:
+def _kept(
+    told: Floats, change: Floats, is_part: npt.NDArray[np.bool_], piece: tuple[int, int]
+) -> float:
+    """By how much a piece costs less as it is than turned, all else as it is.
+
+    Args:
+        told, change: as of :func:`_cheapest`.
+        is_part: (n,) what that found.
+        piece: first and last index.
+    """
+    first, last = piece
+    state = bool(is_part[first])
+    saved = float(told[first : last + 1].sum()) * (1.0 if state else -1.0)
+    if first > 0:
+        saved += float(change[first]) * (1.0 if bool(is_part[first - 1]) is state else -1.0)
+    if last + 1 < len(told):
+        saved += float(change[last + 1]) * (1.0 if bool(is_part[last + 1]) is state else -1.0)
+    return saved
+
+
+def _labelled(
+    run: InkedRun, points: _Points, piece: tuple[int, int], part: bool, kept: float
+) -> LabelledRun:
     first, last = piece
     count = len(points.odds)
     step = run.run.length / max(count - 1, 1)
@@ -198,5 +241,12 @@ def _labelled(run: InkedRun, points: _Points, piece: tuple[int, int], part: bool
     weights = points.weights[own] / points.weights[own].sum()
     mean = weights @ points.log_p[own]
     margin = float(weights @ points.odds[own])
-    ink = _likeliest(mean, part)
-    return LabelledRun(InkedRun(Run(start, end), run.width), ink, margin, mean)
+    network = float(weights @ points.network[own])
+    ink = likeliest(mean, part)
+    why = Evidence.NETWORK
+    if (margin > 0.0) is not part:
+        why = Evidence.LINE
+    elif (network > 0.0) is not part:
+        why = Evidence.PEN
+    support = kept if why is Evidence.LINE else None
+    return LabelledRun(InkedRun(Run(start, end), run.width), ink, margin, mean, why, support)

@@ -6,6 +6,7 @@ what.  It wants lines of three px (:mod:`gaussiancad_core.sheet.working_scale`).
 """
 
 import hashlib
+import json
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib.resources import as_file, files
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 
 _WEIGHTS = "labels.onnx"
 _DIGEST = "labels.onnx.sha256"
+_CARD = "labels.json"
 
 _MULTIPLE = 32
 """Px that the sides of what the network takes are multiples of."""
@@ -87,6 +89,18 @@ def labels_problem() -> Message | None:
     except ImportError as error:
         return Message("the labels network does not run, as {reason}", reason=error)
     return None
+
+
+@lru_cache(maxsize=1)
+def log_odds_factor() -> float:
+    """By how much log-odds of part against annotation are multiplied to be probabilities: the
+    ``temperature`` of the network's card, 1 where it was not calibrated."""
+    try:
+        card = json.loads(files(__package__).joinpath(_CARD).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return 1.0
+    told = card.get("temperature") or (card.get("calibration") or {}).get("temperature")
+    return float(told) if told else 1.0
 
 
 def ink_labels(grey: npt.NDArray[np.uint8]) -> InkLabels:

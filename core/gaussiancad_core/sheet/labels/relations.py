@@ -100,10 +100,12 @@ def _of_one_figure(
             * (pieces[k].log_p[InkClass.PICTORIAL] - np.logaddexp(*pieces[k].log_p[list(PART)]))
             for k in members
         )
+        total = sum(pieces[k].run.run.length for k in members)
         for k in members:
-            if odds > 0.0:
-                turned[k] = pieces[k].as_ink(InkClass.PICTORIAL)
-            elif pieces[k].ink is InkClass.PICTORIAL:
+            pictured = pieces[k].ink is InkClass.PICTORIAL
+            if odds > 0.0 and not pictured:
+                turned[k] = pieces[k].as_figure(InkClass.PICTORIAL, odds / total)
+            elif odds <= 0.0 and pictured:
                 turned[k] = pieces[k].no_longer(InkClass.PICTORIAL)
     return turned
 
@@ -149,8 +151,9 @@ def _without_loose_ends(
                 total += sum(looseness(near, states) for near in ends[k])
         return total
 
+    supports: dict[int, float] = {}
     for _ in range(_ROUNDS):
-        best, gain = None, 1e-9
+        best, turned, gain = None, set(), 1e-9
         for group in chosen:
             around = set(group).union(*(touched[k] for k in group))
             after = list(part)
@@ -158,13 +161,14 @@ def _without_loose_ends(
                 after[k] = not after[k]
             saved = cost(around, part) - cost(around, after)
             if saved > gain:
-                best, gain = after, saved
+                best, turned, gain = after, group, saved
         if best is None:
             break
         part = best
+        supports.update(dict.fromkeys(turned, gain))
     return [
-        own if own.is_part is state else own.turned()
-        for own, state in zip(pieces, part, strict=True)
+        own if own.is_part is state else own.turned(supports.get(k))
+        for k, (own, state) in enumerate(zip(pieces, part, strict=True))
     ]
 
 

@@ -16,22 +16,23 @@ from gaussiancad_core.sheet.growth import GrowthRules, grow_shapes
 from gaussiancad_core.sheet.labels.classes import ANNOTATION_KINDS, PART, InkClass
 from gaussiancad_core.sheet.labels.colours import Tints, learnt_colours
 from gaussiancad_core.sheet.labels.decoding import LabelledRun, labelled_runs
+from gaussiancad_core.sheet.labels.evidence import (
+    LabelledLine,
+    SheetLabels,
+    labelled_curves,
+    labelled_lines,
+)
 from gaussiancad_core.sheet.labels.network import InkLabels, part_odds
 from gaussiancad_core.sheet.labels.pens import learnt_pens
 from gaussiancad_core.sheet.labels.relations import related
 from gaussiancad_core.sheet.labels.rhythm import rhythm_odds
 from gaussiancad_core.sheet.labels.words import written_lines
-from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.ridges import ridge_points
 from gaussiancad_core.sheet.runs import ink_field
 from gaussiancad_core.sheet.scale.dimensions import rule_of
 
 _BLOT = 1.4
 """Widths of a line within which another one shares its ink."""
-
-_DOUBT, _LONG = 0.5, 5.0
-"""Margin under which a line may be either, and its length in widths of a line from which that
-matters."""
 
 _LEAST_POINT = 0.4
 """Size of a decimal point at least, in widths of a line."""
@@ -81,7 +82,7 @@ def separate_by_labels(
     free = np.ones(len(ridges.points), dtype=bool)
     for own in grown:
         free[own.members] = False
-    unexplained, loose = _free_curves(ridges.points[free], labels, sheet.ink.shape)
+    unexplained, loose, curves = _free_curves(ridges.points[free], labels, sheet.ink.shape)
     told = _told(shapes, labelled, unexplained, loose)
     part = erased(sheet, told)
     part = masked(part, ~_stray(part.ink, best, told))
@@ -91,9 +92,9 @@ def separate_by_labels(
         found = find_hatching(sheet, shapes, ridges, free)
         hatched = found.area if found.marks else None
         marks += found.marks
-    doubtful = _doubtful(shapes, labelled, sheet.stroke_width)
+    decided = SheetLabels((*labelled_lines(shapes, labelled), *curves), sheet.stroke_width)
     askew = sheet.ink & ~part.ink & (best == InkClass.PICTORIAL)
-    return SeparatedSheet(part, tuple(marks), hatched, askew, told, doubtful)
+    return SeparatedSheet(part, tuple(marks), hatched, askew, told, decided)
 
 
 def _writing(ink: Mask, best: np.ndarray) -> Mask:
@@ -139,20 +140,21 @@ def _shared(shapes: list[InkedShape], sheet: CleanSheet) -> Mask:
 
 def _free_curves(
     points: npt.NDArray[np.float64], labels: InkLabels, shape: tuple[int, int]
-) -> tuple[Mask, Mask]:
-    """(h, w) bool each, ridge points of no line or circle: the part's, and annotation.  Those that
-    hang together are of one kind."""
+) -> tuple[Mask, Mask, tuple[LabelledLine, ...]]:
+    """(h, w) bool each, ridge points of no line or circle: the part's, and annotation; and what
+    decided.  Those that hang together are of one kind."""
     columns, rows = np.rint(points).astype(int).T
     curves = np.zeros(shape, np.uint8)
     curves[rows, columns] = 1
     _, chains = cv2.connectedComponents(curves, connectivity=8)
     own = chains[rows, columns]
-    odds = np.bincount(own, weights=part_odds(labels.at(points)))
+    log_p = labels.at(points)
+    odds = np.bincount(own, weights=part_odds(log_p))
     part = (odds > 0.0)[own]
     unexplained, loose = np.zeros(shape, bool), np.zeros(shape, bool)
     unexplained[rows[part], columns[part]] = True
     loose[rows[~part], columns[~part]] = True
-    return unexplained, loose
+    return unexplained, loose, labelled_curves(points, own, log_p)
 
 
 def _told(
@@ -178,21 +180,6 @@ def _kind(shape: InkedShape, own: LabelledRun) -> AnnotationKind | None:
         if rule_of(ends[0].tolist(), ends[-1].tolist()) is None:
             return AnnotationKind.LEADER
     return kind
-
-
-def _doubtful(
-    shapes: list[InkedShape], labelled: list[list[LabelledRun]], stroke_width: float
-) -> tuple[Box, ...]:
-    """Boxes of lines of which the network does not know whether they are edges, the most doubtful
-    first."""
-    found = []
-    for shape, pieces in zip(shapes, labelled, strict=True):
-        for own in pieces:
-            if abs(own.margin) < _DOUBT and own.run.run.length > _LONG * stroke_width:
-                points = points_along(shape.geometry, own.run.run, 2.0)
-                low, high = points.min(axis=0), points.max(axis=0)
-                found.append((abs(own.margin), (*low.tolist(), *high.tolist())))
-    return tuple(box for _, box in sorted(found))
 
 
 def _stray(ink: Mask, best: np.ndarray, told: Told) -> Mask:

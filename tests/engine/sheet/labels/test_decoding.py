@@ -9,7 +9,7 @@ import pytest
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.labels import decoding
-from gaussiancad_core.sheet.labels.classes import InkClass
+from gaussiancad_core.sheet.labels.classes import Evidence, InkClass
 from gaussiancad_core.sheet.labels.decoding import labelled_runs
 from gaussiancad_core.sheet.labels.network import InkLabels
 from gaussiancad_core.sheet.runs import Run
@@ -72,6 +72,9 @@ def test_dashes_of_one_line_are_of_one_kind_where_they_are_in_doubt() -> None:
     found = labelled_runs(line((80.0, 92.0), (101.0, 113.0), (122.0, 134.0)), labels, NOT_SHARED)
     assert all(own.is_part for own in found)
     assert found[1].margin < 0.0
+    assert [own.why for own in found] == [Evidence.NETWORK, Evidence.LINE, Evidence.NETWORK]
+    # Turned alone, it would differ from both of its neighbours.
+    assert found[1].support == pytest.approx(2 * 8.0 - 13 * 0.25 * 0.7**2 / 4.0, abs=0.1)
 
 
 def test_a_pen_turns_a_doubt() -> None:
@@ -81,8 +84,9 @@ def test_a_pen_turns_a_doubt() -> None:
     (thin,) = labelled_runs(
         shape, labels, NOT_SHARED, [lambda shape, run, log_p: np.full(len(log_p), -3.0)]
     )
-    assert plain.is_part
-    assert not thin.is_part
+    assert plain.is_part and plain.why is Evidence.NETWORK
+    assert not thin.is_part and thin.why is Evidence.PEN
+    assert (plain.otherwise(), thin.otherwise()) == (InkClass.DIMENSION, InkClass.VISIBLE)
     assert thin.turned().ink is InkClass.VISIBLE
 
 

@@ -2,6 +2,7 @@
 
 import json
 from importlib.resources import files
+from pathlib import Path
 
 import cv2
 import numpy as np
@@ -81,3 +82,26 @@ def test_missing_and_damaged_weights_are_told(monkeypatch: pytest.MonkeyPatch, n
     finally:
         monkeypatch.undo()
         labels_problem.cache_clear()
+
+
+@pytest.mark.parametrize(
+    ("card", "factor"),
+    [
+        ({}, 1.0),
+        ({"calibration": None}, 1.0),
+        ({"calibration": {"temperature": 0.6}}, 0.6),
+        ({"temperature": 0.4}, 0.4),
+        (None, 1.0),
+    ],
+)
+def test_the_card_may_say_how_far_log_odds_are_to_be_trusted(
+    card: dict | None, factor: float, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if card is not None:
+        (tmp_path / "labels.json").write_text(json.dumps(card), encoding="utf-8")
+    monkeypatch.setattr(network, "files", lambda _: tmp_path)
+    network.log_odds_factor.cache_clear()
+    try:
+        assert network.log_odds_factor() == factor
+    finally:
+        network.log_odds_factor.cache_clear()

@@ -4,12 +4,14 @@ import numpy as np
 
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
 from gaussiancad_core.sheet.geometry import Line
-from gaussiancad_core.sheet.labels.classes import InkClass
+from gaussiancad_core.sheet.labels.classes import Evidence, InkClass
 from gaussiancad_core.sheet.labels.decoding import LabelledRun
 from gaussiancad_core.sheet.labels.relations import related
 from gaussiancad_core.sheet.runs import Run
 
 WIDTH = 3.0
+
+DOUBTFUL = InkClass.VISIBLE, 0.8
 
 
 def piece(
@@ -27,9 +29,13 @@ def piece(
     return shape, [LabelledRun(run, ink, odds if is_part else -odds, log_p)]
 
 
-def inks(*pieces: tuple[InkedShape, list[LabelledRun]]) -> list[InkClass]:
+def found(*pieces: tuple[InkedShape, list[LabelledRun]]) -> list[LabelledRun]:
     shapes, labelled = zip(*pieces, strict=True)
-    return [own.ink for each in related(shapes, list(labelled), WIDTH) for own in each]
+    return [own for each in related(shapes, list(labelled), WIDTH) for own in each]
+
+
+def inks(*pieces: tuple[InkedShape, list[LabelledRun]]) -> list[InkClass]:
+    return [own.ink for own in found(*pieces)]
 
 
 CORNERS = [(0.0, 0.0), (100.0, 0.0), (100.0, 80.0), (0.0, 80.0)]
@@ -46,6 +52,18 @@ def square(last: InkClass, odds: float) -> list[tuple[InkedShape, list[LabelledR
 
 def test_a_doubtful_line_that_closes_an_outline_is_an_edge() -> None:
     assert inks(*square(InkClass.OTHER, 1.0)) == [InkClass.VISIBLE] * 4
+
+
+def test_who_turned_a_line_is_known_and_how_surely() -> None:
+    *sides, last = found(*square(InkClass.OTHER, 1.0))
+    assert {own.why for own in sides} == {Evidence.NETWORK}
+    assert last.why is Evidence.LOOSE_END
+    # Two loose ends less, against what its ink says.
+    assert last.support == 2 * 6.0 - abs(last.evidence)
+    *_, stray = found(*square(InkClass.VISIBLE, 4.0), piece((9.0, 9.0), (29.0, 9.0), *DOUBTFUL))
+    assert (stray.ink, stray.why) == (InkClass.OTHER, Evidence.LOOSE_END)
+    *_, last = found(*square(InkClass.PICTORIAL, 2.0))
+    assert last.why is Evidence.FIGURE
 
 
 def test_a_sure_one_is_not() -> None:
