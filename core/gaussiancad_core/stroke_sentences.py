@@ -15,11 +15,11 @@ _BY_KIND = {
     (
         "pen",
         True,
-    ): "Its pen tells it, by width, colour or rhythm; by its look it would be annotation.",
+    ): "Its width, colour or rhythm tells it; by its look it would be annotation.",
     (
         "pen",
         False,
-    ): "Its pen tells it, by width, colour or rhythm; by its look it would be an edge.",
+    ): "Its width, colour or rhythm tells it; by its look it would be an edge.",
     ("loose-end", True): "Without it, other edges of the part would end where nothing meets them.",
     ("loose-end", False): "As an edge it would end where no other edge meets it.",
 }

@@ -1599,8 +1599,8 @@
         <translation>So sieht ihre Tinte aus.</translation>
     </message>
     <message>
-        <source>Its width, color or rhythm tells it, against its look.</source>
-        <translation>Ihre Breite, Farbe oder Strichfolge sagt es, gegen ihr Aussehen.</translation>
+        <source>Its width, color or rhythm tells it.</source>
+        <translation>Ihre Breite, Farbe oder Strichfolge sagt es.</translation>
     </message>
     <message>
         <source>The rest of its line tells it, against its look.</source>

@@ -411,8 +411,8 @@
         <translation>从墨迹的样子判断。</translation>
     </message>
     <message>
-        <source>Its width, color or rhythm tells it, against its look.</source>
-        <translation>由线宽、颜色或线段节奏判定，与其外观不符。</translation>
+        <source>Its width, color or rhythm tells it.</source>
+        <translation>由线宽、颜色或线段节奏判定。</translation>
     </message>
     <message>
         <source>The rest of its line tells it, against its look.</source>

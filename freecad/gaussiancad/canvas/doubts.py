@@ -17,9 +17,7 @@ MOST = 20
 
 _WHY = {
     "network": QT_TRANSLATE_NOOP("GaussianCAD", "Its ink looks like that."),
-    "pen": QT_TRANSLATE_NOOP(
-        "GaussianCAD", "Its width, color or rhythm tells it, against its look."
-    ),
+    "pen": QT_TRANSLATE_NOOP("GaussianCAD", "Its width, color or rhythm tells it."),
     "line": QT_TRANSLATE_NOOP("GaussianCAD", "The rest of its line tells it, against its look."),
     "figure": QT_TRANSLATE_NOOP("GaussianCAD", "The figure that it is a part of tells it."),
     "loose-end": QT_TRANSLATE_NOOP("GaussianCAD", "As an edge it would end at no other edge."),

@@ -24,15 +24,20 @@ _EDGE = 671.4, 300.0
 _CLEAR = np.s_[88:470, 660:684]
 """Around that edge, without its ends."""
 
+_WHOLE = np.s_[80:478, 660:684]
+"""The same with its ends: they would say what the rest of it is."""
 
-def doubting(margin: float) -> Callable[[npt.NDArray[np.uint8]], InkLabels]:
+
+def doubting(
+    margin: float, where: tuple[slice, slice] = _CLEAR
+) -> Callable[[npt.NDArray[np.uint8]], InkLabels]:
     """The network, with log-odds of visible against dimension of its own for one edge."""
 
     def labelled(grey: npt.NDArray[np.uint8]) -> InkLabels:
         log_p = ink_labels(grey).log_p.copy()
-        log_p[:, *_CLEAR] = -12.0
-        log_p[InkClass.VISIBLE, *_CLEAR] = -0.7
-        log_p[InkClass.DIMENSION, *_CLEAR] = -0.7 - margin
+        log_p[:, *where] = -12.0
+        log_p[InkClass.VISIBLE, *where] = -0.7
+        log_p[InkClass.DIMENSION, *where] = -0.7 - margin
         return InkLabels(log_p)
 
     return labelled
@@ -148,7 +153,7 @@ def test_a_correction_elsewhere_leaves_it(read: Path, tmp_path: Path) -> None:
 def test_an_annotation_may_be_an_edge_and_a_person_says_so(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(picture_views, "ink_labels", doubting(-0.2))
+    monkeypatch.setattr(picture_views, "ink_labels", doubting(-0.2, _WHOLE))
     assert main(["read", str(SHEET), "--output", str(tmp_path)]) == 0
     reading = values(tmp_path / "reading.json")
     edge = edge_of(reading)

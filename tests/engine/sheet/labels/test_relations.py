@@ -55,7 +55,7 @@ def test_a_doubtful_line_that_closes_an_outline_is_an_edge() -> None:
 
 
 def test_who_turned_a_line_is_known_and_how_surely() -> None:
-    *sides, last = found(*square(InkClass.OTHER, 1.0))
+    *sides, last = found(*square(InkClass.DIMENSION, 1.0))
     assert {own.why for own in sides} == {Evidence.NETWORK}
     assert last.why is Evidence.LOOSE_END
     # Two loose ends less, against what its ink says.
