@@ -21,8 +21,9 @@ from gaussiancad_core.drawing.style import PRESETS
 from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.annotations.separate import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
+from gaussiancad_core.sheet.picture_views import picture_views
+from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
-from gaussiancad_core.sheet.view_search import find_views
 from gaussiancad_core.views import Linetype, Segment, Stroke
 
 Image = npt.NDArray[np.uint8]
@@ -102,8 +103,9 @@ def main(folder: Path) -> None:
     drawn = draw_sheet(sample(PART).build(), ROLES, Projection.THIRD, STYLE, title="Boss plate")
     grey = cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)
     sheet = upright_sheet(clean_sheet(grey))
-    separated, layout = find_views(sheet, {}, Projection.THIRD)
-    views = read_views(separated.part, layout)
+    seen = picture_views(SheetImage(Path(f"{PART}.png"), grey, ""), sheet, {}, Projection.THIRD)
+    separated = seen.separated
+    views = read_views(separated.part, seen.layout)
     top = next(view for view in views if view.role is Role.TOP)
     folder.mkdir(parents=True, exist_ok=True)
     write_image(separated_picture(sheet, separated), folder / "reading-separated.png")

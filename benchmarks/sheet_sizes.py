@@ -64,9 +64,9 @@ def read(connection: Connection, path: Path) -> None:
 
     from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
     from gaussiancad_core.sheet.options import ReadingOptions
+    from gaussiancad_core.sheet.picture_views import picture_views
     from gaussiancad_core.sheet.read import read_sheet
     from gaussiancad_core.sheet.reading import read_views, register_views
-    from gaussiancad_core.sheet.view_search import find_views
 
     cv2.setNumThreads(1)
     marks = [time.perf_counter()]
@@ -75,9 +75,9 @@ def read(connection: Connection, path: Path) -> None:
     marks.append(time.perf_counter())
     clean = upright_sheet(clean_sheet(image.grey))
     marks.append(time.perf_counter())
-    separated, layout = find_views(clean, {}, None)
+    seen = picture_views(image, clean, {}, None)
     marks.append(time.perf_counter())
-    drawn = read_views(separated.part, layout)
+    drawn = read_views(seen.separated.part, seen.layout)
     marks.append(time.perf_counter())
     register_views(drawn, ReadingOptions())
     marks.append(time.perf_counter())
