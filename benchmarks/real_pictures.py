@@ -38,7 +38,7 @@ from stroke_matching import Matched, match, overlap
 from workers import FIRST, Row
 
 from gaussiancad_core.drawing.strokes import DrawnStroke, turned
-from gaussiancad_core.errors import GaussianCadError
+from gaussiancad_core.errors import GaussianCadError, NoModelError
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.read import read_sheet
@@ -48,7 +48,7 @@ from gaussiancad_core.views import Linetype
 SEEN = ("openeai-arm", "odri", "darkstar", "vzbot-xbeam")
 """Sources of sheets that the shipped network learned from."""
 
-_COVERED = 1.0
+COVERED = 1.0
 """px beside a visible line within which a hidden one does not show."""
 
 _SAME_VIEW = 0.5
@@ -75,14 +75,12 @@ class Task:
         dpi: of its picture.
         condition: of its picture.
         limit: s for reading it.
-        commit: of the engine.
     """
 
     sheet: Path
     dpi: int
     condition: Condition
     limit: float
-    commit: str
 
     @property
     def known(self) -> Row:
@@ -92,7 +90,6 @@ class Task:
             "name": self.sheet.stem,
             "dpi": self.dpi,
             "condition": self.condition.value,
-            "commit": self.commit,
         }
 
     @property
@@ -104,9 +101,8 @@ class Task:
 def main() -> None:
     """Read the pictures; print the table."""
     options = _parser().parse_args()
-    at = commit()
     tasks = [
-        Task(sheet, dpi, Condition(condition), options.limit, at)
+        Task(sheet, dpi, Condition(condition), options.limit)
         for dpi, condition in product(options.dpi, options.conditions)
         for sheet in sorted(options.data.glob("*/*.pdf"))
         if not options.only or any(text in str(sheet) for text in options.only)
@@ -140,26 +136,35 @@ def _parser() -> argparse.ArgumentParser:
 def worked(task: Task) -> Iterator[Row]:
     """What becomes known of a picture, bit by bit."""
     cv2.setNumThreads(1)
-    image = read_sheet(task.sheet)
-    try:
-        truth = read(task.sheet, ReadingOptions())
-    except GaussianCadError as error:
-        yield {"skipped": error.code}
-        return
-    if image.pixels_per_inch is None or truth.direct_views < len(truth.strokes):
-        yield {"skipped": "not-the-file's-lines"}
-        return
-    yield {"stage": "picture"}
     with tempfile.TemporaryDirectory() as folder:
-        grey = painted_pdf(task.sheet, task.dpi)
-        turn = Turn(0.0, (grey.shape[1] / 2, grey.shape[0] / 2), task.dpi / image.pixels_per_inch)
-        path = Path(folder) / f"{task.sheet.stem}.png"
-        if task.condition is Condition.SCAN:
-            path = path.with_suffix(".jpg")
-            turn = scanned(grey, crc32(task.sheet.stem.encode()), turn, path)
-        else:
-            cv2.imwrite(str(path), grey)
-        yield from compared(path, in_picture(truth, turn))
+        try:
+            path, truth = pictured(task, Path(folder))
+        except GaussianCadError as error:
+            yield {"skipped": error.code}
+            return
+        yield {"stage": "picture"}
+        yield from compared(path, truth)
+
+
+def pictured(task: Task, folder: Path) -> tuple[Path, Found]:
+    """The file of a sheet's picture in a folder, and what the sheet's own file has, in px of it.
+
+    Raises:
+        GaussianCadError: the sheet cannot be read; ``not-the-file's-lines``.
+    """
+    image = read_sheet(task.sheet)
+    truth = read(task.sheet, ReadingOptions())
+    if image.pixels_per_inch is None or truth.direct_views < len(truth.strokes):
+        raise NoModelError("not-the-file's-lines", "not all lines are the file's own")
+    grey = painted_pdf(task.sheet, task.dpi)
+    turn = Turn(0.0, (grey.shape[1] / 2, grey.shape[0] / 2), task.dpi / image.pixels_per_inch)
+    path = folder / f"{task.sheet.stem}.png"
+    if task.condition is Condition.SCAN:
+        path = path.with_suffix(".jpg")
+        turn = scanned(grey, crc32(task.sheet.stem.encode()), turn, path)
+    else:
+        cv2.imwrite(str(path), grey)
+    return path, in_picture(truth, turn)
 
 
 def in_picture(truth: Found, turn: Turn) -> Found:
@@ -191,8 +196,9 @@ def compared(path: Path, truth: Found) -> Iterator[Row]:
     began = time.process_time()
     image = read_sheet(path)
     drawn = _at_working_scale(truth, image.reduction)
-    lost, _, _ = match(drawn, [], _COVERED)
-    yield {**_lengths(lost), "views": len(truth.boxes), "named": 0, "failure": "over-time"}
+    lost, _, _ = match(drawn, [], COVERED)
+    about = {"commit": commit(), "views": len(truth.boxes), "named": 0}
+    yield {**_lengths(lost), **about, "failure": "over-time"}
     try:
         clean, lines = lines_of(image, ReadingOptions())
         spent = time.process_time() - began
@@ -201,7 +207,7 @@ def compared(path: Path, truth: Found) -> Iterator[Row]:
     except GaussianCadError as error:
         yield {"failure": error.code, "seconds": time.process_time() - began}
         return
-    lengths, errors, _ = match(drawn, _at_working_scale(found, image.reduction), _COVERED)
+    lengths, errors, _ = match(drawn, _at_working_scale(found, image.reduction), COVERED)
     named = [
         role
         for role, box in truth.boxes.items()
@@ -241,8 +247,9 @@ def told(row: Row) -> str:
 
 def table(rows: Sequence[Row], seen: Sequence[str]) -> list[str]:
     """Figures by kind of picture and source; then refusals and what was skipped, by code."""
-    lines = [_LINE.format("", *_HEAD)]
     read_rows = [row for row in rows if "visible" in row]
+    lines = ["commit " + ", ".join(dict.fromkeys(row["commit"] for row in read_rows))]
+    lines.append(_LINE.format("", *_HEAD))
     for dpi, condition in dict.fromkeys((row["dpi"], row["condition"]) for row in rows):
         own = [row for row in read_rows if (row["dpi"], row["condition"]) == (dpi, condition)]
         lines.append(f"{dpi} dpi, {condition}")

@@ -180,7 +180,8 @@ def _own_style(text: str) -> SheetStyle:
     return SheetStyle() if text in FOREIGN else parse_style(text)
 
 
-def _drawn(lines: PartLines, projection: Projection, text: str, job: Job) -> Drawn:
+def drawn_in(lines: PartLines, projection: Projection, text: str, job: Job) -> Drawn:
+    """The sheet of a part's lines in a style."""
     if text in FOREIGN:
         how = Conventions.drawn_by_lot(job.seed, dimensioned=FOREIGN[text])
         return Drawn(foreign_sheet(lines, how, projection), 95, 0.5 * how.visible)
@@ -194,7 +195,7 @@ def run(job: Job) -> list[Result]:
     lines, projection = job.lines()
     results = []
     for text in job.styles:
-        drawn = _drawn(lines, projection, text, job)
+        drawn = drawn_in(lines, projection, text, job)
         sheet, suffix = drawn.sheet, "png" if drawn.quality >= 95 else "jpg"
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / f"{job.name}-{text.replace(',', '-').replace('=', '')}.{suffix}"
