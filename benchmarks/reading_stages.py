@@ -1,10 +1,10 @@
 """Which stages of making strokes of a view are needed, and for what.
 
     .venv/bin/python benchmarks/reading_stages.py --cases DIR [--parts N] [--skip N]
-        [--styles NAME ...] [--families NAME ...] [--data DIR --sheets TEXT ...]
-        [--off STAGE ...]... [--groups-only] [--json FILE]
+        [--styles NAME ...] [--families NAME ...] [--classed N]
+        [--data DIR --sheets TEXT ...] [--off STAGE ...]... [--groups-only] [--json FILE]
 
-Sheets are drawn (as by sheet_reading.py and textbook_parts.py) or published (as by
+Sheets are drawn (as by sheet_reading.py, textbook_parts.py and exact_solid.py) or published (as by
 real_pictures.py), and read once, with what the strokes of each view were made of kept in DIR.  Then
 the strokes are made again with each stage of ``classify_strokes`` left out: what changes strokes
 gives them back as it got them, what finds strokes finds none, a question is answered with no.
@@ -194,6 +194,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--styles", nargs="*", default=STYLES, metavar="STYLE")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--families", nargs="*", default=[], choices=[*FAMILIES], metavar="NAME")
+    parser.add_argument("--classed", type=int, default=0, help="parts of each of exact_solid.py's")
     parser.add_argument("--data", type=Path, help="folder of published sheets, SOURCE/NAME.pdf")
     parser.add_argument("--sheets", nargs="*", default=[""], help="parts of their paths")
     parser.add_argument("--off", nargs="+", action="append", choices=[*STAGES], metavar="STAGE")

@@ -12,6 +12,9 @@ from pathlib import Path
 from zlib import crc32
 
 import numpy as np
+from exact_cases import Case as ClassedCase
+from exact_cases import classed_cases
+from exact_inputs import ROLES
 from foreign_sheets import Conventions, foreign_sheet
 from reading_found import found_of, lines_of
 from real_pictures import COVERED, Condition, pictured
@@ -22,10 +25,11 @@ from textbook_drawing import textbook_lines
 from textbook_work import FAMILIES
 
 from gaussiancad_core.drawing.command import write_image
-from gaussiancad_core.drawing.sheet import Sheet
+from gaussiancad_core.drawing.sheet import Sheet, part_lines
 from gaussiancad_core.drawing.strokes import DrawnStroke, Polyline
 from gaussiancad_core.errors import GaussianCadError
 from gaussiancad_core.reading_stage import SheetLines
+from gaussiancad_core.samples.classed import PartClass
 from gaussiancad_core.sheet import reading
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.line_widths import Pens
@@ -66,7 +70,7 @@ class Case:
     """A sheet.
 
     Attributes:
-        group: drawn, textbook or real.
+        group: drawn, textbook, classed or real.
         name: of the sheet.
         truth: true strokes, px at working scale of the sheet as it lies.
         covered: px beside a visible line within which a hidden one does not show.
@@ -146,6 +150,8 @@ def _asked(options: Namespace) -> Iterator[tuple[str, str, Callable[[Path], _She
             yield "drawn", f"{job.name}-{style}", partial(_drawn, job, style)
     for family in options.families:
         yield "textbook", family, partial(_textbook, family, options.seed)
+    for case in classed_cases(list(PartClass), options.classed, options.seed, 0):
+        yield "classed", case.name, partial(_classed, case)
     for path in sorted(options.data.glob("*/*.pdf")) if options.data else ():
         name = f"{path.parent.name}/{path.stem}"
         if any(text in name for text in options.sheets):
@@ -161,6 +167,12 @@ def _textbook(family: str, seed: int, folder: Path) -> _Sheet:
     lines = textbook_lines(FAMILIES[family].part(seed, False))
     how = Conventions.drawn_by_lot(crc32(family.encode()))
     return _written(foreign_sheet(lines, how), folder, 95, 0.5 * how.visible)
+
+
+def _classed(case: ClassedCase, folder: Path) -> _Sheet:
+    how = Conventions.drawn_by_lot(case.seed)
+    sheet = foreign_sheet(part_lines(case.truth(), ROLES), how)
+    return _written(sheet, folder, 95, 0.5 * how.visible)
 
 
 def _real(path: Path, folder: Path) -> _Sheet:
