@@ -50,12 +50,12 @@ def _no(*_arguments: object) -> bool:
 
 
 _CHANGES = (
-    "with_whole_circles", "without_shadows", "with_straight_ends", "with_flat_ends",
+ "without_shadows", "with_straight_ends", "with_flat_ends",
     "ended_where_lines_touch", "with_slants_led_on", "ended_before_slants", "_refitted",
     "with_fitted_slants", "with_close_fits", "parted_at_corners", "_with_curved_fillets",
     "with_slanted_dashes", "with_short_legs", "with_hidden_rungs", "with_drill_tips",
     "with_corners_reached", "with_bows", "with_run_outs", "with_ends_behind_edges",
-    "with_met_ends", "with_changes_at_junctions", "with_dashed_rests",
+    "with_met_ends", "with_changes_at_junctions",
 )  # fmt: skip
 _FINDS = (
     "find_remaining_dashes", "find_corner_dashes", "find_jogs", "find_rungs",
@@ -63,7 +63,7 @@ _FINDS = (
     "find_short_strokes", "trace_remainder",
 )  # fmt: skip
 _ASKS = (
-    "is_next_dash", "joins_arcs", "is_dash_corner", "has_square_corner", "is_closed_by_others",
+    "is_next_dash", "joins_arcs", "is_dash_corner", "has_square_corner",
 )  # fmt: skip
 
 STAGES: dict[str, Neutral] = {

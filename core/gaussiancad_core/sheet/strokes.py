@@ -22,7 +22,6 @@ from gaussiancad_core.sheet.corner_rungs import find_corner_rungs
 from gaussiancad_core.sheet.curved_corners import find_curved_fillets
 from gaussiancad_core.sheet.dangling import with_met_ends
 from gaussiancad_core.sheet.dash_corners import is_dash_corner
-from gaussiancad_core.sheet.dashed_ovals import with_dashed_rests
 from gaussiancad_core.sheet.drill_tips import with_drill_tips
 from gaussiancad_core.sheet.edged_chamfers import with_edged_chamfers
 from gaussiancad_core.sheet.explained import (
@@ -79,7 +78,6 @@ from gaussiancad_core.sheet.straight_ends import with_straight_ends
 from gaussiancad_core.sheet.touching import ended_where_lines_touch, up_to_tangents
 from gaussiancad_core.sheet.tracing import trace_remainder
 from gaussiancad_core.sheet.view_shapes import MIN_SAGITTA, ViewShapes, radius_of
-from gaussiancad_core.sheet.whole_circles import is_closed_by_others, with_whole_circles
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
 _ASLANT = 0.2
@@ -105,8 +103,7 @@ def classify_strokes(
     rows = find_remaining_dashes(view.sheet.ink & (explained.around == 0), view.sheet, rhythm)
     for geometry, piece in rows:
         explained.add(geometry, piece, close=True)
-    pieces = with_whole_circles([*pieces, *rows], view.sheet, rhythm)
-    pieces = without_shadows(pieces, view.sheet.stroke_width, rhythm.dash)
+    pieces = without_shadows([*pieces, *rows], view.sheet.stroke_width, rhythm.dash)
     pieces = with_flat_ends(with_straight_ends(pieces, view.sheet), view.sheet)
     touched = ended_where_lines_touch(pieces, view.sheet.stroke_width)
     pieces = with_slants_led_on(touched, view.sheet, rhythm)
@@ -151,7 +148,6 @@ def classify_strokes(
         ended = with_changes_at_junctions(ended, rhythm, view.sheet.stroke_width)
     strokes = [_stroke(geometry, piece) for geometry, piece in ended]
     strokes += trace_remainder(remainder, view.sheet.stroke_width, rhythm.dash)
-    strokes = with_dashed_rests(strokes, rhythm)
     shift = np.array(view.offset) + 0.5
     return tuple(_shifted(stroke, shift) for stroke in strokes if stroke.length > 1.5)
 
@@ -204,9 +200,7 @@ def _seen_pieces(
             circle = shape.geometry
             found = [own for own in found if not is_dash_corner(circle, own, view.sheet, rhythm)]
             found = [own for own in found if not has_square_corner(circle, own, view.sheet)]
-        joined = bridged(view.field, shape.geometry, found, rhythm)
-        if not is_closed_by_others(shape.geometry, (found, joined), lines, view.sheet, rhythm):
-            found = joined
+        found = bridged(view.field, shape.geometry, found, rhythm)
         if not isinstance(shape.geometry, Line):
             found = _closed(shape.geometry, found, rhythm)
         for piece in found:
