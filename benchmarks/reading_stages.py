@@ -50,8 +50,8 @@ def _no(*_arguments: object) -> bool:
 
 
 _CHANGES = (
- "without_shadows", "with_straight_ends", "with_flat_ends",
-    "ended_where_lines_touch", "with_slants_led_on", "ended_before_slants", "_refitted",
+ "without_shadows",
+    "ended_where_lines_touch", "ended_before_slants", "_refitted",
     "with_fitted_slants", "with_close_fits", "parted_at_corners", "_with_curved_fillets",
     "with_slanted_dashes", "with_short_legs", "with_hidden_rungs", "with_drill_tips",
     "with_corners_reached", "with_bows", "with_run_outs", "with_ends_behind_edges",

@@ -34,7 +34,6 @@ from gaussiancad_core.sheet.explained import (
     with_dashes_beside,
 )
 from gaussiancad_core.sheet.fillets import Fillet, find_fillets, is_chord
-from gaussiancad_core.sheet.flat_ends import with_flat_ends
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
 from gaussiancad_core.sheet.hidden_fillets import find_hidden_fillets
 from gaussiancad_core.sheet.hidden_rungs import with_hidden_rungs
@@ -72,9 +71,7 @@ from gaussiancad_core.sheet.slant_fits import with_fitted_slants
 from gaussiancad_core.sheet.slanted_dashes import with_slanted_dashes
 from gaussiancad_core.sheet.slanted_ends import ended_before_slants
 from gaussiancad_core.sheet.slanted_rungs import find_slanted_rungs
-from gaussiancad_core.sheet.slants_led_on import with_slants_led_on
 from gaussiancad_core.sheet.square_corners import has_square_corner
-from gaussiancad_core.sheet.straight_ends import with_straight_ends
 from gaussiancad_core.sheet.touching import ended_where_lines_touch, up_to_tangents
 from gaussiancad_core.sheet.tracing import trace_remainder
 from gaussiancad_core.sheet.view_shapes import MIN_SAGITTA, ViewShapes, radius_of
@@ -104,9 +101,7 @@ def classify_strokes(
     for geometry, piece in rows:
         explained.add(geometry, piece, close=True)
     pieces = without_shadows([*pieces, *rows], view.sheet.stroke_width, rhythm.dash)
-    pieces = with_flat_ends(with_straight_ends(pieces, view.sheet), view.sheet)
-    touched = ended_where_lines_touch(pieces, view.sheet.stroke_width)
-    pieces = with_slants_led_on(touched, view.sheet, rhythm)
+    pieces = ended_where_lines_touch(pieces, view.sheet.stroke_width)
     pieces += find_corner_dashes(pieces, view.sheet, rhythm)
     pieces = ended_before_slants(pieces, view.sheet)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
@@ -116,7 +111,7 @@ def classify_strokes(
     pieces += [*jogs, *rungs, *slanted]
     pieces += find_corner_rungs([*ended, *jogs, *rungs, *slanted], view.sheet)
     pieces = _refitted(pieces, ended, view.sheet)
-    pieces = with_slants_led_on(with_fitted_slants(pieces, ended, view.sheet), view.sheet, rhythm)
+    pieces = with_fitted_slants(pieces, ended, view.sheet)
     pieces = with_close_fits(pieces, ended, view.sheet)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     parted = parted_at_corners(ended, view.sheet, rhythm)
