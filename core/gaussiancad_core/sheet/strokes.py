@@ -11,7 +11,6 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.ellipses import WholeEllipse
-from gaussiancad_core.sheet.behind_edges import with_ends_behind_edges
 from gaussiancad_core.sheet.borrowed_dashes import own_runs
 from gaussiancad_core.sheet.bows import with_bows
 from gaussiancad_core.sheet.chamfers import with_chamfers
@@ -36,7 +35,6 @@ from gaussiancad_core.sheet.explained import (
 from gaussiancad_core.sheet.fillets import Fillet, find_fillets, is_chord
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
 from gaussiancad_core.sheet.hidden_fillets import find_hidden_fillets
-from gaussiancad_core.sheet.hidden_rungs import with_hidden_rungs
 from gaussiancad_core.sheet.jogs import find_jogs
 from gaussiancad_core.sheet.junctions import (
     FULL_TURN,
@@ -50,7 +48,6 @@ from gaussiancad_core.sheet.linetype_changes import with_changes_at_junctions
 from gaussiancad_core.sheet.linetypes import classify
 from gaussiancad_core.sheet.parted import parted_at_corners
 from gaussiancad_core.sheet.remaining_dashes import find_remaining_dashes
-from gaussiancad_core.sheet.run_outs import with_run_outs
 from gaussiancad_core.sheet.rungs import find_rungs
 from gaussiancad_core.sheet.runs import (
     InkField,
@@ -70,7 +67,6 @@ from gaussiancad_core.sheet.short_strokes import find_short_strokes
 from gaussiancad_core.sheet.slant_fits import with_fitted_slants
 from gaussiancad_core.sheet.slanted_dashes import with_slanted_dashes
 from gaussiancad_core.sheet.slanted_ends import ended_before_slants
-from gaussiancad_core.sheet.slanted_rungs import find_slanted_rungs
 from gaussiancad_core.sheet.square_corners import has_square_corner
 from gaussiancad_core.sheet.touching import ended_where_lines_touch, up_to_tangents
 from gaussiancad_core.sheet.tracing import trace_remainder
@@ -107,9 +103,8 @@ def classify_strokes(
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     jogs = find_jogs(ended, view.sheet)
     rungs = find_rungs([*ended, *jogs], view.sheet, pens)
-    slanted = find_slanted_rungs([*ended, *jogs, *rungs], view.sheet, pens)
-    pieces += [*jogs, *rungs, *slanted]
-    pieces += find_corner_rungs([*ended, *jogs, *rungs, *slanted], view.sheet)
+    pieces += [*jogs, *rungs]
+    pieces += find_corner_rungs([*ended, *jogs, *rungs], view.sheet)
     pieces = _refitted(pieces, ended, view.sheet)
     pieces = with_fitted_slants(pieces, ended, view.sheet)
     pieces = with_close_fits(pieces, ended, view.sheet)
@@ -124,11 +119,9 @@ def classify_strokes(
     ended = _with_fillets(ended, find_hidden_fillets(ended, view.sheet, rhythm), explained)
     ended = with_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
     ended = with_slanted_dashes(ended, view.sheet, rhythm)
-    ended = with_hidden_rungs(with_short_legs(ended, view.sheet, rhythm), view.sheet, rhythm)
+    ended = with_short_legs(ended, view.sheet, rhythm)
     ended = with_drill_tips(ended, view.sheet)
     ended = with_bows(with_corners_reached(ended, rhythm), view.sheet)
-    ended = with_run_outs(ended, view.sheet)
-    ended = with_ends_behind_edges(ended, view.sheet, rhythm)
     # Strokes that were drawn out to a junction explain the ink up to there.
     for geometry, piece in ended:
         explained.add(geometry, piece)
