@@ -52,15 +52,15 @@ def _no(*_arguments: object) -> bool:
 _CHANGES = (
  "without_shadows",
     "ended_where_lines_touch", "ended_before_slants", "_refitted",
-    "with_fitted_slants", "with_close_fits", "parted_at_corners", "_with_curved_fillets",
+    "with_fitted_slants", "with_close_fits", "parted_at_corners",
     "with_slanted_dashes", "with_short_legs", "with_drill_tips",
     "with_corners_reached", "with_bows",
     "with_met_ends", "with_changes_at_junctions",
 )  # fmt: skip
 _FINDS = (
     "find_remaining_dashes", "find_corner_dashes", "find_jogs", "find_rungs",
- "find_corner_rungs", "find_fillets", "find_hidden_fillets",
-    "find_short_strokes", "trace_remainder",
+ "find_corner_rungs", "find_fillets",
+ "trace_remainder",
 )  # fmt: skip
 _ASKS = (
     "is_next_dash", "joins_arcs", "is_dash_corner", "has_square_corner",

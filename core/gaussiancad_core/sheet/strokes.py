@@ -18,7 +18,6 @@ from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.close_fits import with_close_fits
 from gaussiancad_core.sheet.corner_dashes import find_corner_dashes
 from gaussiancad_core.sheet.corner_rungs import find_corner_rungs
-from gaussiancad_core.sheet.curved_corners import find_curved_fillets
 from gaussiancad_core.sheet.dangling import with_met_ends
 from gaussiancad_core.sheet.dash_corners import is_dash_corner
 from gaussiancad_core.sheet.drill_tips import with_drill_tips
@@ -34,7 +33,6 @@ from gaussiancad_core.sheet.explained import (
 )
 from gaussiancad_core.sheet.fillets import Fillet, find_fillets, is_chord
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
-from gaussiancad_core.sheet.hidden_fillets import find_hidden_fillets
 from gaussiancad_core.sheet.jogs import find_jogs
 from gaussiancad_core.sheet.junctions import (
     FULL_TURN,
@@ -63,7 +61,6 @@ from gaussiancad_core.sheet.shapes import (
     refit_circle,
 )
 from gaussiancad_core.sheet.short_legs import with_short_legs
-from gaussiancad_core.sheet.short_strokes import find_short_strokes
 from gaussiancad_core.sheet.slant_fits import with_fitted_slants
 from gaussiancad_core.sheet.slanted_dashes import with_slanted_dashes
 from gaussiancad_core.sheet.slanted_ends import ended_before_slants
@@ -115,8 +112,6 @@ def classify_strokes(
     ended, cuts = with_edged_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
     rounded = find_fillets(view.sheet.weight, ended, view.sheet.stroke_width, cuts)
     ended = _with_fillets(ended, rounded, explained)
-    ended = _with_curved_fillets(ended, view.sheet, explained)
-    ended = _with_fillets(ended, find_hidden_fillets(ended, view.sheet, rhythm), explained)
     ended = with_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
     ended = with_slanted_dashes(ended, view.sheet, rhythm)
     ended = with_short_legs(ended, view.sheet, rhythm)
@@ -126,11 +121,6 @@ def classify_strokes(
     for geometry, piece in ended:
         explained.add(geometry, piece)
     remainder = view.sheet.ink & (explained.around == 0)
-    short = find_short_strokes(remainder, ended, view.sheet, rhythm, pens)
-    for geometry, piece in short:
-        explained.add(geometry, piece)
-    ended += short
-    remainder &= explained.around == 0
     ended = with_met_ends(ended, remainder, view.sheet.stroke_width)
     if pens is None or not pens.told:
         ended = with_changes_at_junctions(ended, rhythm, view.sheet.stroke_width)
@@ -274,18 +264,6 @@ def _with_fillets(ended: list[Placed], fillets: list[Fillet], explained: Explain
     gone = {index for fillet in fillets for index in fillet.instead}
     left = [own for index, own in enumerate(rounded) if index not in gone]
     return [own for own in left if not any(is_chord(own, arc) for arc in arcs)] + arcs
-
-
-def _with_curved_fillets(
-    ended: list[Placed], sheet: CleanSheet, explained: Explained
-) -> list[Placed]:
-    """The pieces with the arcs between lines and arcs, which are fitted again without them."""
-    first = find_curved_fillets(sheet.weight, ended, sheet.stroke_width)
-    if not first:
-        return ended
-    better = _refitted(ended, _with_fillets(ended, first, explained.copy()), sheet)
-    fillets = find_curved_fillets(sheet.weight, better, sheet.stroke_width)
-    return _with_fillets(better, fillets, explained)
 
 
 def _scaled(piece: Piece, factor: float) -> Piece:
