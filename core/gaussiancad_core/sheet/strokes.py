@@ -11,7 +11,6 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.ellipses import WholeEllipse
-from gaussiancad_core.sheet.borrowed_dashes import own_runs
 from gaussiancad_core.sheet.bows import with_bows
 from gaussiancad_core.sheet.chamfers import with_chamfers
 from gaussiancad_core.sheet.clean import CleanSheet
@@ -19,7 +18,6 @@ from gaussiancad_core.sheet.close_fits import with_close_fits
 from gaussiancad_core.sheet.corner_dashes import find_corner_dashes
 from gaussiancad_core.sheet.corner_rungs import find_corner_rungs
 from gaussiancad_core.sheet.dangling import with_met_ends
-from gaussiancad_core.sheet.dash_corners import is_dash_corner
 from gaussiancad_core.sheet.drill_tips import with_drill_tips
 from gaussiancad_core.sheet.edged_chamfers import with_edged_chamfers
 from gaussiancad_core.sheet.explained import (
@@ -53,8 +51,6 @@ from gaussiancad_core.sheet.runs import (
     Rhythm,
     Run,
     bridged,
-    with_dashes_between,
-    with_dashes_led_to,
 )
 from gaussiancad_core.sheet.shadows import without_shadows
 from gaussiancad_core.sheet.shapes import (
@@ -154,7 +150,7 @@ def _seen_pieces(
         elif known is explained or not order[index - 1].twin:
             known = explained.copy()
         width = view.sheet.stroke_width
-        runs = [(run, None) for run in own_runs(shape.geometry, shape.runs, lines, rhythm, width)]
+        runs = [(run, None) for run in shape.runs]
         # The ink of twins is as wide as both.
         if pens is not None and pens.told and not shape.twin:
             runs = told_by_width(view.sheet, shape.geometry, [run for run, _ in runs], pens)
@@ -172,11 +168,9 @@ def _seen_pieces(
         found = classify([run for run, _ in fresh], rhythm, touches, shape.geometry.around, told)
         if not isinstance(shape.geometry, Line):
             curved = [piece for piece in found if _is_curved(shape.geometry, piece, view.sheet)]
-            curved = with_dashes_led_to(view.field, shape.geometry, found, curved, rhythm)
-            found = with_dashes_between(shape.geometry, found, curved, rhythm)
+            found = curved
         if isinstance(shape.geometry, Circle):
             circle = shape.geometry
-            found = [own for own in found if not is_dash_corner(circle, own, view.sheet, rhythm)]
             found = [own for own in found if not has_square_corner(circle, own, view.sheet)]
         found = bridged(view.field, shape.geometry, found, rhythm)
         if not isinstance(shape.geometry, Line):
