@@ -10,7 +10,6 @@ from exact_cases import Case, classed_cases
 from exact_inputs import kept_lines
 from exact_perturbations import of_wrong_length
 from OCP.TopoDS import TopoDS_Shape
-from reading_folder import FILES
 
 from gaussiancad_core.axes import Projection
 from gaussiancad_core.drawing.brep import write_step
@@ -28,6 +27,7 @@ USUAL_CLASSES = (PartClass.FILLETS, PartClass.REVOLVED, PartClass.OBLIQUE)
 """Those that the samples are none of."""
 
 _STEPS = (".step", ".stp")
+_SHEETS = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".webp", ".pdf", ".svg", ".dxf")
 
 
 class SheetKind(Enum):
@@ -93,7 +93,7 @@ def given_parts(folder: Path, projection: Projection) -> Iterator[Part]:
     """The STEP files of a folder, each with the sheet of the same stem if there is one."""
     entries = sorted(folder.iterdir()) if folder.is_dir() else []
     steps = [path for path in entries if path.suffix.lower() in _STEPS]
-    sheets = {path.stem: path for path in entries if path.suffix.lower() in FILES}
+    sheets = {path.stem: path for path in entries if path.suffix.lower() in _SHEETS}
     for number, step in enumerate(steps):
         case = Case(step.stem, folder.name, number, step=step)
         sheet = sheets.get(step.stem)

@@ -14,6 +14,7 @@ from exact_cases import Case
 from exact_perturbations import jittered, missing_and_spurious, of_wrong_length
 from foreign_sheets import Conventions, foreign_sheet
 from OCP.TopoDS import TopoDS_Shape
+from reading_found import lines_of, picture_of
 
 import gaussiancad_core
 from gaussiancad_core.axes import Axis, Projection, Role
@@ -23,12 +24,11 @@ from gaussiancad_core.drawing.style import parse_style
 from gaussiancad_core.exact_stage import drawn_views
 from gaussiancad_core.ink_stage import compared_with_ink
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
-from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
+from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.sheet.reading import RegisteredSheet, read_views, register_views
+from gaussiancad_core.sheet.reading import RegisteredSheet, register_views
 from gaussiancad_core.sheet.scale.find import find_scale
-from gaussiancad_core.sheet.sheet_views import sheet_views
 from gaussiancad_core.solid.exact import ExactResult, exact_solid
 from gaussiancad_core.told_measures import trusted
 from gaussiancad_core.views import ViewSet
@@ -185,15 +185,12 @@ def read_input(
         GaussianCadError: the sheet cannot be read.
     """
     options = ReadingOptions(projection=projection, length=length)
-    image = read_sheet(path)
-    clean = upright_sheet(clean_sheet(image.grey, options.median_kernel))
-    image = image if vectors else replace(image, vectors=None)
-    seen = sheet_views(image, clean, projection=options.projection)
-    drawn = read_views(seen.separated.part, seen.layout, vectors=seen.vectors)
+    image = read_sheet(path) if vectors else picture_of(path)
+    clean, lines = lines_of(image, options)
+    drawn = lines.drawn
     registered = register_views(drawn, options)
     plain = register_views(drawn, replace(options, open_holes=False))
-    scale = find_scale(image, clean, seen.separated.marks, drawn, seen.written)
-    measures = trusted(registered, scale)
+    measures = trusted(registered, find_scale(image, clean, lines.marks, drawn))
     return Input(
         drawn_views(registered, measures),
         plain.views,

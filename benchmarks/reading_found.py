@@ -1,5 +1,6 @@
 """What was read of a sheet, in px of the sheet as it is stored, and a picture of it."""
 
+import tempfile
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -10,15 +11,21 @@ from stroke_matching import Box, Floats, Marks, ends_of
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.strokes import DrawnStroke, turned
+from gaussiancad_core.events import Progress, Silence
+from gaussiancad_core.job import Job
+from gaussiancad_core.modes import ResultKind
+from gaussiancad_core.pipeline import STAGES
 from gaussiancad_core.projection_choice import both_readings, choose_projection
-from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
+from gaussiancad_core.reading_stage import SheetLines, read_lines
+from gaussiancad_core.report import Report
+from gaussiancad_core.run_notes import RunNotes
+from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.precision import StrokesSource
-from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.sheet.reading import RegisteredSheet, read_views, register_views
+from gaussiancad_core.sheet.read import SheetImage, read_sheet
+from gaussiancad_core.sheet.reading import RegisteredSheet, register_views
 from gaussiancad_core.sheet.registration import scaled
-from gaussiancad_core.sheet.sheet_views import sheet_views
 from gaussiancad_core.views import Linetype
 
 
@@ -49,12 +56,52 @@ def read(path: Path, reading: ReadingOptions, direct: bool = True) -> Found:
         path: of the sheet.
         reading: finder and filter.
         direct: use the exact lines of vector files; else their picture alone.
+
+    Raises:
+        GaussianCadError: it cannot be read.
     """
-    image = read_sheet(path)
+    image = read_sheet(path) if direct else picture_of(path)
+    clean, lines = lines_of(image, reading)
+    return found_of(lines, replace(clean.turn, scale=image.reduction), reading)
+
+
+def picture_of(path: Path) -> SheetImage:
+    """A sheet as it is read of its picture alone, which has the pixels of the file's reading."""
+    with tempfile.TemporaryDirectory() as folder:
+        picture = Path(folder) / f"{path.stem}.png"
+        cv2.imwrite(str(picture), read_sheet(path).grey)
+        return read_sheet(picture)
+
+
+def lines_of(image: SheetImage, reading: ReadingOptions) -> tuple[CleanSheet, SheetLines]:
+    """The ink of a sheet upright, and the engine's views and lines; nobody asks for the scale.
+
+    Raises:
+        GaussianCadError: it has no views that belong together.
+    """
     clean = upright_sheet(clean_sheet(image.grey, reading.median_kernel))
-    seen = sheet_views(image if direct else replace(image, vectors=None), clean)
-    layout = seen.layout
-    drawn = read_views(seen.separated.part, layout, finder=reading.finder, vectors=seen.vectors)
+    job = Job(
+        image.path,
+        image.path.parent,
+        replace(reading, mm_per_pixel=1.0),
+        result=ResultKind.SURFACE,
+    )
+    notes = RunNotes(Report(image.sha256, job.settings()), Progress(Silence(), len(STAGES)))
+    return clean, read_lines(job, image, clean, notes)
+
+
+def found_of(lines: SheetLines, turn: Turn, reading: ReadingOptions) -> Found:
+    """What was read, brought together.
+
+    Args:
+        lines: views with their strokes, in px of the upright sheet.
+        turn: of the upright sheet; its scale leads to px of the sheet as stored.
+        reading: finder and filter.
+
+    Raises:
+        GaussianCadError: the views contradict each other.
+    """
+    layout, drawn = lines.layout, lines.drawn
     projection, alternatives = layout.projection, layout.alternatives
     if alternatives:
         choice = choose_projection(*both_readings(drawn, reading), projection)
@@ -63,7 +110,6 @@ def read(path: Path, reading: ReadingOptions, direct: bool = True) -> Found:
     else:
         registered = register_views(drawn, reading)
     drawn = registered.drawn
-    turn = replace(clean.turn, scale=image.reduction)
     strokes = {
         view.role: scaled(
             tuple(turned(own, turn.angle, turn.centre) for own in view.strokes), turn.scale

@@ -6,7 +6,6 @@ from part to part, written to files, and read with nothing told.
     .venv/bin/python benchmarks/sheet_reading.py [--parts N] [--skip N] [--styles NAME ...]
     .venv/bin/python benchmarks/sheet_reading.py --styles foreign foreign-dimensioned
     .venv/bin/python benchmarks/sheet_reading.py --finder hough --median 5
-    .venv/bin/python benchmarks/sheet_reading.py --data DIR [--keep DIR]
 
 Precision and recall are shares of length: a point of a stroke counts where a stroke of the same
 linetype passes within 1 px in the same direction.  Hidden lines under the ink of visible ones do
@@ -18,9 +17,6 @@ a corner in nine of ten sheets.  ``views`` is the share of views with their righ
 of sheets with the right projection, ``or`` of those where it was at least kept as an alternative.
 
 The styles ``foreign`` and ``foreign-dimensioned`` are sheets as other programs draw them.
-
-With ``--data`` other sheets are read.  PDF, SVG and DXF files are read directly and as pictures,
-and the lines of the picture are matched with those of the file.
 """
 
 import argparse
@@ -40,7 +36,6 @@ from pathlib import Path
 import cv2
 import numpy as np
 from foreign_sheets import Conventions, foreign_sheet
-from reading_folder import read_folder
 from reading_found import Found, drawn_over, read
 from stroke_matching import Marks, Matched, corners_of, ends_of, match, nearness, overlap
 
@@ -185,7 +180,8 @@ def _own_style(text: str) -> SheetStyle:
     return SheetStyle() if text in FOREIGN else parse_style(text)
 
 
-def _drawn(lines: PartLines, projection: Projection, text: str, job: Job) -> Drawn:
+def drawn_in(lines: PartLines, projection: Projection, text: str, job: Job) -> Drawn:
+    """The sheet of a part's lines in a style."""
     if text in FOREIGN:
         how = Conventions.drawn_by_lot(job.seed, dimensioned=FOREIGN[text])
         return Drawn(foreign_sheet(lines, how, projection), 95, 0.5 * how.visible)
@@ -199,7 +195,7 @@ def run(job: Job) -> list[Result]:
     lines, projection = job.lines()
     results = []
     for text in job.styles:
-        drawn = _drawn(lines, projection, text, job)
+        drawn = drawn_in(lines, projection, text, job)
         sheet, suffix = drawn.sheet, "png" if drawn.quality >= 95 else "jpg"
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / f"{job.name}-{text.replace(',', '-').replace('=', '')}.{suffix}"
@@ -308,7 +304,7 @@ def print_worst(results: Sequence[Result], count: int) -> None:
 
 
 def main() -> None:
-    """Print the table, or what was read of other material."""
+    """Draw and read; print the table."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument(
         "--parts", type=int, default=len(SAMPLES), help="samples first, then chance"
@@ -324,7 +320,6 @@ def main() -> None:
     parser.add_argument("--json", type=Path, help="file for the figures of every sheet")
     parser.add_argument("--finder", choices=[finder.value for finder in Finder], default="ridges")
     parser.add_argument("--median", type=int, choices=(0, 3, 5, 7), default=MEDIAN_KERNEL)
-    parser.add_argument("--data", type=Path, help="folder of other sheets, read without a truth")
     options = parser.parse_args()
     try:
         for text in options.styles:
@@ -332,9 +327,6 @@ def main() -> None:
     except GaussianCadError as error:
         parser.error(f"{error}, {' or '.join(FOREIGN)}")
     cv2.setNumThreads(1)
-    if options.data is not None:
-        read_folder(options.data, _reading(options), options.keep)
-        return
     results: list[Result] = []
     for done in _mapped(list(jobs_of(options)), options.jobs):
         results += done

@@ -11,18 +11,13 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.ellipses import WholeEllipse
-from gaussiancad_core.sheet.behind_edges import with_ends_behind_edges
-from gaussiancad_core.sheet.borrowed_dashes import own_runs
 from gaussiancad_core.sheet.bows import with_bows
 from gaussiancad_core.sheet.chamfers import with_chamfers
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.close_fits import with_close_fits
 from gaussiancad_core.sheet.corner_dashes import find_corner_dashes
 from gaussiancad_core.sheet.corner_rungs import find_corner_rungs
-from gaussiancad_core.sheet.curved_corners import find_curved_fillets
 from gaussiancad_core.sheet.dangling import with_met_ends
-from gaussiancad_core.sheet.dash_corners import is_dash_corner
-from gaussiancad_core.sheet.dashed_ovals import with_dashed_rests
 from gaussiancad_core.sheet.drill_tips import with_drill_tips
 from gaussiancad_core.sheet.edged_chamfers import with_edged_chamfers
 from gaussiancad_core.sheet.explained import (
@@ -35,10 +30,7 @@ from gaussiancad_core.sheet.explained import (
     with_dashes_beside,
 )
 from gaussiancad_core.sheet.fillets import Fillet, find_fillets, is_chord
-from gaussiancad_core.sheet.flat_ends import with_flat_ends
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
-from gaussiancad_core.sheet.hidden_fillets import find_hidden_fillets
-from gaussiancad_core.sheet.hidden_rungs import with_hidden_rungs
 from gaussiancad_core.sheet.jogs import find_jogs
 from gaussiancad_core.sheet.junctions import (
     FULL_TURN,
@@ -52,7 +44,6 @@ from gaussiancad_core.sheet.linetype_changes import with_changes_at_junctions
 from gaussiancad_core.sheet.linetypes import classify
 from gaussiancad_core.sheet.parted import parted_at_corners
 from gaussiancad_core.sheet.remaining_dashes import find_remaining_dashes
-from gaussiancad_core.sheet.run_outs import with_run_outs
 from gaussiancad_core.sheet.rungs import find_rungs
 from gaussiancad_core.sheet.runs import (
     InkField,
@@ -60,26 +51,19 @@ from gaussiancad_core.sheet.runs import (
     Rhythm,
     Run,
     bridged,
-    with_dashes_between,
-    with_dashes_led_to,
 )
 from gaussiancad_core.sheet.shadows import without_shadows
 from gaussiancad_core.sheet.shapes import (
     refit_circle,
 )
 from gaussiancad_core.sheet.short_legs import with_short_legs
-from gaussiancad_core.sheet.short_strokes import find_short_strokes
 from gaussiancad_core.sheet.slant_fits import with_fitted_slants
 from gaussiancad_core.sheet.slanted_dashes import with_slanted_dashes
 from gaussiancad_core.sheet.slanted_ends import ended_before_slants
-from gaussiancad_core.sheet.slanted_rungs import find_slanted_rungs
-from gaussiancad_core.sheet.slants_led_on import with_slants_led_on
 from gaussiancad_core.sheet.square_corners import has_square_corner
-from gaussiancad_core.sheet.straight_ends import with_straight_ends
 from gaussiancad_core.sheet.touching import ended_where_lines_touch, up_to_tangents
 from gaussiancad_core.sheet.tracing import trace_remainder
 from gaussiancad_core.sheet.view_shapes import MIN_SAGITTA, ViewShapes, radius_of
-from gaussiancad_core.sheet.whole_circles import is_closed_by_others, with_whole_circles
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
 _ASLANT = 0.2
@@ -105,21 +89,17 @@ def classify_strokes(
     rows = find_remaining_dashes(view.sheet.ink & (explained.around == 0), view.sheet, rhythm)
     for geometry, piece in rows:
         explained.add(geometry, piece, close=True)
-    pieces = with_whole_circles([*pieces, *rows], view.sheet, rhythm)
-    pieces = without_shadows(pieces, view.sheet.stroke_width, rhythm.dash)
-    pieces = with_flat_ends(with_straight_ends(pieces, view.sheet), view.sheet)
-    touched = ended_where_lines_touch(pieces, view.sheet.stroke_width)
-    pieces = with_slants_led_on(touched, view.sheet, rhythm)
+    pieces = without_shadows([*pieces, *rows], view.sheet.stroke_width, rhythm.dash)
+    pieces = ended_where_lines_touch(pieces, view.sheet.stroke_width)
     pieces += find_corner_dashes(pieces, view.sheet, rhythm)
     pieces = ended_before_slants(pieces, view.sheet)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     jogs = find_jogs(ended, view.sheet)
     rungs = find_rungs([*ended, *jogs], view.sheet, pens)
-    slanted = find_slanted_rungs([*ended, *jogs, *rungs], view.sheet, pens)
-    pieces += [*jogs, *rungs, *slanted]
-    pieces += find_corner_rungs([*ended, *jogs, *rungs, *slanted], view.sheet)
+    pieces += [*jogs, *rungs]
+    pieces += find_corner_rungs([*ended, *jogs, *rungs], view.sheet)
     pieces = _refitted(pieces, ended, view.sheet)
-    pieces = with_slants_led_on(with_fitted_slants(pieces, ended, view.sheet), view.sheet, rhythm)
+    pieces = with_fitted_slants(pieces, ended, view.sheet)
     pieces = with_close_fits(pieces, ended, view.sheet)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     parted = parted_at_corners(ended, view.sheet, rhythm)
@@ -128,30 +108,20 @@ def classify_strokes(
     ended, cuts = with_edged_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
     rounded = find_fillets(view.sheet.weight, ended, view.sheet.stroke_width, cuts)
     ended = _with_fillets(ended, rounded, explained)
-    ended = _with_curved_fillets(ended, view.sheet, explained)
-    ended = _with_fillets(ended, find_hidden_fillets(ended, view.sheet, rhythm), explained)
     ended = with_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
     ended = with_slanted_dashes(ended, view.sheet, rhythm)
-    ended = with_hidden_rungs(with_short_legs(ended, view.sheet, rhythm), view.sheet, rhythm)
+    ended = with_short_legs(ended, view.sheet, rhythm)
     ended = with_drill_tips(ended, view.sheet)
     ended = with_bows(with_corners_reached(ended, rhythm), view.sheet)
-    ended = with_run_outs(ended, view.sheet)
-    ended = with_ends_behind_edges(ended, view.sheet, rhythm)
     # Strokes that were drawn out to a junction explain the ink up to there.
     for geometry, piece in ended:
         explained.add(geometry, piece)
     remainder = view.sheet.ink & (explained.around == 0)
-    short = find_short_strokes(remainder, ended, view.sheet, rhythm, pens)
-    for geometry, piece in short:
-        explained.add(geometry, piece)
-    ended += short
-    remainder &= explained.around == 0
     ended = with_met_ends(ended, remainder, view.sheet.stroke_width)
     if pens is None or not pens.told:
         ended = with_changes_at_junctions(ended, rhythm, view.sheet.stroke_width)
     strokes = [_stroke(geometry, piece) for geometry, piece in ended]
     strokes += trace_remainder(remainder, view.sheet.stroke_width, rhythm.dash)
-    strokes = with_dashed_rests(strokes, rhythm)
     shift = np.array(view.offset) + 0.5
     return tuple(_shifted(stroke, shift) for stroke in strokes if stroke.length > 1.5)
 
@@ -180,7 +150,7 @@ def _seen_pieces(
         elif known is explained or not order[index - 1].twin:
             known = explained.copy()
         width = view.sheet.stroke_width
-        runs = [(run, None) for run in own_runs(shape.geometry, shape.runs, lines, rhythm, width)]
+        runs = [(run, None) for run in shape.runs]
         # The ink of twins is as wide as both.
         if pens is not None and pens.told and not shape.twin:
             runs = told_by_width(view.sheet, shape.geometry, [run for run, _ in runs], pens)
@@ -198,15 +168,11 @@ def _seen_pieces(
         found = classify([run for run, _ in fresh], rhythm, touches, shape.geometry.around, told)
         if not isinstance(shape.geometry, Line):
             curved = [piece for piece in found if _is_curved(shape.geometry, piece, view.sheet)]
-            curved = with_dashes_led_to(view.field, shape.geometry, found, curved, rhythm)
-            found = with_dashes_between(shape.geometry, found, curved, rhythm)
+            found = curved
         if isinstance(shape.geometry, Circle):
             circle = shape.geometry
-            found = [own for own in found if not is_dash_corner(circle, own, view.sheet, rhythm)]
             found = [own for own in found if not has_square_corner(circle, own, view.sheet)]
-        joined = bridged(view.field, shape.geometry, found, rhythm)
-        if not is_closed_by_others(shape.geometry, (found, joined), lines, view.sheet, rhythm):
-            found = joined
+        found = bridged(view.field, shape.geometry, found, rhythm)
         if not isinstance(shape.geometry, Line):
             found = _closed(shape.geometry, found, rhythm)
         for piece in found:
@@ -292,18 +258,6 @@ def _with_fillets(ended: list[Placed], fillets: list[Fillet], explained: Explain
     gone = {index for fillet in fillets for index in fillet.instead}
     left = [own for index, own in enumerate(rounded) if index not in gone]
     return [own for own in left if not any(is_chord(own, arc) for arc in arcs)] + arcs
-
-
-def _with_curved_fillets(
-    ended: list[Placed], sheet: CleanSheet, explained: Explained
-) -> list[Placed]:
-    """The pieces with the arcs between lines and arcs, which are fitted again without them."""
-    first = find_curved_fillets(sheet.weight, ended, sheet.stroke_width)
-    if not first:
-        return ended
-    better = _refitted(ended, _with_fillets(ended, first, explained.copy()), sheet)
-    fillets = find_curved_fillets(sheet.weight, better, sheet.stroke_width)
-    return _with_fillets(better, fillets, explained)
 
 
 def _scaled(piece: Piece, factor: float) -> Piece:
