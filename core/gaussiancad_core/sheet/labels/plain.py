@@ -24,6 +24,9 @@ _LINE = {
 }
 """Probabilities of what a line is of which nothing is known."""
 
+_DASH = {InkClass.HIDDEN: 0.5, InkClass.VISIBLE: 0.2, InkClass.CENTRE: 0.2, InkClass.TEXT: 0.1}
+"""The same of a short piece of ink that stands by itself."""
+
 _WRITING = {InkClass.TEXT: 0.9, InkClass.VISIBLE: 0.05, InkClass.HIDDEN: 0.05}
 """The same of ink that stands like writing."""
 
@@ -48,8 +51,10 @@ def plain_labels(sheet: CleanSheet) -> InkLabels:
     for group in written_groups(boxes):
         words[letters[group]] = len(group) > 1
     log_p = np.full((len(InkClass), *sheet.ink.shape), _NEVER, np.float16)
-    written = words[pieces]
-    for where, shares in ((~written, _LINE), (written, _WRITING)):
+    short = np.concatenate([[False], sizes <= _LETTER[1]]) & ~words
+    written, dashes = words[pieces], short[pieces]
+    kinds = ((~written & ~dashes, _LINE), (dashes, _DASH), (written, _WRITING))
+    for where, shares in kinds:
         for ink, share in shares.items():
             log_p[ink][where] = np.log(share)
     return InkLabels(log_p)
