@@ -50,20 +50,18 @@ def _no(*_arguments: object) -> bool:
 
 
 _CHANGES = (
- "without_shadows",
-    "ended_where_lines_touch", "ended_before_slants", "_refitted",
-    "with_fitted_slants", "with_close_fits", "parted_at_corners",
-    "with_slanted_dashes", "with_short_legs", "with_drill_tips",
-    "with_corners_reached", "with_bows",
-    "with_met_ends", "with_changes_at_junctions",
+    "with_whole_circles", "without_shadows", "ended_where_lines_touch", "_refitted",
+    "with_fitted_slants", "with_close_fits", "parted_at_corners", "_with_curved_fillets",
+    "with_short_legs", "with_drill_tips", "with_corners_reached", "with_bows", "with_run_outs",
+    "with_ends_behind_edges", "with_met_ends", "with_changes_at_junctions",
 )  # fmt: skip
 _FINDS = (
     "find_remaining_dashes", "find_corner_dashes", "find_jogs", "find_rungs",
- "find_corner_rungs", "find_fillets",
- "trace_remainder",
+    "find_slanted_rungs", "find_fillets", "find_hidden_fillets", "find_short_strokes",
+    "trace_remainder",
 )  # fmt: skip
 _ASKS = (
-    "is_next_dash", "joins_arcs", "has_square_corner",
+    "is_next_dash", "joins_arcs", "has_square_corner", "is_closed_by_others",
 )  # fmt: skip
 
 STAGES: dict[str, Neutral] = {
@@ -73,6 +71,8 @@ STAGES: dict[str, Neutral] = {
     "told_by_width": lambda _sheet, _shape, runs, _pens: [(run, None) for run in runs],
     "with_dashes_beside": _given(2),
     "told_linetypes": lambda _shape, runs, *_: [kind for _, kind in runs],
+    "with_dashes_led_to": _given(3),
+    "with_dashes_between": _given(2),
     "bridged": _given(2),
     "_closed": _given(1),
     "up_to_tangents": lambda _shape, piece, *_: piece,

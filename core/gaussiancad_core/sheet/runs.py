@@ -303,6 +303,58 @@ def bridged(
     return joined
 
 
+def with_dashes_between(
+    geometry: Geometry, pieces: Sequence[Piece], chosen: Sequence[Piece], rhythm: Rhythm
+) -> list[Piece]:
+    """Of the pieces of a closed curve the chosen ones, and the hidden ones between two of these.
+
+    A few dashes between two crossings hardly bend, but are the curve's where it goes on as dashes
+    on both sides; of a circle that is drawn all around all pieces count.
+    """
+    if is_mostly_dashed(geometry, chosen):
+        return list(pieces)
+    longest = _LONGEST_BRIDGE * (rhythm.dash + rhythm.gap)
+    around = geometry.around
+    kept = [own for own in chosen if own.linetype is Linetype.HIDDEN]
+
+    def leads_on(piece: Piece) -> bool:
+        # Pieces beside each other may reach a little into each other.
+        before = any((piece.start - own.end + longest) % around <= 2.0 * longest for own in kept)
+        after = any((own.start - piece.end + longest) % around <= 2.0 * longest for own in kept)
+        return piece.linetype is Linetype.HIDDEN and before and after
+
+    return [own for own in pieces if own in chosen or leads_on(own)]
+
+
+def with_dashes_led_to(
+    field: InkField,
+    geometry: Geometry,
+    pieces: Sequence[Piece],
+    chosen: Sequence[Piece],
+    rhythm: Rhythm,
+) -> list[Piece]:
+    """The chosen pieces of a closed curve, and the hidden ones that these lead on to.
+
+    The last dashes of an arc hardly bend, but are the arc's where those before them are there,
+    under lines that cross them.
+    """
+    hidden = [own for own in pieces if own.linetype is Linetype.HIDDEN]
+    longest = _LONGEST_BRIDGE * (rhythm.dash + rhythm.gap)
+    joined: list[tuple[Piece, Piece]] = []
+    for before, after in zip(hidden, [*hidden[1:], *hidden[:1]], strict=True):
+        # The last one is followed by the first, once around.
+        turn = geometry.around if after.start < before.start else 0.0
+        over = replace(after, start=after.start + turn, end=after.end + turn)
+        if over.start > before.end and _is_bridged(
+            field, geometry, (before, over), rhythm, longest
+        ):
+            joined.append((before, after))
+    led = {own for own in chosen if own.linetype is Linetype.HIDDEN}
+    while more := {own for pair in joined if led & set(pair) for own in pair} - led:
+        led |= more
+    return [own for own in pieces if own in chosen or own in led]
+
+
 def is_mostly_dashed(geometry: Geometry, pieces: Sequence[Piece]) -> bool:
     """Whether hidden pieces make up so much of a closed curve that the rest of it will be there."""
     dashed = sum(own.end - own.start for own in pieces if own.linetype is Linetype.HIDDEN)

@@ -11,12 +11,13 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.ellipses import WholeEllipse
+from gaussiancad_core.sheet.behind_edges import with_ends_behind_edges
 from gaussiancad_core.sheet.bows import with_bows
 from gaussiancad_core.sheet.chamfers import with_chamfers
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.close_fits import with_close_fits
 from gaussiancad_core.sheet.corner_dashes import find_corner_dashes
-from gaussiancad_core.sheet.corner_rungs import find_corner_rungs
+from gaussiancad_core.sheet.curved_corners import find_curved_fillets
 from gaussiancad_core.sheet.dangling import with_met_ends
 from gaussiancad_core.sheet.drill_tips import with_drill_tips
 from gaussiancad_core.sheet.edged_chamfers import with_edged_chamfers
@@ -31,6 +32,7 @@ from gaussiancad_core.sheet.explained import (
 )
 from gaussiancad_core.sheet.fillets import Fillet, find_fillets, is_chord
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
+from gaussiancad_core.sheet.hidden_fillets import find_hidden_fillets
 from gaussiancad_core.sheet.jogs import find_jogs
 from gaussiancad_core.sheet.junctions import (
     FULL_TURN,
@@ -44,6 +46,7 @@ from gaussiancad_core.sheet.linetype_changes import with_changes_at_junctions
 from gaussiancad_core.sheet.linetypes import classify
 from gaussiancad_core.sheet.parted import parted_at_corners
 from gaussiancad_core.sheet.remaining_dashes import find_remaining_dashes
+from gaussiancad_core.sheet.run_outs import with_run_outs
 from gaussiancad_core.sheet.rungs import find_rungs
 from gaussiancad_core.sheet.runs import (
     InkField,
@@ -51,19 +54,22 @@ from gaussiancad_core.sheet.runs import (
     Rhythm,
     Run,
     bridged,
+    with_dashes_between,
+    with_dashes_led_to,
 )
 from gaussiancad_core.sheet.shadows import without_shadows
 from gaussiancad_core.sheet.shapes import (
     refit_circle,
 )
 from gaussiancad_core.sheet.short_legs import with_short_legs
+from gaussiancad_core.sheet.short_strokes import find_short_strokes
 from gaussiancad_core.sheet.slant_fits import with_fitted_slants
-from gaussiancad_core.sheet.slanted_dashes import with_slanted_dashes
-from gaussiancad_core.sheet.slanted_ends import ended_before_slants
+from gaussiancad_core.sheet.slanted_rungs import find_slanted_rungs
 from gaussiancad_core.sheet.square_corners import has_square_corner
 from gaussiancad_core.sheet.touching import ended_where_lines_touch, up_to_tangents
 from gaussiancad_core.sheet.tracing import trace_remainder
 from gaussiancad_core.sheet.view_shapes import MIN_SAGITTA, ViewShapes, radius_of
+from gaussiancad_core.sheet.whole_circles import is_closed_by_others, with_whole_circles
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
 _ASLANT = 0.2
@@ -89,15 +95,15 @@ def classify_strokes(
     rows = find_remaining_dashes(view.sheet.ink & (explained.around == 0), view.sheet, rhythm)
     for geometry, piece in rows:
         explained.add(geometry, piece, close=True)
-    pieces = without_shadows([*pieces, *rows], view.sheet.stroke_width, rhythm.dash)
+    pieces = with_whole_circles([*pieces, *rows], view.sheet, rhythm)
+    pieces = without_shadows(pieces, view.sheet.stroke_width, rhythm.dash)
     pieces = ended_where_lines_touch(pieces, view.sheet.stroke_width)
     pieces += find_corner_dashes(pieces, view.sheet, rhythm)
-    pieces = ended_before_slants(pieces, view.sheet)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     jogs = find_jogs(ended, view.sheet)
     rungs = find_rungs([*ended, *jogs], view.sheet, pens)
-    pieces += [*jogs, *rungs]
-    pieces += find_corner_rungs([*ended, *jogs, *rungs], view.sheet)
+    slanted = find_slanted_rungs([*ended, *jogs, *rungs], view.sheet, pens)
+    pieces += [*jogs, *rungs, *slanted]
     pieces = _refitted(pieces, ended, view.sheet)
     pieces = with_fitted_slants(pieces, ended, view.sheet)
     pieces = with_close_fits(pieces, ended, view.sheet)
@@ -108,15 +114,23 @@ def classify_strokes(
     ended, cuts = with_edged_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
     rounded = find_fillets(view.sheet.weight, ended, view.sheet.stroke_width, cuts)
     ended = _with_fillets(ended, rounded, explained)
+    ended = _with_curved_fillets(ended, view.sheet, explained)
+    ended = _with_fillets(ended, find_hidden_fillets(ended, view.sheet, rhythm), explained)
     ended = with_chamfers(view.sheet.weight, ended, view.sheet.stroke_width)
-    ended = with_slanted_dashes(ended, view.sheet, rhythm)
     ended = with_short_legs(ended, view.sheet, rhythm)
     ended = with_drill_tips(ended, view.sheet)
     ended = with_bows(with_corners_reached(ended, rhythm), view.sheet)
+    ended = with_run_outs(ended, view.sheet)
+    ended = with_ends_behind_edges(ended, view.sheet, rhythm)
     # Strokes that were drawn out to a junction explain the ink up to there.
     for geometry, piece in ended:
         explained.add(geometry, piece)
     remainder = view.sheet.ink & (explained.around == 0)
+    short = find_short_strokes(remainder, ended, view.sheet, rhythm, pens)
+    for geometry, piece in short:
+        explained.add(geometry, piece)
+    ended += short
+    remainder &= explained.around == 0
     ended = with_met_ends(ended, remainder, view.sheet.stroke_width)
     if pens is None or not pens.told:
         ended = with_changes_at_junctions(ended, rhythm, view.sheet.stroke_width)
@@ -153,7 +167,7 @@ def _seen_pieces(
         runs = [(run, None) for run in shape.runs]
         # The ink of twins is as wide as both.
         if pens is not None and pens.told and not shape.twin:
-            runs = told_by_width(view.sheet, shape.geometry, [run for run, _ in runs], pens)
+            runs = told_by_width(view.sheet, shape.geometry, shape.runs, pens)
         fresh = [
             (run, kind)
             for k, (run, kind) in enumerate(runs)
@@ -168,11 +182,14 @@ def _seen_pieces(
         found = classify([run for run, _ in fresh], rhythm, touches, shape.geometry.around, told)
         if not isinstance(shape.geometry, Line):
             curved = [piece for piece in found if _is_curved(shape.geometry, piece, view.sheet)]
-            found = curved
+            curved = with_dashes_led_to(view.field, shape.geometry, found, curved, rhythm)
+            found = with_dashes_between(shape.geometry, found, curved, rhythm)
         if isinstance(shape.geometry, Circle):
             circle = shape.geometry
             found = [own for own in found if not has_square_corner(circle, own, view.sheet)]
-        found = bridged(view.field, shape.geometry, found, rhythm)
+        joined = bridged(view.field, shape.geometry, found, rhythm)
+        if not is_closed_by_others(shape.geometry, (found, joined), lines, view.sheet, rhythm):
+            found = joined
         if not isinstance(shape.geometry, Line):
             found = _closed(shape.geometry, found, rhythm)
         for piece in found:
@@ -258,6 +275,18 @@ def _with_fillets(ended: list[Placed], fillets: list[Fillet], explained: Explain
     gone = {index for fillet in fillets for index in fillet.instead}
     left = [own for index, own in enumerate(rounded) if index not in gone]
     return [own for own in left if not any(is_chord(own, arc) for arc in arcs)] + arcs
+
+
+def _with_curved_fillets(
+    ended: list[Placed], sheet: CleanSheet, explained: Explained
+) -> list[Placed]:
+    """The pieces with the arcs between lines and arcs, which are fitted again without them."""
+    first = find_curved_fillets(sheet.weight, ended, sheet.stroke_width)
+    if not first:
+        return ended
+    better = _refitted(ended, _with_fillets(ended, first, explained.copy()), sheet)
+    fillets = find_curved_fillets(sheet.weight, better, sheet.stroke_width)
+    return _with_fillets(better, fillets, explained)
 
 
 def _scaled(piece: Piece, factor: float) -> Piece:

@@ -15,6 +15,8 @@ from gaussiancad_core.sheet.runs import (
     ink_field,
     line_runs,
     told_rhythm,
+    with_dashes_between,
+    with_dashes_led_to,
 )
 from gaussiancad_core.views import Linetype
 
@@ -32,6 +34,46 @@ def test_one_dash_closes_no_circle(sketch: Sketch, share: float, closes: bool) -
     turn = (found.end - found.start) / circle.around
     assert turn == pytest.approx(1.0 if closes else share, abs=1e-9)
     assert np.isclose(found.start, 3.0)
+
+
+def test_dashes_between_two_crossings_are_the_circles() -> None:
+    circle = Circle((100.0, 100.0), 133.0)
+    around = circle.around
+    # Two long stretches, and a few dashes between them that hardly bend, over position 0.
+    first = Piece(54.0, 196.0, Linetype.HIDDEN, 1.0)
+    last = Piece(652.0, around + 2.0, Linetype.HIDDEN, 1.0)
+    between = Piece(-4.0, 36.0, Linetype.HIDDEN, 1.0)
+    far = Piece(300.0, 340.0, Linetype.HIDDEN, 1.0)
+    edge = Piece(38.0, 52.0, Linetype.VISIBLE, 1.0)
+    pieces = [between, edge, first, far, last]
+    found = with_dashes_between(circle, pieces, [first, last], Rhythm(8.5, 5.0))
+    assert found == [between, first, last]
+    assert with_dashes_between(circle, pieces, [first], Rhythm(8.5, 5.0)) == [first]
+
+
+def test_all_pieces_of_a_circle_that_is_mostly_dashed_count() -> None:
+    circle = Circle((100.0, 100.0), 133.0)
+    most = Piece(0.0, 0.6 * circle.around, Linetype.HIDDEN, 1.0)
+    short = Piece(0.8 * circle.around, 0.8 * circle.around + 30.0, Linetype.HIDDEN, 1.0)
+    assert with_dashes_between(circle, [most, short], [most], Rhythm(8.5, 5.0)) == [most, short]
+
+
+def test_the_last_dashes_of_an_arc_are_its_own_where_it_leads_to_them(sketch: Sketch) -> None:
+    """They hardly bend; beyond position 0 others follow them, and far away none does."""
+    circle = Circle((100.0, 80.0), 60.0)
+    period = 17.0 / circle.radius
+    drawn = sketch()
+    for k in (-7, -6, -5, *range(-2, 6)):
+        drawn.arc(circle.centre, circle.radius, 2.3, k * period, 11.0 / circle.radius)
+    around = circle.around
+    first = Piece(0.0, 28.0, Linetype.HIDDEN, 1.0)
+    most = Piece(51.0, 96.0, Linetype.HIDDEN, 1.0)
+    far = Piece(around - 119.0, around - 74.0, Linetype.HIDDEN, 1.0)
+    last = Piece(around - 34.0, around - 23.0, Linetype.HIDDEN, 1.0)
+    pieces = [first, most, far, last]
+    field = ink_field(clean_sheet(drawn.grey))
+    found = with_dashes_led_to(field, circle, pieces, [most], Rhythm(11.0, 6.0))
+    assert found == [first, most, last]
 
 
 @pytest.mark.parametrize("length", [6, 3])
