@@ -12,14 +12,8 @@ _BY = {
 """What decided, by its name in the file."""
 
 _BY_KIND = {
-    (
-        "pen",
-        True,
-    ): "Its width, colour or rhythm tells it; by its look it would be annotation.",
-    (
-        "pen",
-        False,
-    ): "Its width, colour or rhythm tells it; by its look it would be an edge.",
+    ("pen", True): "Its width, colour or rhythm tells it; its look is that of annotation.",
+    ("pen", False): "Its width, colour or rhythm tells it; its look is that of an edge.",
     ("loose-end", True): "Without it, other edges of the part would end where nothing meets them.",
     ("loose-end", False): "As an edge it would end where no other edge meets it.",
 }

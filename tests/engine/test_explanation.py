@@ -182,7 +182,7 @@ def test_all_that_was_tried_is_told_in_order() -> None:
         (
             (620, 81),
             "A centre of 40 px: no line of the part, 90.0 % sure (s6). Its width, colour or "
-            "rhythm tells it; by its look it would be an edge. If that is wrong, it is a hidden "
+            "rhythm tells it; its look is that of an edge. If that is wrong, it is a hidden "
             "edge.",
         ),
         ((620, 141), "A hidden line of 40 px of the front view (s7). A person said so."),

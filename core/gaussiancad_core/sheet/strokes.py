@@ -64,12 +64,10 @@ from gaussiancad_core.sheet.shapes import (
 from gaussiancad_core.sheet.short_legs import with_short_legs
 from gaussiancad_core.sheet.short_strokes import find_short_strokes
 from gaussiancad_core.sheet.slant_fits import with_fitted_slants
-from gaussiancad_core.sheet.slanted_rungs import find_slanted_rungs
 from gaussiancad_core.sheet.square_corners import has_square_corner
 from gaussiancad_core.sheet.touching import ended_where_lines_touch, up_to_tangents
 from gaussiancad_core.sheet.tracing import trace_remainder
 from gaussiancad_core.sheet.view_shapes import MIN_SAGITTA, ViewShapes, radius_of
-from gaussiancad_core.sheet.whole_circles import is_closed_by_others, with_whole_circles
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
 _ASLANT = 0.2
@@ -95,15 +93,13 @@ def classify_strokes(
     rows = find_remaining_dashes(view.sheet.ink & (explained.around == 0), view.sheet, rhythm)
     for geometry, piece in rows:
         explained.add(geometry, piece, close=True)
-    pieces = with_whole_circles([*pieces, *rows], view.sheet, rhythm)
-    pieces = without_shadows(pieces, view.sheet.stroke_width, rhythm.dash)
+    pieces = without_shadows([*pieces, *rows], view.sheet.stroke_width, rhythm.dash)
     pieces = ended_where_lines_touch(pieces, view.sheet.stroke_width)
     pieces += find_corner_dashes(pieces, view.sheet, rhythm)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     jogs = find_jogs(ended, view.sheet)
     rungs = find_rungs([*ended, *jogs], view.sheet, pens)
-    slanted = find_slanted_rungs([*ended, *jogs, *rungs], view.sheet, pens)
-    pieces += [*jogs, *rungs, *slanted]
+    pieces += [*jogs, *rungs]
     pieces = _refitted(pieces, ended, view.sheet)
     pieces = with_fitted_slants(pieces, ended, view.sheet)
     pieces = with_close_fits(pieces, ended, view.sheet)
@@ -187,9 +183,7 @@ def _seen_pieces(
         if isinstance(shape.geometry, Circle):
             circle = shape.geometry
             found = [own for own in found if not has_square_corner(circle, own, view.sheet)]
-        joined = bridged(view.field, shape.geometry, found, rhythm)
-        if not is_closed_by_others(shape.geometry, (found, joined), lines, view.sheet, rhythm):
-            found = joined
+        found = bridged(view.field, shape.geometry, found, rhythm)
         if not isinstance(shape.geometry, Line):
             found = _closed(shape.geometry, found, rhythm)
         for piece in found:

@@ -15,6 +15,7 @@ from gaussiancad_core.sheet.files.painting import paint
 from gaussiancad_core.sheet.files.vectors import Line, VectorDrawing, VectorStroke, bounds
 from gaussiancad_core.sheet.graph.chains import with_whole_edges
 from gaussiancad_core.sheet.graph.labels import Label, LabelledDrawing, labelled
+from gaussiancad_core.sheet.labels.evidence import meets
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.special_views.finding import LayoutRequest
@@ -93,13 +94,8 @@ def graph_views(
     askew = tuple(SpecialView(SpecialKind.PICTORIAL, box) for box in found.pictorials)
     layout = replace(layout, special=(*layout.special, *askew))
     boxes = [tuple(found.touches.boxes[number].tolist()) for number in found.doubtful]
-    used = [box for box in boxes if any(_overlap(box, view) for view in layout.boxes.values())]
+    used = [box for box in boxes if any(meets(box, view) for view in layout.boxes.values())]
     return GraphViews(separated, layout, vectors, tuple(used))
-
-
-def _overlap(box: Box, other: Box) -> bool:
-    x = box[0] <= other[2] and box[2] >= other[0]
-    return x and box[1] <= other[3] and box[3] >= other[1]
 
 
 def _part(

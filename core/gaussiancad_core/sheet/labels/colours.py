@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape, points_along
 from gaussiancad_core.sheet.annotations.marks import values_at
-from gaussiancad_core.sheet.labels.decoding import LabelledRun
+from gaussiancad_core.sheet.labels.decoding import SURE, LabelledRun
 
 Floats = npt.NDArray[np.float64]
 Tints = npt.NDArray[np.uint8]
@@ -20,9 +20,6 @@ Tints = npt.NDArray[np.uint8]
 
 _HUES, _PENS = 180, 12
 """Hues that a tint tells, and coloured pens that are told apart."""
-
-_SURE = 3.0
-"""Margin from which a line's label is believed."""
 
 _LEAST = 60.0
 """Length of a pen's sure lines from which they tell what it draws, in stroke widths."""
@@ -78,7 +75,7 @@ def learnt_colours(
     part, rest = np.zeros(_PENS + 1), np.zeros(_PENS + 1)
     for shape, pieces in zip(shapes, labelled, strict=True):
         for own in pieces:
-            if abs(own.margin) >= _SURE:
+            if abs(own.margin) >= SURE:
                 into = part if own.is_part else rest
                 into[_pen_of(pens, shape, own.run)] += own.run.run.length
     sure = part + rest

@@ -19,6 +19,9 @@ from gaussiancad_core.sheet.runs import Run
 
 Floats = npt.NDArray[np.float64]
 
+SURE = 3.0
+"""Margin from which a line's label is believed, where others learn from it."""
+
 _CLIP = 4.0
 """Log-odds of one point at most."""
 
@@ -146,10 +149,12 @@ def labelled_runs(
         points.append(_Points(log_p, odds, network, weights))
     if not points:
         return []
+    rows = _rows([own.run.length for own in shape.runs])
+    points = _with_row_linetypes(points, rows)
     told = np.concatenate([_weighed(own.odds) * own.weights for own in points]) * _PER_PX
     starts = np.cumsum([0, *(len(own.odds) for own in points)])
     change = np.full(len(told), _CHANGE)
-    change[starts[:-1]] = _changes_at_gaps([own.run.length for own in shape.runs])
+    change[starts[:-1]] = np.where(rows, _CHANGE_IN_ROW, _CHANGE_AT_GAP)
     is_part = _cheapest(told, change)
     return [
         _labelled(
@@ -164,14 +169,31 @@ def labelled_runs(
     ]
 
 
-def _changes_at_gaps(lengths: Sequence[float]) -> Floats:
-    """(n,) cost of a change before each of the runs of a line."""
+def _rows(lengths: Sequence[float]) -> npt.NDArray[np.bool_]:
+    """(n,) whether each run of a line goes on a row of dashes with the one before it."""
     own = np.asarray(lengths)
     alike = np.maximum(own[1:], own[:-1]) <= _ALIKE * np.minimum(own[1:], own[:-1])
     # Two of equal length may be anything; three are a row.
     beside = np.pad(alike, 1)
-    row = alike & (beside[:-2] | beside[2:])
-    return np.concatenate([[_CHANGE_AT_GAP], np.where(row, _CHANGE_IN_ROW, _CHANGE_AT_GAP)])
+    return np.concatenate([[False], alike & (beside[:-2] | beside[2:])])
+
+
+def _with_row_linetypes(points: list[_Points], rows: npt.NDArray[np.bool_]) -> list[_Points]:
+    """The points of runs, those of a row with one ratio of hidden to visible; what they have of
+    both together stays."""
+    found = list(points)
+    for row in np.split(np.arange(len(points)), np.flatnonzero(~rows))[1:]:
+        if len(row) < 2:
+            continue
+        log_p = np.concatenate([points[k].log_p for k in row])
+        ratio = float(np.mean(log_p[:, InkClass.HIDDEN] - log_p[:, InkClass.VISIBLE]))
+        for k in row:
+            own = points[k].log_p.copy()
+            both = np.logaddexp(own[:, InkClass.VISIBLE], own[:, InkClass.HIDDEN])
+            own[:, InkClass.HIDDEN] = both - np.logaddexp(0.0, -ratio)
+            own[:, InkClass.VISIBLE] = both - np.logaddexp(0.0, ratio)
+            found[k] = replace(points[k], log_p=own)
+    return found
 
 
 def _weighed(odds: Floats | float) -> Floats | float:

@@ -13,13 +13,10 @@ import numpy.typing as npt
 from gaussiancad_core.sheet.annotations.inked import InkedRun, InkedShape
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.labels.classes import InkClass
-from gaussiancad_core.sheet.labels.decoding import LabelledRun
+from gaussiancad_core.sheet.labels.decoding import SURE, LabelledRun
 from gaussiancad_core.sheet.line_widths import run_width, widths_along
 
 Floats = npt.NDArray[np.float64]
-
-_SURE = 3.0
-"""Margin from which a line's label is believed."""
 
 _LONG = 7.0
 """Length of a line from which its width is believed, in stroke widths."""
@@ -94,7 +91,7 @@ def learnt_pens(
     thin: list[float] = []
     for shape, pieces in zip(shapes, labelled, strict=True):
         for own in pieces:
-            known = abs(own.margin) >= _SURE and own.run.run.length >= _LONG * sheet.stroke_width
+            known = abs(own.margin) >= SURE and own.run.run.length >= _LONG * sheet.stroke_width
             if known and own.ink in (InkClass.VISIBLE, *_THIN):
                 width = run_width(sheet, shape.geometry, own.run.run)
                 (thick if own.is_part else thin).append(width)

@@ -16,13 +16,13 @@ _LETTER = (3.0, 14.0)
 """Size of a letter, in stroke widths."""
 
 _LINE = {
-    InkClass.VISIBLE: 0.45,
+    InkClass.VISIBLE: 0.4,
     InkClass.HIDDEN: 0.2,
-    InkClass.DIMENSION: 0.2,
+    InkClass.DIMENSION: 0.25,
     InkClass.CENTRE: 0.1,
     InkClass.TEXT: 0.05,
 }
-"""Probabilities of what a line is of which nothing is known."""
+"""Probabilities of what a line is of which nothing is known: it is in doubt until a pen tells it."""
 
 _DASH = {InkClass.HIDDEN: 0.5, InkClass.VISIBLE: 0.2, InkClass.CENTRE: 0.2, InkClass.TEXT: 0.1}
 """The same of a short piece of ink that stands by itself."""

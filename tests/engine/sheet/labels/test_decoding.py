@@ -112,7 +112,11 @@ def _cost(states: Sequence[int], told: np.ndarray, change: np.ndarray) -> float:
 
 def test_a_dash_is_what_the_others_of_its_row_are() -> None:
     """Something that looks otherwise crosses it; a line of another length after a gap is free."""
-    row = decoding._changes_at_gaps([11.0, 12.0, 11.0, 11.0])
-    pair = decoding._changes_at_gaps([40.0, 38.0, 90.0])
-    assert (row[1:] > pair[1:].max()).all()
-    assert row[0] == pair[0]
+    assert decoding._rows([11.0, 12.0, 11.0, 11.0]).tolist() == [False, True, True, True]
+    assert not decoding._rows([40.0, 38.0, 90.0]).any()
+    labels = labels_of((100, InkClass.HIDDEN, 4.0), (300, InkClass.VISIBLE, 0.5))
+    dashes = (62.0, 74.0), (82.0, 94.0), (102.0, 114.0)
+    found = labelled_runs(line(*dashes), labels, NOT_SHARED)
+    assert [own.ink for own in found] == [InkClass.HIDDEN] * 3
+    alone = labelled_runs(line(dashes[-1]), labels, NOT_SHARED)
+    assert [own.ink for own in alone] == [InkClass.VISIBLE]
