@@ -22,7 +22,7 @@ _LINE = {
     InkClass.CENTRE: 0.1,
     InkClass.TEXT: 0.05,
 }
-"""Probabilities of what a line is of which nothing is known: it is in doubt until a pen tells it."""
+"""Probabilities of what a line is of which nothing is known: in doubt until a pen tells it."""
 
 _DASH = {InkClass.HIDDEN: 0.5, InkClass.VISIBLE: 0.2, InkClass.CENTRE: 0.2, InkClass.TEXT: 0.1}
 """The same of a short piece of ink that stands by itself."""
