@@ -68,6 +68,7 @@ STAGES: dict[str, Neutral] = {
     **dict.fromkeys(_CHANGES, _given(0)),
     **dict.fromkeys(_FINDS, _none),
     **dict.fromkeys(_ASKS, _no),
+    "own_runs": _given(1),
     "told_by_width": lambda _sheet, _shape, runs, _pens: [(run, None) for run in runs],
     "with_dashes_beside": _given(2),
     "told_linetypes": lambda _shape, runs, *_: [kind for _, kind in runs],

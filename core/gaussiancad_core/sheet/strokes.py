@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.ellipses import WholeEllipse
 from gaussiancad_core.sheet.behind_edges import with_ends_behind_edges
+from gaussiancad_core.sheet.borrowed_dashes import own_runs
 from gaussiancad_core.sheet.bows import with_bows
 from gaussiancad_core.sheet.chamfers import with_chamfers
 from gaussiancad_core.sheet.clean import CleanSheet
@@ -64,6 +65,7 @@ from gaussiancad_core.sheet.shapes import (
 from gaussiancad_core.sheet.short_legs import with_short_legs
 from gaussiancad_core.sheet.short_strokes import find_short_strokes
 from gaussiancad_core.sheet.slant_fits import with_fitted_slants
+from gaussiancad_core.sheet.slanted_rungs import find_slanted_rungs
 from gaussiancad_core.sheet.square_corners import has_square_corner
 from gaussiancad_core.sheet.touching import ended_where_lines_touch, up_to_tangents
 from gaussiancad_core.sheet.tracing import trace_remainder
@@ -99,7 +101,8 @@ def classify_strokes(
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     jogs = find_jogs(ended, view.sheet)
     rungs = find_rungs([*ended, *jogs], view.sheet, pens)
-    pieces += [*jogs, *rungs]
+    slanted = find_slanted_rungs([*ended, *jogs, *rungs], view.sheet, pens)
+    pieces += [*jogs, *rungs, *slanted]
     pieces = _refitted(pieces, ended, view.sheet)
     pieces = with_fitted_slants(pieces, ended, view.sheet)
     pieces = with_close_fits(pieces, ended, view.sheet)
@@ -160,10 +163,11 @@ def _seen_pieces(
         elif known is explained or not order[index - 1].twin:
             known = explained.copy()
         width = view.sheet.stroke_width
-        runs = [(run, None) for run in shape.runs]
+        inked = own_runs(shape.geometry, shape.runs, lines, rhythm, width)
+        runs: list[tuple[Run, Linetype | None]] = [(run, None) for run in inked]
         # The ink of twins is as wide as both.
         if pens is not None and pens.told and not shape.twin:
-            runs = told_by_width(view.sheet, shape.geometry, shape.runs, pens)
+            runs = told_by_width(view.sheet, shape.geometry, inked, pens)
         fresh = [
             (run, kind)
             for k, (run, kind) in enumerate(runs)

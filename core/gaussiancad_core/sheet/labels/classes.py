@@ -2,8 +2,6 @@
 
 from enum import Enum, IntEnum
 
-from gaussiancad_core.drawing.annotation import AnnotationKind
-
 
 class InkClass(IntEnum):
     """The classes in the order of the network's outputs."""
@@ -59,18 +57,5 @@ BY_LABELS = (
 )
 """What tells edges from annotation in a picture."""
 
-
 PART = (InkClass.VISIBLE, InkClass.HIDDEN)
 """What shows the part's edges; all else but paper is annotation."""
-
-ANNOTATION_KINDS = {
-    InkClass.CENTRE: AnnotationKind.CENTRE_LINE,
-    InkClass.DIMENSION: AnnotationKind.DIMENSION,
-    InkClass.HATCHING: AnnotationKind.HATCHING,
-    InkClass.TEXT: AnnotationKind.TEXT,
-    InkClass.FRAME: AnnotationKind.FRAME,
-    InkClass.PICTORIAL: AnnotationKind.PICTURE,
-    InkClass.OTHER: AnnotationKind.SYMBOL,
-    InkClass.THIN: AnnotationKind.TANGENT_EDGE,
-}
-"""What a mark of each class is."""

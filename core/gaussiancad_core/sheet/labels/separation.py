@@ -13,7 +13,7 @@ from gaussiancad_core.sheet.annotations.marks import Mark, Mask, values_at
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet, line_marks
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.growth import GrowthRules, grow_shapes
-from gaussiancad_core.sheet.labels.classes import ANNOTATION_KINDS, PART, InkClass
+from gaussiancad_core.sheet.labels.classes import PART, InkClass
 from gaussiancad_core.sheet.labels.colours import Tints, learnt_colours
 from gaussiancad_core.sheet.labels.decoding import LabelledRun, labelled_runs
 from gaussiancad_core.sheet.labels.evidence import (
@@ -39,6 +39,18 @@ _LEAST_POINT = 0.4
 
 _TEXT_SHARE = 0.5
 """Share of a piece of ink that is writing from which all of it is."""
+
+_KINDS = {
+    InkClass.CENTRE: AnnotationKind.CENTRE_LINE,
+    InkClass.DIMENSION: AnnotationKind.DIMENSION,
+    InkClass.HATCHING: AnnotationKind.HATCHING,
+    InkClass.TEXT: AnnotationKind.TEXT,
+    InkClass.FRAME: AnnotationKind.FRAME,
+    InkClass.PICTORIAL: AnnotationKind.PICTURE,
+    InkClass.OTHER: AnnotationKind.SYMBOL,
+    InkClass.THIN: AnnotationKind.TANGENT_EDGE,
+}
+"""What a mark of each class is."""
 
 
 def separate_by_labels(
@@ -174,7 +186,7 @@ def _kind(shape: InkedShape, own: LabelledRun) -> AnnotationKind | None:
     """What a run is, None for the part's; a slanted dimension line is a leader."""
     if own.is_part:
         return None
-    kind = ANNOTATION_KINDS[own.ink]
+    kind = _KINDS[own.ink]
     if kind is AnnotationKind.DIMENSION:
         ends = points_along(shape.geometry, own.run.run, 1e9)
         if rule_of(ends[0].tolist(), ends[-1].tolist()) is None:
