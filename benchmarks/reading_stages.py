@@ -50,13 +50,13 @@ def _no(*_arguments: object) -> bool:
 
 
 _CHANGES = (
-    "without_shadows", "ended_where_lines_touch", "_refitted",
+    "without_shadows", "ended_where_lines_touch", "ended_before_slants", "_refitted",
     "with_fitted_slants", "with_close_fits", "parted_at_corners", "_with_curved_fillets",
     "with_short_legs", "with_drill_tips", "with_corners_reached", "with_bows", "with_run_outs",
     "with_ends_behind_edges", "with_met_ends", "with_changes_at_junctions",
 )  # fmt: skip
 _FINDS = (
-    "find_remaining_dashes", "find_corner_dashes", "find_jogs", "find_rungs",
+    "find_remaining_dashes", "find_corner_dashes", "find_jogs", "find_rungs", "find_slanted_rungs",
     "find_fillets", "find_hidden_fillets", "find_short_strokes",
     "trace_remainder",
 )  # fmt: skip

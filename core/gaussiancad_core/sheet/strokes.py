@@ -65,6 +65,7 @@ from gaussiancad_core.sheet.shapes import (
 from gaussiancad_core.sheet.short_legs import with_short_legs
 from gaussiancad_core.sheet.short_strokes import find_short_strokes
 from gaussiancad_core.sheet.slant_fits import with_fitted_slants
+from gaussiancad_core.sheet.slanted_ends import ended_before_slants
 from gaussiancad_core.sheet.slanted_rungs import find_slanted_rungs
 from gaussiancad_core.sheet.square_corners import has_square_corner
 from gaussiancad_core.sheet.touching import ended_where_lines_touch, up_to_tangents
@@ -98,6 +99,7 @@ def classify_strokes(
     pieces = without_shadows([*pieces, *rows], view.sheet.stroke_width, rhythm.dash)
     pieces = ended_where_lines_touch(pieces, view.sheet.stroke_width)
     pieces += find_corner_dashes(pieces, view.sheet, rhythm)
+    pieces = ended_before_slants(pieces, view.sheet)
     ended = ended_at_junctions(pieces, rhythm, view.sheet.stroke_width)
     jogs = find_jogs(ended, view.sheet)
     rungs = find_rungs([*ended, *jogs], view.sheet, pens)
