@@ -27,7 +27,7 @@ _SAME = 0.003
 _OTHER = 0.01
 """The same from which the sheet says something else."""
 
-_LEAST_PX, _NOISES, _MOST_PX = 0.25, 5.0, 0.75
+_LEAST_PX, _NOISES, _MOST_PX = 0.5, 5.0, 0.75
 """px by which a length may be drawn otherwise than its number says: times the noise of the lines,
 from and to."""
 
