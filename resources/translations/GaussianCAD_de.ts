@@ -1979,8 +1979,8 @@
         <translation>Das trainierte Netz, das Kanten von Maßen unterscheidet, fehlt oder ist beschädigt: das Bild wurde nach Regeln gelesen. Reparieren Sie die Engine unter „Engine prüfen“.</translation>
     </message>
     <message>
-        <source>{count} lines may be edges of the part or annotation. Look at them in Correct Sheet.</source>
-        <translation>{count} Linien können Kanten des Teils oder Beschriftung sein. Sehen Sie sie unter „Blatt korrigieren“ an.</translation>
+        <source>Lines that may be edges of the part or annotation: {count}. Look at them in Correct Sheet.</source>
+        <translation>Linien, die Kanten des Teils oder Beschriftung sein können: {count}. Sehen Sie sie unter „Blatt korrigieren“ an.</translation>
     </message>
     <message>
         <source>The dimensions on the sheet were not read, as the engine has no text recognition. Set a length under Scale.</source>

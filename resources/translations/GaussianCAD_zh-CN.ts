@@ -1011,7 +1011,7 @@
         <translation>区分轮廓线与尺寸线的训练网络缺失或已损坏：该图片按规则读取。请在“检查引擎”中修复引擎。</translation>
     </message>
     <message>
-        <source>{count} lines may be edges of the part or annotation. Look at them in Correct Sheet.</source>
+        <source>Lines that may be edges of the part or annotation: {count}. Look at them in Correct Sheet.</source>
         <translation>有 {count} 条线可能是零件的边，也可能是标注。请在“校正图纸”中查看。</translation>
     </message>
     <message>

@@ -277,7 +277,7 @@ WARNINGS = {
     ),
     "labels-doubtful": QT_TRANSLATE_NOOP(
         "GaussianCAD",
-        "{count} lines may be edges of the part or annotation. Look at them in Correct Sheet.",
+        "Lines that may be edges of the part or annotation: {count}. Look at them in Correct Sheet.",
     ),
     "dimensions-not-read": QT_TRANSLATE_NOOP(
         "GaussianCAD",
