@@ -22,6 +22,7 @@ from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Wire
 
 from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.views import Arc, Stroke
 
 _CHORDS = 96
@@ -125,6 +126,27 @@ def thickened(profile: Profile, thickness: float) -> TopoDS_Shape:
     """A profile in the plane of x and z, as thick as told along y."""
     face = _face(profile, lambda point: gp_Pnt(point[0], 0.0, point[1]))
     return _unified(BRepPrimAPI_MakePrism(face, gp_Vec(0.0, thickness, 0.0)).Shape())
+
+
+def prism(profile: Profile, axis: Axis, between: tuple[float, float]) -> TopoDS_Shape:
+    """A profile across an axis as a prism along it.
+
+    Args:
+        profile: in the coordinates of the model's two other axes, in their order.
+        axis: of the model.
+        between: where the prism begins and ends along it.
+    """
+    low, high = between
+    first, second = IN_PLANE[axis]
+
+    def place(point: Point) -> gp_Pnt:
+        at = [low, low, low]
+        at[first], at[second] = point
+        return gp_Pnt(*at)
+
+    way = [0.0, 0.0, 0.0]
+    way[axis.value] = high - low
+    return BRepPrimAPI_MakePrism(_face(profile, place), gp_Vec(*way)).Shape()
 
 
 def _meeting(chains: Sequence[Floats], near: float) -> list[Floats]:

@@ -1,0 +1,115 @@
+"""Sheets with known parts, read up to views on shared axes and kept: what a solid is made from.
+
+Benchmarks of what follows the reading need no reader then, and see the same lines each time.
+"""
+
+import pickle
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from real_sheets import sheets_of
+
+from gaussiancad_core.axes import Projection
+from gaussiancad_core.errors import GaussianCadError
+from gaussiancad_core.events import Progress, Silence
+from gaussiancad_core.exact_stage import Reading
+from gaussiancad_core.job import Job
+from gaussiancad_core.modes import ResultKind
+from gaussiancad_core.opened_sheet import open_sheet
+from gaussiancad_core.reading_run import STAGES, sheet_lines
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.told import ToldNumbers
+from gaussiancad_core.registering_stage import registered_lines
+from gaussiancad_core.report import Report
+from gaussiancad_core.run_notes import RunNotes
+from gaussiancad_core.told_measures import told_numbers
+
+
+@dataclass(frozen=True, eq=False)
+class ReadLines:
+    """The views of a sheet under a projection.
+
+    Attributes:
+        projection: first or third angle.
+        views: their lines, as the solver takes them.
+        numbers: what dimensions say, mm; None where they say nothing.
+        grid: mm of a px.
+    """
+
+    projection: Projection
+    views: DrawnViews
+    numbers: ToldNumbers | None
+    grid: float
+
+
+@dataclass(frozen=True, eq=False)
+class LineCase:
+    """A sheet with what was read of it.
+
+    Attributes:
+        name: SOURCE/NAME.
+        truth: the part's file.
+        own: its views under the likelier projection; None where nothing was read.
+        other: the same under the other projection, where that is possible.
+        refused: code of the error that there was instead.
+        reasons: codes of what is in doubt about the reading.
+        seconds: of the processor, that the reading took.
+    """
+
+    name: str
+    truth: Path
+    own: ReadLines | None
+    other: ReadLines | None
+    refused: str
+    reasons: tuple[str, ...]
+    seconds: float
+
+
+def kept_cases(cases: Path, data: Path, only: tuple[str, ...] = ()) -> Iterator[LineCase]:
+    """The sheets of a folder, each kept in another one once it was read.
+
+    Args:
+        cases: where they are kept.
+        data: folder of sources.
+        only: parts of paths; all sheets where there are none.
+    """
+    cases.mkdir(parents=True, exist_ok=True)
+    for sheet in sheets_of(data):
+        if only and not any(text in str(sheet) for text in only):
+            continue
+        file = cases / f"{sheet.parent.name}-{sheet.stem}.pickle"
+        if not file.is_file():
+            case = _read(sheet)
+            file.write_bytes(pickle.dumps(case))
+            print(f"{case.name}: {case.refused or 'read'}", file=sys.stderr, flush=True)
+        yield pickle.loads(file.read_bytes())
+
+
+def _read(sheet: Path) -> LineCase:
+    began = time.process_time()
+    own = other = None
+    refused = ""
+    with tempfile.TemporaryDirectory() as folder:
+        job = Job(sheet, Path(folder) / "out", result=ResultKind.SOLID)
+        notes = RunNotes(Report("", job.settings()), Progress(Silence(), len(STAGES)))
+        try:
+            opened = open_sheet(job, notes)
+            lines = sheet_lines(job, opened, notes)
+            found = registered_lines(job, lines, opened.clean.turn, notes)
+            own, other = (each and _lines(each) for each in (found.own, found.other))
+        except GaussianCadError as error:
+            refused = error.code
+    codes = tuple(own.code for own in notes.report.reasons)
+    spent = time.process_time() - began
+    name = f"{sheet.parent.name}/{sheet.stem}"
+    return LineCase(name, sheet.with_suffix(".step"), own, other, refused, codes, spent)
+
+
+def _lines(reading: Reading) -> ReadLines:
+    registered = reading.registered
+    numbers = told_numbers(registered, reading.measures, 0.0)
+    return ReadLines(reading.projection, reading.drawn, numbers, registered.mm_per_pixel)

@@ -1,0 +1,110 @@
+"""The solid of slabs: prisms with true arcs, made one."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from OCP.BOPAlgo import BOPAlgo_GlueEnum
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Fuse
+from OCP.collections import List_TopoDS_Shape
+from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
+from OCP.TopoDS import TopoDS_Shape
+
+from gaussiancad_core.axes import Axis
+from gaussiancad_core.sketch.choosing import Choice
+from gaussiancad_core.sketch.regions import Regions
+from gaussiancad_core.solid.profiles import Profile, prism
+from gaussiancad_core.views import Arc, Linetype
+
+_ON_ARC = 0.6
+"""Grid steps within which a corner lies on an arc."""
+
+_LEAST_AREA = 1e-6
+"""mm2 of a piece at least."""
+
+
+@dataclass(frozen=True, eq=False)
+class Slab:
+    """A layer of the part.
+
+    Attributes:
+        low, high: mm along the axis.
+        area: mm, what is filled of the plane across it.
+    """
+
+    low: float
+    high: float
+    area: shapely.Geometry
+
+
+def slabs_of(choice: Choice) -> tuple[Slab, ...]:
+    """The filled layers of a choice, from the lowest; equal ones on each other are one."""
+    plan = choice.plan
+    found: list[tuple[int, int, tuple[int, ...]]] = []
+    for k in plan.slabs:
+        chosen = tuple(np.flatnonzero(choice.filled[:, k]).tolist())
+        if found and found[-1][2] == chosen:
+            found[-1] = (found[-1][0], k + 1, chosen)
+        else:
+            found.append((k, k + 1, chosen))
+    return tuple(
+        Slab(plan.levels[low], plan.levels[high], _united(plan.regions, chosen))
+        for low, high, chosen in found
+        if chosen
+    )
+
+
+def body_of(slabs: Sequence[Slab], plan_axis: Axis, regions: Regions, grid: float) -> TopoDS_Shape:
+    """The slabs as one shape.
+
+    Args:
+        slabs: one at least.
+        plan_axis: across them.
+        regions: with the arcs along which their outlines run.
+        grid: mm of a step of the sheet's coordinates.
+
+    Raises:
+        RuntimeError: the kernel fails.
+    """
+    arcs = tuple(
+        Arc(own.circle.centre, own.circle.radius, 0.0, 2.0 * np.pi, Linetype.VISIBLE)
+        for own in regions.lines
+        if own.circle is not None
+    )
+    prisms = [
+        prism(
+            Profile(shapely.geometry.polygon.orient(piece), arcs, _ON_ARC * grid),
+            plan_axis,
+            (own.low, own.high),
+        )
+        for own in slabs
+        for piece in shapely.get_parts(own.area)
+        if piece.geom_type == "Polygon" and piece.area > _LEAST_AREA
+    ]
+    return _unified(_fused(prisms))
+
+
+def _united(regions: Regions, chosen: Sequence[int]) -> shapely.Geometry:
+    return shapely.union_all([regions.polygons[k] for k in chosen])
+
+
+def _fused(shapes: Sequence[TopoDS_Shape]) -> TopoDS_Shape:
+    if len(shapes) == 1:
+        return shapes[0]
+    arguments, tools = List_TopoDS_Shape(), List_TopoDS_Shape()
+    arguments.Append(shapes[0])
+    for own in shapes[1:]:
+        tools.Append(own)
+    fuse = BRepAlgoAPI_Fuse()
+    fuse.SetArguments(arguments)
+    fuse.SetTools(tools)
+    fuse.SetGlue(BOPAlgo_GlueEnum.BOPAlgo_GlueOff)
+    fuse.Build()
+    return fuse.Shape()
+
+
+def _unified(shape: TopoDS_Shape) -> TopoDS_Shape:
+    unify = ShapeUpgrade_UnifySameDomain(shape, True, True, True)
+    unify.Build()
+    return unify.Shape()

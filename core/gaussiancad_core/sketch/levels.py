@@ -1,0 +1,44 @@
+"""The levels between which slabs lie: where views from beside draw lines across an axis."""
+
+from collections.abc import Iterable
+
+from gaussiancad_core.sketch.plane_lines import PlaneLine
+
+STRAIGHT = 0.4
+"""Grid steps by which a line that runs along an axis may lean."""
+
+_SHORTEST = 2.5
+"""Grid steps that a line is long at least to tell a level."""
+
+_ONE = 0.9
+"""Grid steps between lines of one level at most."""
+
+
+def find_levels(
+    beside: Iterable[tuple[int, list[PlaneLine]]], size: float, grid: float
+) -> tuple[float, ...]:
+    """Coordinates along an axis, in mm, the first 0 and the last the part's extent.
+
+    Args:
+        beside: of each view from beside, which of its plane's coordinates runs along the axis, and
+            its lines.
+        size: mm of the part along the axis.
+        grid: mm of a step of the sheet's coordinates.
+    """
+    told = [(0.0, 1.0), (size, 1.0)]
+    for along, lines in beside:
+        told += [
+            (float(own.points[:, along].mean()), own.length)
+            for own in lines
+            if own.constant(STRAIGHT * grid) == along and own.length > _SHORTEST * grid
+        ]
+    told.sort()
+    groups = [[told[0]]]
+    for own in told[1:]:
+        if own[0] - groups[-1][-1][0] <= _ONE * grid:
+            groups[-1].append(own)
+        else:
+            groups.append([own])
+    means = [sum(at * weight for at, weight in g) / sum(weight for _, weight in g) for g in groups]
+    # What is within a step of the part's ends is these.
+    return (0.0, *means[1:-1], size)

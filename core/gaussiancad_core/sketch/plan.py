@@ -1,0 +1,105 @@
+"""A part as slabs of regions: what there is to choose from, along one axis."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
+from gaussiancad_core.sketch.levels import find_levels
+from gaussiancad_core.sketch.plane_lines import PlaneLine, plane_lines
+from gaussiancad_core.sketch.regions import Regions, find_regions
+from gaussiancad_core.sketch.sights import Sights, sights_of
+
+_MOST_REGIONS, _MOST_SLABS = 120, 24
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """What slabs along an axis may be made of.
+
+    Attributes:
+        axis: across the slabs.
+        regions: of the plane across the axis.
+        levels: mm along the axis; slab k lies between the levels k and k + 1.
+        sights: views from beside.
+        is_seen: from above, and from below: whether a view that is not cut looks so.
+        draws_hidden: whether the sheet has hidden lines.
+        size: (3,) mm of the part.
+        grid: mm of a step of the sheet's coordinates.
+    """
+
+    axis: Axis
+    regions: Regions
+    levels: tuple[float, ...]
+    sights: tuple[Sights, ...]
+    is_seen: tuple[bool, bool]
+    draws_hidden: bool
+    size: tuple[float, float, float]
+    grid: float
+
+    @property
+    def slabs(self) -> range:
+        """Numbers of the slabs."""
+        return range(len(self.levels) - 1)
+
+    @property
+    def ink(self) -> float:
+        """mm of visible line in the views from beside and above."""
+        return sum(own.length for own in self.regions.lines if own.is_visible)
+
+
+def plans_of(views: DrawnViews, grid: float) -> Iterator[Plan]:
+    """The part's slabs along each axis along which a view that is not cut looks.
+
+    Args:
+        views: of the part.
+        grid: mm of a step of the sheet's coordinates.
+    """
+    lines = {
+        role: plane_lines(strokes, role)
+        for role, strokes in views.strokes.items()
+        if isinstance(role, Role)
+    }
+    draws_hidden = any(not own.is_visible for drawn in lines.values() for own in drawn)
+    for axis in sorted(Axis, key=lambda own: views.size[own.value]):
+        plan = _plan(axis, lines, views, grid, draws_hidden=draws_hidden)
+        if plan is not None:
+            yield plan
+
+
+def _plan(
+    axis: Axis,
+    lines: Mapping[Role, Sequence[PlaneLine]],
+    views: DrawnViews,
+    grid: float,
+    *,
+    draws_hidden: bool,
+) -> Plan | None:
+    planes = {role: role_plane(role) for role in lines}
+    facing = [r for r in lines if planes[r].normal is axis and r not in views.cuts]
+    beside = [r for r in lines if planes[r].normal is not axis]
+    if not facing or not beside:
+        return None
+    above, below = (
+        [line for role in facing if planes[role].looks_up is up for line in lines[role]]
+        for up in (False, True)
+    )
+    regions = find_regions(above, below, grid)
+    across = [(IN_PLANE[planes[r].normal].index(axis.value), list(lines[r])) for r in beside]
+    levels = find_levels(across, views.size[axis.value], grid)
+    if not 0 < len(regions.polygons) <= _MOST_REGIONS or len(levels) - 1 > _MOST_SLABS:
+        return None
+    sights = tuple(
+        sights_of(
+            (role, lines[role], views.cuts.get(role)),
+            axis,
+            (regions.polygons, levels),
+            views.size,
+            grid,
+            draws_hidden=draws_hidden,
+        )
+        for role in beside
+    )
+    seen = bool(above), bool(below)
+    return Plan(axis, regions, levels, sights, seen, draws_hidden, views.size, grid)

@@ -1,0 +1,144 @@
+"""Lines of a view made to meet: whatever is meant to be closed, closes.
+
+What was read is off by a grid step here and there, and nothing in this may fail: ends that are near
+each other become one, an end that meets none is led on to the next line, and arcs about one centre
+that turn nearly once are a circle.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from math import radians
+
+import numpy as np
+import shapely
+from scipy.spatial import cKDTree
+
+from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine, Round, whole_circle
+
+_CLOSE, _REACH = 0.45, 1.6
+"""Grid steps between two ends that are one; and of an end that meets no other one."""
+
+_SAME_CENTRE, _SAME_RADIUS = 1.2, 0.8
+"""Grid steps between the centres, and radii, of arcs that are pieces of one circle."""
+
+_NEARLY_ROUND = radians(300.0)
+"""Turn of such pieces together at least."""
+
+_BEYOND = 0.2
+"""Grid steps by which an end that is led on crosses the line it is led to."""
+
+
+def tidied(lines: Sequence[PlaneLine], grid: float) -> list[PlaneLine]:
+    """Lines of a plane whose ends meet.
+
+    Args:
+        lines: mm.
+        grid: mm of a step of the sheet's coordinates.
+    """
+    return _with_joined_ends(with_whole_circles(lines, grid), grid)
+
+
+def with_whole_circles(lines: Sequence[PlaneLine], grid: float) -> list[PlaneLine]:
+    """The lines, arcs that are pieces of one circle as this circle.
+
+    Args:
+        lines: mm.
+        grid: mm of a step of the sheet's coordinates.
+    """
+    found = [own for own in lines if own.circle is None or own.is_closed]
+    left = [own for own in lines if own.circle is not None and not own.is_closed]
+    while left:
+        first = left[0]
+        alike = [own for own in left if _is_same_circle(own.circle, first.circle, grid)]
+        turn = sum(own.length / own.circle.radius for own in alike)
+        if len(alike) > 1 and turn > _NEARLY_ROUND:
+            found.append(_merged(alike))
+        else:
+            alike = [first]
+            found.append(first)
+        left = [own for own in left if not any(own is other for other in alike)]
+    return found
+
+
+def _is_same_circle(one: Round, other: Round, grid: float) -> bool:
+    apart = np.hypot(*np.subtract(one.centre, other.centre))
+    return bool(
+        apart < _SAME_CENTRE * grid and abs(one.radius - other.radius) < _SAME_RADIUS * grid
+    )
+
+
+def _merged(arcs: Sequence[PlaneLine]) -> PlaneLine:
+    weights = [own.length for own in arcs]
+    x, y = np.average([own.circle.centre for own in arcs], axis=0, weights=weights).tolist()
+    radius = float(np.average([own.circle.radius for own in arcs], weights=weights))
+    visible = any(own.is_visible for own in arcs)
+    return whole_circle(Round((x, y), radius), visible, arcs[0].stroke)
+
+
+def _with_joined_ends(lines: Sequence[PlaneLine], grid: float) -> list[PlaneLine]:
+    chains = [own.points.copy() for own in lines]
+    ends = [(k, end) for k, own in enumerate(lines) if not own.is_closed for end in (0, -1)]
+    if not ends:
+        return list(lines)
+    places = np.array([chains[k][end] for k, end in ends])
+    tails: list[PlaneLine] = []
+    for group in _groups(places, [k for k, _ in ends], grid):
+        if len(group) > 1:
+            middle = places[group].mean(axis=0)
+            for member in group:
+                k, end = ends[member]
+                chains[k][end] = middle
+        else:
+            k, end = ends[group[0]]
+            tails += _tail(k, end, chains, lines[k].is_visible, grid)
+    moved = [replace(own, points=chain) for own, chain in zip(lines, chains, strict=True)]
+    return moved + tails
+
+
+def _groups(places: Floats, owners: Sequence[int], grid: float) -> list[list[int]]:
+    """Numbers of ends that are one: all that are close, and a lone one with what is within reach.
+
+    The two ends of a line stay apart.
+    """
+    groups = {k: [k] for k in range(len(places))}
+    of = list(range(len(places)))
+    tree = cKDTree(places)
+    for reach in (_CLOSE, _REACH):
+        pairs = tree.query_pairs(reach * grid)
+        for a, b in sorted(pairs, key=lambda pair: np.hypot(*(places[pair[0]] - places[pair[1]]))):
+            one, other = of[a], of[b]
+            if one == other or {owners[k] for k in groups[one]} & {
+                owners[k] for k in groups[other]
+            }:
+                continue
+            if reach == _REACH and min(len(groups[one]), len(groups[other])) > 1:
+                continue
+            for k in groups[other]:
+                of[k] = one
+            groups[one] += groups.pop(other)
+    return list(groups.values())
+
+
+def _tail(k: int, end: int, chains: list[Floats], is_visible: bool, grid: float) -> list[PlaneLine]:
+    """What leads a lone end on to the nearest other line; the chain itself goes on a little."""
+    chain = chains[k]
+    place = chain[end].copy()
+    way = place - chain[1 if end == 0 else -2]
+    length = float(np.hypot(*way))
+    if length > 0.0:
+        chain[end] = place + way / length * _REACH * grid
+    point = shapely.Point(place)
+    nearest: tuple[float, Floats] | None = None
+    for other, own in enumerate(chains):
+        if other == k:
+            continue
+        line = shapely.LineString(own)
+        away = line.distance(point)
+        if away < _REACH * grid and (nearest is None or away < nearest[0]):
+            at = line.interpolate(line.project(point))
+            nearest = away, np.array([at.x, at.y])
+    if nearest is None or nearest[0] < 1e-9:
+        return []
+    away, at = nearest
+    beyond = at + (at - place) / away * _BEYOND * grid
+    return [PlaneLine(np.array([place, beyond]), is_visible)]
