@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
+from math import floor, inf, isfinite
 
 import numpy as np
 import numpy.typing as npt
@@ -75,14 +76,17 @@ class Choice:
     is_proven: bool
 
 
-def choose(plan: Plan, effort: float = _EFFORT) -> Choice | None:
-    """The cheapest choice of a plan; None where none was found in time.
+def choose(plan: Plan, less: float = inf, effort: float = _EFFORT) -> Choice | None:
+    """The cheapest choice of a plan; None where there is none, or none was found in time.
 
     Args:
         plan: with a region and a slab at least.
+        less: mm, what it may cost at most.
         effort: units of the solver's work.
     """
     model = _Model(plan)
+    if isfinite(less):
+        model.model.add(model.cost <= floor((less - model.constant) / plan.grid * _UNIT))
     solver = cp_model.CpSolver()
     solver.parameters.num_workers = 1
     solver.parameters.random_seed = 0
@@ -102,6 +106,7 @@ class _Model:
         model: with its objective.
         filled: of each region and slab.
         constant: mm that every choice costs.
+        cost: what one costs beside, in hundredths of a grid step.
     """
 
     def __init__(self, plan: Plan) -> None:
@@ -127,7 +132,8 @@ class _Model:
         # The part reaches from its first level to its last one.
         for k in {0, len(plan.levels) - 2}:
             self.model.add_bool_or([row[k] for row in self.filled])
-        self.model.minimize(sum(self._costs))
+        self.cost = sum(self._costs)
+        self.model.minimize(self.cost)
         self.constant += self._fixed
 
     @cached_property
@@ -239,14 +245,8 @@ class _Model:
         count = len(view.places)
         told: dict[tuple[object, ...], list[float]] = {}
         known: dict[tuple[object, ...], tuple[Expression, Expression | None]] = {}
-        for index in range(count + 1):
-            sides = [
-                (view.regions[k], view.depths[k]) if 0 <= k < count else ((), np.zeros(0))
-                for k in (index - 1, index)
-            ]
-            (one, near), (other, far) = sides
-            slack = view.slack(index, self.plan.grid) if 0 < index < count else 0.0
-            even = np.abs(near[:, None] - far[None, :]) < slack
+        for index, even in enumerate(view.goes_on):
+            one, other = (view.met[k].regions if 0 <= k < count else () for k in (index - 1, index))
             for k in self.plan.slabs:
                 key = one, other, even.tobytes(), k
                 is_plain = one == other and bool(np.diag(even).all())
@@ -325,7 +325,9 @@ class _Model:
         for k in self.plan.slabs:
             areas: dict[tuple[int, ...], list[float]] = {}
             for index, regions in enumerate(view.regions):
-                cut = tuple(r for r, own in zip(regions, view.is_cut[index], strict=True) if own)
+                cut = tuple(
+                    r for r, own in zip(regions, view.met[index].is_cut, strict=True) if own
+                )
                 told = areas.setdefault(cut, [0.0, 0.0])
                 told[0 if view.hatched[index, k] else 1] += float(
                     view.widths[index] * self.heights[k]

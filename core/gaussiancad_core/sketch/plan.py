@@ -44,9 +44,9 @@ class Plan:
         return range(len(self.levels) - 1)
 
     @property
-    def ink(self) -> float:
-        """mm of visible line in the views from beside and above."""
-        return sum(own.length for own in self.regions.lines if own.is_visible)
+    def complexity(self) -> int:
+        """How many regions of slabs there are to choose."""
+        return len(self.regions.polygons) * len(self.slabs)
 
 
 def plans_of(views: DrawnViews, grid: float) -> Iterator[Plan]:
@@ -62,7 +62,7 @@ def plans_of(views: DrawnViews, grid: float) -> Iterator[Plan]:
         if isinstance(role, Role)
     }
     draws_hidden = any(not own.is_visible for drawn in lines.values() for own in drawn)
-    for axis in sorted(Axis, key=lambda own: views.size[own.value]):
+    for axis in Axis:
         plan = _plan(axis, lines, views, grid, draws_hidden=draws_hidden)
         if plan is not None:
             yield plan

@@ -4,7 +4,7 @@ A view from beside shows a level where what is nearest changes from one slab to 
 along the axis where it changes from one sight line to the one beside it.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -32,12 +32,29 @@ _SHORTEST = 1.0
 _AT_LEVEL = 1.0
 """Grid steps between a line and the level that it draws at most."""
 
+_BEFORE, _AFTER = 0.1, 0.9
+"""Grid steps before and after a place where something changes at which depths are compared."""
+
 _SLOPE = 3.0
-"""Depth that a wall which is not across may gain from one sight line to the next, in the distance
-between these."""
+"""Depth that a wall which is not across may gain between, in the distance."""
 
 _DEEPER = 0.7
 """Grid steps by which what is nearest lies deeper, at least, for a line to be seen there."""
+
+
+@dataclass(frozen=True, eq=False)
+class Sight:
+    """What one sight line meets, the nearest first.
+
+    Attributes:
+        regions: numbers of the regions.
+        depths: (m,) mm from where the view looks to where it enters these.
+        is_cut: (m,) bool, whether the section plane lies within the region.
+    """
+
+    regions: tuple[int, ...]
+    depths: Floats
+    is_cut: Mask
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,11 +65,12 @@ class Sights:
         role: of the view.
         places: (n,) mm across the view.
         widths: (n,) mm that each stands for.
-        regions: of each, the numbers of the regions that it meets, the nearest first.
-        depths: of each, (m,) mm from where the view looks to where it enters these.
-        is_cut: of each, (m,) bool, whether the section plane lies within the region.
+        met: n, what each meets.
+        goes_on: n + 1, of each gap between two sight lines beside each other (the first and last
+            lie beside the part) a matrix, (m, l) bool, of what the one meets and the other meets:
+            whether the face entered is the same one, or as deep.
         levels: (n, levels) bool each, where a visible or hidden line is drawn at a level.
-        uprights: (n + 1, slabs) bool each, where one is drawn between two sight lines.
+        uprights: (n + 1, slabs) bool each, where one is drawn in a gap.
         hatched: (n, slabs) bool, what is hatched; None where the view is no section, or none is.
         draws_hidden: whether the view shows hidden lines.
         alien: mm of line that no slab explains: aslant, or round.
@@ -61,19 +79,18 @@ class Sights:
     role: Role
     places: Floats
     widths: Floats
-    regions: tuple[tuple[int, ...], ...]
-    depths: tuple[Floats, ...]
-    is_cut: tuple[Mask, ...]
+    met: tuple[Sight, ...]
+    goes_on: tuple[Mask, ...]
     levels: tuple[Mask, Mask]
     uprights: tuple[Mask, Mask]
     hatched: Mask | None
     draws_hidden: bool
     alien: float
 
-    def slack(self, index: int, grid: float) -> float:
-        """mm by which the nearest of two sight lines beside each other, the second of that number,
-        may differ without a line between them."""
-        return max(_DEEPER * grid, _SLOPE * float(self.places[index] - self.places[index - 1]))
+    @property
+    def regions(self) -> tuple[tuple[int, ...], ...]:
+        """n, what each sight line meets, the nearest first."""
+        return tuple(own.regions for own in self.met)
 
 
 def sights_of(
@@ -102,17 +119,27 @@ def sights_of(
     across = 1 - along
     column = IN_PLANE[axis].index(IN_PLANE[plane.normal][across])
     extent = size[IN_PLANE[plane.normal][across]]
-    places, widths = _samples(polygons, lines, (column, across), extent, grid)
+    edges = _edges(polygons, lines, (column, across), extent, grid)
+    places, widths = _samples(edges)
     depth = size[plane.normal.value]
-    met = [_met(own, polygons, column) for own in places]
-    if not plane.looks_up:
-        met = [[(depth - high, depth - low, k) for low, high, k in own] for own in met]
     at = None
     if cut is not None and cut.openings:
         at = cut.openings[0].at if plane.looks_up else depth - cut.openings[0].at
-        met = [[(low, high, k) for low, high, k in own if high > at] for own in met]
-    met = [sorted(own) for own in met]
-    is_cut = tuple(np.array([at is not None and low < at for low, _, _ in own]) for own in met)
+
+    def look(place: float) -> Sight:
+        found = _met(place, polygons, column)
+        if not plane.looks_up:
+            found = [(depth - high, depth - low, k) for low, high, k in found]
+        if at is not None:
+            found = [own for own in found if own[1] > at]
+        found.sort()
+        return Sight(
+            tuple(k for _, _, k in found),
+            np.array([low if at is None else max(low, at) for low, _, _ in found]),
+            np.array([at is not None and low < at for low, _, _ in found], dtype=bool),
+        )
+
+    met = tuple(look(own) for own in places)
     drawn = _drawn(lines, (along, across), places, levels, grid)
     alien = sum(
         own.length * (1.0 if own.is_visible else 0.5)
@@ -123,9 +150,8 @@ def sights_of(
         role,
         places,
         widths,
-        tuple(tuple(k for _, _, k in own) for own in met),
-        tuple(np.array([low if at is None else max(low, at) for low, _, _ in own]) for own in met),
-        is_cut,
+        met,
+        tuple(_goes_on(met, places, edges, look, grid)),
         *drawn,
         _hatched(cut, plane.signs, (along, across), places, levels),
         draws_hidden and cut is None,
@@ -133,14 +159,42 @@ def sights_of(
     )
 
 
-def _samples(
+def _goes_on(
+    met: Sequence[Sight],
+    places: Floats,
+    edges: Sequence[float],
+    look: Callable[[float], Sight],
+    grid: float,
+) -> Iterator[Mask]:
+    nothing = Sight((), np.zeros(0), np.zeros(0, bool))
+    for index in range(len(met) + 1):
+        before, after = (met[k] if 0 <= k < len(met) else nothing for k in (index - 1, index))
+        near, far = before.depths, after.depths
+        between = 0.0
+        if 0 < index < len(met):
+            low, high = places[index - 1], places[index]
+            edge = next((own for own in edges if low < own < high), None)
+            if edge is None and before.regions == after.regions:
+                yield np.eye(len(near), dtype=bool)
+                continue
+            between = high - low
+            if edge is not None:
+                low, high = max(low, edge - _BEFORE * grid), min(high, edge + _AFTER * grid)
+                closer = look(low), look(high)
+                if (closer[0].regions, closer[1].regions) == (before.regions, after.regions):
+                    near, far, between = closer[0].depths, closer[1].depths, high - low
+        slack = max(_DEEPER * grid, _SLOPE * between)
+        yield np.abs(near[:, None] - far[None, :]) < slack
+
+
+def _edges(
     polygons: Sequence[shapely.Polygon],
     lines: Sequence[PlaneLine],
     coordinates: tuple[int, int],
     extent: float,
     grid: float,
-) -> tuple[Floats, Floats]:
-    """(n,) places of the sight lines, and (n,) mm that each stands for."""
+) -> list[float]:
+    """Places across the view where what is met, or drawn, may change, and both ends."""
     column, across = coordinates
     changes = [own.bounds[column + end] for own in polygons for end in (0, 2)]
     for own in polygons:
@@ -151,10 +205,14 @@ def _samples(
     for at in sorted(changes):
         if at - edges[-1] > _APART * grid and extent - at > _APART * grid:
             edges.append(at)
-    edges.append(extent)
+    return [*edges, extent]
+
+
+def _samples(edges: Sequence[float]) -> tuple[Floats, Floats]:
+    """(n,) places of the sight lines, and (n,) mm that each stands for."""
     places, widths = [], []
     for low, high in pairwise(edges):
-        count = int(np.clip(round((high - low) / extent * _SAMPLES), 1, _MOST_BETWEEN))
+        count = int(np.clip(round((high - low) / edges[-1] * _SAMPLES), 1, _MOST_BETWEEN))
         places += (low + (np.arange(count) + 0.5) * (high - low) / count).tolist()
         widths += [(high - low) / count] * count
     return np.array(places), np.array(widths)

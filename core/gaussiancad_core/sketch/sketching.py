@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from math import inf
 
 from OCP.TopoDS import TopoDS_Shape
 
@@ -46,8 +47,8 @@ def sketch(readings: Iterable[DrawnViews], grid: float) -> Sketch | None:
     """
     best: tuple[Choice, int] | None = None
     for number, views in enumerate(readings):
-        for plan in plans_of(views, grid):
-            choice = choose(plan)
+        for plan in sorted(plans_of(views, grid), key=lambda own: own.complexity):
+            choice = choose(plan, inf if best is None else best[0].energy)
             if choice is not None and (best is None or choice.energy < best[0].energy):
                 best = choice, number
     if best is None:
