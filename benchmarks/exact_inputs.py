@@ -21,8 +21,8 @@ from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.drawing.command import write_image
 from gaussiancad_core.drawing.sheet import PartLines, compose_sheet, part_lines
 from gaussiancad_core.drawing.style import parse_style
-from gaussiancad_core.exact_stage import drawn_views
 from gaussiancad_core.ink_stage import compared_with_ink
+from gaussiancad_core.projected_reading import drawn_views
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.options import ReadingOptions

@@ -8,7 +8,7 @@ from scipy.spatial import cKDTree
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.strokes import DrawnStroke, mapped
-from gaussiancad_core.exact_stage import TOLERANCE_PX, Reading
+from gaussiancad_core.projected_reading import TOLERANCE_PX, Reading
 from gaussiancad_core.reasoning.drawn_views import EXACT_TOLERANCE
 from gaussiancad_core.sheet.masks import Outline
 from gaussiancad_core.sheet.precision import StrokesSource

@@ -30,10 +30,11 @@ from gaussiancad_core.drawing.brep import moved_to_origin, tessellate
 from gaussiancad_core.drawing.command import write_image
 from gaussiancad_core.drawing.sheet import draw_sheet
 from gaussiancad_core.drawing.style import parse_style
-from gaussiancad_core.exact_stage import Reading, find_exact
+from gaussiancad_core.exact_stage import find_exact
 from gaussiancad_core.hull import visual_hull
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.modes import Preset, Recipe
+from gaussiancad_core.projected_reading import Reading
 from gaussiancad_core.samples import SAMPLES
 from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.sheet.clean import clean_sheet

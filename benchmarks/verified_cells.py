@@ -14,7 +14,7 @@ from twin_parts import FAMILIES, twins
 from verified_sources import Page, part_shape
 from workers import Row
 
-from gaussiancad_core.exact_stage import drawn_views
+from gaussiancad_core.projected_reading import drawn_views
 from gaussiancad_core.reasoning.columns import Cell
 from gaussiancad_core.reasoning.labelling import Effort, Search
 from gaussiancad_core.reasoning.part import PartModel, model_part

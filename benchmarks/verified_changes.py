@@ -24,8 +24,9 @@ from workers import Row
 from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.brep import area, volume
 from gaussiancad_core.drawing.strokes import DrawnStroke
-from gaussiancad_core.exact_stage import ExactModel, drawn_views
+from gaussiancad_core.exact_stage import ExactModel
 from gaussiancad_core.modes import Status
+from gaussiancad_core.projected_reading import drawn_views
 from gaussiancad_core.views import Arc, Segment
 
 _ELSEWHERE = 1e-5

@@ -28,7 +28,8 @@ from workers import Row
 from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.brep import bounding_box
 from gaussiancad_core.drawing.hlr import LineDrawing, LineOptions
-from gaussiancad_core.exact_stage import ExactModel, drawn_views, find_exact
+from gaussiancad_core.exact_stage import ExactModel, find_exact
+from gaussiancad_core.projected_reading import drawn_views
 from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.samples.random_parts import random_part
 

@@ -7,8 +7,8 @@ from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.rays import SightLines
-from gaussiancad_core.exact_stage import Reading
 from gaussiancad_core.messages import Message
+from gaussiancad_core.projected_reading import Reading
 from gaussiancad_core.report import Assumption
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.options import Box

@@ -7,9 +7,10 @@ import numpy as np
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.brep import bounding_box, soundness, tessellate
-from gaussiancad_core.exact_stage import ExactModel, drawn_views
+from gaussiancad_core.exact_stage import ExactModel
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.messages import Message
+from gaussiancad_core.projected_reading import drawn_views
 from gaussiancad_core.reasoning.conflict_lines import Conflict
 from gaussiancad_core.report import SolidReport
 from gaussiancad_core.sheet.annotations.marks import Mark

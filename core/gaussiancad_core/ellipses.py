@@ -102,11 +102,12 @@ class WholeEllipse:
         a, b = self.semi_major, self.semi_minor
         cosine, sine = np.cos(t), np.sin(t)
         # Centre of curvature, and from there to the ellipse and to the point.
-        centre = (a * a - b * b) * np.stack([cosine**3 / a, -(sine**3) / b])
-        arm = np.stack([a * cosine, b * sine]) - centre
-        towards = np.stack([u, v]) - centre
-        share = np.hypot(*arm) / np.maximum(np.hypot(*towards), 1e-300)
-        x, y = (towards * share + centre) / np.array([[a], [b]])
+        across = a * a - b * b
+        x, y = across * (cosine**3 / a), across * (-(sine**3) / b)
+        arm = np.hypot(a * cosine - x, b * sine - y)
+        along, upward = u - x, v - y
+        share = arm / np.maximum(np.hypot(along, upward), 1e-300)
+        x, y = (along * share + x) / a, (upward * share + y) / b
         # Past the axes lies another point's nearest one.
         x, y = np.where(x * u < 0.0, 0.0, x), np.where(y * v < 0.0, 0.0, y)
         return np.where((x == 0.0) & (y == 0.0), t, np.arctan2(y, x))

@@ -1,7 +1,7 @@
 """A solid that has all lines of a sheet, compared with the ink that these were read from."""
 
-from gaussiancad_core.exact_stage import APART_PX
 from gaussiancad_core.modes import Status
+from gaussiancad_core.projected_reading import APART_PX
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import RegisteredSheet

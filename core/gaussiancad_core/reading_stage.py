@@ -10,7 +10,6 @@ from gaussiancad_core.job import Job
 from gaussiancad_core.label_doubts import tell_doubtful_labels, weighed_views
 from gaussiancad_core.messages import Message
 from gaussiancad_core.modes import ResultKind
-from gaussiancad_core.one_view_stage import companion
 from gaussiancad_core.projection_choice import opposite
 from gaussiancad_core.report import NoteReport, Unused, ViewReport
 from gaussiancad_core.run_notes import RunNotes
@@ -217,6 +216,9 @@ def _with_companion(
     Raises:
         NoModelError: ``one-view`` where none does.
     """
+    # It makes a solid: the kernel takes a second to load, and most sheets do without.
+    from gaussiancad_core.one_view_stage import companion
+
     scale, found = told
     other = companion(view, scale, found, clean.ink.shape[1]) if scale is not None else None
     if other is None:

@@ -3,11 +3,11 @@
 from dataclasses import dataclass, replace
 
 from gaussiancad_core.axes import Projection, mutually_orthogonal
-from gaussiancad_core.exact_stage import Reading
 from gaussiancad_core.job import Job
 from gaussiancad_core.messages import Message
 from gaussiancad_core.modes import Recipe, ResultKind
 from gaussiancad_core.notes_stage import hole_notes
+from gaussiancad_core.projected_reading import Reading
 from gaussiancad_core.projection_choice import both_readings, choose_projection, opposite
 from gaussiancad_core.reading_stage import SheetLines
 from gaussiancad_core.report import ViewReport

@@ -2,16 +2,19 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.cuts import Cut, SectionRole
-from gaussiancad_core.exact_stage import Reading
 from gaussiancad_core.messages import Message
+from gaussiancad_core.projected_reading import Reading
 from gaussiancad_core.report import Assumption, PlaneReport, SectionReport
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.notes.sections import NamedSection
 from gaussiancad_core.sheet.special_views.beside import overlap
-from gaussiancad_core.solid.verify import Verification
+
+if TYPE_CHECKING:
+    from gaussiancad_core.solid.verify import Verification
 
 
 def section_reports(
@@ -52,7 +55,7 @@ def cuts_in(reading: Reading) -> Iterator[tuple[Role | SectionRole, Cut]]:
 
 
 def with_agreement(
-    sections: Sequence[SectionReport], reading: Reading, verification: Verification
+    sections: Sequence[SectionReport], reading: Reading, verification: "Verification"
 ) -> tuple[SectionReport, ...]:
     """The same with how the lines and areas of the solid's cuts agree."""
     found = list(sections)

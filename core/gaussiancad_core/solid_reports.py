@@ -10,9 +10,10 @@ from gaussiancad_core.assumed_holes import assumed_holes
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.cuts import SectionRole
 from gaussiancad_core.drawing.brep import soundness
-from gaussiancad_core.exact_stage import ExactModel, Reading
+from gaussiancad_core.exact_stage import ExactModel
 from gaussiancad_core.models import alternative_file
 from gaussiancad_core.modes import Status
+from gaussiancad_core.projected_reading import Reading
 from gaussiancad_core.reasoning.conflict_lines import Conflict
 from gaussiancad_core.reasoning.curves import Point
 from gaussiancad_core.report import (

@@ -9,15 +9,9 @@ import pytest
 
 from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.drawing.brep import soundness
-from gaussiancad_core.exact_stage import (
-    ExactModel,
-    Reading,
-    drawn_views,
-    find_exact,
-    find_for_hull,
-    with_fallback,
-)
+from gaussiancad_core.exact_stage import ExactModel, find_exact, find_for_hull, with_fallback
 from gaussiancad_core.modes import Status
+from gaussiancad_core.projected_reading import Reading, drawn_views
 from gaussiancad_core.sheet.axis_residuals import Residual
 from gaussiancad_core.sheet.reading import RegisteredSheet, StrokesSource
 from gaussiancad_core.sheet.registration import AxisExtents

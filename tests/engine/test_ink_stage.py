@@ -10,9 +10,10 @@ from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.drawing.command import write_image
 from gaussiancad_core.drawing.sheet import draw_sheet
 from gaussiancad_core.drawing.style import parse_style
-from gaussiancad_core.exact_stage import Reading, find_exact
+from gaussiancad_core.exact_stage import find_exact
 from gaussiancad_core.ink_stage import compared_with_ink
 from gaussiancad_core.modes import Status
+from gaussiancad_core.projected_reading import Reading
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.precision import StrokesSource

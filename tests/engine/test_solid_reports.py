@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.exact_stage import Reading, find_exact
+from gaussiancad_core.exact_stage import find_exact
+from gaussiancad_core.projected_reading import Reading
 from gaussiancad_core.report import Report
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.reading import RegisteredSheet, StrokesSource

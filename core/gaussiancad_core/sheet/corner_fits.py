@@ -10,6 +10,7 @@ import numpy.typing as npt
 from gaussiancad_core.sheet.geometry import Circle
 
 Floats = npt.NDArray[np.float64]
+Indices = npt.NDArray[np.intp]
 
 _BETTER = 0.6
 """Share of the arc's residuals that the two lines leave at most."""
@@ -68,23 +69,28 @@ def _two_lines_rms(points: Floats) -> float:
 def _three_lines_rms(points: Floats) -> float:
     """The same of three lines, at the best two breaks."""
     count = len(points)
-    left = _residuals(points)
-    least = np.inf
-    for start in range(_LEAST, count - 2 * _LEAST + 1):
-        rest = points[start:]
-        middle, right = _residuals(rest), _residuals(rest[::-1])[::-1]
-        breaks = np.arange(_LEAST, len(rest) - _LEAST + 1)
-        least = min(least, left[start - 1] + float((middle[breaks - 1] + right[breaks]).min()))
-    return float(np.sqrt(least / count))
+    left, right = _residuals(points), _residuals(points[::-1])[::-1]
+    first = np.arange(_LEAST, count - 2 * _LEAST + 1)[:, None]
+    second = np.arange(2 * _LEAST, count - _LEAST + 1)
+    middle = np.where(second - first >= _LEAST, _residuals_between(points, first, second), np.inf)
+    return float(np.sqrt((left[first - 1] + middle + right[second]).min() / count))
 
 
 def _residuals(points: Floats) -> Floats:
     """(n,) least sums of squared distances of the first 1, 2, ... n points from a line."""
-    shifted = points - points.mean(0)
-    count = np.arange(1, len(points) + 1)
-    x, y = np.cumsum(shifted, axis=0).T
-    xx = np.cumsum(shifted[:, 0] ** 2) - x * x / count
-    yy = np.cumsum(shifted[:, 1] ** 2) - y * y / count
-    xy = np.cumsum(shifted[:, 0] * shifted[:, 1]) - x * y / count
+    return _residuals_between(points, np.zeros(1, np.intp), np.arange(1, len(points) + 1))
+
+
+def _residuals_between(points: Floats, first: Indices, end: Indices) -> Floats:
+    """Least sums of squared distances from a line of the points from ``first`` up to before
+    ``end``, indices that are broadcast together; what they give where ``end`` is not larger says
+    nothing."""
+    x, y = (points - points.mean(0)).T
+    sums = np.zeros((5, len(points) + 1))
+    np.cumsum([x, y, x * x, y * y, x * y], axis=1, out=sums[:, 1:])
+    first, end = np.broadcast_arrays(first, end)
+    count = np.maximum(end - first, 1)
+    x, y, xx, yy, xy = sums[:, end] - sums[:, first]
+    xx, yy, xy = xx - x * x / count, yy - y * y / count, xy - x * y / count
     least = (xx + yy - np.hypot(xx - yy, 2.0 * xy)) / 2.0
     return np.maximum(least, 0.0)

@@ -78,7 +78,7 @@ def from_ray(end: End, offsets: Floats, begin: float = 0.0) -> Floats:
     """(n,) px from a stroke that begins some px from the corner."""
     along = offsets @ end.inward - begin
     across = offsets[:, 0] * end.inward[1] - offsets[:, 1] * end.inward[0]
-    return np.where(along >= 0.0, np.abs(across), np.hypot(along, across))
+    return np.hypot(np.minimum(along, 0.0), across)
 
 
 def from_passing(corner: Corner, offsets: Floats) -> Floats:
@@ -115,20 +115,23 @@ def from_joins(corner: Corner, offsets: Floats) -> list[Floats]:
 
 def from_fillet(corner: Corner, offsets: Floats, radius: float) -> Floats:
     """Distances from two strokes and the arc that touches both."""
-    begin = radius / np.tan(corner.half)
-    rays = [from_ray(end, offsets, begin) for end in (corner.first, corner.second)]
     around = offsets - radius / np.sin(corner.half) * corner.bisector
     distance = np.hypot(*around.T)
     facing = -(around @ corner.bisector) >= distance * np.sin(corner.half)
     arc = np.where(facing, np.abs(distance - radius), np.inf)
-    return np.minimum.reduce([*rays, arc, from_passing(corner, offsets)])
+    return np.minimum(arc, _from_both(corner, offsets, radius / np.tan(corner.half)))
 
 
 def from_cut(corner: Corner, offsets: Floats, begin: float) -> Floats:
     """Distances from two strokes and the straight piece that cuts their corner."""
-    rays = [from_ray(end, offsets, begin) for end in (corner.first, corner.second)]
     start = begin * corner.first.inward
     way = begin * corner.second.inward - start
     share = np.clip((offsets - start) @ way / (way @ way), 0.0, 1.0)
     cut = np.hypot(*(offsets - start - share[:, None] * way).T)
-    return np.minimum.reduce([*rays, cut, from_passing(corner, offsets)])
+    return np.minimum(cut, _from_both(corner, offsets, begin))
+
+
+def _from_both(corner: Corner, offsets: Floats, begin: float) -> Floats:
+    """Distances from two strokes that begin some px from their corner, or run past it."""
+    away = np.minimum(*(from_ray(own, offsets, begin) for own in (corner.first, corner.second)))
+    return np.minimum(away, from_passing(corner, offsets)) if corner.passes else away

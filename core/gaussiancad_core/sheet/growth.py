@@ -8,7 +8,7 @@ same way.
 """
 
 import heapq
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -213,7 +213,7 @@ def _unpacked(
 
 def _chosen(shapes: list[Grown], ridges: RidgePoints, shortest: int) -> list[Grown]:
     """Greedily the shape that follows the most points that no other has taken."""
-    worth = [_bonus(g, ridges.points) * _closeness(g, ridges.points) for g in shapes]
+    worth = _worth(shapes, ridges.points)
     queue = [(-float(own.sum()), k) for k, own in enumerate(worth)]
     heapq.heapify(queue)
     free = np.ones(len(ridges.points), dtype=bool)
@@ -223,14 +223,18 @@ def _chosen(shapes: list[Grown], ridges: RidgePoints, shortest: int) -> list[Gro
     while queue:
         score, k = heapq.heappop(queue)
         members = shapes[k].members
+        is_line = isinstance(shapes[k].geometry, Line)
         left = free[members]
-        if isinstance(shapes[k].geometry, Line):
+        if is_line and (circles := loose[members]).max() >= 0:
             # A short line between two arcs that it touches has few points that they leave.
-            left = left | _is_touched(shapes[k].geometry, loose[members], shapes)
+            left = left | _is_touched(shapes[k].geometry, circles, shapes)
+        count = np.count_nonzero(left)
+        if count < shortest:
+            continue
         enough = _FRESH * len(members)
-        if isinstance(shapes[k].geometry, Line) and in_circle[members[~left]].all():
-            enough = min(enough, _ENOUGH)
-        if left.sum() < max(shortest, enough):
+        if is_line and count >= _ENOUGH and in_circle[members[~left]].all():
+            enough = _ENOUGH
+        if count < enough:
             continue
         current = -float(worth[k][left].sum())
         if current > score:
@@ -244,6 +248,27 @@ def _chosen(shapes: list[Grown], ridges: RidgePoints, shortest: int) -> list[Gro
         free[members] = False
         chosen.append(shapes[k])
     return chosen
+
+
+def _worth(shapes: Sequence[Grown], points: Floats) -> list[Floats]:
+    """For each shape (k,) what each of its members counts for."""
+    worth = [np.empty(0)] * len(shapes)
+    lines = [k for k, own in enumerate(shapes) if isinstance(own.geometry, Line)]
+    if lines:
+        # All at once: there are thousands.
+        counts = [len(shapes[k].members) for k in lines]
+        members = np.concatenate([shapes[k].members for k in lines])
+        rows = np.array([(*shapes[k].geometry.point, *shapes[k].geometry.direction) for k in lines])
+        x, y, dx, dy = np.repeat(rows, counts, axis=0).T
+        across = (points[members, 1] - y) * dx - (points[members, 0] - x) * dy
+        own = np.split(_BONUS[Line] * _closeness(across), np.cumsum(counts)[:-1])
+        for k, each in zip(lines, own, strict=True):
+            worth[k] = each
+    for k, grown in enumerate(shapes):
+        if not isinstance(grown.geometry, Line):
+            away = grown.geometry.distances(points[grown.members])
+            worth[k] = _bonus(grown, points) * _closeness(away)
+    return worth
 
 
 def _is_touched(
@@ -266,6 +291,6 @@ def _bonus(grown: Grown, points: Floats) -> float:
     return _BONUS[type(grown.geometry)]
 
 
-def _closeness(grown: Grown, points: Floats) -> Floats:
-    """(k,) 1 for members on the centre line, falling to 0 for those beside it."""
-    return np.clip(1.0 - (grown.geometry.distances(points[grown.members]) / _BESIDE) ** 2, 0.0, 1.0)
+def _closeness(away: Floats) -> Floats:
+    """(k,) 1 for members on the centre line, falling to 0 for those so many px beside it."""
+    return np.clip(1.0 - (away / _BESIDE) ** 2, 0.0, 1.0)

@@ -236,8 +236,8 @@ def sides_along(sheet: CleanSheet, geometry: Geometry, run: Run, edges: bool = F
     )
     inked = profile > _CLEAR
     # The ink that hangs together with the centre: outwards until the first blank.
-    after = np.cumprod(inked[:, half:], axis=1).astype(bool)
-    before = np.cumprod(inked[:, half::-1], axis=1).astype(bool)[:, ::-1]
+    after = np.logical_and.accumulate(inked[:, half:], axis=1)
+    before = np.logical_and.accumulate(inked[:, half::-1], axis=1)[:, ::-1]
     own = np.concatenate([before[:, :-1], after], axis=1)
     merged = own[:, 0] | own[:, -1]
     # Between two lines that touch, the centre is paler than both.

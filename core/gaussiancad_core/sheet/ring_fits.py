@@ -7,6 +7,7 @@ circles are (Lawson and Hanson 1974), bounded ones for where they lie.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
@@ -74,7 +75,7 @@ class InkAbout:
     radii: Floats
     polar: Floats
 
-    @property
+    @cached_property
     def mean(self) -> Floats:
         """(n,) over all angles."""
         return self.polar.mean(axis=1)

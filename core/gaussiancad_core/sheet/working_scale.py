@@ -9,6 +9,9 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
+Runs = tuple[npt.NDArray[np.intp], npt.NDArray[np.intp], npt.NDArray[np.intp]]
+"""(n,) each: row, first and last column."""
+
 WORKING_WIDTH = 3.0
 """px of the widest usual lines of a sheet that is read."""
 
@@ -69,7 +72,9 @@ def pen_width(grey: npt.NDArray[np.uint8]) -> float | None:
     weight = _darkness(grey)
     if weight is None:
         return None
-    both = [_across(weight), _across(np.ascontiguousarray(weight.T))]
+    turned = np.ascontiguousarray(weight.T)
+    level, upright = _runs(weight > _INKED), _runs(turned > _INKED)
+    both = [_across(weight, level, upright), _across(turned, upright, level)]
     widths = np.sort(np.concatenate(both))
     if len(widths) < 2 * _LONG_PX:
         return None
@@ -108,36 +113,38 @@ def _darkness(grey: npt.NDArray[np.uint8]) -> npt.NDArray[np.float32] | None:
     return np.minimum(darkness / np.float32(np.percentile(dark, _FULL)), np.float32(1.0))
 
 
-def _across(weight: npt.NDArray[np.float32]) -> npt.NDArray[np.float64]:
-    """(n,) px of ink across upright strokes, one value for each px of their length."""
-    inked = weight > _INKED
-    rows, first, last = _runs(inked)
-    across = last - first + 1
-    along = _lengths_down(inked)[rows, (first + last) // 2]
-    straight = along >= np.maximum(_LONG * across, _LONG_PX)
+def _across(weight: npt.NDArray[np.float32], level: Runs, upright: Runs) -> npt.NDArray[np.float64]:
+    """(n,) px of ink across upright strokes, one value for each px of their length.
+
+    Args:
+        weight: (h, w) ink.
+        level: its runs along the rows.
+        upright: those along the columns.
+    """
+    rows, first, last = level
+    height, width = weight.shape
+    columns, top, bottom = upright
+    # Of the run along its column in which the middle of each lies.
+    crossing = np.searchsorted(
+        columns * height + top, (first + last) // 2 * height + rows, side="right"
+    )
+    along = (bottom - top + 1)[crossing - 1]
+    straight = along >= np.maximum(_LONG * (last - first + 1), _LONG_PX)
+    if not straight.any():
+        return np.empty(0)
     rows, first, last = rows[straight], first[straight], last[straight]
     # The ink of a run, with that of its smooth edges.
-    total = np.cumsum(np.pad(weight, ((0, 0), (1, 0))), axis=1, dtype=np.float64)
-    after = np.minimum(last + 2, weight.shape[1])
-    return total[rows, after] - total[rows, np.maximum(first - 1, 0)]
+    before = rows * width + np.maximum(first - 1, 0)
+    after = rows * width + np.minimum(last + 2, width)
+    borders = np.stack([before, after], axis=1).ravel()
+    return np.add.reduceat(np.append(weight, np.float32(0.0)), borders, dtype=np.float64)[::2]
 
 
-def _runs(
-    inked: npt.NDArray[np.bool_],
-) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp], npt.NDArray[np.intp]]:
-    """Row, first and last column of each unbroken piece of ink along the rows."""
-    steps = np.diff(np.pad(inked, ((0, 0), (1, 1))).astype(np.int8), axis=1)
-    rows, first = np.nonzero(steps > 0)
-    last = np.nonzero(steps < 0)[1] - 1
-    return rows, first, last
-
-
-def _lengths_down(inked: npt.NDArray[np.bool_]) -> npt.NDArray[np.int32]:
-    """(h, w) px of the unbroken ink above and below each pixel, itself included."""
-    columns, first, last = _runs(np.ascontiguousarray(inked.T))
-    lengths = np.zeros(inked.shape, np.int32)
-    steps = np.zeros((inked.shape[0] + 1, inked.shape[1]), np.int32)
-    np.add.at(steps, (first, columns), last - first + 1)
-    np.add.at(steps, (last + 1, columns), -(last - first + 1))
-    lengths[:] = np.cumsum(steps, axis=0)[:-1]
-    return lengths
+def _runs(inked: npt.NDArray[np.bool_]) -> Runs:
+    """Row, first and last column of each unbroken piece of ink along the rows, in order."""
+    width = inked.shape[1] + 1
+    # A blank column between rows keeps their pieces apart.
+    line = np.append(np.pad(inked, ((0, 0), (1, 0))).ravel(), False)
+    first, after = (np.flatnonzero(line[1:] != line[:-1]) + 1).reshape(-1, 2).T
+    rows = first // width
+    return rows, first - rows * width - 1, after - rows * width - 2

@@ -209,17 +209,17 @@ def _cheapest(told: Floats, change: Floats) -> npt.NDArray[np.bool_]:
         told: (n,) log-odds.
         change: (n,) cost of a change between a point and the one before it.
     """
-    best = np.zeros(2)
-    back = np.zeros((len(told), 2), bool)
-    for k, (own, cost) in enumerate(zip(told.tolist(), change.tolist(), strict=True)):
-        for state in (0, 1):
-            back[k, state] = best[1 - state] - cost > best[state]
-        best = np.maximum(best, best[::-1] - cost) + np.array([-0.5 * own, 0.5 * own])
-    state = int(best[1] >= best[0])
+    # By how much being the part's costs less up to here; a change lowers it to what that costs.
+    ahead = 0.0
+    back = []
+    for own, cost in zip(told.tolist(), change.tolist(), strict=True):
+        back.append((ahead > cost, ahead < -cost))
+        ahead = min(max(ahead, -cost), cost) + own
+    state = int(ahead >= 0.0)
     states = np.zeros(len(told), bool)
     for k in range(len(told) - 1, -1, -1):
         states[k] = bool(state)
-        if back[k, state]:
+        if back[k][state]:
             state = 1 - state
     return states
 

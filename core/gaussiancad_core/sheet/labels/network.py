@@ -13,6 +13,7 @@ from importlib.resources import as_file, files
 from itertools import product
 from typing import TYPE_CHECKING
 
+import cv2
 import numpy as np
 import numpy.typing as npt
 
@@ -35,6 +36,10 @@ _TILE, _MARGIN = 1536, 128
 _PAPER = 250
 """Grey level from which a pixel is blank."""
 
+_BESIDE = 4
+"""Px beside ink up to which it is asked what a pixel is: lines are followed to a pixel, and their
+dots looked for in the gaps."""
+
 _FLOOR = -20.0
 """Least log-probability."""
 
@@ -44,7 +49,8 @@ class InkLabels:
     """What the network says of a picture.
 
     Attributes:
-        log_p: (classes, h, w) float16, natural logarithm of each class's probability.
+        log_p: (classes, h, w) float16, natural logarithm of each class's probability; away from
+            ink that of paper is 0.
     """
 
     log_p: npt.NDArray[np.float16]
@@ -63,7 +69,13 @@ class InkLabels:
 
     def best(self) -> npt.NDArray[np.uint8]:
         """(h, w) the likeliest class of each pixel if it is ink."""
-        return (1 + self.log_p[1:].argmax(axis=0)).astype(np.uint8)
+        best = np.ones(self.log_p.shape[1:], np.uint8)
+        most = self.log_p[1].astype(np.float32)
+        for k in range(2, len(self.log_p)):
+            own = self.log_p[k].astype(np.float32)
+            best[own > most] = k
+            np.maximum(most, own, out=most)
+        return best
 
 
 def part_odds(log_p: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
@@ -114,6 +126,8 @@ def ink_labels(grey: npt.NDArray[np.uint8]) -> InkLabels:
     padded[:height, :width] = grey
     log_p = np.full((len(InkClass), *padded.shape), _FLOOR, np.float16)
     log_p[InkClass.PAPER] = 0.0
+    beside = np.ones((2 * _BESIDE + 1, 2 * _BESIDE + 1), np.uint8)
+    near = cv2.erode(padded, beside) < _PAPER
     session = _session()
     name = session.get_inputs()[0].name
     for top, left in product(range(0, padded.shape[0], _TILE), range(0, padded.shape[1], _TILE)):
@@ -124,8 +138,10 @@ def ink_labels(grey: npt.NDArray[np.uint8]) -> InkLabels:
         seen = padded[above : top + _TILE + _MARGIN, before : left + _TILE + _MARGIN]
         ink = 1.0 - seen[None, None].astype(np.float32) / 255.0
         (logits,) = session.run(None, {name: ink})
-        own = logits[0, :, top - above :, left - before :][:, :_TILE, :_TILE]
-        log_p[:, *inner] = np.maximum(_log_softmax(own[: len(InkClass)]), _FLOOR)
+        rows, columns = np.nonzero(near[inner])
+        at = (rows + top - above) * seen.shape[1] + columns + left - before
+        own = logits[0, : len(InkClass)].reshape(len(InkClass), -1).take(at, axis=1)
+        log_p[:, rows + top, columns + left] = np.maximum(_log_softmax(own), _FLOOR)
     return InkLabels(log_p[:, :height, :width])
 
 
