@@ -16,10 +16,10 @@ from real_sheets import sheets_of
 from gaussiancad_core.axes import Projection
 from gaussiancad_core.errors import GaussianCadError
 from gaussiancad_core.events import Progress, Silence
-from gaussiancad_core.exact_stage import Reading
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.opened_sheet import open_sheet
+from gaussiancad_core.projected_reading import Reading
 from gaussiancad_core.reading_run import STAGES, sheet_lines
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.told import ToldNumbers
