@@ -10,6 +10,9 @@ STRAIGHT = 0.4
 _SHORTEST = 2.5
 """Grid steps that a line is long at least to tell a level."""
 
+MOST = 20
+"""Levels at most: those with the longest lines."""
+
 _ONE = 0.9
 """Grid steps between lines of one level at most."""
 
@@ -39,6 +42,10 @@ def find_levels(
             groups[-1].append(own)
         else:
             groups.append([own])
+    if len(groups) > MOST:
+        by_length = sorted(groups[1:-1], key=lambda g: -sum(weight for _, weight in g))
+        kept = {id(g) for g in by_length[: MOST - 2]}
+        groups = [g for k, g in enumerate(groups) if k in (0, len(groups) - 1) or id(g) in kept]
     means = [sum(at * weight for at, weight in g) / sum(weight for _, weight in g) for g in groups]
     # What is within a step of the part's ends is these.
     return (0.0, *means[1:-1], size)

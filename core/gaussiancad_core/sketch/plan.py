@@ -4,14 +4,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.cuts import Cut
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
 from gaussiancad_core.sketch.levels import find_levels
+from gaussiancad_core.sketch.places import Places, find_places
 from gaussiancad_core.sketch.plane_lines import PlaneLine, plane_lines
 from gaussiancad_core.sketch.regions import Regions, find_regions
 from gaussiancad_core.sketch.sights import Sights, sights_of
 
-_MOST_REGIONS, _MOST_SLABS = 120, 24
+_MOST_REGIONS = 120
+"""Regions of a plane from which nothing is chosen."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,14 +59,15 @@ def plans_of(views: DrawnViews, grid: float) -> Iterator[Plan]:
         views: of the part.
         grid: mm of a step of the sheet's coordinates.
     """
+    places = find_places(views, grid)
     lines = {
-        role: plane_lines(strokes, role)
+        role: [places.settled(own, role_plane(role).normal) for own in plane_lines(strokes, role)]
         for role, strokes in views.strokes.items()
         if isinstance(role, Role)
     }
     draws_hidden = any(not own.is_visible for drawn in lines.values() for own in drawn)
     for axis in Axis:
-        plan = _plan(axis, lines, views, grid, draws_hidden=draws_hidden)
+        plan = _plan(axis, lines, views.cuts, places, draws_hidden=draws_hidden)
         if plan is not None:
             yield plan
 
@@ -71,13 +75,14 @@ def plans_of(views: DrawnViews, grid: float) -> Iterator[Plan]:
 def _plan(
     axis: Axis,
     lines: Mapping[Role, Sequence[PlaneLine]],
-    views: DrawnViews,
-    grid: float,
+    cuts: Mapping[Role, Cut],
+    places: Places,
     *,
     draws_hidden: bool,
 ) -> Plan | None:
+    size, grid = places.size, places.grid
     planes = {role: role_plane(role) for role in lines}
-    facing = [r for r in lines if planes[r].normal is axis and r not in views.cuts]
+    facing = [r for r in lines if planes[r].normal is axis and r not in cuts]
     beside = [r for r in lines if planes[r].normal is not axis]
     if not facing or not beside:
         return None
@@ -87,19 +92,19 @@ def _plan(
     )
     regions = find_regions(above, below, grid)
     across = [(IN_PLANE[planes[r].normal].index(axis.value), list(lines[r])) for r in beside]
-    levels = find_levels(across, views.size[axis.value], grid)
-    if not 0 < len(regions.polygons) <= _MOST_REGIONS or len(levels) - 1 > _MOST_SLABS:
+    levels = find_levels(across, size[axis.value], grid)
+    if not 0 < len(regions.polygons) <= _MOST_REGIONS:
         return None
     sights = tuple(
         sights_of(
-            (role, lines[role], views.cuts.get(role)),
+            (role, lines[role], cuts.get(role)),
             axis,
             (regions.polygons, levels),
-            views.size,
+            size,
             grid,
             draws_hidden=draws_hidden,
         )
         for role in beside
     )
     seen = bool(above), bool(below)
-    return Plan(axis, regions, levels, sights, seen, draws_hidden, views.size, grid)
+    return Plan(axis, regions, levels, sights, seen, draws_hidden, size, grid)

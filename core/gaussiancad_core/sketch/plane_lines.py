@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.reasoning.curves import CircleCurve, PlaneCurve, line_through
 from gaussiancad_core.reasoning.planes import plane_points
 from gaussiancad_core.verification.lines import Curve
 from gaussiancad_core.views import Arc, Linetype, Segment
@@ -23,19 +24,6 @@ CHORD = 2.0 * pi / 96
 
 _CHORDS = 24
 """Of a curve that is no arc."""
-
-
-@dataclass(frozen=True, eq=False)
-class Round:
-    """The circle that a line runs along.
-
-    Attributes:
-        centre: (2,) mm.
-        radius: mm.
-    """
-
-    centre: tuple[float, float]
-    radius: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +40,7 @@ class PlaneLine:
 
     points: Floats
     is_visible: bool
-    circle: Round | None = None
+    circle: CircleCurve | None = None
     is_closed: bool = False
     stroke: int | None = None
 
@@ -66,6 +54,13 @@ class PlaneLine:
         """Whether it is a segment."""
         return len(self.points) == 2
 
+    @property
+    def curve(self) -> PlaneCurve | None:
+        """The whole line or circle that it runs along; None of another curve."""
+        if self.circle is not None:
+            return self.circle
+        return line_through(*map(tuple, self.points.tolist())) if self.is_straight else None
+
     def constant(self, near: float) -> int | None:
         """The coordinate that does not change along a segment, within so many mm; None if both
         do, or it is none."""
@@ -78,7 +73,7 @@ class PlaneLine:
 
     def swapped(self) -> "PlaneLine":
         """The same with the two coordinates exchanged."""
-        circle = self.circle and Round(self.circle.centre[::-1], self.circle.radius)
+        circle = self.circle and CircleCurve(self.circle.centre[::-1], self.circle.radius)
         return replace(self, points=self.points[:, ::-1].copy(), circle=circle)
 
 
@@ -98,12 +93,12 @@ def plane_lines(strokes: Iterable[Curve], role: Role) -> list[PlaneLine]:
         circle, closed = None, False
         if isinstance(stroke, Arc):
             x, y = plane_points(np.array(stroke.centre), role, 1.0).tolist()
-            circle, closed = Round((x, y), stroke.radius), stroke.is_full
+            circle, closed = CircleCurve((x, y), stroke.radius), stroke.is_full
         found.append(PlaneLine(points, is_visible, circle, closed, number))
     return found
 
 
-def whole_circle(circle: Round, is_visible: bool, stroke: int | None = None) -> PlaneLine:
+def whole_circle(circle: CircleCurve, is_visible: bool, stroke: int | None = None) -> PlaneLine:
     """A circle as a line; its first point is its last."""
     angles = np.linspace(0.0, 2.0 * pi, round(2.0 * pi / CHORD) + 1)
     points = np.array(circle.centre) + circle.radius * np.stack(
@@ -113,11 +108,27 @@ def whole_circle(circle: Round, is_visible: bool, stroke: int | None = None) -> 
     return PlaneLine(points, is_visible, circle, True, stroke)
 
 
+def arc_between(circle: CircleCurve, ends: tuple[Floats, Floats], sweep: float) -> Floats:
+    """(n, 2) points of an arc, the first and last the places of the circle nearest to two ends.
+
+    Args:
+        circle: that it runs along.
+        ends: (2,) each.
+        sweep: radians that it turns, about; negative from the second axis to the first.
+    """
+    first, last = (circle.parameter(tuple(own.tolist())) for own in ends)
+    turn = 2.0 * pi
+    sweep = (last - first) + turn * round((sweep - (last - first)) / turn)
+    count = max(3, ceil(abs(sweep) / CHORD) + 1)
+    angles = first + np.linspace(0.0, sweep, count)
+    return np.array(circle.centre) + circle.radius * np.stack([np.cos(angles), np.sin(angles)], 1)
+
+
 def _points(stroke: Curve) -> Floats:
     if isinstance(stroke, Segment):
         return np.array([stroke.start, stroke.end])
     if isinstance(stroke, Arc):
         if stroke.is_full:
-            return whole_circle(Round(stroke.centre, stroke.radius), True).points
+            return whole_circle(CircleCurve(stroke.centre, stroke.radius), True).points
         return stroke.sample(stroke.length / max(2, ceil(stroke.sweep / CHORD)) * (1.0 + 1e-9))
     return stroke.sample(stroke.length / _CHORDS)

@@ -7,16 +7,21 @@ that turn nearly once are a circle.
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import combinations
 from math import radians
 
 import numpy as np
 import shapely
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine, Round, whole_circle
+from gaussiancad_core.reasoning.curves import CircleCurve, meetings
+from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine, whole_circle
 
 _CLOSE, _REACH = 0.45, 1.6
 """Grid steps between two ends that are one; and of an end that meets no other one."""
+
+_MEETING = 1.5
+"""Grid steps between ends and where their lines meet, at most."""
 
 _SAME_CENTRE, _SAME_RADIUS = 1.2, 0.8
 """Grid steps between the centres, and radii, of arcs that are pieces of one circle."""
@@ -60,7 +65,7 @@ def with_whole_circles(lines: Sequence[PlaneLine], grid: float) -> list[PlaneLin
     return found
 
 
-def _is_same_circle(one: Round, other: Round, grid: float) -> bool:
+def _is_same_circle(one: CircleCurve, other: CircleCurve, grid: float) -> bool:
     apart = np.hypot(*np.subtract(one.centre, other.centre))
     return bool(
         apart < _SAME_CENTRE * grid and abs(one.radius - other.radius) < _SAME_RADIUS * grid
@@ -72,7 +77,7 @@ def _merged(arcs: Sequence[PlaneLine]) -> PlaneLine:
     x, y = np.average([own.circle.centre for own in arcs], axis=0, weights=weights).tolist()
     radius = float(np.average([own.circle.radius for own in arcs], weights=weights))
     visible = any(own.is_visible for own in arcs)
-    return whole_circle(Round((x, y), radius), visible, arcs[0].stroke)
+    return whole_circle(CircleCurve((x, y), radius), visible, arcs[0].stroke)
 
 
 def _with_joined_ends(lines: Sequence[PlaneLine], grid: float) -> list[PlaneLine]:
@@ -84,7 +89,7 @@ def _with_joined_ends(lines: Sequence[PlaneLine], grid: float) -> list[PlaneLine
     tails: list[PlaneLine] = []
     for group in _groups(places, [k for k, _ in ends], grid):
         if len(group) > 1:
-            middle = places[group].mean(axis=0)
+            middle = _meeting([lines[ends[member][0]] for member in group], places[group], grid)
             for member in group:
                 k, end = ends[member]
                 chains[k][end] = middle
@@ -93,6 +98,25 @@ def _with_joined_ends(lines: Sequence[PlaneLine], grid: float) -> list[PlaneLine
             tails += _tail(k, end, chains, lines[k].is_visible, grid)
     moved = [replace(own, points=chain) for own, chain in zip(lines, chains, strict=True)]
     return moved + tails
+
+
+def _meeting(lines: Sequence[PlaneLine], places: Floats, grid: float) -> Floats:
+    """(2,) where lines meet whose ends are one: on two of their curves, if that is near.
+
+    Args:
+        lines: longest ones count first.
+        places: (n, 2) their ends.
+        grid: mm of a step of the sheet's coordinates.
+    """
+    middle = places.mean(axis=0)
+    order = sorted(range(len(lines)), key=lambda k: -lines[k].length)
+    curves = [curve for k in order if (curve := lines[k].curve) is not None]
+    for one, other in combinations(curves, 2):
+        found = np.array(meetings(one, other)).reshape(-1, 2)
+        away = np.hypot(*(found - middle).T)
+        if len(found) and away.min() < _MEETING * grid:
+            return found[int(away.argmin())]
+    return middle
 
 
 def _groups(places: Floats, owners: Sequence[int], grid: float) -> list[list[int]]:
