@@ -194,7 +194,10 @@ def _crop(
     margin = int(np.ceil(sheet.stroke_width)) + 6
     x0, y0 = max(0, int(box[0]) - margin), max(0, int(box[1]) - margin)
     x1, y1 = int(np.ceil(box[2])) + margin, int(np.ceil(box[3])) + margin
-    part = replace(sheet, ink=sheet.ink[y0:y1, x0:x1], weight=sheet.weight[y0:y1, x0:x1].copy())
+    own = np.s_[y0:y1, x0:x1]
+    odds = None if sheet.hidden_odds is None else sheet.hidden_odds[own].copy()
+    ink, weight = sheet.ink[own], sheet.weight[own].copy()
+    part = replace(sheet, ink=ink, weight=weight, hidden_odds=odds)
     return part, (x0, y0)
 
 
