@@ -78,9 +78,16 @@ def odds_along(sheet: CleanSheet, geometry: Geometry, run: Run, pens: Pens) -> F
         middle, half = 0.5 * (pens.hidden + pens.visible), 0.5 * (pens.visible - pens.hidden)
         odds += np.clip(TOLD * (middle - widths) / half, -_BY_PEN, _BY_PEN)
     if sheet.hidden_odds is not None:
-        points = geometry.points_at(np.linspace(run.start, run.end, len(widths)))
-        odds += np.clip(values_at(sheet.hidden_odds, points), -_BY_LABEL, _BY_LABEL)
+        odds += label_odds(sheet, geometry.points_at(np.linspace(run.start, run.end, len(widths))))
     return odds
+
+
+def label_odds(sheet: CleanSheet, points: Floats) -> Floats:
+    """(n,) log-odds of hidden at points (n, 2) px, by the labels alone; 0 where none told."""
+    if sheet.hidden_odds is None:
+        return np.zeros(len(points))
+    odds = values_at(sheet.hidden_odds, points).astype(np.float64)
+    return np.clip(odds, -_BY_LABEL, _BY_LABEL)
 
 
 def _joined(cut: list[Told]) -> list[Told]:
