@@ -14,7 +14,8 @@ import numpy.typing as npt
 
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
-from gaussiancad_core.sheet.linetype_odds import TOLD, Told
+from gaussiancad_core.sheet.hidden_labels import TOLD
+from gaussiancad_core.sheet.linetype_odds import Told
 from gaussiancad_core.sheet.runs import Piece, Rhythm, Run
 
 _MIN_NEW = 0.4

@@ -12,9 +12,9 @@ import numpy as np
 import numpy.typing as npt
 from scipy.ndimage import median_filter
 
-from gaussiancad_core.sheet.annotations.marks import values_at
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Geometry
+from gaussiancad_core.sheet.hidden_labels import TOLD, label_odds
 from gaussiancad_core.sheet.line_widths import Pens, widths_along
 from gaussiancad_core.sheet.runs import Run
 
@@ -23,11 +23,8 @@ Floats = npt.NDArray[np.float64]
 Told = tuple[Run, float]
 """A run, and log-odds that it is hidden: what something but its length tells; 0 for nothing."""
 
-TOLD = 2.0
-"""Log-odds from which a run is hidden, or visible, whatever its length says."""
-
-_BY_PEN, _BY_LABEL = 2.5, 4.0
-"""Log-odds that a width tells at most, and the label of a pixel."""
+_BY_PEN = 2.5
+"""Log-odds that a width tells at most."""
 
 _STEADY = 3
 """px on either side over which odds are made steady."""
@@ -80,14 +77,6 @@ def odds_along(sheet: CleanSheet, geometry: Geometry, run: Run, pens: Pens) -> F
     if sheet.hidden_odds is not None:
         odds += label_odds(sheet, geometry.points_at(np.linspace(run.start, run.end, len(widths))))
     return odds
-
-
-def label_odds(sheet: CleanSheet, points: Floats) -> Floats:
-    """(n,) log-odds of hidden at points (n, 2) px, by the labels alone; 0 where none told."""
-    if sheet.hidden_odds is None:
-        return np.zeros(len(points))
-    odds = values_at(sheet.hidden_odds, points).astype(np.float64)
-    return np.clip(odds, -_BY_LABEL, _BY_LABEL)
 
 
 def _joined(cut: list[Told]) -> list[Told]:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gaussiancad_core.sheet.linetype_odds import TOLD
+from gaussiancad_core.sheet.hidden_labels import TOLD
 from gaussiancad_core.sheet.runs import STEP, Piece, Rhythm, Run, widest_gap
 from gaussiancad_core.views import Linetype
 

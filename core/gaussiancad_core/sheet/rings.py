@@ -14,7 +14,7 @@ import numpy.typing as npt
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.sheet.annotations.marks import values_at
 from gaussiancad_core.sheet.geometry import Circle, Line
-from gaussiancad_core.sheet.linetype_odds import TOLD, label_odds
+from gaussiancad_core.sheet.hidden_labels import TOLD, label_odds
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.ring_fits import SAME_PX, InkAbout, Ring, fit_rings
 from gaussiancad_core.sheet.shapes import sample

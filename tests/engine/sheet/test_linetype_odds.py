@@ -8,10 +8,13 @@ import pytest
 
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
 from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.hidden_labels import TOLD
 from gaussiancad_core.sheet.line_widths import Pens, widths_along
-from gaussiancad_core.sheet.linetype_odds import TOLD, Told, told_runs
+from gaussiancad_core.sheet.linetype_odds import Told, told_runs
 from gaussiancad_core.sheet.linetypes import classify
 from gaussiancad_core.sheet.runs import Rhythm, Run
+from gaussiancad_core.sheet.strokes import classify_strokes
+from gaussiancad_core.sheet.view_shapes import find_shapes, view_pens, view_rhythm
 from gaussiancad_core.views import Linetype
 
 Sketch = Any
@@ -148,3 +151,28 @@ def test_edges_in_a_row_whose_labels_are_sure_are_visible() -> None:
     found = classify(row, RHYTHM, [(True, True)] * 4, told=[-4.0] * 4)
     assert [(piece.start, piece.end) for piece in found] == [(run.start, run.end) for run in row]
     assert {piece.linetype for piece in found} == {VISIBLE}
+
+
+@pytest.mark.parametrize("wrong", [0.85, 1.0, 1.15])
+@pytest.mark.parametrize(("dash", "gap"), [(2.6, 2.6), (3.0, 2.5), (6.0, 3.0), (12.0, 2.0)])
+def test_a_bore_is_found_though_the_width_is_off(
+    sketch: Sketch, dash: float, gap: float, wrong: float
+) -> None:
+    """Without labels dots of 2.6 px are lost where the width is too large by a seventh."""
+    drawn = sketch(320, 200)
+    for at in (40, 160):
+        drawn.line((40, at), (280, at), 2.4)
+    for at in (40, 280):
+        drawn.line((at, 40), (at, 160), 2.4)
+    for at in (80, 120):
+        for start in np.arange(40.0, 278.0 - dash, dash + gap):
+            drawn.line((start, at), (start + dash, at), 2.4)
+    sheet = _labelled(clean_sheet(drawn.grey), [np.s_[76:85, 44:277], np.s_[116:125, 44:277]])
+    sheet = replace(sheet, stroke_width=wrong * sheet.stroke_width)
+    view = find_shapes(sheet, (30.0, 30.0, 290.0, 170.0))
+    rhythm = view_rhythm([view], sheet.stroke_width)
+    strokes = classify_strokes(view, rhythm, view_pens([view], rhythm))
+    hidden = [own for own in strokes if own.linetype is HIDDEN]
+    assert sorted(own.start[1] - 0.5 for own in hidden) == pytest.approx([80.0, 120.0], abs=0.2)
+    assert all(own.length == pytest.approx(240.0, abs=1.0) for own in hidden)
+    assert len(strokes) == 6
