@@ -42,8 +42,9 @@ from gaussiancad_core.sheet.junctions import (
     is_full_circle,
 )
 from gaussiancad_core.sheet.led_on import with_corners_reached
-from gaussiancad_core.sheet.line_widths import Pens, told_by_width
+from gaussiancad_core.sheet.line_widths import Pens
 from gaussiancad_core.sheet.linetype_changes import with_changes_at_junctions
+from gaussiancad_core.sheet.linetype_odds import told_runs
 from gaussiancad_core.sheet.linetypes import classify
 from gaussiancad_core.sheet.parted import parted_at_corners
 from gaussiancad_core.sheet.remaining_dashes import find_remaining_dashes
@@ -166,13 +167,12 @@ def _seen_pieces(
             known = explained.copy()
         width = view.sheet.stroke_width
         inked = own_runs(shape.geometry, shape.runs, lines, rhythm, width)
-        runs: list[tuple[Run, Linetype | None]] = [(run, None) for run in inked]
         # The ink of twins is as wide as both.
-        if pens is not None and pens.told and not shape.twin:
-            runs = told_by_width(view.sheet, shape.geometry, inked, pens)
+        own_pens = Pens() if pens is None or shape.twin else pens
+        runs = told_runs(view.sheet, shape.geometry, inked, own_pens)
         fresh = [
-            (run, kind)
-            for k, (run, kind) in enumerate(runs)
+            (run, odds)
+            for k, (run, odds) in enumerate(runs)
             if is_new(shape.geometry, run, known.near(shape.close))
             or is_next_dash(shape.geometry, runs, k, known, rhythm)
             or (joins and joins_arcs(shape.geometry, run, known.around))
