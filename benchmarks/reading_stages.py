@@ -61,7 +61,7 @@ _FINDS = (
     "trace_remainder",
 )  # fmt: skip
 _ASKS = (
-    "is_next_dash", "joins_arcs", "has_square_corner",
+    "is_next_dash", "joins_arcs", "has_square_corner", "is_closed_by_others",
 )  # fmt: skip
 
 STAGES: dict[str, Neutral] = {

@@ -17,6 +17,7 @@ from gaussiancad_core.sheet.bows import with_bows
 from gaussiancad_core.sheet.chamfers import with_chamfers
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.close_fits import with_close_fits
+from gaussiancad_core.sheet.closed_circles import is_closed_by_others
 from gaussiancad_core.sheet.corner_dashes import find_corner_dashes
 from gaussiancad_core.sheet.curved_corners import find_curved_fillets
 from gaussiancad_core.sheet.dangling import with_met_ends
@@ -189,7 +190,9 @@ def _seen_pieces(
         if isinstance(shape.geometry, Circle):
             circle = shape.geometry
             found = [own for own in found if not has_square_corner(circle, own, view.sheet)]
-        found = bridged(view.field, shape.geometry, found, rhythm)
+        joined = bridged(view.field, shape.geometry, found, rhythm)
+        if not is_closed_by_others(shape.geometry, (found, joined), lines, view.sheet, rhythm):
+            found = joined
         if not isinstance(shape.geometry, Line):
             found = _closed(shape.geometry, found, rhythm)
         for piece in found:
