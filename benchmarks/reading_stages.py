@@ -61,7 +61,7 @@ _FINDS = (
     "trace_remainder",
 )  # fmt: skip
 _ASKS = (
-    "is_next_dash", "joins_arcs", "has_square_corner",
+    "is_next_dash", "joins_arcs", "has_square_corner", "is_closed_by_others",
 )  # fmt: skip
 
 STAGES: dict[str, Neutral] = {
@@ -69,9 +69,9 @@ STAGES: dict[str, Neutral] = {
     **dict.fromkeys(_FINDS, _none),
     **dict.fromkeys(_ASKS, _no),
     "own_runs": _given(1),
-    "told_by_width": lambda _sheet, _shape, runs, _pens: [(run, None) for run in runs],
+    "told_runs": lambda _sheet, _shape, runs, _pens: [(run, 0.0) for run in runs],
     "with_dashes_beside": _given(2),
-    "told_linetypes": lambda _shape, runs, *_: [kind for _, kind in runs],
+    "told_linetypes": lambda _shape, runs, *_: [odds for _, odds in runs],
     "with_dashes_led_to": _given(3),
     "with_dashes_between": _given(2),
     "bridged": _given(2),

@@ -70,6 +70,8 @@ class CleanSheet:
         stroke_width: px, the mean over the sheet.
         turn: by which the sheet was turned back to be upright.
         dash_gap: px between dashes, of an upright sheet; 0 where they do not tell.
+        hidden_odds: (h, w) float16, log-odds of a hidden line's ink against a visible one's; None
+            where no labels told them.
     """
 
     ink: Ink
@@ -77,6 +79,7 @@ class CleanSheet:
     stroke_width: float
     turn: Turn
     dash_gap: float = 0.0
+    hidden_odds: npt.NDArray[np.float16] | None = None
 
     @property
     def picture(self) -> npt.NDArray[np.uint8]:

@@ -14,11 +14,9 @@ import numpy.typing as npt
 
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
+from gaussiancad_core.sheet.hidden_labels import TOLD
+from gaussiancad_core.sheet.linetype_odds import Told
 from gaussiancad_core.sheet.runs import Piece, Rhythm, Run
-from gaussiancad_core.views import Linetype
-
-Told = tuple[Run, Linetype | None]
-"""A run, and its linetype where something but its length tells it."""
 
 _MIN_NEW = 0.4
 """Share of a run's ink that no earlier stroke of about its direction explains."""
@@ -127,9 +125,7 @@ def with_dashes_beside(
     reach = _DASHES_BESIDE * (rhythm.dash + rhythm.gap)
     places = [run for run, _ in fresh]
     candidates = [
-        run
-        for run, kind in runs
-        if run not in places and kind is not Linetype.VISIBLE and run.length <= longest
+        run for run, odds in runs if run not in places and odds > -TOLD and run.length <= longest
     ]
     added: list[Run] = []
     while True:
@@ -143,8 +139,8 @@ def with_dashes_beside(
             break
         added += beside
     return [
-        (run, Linetype.HIDDEN if run in added else kind)
-        for run, kind in runs
+        (run, max(odds, TOLD) if run in added else odds)
+        for run, odds in runs
         if run in added or run in places
     ]
 
@@ -169,16 +165,16 @@ def told_linetypes(
     runs: list[Told],
     explained: npt.NDArray[np.uint8],
     rhythm: Rhythm,
-) -> list[Linetype | None]:
-    """What is known of each run: what its width tells, and which are dashes of a series that
-    another stroke crosses at a flat angle, so that its ink makes them longer."""
-    told = [kind for _, kind in runs]
+) -> list[float]:
+    """Log-odds that each run is hidden, with what tells dashes of a series that another stroke
+    crosses at a flat angle, so that its ink makes them longer."""
+    told = [odds for _, odds in runs]
     for index, (run, _) in enumerate(runs):
         if run.length <= rhythm.dash or not _has_dash_beside(runs, index, rhythm):
             continue
         old = _explained_along(geometry, run, explained)[0]
         if old.mean() > _CROSSED and _longest_true(~old) <= _DASH_UP_TO * rhythm.dash:
-            told[index] = Linetype.HIDDEN
+            told[index] = max(told[index], TOLD)
     return told
 
 

@@ -10,7 +10,6 @@ from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
-from scipy.ndimage import median_filter
 
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Geometry
@@ -52,15 +51,6 @@ _OUTLIERS = 10.0
 
 _HIDDEN_UP_TO, _VISIBLE_FROM = 0.3, 0.7
 """Shares of the difference of both widths; what lies between tells nothing."""
-
-_STEADY = 3
-"""px on either side over which a width is made steady."""
-
-_SHORTEST = 6.0
-"""px of a stretch that is told by its width at least."""
-
-_KNOWN = 0.15
-"""Share of a stretch whose width is known at least for that to tell its pen."""
 
 
 @dataclass(frozen=True)
@@ -141,58 +131,6 @@ def run_width(sheet: CleanSheet, geometry: Geometry, run: Run, edges: bool = Fal
     widths = widths_along(sheet, geometry, run, edges)
     known = np.isfinite(widths)
     return float(np.median(widths[known])) if known.any() else float("nan")
-
-
-def told_by_width(
-    sheet: CleanSheet, geometry: Geometry, runs: Sequence[Run], pens: Pens
-) -> list[tuple[Run, Linetype | None]]:
-    """The runs of a shape, cut where the pen changes, with what their widths tell."""
-    found: list[tuple[Run, Linetype | None]] = []
-    for run in runs:
-        cut: list[tuple[Run, Linetype | None]] = []
-        widths = widths_along(sheet, geometry, run, edges=True)
-        for first, last in _stretches(widths, 0.5 * (pens.hidden + pens.visible)):
-            step = run.length / (len(widths) - 1)
-            own = widths[first : last + 1]
-            own = own[np.isfinite(own)]
-            least = max(0.5 * _SHORTEST, _KNOWN * (last - first) * step)
-            width = float(np.median(own)) if len(own) * step >= least else float("nan")
-            start = run.start if first == 0 else run.start + (first - 0.5) * step
-            end = run.end if last == len(widths) - 1 else run.start + (last + 0.5) * step
-            cut.append((Run(start, end), pens.kind(width)))
-        found += _joined(cut)
-    return found
-
-
-def _joined(cut: list[tuple[Run, Linetype | None]]) -> list[tuple[Run, Linetype | None]]:
-    """The stretches of a run, without the cuts beside which no pen is told to change."""
-    joined = cut[:1]
-    for run, kind in cut[1:]:
-        before, known = joined[-1]
-        if known is kind or Linetype.HIDDEN not in (known, kind):
-            joined[-1] = (Run(before.start, run.end), known or kind)
-        else:
-            joined.append((run, kind))
-    return joined
-
-
-def _stretches(widths: Floats, limit: float) -> list[tuple[int, int]]:
-    """First and last place of each stretch that is wider or narrower than a limit all along."""
-    known = np.flatnonzero(np.isfinite(widths))
-    last = len(widths) - 1
-    if len(known) < _SHORTEST or last < 2 * _SHORTEST:
-        return [(0, last)]
-    filled = np.interp(np.arange(len(widths)), known, widths[known])
-    narrow = median_filter(filled, 2 * _STEADY + 1, mode="nearest") < limit
-    borders = [0, *(np.flatnonzero(np.diff(narrow)) + 1).tolist(), last + 1]
-    # Stretches too short to be told are a part of what is beside them.
-    kept = [0]
-    for start, end in pairwise(borders):
-        if end - start >= _SHORTEST and narrow[start] != narrow[kept[-1]] and start > 0:
-            kept.append(start)
-        elif start == 0 and end - start < _SHORTEST and len(borders) > 2:
-            narrow[: borders[1]] = narrow[borders[1]]
-    return [(start, end - 1) for start, end in pairwise([*kept, last + 1])]
 
 
 def widths_along(sheet: CleanSheet, geometry: Geometry, run: Run, edges: bool = False) -> Floats:

@@ -9,11 +9,16 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from gaussiancad_core.sheet.hidden_labels import TOLD
 from gaussiancad_core.sheet.runs import STEP, Piece, Rhythm, Run, widest_gap
 from gaussiancad_core.views import Linetype
 
-_BY_WIDTH = 0.8
-"""Confidence of a linetype that the width of a short run tells."""
+_BY_INK = 0.8
+"""Confidence of a linetype that the ink of a short run tells."""
+
+_BY_ROW = 3.0
+"""Log-odds that a row of dashes is hidden: more than the width of a pen tells, as wide dashes in a
+row are two hidden lines beside each other; less than their labels do."""
 
 _LONGEST_JOINT, _LONGEST_LAST = 2.35, 2.0
 """Dashes that a run is long at most of which one ends where another begins, a little of ink beyond
@@ -36,7 +41,7 @@ def classify(
     rhythm: Rhythm,
     touches: Sequence[tuple[bool, bool]],
     around: float = float("inf"),
-    told: Sequence[Linetype | None] = (),
+    told: Sequence[float] = (),
 ) -> list[Piece]:
     """Visible and hidden pieces of a shape.
 
@@ -45,8 +50,9 @@ def classify(
         rhythm: of the sheet.
         touches: for each run whether its start and its end lie on another stroke.
         around: px, of a shape that closes on itself.
-        told: for each run what its width tells; without it runs longer than dashes are visible.
-            Dashes beside each other that fill their gaps are narrow all along.
+        told: for each run log-odds that its ink is hidden, 0 where it tells nothing; without it
+            runs longer than dashes are visible.  Dashes beside each other that fill their gaps are
+            hidden all along.
     """
     longest_dash = _LONGEST_DASH * rhythm.dash
     widest = widest_gap(rhythm)
@@ -55,22 +61,24 @@ def classify(
 
     def close_group() -> None:
         if group:
-            seen = told[group[0]] if told and len(group) == 1 else None
+            seen = told[group[0]] if told and len(group) == 1 else 0.0
             pieces.append(_short_piece(runs, group, rhythm, all(touches[group[0]]), seen))
             group.clear()
 
     for index, run in enumerate(runs):
-        narrow = bool(told) and told[index] is Linetype.HIDDEN
-        wide = bool(told) and told[index] is Linetype.VISIBLE
-        narrow |= not wide and _is_joint(runs, index, rhythm, around, touches[index])
-        if run.length > longest_dash and not narrow:
+        odds = told[index] if told else 0.0
+        visible = odds <= -TOLD
+        hidden = odds >= TOLD or (
+            not visible and _is_joint(runs, index, rhythm, around, touches[index])
+        )
+        if run.length > longest_dash and not hidden:
             close_group()
             sure = min(1.0, 0.5 + (run.length / longest_dash - 1.0))
             pieces.append(Piece(run.start, run.end, Linetype.VISIBLE, sure))
             continue
-        if told and told[index] is Linetype.VISIBLE and _is_cut(runs, index):
+        if odds < -_BY_ROW or (visible and _is_cut(runs, index)):
             close_group()
-            pieces.append(Piece(run.start, run.end, Linetype.VISIBLE, _BY_WIDTH))
+            pieces.append(Piece(run.start, run.end, Linetype.VISIBLE, _BY_INK))
             continue
         if group and run.start - runs[group[-1]].end > widest:
             close_group()
@@ -127,14 +135,14 @@ def _is_cut(runs: list[Run], index: int) -> bool:
 
 
 def _short_piece(
-    runs: list[Run], group: list[int], rhythm: Rhythm, bounded: bool, told: Linetype | None
+    runs: list[Run], group: list[int], rhythm: Rhythm, bounded: bool, odds: float
 ) -> Piece:
     start, end = runs[group[0]].start, runs[group[-1]].end
     if len(group) >= 2:
         sure = min(1.0, 0.6 + 0.15 * (len(group) - 1))
         return Piece(start, end, Linetype.HIDDEN, sure)
-    if told is not None:
-        return Piece(start, end, told, _BY_WIDTH)
+    if abs(odds) >= TOLD:
+        return Piece(start, end, Linetype.HIDDEN if odds > 0.0 else Linetype.VISIBLE, _BY_INK)
     if not bounded:
         return Piece(start, end, Linetype.HIDDEN, 0.5)
     # A hidden line no longer than a dash is drawn as one dash: told apart only by the odds.

@@ -60,7 +60,8 @@ def picture_views(
     """
     problem = labels_problem()
     labels = _labels(image, sheet) if problem is None else plain_labels(sheet)
-    separated = separate_by_labels(sheet, labels, _upright_tint(image.tint, sheet.turn))
+    seen = replace(sheet, hidden_odds=labels.hidden_odds()) if problem is None else sheet
+    separated = separate_by_labels(seen, labels, _upright_tint(image.tint, sheet.turn))
     written = read_texts(image, sheet, separated.marks)
     symbol = find_symbol(sheet) if projection is None else None
     told = symbol.projection if symbol else projection

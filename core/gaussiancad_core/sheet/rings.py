@@ -12,7 +12,9 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.sheet.annotations.marks import values_at
 from gaussiancad_core.sheet.geometry import Circle, Line
+from gaussiancad_core.sheet.hidden_labels import TOLD, label_odds
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.ring_fits import SAME_PX, InkAbout, Ring, fit_rings
 from gaussiancad_core.sheet.shapes import sample
@@ -65,7 +67,8 @@ def _with_rings(
     shapes, width = list(view.shapes), view.sheet.stroke_width
     for centre in _centres(view):
         told = _told_radii(role, np.array(centre) + view.offset, views, boxes)
-        melting = _melting(_rings(view, centre, told), view)
+        rings = [ring for ring in _rings(view, centre, told) if _may_be(ring, view, centre)]
+        melting = _melting(rings, view)
         circles = _circles_about(view, centre)
         # Of what was found as it is nothing is known better.
         if not all(_is_seen(ring, circles) for ring in melting):
@@ -177,6 +180,15 @@ def _rings(view: ViewShapes, centre: tuple[float, float], told: Sequence[float])
     ink = _ink_about(view, centre, max([*told, *seen], default=0.0))
     known = _distinct([*seen, *(radius for radius in told if radius < ink.radii[-1])])
     return fit_rings(ink, known, view.sheet.stroke_width)
+
+
+def _may_be(ring: Ring, view: ViewShapes, centre: tuple[float, float]) -> bool:
+    """Whether a ring is drawn through, or labels leave its ink for a hidden line's."""
+    circle = Circle(centre, ring.radius)
+    points = circle.points_at(np.arange(0.0, circle.around, 1.0))
+    inked = values_at(view.sheet.ink, points)
+    odds = label_odds(view.sheet, points[inked])
+    return ring.solid or not len(odds) or float(np.median(odds)) > -TOLD
 
 
 def _circles_about(view: ViewShapes, centre: tuple[float, float]) -> list[Shape]:

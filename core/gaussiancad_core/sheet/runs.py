@@ -12,8 +12,10 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.sheet.annotations.marks import values_at
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.geometry import Curve, Geometry, Line
+from gaussiancad_core.sheet.hidden_labels import TOLD
 from gaussiancad_core.sheet.shapes import sample
 from gaussiancad_core.views import Linetype
 
@@ -36,6 +38,10 @@ _LEAST_CLEAR = 3.0
 _STUB, _AT_END = 1.5, 1.0
 """Stroke widths that a dash is long at least that leads to another stroke and has no direction; px
 of ink beyond that stroke at most."""
+
+SHORTEST_DASH, SHORTEST_DOT = 1.2, 0.7
+"""Stroke widths that ink without a direction is long at least to be a dash; the same where labels
+say that it is a hidden line's.  Half a px of the width decides of dots where nothing else tells."""
 
 _MOSTLY = 0.4
 """Share of a closed curve that is told as dashed where the rest of it is bridged."""
@@ -91,12 +97,14 @@ class InkField:
         cosine, sine: (h, w) float32, of twice the strokes' direction times how clearly the ink has
             one.
         stroke_width: px.
+        hidden: (h, w) bool, where labels say that ink is a hidden line's; None where none told.
     """
 
     weight: npt.NDArray[np.float32]
     cosine: npt.NDArray[np.float32]
     sine: npt.NDArray[np.float32]
     stroke_width: float
+    hidden: npt.NDArray[np.bool_] | None = None
 
 
 def ink_field(sheet: CleanSheet) -> InkField:
@@ -109,7 +117,8 @@ def ink_field(sheet: CleanSheet) -> InkField:
     cosine = -cv2.GaussianBlur(gx * gx - gy * gy, (0, 0), sigma)
     sine = -cv2.GaussianBlur(2 * gx * gy, (0, 0), sigma)
     energy = cv2.GaussianBlur(gx * gx + gy * gy, (0, 0), sigma) + 1e-6
-    return InkField(sheet.weight, cosine / energy, sine / energy, sheet.stroke_width)
+    hidden = None if sheet.hidden_odds is None else sheet.hidden_odds >= TOLD
+    return InkField(sheet.weight, cosine / energy, sine / energy, sheet.stroke_width, hidden)
 
 
 def runs_spans(runs: list[Run]) -> list[tuple[float, float]]:
@@ -155,9 +164,13 @@ def _runs(field: InkField, points: Floats, directions: Floats, along: Floats) ->
     clear = strength > 0.45
     foreign = clear & (agreement <= (2 * _MAX_TURN**2 - 1) * strength)
     own = clear & ~foreign
+    dots = field.hidden if field.hidden is not None else np.zeros((1, 1), bool)
+    hidden = values_at(dots, points)
     runs = []
     for inked_span in runs_of_ink(inked):
-        span = _own_span(inked_span, own, foreign, field.stroke_width)
+        dotted = hidden[inked_span[0] : inked_span[1] + 1].mean() > 0.5
+        least = (SHORTEST_DOT if dotted else SHORTEST_DASH) * field.stroke_width
+        span = _own_span(inked_span, own, foreign, field.stroke_width, least)
         if span is not None:
             runs.append(Run(float(along[span[0]]), float(along[span[1]])))
     return _close_gaps(runs, 1.6)
@@ -176,8 +189,10 @@ def _own_span(
     own: npt.NDArray[np.bool_],
     foreign: npt.NDArray[np.bool_],
     stroke_width: float,
+    shortest: float,
 ) -> tuple[int, int] | None:
-    """The part of a stretch of ink that is the shape's, by the direction that its ink has."""
+    """The part of a stretch of ink that is the shape's, by the direction that its ink has, or of
+    its length in px."""
     first, last = span
     if foreign[first : last + 1].mean() > 0.4:
         # A crossing, perhaps with the dash that leads to it.
@@ -190,7 +205,7 @@ def _own_span(
                 return _stub((first, last), foreign, stroke_width)
         first, last = int(mine[0]), int(mine[-1])
     vague = own[first : last + 1].sum() * STEP < 1.5
-    return None if vague and (last - first) * STEP < 1.2 * stroke_width else (first, last)
+    return None if vague and (last - first) * STEP < shortest else (first, last)
 
 
 def _stub(
@@ -240,14 +255,18 @@ def _close_gaps(runs: list[Run], gap: float) -> list[Run]:
 def learn_rhythm(series: Sequence[list[Run]], stroke_width: float) -> Rhythm:
     """Dash and gap of a sheet from the runs of all its shapes, or usual ones."""
     usual = Rhythm(4.0 * stroke_width + 2.0, 2.0 * stroke_width + 1.0)
-    return told_rhythm(series, stroke_width) or usual
+    return told_rhythm(series, SHORTEST_DASH * stroke_width) or usual
 
 
-def told_rhythm(series: Sequence[list[Run]], stroke_width: float) -> Rhythm | None:
+def told_rhythm(series: Sequence[Sequence[Run]], shortest: float) -> Rhythm | None:
     """Dash and gap of a sheet as the runs of its shapes tell them, if they do.
 
     A shape counts if it has three runs or more in a row whose inner ones are of one length, with
     paper between them: runs that were cut where a pen changes are no dashes.
+
+    Args:
+        series: runs, in order along each shape.
+        shortest: px of a dash.
     """
     dashes: list[float] = []
     gaps: list[float] = []
@@ -256,7 +275,7 @@ def told_rhythm(series: Sequence[list[Run]], stroke_width: float) -> Rhythm | No
             spaces = (run.start - before.end, after.start - run.end)
             even = abs(spaces[0] - spaces[1]) < max(2.0, 0.35 * max(spaces))
             even &= min(spaces) >= _LEAST_GAP
-            if even and max(spaces) < 2.5 * run.length and run.length > 1.2 * stroke_width:
+            if even and max(spaces) < 2.5 * run.length and run.length > shortest:
                 dashes.append(run.length)
                 gaps.extend(spaces)
     if len(dashes) < 3:

@@ -17,6 +17,7 @@ from gaussiancad_core.sheet.bows import with_bows
 from gaussiancad_core.sheet.chamfers import with_chamfers
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.close_fits import with_close_fits
+from gaussiancad_core.sheet.closed_circles import is_closed_by_others
 from gaussiancad_core.sheet.corner_dashes import find_corner_dashes
 from gaussiancad_core.sheet.curved_corners import find_curved_fillets
 from gaussiancad_core.sheet.dangling import with_met_ends
@@ -42,8 +43,9 @@ from gaussiancad_core.sheet.junctions import (
     is_full_circle,
 )
 from gaussiancad_core.sheet.led_on import with_corners_reached
-from gaussiancad_core.sheet.line_widths import Pens, told_by_width
+from gaussiancad_core.sheet.line_widths import Pens
 from gaussiancad_core.sheet.linetype_changes import with_changes_at_junctions
+from gaussiancad_core.sheet.linetype_odds import told_runs
 from gaussiancad_core.sheet.linetypes import classify
 from gaussiancad_core.sheet.parted import parted_at_corners
 from gaussiancad_core.sheet.remaining_dashes import find_remaining_dashes
@@ -166,13 +168,12 @@ def _seen_pieces(
             known = explained.copy()
         width = view.sheet.stroke_width
         inked = own_runs(shape.geometry, shape.runs, lines, rhythm, width)
-        runs: list[tuple[Run, Linetype | None]] = [(run, None) for run in inked]
         # The ink of twins is as wide as both.
-        if pens is not None and pens.told and not shape.twin:
-            runs = told_by_width(view.sheet, shape.geometry, inked, pens)
+        own_pens = Pens() if pens is None or shape.twin else pens
+        runs = told_runs(view.sheet, shape.geometry, inked, own_pens)
         fresh = [
-            (run, kind)
-            for k, (run, kind) in enumerate(runs)
+            (run, odds)
+            for k, (run, odds) in enumerate(runs)
             if is_new(shape.geometry, run, known.near(shape.close))
             or is_next_dash(shape.geometry, runs, k, known, rhythm)
             or (joins and joins_arcs(shape.geometry, run, known.around))
@@ -189,7 +190,9 @@ def _seen_pieces(
         if isinstance(shape.geometry, Circle):
             circle = shape.geometry
             found = [own for own in found if not has_square_corner(circle, own, view.sheet)]
-        found = bridged(view.field, shape.geometry, found, rhythm)
+        joined = bridged(view.field, shape.geometry, found, rhythm)
+        if not is_closed_by_others(shape.geometry, (found, joined), lines, view.sheet, rhythm):
+            found = joined
         if not isinstance(shape.geometry, Line):
             found = _closed(shape.geometry, found, rhythm)
         for piece in found:

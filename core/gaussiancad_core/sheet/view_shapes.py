@@ -6,6 +6,7 @@ fitted to its ink, and of a curve only the runs count that follow it, not a tang
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import groupby
 
 import numpy as np
 import numpy.typing as npt
@@ -18,6 +19,7 @@ from gaussiancad_core.sheet.dash_pairs import paired_rhythm
 from gaussiancad_core.sheet.ellipse_fits import ellipse_profile, refit_ellipse
 from gaussiancad_core.sheet.geometry import Circle, Curve, Geometry, Line
 from gaussiancad_core.sheet.growth import GrowthRules, grow_all
+from gaussiancad_core.sheet.hidden_labels import TOLD, label_odds
 from gaussiancad_core.sheet.junctions import FULL_TURN
 from gaussiancad_core.sheet.line_widths import Pens, learn_pens, run_width
 from gaussiancad_core.sheet.offset_lines import (
@@ -29,6 +31,8 @@ from gaussiancad_core.sheet.offset_lines import (
 from gaussiancad_core.sheet.options import Finder
 from gaussiancad_core.sheet.ridges import ridge_points
 from gaussiancad_core.sheet.runs import (
+    SHORTEST_DASH,
+    SHORTEST_DOT,
     STEP,
     InkField,
     Rhythm,
@@ -170,12 +174,28 @@ def _better_fit(sheet: CleanSheet, circle: Circle) -> Circle:
 
 
 def view_rhythm(views: list[ViewShapes], stroke_width: float) -> Rhythm:
-    """The rhythm of dashes of a sheet, learnt from all its views."""
+    """The rhythm of dashes of a sheet, learnt from all its views; from the runs that labels tell to
+    be hidden, where these are enough."""
+    labelled = [
+        list(own) for view in views for shape in view.shapes for own in _hidden(view, shape)
+    ]
+    if told := told_rhythm(labelled, SHORTEST_DOT * stroke_width):
+        return told
     series = [list(shape.runs) for view in views for shape in view.shapes]
-    if told := told_rhythm(series, stroke_width):
+    if told := told_rhythm(series, SHORTEST_DASH * stroke_width):
         return told
     drawn = [(view.field, shape.geometry, shape.runs) for view in views for shape in view.shapes]
     return paired_rhythm(drawn, stroke_width) or learn_rhythm(series, stroke_width)
+
+
+def _hidden(view: ViewShapes, shape: Shape) -> list[list[Run]]:
+    """The runs of a shape, one after the other, that labels tell to be hidden."""
+
+    def told(run: Run) -> bool:
+        points = shape.geometry.points_at(np.arange(run.start, run.end, STEP))
+        return float(np.median(label_odds(view.sheet, points))) >= TOLD
+
+    return [list(own) for hidden, own in groupby(shape.runs, told) if hidden]
 
 
 def view_pens(views: list[ViewShapes], rhythm: Rhythm) -> Pens:
@@ -194,7 +214,10 @@ def _crop(
     margin = int(np.ceil(sheet.stroke_width)) + 6
     x0, y0 = max(0, int(box[0]) - margin), max(0, int(box[1]) - margin)
     x1, y1 = int(np.ceil(box[2])) + margin, int(np.ceil(box[3])) + margin
-    part = replace(sheet, ink=sheet.ink[y0:y1, x0:x1], weight=sheet.weight[y0:y1, x0:x1].copy())
+    own = np.s_[y0:y1, x0:x1]
+    odds = None if sheet.hidden_odds is None else sheet.hidden_odds[own].copy()
+    ink, weight = sheet.ink[own], sheet.weight[own].copy()
+    part = replace(sheet, ink=ink, weight=weight, hidden_odds=odds)
     return part, (x0, y0)
 
 

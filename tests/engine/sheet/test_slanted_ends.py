@@ -43,18 +43,6 @@ def _are(found: list[Stroke], wanted: list[Stroke], slack: float) -> bool:
     return len(found) == len(wanted) and all(any(alike(f, w) for w in wanted) for f in found)
 
 
-@pytest.mark.parametrize(("wide", "high"), [(17.5, 8.7), (17.4, 8.8), (19.0, 9.5)])
-def test_a_tapered_pocket(wide: float, high: float) -> None:
-    """Its edges are two dashes, which the lines of its floor do not follow to the wall."""
-    outer = [(100.3, 80.6), (270.4, 80.6), (270.4, 190.2), (100.3, 190.2)]
-    signs = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
-    inner = [(x + a * wide, y + b * high) for (x, y), (a, b) in zip(outer, signs, strict=True)]
-    pocket = [Segment(rim[k], rim[(k + 1) % 4], H) for rim in (outer, inner) for k in range(4)] + [
-        Segment(one, other, H) for one, other in zip(inner, outer, strict=True)
-    ]
-    assert _are(_read(pocket), pocket, 1.0)
-
-
 @pytest.mark.parametrize("deep", [6.3, 7.0, 8.1])
 def test_a_shallow_step_behind_an_edge(deep: float) -> None:
     """Its sides are shorter than a dash: all their ink is one piece."""

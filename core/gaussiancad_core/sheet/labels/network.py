@@ -67,6 +67,10 @@ class InkLabels:
         columns = np.arange(width) * self.log_p.shape[2] // width
         return InkLabels(self.log_p[:, rows[:, None], columns])
 
+    def hidden_odds(self) -> npt.NDArray[np.float16]:
+        """(h, w) log-odds of a hidden line's ink against a visible one's."""
+        return self.log_p[InkClass.HIDDEN] - self.log_p[InkClass.VISIBLE]
+
     def best(self) -> npt.NDArray[np.uint8]:
         """(h, w) the likeliest class of each pixel if it is ink."""
         best = np.ones(self.log_p.shape[1:], np.uint8)

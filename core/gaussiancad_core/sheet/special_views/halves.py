@@ -170,9 +170,15 @@ def completed(sheet: CleanSheet, half: Half, others: Sequence[Box]) -> CleanShee
     far = np.abs(centres - half.at) > 1.0
     weight[window] = np.where(far, mirrored, np.maximum(weight[window], mirrored))
     ink[window] = np.where(far, nearest > 0, ink[window] | (nearest > 0))
+    odds = sheet.hidden_odds
+    if odds is not None:
+        own = (odds if half.upright else odds.T).astype(np.float32)
+        across = cv2.remap(np.ascontiguousarray(own), *maps, cv2.INTER_NEAREST)
+        own[window] = np.where(far, across, own[window])
+        odds = np.ascontiguousarray(own if half.upright else own.T).astype(np.float16)
     if not half.upright:
         weight, ink = np.ascontiguousarray(weight.T), np.ascontiguousarray(ink.T)
-    return replace(sheet, weight=weight, ink=ink)
+    return replace(sheet, weight=weight, ink=ink, hidden_odds=odds)
 
 
 def _overlap(one: Box, other: Box) -> bool:

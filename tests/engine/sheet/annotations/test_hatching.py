@@ -60,7 +60,7 @@ def test_hatching_is_taken_off(part: str, look: str) -> None:
         beside |= _near(ink_annotations(others, style) > 0.1, 4)
     lines = (ink_annotations(hatching, style) > 0.5) & ~beside
     assert lines.sum() > 200
-    assert (lines & separated.part.ink).sum() <= 0.01 * lines.sum()
+    assert (lines & separated.part.ink).sum() <= 0.015 * lines.sum()
     kept = _near(separated.part.ink, 1)
     assert (part_ink & kept).sum() >= 0.985 * (part_ink & _near(clean.ink, 1)).sum()
     # The marks lie around the lines, and within the view.
@@ -89,7 +89,7 @@ def test_hatching_of_a_turned_sheet_is_taken_off() -> None:
     part_ink = cv2.warpAffine(rasterise(strokes, style), matrix, (1440, 900)) > 0.3
     lines &= ~_near(part_ink, 5)
     assert lines.sum() > 2000
-    assert (lines & separated.part.ink).sum() <= 0.01 * lines.sum()
+    assert (lines & separated.part.ink).sum() <= 0.015 * lines.sum()
 
 
 def _teeth(sketch, steep: bool):  # noqa: ANN001, ANN202

@@ -1,11 +1,15 @@
 """Half views are completed by their mirror image, and said to be."""
 
+from dataclasses import replace
+
+import numpy as np
 import pytest
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.reading import read_views, register_views
-from gaussiancad_core.sheet.special_views.halves import Half, find_halves
+from gaussiancad_core.sheet.special_views.halves import Half, completed, find_halves
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind
 
 
@@ -66,3 +70,20 @@ def test_the_whole_is_twice_the_half() -> None:
     level = Half((10.0, 20.0, 60.0, 90.0), False, 21.0, False, (0.0, 70.0))
     assert level.whole == (10.0, -48.0, 60.0, 90.0)
     assert half.marks((50.0, 95.0, 68.0, 105.0)) and not half.marks((70.0, 95.0, 88.0, 105.0))
+
+
+@pytest.mark.parametrize("upright", [True, False])
+def test_labels_are_mirrored_with_their_ink(upright: bool) -> None:
+    grey = np.full((120, 160), 255, np.uint8)
+    grey[30:90, 40:43] = grey[30:33, 40:80] = grey[87:90, 40:80] = 0
+    odds = np.where(grey == 0, 5.0, -5.0).astype(np.float16)
+    if not upright:
+        grey, odds = grey.T.copy(), odds.T.copy()
+    sheet = replace(clean_sheet(grey), hidden_odds=odds)
+    box = (40.0, 30.0, 80.0, 90.0) if upright else (30.0, 40.0, 90.0, 80.0)
+    whole = completed(sheet, Half(box, upright, 80.0, True, (25.0, 95.0)), [])
+    assert whole is not None
+    # On the centre line itself each half keeps its own.
+    ink, own = (each if upright else each.T for each in (whole.ink, whole.hidden_odds))
+    assert ink[:, 82:].sum() > 200
+    assert (own[:, 82:][ink[:, 82:]] == 5.0).all()
