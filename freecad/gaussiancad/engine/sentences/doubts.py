@@ -277,7 +277,8 @@ WARNINGS = {
     ),
     "labels-doubtful": QT_TRANSLATE_NOOP(
         "GaussianCAD",
-        "Lines that may be edges of the part or annotation: {count}. Look at them in Correct Sheet.",
+        "Lines that may be edges of the part or annotation: {count}. "
+        "Look at them in Correct Sheet.",
     ),
     "dimensions-not-read": QT_TRANSLATE_NOOP(
         "GaussianCAD",
