@@ -54,7 +54,8 @@ class Targets:
 
 def composed(rendering: Rendering, background: tuple[float, float, float]) -> Tensor:
     """(v, 3, h, w) the rendered colours on a uniform background."""
-    behind = rendering.colours.new_tensor(background)[:, None, None]
+    # Each is filled in where it is needed: a copy from the processor would make a GPU wait.
+    behind = torch.stack([rendering.alphas.new_full((1, 1), own) for own in background])
     return rendering.colours + (1.0 - rendering.alphas)[:, None] * behind
 
 

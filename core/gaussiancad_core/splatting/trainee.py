@@ -149,7 +149,8 @@ class Trainee:
             {"params": [tensor], "lr": rate}
             for tensor, rate in zip(self.parameters.tensors, of_tensor, strict=True)
         ]
-        return torch.optim.Adam(groups, eps=rates.epsilon)
+        on_gpu = self.parameters.means.is_cuda
+        return torch.optim.Adam(groups, eps=rates.epsilon, fused=True if on_gpu else None)
 
     def _moments(self) -> list[tuple[Tensor, Tensor, Tensor]]:
         """First and second moments and the number of steps of each tensor; zeros at first."""
@@ -160,13 +161,16 @@ class Trainee:
                 found.append((own["exp_avg"], own["exp_avg_sq"], own["step"]))
             else:
                 blank = torch.zeros_like(tensor)
-                found.append((blank.detach(), blank.detach().clone(), torch.tensor(0.0)))
+                blank = blank.detach()
+                found.append((blank, blank.clone(), torch.tensor(0.0)))
         return found
 
     def _remember(self, tensor: Tensor, moments: tuple[Tensor, Tensor, Tensor]) -> None:
         first, second, step = moments
+        # Adam's fused steps count where the tensors are, its others on the processor.
+        counted = tensor.device if tensor.is_cuda else torch.device("cpu")
         self._adam.state[tensor] = {
-            "step": step.clone(),
+            "step": step.to(counted, copy=True),
             "exp_avg": first.clone(),
             "exp_avg_sq": second.clone(),
         }

@@ -4,7 +4,6 @@ import json
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
 import torch
@@ -18,7 +17,7 @@ from gaussiancad_core.splatting.losses import Targets, total_loss
 from gaussiancad_core.splatting.projection import CameraBatch, batch_of
 from gaussiancad_core.splatting.rasteriser import Parameters, rasteriser
 from gaussiancad_core.splatting.settings import TrainingSettings
-from gaussiancad_core.splatting.ssim import FastSsim, plain_ssim
+from gaussiancad_core.splatting.ssim import similarity_with
 from gaussiancad_core.splatting.trainee import Arrays, Roots, Trainee
 
 SCENE_EDGE = 5.0
@@ -26,6 +25,9 @@ SCENE_EDGE = 5.0
 
 _EXTENT_MARGIN = 1.1
 """By how much 3DGS takes the cameras' positions to be farther apart than they are."""
+
+_LOSSES_HELD = 25
+"""Losses that a GPU keeps to itself: when it is asked, it must have done all its work."""
 
 ProgressCallback = Callable[[float, float | None], None]
 
@@ -82,16 +84,17 @@ def train(
         state, passed_over = checkpoints.load() if checkpoints else (None, False)
         if state is not None:
             training.restore(state)
-        resumed = len(training.losses)
+        resumed = training.done
         while not training.ended:
             training.iterate()
             if checkpoints and checkpoints.due():
                 checkpoints.save(training.state())
-            progress(len(training.losses) / settings.iterations, training.losses[-1])
+            progress(training.done / settings.iterations, training.losses.newest)
+    losses = training.losses.all()
     return TrainingResult(
         training.trainee.gaussians(),
-        len(training.losses),
-        tuple(training.losses),
+        len(losses),
+        tuple(losses),
         settled=training.settled,
         resumed=resumed,
         passed_over=passed_over,
@@ -105,6 +108,49 @@ class _Look:
     cameras: CameraBatch
     targets: Targets
     similarity: Callable[[Tensor], Tensor]
+
+
+class _Losses:
+    """The losses of a training, fetched from its device some at a time.
+
+    Args:
+        held: losses that may stay on the device.
+    """
+
+    def __init__(self, held: int) -> None:
+        self._held = held
+        self._fetched: list[float] = []
+        self._waiting: list[Tensor] = []
+
+    def __len__(self) -> int:
+        return len(self._fetched) + len(self._waiting)
+
+    @property
+    def fetched(self) -> list[float]:
+        """Those that need not be waited for, from the first on."""
+        return self._fetched
+
+    @property
+    def newest(self) -> float | None:
+        """The last of these."""
+        return self._fetched[-1] if self._fetched else None
+
+    def add(self, loss: Tensor) -> None:
+        """Note one more."""
+        self._waiting.append(loss.detach())
+        if len(self._waiting) > self._held:
+            self.all()
+
+    def all(self) -> list[float]:
+        """All, for which the device may have to be waited for."""
+        if self._waiting:
+            self._fetched += torch.stack(self._waiting).tolist()
+            self._waiting.clear()
+        return self._fetched
+
+    def restore(self, losses: list[float]) -> None:
+        """Begin with these."""
+        self._fetched, self._waiting = losses, []
 
 
 class _Training:
@@ -125,7 +171,7 @@ class _Training:
         device = settings.backend.device
         unit = _unit(gaussians, cameras)
         self.trainee = Trainee(gaussians, unit, settings.rates, device)
-        self.losses: list[float] = []
+        self.losses = _Losses(0 if device == "cpu" else _LOSSES_HELD)
         self._settings = settings
         self._draw = rasteriser(settings.backend)
         self._random = np.random.default_rng(settings.seed)
@@ -141,7 +187,7 @@ class _Training:
     @property
     def settled(self) -> bool:
         """Whether the loss has not become better by enough within the last iterations."""
-        settings, losses = self._settings, self.losses
+        settings, losses = self._settings, self.losses.fetched
         if len(losses) <= settings.patience:
             return False
         before = min(losses[: -settings.patience])
@@ -150,7 +196,12 @@ class _Training:
     @property
     def ended(self) -> bool:
         """Whether all iterations were made, or no more are worth it."""
-        return len(self.losses) >= self._settings.iterations or self.settled
+        return self.done >= self._settings.iterations or self.settled
+
+    @property
+    def done(self) -> int:
+        """Iterations that were made."""
+        return len(self.losses)
 
     def iterate(self) -> None:
         """Look, compare, and move the Gaussians."""
@@ -166,14 +217,14 @@ class _Training:
         if settings.thin_axis_locked:
             parameters.log_scales.grad[:, 2] = 0.0
         self.trainee.step(self._position_rate())
-        self.losses.append(float(loss.detach()))
+        self.losses.add(loss)
         if self._density:
             self._density.note(shifts.grad, (look.cameras.width, look.cameras.height))
-            self._density.after(len(self.losses))
+            self._density.after(self.done)
 
     def state(self) -> Arrays:
         """Everything that :meth:`restore` needs."""
-        found = {**self.trainee.state(), "losses": np.array(self.losses)}
+        found = {**self.trainee.state(), "losses": np.array(self.losses.all())}
         found["order"] = np.array(self._order, dtype=np.int64)
         found["random"] = np.array(json.dumps(self._random.bit_generator.state))
         return {**found, **self._density.state()} if self._density else found
@@ -181,7 +232,7 @@ class _Training:
     def restore(self, state: Arrays) -> None:
         """Go on from where :meth:`state` was taken."""
         self.trainee.restore(state)
-        self.losses = state["losses"].tolist()
+        self.losses.restore(state["losses"].tolist())
         self._order = state["order"].tolist()
         self._random.bit_generator.state = json.loads(str(state["random"]))
         if self._density:
@@ -198,13 +249,13 @@ class _Training:
     def _position_rate(self) -> float:
         rates = self._settings.rates
         steps = rates.position_steps or self._settings.iterations - 1
-        share = len(self.losses) / max(1, steps)
+        share = self.done / max(1, steps)
         return rates.position * (rates.position_end / rates.position) ** share
 
 
 def _look(cameras: tuple[Camera, ...], targets: Targets, unit: float) -> _Look:
     batch = batch_of(cameras, unit).on(targets.colours.device.type)
-    return _Look(batch, targets, _similarity_with(targets.colours))
+    return _Look(batch, targets, similarity_with(targets.colours))
 
 
 def _unit(gaussians: Gaussians, cameras: tuple[Camera, ...]) -> float:
@@ -240,13 +291,6 @@ def _third_axes(quaternions: Tensor) -> Tensor:
     """(n, 3) the third axis of rotations given as (n, 4) quaternions, scalar first."""
     w, x, y, z = torch.nn.functional.normalize(quaternions, dim=1).unbind(1)
     return torch.stack([2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)], dim=1)
-
-
-def _similarity_with(targets: Tensor) -> Callable[[Tensor], Tensor]:
-    """SSIM with fixed targets: the compiled one reads the processor's memory only."""
-    if targets.device.type == "cpu":
-        return FastSsim(targets)
-    return partial(plain_ssim, targets=targets)
 
 
 @contextmanager

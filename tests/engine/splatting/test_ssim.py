@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from skimage.metrics import structural_similarity
 
-from gaussiancad_core.splatting.ssim import FastSsim, plain_ssim
+from gaussiancad_core.splatting.ssim import FastSsim, TorchSsim, plain_ssim, similarity_with
 
 
 def images(seed: int, height: int = 24, width: int = 31) -> tuple[torch.Tensor, torch.Tensor]:
@@ -51,15 +51,22 @@ def test_plain_version_agrees_with_another_implementation() -> None:
     assert float(found) == pytest.approx(expected, abs=1e-9)
 
 
+def test_a_processor_has_the_compiled_version() -> None:
+    assert isinstance(similarity_with(images(0)[0]), FastSsim)
+
+
+@pytest.mark.parametrize("version", [FastSsim, TorchSsim])
 @settings(max_examples=15, deadline=None)
-@given(st.integers(0, 1000))
-def test_fast_version_has_the_value_and_gradient_of_the_plain_one(seed: int) -> None:
+@given(seed=st.integers(0, 1000))
+def test_fast_versions_have_the_value_and_gradient_of_the_plain_one(
+    version: type[FastSsim] | type[TorchSsim], seed: int
+) -> None:
     one, other = images(seed)
     exact = one.double().requires_grad_()
     plain = plain_ssim(exact, other.double())
     plain.backward()
     single = one.clone().requires_grad_()
-    fast = FastSsim(other)(single)
+    fast = version(other)(single)
     (3.0 * fast).backward()
     assert float(fast.detach()) == pytest.approx(float(plain.detach()), abs=2e-5)
     expected = 3.0 * exact.grad
