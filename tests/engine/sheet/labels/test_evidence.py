@@ -1,5 +1,8 @@
 """How sure labels are, and which of them a stroke runs along."""
 
+import json
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -20,6 +23,12 @@ from gaussiancad_core.sheet.runs import Run
 from gaussiancad_core.views import Linetype, Segment
 
 WIDTH = 3.0
+
+
+@pytest.fixture(autouse=True)
+def _plain_odds(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The network's log-odds are taken as they are, whatever its calibration says."""
+    monkeypatch.setattr(evidence, "log_odds_factor", lambda: 1.0)
 
 
 def labelled(
@@ -52,10 +61,14 @@ def test_the_confidence_is_the_probability_of_the_margin() -> None:
 
 
 def test_a_calibrated_network_is_as_sure_as_its_card_says(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert network.log_odds_factor() == 1.0
     monkeypatch.setattr(evidence, "log_odds_factor", lambda: 0.5)
     line = labelled((0.0, 0.0), (50.0, 0.0), 2.0)
     assert line.confidence == pytest.approx(1.0 / (1.0 + np.exp(-1.0)))
+
+
+def test_the_shipped_network_says_the_temperature_of_its_card() -> None:
+    card = json.loads(Path(network.__file__).with_name("labels.json").read_text(encoding="utf-8"))
+    assert network.log_odds_factor() == pytest.approx(card["calibration"]["temperature"])
 
 
 def test_what_turned_a_line_makes_it_no_surer_than_its_ink_allows() -> None:
