@@ -3,19 +3,19 @@
 from enum import Enum
 
 from exact_measures import fine_mesh
+from sweep_and_cut import swept_solid
 
 from gaussiancad_core.cameras import orthographic_camera
 from gaussiancad_core.hull import visual_hull
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.modes import Preset, Recipe
-from gaussiancad_core.solid.sweep import swept_solid
 from gaussiancad_core.views import ViewSet
 
 _CAMERA_PX = 600
 
 
 class Peer(Enum):
-    """A model of the same views: the outlines' hull, the product's solid of swept outlines with the
+    """A model of the same views: the outlines' hull, the solid of swept outlines with the
     through features cut out, and the GaussianCAD paper's mesh."""
 
     HULL = "hull"

@@ -34,10 +34,13 @@ def sketched(case: LineCase) -> dict[str, object]:
     if case.own is None:
         return row
     began = time.process_time()
-    readings = [
-        replace(own.views, told=own.numbers) for own in (case.own, case.other) if own is not None
+    sketches = [
+        sketch(replace(own.views, told=own.numbers), own.grid)
+        for own in (case.own, case.other)
+        if own is not None
     ]
-    found = sketch(readings, case.own.grid)
+    known = [own for own in sketches if own is not None]
+    found = min(known, key=lambda own: own.energy, default=None)
     row["seconds"] = time.process_time() - began
     if found is None or found.shape is None:
         return {**row, "refused": "no sketch" if found is None else "no body"}
@@ -48,7 +51,7 @@ def sketched(case: LineCase) -> dict[str, object]:
         "regions": len(plan.regions.polygons),
         "levels": [round(own, 3) for own in plan.levels],
         "energy": round(found.energy / plan.grid, 2),
-        "other": found.reading == 1,
+        "other": found is not sketches[0],
         "proven": found.choice.is_proven,
         "valid": facts.valid and facts.closed,
         "solids": facts.solids,

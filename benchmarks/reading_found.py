@@ -15,7 +15,8 @@ from gaussiancad_core.events import Progress, Silence
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.pipeline import STAGES
-from gaussiancad_core.projection_choice import both_readings, choose_projection
+from gaussiancad_core.projected_reading import Reading
+from gaussiancad_core.projection_choice import both_readings
 from gaussiancad_core.reading_stage import SheetLines, read_lines
 from gaussiancad_core.report import Report
 from gaussiancad_core.run_notes import RunNotes
@@ -26,6 +27,7 @@ from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.read import SheetImage, read_sheet
 from gaussiancad_core.sheet.reading import RegisteredSheet, register_views
 from gaussiancad_core.sheet.registration import scaled
+from gaussiancad_core.sketched_readings import weigh
 from gaussiancad_core.views import Linetype
 
 
@@ -104,9 +106,13 @@ def found_of(lines: SheetLines, turn: Turn, reading: ReadingOptions) -> Found:
     layout, drawn = lines.layout, lines.drawn
     projection, alternatives = layout.projection, layout.alternatives
     if alternatives:
-        choice = choose_projection(*both_readings(drawn, reading), projection)
-        registered, projection = choice.registered, choice.projection
-        alternatives = () if choice.inferred else (projection.other,)
+        both = zip(both_readings(drawn, reading), (projection, projection.other), strict=True)
+        readings = [Reading(own, angle) for own, angle in both if own is not None]
+        weighed = weigh(readings)
+        chosen = readings[weighed.likelier]
+        registered, projection = chosen.registered, chosen.projection
+        is_certain = weighed.is_clear or len(readings) == 1
+        alternatives = () if is_certain else (projection.other,)
     else:
         registered = register_views(drawn, reading)
     drawn = registered.drawn

@@ -84,7 +84,7 @@ def solid_report(model: ExactModel) -> SolidReport:
         facts.volume_mm3,
         (float(size[0]), float(size[1]), float(size[2])),
         len(result.alternatives),
-        "sweeps" if model.swept else "lines",
+        "sketch" if model.sketched else "lines",
         round(result.verification.share, 4),
     )
 

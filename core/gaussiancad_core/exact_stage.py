@@ -4,21 +4,24 @@ First and third angle are two readings of the same views.  Where neither the use
 which, the solid decides: the reading is right whose lines a solid has.  If both have one, and the
 two differ, nobody can tell from the sheet which is meant.
 
-Where there is none, what the outlines' sweeps have in common is a solid that is told to be no more.
+Where no solid has all lines as they were read, the part is sketched: slabs that explain them best.
+Only then lines are given up, of the likelier reading, and for a short while: a solid that is found
+so takes the sketch's place where it has all lines, or more of them.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
 
 from gaussiancad_core.messages import Message
 from gaussiancad_core.modes import Status
 from gaussiancad_core.projected_reading import Reading
 from gaussiancad_core.reasoning.labelling import Effort
+from gaussiancad_core.sketch.checking import checked
+from gaussiancad_core.sketch.sketching import Sketch
+from gaussiancad_core.sketched_readings import weigh
 from gaussiancad_core.solid.exact import ExactResult, exact_solid
 from gaussiancad_core.solid.limits import Limits
 from gaussiancad_core.solid.same import same_solid
-from gaussiancad_core.solid.sweep import swept_solid
-from gaussiancad_core.solid.verify import verify
+from gaussiancad_core.solid.verify import Verification
 
 _UNSETTLED = (
     "search-unfinished",
@@ -47,11 +50,11 @@ _AMBIGUOUS = (
 )
 
 
-_SWEPT = (
-    "outlines-swept",
-    "no exact solid was found: this one fills all that the outlines and the through holes leave, "
-    "so that pockets, blind holes and whatever else no outline shows are missing",
-)
+_RELAXED = 0.25
+"""Share of the work for a solid that does not have all lines."""
+
+_WRONG = 0.5
+"""Share of the sketch's wrong lines that such a solid has at most, to take its place."""
 
 _BRIEF = 0.25
 """Share of the usual effort for what carves the hull alone: a few seconds on usual parts."""
@@ -71,23 +74,20 @@ class ExactModel:
     Attributes:
         reading: under which it was found.
         result: the solid; its shape is None if there is none worth keeping.
-        decided: whether the solids tell which reading is right.
-        swept: whether the solid is only what the outlines' sweeps have in common.
+        decided: whether the solids, or the sketches, tell which reading is right.
+        sketched: the part's sketch, where the solid is that.
+        contradicted: whether the other reading fits clearly better than the symbol's.
     """
 
     reading: Reading
     result: ExactResult
     decided: bool
-    swept: bool = False
+    sketched: Sketch | None = None
+    contradicted: bool = False
 
 
 def find_exact(
-    own: Reading,
-    other: Reading | None,
-    limits: Limits | None = None,
-    likelier: Callable[[], Reading] | None = None,
-    *,
-    by_symbol: bool = False,
+    own: Reading, other: Reading | None, limits: Limits | None = None, *, by_symbol: bool = False
 ) -> ExactModel:
     """The exact solid of a sheet.
 
@@ -95,32 +95,32 @@ def find_exact(
         own: the reading that was told, inferred or assumed.
         other: the other one, if it is possible.
         limits: of the search.
-        likelier: tells which of the two is likelier; asked only where the solids do not tell.
         by_symbol: whether the sheet's projection symbol tells the first: the other is tried only
             where lines contradict it.
     """
     limits = limits or Limits()
-    result = _solved(own, limits)
-    if other is None:
-        return ExactModel(own, result, False)
-    if by_symbol and result.explains and not result.relaxed:
-        return ExactModel(own, result, True)
     strict = replace(limits, relaxed=False)
-    contrary = _solved(other, strict)
-    if not contrary.explains and (result.relaxed or not result.explains):
-        # What was given up for the one reading may be given up for the other.
-        contrary = _solved(other, limits)
-    if contrary.explains and not result.explains:
-        # The reading that was likelier must have no solid either, for this one to be certain.
-        if not _solved(own, strict).is_settled:
-            contrary = contrary.doubted(_UNSETTLED)
-        return ExactModel(other, contrary, True)
-    if contrary.explains is result.explains and _is_likelier(contrary, result, other, likelier):
-        own, result, contrary = other, contrary, result
-    if not contrary.explains:
-        if not contrary.is_settled:
-            result = result.doubted(_UNSETTLED)
-        return ExactModel(own, result, result.explains)
+    result = _solved(own, strict)
+    if result.explains and (other is None or by_symbol):
+        return ExactModel(own, result, by_symbol)
+    contrary = _solved(other, strict) if other is not None else None
+    if contrary is None or not (result.explains or contrary.explains):
+        return _sketched(own, other, limits, by_symbol=by_symbol)
+    if result.explains and contrary.explains:
+        return _told_apart((own, result), (other, contrary))
+    # The reading that has no solid must have none for certain, for the other one to be.
+    loser = contrary if result.explains else result
+    reading, winner = (own, result) if result.explains else (other, contrary)
+    return ExactModel(reading, winner if loser.is_settled else winner.doubted(_UNSETTLED), True)
+
+
+def _told_apart(
+    first: tuple[Reading, ExactResult], second: tuple[Reading, ExactResult]
+) -> ExactModel:
+    """Where both readings have a solid: the likelier one, and the other beside it."""
+    if _is_likelier(second, first):
+        first, second = second, first
+    (own, result), (_, contrary) = first, second
     indistinct = own.drawn.indistinct
     further = [
         (shape, share)
@@ -142,20 +142,54 @@ def find_exact(
     return ExactModel(own, result.doubted(_AMBIGUOUS), False)
 
 
-def _is_likelier(
-    contrary: ExactResult,
-    result: ExactResult,
-    other: Reading,
-    likelier: Callable[[], Reading] | None,
-) -> bool:
+def _is_likelier(other: tuple[Reading, ExactResult], own: tuple[Reading, ExactResult]) -> bool:
     """Whether the other reading of two that fit alike is to be taken: whose solid is clearly more
-    usual, where hidden lines are left out; else what the hull's lines tell."""
+    usual, where hidden lines are left out; else whose sketch explains more."""
+    result, contrary = own[1], other[1]
     if result.unusual is not None and contrary.unusual is not None:
         if contrary.unusual < _MORE_USUAL * result.unusual:
             return True
         if result.unusual < _MORE_USUAL * contrary.unusual:
             return False
-    return likelier is not None and likelier() is other
+    return weigh((own[0], other[0])).likelier == 1
+
+
+def _sketched(
+    own: Reading, other: Reading | None, limits: Limits, *, by_symbol: bool
+) -> ExactModel:
+    """Where no reading has a solid that has all lines: the sketch, or what has more of them."""
+    readings = (own,) if other is None else (own, other)
+    weighed = weigh(readings)
+    contradicted = by_symbol and weighed.is_clear and weighed.likelier == 1
+    number = 0 if by_symbol else weighed.likelier
+    reading, sketch = readings[number], weighed.sketches[number]
+    relaxed = _solved(reading, replace(limits, work=_RELAXED * limits.work))
+    decided = weighed.is_clear and not contradicted
+    model = ExactModel(reading, relaxed, decided, contradicted=contradicted)
+    if relaxed.explains or sketch is None:
+        return model
+    result = checked(sketch, reading.drawn)
+    if result is None or _has_more_lines(relaxed.verification, result.verification):
+        return model
+    result = replace(
+        result,
+        conflict=relaxed.conflict,
+        trace=(*(replace(each, taken=False) for each in relaxed.trace), *result.trace),
+        seconds=relaxed.seconds,
+    )
+    return replace(model, result=result, sketched=sketch)
+
+
+def _has_more_lines(relaxed: Verification | None, sketched: Verification) -> bool:
+    """Whether a solid that was kept is so much better than the sketch."""
+    if relaxed is None:
+        return False
+    return _wrong(relaxed) < _WRONG * _wrong(sketched)
+
+
+def _wrong(verification: Verification) -> float:
+    """mm of line in which a solid and the sheet differ."""
+    return sum(flaw.length for flaw in verification.flaws)
 
 
 def find_for_hull(own: Reading, other: Reading | None) -> ExactModel | None:
@@ -179,29 +213,6 @@ def find_for_hull(own: Reading, other: Reading | None) -> ExactModel | None:
     return find_exact(own, other, limits)
 
 
-def with_fallback(model: ExactModel) -> ExactModel:
-    """The same where it has a solid; else with what the sweeps of its outlines have in common.
-
-    Such a solid is never verified.  Where the sweeps have no such solid, nothing changes.
-    """
-    if model.result.shape is not None:
-        return model
-    drawn = model.reading.drawn
-    shape = swept_solid(model.reading.registered.views, drawn.tolerance)
-    if shape is None:
-        return model
-    result = replace(
-        model.result,
-        status=Status.APPROXIMATE,
-        shape=shape,
-        verification=verify(shape, drawn),
-        alternatives=(),
-        agreements=(),
-        reasons=(*model.result.reasons, _SWEPT),
-    )
-    return replace(model, result=result, swept=True)
-
-
 def _solved(reading: Reading, limits: Limits) -> ExactResult:
     result = exact_solid(reading.drawn, limits)
     if result.verification is None:
@@ -222,6 +233,7 @@ def _solved(reading: Reading, limits: Limits) -> ExactResult:
         result,
         status=Status.FAILED,
         shape=None,
+        verification=None,
         alternatives=(),
         agreements=(),
         reasons=(reason,),

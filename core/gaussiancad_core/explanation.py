@@ -24,6 +24,7 @@ _SOURCES = {
 
 _MODELS = {
     "as-drawn": "the lines as they are drawn",
+    "sketch": "slabs that explain the lines best, none of which has to hold",
     "sharp-edges": "without the chamfers that run around faces, which are put on last",
     "open-linetypes": "the same where a line no longer than a dash may be of either kind",
     "closed-outline": "the same with the outline that is open closed by a straight line",

@@ -4,7 +4,6 @@ read -> views -> lines -> masks -> solid -> hull -> gaussians -> surface -> chec
 """
 
 from dataclasses import replace
-from functools import cache
 from typing import TYPE_CHECKING
 
 from gaussiancad_core.errors import (
@@ -224,33 +223,21 @@ class _Run:
             OPEN_ENDED,
             find_exact,
             find_for_hull,
-            with_fallback,
         )
         from gaussiancad_core.ink_stage import compared_with_ink
-        from gaussiancad_core.registering_stage import tell_projection, weigh_readings
+        from gaussiancad_core.registering_stage import tell_projection
         from gaussiancad_core.solid_reports import with_solid_facts
-
-        @cache
-        def weighed() -> "SheetFindings":
-            return weigh_readings(found, self.notes)
 
         surface_alone = self.job.result is ResultKind.SURFACE
         if surface_alone:
             exact = find_for_hull(found.own, found.other)
         else:
-            exact = find_exact(
-                found.own,
-                found.other,
-                likelier=lambda: weighed().own,
-                by_symbol=found.symbol is not None,
-            )
-        if exact and exact.decided:
-            tell_projection(self.notes, exact.reading.projection, inferred=True)
-        elif found.other and not surface_alone:
-            found = weighed()
+            exact = find_exact(found.own, found.other, by_symbol=found.symbol is not None)
+        if exact and (exact.decided or (found.other and not surface_alone)):
+            tell_projection(self.notes, exact.reading.projection, inferred=exact.decided)
         if exact is None or surface_alone:
             return found, exact
-        exact = with_fallback(exact)
+        found = replace(found, contradicted=exact.contradicted)
         checked = compared_with_ink(exact.result, exact.reading.registered, clean)
         exact = replace(exact, result=checked)
         for code, message in exact.result.reasons:

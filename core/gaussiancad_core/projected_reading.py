@@ -62,6 +62,14 @@ class Reading:
             holes=self.holes,
         )
 
+    @property
+    def numbered(self) -> DrawnViews:
+        """The same with what the sheet's numbers say of lengths, where the sheet is a file, too."""
+        drawn = self.drawn
+        if drawn.told is not None:
+            return drawn
+        return replace(drawn, told=told_numbers(self.registered, self.measures, drawn.noise))
+
 
 def drawn_views(registered: RegisteredSheet, measures: Sequence[Measure] = ()) -> DrawnViews:
     """The lines of a sheet's views, with the tolerance of the view that is known least exactly.

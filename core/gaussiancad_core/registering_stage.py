@@ -8,7 +8,7 @@ from gaussiancad_core.messages import Message
 from gaussiancad_core.modes import Recipe, ResultKind
 from gaussiancad_core.notes_stage import hole_notes
 from gaussiancad_core.projected_reading import Reading
-from gaussiancad_core.projection_choice import both_readings, choose_projection, opposite
+from gaussiancad_core.projection_choice import both_readings, opposite
 from gaussiancad_core.reading_stage import SheetLines
 from gaussiancad_core.report import ViewReport
 from gaussiancad_core.run_notes import RunNotes
@@ -111,19 +111,19 @@ def tell_symbol(notes: RunNotes, found: SheetFindings, taken: Projection) -> Non
 
 
 def weigh_readings(found: SheetFindings, notes: RunNotes) -> SheetFindings:
-    """The same with the likelier of both readings first, by the lines that its hull shows.
+    """The same with the likelier of both readings first, by what their sketches explain.
 
     What the sheet's symbol says stays first; the findings then tell whether lines contradict it.
     """
+    from gaussiancad_core.sketched_readings import weigh
+
     own, other = found.own, found.other
-    choice = choose_projection(own.registered, other.registered, own.projection)
-    contradicted = False
-    if found.symbol is not None:
-        contradicted = choice.inferred and choice.projection is not found.symbol
-        choice = choice.told(found.symbol)
-    tell_projection(notes, choice.projection, choice.inferred)
-    if choice.projection is not own.projection:
+    weighed = weigh((own, other))
+    is_other = weighed.likelier == 1
+    contradicted = found.symbol is not None and is_other
+    if is_other and not contradicted:
         own, other = other, own
+    tell_projection(notes, own.projection, weighed.is_clear or found.symbol is not None)
     return replace(found, own=own, other=other, contradicted=contradicted)
 
 

@@ -199,8 +199,8 @@ class SolidReport:
 
     Attributes:
         alternatives: number of others that fit the sheet as well.
-        source: ``lines`` if it was found from all lines, ``sweeps`` if it is only what the sweeps
-            of the outlines have in common.
+        source: ``lines`` if it was found from all lines, ``sketch`` if it is the part of slabs that
+            explains them best.
         agreement: share of all lines, the sheet's and the solid's, that agree.
     """
 

@@ -36,12 +36,10 @@ _MUCH_WORK = 1e9
 def make_hull(job: Job, views: ViewSet, exact: ExactModel | None) -> CarvedHull:
     """The hull of the views, carved by the depths of an exact solid if there is one.
 
-    A solid of swept outlines knows no more than the outlines do, so that it carves nothing.
-
     Raises:
         NoModelError: ``empty-hull``.
     """
-    known = exact.result if exact is not None and not exact.swept else None
+    known = exact.result if exact is not None else None
     return carved_hull(views, _cameras(job, views), known)
 
 

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from math import floor, inf, isfinite
+from math import floor, isfinite
 
 import numpy as np
 import numpy.typing as npt
@@ -26,6 +26,9 @@ walls show none, and edges between faces of one slab are drawn too."""
 
 _HIDDEN, _HIDDEN_UPRIGHT = 0.5, 0.35
 """What a mm of hidden line costs, across the axis and along it."""
+
+_KIND = 0.5
+"""Share of what a line costs that is seen but not drawn, where it is drawn as a hidden one."""
 
 _RUN = 1.2
 """Grid steps that each stretch of filled slabs of a region costs."""
@@ -52,9 +55,6 @@ _SEEN = 0.3
 _UNIT = 100
 """Of cost, in a grid step."""
 
-_EFFORT = 2.0
-"""Units of the solver's work."""
-
 Literal = cp_model.IntVar
 Expression = cp_model.LinearExprT
 
@@ -76,8 +76,10 @@ class Choice:
     is_proven: bool
 
 
-def choose(plan: Plan, less: float = inf, effort: float = _EFFORT) -> Choice | None:
-    """The cheapest choice of a plan; None where there is none, or none was found in time.
+def choose(plan: Plan, less: float, effort: float) -> tuple[Choice | None, float]:
+    """The cheapest choice of a plan, and the units of the solver's work that it took.
+
+    There is no choice where none costs as little, or none was found in time.
 
     Args:
         plan: with a region and a slab at least.
@@ -94,11 +96,12 @@ def choose(plan: Plan, less: float = inf, effort: float = _EFFORT) -> Choice | N
     solver.parameters.random_seed = 0
     solver.parameters.max_deterministic_time = effort
     status = solver.solve(model.model)
+    spent = solver.response_proto.deterministic_time
     if status not in FOUND:
-        return None
+        return None, spent
     filled = np.array([[bool(solver.value(x)) for x in row] for row in model.filled])
     energy = (solver.objective_value / _UNIT) * plan.grid + model.constant
-    return Choice(plan, filled, energy, status == cp_model.OPTIMAL)
+    return Choice(plan, filled, energy, status == cp_model.OPTIMAL), spent
 
 
 class _Model:
@@ -231,11 +234,12 @@ class _Model:
                 solid, dashed = visible[chosen, level], hidden[chosen, level]
                 drawn = float(widths[solid].sum())
                 blank = float(widths[~solid & ~dashed].sum())
+                behind = float(widths[dashed & ~solid].sum())
                 seen = self._changes_at(regions, level)
-                self._either(drawn, blank, seen)
+                self._either(drawn, blank + _KIND * behind, seen)
                 if view.draws_hidden and inner:
                     beneath = self._alters_at(regions, level)
-                    self._either(_HIDDEN * float(widths[dashed & ~solid].sum()), 0.0, beneath)
+                    self._either(_HIDDEN * behind, 0.0, beneath)
                     if blank:
                         covered = self.model.new_bool_var("")
                         self.model.add(covered >= beneath - seen)
@@ -266,7 +270,8 @@ class _Model:
                 told[key][kind] += height
         for key, (solid, dashed, blank) in told.items():
             jump, beneath = known[key]
-            self._either(_UPRIGHT_DRAWN * solid, _UPRIGHT_SEEN * blank, jump)
+            lacking = _UPRIGHT_SEEN * (blank + _KIND * dashed)
+            self._either(_UPRIGHT_DRAWN * solid, lacking, jump)
             if beneath is None:
                 continue
             if dashed:
@@ -367,7 +372,7 @@ class _Model:
         above, below = self.plan.is_seen
         if above:
             same = self._same(self._tops, border)
-            lacking = max(0.0, border.length - border.visible - border.hidden)
+            lacking = _lacking(border.length, border.visible, border.hidden)
             self._either(lacking, border.visible, same)
             if self.plan.draws_hidden and border.other != OUTSIDE:
                 beneath = self._differs(border.one, border.other)
@@ -379,7 +384,7 @@ class _Model:
                 self._cost(_HIDDEN * border.hidden, same - covered)
         if below:
             same = self._same(self._bottoms, border)
-            lacking = max(0.0, border.length - border.visible_below - border.hidden_below)
+            lacking = _lacking(border.length, border.visible_below, border.hidden_below)
             self._either(lacking, border.visible_below, same)
 
     def _same(self, opened: list[list[Literal]], border: Border) -> Literal:
@@ -473,6 +478,12 @@ class _Model:
                         for k in self.plan.slabs:
                             found.setdefault((r, k), []).append(self._is_open(before, k))
         return found
+
+
+def _lacking(length: float, visible: float, hidden: float) -> float:
+    """mm that are lost of a line which is seen, by what is drawn of it."""
+    blank = max(0.0, length - visible - hidden)
+    return blank + _KIND * min(hidden, max(0.0, length - visible))
 
 
 def _grouped(regions: Iterable[tuple[int, ...]]) -> dict[tuple[int, ...], list[int]]:

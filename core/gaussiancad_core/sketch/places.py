@@ -15,7 +15,7 @@ from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.curves import CircleCurve
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.planes import IN_PLANE
-from gaussiancad_core.reasoning.supports import find_supports
+from gaussiancad_core.reasoning.supports import PartSupports, find_supports
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine, arc_between, whole_circle
 
 _NEAR = 1.2
@@ -37,12 +37,14 @@ class Places:
         circles: of the plane across each axis, mm.
         size: (3,) mm of the part.
         grid: mm of a step of the sheet's coordinates.
+        supports: from which they come.
     """
 
     values: Mapping[Axis, Floats]
     circles: Mapping[Axis, Sequence[CircleCurve]]
     size: tuple[float, float, float]
     grid: float
+    supports: PartSupports
 
     def settled(self, line: PlaneLine, normal: Axis) -> PlaneLine:
         """A line of the plane across an axis at its place."""
@@ -107,7 +109,7 @@ def find_places(views: DrawnViews, grid: float) -> Places:
         else views.size[axis.value]
         for axis in Axis
     )
-    return Places(values, circles, size, grid)
+    return Places(values, circles, size, grid, supports)
 
 
 def _sweep(line: PlaneLine) -> float:

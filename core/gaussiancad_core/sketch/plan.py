@@ -8,7 +8,7 @@ from gaussiancad_core.cuts import Cut
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
 from gaussiancad_core.sketch.levels import find_levels
-from gaussiancad_core.sketch.places import Places, find_places
+from gaussiancad_core.sketch.places import Places
 from gaussiancad_core.sketch.plane_lines import PlaneLine, plane_lines
 from gaussiancad_core.sketch.regions import Regions, find_regions
 from gaussiancad_core.sketch.sights import Sights, sights_of
@@ -52,14 +52,13 @@ class Plan:
         return len(self.regions.polygons) * len(self.slabs)
 
 
-def plans_of(views: DrawnViews, grid: float) -> Iterator[Plan]:
+def plans_of(views: DrawnViews, places: Places) -> Iterator[Plan]:
     """The part's slabs along each axis along which a view that is not cut looks.
 
     Args:
         views: of the part.
-        grid: mm of a step of the sheet's coordinates.
+        places: where their lines belong.
     """
-    places = find_places(views, grid)
     lines = {
         role: [places.settled(own, role_plane(role).normal) for own in plane_lines(strokes, role)]
         for role, strokes in views.strokes.items()

@@ -1,16 +1,24 @@
 """A part sketched from the lines of its views: slabs of regions, along the cheapest axis."""
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from math import inf
 
 from OCP.TopoDS import TopoDS_Shape
 
+from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.supports import PartSupports
 from gaussiancad_core.sketch.bodies import Slab, body_of, slabs_of
 from gaussiancad_core.sketch.choosing import Choice, choose
+from gaussiancad_core.sketch.places import find_places
 from gaussiancad_core.sketch.plan import plans_of
+
+_EFFORT = 3.0
+"""Units of the solver's work for all axes."""
+
+_MOST = 2.0
+"""Units of it for one of them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,43 +28,51 @@ class Sketch:
     Attributes:
         choice: of regions and slabs.
         slabs: from the lowest.
-        shape: the solid in mm; None where the kernel made none.
-        reading: number of the reading of the sheet that it is of.
+        shape: the part in mm; None where the kernel made none.
+        supports: of the views: where their lines may lie.
     """
 
     choice: Choice
     slabs: tuple[Slab, ...]
     shape: TopoDS_Shape | None
-    reading: int
+    supports: PartSupports
 
     @property
     def energy(self) -> float:
         """mm of line, and what counts as much, that it costs."""
         return self.choice.energy
 
+    @property
+    def axis(self) -> Axis:
+        """Across the slabs."""
+        return self.choice.plan.axis
 
-def sketch(readings: Iterable[DrawnViews], grid: float) -> Sketch | None:
-    """The part that explains the lines of a sheet best, as slabs.
+
+def sketch(views: DrawnViews, grid: float) -> Sketch | None:
+    """The part that explains the lines of views best, as slabs.
 
     Args:
-        readings: the views as each projection has them.
+        views: of the part, with what the sheet's numbers say.
         grid: mm of a step of the sheet's coordinates.
 
     Returns:
         None where no view tells an outline, or none was chosen in time.
     """
-    best: tuple[Choice, int] | None = None
-    for number, views in enumerate(readings):
-        for plan in sorted(plans_of(views, grid), key=lambda own: own.complexity):
-            choice = choose(plan, inf if best is None else best[0].energy)
-            if choice is not None and (best is None or choice.energy < best[0].energy):
-                best = choice, number
+    places = find_places(views, grid)
+    best: Choice | None = None
+    left = _EFFORT
+    for plan in sorted(plans_of(views, places), key=lambda own: own.complexity):
+        choice, spent = choose(plan, inf if best is None else best.energy, min(_MOST, left))
+        left -= spent
+        if choice is not None and (best is None or choice.energy < best.energy):
+            best = choice
+        if left <= 0.0:
+            break
     if best is None:
         return None
-    choice, number = best
-    slabs = slabs_of(choice)
+    slabs = slabs_of(best)
     try:
-        shape = body_of(slabs, choice.plan.axis, choice.plan.regions, grid) if slabs else None
+        shape = body_of(slabs, best.plan.axis, best.plan.regions, grid) if slabs else None
     except KERNEL_FAILURES:
         shape = None
-    return Sketch(choice, slabs, shape, number)
+    return Sketch(best, slabs, shape, places.supports)

@@ -19,6 +19,7 @@ class ModelKind(Enum):
     """How the drawing was understood."""
 
     AS_DRAWN = "as-drawn"
+    SKETCH = "sketch"
     SHARP_EDGES = "sharp-edges"
     OPEN_LINETYPES = "open-linetypes"
     CLOSED_OUTLINE = "closed-outline"

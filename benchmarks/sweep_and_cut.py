@@ -1,4 +1,4 @@
-"""The fallback solid: the outlines' sweeps intersected, with the through features cut.
+"""A peer of the exact solid: the outlines' sweeps intersected, with the through features cut.
 
 Each view's outline, with the through holes that hidden lines show (they are open in the masks), is
 swept over the whole depth; what all sweeps have in common is the solid (Shum et al. 2001, the first

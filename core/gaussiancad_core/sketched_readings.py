@@ -1,0 +1,59 @@
+"""First or third angle: the reading under which the sheet's lines fit together.
+
+Where exact solids do not tell (:mod:`.exact_stage`), sketches do.  Under the other reading each
+view beside the front is its opposite, and the part is mirrored.  The outlines do not tell the two
+apart, but what hides what does: the part of either reading that explains the lines best leaves
+more of them unexplained where the reading is wrong.  Where both leave as much, both readings mostly
+show one and the same part.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from gaussiancad_core.projected_reading import Reading
+from gaussiancad_core.sheet.layout import is_unusual
+from gaussiancad_core.sketch.sketching import Sketch, sketch
+
+_CLEAR = 0.1
+"""Share of what the one sketch leaves unexplained that the other leaves more, for its reading to be
+clearly the worse."""
+
+_CLEAR_UNUSUAL = 0.3
+"""The same where the better one has a view from below in place of one from above."""
+
+
+@dataclass(frozen=True, eq=False)
+class Weighed:
+    """How well the readings of a sheet are sketched.
+
+    Attributes:
+        sketches: of each reading; None where there is none.
+        likelier: number of the reading whose sketch explains more, the first where all do alike.
+        is_clear: whether it clearly does.
+    """
+
+    sketches: tuple[Sketch | None, ...]
+    likelier: int
+    is_clear: bool
+
+    @property
+    def sketch(self) -> Sketch | None:
+        """That of the likelier reading."""
+        return self.sketches[self.likelier]
+
+
+def weigh(readings: Sequence[Reading]) -> Weighed:
+    """Sketch the part under each reading of a sheet.
+
+    Args:
+        readings: one or two, the first as the views are named.
+    """
+    sketches = tuple(sketch(own.numbered, own.registered.mm_per_pixel) for own in readings)
+    known = [number for number, own in enumerate(sketches) if own is not None]
+    if len(known) < len(readings) or len(readings) == 1:
+        return Weighed(sketches, min(known, default=0), is_clear=False)
+    best = min(known, key=lambda number: sketches[number].energy)
+    least, most = sorted(own.energy for own in sketches)
+    unusual = is_unusual(readings[best].registered.views.roles)
+    clear = most > (1.0 + (_CLEAR_UNUSUAL if unusual else _CLEAR)) * least
+    return Weighed(sketches, best if clear else 0, clear)

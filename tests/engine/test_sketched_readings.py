@@ -1,0 +1,52 @@
+"""First or third angle, by how much of the lines either reading's sketch explains."""
+
+from types import SimpleNamespace
+
+import pytest
+
+from gaussiancad_core import sketched_readings
+from gaussiancad_core.axes import Role
+from gaussiancad_core.sketched_readings import weigh
+
+USUAL, UNUSUAL = (Role.FRONT, Role.TOP), (Role.FRONT, Role.BOTTOM)
+
+
+@pytest.mark.parametrize(
+    ("energies", "roles", "likelier", "is_clear"),
+    [
+        ((100.0, 120.0), (USUAL, USUAL), 0, True),
+        ((120.0, 100.0), (USUAL, USUAL), 1, True),
+        ((105.0, 100.0), (USUAL, USUAL), 0, False),
+        ((0.0, 0.0), (USUAL, USUAL), 0, False),
+        # A view from below in place of one from above must explain more.
+        ((120.0, 100.0), (USUAL, UNUSUAL), 0, False),
+        ((140.0, 100.0), (USUAL, UNUSUAL), 1, True),
+        ((100.0, 120.0), (USUAL, UNUSUAL), 0, True),
+        # Nothing is told where a reading has no sketch.
+        ((None, 100.0), (USUAL, USUAL), 1, False),
+        ((None, None), (USUAL, USUAL), 0, False),
+        ((100.0,), (USUAL,), 0, False),
+    ],
+)
+def test_the_sketch_that_explains_clearly_more_tells_the_reading(
+    monkeypatch: pytest.MonkeyPatch,
+    energies: tuple[float | None, ...],
+    roles: tuple[tuple[Role, ...], ...],
+    likelier: int,
+    is_clear: bool,
+) -> None:
+    readings = [
+        SimpleNamespace(
+            numbered=energy,
+            registered=SimpleNamespace(mm_per_pixel=1.0, views=SimpleNamespace(roles=own)),
+        )
+        for energy, own in zip(energies, roles, strict=True)
+    ]
+    monkeypatch.setattr(
+        sketched_readings,
+        "sketch",
+        lambda energy, grid: None if energy is None else SimpleNamespace(energy=energy),
+    )
+    found = weigh(readings)
+    assert (found.likelier, found.is_clear) == (likelier, is_clear)
+    assert found.sketch is found.sketches[likelier]
