@@ -80,7 +80,12 @@ def odds_along(sheet: CleanSheet, geometry: Geometry, run: Run, pens: Pens) -> F
 
 
 def _joined(cut: list[Told]) -> list[Told]:
-    """The stretches of a run, without the cuts beside which nothing is told to change."""
+    """The stretches of a run, without the cuts beside which nothing is told to change; all of it
+    with the mean log-odds where none is visible, as then no edge begins."""
+    if all(odds > -TOLD for _, odds in cut):
+        weights = [run.length for run, _ in cut]
+        mean = float(np.average([odds for _, odds in cut], weights=weights))
+        return [(Run(cut[0][0].start, cut[-1][0].end), mean)]
     joined = cut[:1]
     for run, odds in cut[1:]:
         before, known = joined[-1]

@@ -117,6 +117,19 @@ def test_a_run_is_cut_where_its_label_changes(sketch: Sketch) -> None:
     assert told[0][0].end == told[1][0].start == pytest.approx(90.0, abs=1.0)
 
 
+def test_a_run_of_which_nothing_is_visible_is_not_cut(sketch: Sketch) -> None:
+    """Most of a thin circle's ink looks like nothing that is known, its ends like a hidden line's;
+    it is drawn through, as no hidden line is."""
+    sheet = clean_sheet(sketch().line((20, 60), (150, 60), 2.5).grey)
+    odds = np.full(sheet.ink.shape, -0.5, np.float16)
+    odds[:, :45] = odds[:, 130:] = 4.0
+    run = Run(20.0, 150.0)
+    told = told_runs(replace(sheet, hidden_odds=odds), LEVEL, [run], Pens())
+    assert _kinds(told) == [(run, None)]
+    found = classify([run], RHYTHM, [(False, False)], told=[odds for _, odds in told])
+    assert [piece.linetype for piece in found] == [VISIBLE]
+
+
 def test_pen_and_label_add_up(sketch: Sketch) -> None:
     """A label that is hardly sure tells nothing against a pen; one that is sure does."""
     sheet = clean_sheet(sketch().line((20, 60), (150, 60), 2.0).grey)

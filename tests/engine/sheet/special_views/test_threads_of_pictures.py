@@ -45,7 +45,7 @@ def test_each_symbol_is_told_where_it_stands(find, part: str, style: str, px: fl
         assert np.abs(boxes).max(axis=1).min() < px
 
 
-@pytest.mark.parametrize(("part", "style"), [("bored-plate", "clean")])
+@pytest.mark.parametrize(("part", "style"), [("bored-plate", "clean"), ("stepped-shaft", "clean")])
 def test_what_is_left_are_the_lines_of_the_part(find, part: str, style: str) -> None:  # noqa: ANN001
     found = find(part, f"{style},threads=on")
     plain = find(part, style)
