@@ -1327,8 +1327,8 @@
         <translation>Linien</translation>
     </message>
     <message>
-        <source>Part (outlines only, approximate)</source>
-        <translation>Bauteil (nur Umrisse, angenähert)</translation>
+        <source>Part (slabs, approximate)</source>
+        <translation>Bauteil (Platten, angenähert)</translation>
     </message>
     <message>
         <source>Agrees, %</source>
@@ -1763,8 +1763,12 @@
         <translation>Der exakte Festkörper, der am besten passt, hat nur {percent} % der Linien der Zeichnung und wurde nicht behalten. Prüfen Sie mit „Blatt korrigieren“, ob die Linien richtig gelesen wurden.</translation>
     </message>
     <message>
-        <source>No exact solid was found. This one fills what the outlines and the through holes leave: pockets and blind holes are missing.</source>
-        <translation>Es wurde kein exakter Festkörper gefunden. Dieser füllt, was die Umrisse und die Durchgangslöcher lassen: Taschen und Grundlöcher fehlen.</translation>
+        <source>No solid has all lines as they were read. This part is a stack of slabs along {axis} that explains {percent} % of them. Check in Correct Sheet which lines are wrong.</source>
+        <translation>Kein Festkörper hat alle Linien, wie sie gelesen wurden. Dieses Bauteil ist ein Stapel von Platten längs {axis}, der {percent} % von ihnen erklärt. Prüfen Sie mit „Blatt korrigieren“, welche Linien falsch sind.</translation>
+    </message>
+    <message>
+        <source>The part is {count} bodies: the sheet shows several, or a line is missing that joins them.</source>
+        <translation>Das Bauteil besteht aus {count} Körpern: Das Blatt zeigt mehrere, oder eine Linie fehlt, die sie verbindet.</translation>
     </message>
     <message>
         <source>The lines of the views contradict each other, so that no solid has them all. Check in Correct Sheet whether a line was read wrong.</source>

@@ -795,8 +795,12 @@
         <translation>最吻合的精确实体只具有图纸上 {percent} % 的线，未予保留。请在“校正图纸”中检查各线是否读对。</translation>
     </message>
     <message>
-        <source>No exact solid was found. This one fills what the outlines and the through holes leave: pockets and blind holes are missing.</source>
-        <translation>未找到精确实体。当前实体填满了轮廓和通孔所留的空间：凹槽和盲孔缺失。</translation>
+        <source>No solid has all lines as they were read. This part is a stack of slabs along {axis} that explains {percent} % of them. Check in Correct Sheet which lines are wrong.</source>
+        <translation>没有任何实体具有所读出的全部线条。此零件是沿 {axis} 方向层叠的板，能解释其中 {percent} % 的线。请在“校正图纸”中检查哪些线有误。</translation>
+    </message>
+    <message>
+        <source>The part is {count} bodies: the sheet shows several, or a line is missing that joins them.</source>
+        <translation>该零件由 {count} 个实体组成：图纸显示了多个实体，或者缺少一条将它们连接起来的线。</translation>
     </message>
     <message>
         <source>The lines of the views contradict each other, so that no solid has them all. Check in Correct Sheet whether a line was read wrong.</source>
@@ -1567,8 +1571,8 @@
         <translation>零件（三角面片，近似）</translation>
     </message>
     <message>
-        <source>Part (outlines only, approximate)</source>
-        <translation>零件（仅由轮廓得出，近似）</translation>
+        <source>Part (slabs, approximate)</source>
+        <translation>零件（层叠板，近似）</translation>
     </message>
     <message>
         <source>Part</source>

@@ -22,7 +22,7 @@ from fake_batch import FakeBatch, folder_names, settings_of
 BEHAVIOURS = (
     "ok",  # verified solid, surface, Gaussians
     "contradicts",  # approximate, with a line missing on the sheet
-    "swept",  # a solid of the outlines alone
+    "sketched",  # a solid of slabs
     "surface",  # no exact solid
     "ambiguous",  # approximate, with another solid that fits
     "several",  # approximate, with two other solids that fit, one of them in first angle
@@ -131,7 +131,7 @@ def write_models(output: Path, behaviour: str) -> None:
     (output / "gaussians.ply").write_bytes(fake_part.gaussians_bytes())
 
 
-TELL_SOLID = ("ok", "contradicts", "swept", "ambiguous", "several", "noisy", "long", "dies-late")
+TELL_SOLID = ("ok", "contradicts", "sketched", "ambiguous", "several", "noisy", "long", "dies-late")
 """Behaviours that write the solid before anything else."""
 
 
@@ -140,7 +140,7 @@ def tell_solid(output: Path, behaviour: str) -> None:
     output.mkdir(parents=True, exist_ok=True)
     path = output / "solid.step"
     shutil.copy(fake_part.STEP_FILE, path)
-    verified = behaviour not in ("contradicts", "swept", "ambiguous", "several")
+    verified = behaviour not in ("contradicts", "sketched", "ambiguous", "several")
     send("solid", path=str(path), status="verified" if verified else "approximate")
 
 
@@ -207,7 +207,13 @@ def reconstruct(arguments: list[str]) -> int:
                     "message": "the search for solids with these lines was not completed",
                 },
             ],
-            "swept": [{"code": "outlines-swept", "message": "no exact solid was found"}],
+            "sketched": [
+                {
+                    "code": "sketched",
+                    "message": "no solid has all lines as they were read",
+                    "args": {"axis": "z", "percent": 93},
+                }
+            ],
             "contradicts": [
                 {
                     "code": "lines-contradict",
@@ -222,8 +228,8 @@ def reconstruct(arguments: list[str]) -> int:
         status = "approximate" if reasons else "verified"
         values = report(str(sheet), status, reasons)
         values["settings"] = settings_of(arguments)
-        if behaviour == "swept":
-            values["solid"]["source"] = "sweeps"
+        if behaviour == "sketched":
+            values["solid"]["source"] = "sketch"
         if behaviour == "several":
             values["solid"] |= {"agreement": 0.9984, "alternatives": 2}
             values["alternatives"] = [

@@ -115,9 +115,9 @@ class Documents(FolderCase):
         surface = next(o for o in group.Group if o.TypeId == "Mesh::Feature")
         self.assertEqual((part.Visibility, surface.Visibility), (False, True))
 
-    def test_a_solid_of_the_outlines_alone_says_so(self) -> None:
-        part = find_part(add_reconstruction(self.document, self.run_job("swept")))
-        self.assertEqual((part.Label, part.Exact), ("Part (outlines only, approximate)", True))
+    def test_a_solid_of_slabs_says_so(self) -> None:
+        part = find_part(add_reconstruction(self.document, self.run_job("sketched")))
+        self.assertEqual((part.Label, part.Exact), ("Part (slabs, approximate)", True))
 
     def test_the_views_stand_behind_the_part_at_true_scale(self) -> None:
         group = add_reconstruction(self.document, self.run_job("ok"))

@@ -288,7 +288,7 @@ class Search:
             deadline: of the search.
             likely: whether they are the next ones to the most usual, not any.
         """
-        if found.labels is None or not deadline.left:
+        if found.labels is None or not most or not deadline.left:
             return Others((), False)
         if found.given_up and all(rule.says is Says.KIND for rule in found.given_up):
             held, solver_of = self._retelling(found), solver_for

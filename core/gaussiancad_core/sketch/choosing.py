@@ -6,7 +6,7 @@ holes, pieces that hang in the air.  The cheapest choice of all is found exactly
 """
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 from math import floor, isfinite
@@ -40,8 +40,12 @@ _VOID, _UNSEEN = 0.05, 0.25
 """What a void costs that reaches through the part, in the root of its area; and more where no view
 sees it."""
 
-_LOOSE = 0.5
-"""The same of what hangs in the air."""
+_BODY = 2.0
+"""What each body costs beside the largest one, in the root of the area of its shadow along the
+axis; where two are drawn, the outlines between them cost twice as much."""
+
+_PARTINGS = 8
+"""Times that the bodies of what is cheapest are looked at."""
 
 _BLIND = 0.05
 """The same of a region within the outline that is filled in part; and half a grid step."""
@@ -54,6 +58,9 @@ _SEEN = 0.3
 
 _UNIT = 100
 """Of cost, in a grid step."""
+
+_Cell = tuple[int, int]
+"""A region's number, and a slab's."""
 
 Literal = cp_model.IntVar
 Expression = cp_model.LinearExprT
@@ -88,20 +95,34 @@ def choose(plan: Plan, less: float, effort: float) -> tuple[Choice | None, float
     """
     model = _Model(plan)
     if isfinite(less):
-        model.model.add(model.cost <= floor((less - model.constant) / plan.grid * _UNIT))
+        model.bound(less)
+    spent = 0.0
+    best: Choice | None = None
+    for _ in range(_PARTINGS):
+        solver = _solver(effort - spent)
+        status = solver.solve(model.model)
+        spent += solver.response_proto.deterministic_time
+        if status not in FOUND:
+            break
+        filled = np.array([[bool(solver.value(x)) for x in row] for row in model.filled])
+        energy = (solver.objective_value / _UNIT) * plan.grid + model.constant
+        found = Choice(plan, filled, energy, status == cp_model.OPTIMAL)
+        # Bodies are paid for once they are seen: to hold a part together takes many constraints.
+        parted = model.price_bodies(filled)
+        best = replace(found, energy=energy + parted)
+        if not parted or spent >= effort:
+            break
+    return best, spent
+
+
+def _solver(effort: float) -> cp_model.CpSolver:
     solver = cp_model.CpSolver()
     solver.parameters.num_workers = 1
     # Costs are sums: their relaxation to fractions tells far sooner that nothing is cheaper.
     solver.parameters.linearization_level = 2
     solver.parameters.random_seed = 0
     solver.parameters.max_deterministic_time = effort
-    status = solver.solve(model.model)
-    spent = solver.response_proto.deterministic_time
-    if status not in FOUND:
-        return None, spent
-    filled = np.array([[bool(solver.value(x)) for x in row] for row in model.filled])
-    energy = (solver.objective_value / _UNIT) * plan.grid + model.constant
-    return Choice(plan, filled, energy, status == cp_model.OPTIMAL), spent
+    return solver
 
 
 class _Model:
@@ -111,7 +132,6 @@ class _Model:
         model: with its objective.
         filled: of each region and slab.
         constant: mm that every choice costs.
-        cost: what one costs beside, in hundredths of a grid step.
     """
 
     def __init__(self, plan: Plan) -> None:
@@ -137,9 +157,53 @@ class _Model:
         # The part reaches from its first level to its last one.
         for k in {0, len(plan.levels) - 2}:
             self.model.add_bool_or([row[k] for row in self.filled])
-        self.cost = sum(self._costs)
-        self.model.minimize(self.cost)
         self.constant += self._fixed
+        self._priced: set[frozenset[_Cell]] = set()
+        self.model.minimize(sum(self._costs))
+
+    def bound(self, less: float) -> None:
+        """Let a choice cost so many mm at most."""
+        most = floor((less - self.constant) / self.plan.grid * _UNIT)
+        self.model.add(sum(self._costs) <= most)
+
+    def price_bodies(self, filled: npt.NDArray[np.bool_]) -> float:
+        """mm that the bodies of a choice cost beside the largest, if they cost nothing yet; from
+        now on they do."""
+        bodies = _bodies(filled, self._beside)
+        fresh = [frozenset(own) for own in bodies[1:] if frozenset(own) not in self._priced]
+        total = 0.0
+        for own in fresh:
+            self._priced.add(own)
+            shadow = float(self.plan.regions.areas[sorted({region for region, _ in own})].sum())
+            around = {cell for each in own for cell in self._next_to(each)} - own
+            is_body = self.model.new_bool_var("")
+            inside = sum(1 - self.filled[r][k] for r, k in own)
+            outside = sum(self.filled[r][k] for r, k in around)
+            self.model.add(inside + outside + is_body >= 1)
+            self._cost(_BODY * shadow**0.5, is_body)
+            total += _BODY * shadow**0.5
+        if fresh:
+            self.model.minimize(sum(self._costs))
+            self.model.clear_hints()
+            for row, own in zip(self.filled, filled, strict=True):
+                for x, value in zip(row, own, strict=True):
+                    self.model.add_hint(x, bool(value))
+        return total
+
+    @cached_property
+    def _beside(self) -> dict[int, set[int]]:
+        """Regions that have a border with each region."""
+        found: dict[int, set[int]] = {r: set() for r in range(len(self.filled))}
+        for border in self.plan.regions.borders:
+            if border.other != OUTSIDE:
+                found[border.one].add(border.other)
+                found[border.other].add(border.one)
+        return found
+
+    def _next_to(self, cell: _Cell) -> set[_Cell]:
+        region, slab = cell
+        levels = {(region, k) for k in (slab - 1, slab + 1) if k in self.plan.slabs}
+        return levels | {(other, slab) for other in self._beside[region]}
 
     @cached_property
     def heights(self) -> npt.NDArray[np.float64]:
@@ -415,11 +479,6 @@ class _Model:
         largest = int(np.argmax(plan.regions.areas))
         shares = self.heights / plan.size[plan.axis.value]
         seen = self._seen_from_beside()
-        beside: dict[int, list[int]] = {}
-        for border in plan.regions.borders:
-            if border.other != OUTSIDE:
-                beside.setdefault(border.one, []).append(border.other)
-                beside.setdefault(border.other, []).append(border.one)
         for r, row in enumerate(self.filled):
             root, runs = float(self.roots[r]), self._column_runs(row)
             self._cost(_RUN * plan.grid, runs)
@@ -437,12 +496,6 @@ class _Model:
                 any_view = self.model.new_bool_var("")
                 self.model.add(any_view <= sum(views))
                 self._cost(_UNSEEN * root * share, 1 - own - any_view)
-                if r != largest:
-                    held = [self.filled[other][k] for other in beside.get(r, ())]
-                    held += [row[j] for j in (k - 1, k + 1) if 0 <= j < len(row)]
-                    loose = self.model.new_bool_var("")
-                    self.model.add(loose >= own - sum(held))
-                    self._cost(_LOOSE * root * share, loose)
             if plan.regions.is_inner[r] and r != largest and len(row) > 1:
                 blind = self.model.new_bool_var("")
                 for one, other in pairwise(row):
@@ -478,6 +531,24 @@ class _Model:
                         for k in self.plan.slabs:
                             found.setdefault((r, k), []).append(self._is_open(before, k))
         return found
+
+
+def _bodies(filled: npt.NDArray[np.bool_], beside: Mapping[int, set[int]]) -> list[set[_Cell]]:
+    """The filled cells as bodies, those of most cells first."""
+    left = {(int(r), int(k)) for r, k in np.argwhere(filled)}
+    found = []
+    while left:
+        waiting = [left.pop()]
+        body = set(waiting)
+        while waiting:
+            region, slab = waiting.pop()
+            near = {(region, slab - 1), (region, slab + 1), *((r, slab) for r in beside[region])}
+            near &= left
+            left -= near
+            body |= near
+            waiting += near
+        found.append(body)
+    return sorted(found, key=len, reverse=True)
 
 
 def _lacking(length: float, visible: float, hidden: float) -> float:

@@ -86,7 +86,8 @@ def candidates_of(work: Work, labelling: Labelling, limits: Limits, latest: Dead
         if second is not None and not (first and _are_one(work, second, first)):
             candidates.append(second)
     share = 1.0 if explained or not labelling.given_up else _UNLIKELY
-    most = limits.alternatives
+    # What gives lines up, and shows it, has no rivals: the sketch is its measure.
+    most = limits.alternatives if explained or not labelling.given_up else 0
     if work.part.usual is not None:
         # Views that leave hidden lines out never tell all: the likeliest others are told.
         most = min(most, _ASSUMED)

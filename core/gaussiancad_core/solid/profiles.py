@@ -34,6 +34,9 @@ _WHOLE = 0.98
 _GRID = 1e-3
 """Distance of points that are made one, as a share of that within which they are."""
 
+_FLAT = 1e-5
+"""Height of an arc over its chord, as a share of its radius, up to which that stands for it."""
+
 _STRAIGHT = 1e-6
 """Sine of the angle between lines that go on in each other."""
 
@@ -183,18 +186,30 @@ def _face(profile: Profile, place: Callable[[Point], gp_Pnt]) -> TopoDS_Face:
 def _wire(ring: Floats, profile: Profile, place: Callable[[Point], gp_Pnt]) -> TopoDS_Wire:
     """The edges of a ring of corners: arcs where they lie on one, else lines."""
     made = BRepBuilderAPI_MakeWire()
-    for run, is_arc in _runs(ring, profile):
+    for run, arc in _runs(ring, profile):
         ends = place(tuple(run[0])), place(tuple(run[-1]))
-        if is_arc:
-            curve = GC_MakeArcOfCircle(ends[0], place(tuple(run[len(run) // 2])), ends[1]).Value()
-            made.Add(BRepBuilderAPI_MakeEdge(curve).Edge())
-        else:
+        middle = None if arc is None else _middle(run, arc)
+        if middle is None:
             made.Add(BRepBuilderAPI_MakeEdge(*ends).Edge())
+        else:
+            curve = GC_MakeArcOfCircle(ends[0], place(tuple(middle)), ends[1]).Value()
+            made.Add(BRepBuilderAPI_MakeEdge(curve).Edge())
     return made.Wire()
 
 
-def _runs(ring: Floats, profile: Profile) -> list[tuple[Floats, bool]]:
-    """Stretches of a ring's corners that are one line or lie on one arc."""
+def _middle(run: Floats, arc: Arc) -> Floats | None:
+    """(2,) a place of an arc between the ends of a run along it; None where that is straight."""
+    if len(run) > 2:
+        return run[len(run) // 2]
+    off = run.mean(axis=0) - arc.centre
+    away = float(np.hypot(*off))
+    if away == 0.0 or abs(arc.radius - away) <= _FLAT * arc.radius:
+        return None
+    return np.array(arc.centre) + off * (arc.radius / away)
+
+
+def _runs(ring: Floats, profile: Profile) -> list[tuple[Floats, Arc | None]]:
+    """Stretches of a ring's corners that are one line or lie on one arc, with that."""
     following = np.roll(ring, -1, axis=0)
     kinds = [_arc_of(one, other, profile) for one, other in zip(ring, following, strict=True)]
     ways = following - ring
@@ -208,11 +223,15 @@ def _runs(ring: Floats, profile: Profile) -> list[tuple[Floats, bool]]:
         turn = ways[before][0] * ways[index][1] - ways[before][1] * ways[index][0]
         return kinds[index] is None and abs(turn) > _STRAIGHT
 
-    starts = [index for index in range(count) if begins(index)] or [0, count // 2]
+    starts = [index for index in range(count) if begins(index)] or [0]
+    if len(starts) == 1:
+        # What closes in itself has two pieces.
+        starts.append(starts[0] + count // 2)
     found = []
     for start, end in zip(starts, [*starts[1:], starts[0] + count], strict=True):
         own = ring[np.arange(start, end + 1) % count]
-        found.append((own, kinds[start] is not None))
+        kind = kinds[start % count]
+        found.append((own, None if kind is None else profile.arcs[kind]))
     return found
 
 

@@ -109,9 +109,9 @@ class Report:
         return _number(self.group("solid").get("agreement"))
 
     @property
-    def swept(self) -> bool:
-        """Whether the solid is only what the sweeps of the outlines have in common."""
-        return self.group("solid").get("source") == "sweeps"
+    def sketched(self) -> bool:
+        """Whether the solid is the stack of slabs that explains the lines best."""
+        return self.group("solid").get("source") == "sketch"
 
     def word(self, key: str) -> str:
         """A top-level field as text, empty if it is missing."""

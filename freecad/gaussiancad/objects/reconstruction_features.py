@@ -92,7 +92,7 @@ def put_alternatives(
 def put_part_alone(group: FreeCAD.DocumentObject, part: LoadedPart, status: Status) -> None:
     """Give a group the part of a run that goes on, and take away what an earlier run left."""
     place = _Place(group)
-    _put_part(place, part, _solid_label(status, swept=False), status)
+    _put_part(place, part, _solid_label(status, sketched=False), status)
     place.finish()
 
 
@@ -106,7 +106,7 @@ def add_empty_part(group: FreeCAD.DocumentObject) -> None:
 def change_part(feature: FreeCAD.DocumentObject, shape: Part.Shape, report: Report) -> None:
     """Give a part another exact shape, and what is known of it."""
     _set_in_place(feature, "Shape", shape)
-    _name(feature, _solid_label(report.status, report.swept))
+    _name(feature, _solid_label(report.status, report.sketched))
     add_properties(feature, part_properties(report.status, exact=True))
     if report.agreement is not None:
         add_properties(feature, [agreement_property(report.agreement)])
@@ -200,19 +200,19 @@ def _own_labels() -> tuple[str, ...]:
     return (
         translate("GaussianCAD", "Part (not there yet)"),
         translate("GaussianCAD", "Part (faceted, approximate)"),
-        *(_solid_label(status, swept) for status in Status for swept in (False, True)),
+        *(_solid_label(status, sketched) for status in Status for sketched in (False, True)),
     )
 
 
 def _part_label(part: LoadedPart, report: Report) -> str:
     if part.source is PartSource.SURFACE:
         return translate("GaussianCAD", "Part (faceted, approximate)")
-    return _solid_label(report.status, report.swept)
+    return _solid_label(report.status, report.sketched)
 
 
-def _solid_label(status: Status, swept: bool) -> str:
-    if swept:
-        return translate("GaussianCAD", "Part (outlines only, approximate)")
+def _solid_label(status: Status, sketched: bool) -> str:
+    if sketched:
+        return translate("GaussianCAD", "Part (slabs, approximate)")
     if status is Status.VERIFIED:
         return translate("GaussianCAD", "Part")
     return translate("GaussianCAD", "Part (approximate)")

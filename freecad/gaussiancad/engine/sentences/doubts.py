@@ -13,10 +13,15 @@ REASONS = {
         "The exact solid that fits best has only {percent} % of the drawing's lines and was not "
         "kept. Check in Correct Sheet whether the lines were read right.",
     ),
-    "outlines-swept": QT_TRANSLATE_NOOP(
+    "sketched": QT_TRANSLATE_NOOP(
         "GaussianCAD",
-        "No exact solid was found. This one fills what the outlines and the through holes leave: "
-        "pockets and blind holes are missing.",
+        "No solid has all lines as they were read. This part is a stack of slabs along {axis} "
+        "that explains {percent} % of them. Check in Correct Sheet which lines are wrong.",
+    ),
+    "several-bodies": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The part is {count} bodies: the sheet shows several, or a line is missing that joins "
+        "them.",
     ),
     "no-solid-fits": QT_TRANSLATE_NOOP(
         "GaussianCAD",
