@@ -255,6 +255,11 @@ class _Run:
 
         self.notes.tell(solid=solid_report(solid))
         write_solids(solid.result, self.folder.staging)
+        if solid.sketched is not None:
+            from gaussiancad_core.sketch.construction import construction_of, write_construction
+
+            told = solid.reading.numbered.told
+            write_construction(construction_of(solid.sketched, told), self.folder.staging)
         self.folder.publish()
         self._send("solid", SOLID_FILE, status=status.value)
 

@@ -67,22 +67,32 @@ def body_of(slabs: Sequence[Slab], plan_axis: Axis, regions: Regions, grid: floa
     Raises:
         RuntimeError: the kernel fails.
     """
+    prisms = [
+        prism(profile, plan_axis, (own.low, own.high))
+        for own in slabs
+        for profile in profiles_of(own.area, regions, grid)
+    ]
+    return _unified(_fused(prisms))
+
+
+def profiles_of(area: shapely.Geometry, regions: Regions, grid: float) -> list[Profile]:
+    """The pieces of a slab's area with the arcs along which their outlines run.
+
+    Args:
+        area: mm.
+        regions: of which it is.
+        grid: mm of a step of the sheet's coordinates.
+    """
     arcs = tuple(
         Arc(own.circle.centre, own.circle.radius, 0.0, 2.0 * np.pi, Linetype.VISIBLE)
         for own in regions.lines
         if own.circle is not None
     )
-    prisms = [
-        prism(
-            Profile(shapely.geometry.polygon.orient(piece), arcs, _ON_ARC * grid),
-            plan_axis,
-            (own.low, own.high),
-        )
-        for own in slabs
-        for piece in shapely.get_parts(own.area)
+    return [
+        Profile(shapely.geometry.polygon.orient(piece), arcs, _ON_ARC * grid)
+        for piece in shapely.get_parts(area)
         if piece.geom_type == "Polygon" and piece.area > _LEAST_AREA
     ]
-    return _unified(_fused(prisms))
 
 
 def _united(regions: Regions, chosen: Sequence[int]) -> shapely.Geometry:

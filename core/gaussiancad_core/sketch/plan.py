@@ -25,6 +25,7 @@ class Plan:
         axis: across the slabs.
         regions: of the plane across the axis.
         levels: mm along the axis; slab k lies between the levels k and k + 1.
+        lines: of each view, mm in its plane, where they belong.
         sights: views from beside.
         is_seen: from above, and from below: whether a view that is not cut looks so.
         draws_hidden: whether the sheet has hidden lines.
@@ -35,6 +36,7 @@ class Plan:
     axis: Axis
     regions: Regions
     levels: tuple[float, ...]
+    lines: Mapping[Role, Sequence[PlaneLine]]
     sights: tuple[Sights, ...]
     is_seen: tuple[bool, bool]
     draws_hidden: bool
@@ -106,4 +108,4 @@ def _plan(
         for role in beside
     )
     seen = bool(above), bool(below)
-    return Plan(axis, regions, levels, sights, seen, draws_hidden, size, grid)
+    return Plan(axis, regions, levels, lines, sights, seen, draws_hidden, size, grid)

@@ -186,7 +186,7 @@ def _face(profile: Profile, place: Callable[[Point], gp_Pnt]) -> TopoDS_Face:
 def _wire(ring: Floats, profile: Profile, place: Callable[[Point], gp_Pnt]) -> TopoDS_Wire:
     """The edges of a ring of corners: arcs where they lie on one, else lines."""
     made = BRepBuilderAPI_MakeWire()
-    for run, arc in _runs(ring, profile):
+    for run, arc in runs_of(ring, profile):
         ends = place(tuple(run[0])), place(tuple(run[-1]))
         middle = None if arc is None else _middle(run, arc)
         if middle is None:
@@ -208,8 +208,13 @@ def _middle(run: Floats, arc: Arc) -> Floats | None:
     return np.array(arc.centre) + off * (arc.radius / away)
 
 
-def _runs(ring: Floats, profile: Profile) -> list[tuple[Floats, Arc | None]]:
-    """Stretches of a ring's corners that are one line or lie on one arc, with that."""
+def runs_of(ring: Floats, profile: Profile) -> list[tuple[Floats, Arc | None]]:
+    """Stretches of a ring's corners that are one line or lie on one arc, with that.
+
+    Args:
+        ring: (n, 2) corners of the profile's area, the first not repeated.
+        profile: with the arcs.
+    """
     following = np.roll(ring, -1, axis=0)
     kinds = [_arc_of(one, other, profile) for one, other in zip(ring, following, strict=True)]
     ways = following - ring

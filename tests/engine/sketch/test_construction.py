@@ -1,0 +1,64 @@
+"""How a sketched part is put together, as data."""
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.told import ToldLength, ToldNumbers, ToldRadius
+from gaussiancad_core.sketch.construction import construction_of, write_construction
+from gaussiancad_core.sketch.sketching import sketch
+
+GRID = 0.1
+
+
+def test_a_bored_plate_is_a_slab_with_holes_and_says_what_fixes_it(
+    sample_views: Callable[[str], DrawnViews], tmp_path: Path
+) -> None:
+    views = sample_views("bored-plate")
+    wide, deep, high = views.size
+    plain = construction_of(sketch(views, GRID), None)
+    (slab,) = plain.slabs
+    assert (plain.axis, slab.low, slab.high) == ("z", 0.0, pytest.approx(high))
+    outer, *inner = slab.loops
+    assert not outer.is_hole
+    assert all(own.is_hole for own in inner)
+    assert len(inner) == len(plain.holes) > 0
+    assert all(own.is_through and (own.low, own.high) == (0.0, slab.high) for own in plain.holes)
+    assert all(loop.strokes for loop in slab.loops)
+    assert [own.at for own in plain.levels] == [0.0, pytest.approx(high)]
+    assert all({own.view for own in level.strokes} >= {"front"} for level in plain.levels)
+
+    hole = plain.holes[0]
+    told = ToldNumbers(
+        (
+            ToldLength(Axis.Z, 0.0, high, high),
+            ToldLength(Axis.X, 0.0, wide, wide),
+            ToldRadius(Axis.Z, hole.centre, hole.diameter / 2.0, hole.diameter / 2.0),
+        ),
+        0.05,
+        0.01,
+    )
+    numbered = construction_of(sketch(replace(views, told=told), GRID), told)
+    assert all(level.numbers == (high,) for level in numbered.levels)
+    assert numbered.slabs[0].loops[0].numbers == (wide,)
+    assert [own.numbers for own in numbered.holes].count((hole.diameter,)) == 1
+    write_construction(numbered, tmp_path)
+    written = json.loads((tmp_path / "construction.json").read_text(encoding="utf-8"))
+    assert written["schema"] == 1
+    assert len(written["holes"]) == len(inner)
+
+
+def test_a_counterbore_is_two_holes_one_of_which_goes_on(
+    sample_views: Callable[[str], DrawnViews],
+) -> None:
+    found = construction_of(sketch(sample_views("counterbored-block"), GRID), None)
+    first = found.holes[0].centre
+    low, high = sorted((own for own in found.holes if own.centre == first), key=lambda own: own.low)
+    assert low.high == pytest.approx(high.low)
+    assert low.diameter < high.diameter
+    assert low.is_through and high.is_through
