@@ -5,8 +5,8 @@ which, the solid decides: the reading is right whose lines a solid has.  If both
 two differ, nobody can tell from the sheet which is meant.
 
 Where no solid has all lines as they were read, the part is sketched: slabs that explain them best.
-Only then lines are given up, of the likelier reading, and for a short while: a solid that is found
-so takes the sketch's place where it has all lines, or more of them.
+Only where that lacks some are lines given up, of the likelier reading, and for a short while: a
+solid that is found so takes the sketch's place where it has all lines, or more of them.
 """
 
 from dataclasses import dataclass, fields, replace
@@ -163,13 +163,17 @@ def _sketched(
     contradicted = by_symbol and weighed.is_clear and weighed.likelier == 1
     number = 0 if by_symbol else weighed.likelier
     reading, sketch = readings[number], weighed.sketches[number]
-    relaxed = _solved(reading, replace(limits, work=_RELAXED * limits.work))
     decided = weighed.is_clear and not contradicted
+    result = checked(sketch, reading.drawn) if sketch is not None else None
+    if result is not None and result.explains:
+        return ExactModel(reading, result, decided, sketch, contradicted)
+    relaxed = _solved(reading, replace(limits, work=_RELAXED * limits.work))
     model = ExactModel(reading, relaxed, decided, contradicted=contradicted)
-    if relaxed.explains or sketch is None:
-        return model
-    result = checked(sketch, reading.drawn)
-    if result is None or _has_more_lines(relaxed.verification, result.verification):
+    if (
+        result is None
+        or relaxed.explains
+        or _has_more_lines(relaxed.verification, result.verification)
+    ):
         return model
     result = replace(
         result,

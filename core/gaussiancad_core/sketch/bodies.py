@@ -6,19 +6,26 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 from OCP.BOPAlgo import BOPAlgo_GlueEnum
-from OCP.BRepAlgoAPI import BRepAlgoAPI_Fuse
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
+from OCP.BRepPrimAPI import BRepPrimAPI_MakeCone
 from OCP.collections import List_TopoDS_Shape
+from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt
 from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.sketch.choosing import Choice
 from gaussiancad_core.sketch.regions import Regions
+from gaussiancad_core.sketch.rims import SunkRim
 from gaussiancad_core.solid.profiles import Profile, prism
 from gaussiancad_core.views import Arc, Linetype
 
 _ON_ARC = 0.6
 """Grid steps within which a corner lies on an arc."""
+
+_BEYOND = 0.05
+"""Of a cone's height by which it reaches beyond its face."""
 
 _LEAST_AREA = 1e-6
 """mm2 of a piece at least."""
@@ -55,24 +62,77 @@ def slabs_of(choice: Choice) -> tuple[Slab, ...]:
     )
 
 
-def body_of(slabs: Sequence[Slab], plan_axis: Axis, regions: Regions, grid: float) -> TopoDS_Shape:
-    """The slabs as one shape.
+@dataclass(frozen=True, eq=False)
+class Cone:
+    """What a sunk rim takes away, at 45 degrees.
+
+    Attributes:
+        rim: where.
+        at: mm along the axis of its outer circle.
+    """
+
+    rim: SunkRim
+    at: float
+
+
+def cones_of(choice: Choice) -> tuple[Cone, ...]:
+    """What the sunk rims of a choice take away."""
+    levels = choice.plan.levels
+    found = []
+    for own in choice.sunk:
+        slabs = np.flatnonzero(choice.filled[own.ring.region])
+        if len(slabs):
+            found.append(Cone(own, levels[slabs[-1] + 1] if own.is_top else levels[slabs[0]]))
+    return tuple(found)
+
+
+def body_of(choice: Choice, slabs: Sequence[Slab], cones: Sequence[Cone]) -> TopoDS_Shape:
+    """The slabs as one shape, less the cones of sunk rims.
 
     Args:
+        choice: of which they are.
         slabs: one at least.
-        plan_axis: across them.
-        regions: with the arcs along which their outlines run.
-        grid: mm of a step of the sheet's coordinates.
+        cones: of it.
 
     Raises:
         RuntimeError: the kernel fails.
     """
+    plan = choice.plan
     prisms = [
-        prism(profile, plan_axis, (own.low, own.high))
+        prism(profile, plan.axis, (own.low, own.high))
         for own in slabs
-        for profile in profiles_of(own.area, regions, grid)
+        for profile in profiles_of(own.area, plan.regions, plan.grid)
     ]
-    return _unified(_fused(prisms))
+    body = _fused(prisms)
+    if cones:
+        body = _cut(body, [_cone(own, plan.axis) for own in cones])
+    return _unified(body)
+
+
+def _cone(own: Cone, axis: Axis) -> TopoDS_Shape:
+    """A cone that reaches a little beyond the face into which it is sunk."""
+    ring, way = own.rim.ring, -1.0 if own.rim.is_top else 1.0
+    height = ring.outer - ring.inner
+    beyond = _BEYOND * height
+    at, direction = [0.0] * 3, [0.0] * 3
+    first, second = IN_PLANE[axis]
+    at[first], at[second] = ring.centre
+    at[axis.value], direction[axis.value] = own.at - way * beyond, way
+    place = gp_Ax2(gp_Pnt(*at), gp_Dir(*direction))
+    maker = BRepPrimAPI_MakeCone(place, ring.outer + beyond, ring.inner, height + beyond)
+    return maker.Shape()
+
+
+def _cut(shape: TopoDS_Shape, tools: Sequence[TopoDS_Shape]) -> TopoDS_Shape:
+    arguments, others = List_TopoDS_Shape(), List_TopoDS_Shape()
+    arguments.Append(shape)
+    for own in tools:
+        others.Append(own)
+    cut = BRepAlgoAPI_Cut()
+    cut.SetArguments(arguments)
+    cut.SetTools(others)
+    cut.Build()
+    return cut.Shape()
 
 
 def profiles_of(area: shapely.Geometry, regions: Regions, grid: float) -> list[Profile]:

@@ -17,6 +17,7 @@ from gaussiancad_core.reasoning.solvers import FOUND
 from gaussiancad_core.sketch.evidence import add_evidence
 from gaussiancad_core.sketch.habits import add_habits
 from gaussiancad_core.sketch.plan import Plan
+from gaussiancad_core.sketch.rims import SunkRim, add_rims, rings_of
 from gaussiancad_core.sketch.terms import UNIT, Terms
 
 _BODY = 2.0
@@ -37,12 +38,14 @@ class Choice:
     Attributes:
         plan: what there was to choose from.
         filled: (regions, slabs) bool.
+        sunk: rings whose surface is a cone.
         energy: mm of line, and what counts as much, that it costs.
         is_proven: whether no other choice costs less.
     """
 
     plan: Plan
     filled: npt.NDArray[np.bool_]
+    sunk: tuple[SunkRim, ...]
     energy: float
     is_proven: bool
 
@@ -70,7 +73,8 @@ def choose(plan: Plan, less: float, effort: float) -> tuple[Choice | None, float
             break
         filled = np.array([[bool(solver.value(x)) for x in row] for row in model.terms.filled])
         energy = (solver.objective_value / UNIT) * plan.grid + model.constant
-        found = Choice(plan, filled, energy, status == cp_model.OPTIMAL)
+        sunk = tuple(own for own, is_sunk in model.rims.items() if solver.value(is_sunk))
+        found = Choice(plan, filled, sunk, energy, status == cp_model.OPTIMAL)
         # Bodies are paid for once they are seen: to hold a part together takes many constraints.
         parted = model.price_bodies(filled)
         best = replace(found, energy=energy + parted)
@@ -95,12 +99,14 @@ class _Model:
     Attributes:
         terms: with its objective.
         constant: mm that every choice costs.
+        rims: of each end of each ring, whether it is sunk.
     """
 
     def __init__(self, plan: Plan) -> None:
         self.terms = terms = Terms(plan)
         add_evidence(terms)
         add_habits(terms)
+        self.rims = add_rims(terms, rings_of(plan))
         # The part reaches from its first level to its last one.
         for k in {0, len(plan.levels) - 2}:
             terms.model.add_bool_or([row[k] for row in terms.filled])

@@ -12,7 +12,7 @@ _UPRIGHT_SEEN, _UPRIGHT_DRAWN = 0.7, 0.35
 """What a mm costs of line along the axis that is seen but not drawn, and drawn but not seen: round
 walls show none, and edges between faces of one slab are drawn too."""
 
-_HIDDEN, _HIDDEN_UPRIGHT = 0.5, 0.35
+HIDDEN, _HIDDEN_UPRIGHT = 0.5, 0.35
 """What a mm of hidden line costs, across the axis and along it."""
 
 _KIND = 0.5
@@ -51,11 +51,11 @@ def _add_levels(terms: Terms, view: Sights) -> None:
             terms.either(drawn, blank + _KIND * behind, seen)
             if view.draws_hidden and inner:
                 beneath = terms.alters_at(regions, level)
-                terms.either(_HIDDEN * behind, 0.0, beneath)
+                terms.either(HIDDEN * behind, 0.0, beneath)
                 if blank:
                     covered = terms.model.new_bool_var("")
                     terms.model.add(covered >= beneath - seen)
-                    terms.cost(_HIDDEN * blank, covered)
+                    terms.cost(HIDDEN * blank, covered)
 
 
 def _add_uprights(terms: Terms, view: Sights) -> None:
@@ -126,8 +126,8 @@ def _add_border(terms: Terms, border: Border) -> None:
             terms.model.add(covered <= same)
             terms.model.add(covered <= beneath)
             terms.model.add(covered >= same + beneath - 1)
-            terms.cost(_HIDDEN * max(0.0, border.length - border.hidden), covered)
-            terms.cost(_HIDDEN * border.hidden, same - covered)
+            terms.cost(HIDDEN * max(0.0, border.length - border.hidden), covered)
+            terms.cost(HIDDEN * border.hidden, same - covered)
     if below:
         same = terms.same(terms.bottoms, border)
         lacking = _lacking(border.length, border.visible_below, border.hidden_below)

@@ -9,7 +9,7 @@ from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.supports import PartSupports
-from gaussiancad_core.sketch.bodies import Slab, body_of, slabs_of
+from gaussiancad_core.sketch.bodies import Slab, body_of, cones_of, slabs_of
 from gaussiancad_core.sketch.choosing import Choice, choose
 from gaussiancad_core.sketch.places import find_places
 from gaussiancad_core.sketch.plan import plans_of
@@ -72,7 +72,7 @@ def sketch(views: DrawnViews, grid: float) -> Sketch | None:
         return None
     slabs = slabs_of(best)
     try:
-        shape = body_of(slabs, best.plan.axis, best.plan.regions, grid) if slabs else None
+        shape = body_of(best, slabs, cones_of(best)) if slabs else None
     except KERNEL_FAILURES:
         shape = None
     return Sketch(best, slabs, shape, places.supports)

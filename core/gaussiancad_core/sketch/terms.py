@@ -42,6 +42,7 @@ class Terms:
         self._open: dict[tuple[tuple[int, ...], int], Expression] = {((), k): 1 for k in plan.slabs}
         self._changes: dict[tuple[tuple[int, ...], int], Literal] = {}
         self._alters: dict[tuple[tuple[int, ...], int], Literal] = {}
+        self._ends: dict[tuple[bool, int, int], Literal] = {}
         self._runs: dict[tuple[tuple[int, ...], int], Expression] = {}
 
     @cached_property
@@ -187,12 +188,16 @@ class Terms:
 
     def same(self, opened: list[list[Literal]], border: Border) -> Literal:
         """Whether two regions end at one level."""
-        one = opened[border.one]
+        one, is_top = opened[border.one], opened is self.tops
         if border.other == OUTSIDE:
-            return one[0] if opened is self.tops else one[-1]
+            return one[0] if is_top else one[-1]
+        key = is_top, border.one, border.other
+        if key in self._ends:
+            return self._ends[key]
         own, other = self.model.new_bool_var(""), opened[border.other]
         self.model.add(sum(one) == sum(other)).only_enforce_if(own)
         self.model.add(sum(one) != sum(other)).only_enforce_if(own.negated())
+        self._ends[key] = own
         return own
 
     def differs(self, one: int, other: int) -> Literal:
