@@ -13,8 +13,8 @@ from gaussiancad_core.sketch.plane_lines import PlaneLine, plane_lines
 from gaussiancad_core.sketch.regions import Regions, find_regions
 from gaussiancad_core.sketch.sights import Sights, sights_of
 
-_MOST_REGIONS = 120
-"""Regions of a plane from which nothing is chosen."""
+_MOST_CELLS = 200
+"""Regions of slabs from which nothing is chosen: of more nothing good was ever found in time."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,7 +94,7 @@ def _plan(
     regions = find_regions(above, below, grid)
     across = [(IN_PLANE[planes[r].normal].index(axis.value), list(lines[r])) for r in beside]
     levels = find_levels(across, size[axis.value], grid)
-    if not 0 < len(regions.polygons) <= _MOST_REGIONS:
+    if not 0 < len(regions.polygons) * (len(levels) - 1) <= _MOST_CELLS:
         return None
     sights = tuple(
         sights_of(

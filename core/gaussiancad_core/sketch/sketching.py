@@ -14,10 +14,10 @@ from gaussiancad_core.sketch.choosing import Choice, choose
 from gaussiancad_core.sketch.places import find_places
 from gaussiancad_core.sketch.plan import plans_of
 
-_EFFORT = 1.5
+_EFFORT = 1.0
 """Units of the solver's work for all axes."""
 
-_MOST = 1.0
+_MOST = 0.6
 """Units of it for one of them."""
 
 

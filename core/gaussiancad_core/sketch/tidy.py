@@ -87,7 +87,8 @@ def _with_joined_ends(lines: Sequence[PlaneLine], grid: float) -> list[PlaneLine
         return list(lines)
     places = np.array([chains[k][end] for k, end in ends])
     tails: list[PlaneLine] = []
-    for group in _groups(places, [k for k, _ in ends], grid):
+    owners = [k for k, _ in ends]
+    for group in _groups(places, owners, _to_others(places, owners, chains, grid), grid):
         if len(group) > 1:
             middle = _meeting([lines[ends[member][0]] for member in group], places[group], grid)
             for member in group:
@@ -119,8 +120,29 @@ def _meeting(lines: Sequence[PlaneLine], places: Floats, grid: float) -> Floats:
     return middle
 
 
-def _groups(places: Floats, owners: Sequence[int], grid: float) -> list[list[int]]:
-    """Numbers of ends that are one: all that are close, and a lone one with what is within reach.
+def _to_others(
+    places: Floats, owners: Sequence[int], chains: Sequence[Floats], grid: float
+) -> Floats:
+    """(n,) mm from each end to where another line runs by, its own ends left out."""
+    lines = [shapely.LineString(own) for own in chains]
+    tree = shapely.STRtree(lines)
+    found = np.full(len(places), np.inf)
+    for number, (place, owner) in enumerate(zip(places, owners, strict=True)):
+        point = shapely.Point(place)
+        for other in tree.query(point.buffer(_REACH * grid)):
+            line = lines[other]
+            along = line.project(point)
+            inside = _REACH * grid < along < line.length - _REACH * grid
+            if other != owner and (inside or line.is_closed):
+                found[number] = min(found[number], line.distance(point))
+    return found
+
+
+def _groups(
+    places: Floats, owners: Sequence[int], to_others: Floats, grid: float
+) -> list[list[int]]:
+    """Numbers of ends that are one: all that are close, and a lone one with what is within reach,
+    if no line runs by closer.
 
     The two ends of a line stay apart.
     """
@@ -135,8 +157,11 @@ def _groups(places: Floats, owners: Sequence[int], grid: float) -> list[list[int
                 owners[k] for k in groups[other]
             }:
                 continue
-            if reach == _REACH and min(len(groups[one]), len(groups[other])) > 1:
-                continue
+            if reach == _REACH:
+                lone = [k for k in (a, b) if len(groups[of[k]]) == 1]
+                apart = np.hypot(*(places[a] - places[b]))
+                if not lone or any(to_others[k] < apart for k in lone):
+                    continue
             for k in groups[other]:
                 of[k] = one
             groups[one] += groups.pop(other)
