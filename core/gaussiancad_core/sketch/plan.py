@@ -7,6 +7,7 @@ from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.cuts import Cut
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
+from gaussiancad_core.sketch.breaks import EdgeBreak, without_breaks
 from gaussiancad_core.sketch.levels import find_levels
 from gaussiancad_core.sketch.places import Places
 from gaussiancad_core.sketch.plane_lines import PlaneLine, plane_lines
@@ -31,6 +32,7 @@ class Plan:
         draws_hidden: whether the sheet has hidden lines.
         size: (3,) mm of the part.
         grid: mm of a step of the sheet's coordinates.
+        breaks: of edges across the axis, which the lines are without.
     """
 
     axis: Axis
@@ -42,6 +44,7 @@ class Plan:
     draws_hidden: bool
     size: tuple[float, float, float]
     grid: float
+    breaks: tuple[EdgeBreak, ...]
 
     @property
     def slabs(self) -> range:
@@ -82,6 +85,7 @@ def _plan(
     draws_hidden: bool,
 ) -> Plan | None:
     size, grid = places.size, places.grid
+    lines, breaks = without_breaks(lines, axis, max(size), grid)
     planes = {role: role_plane(role) for role in lines}
     facing = [r for r in lines if planes[r].normal is axis and r not in cuts]
     beside = [r for r in lines if planes[r].normal is not axis]
@@ -91,7 +95,7 @@ def _plan(
         [line for role in facing if planes[role].looks_up is up for line in lines[role]]
         for up in (False, True)
     )
-    regions = find_regions(above, below, grid)
+    regions = find_regions(above, below, grid, {own.width for own in breaks})
     across = [(IN_PLANE[planes[r].normal].index(axis.value), list(lines[r])) for r in beside]
     levels = find_levels(across, size[axis.value], grid)
     if not 0 < len(regions.polygons) * (len(levels) - 1) <= _MOST_CELLS:
@@ -108,4 +112,4 @@ def _plan(
         for role in beside
     )
     seen = bool(above), bool(below)
-    return Plan(axis, regions, levels, lines, sights, seen, draws_hidden, size, grid)
+    return Plan(axis, regions, levels, lines, sights, seen, draws_hidden, size, grid, breaks)

@@ -1,6 +1,6 @@
 """The regions that the lines of a plane bound, and the borders between them."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,6 +19,12 @@ _ROUNDED = 1e-6
 _SLIVER = 0.7
 """Grid steps that a region is wide at least, on the average; a narrower one belongs to that beside
 it."""
+
+_BAND = 1.0
+"""Grid steps by which a band's mean width may differ from that of the edge break."""
+
+_ELONGATED = 8.0
+"""Length of a band's outline at least, in the width of the edge break."""
 
 _SHARED = 0.3
 """Share of a sliver's outline along the region that it belongs to at least."""
@@ -78,7 +84,10 @@ class Regions:
 
 
 def find_regions(
-    from_above: Sequence[PlaneLine], from_below: Sequence[PlaneLine], grid: float
+    from_above: Sequence[PlaneLine],
+    from_below: Sequence[PlaneLine],
+    grid: float,
+    breaks: Collection[float] = (),
 ) -> Regions:
     """The regions that lines of a plane bound.
 
@@ -86,9 +95,10 @@ def find_regions(
         from_above: lines of views that look towards smaller coordinates.
         from_below: of those that look towards larger ones.
         grid: mm of a step of the sheet's coordinates.
+        breaks: mm, widths of edge breaks: bands as wide belong to what they run around.
     """
     lines = tidied([*from_above, *from_below], grid)
-    polygons = _polygons(lines, grid)
+    polygons = _without_bands(_polygons(lines, grid), breaks, grid)
     borders = _borders(polygons, (from_above, from_below), grid)
     around = shapely.union_all(polygons).boundary.buffer(0.5 * grid) if polygons else None
     inner = np.array([not own.intersects(around) for own in polygons], dtype=bool)
@@ -119,6 +129,31 @@ def _polygons(lines: Sequence[PlaneLine], grid: float) -> list[shapely.Polygon]:
             united = kept[best].union(own)
             if united.geom_type == "Polygon":
                 kept[best] = united
+    return kept
+
+
+def _without_bands(
+    polygons: Sequence[shapely.Polygon], widths: Collection[float], grid: float
+) -> list[shapely.Polygon]:
+    """Polygons, those as narrow as an edge break united with what they run along most."""
+
+    def is_band(own: shapely.Polygon) -> bool:
+        return any(
+            abs(2.0 * own.area / own.length - width) <= _BAND * grid
+            and own.length > _ELONGATED * width
+            for width in widths
+        )
+
+    bands = [own for own in polygons if is_band(own)]
+    kept = [own for own in polygons if not is_band(own)]
+    for band in bands:
+        shared = [_common(band, own) for own in kept]
+        best = int(np.argmax(shared)) if shared else 0
+        united = kept[best].union(band) if shared and shared[best] > 0.0 else band
+        if united is band or united.geom_type != "Polygon":
+            kept.append(band)
+        else:
+            kept[best] = united
     return kept
 
 

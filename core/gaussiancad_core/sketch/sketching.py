@@ -10,6 +10,8 @@ from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.supports import PartSupports
 from gaussiancad_core.sketch.bodies import Slab, body_of, cones_of, slabs_of
+from gaussiancad_core.sketch.breaks import EdgeBreak
+from gaussiancad_core.sketch.broken_edges import with_breaks
 from gaussiancad_core.sketch.choosing import Choice, choose
 from gaussiancad_core.sketch.places import find_places
 from gaussiancad_core.sketch.plan import plans_of
@@ -27,13 +29,15 @@ class Sketch:
 
     Attributes:
         choice: of regions and slabs.
-        slabs: from the lowest.
+        slabs: from the lowest, with sharp edges.
+        breaks: of edges, as far as the kernel made them.
         shape: the part in mm; None where the kernel made none.
         supports: of the views: where their lines may lie.
     """
 
     choice: Choice
     slabs: tuple[Slab, ...]
+    breaks: tuple[EdgeBreak, ...]
     shape: TopoDS_Shape | None
     supports: PartSupports
 
@@ -71,8 +75,13 @@ def sketch(views: DrawnViews, grid: float) -> Sketch | None:
     if best is None:
         return None
     slabs = slabs_of(best)
+    plan = best.plan
+    shape, refused = None, plan.breaks
     try:
-        shape = body_of(best, slabs, cones_of(best)) if slabs else None
+        if slabs:
+            sharp = body_of(best, slabs, cones_of(best))
+            shape, refused = with_breaks(sharp, plan.breaks, plan.axis, grid)
     except KERNEL_FAILURES:
         shape = None
-    return Sketch(best, slabs, shape, places.supports)
+    made = tuple(own for own in plan.breaks if own not in refused)
+    return Sketch(best, slabs, made, shape, places.supports)
