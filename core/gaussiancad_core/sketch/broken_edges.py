@@ -1,10 +1,12 @@
 """Edge breaks put on the edges of a body that was made without them."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from itertools import groupby
 
 import numpy as np
-from OCP.BRepAdaptor import BRepAdaptor_Surface
+import shapely
+from OCP.BRepAdaptor import BRepAdaptor_Curve, BRepAdaptor_Surface
 from OCP.BRepFilletAPI import BRepFilletAPI_MakeChamfer, BRepFilletAPI_MakeFillet
 from OCP.BRepTools import BRepTools
 from OCP.GeomAbs import GeomAbs_SurfaceType
@@ -14,7 +16,9 @@ from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Shape
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.brep import bounding_box, faces_of, soundness, subshapes
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.sketch.breaks import EdgeBreak
+from gaussiancad_core.sketch.plan import Plan
 
 _NEAR = 1.2
 """Grid steps between an edge and where a view shows it at most."""
@@ -23,26 +27,38 @@ _ACROSS = 1e-6
 """By how much less than 1 the normal of a face is along the axis at most."""
 
 
-def with_breaks(
-    shape: TopoDS_Shape, breaks: Sequence[EdgeBreak], axis: Axis, grid: float
-) -> tuple[TopoDS_Shape, tuple[EdgeBreak, ...]]:
+def with_breaks(shape: TopoDS_Shape, plan: Plan) -> tuple[TopoDS_Shape, tuple[EdgeBreak, ...]]:
     """A body with broken edges, and the breaks that the kernel did not make.
 
     Args:
         shape: with sharp edges, mm.
-        breaks: of edges across the axis.
-        axis: of the slabs.
-        grid: mm of a step of the sheet's coordinates.
+        plan: with the breaks of edges across its axis.
     """
     refused: list[EdgeBreak] = []
-    for own in _alike(breaks, grid):
-        edges = list(_edges(shape, own, axis, grid))
-        broken = _broken(shape, own[0], edges) if edges else None
-        if broken is None:
+    for own in _alike(plan.breaks, plan.grid):
+        loops = list(_loops(shape, own, plan))
+        whole = _broken(shape, own[0], [edge for loop in loops for edge in loop.edges])
+        if whole is not None:
+            shape = whole
+            continue
+        # Where one loop cannot be broken, the others may be.
+        count = 0
+        for place in [loop.place for loop in loops]:
+            near = min(_loops(shape, own, plan), key=lambda loop: loop.place.distance(place))
+            broken = _broken(shape, own[0], near.edges)
+            if broken is not None:
+                shape, count = broken, count + 1
+        if not count:
             refused += own
-        else:
-            shape = broken
     return shape, tuple(refused)
+
+
+@dataclass(frozen=True, eq=False)
+class _Loop:
+    """Edges around a face, each with that, and a place that tells the loop from others."""
+
+    edges: tuple[tuple[TopoDS_Edge, TopoDS_Face], ...]
+    place: shapely.Point
 
 
 def _alike(breaks: Sequence[EdgeBreak], grid: float) -> Iterator[list[EdgeBreak]]:
@@ -55,14 +71,13 @@ def _alike(breaks: Sequence[EdgeBreak], grid: float) -> Iterator[list[EdgeBreak]
         yield list(group)
 
 
-def _edges(
-    shape: TopoDS_Shape, breaks: Sequence[EdgeBreak], axis: Axis, grid: float
-) -> Iterator[tuple[TopoDS_Edge, TopoDS_Face]]:
-    """Outer edges of the faces that the breaks are of."""
-    near = _NEAR * grid
+def _loops(shape: TopoDS_Shape, breaks: Sequence[EdgeBreak], plan: Plan) -> Iterator[_Loop]:
+    """Outlines of the faces that the breaks are of, and of their holes along bands of the plan."""
+    near = _NEAR * plan.grid
     own = breaks[0]
+    bands = shapely.union_all([band.boundary for band in plan.regions.bands])
     for face in faces_of(shape):
-        if not _is_level(face, axis, own.at, near):
+        if not _is_level(face, plan.axis, own.at, near):
             continue
         low, high = bounding_box(face)
         reaches = any(
@@ -70,9 +85,23 @@ def _edges(
             <= near
             for each in breaks
         )
-        if reaches:
-            for edge in subshapes(BRepTools.OuterWire_s(face), TopAbs_ShapeEnum.TopAbs_EDGE):
-                yield TopoDS.Edge(edge), face
+        if not reaches:
+            continue
+        outer = BRepTools.OuterWire_s(face)
+        for wire in subshapes(face, TopAbs_ShapeEnum.TopAbs_WIRE):
+            edges = [TopoDS.Edge(own) for own in subshapes(wire, TopAbs_ShapeEnum.TopAbs_EDGE)]
+            middles = [_middle(edge, plan.axis) for edge in edges]
+            if wire.IsSame(outer) or all(at.distance(bands) <= near for at in middles):
+                place = shapely.MultiPoint(middles).centroid
+                yield _Loop(tuple((edge, face) for edge in edges), place)
+
+
+def _middle(edge: TopoDS_Edge, axis: Axis) -> shapely.Point:
+    """A place in the middle of an edge, in the plane across an axis."""
+    curve = BRepAdaptor_Curve(edge)
+    found = curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2.0)
+    place = found.X(), found.Y(), found.Z()
+    return shapely.Point(*(place[index] for index in IN_PLANE[axis]))
 
 
 def _is_level(face: TopoDS_Face, axis: Axis, at: float, near: float) -> bool:
@@ -87,6 +116,8 @@ def _is_level(face: TopoDS_Face, axis: Axis, at: float, near: float) -> bool:
 def _broken(
     shape: TopoDS_Shape, own: EdgeBreak, edges: Sequence[tuple[TopoDS_Edge, TopoDS_Face]]
 ) -> TopoDS_Shape | None:
+    if not edges:
+        return None
     try:
         if own.is_round:
             maker = BRepFilletAPI_MakeFillet(shape)

@@ -69,6 +69,7 @@ class Regions:
         borders: between them, and with the outside.
         is_inner: (n,) bool, of each whether it is nowhere at the outline.
         is_round: (n,) bool, of each whether it is a disc.
+        bands: of edge breaks, which are pieces of the polygons.
     """
 
     polygons: tuple[shapely.Polygon, ...]
@@ -76,6 +77,7 @@ class Regions:
     borders: tuple[Border, ...]
     is_inner: npt.NDArray[np.bool_]
     is_round: npt.NDArray[np.bool_]
+    bands: tuple[shapely.Polygon, ...] = ()
 
     @property
     def areas(self) -> npt.NDArray[np.float64]:
@@ -98,12 +100,12 @@ def find_regions(
         breaks: mm, widths of edge breaks: bands as wide belong to what they run around.
     """
     lines = tidied([*from_above, *from_below], grid)
-    polygons = _without_bands(_polygons(lines, grid), breaks, grid)
+    polygons, bands = _without_bands(_polygons(lines, grid), breaks, grid)
     borders = _borders(polygons, (from_above, from_below), grid)
     around = shapely.union_all(polygons).boundary.buffer(0.5 * grid) if polygons else None
     inner = np.array([not own.intersects(around) for own in polygons], dtype=bool)
     rounds = np.array([is_disc(own) for own in polygons], dtype=bool)
-    return Regions(tuple(polygons), tuple(lines), tuple(borders), inner, rounds)
+    return Regions(tuple(polygons), tuple(lines), tuple(borders), inner, rounds, tuple(bands))
 
 
 def is_disc(polygon: shapely.Polygon) -> bool:
@@ -134,8 +136,8 @@ def _polygons(lines: Sequence[PlaneLine], grid: float) -> list[shapely.Polygon]:
 
 def _without_bands(
     polygons: Sequence[shapely.Polygon], widths: Collection[float], grid: float
-) -> list[shapely.Polygon]:
-    """Polygons, those as narrow as an edge break united with what they run along most."""
+) -> tuple[list[shapely.Polygon], list[shapely.Polygon]]:
+    """Polygons, bands as narrow as an edge break united with what they run along; and the bands."""
 
     def is_band(own: shapely.Polygon) -> bool:
         return any(
@@ -154,7 +156,7 @@ def _without_bands(
             kept.append(band)
         else:
             kept[best] = united
-    return kept
+    return kept, bands
 
 
 def _common(one: shapely.Polygon, other: shapely.Polygon) -> float:

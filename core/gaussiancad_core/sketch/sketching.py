@@ -80,7 +80,7 @@ def sketch(views: DrawnViews, grid: float) -> Sketch | None:
     try:
         if slabs:
             sharp = body_of(best, slabs, cones_of(best))
-            shape, refused = with_breaks(sharp, plan.breaks, plan.axis, grid)
+            shape, refused = with_breaks(sharp, plan)
     except KERNEL_FAILURES:
         shape = None
     made = tuple(own for own in plan.breaks if own not in refused)
