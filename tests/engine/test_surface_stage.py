@@ -23,10 +23,10 @@ BLOCK = box((0, 0, 0), (40, 30, 20))
 POCKETED = cut(BLOCK, box((10, 8, 12), (30, 22, 21)))
 
 
-def _model(views: ViewSet, shape: TopoDS_Shape, *, swept: bool) -> ExactModel:
-    status = Status.APPROXIMATE if swept else Status.VERIFIED
+def _model(views: ViewSet, shape: TopoDS_Shape) -> ExactModel:
     verification = verify(shape, views_as_read(views, 0.02))
-    return ExactModel(None, ExactResult(status, shape, verification, (), (), {}), False, swept)
+    result = ExactResult(Status.VERIFIED, shape, verification, (), (), {})
+    return ExactModel(None, result, False)
 
 
 def _job(recipe: Recipe) -> Job:
@@ -35,21 +35,18 @@ def _job(recipe: Recipe) -> Job:
 
 def test_an_exact_solid_carves_the_hull_of_parallel_views(viewed: Callable[..., ViewSet]) -> None:
     views = viewed(POCKETED)
-    hull = make_hull(_job(Recipe.ORTHOGRAPHIC), views, _model(views, POCKETED, swept=False))
+    hull = make_hull(_job(Recipe.ORTHOGRAPHIC), views, _model(views, POCKETED))
     assert hull.mesh.volume == pytest.approx(volume(POCKETED), rel=0.005)
     assert hull_report(hull) == HullReport("verified", 1, 0, "")
 
 
-def test_a_solid_of_swept_outlines_and_the_papers_recipe_leave_the_hull_plain(
+def test_no_solid_and_the_papers_recipe_leave_the_hull_plain(
     viewed: Callable[..., ViewSet],
 ) -> None:
     views = viewed(POCKETED)
-    swept = _model(views, POCKETED, swept=True)
-    exact = _model(views, POCKETED, swept=False)
     for recipe, model in (
-        (Recipe.ORTHOGRAPHIC, swept),
         (Recipe.ORTHOGRAPHIC, None),
-        (Recipe.PAPER, exact),
+        (Recipe.PAPER, _model(views, POCKETED)),
     ):
         hull = make_hull(_job(recipe), views, model)
         assert hull_report(hull) == HullReport(None, 0, 0, "")

@@ -110,7 +110,7 @@ def body_of(choice: Choice, slabs: Sequence[Slab], cones: Sequence[Cone]) -> Top
 
 
 def _cone(own: Cone, axis: Axis) -> TopoDS_Shape:
-    """A cone that reaches a little beyond the face into which it is sunk."""
+    """A cone that reaches a little beyond the face into which it is sunk, and into the hole."""
     ring, way = own.rim.ring, -1.0 if own.rim.is_top else 1.0
     height = ring.outer - ring.inner
     beyond = _BEYOND * height
@@ -119,7 +119,8 @@ def _cone(own: Cone, axis: Axis) -> TopoDS_Shape:
     at[first], at[second] = ring.centre
     at[axis.value], direction[axis.value] = own.at - way * beyond, way
     place = gp_Ax2(gp_Pnt(*at), gp_Dir(*direction))
-    maker = BRepPrimAPI_MakeCone(place, ring.outer + beyond, ring.inner, height + beyond)
+    ends = ring.outer + beyond, max(0.0, ring.inner - beyond)
+    maker = BRepPrimAPI_MakeCone(place, *ends, ends[0] - ends[1])
     return maker.Shape()
 
 

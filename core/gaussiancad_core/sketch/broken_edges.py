@@ -75,7 +75,7 @@ def _loops(shape: TopoDS_Shape, breaks: Sequence[EdgeBreak], plan: Plan) -> Iter
     """Outlines of the faces that the breaks are of, and of their holes along bands of the plan."""
     near = _NEAR * plan.grid
     own = breaks[0]
-    bands = shapely.union_all([band.boundary for band in plan.regions.bands])
+    bands = shapely.union_all([plan.regions.polygons[band].boundary for band in plan.regions.bands])
     for face in faces_of(shape):
         if not _is_level(face, plan.axis, own.at, near):
             continue

@@ -17,7 +17,7 @@ from gaussiancad_core.reasoning.solvers import FOUND
 from gaussiancad_core.sketch.evidence import add_evidence
 from gaussiancad_core.sketch.habits import add_habits
 from gaussiancad_core.sketch.plan import Plan
-from gaussiancad_core.sketch.rims import SunkRim, add_rims, rings_of
+from gaussiancad_core.sketch.rims import SunkRim, add_bands, add_rims, rings_of
 from gaussiancad_core.sketch.terms import UNIT, Terms
 
 _BODY = 2.0
@@ -107,6 +107,7 @@ class _Model:
         add_evidence(terms)
         add_habits(terms)
         self.rims = add_rims(terms, rings_of(plan))
+        add_bands(terms)
         # The part reaches from its first level to its last one.
         for k in {0, len(plan.levels) - 2}:
             terms.model.add_bool_or([row[k] for row in terms.filled])

@@ -1,6 +1,6 @@
 """The regions that the lines of a plane bound, and the borders between them."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -69,7 +69,7 @@ class Regions:
         borders: between them, and with the outside.
         is_inner: (n,) bool, of each whether it is nowhere at the outline.
         is_round: (n,) bool, of each whether it is a disc.
-        bands: of edge breaks, which are pieces of the polygons.
+        bands: numbers of those that are as narrow as an edge break.
     """
 
     polygons: tuple[shapely.Polygon, ...]
@@ -77,7 +77,7 @@ class Regions:
     borders: tuple[Border, ...]
     is_inner: npt.NDArray[np.bool_]
     is_round: npt.NDArray[np.bool_]
-    bands: tuple[shapely.Polygon, ...] = ()
+    bands: tuple[int, ...] = ()
 
     @property
     def areas(self) -> npt.NDArray[np.float64]:
@@ -97,15 +97,22 @@ def find_regions(
         from_above: lines of views that look towards smaller coordinates.
         from_below: of those that look towards larger ones.
         grid: mm of a step of the sheet's coordinates.
-        breaks: mm, widths of edge breaks: bands as wide belong to what they run around.
+        breaks: mm, widths of edge breaks: regions as narrow are bands.
     """
     lines = tidied([*from_above, *from_below], grid)
-    polygons, bands = _without_bands(_polygons(lines, grid), breaks, grid)
+    polygons = _polygons(lines, grid)
     borders = _borders(polygons, (from_above, from_below), grid)
     around = shapely.union_all(polygons).boundary.buffer(0.5 * grid) if polygons else None
     inner = np.array([not own.intersects(around) for own in polygons], dtype=bool)
     rounds = np.array([is_disc(own) for own in polygons], dtype=bool)
-    return Regions(tuple(polygons), tuple(lines), tuple(borders), inner, rounds, tuple(bands))
+    return Regions(
+        tuple(polygons),
+        tuple(lines),
+        tuple(borders),
+        inner,
+        rounds,
+        tuple(_bands(polygons, breaks, grid)),
+    )
 
 
 def is_disc(polygon: shapely.Polygon) -> bool:
@@ -134,29 +141,19 @@ def _polygons(lines: Sequence[PlaneLine], grid: float) -> list[shapely.Polygon]:
     return kept
 
 
-def _without_bands(
+def _bands(
     polygons: Sequence[shapely.Polygon], widths: Collection[float], grid: float
-) -> tuple[list[shapely.Polygon], list[shapely.Polygon]]:
-    """Polygons, bands as narrow as an edge break united with what they run along; and the bands."""
-
-    def is_band(own: shapely.Polygon) -> bool:
-        return any(
-            abs(2.0 * own.area / own.length - width) <= _BAND * grid
-            and own.length > _ELONGATED * width
-            for width in widths
-        )
-
-    bands = [own for own in polygons if is_band(own)]
-    kept = [own for own in polygons if not is_band(own)]
-    for band in bands:
-        shared = [_common(band, own) for own in kept]
-        best = int(np.argmax(shared)) if shared else 0
-        united = kept[best].union(band) if shared and shared[best] > 0.0 else band
-        if united is band or united.geom_type != "Polygon":
-            kept.append(band)
-        else:
-            kept[best] = united
-    return kept, bands
+) -> Iterator[int]:
+    """Numbers of polygons that are as narrow as an edge break."""
+    for number, own in enumerate(polygons):
+        for width in widths:
+            mean = 2.0 * own.area / own.length
+            # The outline of a strip has its ends, too; that of a ring has none.
+            strip = own.area * width / (own.area + width**2)
+            fits = strip - _BAND * grid <= mean <= width + _BAND * grid
+            if fits and own.length > _ELONGATED * width:
+                yield number
+                break
 
 
 def _common(one: shapely.Polygon, other: shapely.Polygon) -> float:

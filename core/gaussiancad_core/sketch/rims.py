@@ -1,7 +1,8 @@
-"""Rings around round holes: countersinks, and chamfered rims, of which the plan shows two circles.
+"""What the plan shows of surfaces that slope: countersinks as rings, and edge breaks as bands.
 
 No slab is a cone.  A ring around a hole may therefore be sunk: its surface then falls from its
 outer circle to the inner one, at 45 degrees (ISO 15065), as the rim of a countersunk screw does.
+And a band as narrow as an edge break may be the bevel of what it runs along.
 """
 
 from collections.abc import Sequence
@@ -10,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from gaussiancad_core.reasoning.curves import CircleCurve
 from gaussiancad_core.sketch.evidence import HIDDEN
 from gaussiancad_core.sketch.plan import Plan
 from gaussiancad_core.sketch.regions import OUTSIDE, is_disc
@@ -60,7 +62,9 @@ def rings_of(plan: Plan) -> tuple[Ring, ...]:
     polygons = plan.regions.polygons
     found = []
     for number, own in enumerate(polygons):
-        if len(own.interiors) != 1 or not is_disc(shapely.Polygon(own.exterior)):
+        if number in plan.regions.bands or len(own.interiors) != 1:
+            continue
+        if not is_disc(shapely.Polygon(own.exterior)):
             continue
         hole = shapely.Polygon(own.interiors[0])
         around, middle = own.exterior.centroid, hole.centroid
@@ -72,14 +76,25 @@ def rings_of(plan: Plan) -> tuple[Ring, ...]:
             if number in (border.one, border.other)
         } - {OUTSIDE}
         within = {k for k in beside if hole.covers(polygons[k].representative_point())}
-        outer, inner = (
-            float(np.sqrt(area / np.pi)) for area in (shapely.Polygon(own.exterior).area, hole.area)
-        )
-        centre = float(middle.x), float(middle.y)
-        if within:
+        outer, inner = (_circle_of(ring, plan) for ring in (own.exterior, own.interiors[0]))
+        if within and outer is not None and inner is not None:
             rest = tuple(sorted(beside - within))
-            found.append(Ring(number, tuple(sorted(within)), rest, centre, outer, inner))
+            sizes = outer.radius, inner.radius
+            found.append(Ring(number, tuple(sorted(within)), rest, inner.centre, *sizes))
     return tuple(found)
+
+
+def _circle_of(ring: shapely.LinearRing, plan: Plan) -> CircleCurve | None:
+    """The circle of the plan's lines along which a round ring runs."""
+    middle, radius = ring.centroid, ring.length / (2.0 * np.pi)
+
+    def away(own: CircleCurve) -> float:
+        off = float(np.hypot(own.centre[0] - middle.x, own.centre[1] - middle.y))
+        return max(off, abs(own.radius - radius))
+
+    circles = [own.circle for own in plan.regions.lines if own.circle is not None]
+    nearest = min(circles, key=away, default=None)
+    return nearest if nearest is not None and away(nearest) <= _CONCENTRIC * plan.grid else None
 
 
 def add_rims(terms: Terms, rings: Sequence[Ring]) -> dict[SunkRim, Literal]:
@@ -123,3 +138,45 @@ def add_rims(terms: Terms, rings: Sequence[Ring]) -> dict[SunkRim, Literal]:
                 terms.model.add(shown <= sunk)
                 terms.cost(-drawn, shown)
     return found
+
+
+def add_bands(terms: Terms) -> None:
+    """Let bands as narrow as an edge break be a bevel of what they run along on one side, whose
+    border is drawn then; borders of bands with each other are mitres.
+
+    Args:
+        terms: of the plan.
+    """
+    plan = terms.plan
+    bands = set(plan.regions.bands)
+    ends = (
+        (seen, opened, is_top)
+        for seen, opened, is_top in (
+            (plan.is_seen[0], terms.tops, True),
+            (plan.is_seen[1], terms.bottoms, False),
+        )
+        if seen
+    )
+    sides: dict[tuple[int, int], Literal] = {}
+    for _, opened, is_top in ends:
+        for border in plan.regions.borders:
+            pair = {border.one, border.other}
+            drawn = border.visible if is_top else border.visible_below
+            if OUTSIDE in pair or not pair & bands or not drawn:
+                continue
+            same = terms.same(opened, border)
+            if pair <= bands:
+                terms.cost(-drawn, same)
+                continue
+            (band,), (other,) = pair & bands, pair - bands
+            if (band, other) not in sides:
+                sides[band, other] = terms.model.new_bool_var("")
+                terms.cost(plan.grid, sides[band, other])
+            shown = terms.model.new_bool_var("")
+            terms.model.add(shown <= same)
+            terms.model.add(shown <= sides[band, other])
+            terms.cost(-drawn, shown)
+    for band in bands:
+        own = [side for (number, _), side in sides.items() if number == band]
+        if own:
+            terms.model.add_at_most_one(own)

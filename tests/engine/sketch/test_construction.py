@@ -20,7 +20,7 @@ def test_a_bored_plate_is_a_slab_with_holes_and_says_what_fixes_it(
     sample_views: Callable[[str], DrawnViews], tmp_path: Path
 ) -> None:
     views = sample_views("bored-plate")
-    wide, deep, high = views.size
+    wide, _, high = views.size
     plain = construction_of(sketch(views, GRID), None)
     (slab,) = plain.slabs
     assert (plain.axis, slab.low, slab.high) == ("z", 0.0, pytest.approx(high))

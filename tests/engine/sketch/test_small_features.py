@@ -1,0 +1,115 @@
+"""What no slab is: sunk rims, and edges that are broken."""
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
+from OCP.BRepFilletAPI import BRepFilletAPI_MakeChamfer, BRepFilletAPI_MakeFillet
+from OCP.BRepPrimAPI import BRepPrimAPI_MakeCone
+from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt
+from OCP.TopAbs import TopAbs_ShapeEnum
+from OCP.TopoDS import TopoDS, TopoDS_Shape
+
+from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.drawing.brep import (
+    bounding_box,
+    faces_of,
+    soundness,
+    subshapes,
+    volume,
+)
+from gaussiancad_core.drawing.hlr import LineDrawing
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
+from gaussiancad_core.sketch.sketching import Sketch, sketch
+from gaussiancad_core.views import Linetype
+
+GRID = 0.1
+ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
+
+
+def drawn(shape: TopoDS_Shape, roles: tuple[Role, ...] = ROLES, *, hidden: bool) -> DrawnViews:
+    """Views of a shape in the corner of its axes, with or without hidden lines."""
+    drawing = LineDrawing(shape)
+    strokes = {
+        role: tuple(own for own in drawing.view(role) if hidden or own.linetype is Linetype.VISIBLE)
+        for role in roles
+    }
+    size = tuple(np.ptp(bounding_box(shape), axis=0).tolist())
+    return DrawnViews(strokes, size, 1e-4)
+
+
+def broken_top(
+    shape: TopoDS_Shape, maker: BRepFilletAPI_MakeChamfer | BRepFilletAPI_MakeFillet, size: float
+) -> TopoDS_Shape:
+    """A shape with all edges of its highest face broken."""
+    top = max(faces_of(shape), key=lambda own: bounding_box(own)[0, 2])
+    for edge in subshapes(top, TopAbs_ShapeEnum.TopAbs_EDGE):
+        maker.Add(size, TopoDS.Edge(edge))
+    return maker.Shape()
+
+
+def check(found: Sketch | None, truth: TopoDS_Shape) -> None:
+    facts, expected = soundness(found.shape), soundness(truth)
+    assert (facts.valid, facts.closed, facts.solids) == (True, True, 1)
+    left = sum(
+        volume(BRepAlgoAPI_Cut(*pair).Shape())
+        for pair in ((found.shape, truth), (truth, found.shape))
+    )
+    assert left == pytest.approx(0.0, abs=2e-4 * volume(truth))
+    assert facts.faces == expected.faces
+
+
+def bored() -> TopoDS_Shape:
+    plate = box((0, 0, 0), (60, 40, 8))
+    return cut(plate, cylinder(Axis.Z, (20, 20), 4, -1, 9))
+
+
+@pytest.mark.parametrize("hidden", [False, True])
+def test_a_ring_around_a_hole_of_which_nothing_tells_a_depth_is_a_countersink(hidden: bool) -> None:
+    sink = BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(20, 20, 5), gp_Dir(0, 0, 1)), 4.0, 7.0, 3.0).Shape()
+    truth = cut(bored(), sink)
+    views = drawn(truth, hidden=False)
+    found = sketch(views, GRID)
+    (rim,) = found.choice.sunk
+    assert (rim.is_top, rim.ring.outer, rim.ring.inner) == (
+        True,
+        pytest.approx(7.0, rel=1e-3),
+        pytest.approx(4.0, rel=1e-3),
+    )
+    check(found, truth)
+    if hidden:
+        # A depth that is drawn makes the same ring a counterbore.
+        deep = cut(bored(), cylinder(Axis.Z, (20, 20), 7, 5, 9))
+        stepped = sketch(drawn(deep, hidden=True), GRID)
+        assert not stepped.choice.sunk
+        check(stepped, deep)
+
+
+@pytest.mark.parametrize("kind", ["chamfer", "rounding"])
+def test_broken_edges_of_a_face_are_put_on_last(kind: str) -> None:
+    block = fuse(box((0, 0, 0), (60, 40, 8)), box((20, 10, 8), (44, 30, 20)))
+    make = BRepFilletAPI_MakeChamfer if kind == "chamfer" else BRepFilletAPI_MakeFillet
+    truth = broken_top(block, make(block), 1.5)
+    found = sketch(drawn(truth, hidden=False), GRID)
+    assert found.axis is Axis.Z
+    assert [own.high for own in found.slabs] == pytest.approx([8, 20])
+    assert {own.is_round for own in found.breaks} == {kind == "rounding"}
+    assert all(own.width == pytest.approx(1.5, abs=1e-3) for own in found.breaks)
+    check(found, truth)
+
+
+def test_a_rim_along_a_band_of_the_plan_is_broken_as_the_outline_is() -> None:
+    plate = bored()
+    truth = broken_top(plate, BRepFilletAPI_MakeChamfer(plate), 1.0)
+    check(sketch(drawn(truth, hidden=False), GRID), truth)
+
+
+def test_a_body_beside_the_part_is_paid_for(
+    sample_views: Callable[[str], DrawnViews],
+) -> None:
+    two = fuse(box((0, 0, 0), (20, 20, 10)), box((30, 0, 0), (50, 20, 10)))
+    assert soundness(sketch(drawn(two, hidden=True), GRID).shape).solids == 2
+    one = sketch(sample_views("counterbored-block"), GRID)
+    assert soundness(one.shape).solids == 1
