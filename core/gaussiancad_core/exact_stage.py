@@ -6,7 +6,8 @@ two differ, nobody can tell from the sheet which is meant.
 
 Where no solid has all lines as they were read, the part is sketched: slabs that explain them best.
 Only where that lacks some are lines given up, of the likelier reading, and for a short while: a
-solid that is found so takes the sketch's place where it has all lines, or more of them.
+solid that is found so takes the sketch's place where it has so many more lines that this outweighs
+how unusual it is.
 """
 
 from dataclasses import dataclass, fields, replace
@@ -16,6 +17,7 @@ from gaussiancad_core.modes import Status
 from gaussiancad_core.projected_reading import Reading
 from gaussiancad_core.reasoning.labelling import Effort
 from gaussiancad_core.sketch.checking import checked
+from gaussiancad_core.sketch.occupancy import energy_as_slabs
 from gaussiancad_core.sketch.sketching import Sketch
 from gaussiancad_core.sketched_readings import weigh
 from gaussiancad_core.solid.exact import ExactResult, exact_solid
@@ -169,11 +171,7 @@ def _sketched(
         return ExactModel(reading, result, decided, sketch, contradicted)
     relaxed = _solved(reading, replace(limits, work=_RELAXED * limits.work))
     model = ExactModel(reading, relaxed, decided, contradicted=contradicted)
-    if (
-        result is None
-        or relaxed.explains
-        or _has_more_lines(relaxed.verification, result.verification)
-    ):
+    if result is None or (sketch is not None and _is_better(relaxed, result, sketch)):
         return model
     result = replace(
         result,
@@ -184,11 +182,15 @@ def _sketched(
     return replace(model, result=result, sketched=sketch)
 
 
-def _has_more_lines(relaxed: Verification | None, sketched: Verification) -> bool:
-    """Whether a solid that was kept is so much better than the sketch."""
-    if relaxed is None:
+def _is_better(relaxed: ExactResult, result: ExactResult, sketch: Sketch) -> bool:
+    """Whether a solid that gives lines up has so many more than the sketch that this outweighs how
+    unusual it is."""
+    if relaxed.shape is None:
         return False
-    return _wrong(relaxed) < _WRONG * _wrong(sketched)
+    wrong, worse = _wrong(relaxed.verification), _wrong(result.verification)
+    if wrong > _WRONG * worse:
+        return False
+    return worse - wrong > energy_as_slabs(relaxed.shape, sketch.choice.plan) - sketch.energy
 
 
 def _wrong(verification: Verification) -> float:

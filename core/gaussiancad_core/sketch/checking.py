@@ -1,5 +1,7 @@
 """A sketched part, drawn again and compared with the sheet: it is never more than approximate."""
 
+from dataclasses import replace
+
 from gaussiancad_core.drawing.brep import soundness
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.messages import Message
@@ -8,7 +10,7 @@ from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.sketch.sketching import Sketch
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.measures import measures_of
-from gaussiancad_core.solid.reasons import Reason, reasons_of
+from gaussiancad_core.solid.reasons import Reason, has_hidden_lines, reasons_of
 from gaussiancad_core.solid.trace import Attempt, ModelKind, Outcome
 from gaussiancad_core.solid.verify import Verification, verify
 
@@ -25,6 +27,9 @@ def checked(sketch: Sketch, views: DrawnViews) -> ExactResult | None:
     """
     if sketch.shape is None:
         return None
+    if not has_hidden_lines(views):
+        # What no view draws hidden is not to be found hidden.
+        views = replace(views, undrawn=views.roles)
     try:
         verification = verify(sketch.shape, views)
         measures = measures_of(sketch.shape, sketch.supports, views, verification)

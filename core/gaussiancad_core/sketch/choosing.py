@@ -7,7 +7,7 @@ holes, several bodies.  The cheapest choice of all is found exactly (CP-SAT).
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from math import floor, isfinite
+from math import floor, inf, isfinite
 
 import numpy as np
 import numpy.typing as npt
@@ -23,6 +23,9 @@ from gaussiancad_core.sketch.terms import UNIT, Terms
 _BODY = 2.0
 """What each body costs beside the largest one, in the root of the area of its shadow along the
 axis; where two are drawn, the outlines between them cost twice as much."""
+
+_EVALUATED = 1.0
+"""Units of the solver's work for what a given choice costs."""
 
 _PARTINGS = 8
 """Times that the bodies of what is cheapest are looked at."""
@@ -81,6 +84,24 @@ def choose(plan: Plan, less: float, effort: float) -> tuple[Choice | None, float
         if not parted or spent >= effort:
             break
     return best, spent
+
+
+def energy_of(plan: Plan, filled: npt.NDArray[np.bool_]) -> float:
+    """What a given choice of a plan costs, mm.
+
+    Args:
+        plan: as for :func:`choose`.
+        filled: (regions, slabs).
+    """
+    model = _Model(plan)
+    for row, own in zip(model.terms.filled, filled, strict=True):
+        for x, value in zip(row, own, strict=True):
+            model.terms.model.add(x == int(value))
+    solver = _solver(_EVALUATED)
+    if solver.solve(model.terms.model) not in FOUND:
+        return inf
+    energy = (solver.objective_value / UNIT) * plan.grid + model.constant
+    return energy + model.price_bodies(filled)
 
 
 def _solver(effort: float) -> cp_model.CpSolver:
