@@ -5,7 +5,7 @@ which, the solid decides: the reading is right whose lines a solid has.  If both
 two differ, nobody can tell from the sheet which is meant.
 
 Where no solid has all lines as they were read, the part is sketched: slabs that explain them best.
-Only where that lacks some are lines given up, of the likelier reading, and for a short while: a
+Only where that leaves much unexplained are lines given up, of the likelier reading, and for a short while: a
 solid that is found so takes the sketch's place where it has so many more lines that this outweighs
 how unusual it is.
 """
@@ -54,6 +54,12 @@ _AMBIGUOUS = (
 
 _RELAXED = 0.25
 """Share of the work for a solid that does not have all lines."""
+
+_FIRM = 0.03
+"""Share of the lines' length that a sketch costs at most for no other solid to be looked for."""
+
+_UNUSUAL = 0.5
+"""What counts of how unusual such a solid is: what it has beside slabs is no line of theirs."""
 
 _WRONG = 0.5
 """Share of the sketch's wrong lines that such a solid has at most, to take its place."""
@@ -167,7 +173,7 @@ def _sketched(
     reading, sketch = readings[number], weighed.sketches[number]
     decided = weighed.is_clear and not contradicted
     result = checked(sketch, reading.drawn) if sketch is not None else None
-    if result is not None and result.explains:
+    if result is not None and (result.explains or _is_firm(sketch, reading)):
         return ExactModel(reading, result, decided, sketch, contradicted)
     relaxed = _solved(reading, replace(limits, work=_RELAXED * limits.work))
     model = ExactModel(reading, relaxed, decided, contradicted=contradicted)
@@ -182,6 +188,12 @@ def _sketched(
     return replace(model, result=result, sketched=sketch)
 
 
+def _is_firm(sketch: Sketch, reading: Reading) -> bool:
+    """Whether a sketch leaves so little unexplained that lines were misread rather than it."""
+    drawn = sum(own.length for strokes in reading.drawn.strokes.values() for own in strokes)
+    return sketch.energy <= _FIRM * drawn
+
+
 def _is_better(relaxed: ExactResult, result: ExactResult, sketch: Sketch) -> bool:
     """Whether a solid that gives lines up has so many more than the sketch that this outweighs how
     unusual it is."""
@@ -190,7 +202,8 @@ def _is_better(relaxed: ExactResult, result: ExactResult, sketch: Sketch) -> boo
     wrong, worse = _wrong(relaxed.verification), _wrong(result.verification)
     if wrong > _WRONG * worse:
         return False
-    return worse - wrong > energy_as_slabs(relaxed.shape, sketch.choice.plan) - sketch.energy
+    more = energy_as_slabs(relaxed.shape, sketch.choice.plan) - sketch.energy
+    return worse - wrong > _UNUSUAL * more
 
 
 def _wrong(verification: Verification) -> float:
