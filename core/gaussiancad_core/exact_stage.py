@@ -5,9 +5,9 @@ which, the solid decides: the reading is right whose lines a solid has.  If both
 two differ, nobody can tell from the sheet which is meant.
 
 Where no solid has all lines as they were read, the part is sketched: slabs that explain them best.
-Only where that leaves much unexplained are lines given up, of the likelier reading, and for a short while: a
-solid that is found so takes the sketch's place where it has so many more lines that this outweighs
-how unusual it is.
+Only where that leaves much unexplained, or a solid could be certain, are lines given up, of the
+likelier reading, and for a short while: a solid that is found so takes the sketch's place where it
+has so many more lines that this outweighs how unusual it is.
 """
 
 from dataclasses import dataclass, fields, replace
@@ -22,6 +22,7 @@ from gaussiancad_core.sketch.sketching import Sketch
 from gaussiancad_core.sketched_readings import weigh
 from gaussiancad_core.solid.exact import ExactResult, exact_solid
 from gaussiancad_core.solid.limits import Limits
+from gaussiancad_core.solid.reasons import has_hidden_lines
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.verify import Verification
 
@@ -173,11 +174,14 @@ def _sketched(
     reading, sketch = readings[number], weighed.sketches[number]
     decided = weighed.is_clear and not contradicted
     result = checked(sketch, reading.drawn) if sketch is not None else None
-    if result is not None and (result.explains or _is_firm(sketch, reading)):
+    is_firm = result is not None and (result.explains or _is_firm(sketch, reading))
+    if is_firm and not has_hidden_lines(reading.drawn):
         return ExactModel(reading, result, decided, sketch, contradicted)
     relaxed = _solved(reading, replace(limits, work=_RELAXED * limits.work))
     model = ExactModel(reading, relaxed, decided, contradicted=contradicted)
-    if result is None or (sketch is not None and _is_better(relaxed, result, sketch)):
+    if result is None or relaxed.status is Status.VERIFIED:
+        return model
+    if not is_firm and _is_better(relaxed, result, sketch):
         return model
     result = replace(
         result,
