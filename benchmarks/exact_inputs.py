@@ -21,13 +21,15 @@ from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.drawing.command import write_image
 from gaussiancad_core.drawing.sheet import PartLines, compose_sheet, part_lines
 from gaussiancad_core.drawing.style import parse_style
+from gaussiancad_core.exact_stage import find_exact
 from gaussiancad_core.ink_stage import compared_with_ink
-from gaussiancad_core.projected_reading import drawn_views
+from gaussiancad_core.projected_reading import Reading, drawn_views
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import RegisteredSheet, register_views
+from gaussiancad_core.sheet.scale.estimate import Measure
 from gaussiancad_core.sheet.scale.find import find_scale
 from gaussiancad_core.solid.exact import ExactResult, exact_solid
 from gaussiancad_core.told_measures import trusted
@@ -73,6 +75,7 @@ class Input:
         source: whether the strokes were fitted to pixels or are those of a file.
         registered: the views on shared axes, where they come from a sheet.
         sheet: that, upright.
+        measures: what its dimensions say.
     """
 
     views: DrawnViews
@@ -81,12 +84,14 @@ class Input:
     source: str = ""
     registered: RegisteredSheet | None = None
     sheet: CleanSheet | None = None
+    measures: tuple[Measure, ...] = ()
 
     def solved(self) -> ExactResult:
-        """The exact solid, compared with the ink where there is any."""
-        result = exact_solid(self.views)
+        """The solid: as of a sheet, compared with the ink, where there is one."""
         if self.registered is None or self.sheet is None:
-            return result
+            return exact_solid(self.views)
+        reading = Reading(self.registered, Projection.THIRD, self.measures)
+        result = find_exact(reading, None).result
         return compared_with_ink(result, self.registered, self.sheet)
 
 
@@ -198,4 +203,5 @@ def read_input(
         source=registered.source.value,
         registered=registered,
         sheet=clean,
+        measures=measures,
     )
