@@ -9,6 +9,9 @@ from typing import Any
 from gaussiancad_core.errors import ExitCode, UnreadableError, UsageError
 from gaussiancad_core.events import Listener
 
+_SCHEMAS = (2, "gaussiancad-reading/1", "gaussiancad-construction/1")
+"""Of the files that are read: the report, the reading, the construction."""
+
 
 def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add the subcommand ``explain``."""
@@ -46,6 +49,12 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
         lines = explained_view(report, _reading(options.folder), options.view)
     else:
         lines = explained(report)
+        construction = options.folder / "construction.json"
+        if construction.is_file():
+            from gaussiancad_core.sketch.construction_sentences import construction_in_words
+
+            lines += ["", "How it was put together:"]
+            lines += construction_in_words(_values(construction))
     print("\n".join(lines))
     return ExitCode.DONE
 
@@ -84,7 +93,7 @@ def _values(path: Path) -> dict[str, Any]:
         raise UnreadableError(
             "damaged-report", "{path} cannot be read: {reason}", path=path, reason=error
         ) from error
-    if not isinstance(values, dict) or values.get("schema") not in (2, "gaussiancad-reading/1"):
+    if not isinstance(values, dict) or values.get("schema") not in _SCHEMAS:
         raise UnreadableError(
             "old-report", "{path} was written by another version: run the sheet again", path=path
         )

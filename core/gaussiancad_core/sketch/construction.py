@@ -24,7 +24,7 @@ from gaussiancad_core.sketch.sketching import Sketch
 from gaussiancad_core.solid.profiles import Profile, runs_of
 from gaussiancad_core.views import Arc
 
-SCHEMA = 1
+SCHEMA = "gaussiancad-construction/1"
 
 CONSTRUCTION_FILE = "construction.json"
 """In the output folder, beside the solid."""

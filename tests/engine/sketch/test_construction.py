@@ -11,6 +11,7 @@ from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.told import ToldLength, ToldNumbers, ToldRadius
 from gaussiancad_core.sketch.construction import construction_of, write_construction
+from gaussiancad_core.sketch.construction_sentences import construction_in_words
 from gaussiancad_core.sketch.sketching import sketch
 
 GRID = 0.1
@@ -49,7 +50,11 @@ def test_a_bored_plate_is_a_slab_with_holes_and_says_what_fixes_it(
     assert [own.numbers for own in numbered.holes].count((hole.diameter,)) == 1
     write_construction(numbered, tmp_path)
     written = json.loads((tmp_path / "construction.json").read_text(encoding="utf-8"))
-    assert written["schema"] == 1
+    assert written["schema"] == "gaussiancad-construction/1"
+    words = construction_in_words(written)
+    assert words[0].startswith(f"- from 0 to {high:.4g} mm along z: 1 outline(s) with")
+    assert sum("a hole of" in line for line in words) == len(inner)
+    assert sum("as a number tells" in line for line in words) == 1
     assert len(written["holes"]) == len(inner)
 
 

@@ -1,0 +1,41 @@
+"""How a sketched part is put together, in sentences."""
+
+from collections.abc import Iterator
+
+from gaussiancad_core.pointing import Values
+
+_MOST = 12
+"""Holes that are named at most, the largest first."""
+
+
+def construction_in_words(construction: Values) -> list[str]:
+    """What ``construction.json`` says, one sentence a line.
+
+    Args:
+        construction: its values.
+    """
+    axis = construction["axis"]
+    lines = [
+        f"- from {own['low']:.4g} to {own['high']:.4g} mm along {axis}: "
+        f"{sum(not loop['is_hole'] for loop in own['loops'])} outline(s) with "
+        f"{sum(loop['is_hole'] for loop in own['loops'])} hole(s){_fixed(own)}"
+        for own in construction["slabs"]
+    ]
+    holes = sorted(construction["holes"], key=lambda own: -own["diameter"])
+    lines += _holes(holes[:_MOST])
+    if len(holes) > _MOST:
+        lines.append(f"- and {len(holes) - _MOST} more holes")
+    return lines
+
+
+def _fixed(slab: Values) -> str:
+    numbers = sorted({value for loop in slab["loops"] for value in loop["numbers"]})
+    return f"; by the numbers {', '.join(f'{own:g}' for own in numbers)}" if numbers else ""
+
+
+def _holes(holes: list[Values]) -> Iterator[str]:
+    for own in holes:
+        x, y = own["centre"]
+        depth = "through" if own["is_through"] else f"{own['low']:.4g} to {own['high']:.4g} mm"
+        told = "" if not own["numbers"] else ", as a number tells"
+        yield f"- a hole of {own['diameter']:.4g} mm at ({x:.4g}, {y:.4g}), {depth}{told}"
