@@ -105,7 +105,7 @@ def find_exact(
         other: the other one, if it is possible.
         limits: of the search.
         by_symbol: whether the sheet's projection symbol tells the first: the other is tried only
-            where lines contradict it.
+            where lines contradict it, and taken only where they plainly do.
     """
     limits = limits or Limits()
     strict = replace(limits, relaxed=False)
@@ -170,9 +170,9 @@ def _sketched(
     readings = (own,) if other is None else (own, other)
     weighed = weigh(readings)
     contradicted = by_symbol and weighed.is_clear and weighed.likelier == 1
-    number = 0 if by_symbol else weighed.likelier
+    number = 0 if by_symbol and not weighed.is_plain else weighed.likelier
     reading, sketch = readings[number], weighed.sketches[number]
-    decided = weighed.is_clear and not contradicted
+    decided = weighed.is_clear and number == weighed.likelier
     result = checked(sketch, reading.drawn) if sketch is not None else None
     is_firm = result is not None and (result.explains or _is_firm(sketch, reading))
     if is_firm and not has_hidden_lines(reading.drawn):

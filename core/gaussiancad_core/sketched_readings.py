@@ -22,6 +22,10 @@ _CLEAR_UNUSUAL = 0.3
 """The same where the better one has a view from below in place of one from above."""
 
 
+_PLAIN = 1.0
+"""The same for it to be so whatever a projection symbol says: title blocks are copied."""
+
+
 @dataclass(frozen=True, eq=False)
 class Weighed:
     """How well the readings of a sheet are sketched.
@@ -30,11 +34,13 @@ class Weighed:
         sketches: of each reading; None where there is none.
         likelier: number of the reading whose sketch explains more, the first where all do alike.
         is_clear: whether it clearly does.
+        is_plain: whether it does even against a symbol.
     """
 
     sketches: tuple[Sketch | None, ...]
     likelier: int
     is_clear: bool
+    is_plain: bool = False
 
     @property
     def sketch(self) -> Sketch | None:
@@ -56,4 +62,4 @@ def weigh(readings: Sequence[Reading]) -> Weighed:
     least, most = sorted(own.energy for own in sketches)
     unusual = is_unusual(readings[best].registered.views.roles)
     clear = most > (1.0 + (_CLEAR_UNUSUAL if unusual else _CLEAR)) * least
-    return Weighed(sketches, best if clear else 0, clear)
+    return Weighed(sketches, best if clear else 0, clear, clear and most > (1.0 + _PLAIN) * least)

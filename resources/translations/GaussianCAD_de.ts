@@ -1767,6 +1767,10 @@
         <translation>Kein Festkörper hat alle Linien, wie sie gelesen wurden. Dieses Bauteil ist ein Stapel von Platten längs {axis}, der {percent} % von ihnen erklärt. Prüfen Sie mit „Blatt korrigieren“, welche Linien falsch sind.</translation>
     </message>
     <message>
+        <source>This part, a stack of slabs along {axis}, has all lines of the drawing, but nothing proves that no other part has them. Compare it with the sheet.</source>
+        <translation>Dieses Bauteil, ein Stapel von Platten längs {axis}, hat alle Linien der Zeichnung, aber nichts beweist, dass kein anderes sie hat. Vergleichen Sie es mit dem Blatt.</translation>
+    </message>
+    <message>
         <source>The part is {count} bodies: the sheet shows several, or a line is missing that joins them.</source>
         <translation>Das Bauteil besteht aus {count} Körpern: Das Blatt zeigt mehrere, oder eine Linie fehlt, die sie verbindet.</translation>
     </message>
@@ -2389,6 +2393,10 @@
     <message>
         <source>The lines as they are drawn</source>
         <translation>Die Linien, wie sie gezeichnet sind</translation>
+    </message>
+    <message>
+        <source>Slabs that explain the lines best</source>
+        <translation>Platten, die die Linien am besten erklären</translation>
     </message>
     <message>
         <source>Without the chamfers around faces, which are put on last</source>

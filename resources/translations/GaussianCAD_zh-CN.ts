@@ -799,6 +799,10 @@
         <translation>没有任何实体具有所读出的全部线条。此零件是沿 {axis} 方向层叠的板，能解释其中 {percent} % 的线。请在“校正图纸”中检查哪些线有误。</translation>
     </message>
     <message>
+        <source>This part, a stack of slabs along {axis}, has all lines of the drawing, but nothing proves that no other part has them. Compare it with the sheet.</source>
+        <translation>此零件由沿 {axis} 方向层叠的板构成，具有图纸上的全部线条，但无法证明没有其他零件也具有这些线条。请与图纸对照。</translation>
+    </message>
+    <message>
         <source>The part is {count} bodies: the sheet shows several, or a line is missing that joins them.</source>
         <translation>该零件由 {count} 个实体组成：图纸显示了多个实体，或者缺少一条将它们连接起来的线。</translation>
     </message>
@@ -2389,6 +2393,10 @@
     <message>
         <source>The lines as they are drawn</source>
         <translation>按所画的线</translation>
+    </message>
+    <message>
+        <source>Slabs that explain the lines best</source>
+        <translation>最能解释各线条的层叠板</translation>
     </message>
     <message>
         <source>Without the chamfers around faces, which are put on last</source>

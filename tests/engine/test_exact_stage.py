@@ -269,11 +269,15 @@ def test_where_sketches_explain_as_much_the_reading_as_named_stays_and_nothing_i
         assert not found.decided
 
 
-def test_a_symbol_stays_where_the_other_reading_explains_more_and_that_is_told() -> None:
+@pytest.mark.parametrize("plain", [False, True])
+def test_a_symbol_stays_unless_the_other_reading_plainly_explains_more(plain: bool) -> None:
     odd = _step()
-    odd[Role.FRONT] += _chain((5, 3), (33, 11))
+    strokes = 1 if plain else 12
+    for k in range(strokes):
+        odd[Role.FRONT] += _chain((2 + 3 * k, 9), (3 + 3 * k, 19))
     third, first = _both(odd)
     found = find_exact(first, third, by_symbol=True)
-    assert found.reading is first and found.contradicted and not found.decided
+    assert found.contradicted and found.decided is plain
+    assert found.reading is (third if plain else first)
     found = find_exact(third, first, by_symbol=True)
     assert found.reading is third and not found.contradicted

@@ -44,8 +44,10 @@ def with_breaks(shape: TopoDS_Shape, plan: Plan) -> tuple[TopoDS_Shape, tuple[Ed
         # Where one loop cannot be broken, the others may be.
         count = 0
         for place in [loop.place for loop in loops]:
-            near = min(_loops(shape, own, plan), key=lambda loop: loop.place.distance(place))
-            broken = _broken(shape, own[0], near.edges)
+            # What was broken before has made other edges of them.
+            left = _loops(shape, own, plan)
+            near = min(left, key=lambda loop: loop.place.distance(place), default=None)
+            broken = _broken(shape, own[0], near.edges) if near is not None else None
             if broken is not None:
                 shape, count = broken, count + 1
         if not count:

@@ -68,6 +68,16 @@ def checked(sketch: Sketch, views: DrawnViews) -> ExactResult | None:
 
 
 def _sketched(sketch: Sketch, verification: Verification) -> Reason:
+    if verification.explains:
+        return (
+            "sketched",
+            Message(
+                "this part, slabs along {axis}, has all lines; it was sketched, and nothing "
+                "proves that no other part has them",
+                case="all",
+                axis=sketch.axis.name.lower(),
+            ),
+        )
     return (
         "sketched",
         Message(

@@ -132,7 +132,8 @@ class _Model:
         # The part reaches from its first level to its last one.
         for k in {0, len(plan.levels) - 2}:
             terms.model.add_bool_or([row[k] for row in terms.filled])
-        self.constant = terms.fixed + sum(own.alien for own in plan.sights)
+        alien = plan.regions.alien + sum(own.alien for own in plan.sights)
+        self.constant = terms.fixed + alien
         self._priced: set[frozenset[_Cell]] = set()
         terms.model.minimize(sum(terms.costs))
 

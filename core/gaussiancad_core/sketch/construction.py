@@ -17,7 +17,7 @@ from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.outputs import os_error
 from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
 from gaussiancad_core.reasoning.told import ToldLength, ToldNumbers, ToldRadius
-from gaussiancad_core.sketch.bodies import Slab, profiles_of
+from gaussiancad_core.sketch.bodies import Slab, cones_of, profiles_of
 from gaussiancad_core.sketch.plan import Plan
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine
 from gaussiancad_core.sketch.sketching import Sketch
@@ -136,6 +136,42 @@ class Hole:
 
 
 @dataclass(frozen=True)
+class Countersink:
+    """A cone of 90 degrees at the rim of a hole.
+
+    Attributes:
+        centre: mm in the plane.
+        diameter: mm, of its outer circle.
+        hole: mm, of the hole.
+        at: mm along the axis, of its outer circle.
+        is_top: whether it opens towards larger coordinates.
+    """
+
+    centre: Point
+    diameter: float
+    hole: float
+    at: float
+    is_top: bool
+
+
+@dataclass(frozen=True)
+class Break:
+    """A chamfer or rounding around a face.
+
+    Attributes:
+        at: mm along the axis, of the face.
+        width: mm that it takes away from the face.
+        height: mm along the axis, negative towards smaller coordinates.
+        is_round: whether it is a rounding.
+    """
+
+    at: float
+    width: float
+    height: float
+    is_round: bool
+
+
+@dataclass(frozen=True)
 class Construction:
     """The part.
 
@@ -145,6 +181,8 @@ class Construction:
         levels: from the lowest.
         slabs: from the lowest.
         holes: of those.
+        countersinks: of holes.
+        breaks: of edges, put on last.
     """
 
     axis: str
@@ -152,6 +190,8 @@ class Construction:
     levels: tuple[Level, ...]
     slabs: tuple[SlabLoops, ...]
     holes: tuple[Hole, ...]
+    countersinks: tuple[Countersink, ...] = ()
+    breaks: tuple[Break, ...] = ()
 
     def as_json(self) -> dict[str, Any]:
         """As plain values."""
@@ -181,7 +221,23 @@ def construction_of(sketch: Sketch, told: ToldNumbers | None) -> Construction:
         for at in [shapely.Point(own.centre)]
     )
     energy = _rounded(sketch.energy)
-    return Construction(plan.axis.name.lower(), energy, levels, slabs, holes)
+    sunk = tuple(
+        Countersink(
+            _point(ring.centre),
+            _rounded(2.0 * ring.outer),
+            _rounded(2.0 * ring.inner),
+            _rounded(own.at),
+            own.rim.is_top,
+        )
+        for own in cones_of(sketch.choice)
+        for ring in [own.rim.ring]
+    )
+    broken = dict.fromkeys(
+        Break(*(round(x, 3) for x in (own.at, own.width, own.height)), own.is_round)
+        for own in sketch.breaks
+    )
+    name = plan.axis.name.lower()
+    return Construction(name, energy, levels, slabs, holes, sunk, tuple(broken))
 
 
 def write_construction(construction: Construction, folder: Path) -> None:

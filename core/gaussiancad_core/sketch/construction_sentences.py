@@ -25,6 +25,16 @@ def construction_in_words(construction: Values) -> list[str]:
     lines += _holes(holes[:_MOST])
     if len(holes) > _MOST:
         lines.append(f"- and {len(holes) - _MOST} more holes")
+    lines += [
+        f"- a countersink of {own['diameter']:.4g} mm on the hole of {own['hole']:.4g} mm at "
+        f"({own['centre'][0]:.4g}, {own['centre'][1]:.4g})"
+        for own in construction["countersinks"]
+    ]
+    lines += [
+        f"- edges at {own['at']:.4g} mm {'rounded' if own['is_round'] else 'chamfered'}, "
+        f"{own['width']:.3g} by {abs(own['height']):.3g} mm"
+        for own in construction["breaks"]
+    ]
     return lines
 
 

@@ -23,6 +23,9 @@ it."""
 _BAND = 1.0
 """Grid steps by which a band's mean width may differ from that of the edge break."""
 
+_MITRE = 2.0
+"""Length of the line in which two edge breaks meet at most, in their width."""
+
 _ELONGATED = 8.0
 """Length of a band's outline at least, in the width of the edge break."""
 
@@ -70,6 +73,7 @@ class Regions:
         is_inner: (n,) bool, of each whether it is nowhere at the outline.
         is_round: (n,) bool, of each whether it is a disc.
         bands: numbers of those that are as narrow as an edge break.
+        alien: mm of line that bounds nothing; half of it where it is hidden.
     """
 
     polygons: tuple[shapely.Polygon, ...]
@@ -78,6 +82,7 @@ class Regions:
     is_inner: npt.NDArray[np.bool_]
     is_round: npt.NDArray[np.bool_]
     bands: tuple[int, ...] = ()
+    alien: float = 0.0
 
     @property
     def areas(self) -> npt.NDArray[np.float64]:
@@ -101,6 +106,9 @@ def find_regions(
     """
     lines = tidied([*from_above, *from_below], grid)
     polygons = _polygons(lines, grid)
+    # Where broken edges meet is a mitre, which bounds nothing.
+    mitre = _MITRE * max(breaks, default=0.0)
+    longer = [own for own in (*from_above, *from_below) if own.length > mitre]
     borders = _borders(polygons, (from_above, from_below), grid)
     around = shapely.union_all(polygons).boundary.buffer(0.5 * grid) if polygons else None
     inner = np.array([not own.intersects(around) for own in polygons], dtype=bool)
@@ -112,6 +120,7 @@ def find_regions(
         inner,
         rounds,
         tuple(_bands(polygons, breaks, grid)),
+        _alien(longer, polygons, grid),
     )
 
 
@@ -139,6 +148,18 @@ def _polygons(lines: Sequence[PlaneLine], grid: float) -> list[shapely.Polygon]:
             if united.geom_type == "Polygon":
                 kept[best] = united
     return kept
+
+
+def _alien(lines: Sequence[PlaneLine], polygons: Sequence[shapely.Polygon], grid: float) -> float:
+    """mm of lines that bound no polygon; half of it where they are hidden."""
+    bounds = shapely.union_all([own.boundary for own in polygons]).buffer(_DRAWN * grid)
+    return float(
+        sum(
+            shapely.LineString(own.points).difference(bounds).length
+            * (1.0 if own.is_visible else 0.5)
+            for own in lines
+        )
+    )
 
 
 def _bands(

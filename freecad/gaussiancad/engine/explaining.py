@@ -12,6 +12,7 @@ _MOST = 6
 
 MODELS = {
     "as-drawn": QT_TRANSLATE_NOOP("GaussianCAD", "The lines as they are drawn"),
+    "sketch": QT_TRANSLATE_NOOP("GaussianCAD", "Slabs that explain the lines best"),
     "sharp-edges": QT_TRANSLATE_NOOP(
         "GaussianCAD", "Without the chamfers around faces, which are put on last"
     ),

@@ -18,6 +18,11 @@ REASONS = {
         "No solid has all lines as they were read. This part is a stack of slabs along {axis} "
         "that explains {percent} % of them. Check in Correct Sheet which lines are wrong.",
     ),
+    "sketched:all": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "This part, a stack of slabs along {axis}, has all lines of the drawing, but nothing "
+        "proves that no other part has them. Compare it with the sheet.",
+    ),
     "several-bodies": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The part is {count} bodies: the sheet shows several, or a line is missing that joins "
