@@ -64,6 +64,7 @@ def choose(plan: Plan, less: float, effort: float) -> tuple[Choice | None, float
         effort: units of the solver's work.
     """
     model = _Model(plan)
+    model.reach()
     if isfinite(less):
         model.bound(less)
     spent = 0.0
@@ -129,13 +130,15 @@ class _Model:
         add_habits(terms)
         self.rims = add_rims(terms, rings_of(plan))
         add_bands(terms)
-        # The part reaches from its first level to its last one.
-        for k in {0, len(plan.levels) - 2}:
-            terms.model.add_bool_or([row[k] for row in terms.filled])
         alien = plan.regions.alien + sum(own.alien for own in plan.sights)
         self.constant = terms.fixed + alien
         self._priced: set[frozenset[_Cell]] = set()
         terms.model.minimize(sum(terms.costs))
+
+    def reach(self) -> None:
+        """Let the part reach from its first level to its last one."""
+        for k in {0, len(self.terms.plan.levels) - 2}:
+            self.terms.model.add_bool_or([row[k] for row in self.terms.filled])
 
     def bound(self, less: float) -> None:
         """Let a choice cost so many mm at most."""
