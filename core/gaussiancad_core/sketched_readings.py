@@ -22,6 +22,10 @@ _CLEAR_UNUSUAL = 0.3
 """The same where the better one has a view from below in place of one from above."""
 
 
+_TELLING = 0.25
+"""Share of the lines' length that the better sketch costs at most for anything to be clear: what
+hardly fits is no better for fitting a little less badly."""
+
 _PLAIN = 1.0
 """The same for it to be so whatever a projection symbol says: title blocks are copied."""
 
@@ -62,4 +66,7 @@ def weigh(readings: Sequence[Reading]) -> Weighed:
     least, most = sorted(own.energy for own in sketches)
     unusual = is_unusual(readings[best].registered.views.roles)
     clear = most > (1.0 + (_CLEAR_UNUSUAL if unusual else _CLEAR)) * least
+    clear &= least <= _TELLING * sum(
+        own.length for strokes in readings[best].drawn.strokes.values() for own in strokes
+    )
     return Weighed(sketches, best if clear else 0, clear, clear and most > (1.0 + _PLAIN) * least)

@@ -18,6 +18,8 @@ USUAL, UNUSUAL = (Role.FRONT, Role.TOP), (Role.FRONT, Role.BOTTOM)
         ((120.0, 100.0), (USUAL, USUAL), 1, True),
         ((105.0, 100.0), (USUAL, USUAL), 0, False),
         ((0.0, 0.0), (USUAL, USUAL), 0, False),
+        # What hardly fits is no better for fitting a little less badly.
+        ((180.0, 130.0), (USUAL, USUAL), 0, False),
         # A view from below in place of one from above must explain more.
         ((120.0, 100.0), (USUAL, UNUSUAL), 0, False),
         ((140.0, 100.0), (USUAL, UNUSUAL), 1, True),
@@ -38,6 +40,7 @@ def test_the_sketch_that_explains_clearly_more_tells_the_reading(
     readings = [
         SimpleNamespace(
             numbered=energy,
+            drawn=SimpleNamespace(strokes={Role.FRONT: [SimpleNamespace(length=500.0)]}),
             registered=SimpleNamespace(mm_per_pixel=1.0, views=SimpleNamespace(roles=own)),
         )
         for energy, own in zip(energies, roles, strict=True)
