@@ -66,6 +66,7 @@ def weigh(readings: Sequence[Reading]) -> Weighed:
     least, most = sorted(own.energy for own in sketches)
     unusual = is_unusual(readings[best].registered.views.roles)
     clear = most > (1.0 + (_CLEAR_UNUSUAL if unusual else _CLEAR)) * least
+    clear &= all(own.is_settled for own in sketches)
     clear &= least <= _TELLING * sum(
         own.length for strokes in readings[best].drawn.strokes.values() for own in strokes
     )

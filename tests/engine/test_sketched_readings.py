@@ -18,6 +18,8 @@ USUAL, UNUSUAL = (Role.FRONT, Role.TOP), (Role.FRONT, Role.BOTTOM)
         ((120.0, 100.0), (USUAL, USUAL), 1, True),
         ((105.0, 100.0), (USUAL, USUAL), 0, False),
         ((0.0, 0.0), (USUAL, USUAL), 0, False),
+        # A search that was not ended tells nothing.
+        ((110.0, 199.0), (USUAL, USUAL), 0, False),
         # What hardly fits is no better for fitting a little less badly.
         ((180.0, 130.0), (USUAL, USUAL), 0, False),
         # A view from below in place of one from above must explain more.
@@ -48,7 +50,9 @@ def test_the_sketch_that_explains_clearly_more_tells_the_reading(
     monkeypatch.setattr(
         sketched_readings,
         "sketch",
-        lambda energy, grid: None if energy is None else SimpleNamespace(energy=energy),
+        lambda energy, grid: (
+            None if energy is None else SimpleNamespace(energy=energy, is_settled=energy < 199.0)
+        ),
     )
     found = weigh(readings)
     assert (found.likelier, found.is_clear) == (likelier, is_clear)

@@ -33,6 +33,7 @@ class Sketch:
         breaks: of edges, as far as the kernel made them.
         shape: the part in mm; None where the kernel made none.
         supports: of the views: where their lines may lie.
+        is_settled: whether nothing along any axis costs less, for certain.
     """
 
     choice: Choice
@@ -40,6 +41,7 @@ class Sketch:
     breaks: tuple[EdgeBreak, ...]
     shape: TopoDS_Shape | None
     supports: PartSupports
+    is_settled: bool = True
 
     @property
     def energy(self) -> float:
@@ -64,14 +66,17 @@ def sketch(views: DrawnViews, grid: float) -> Sketch | None:
     """
     places = find_places(views, grid)
     best: Choice | None = None
-    left = _EFFORT
+    left, is_settled = _EFFORT, True
     for plan in sorted(plans_of(views, places), key=lambda own: own.complexity):
-        choice, spent = choose(plan, inf if best is None else best.energy, min(_MOST, left))
+        if left <= 0.0:
+            is_settled = False
+            break
+        allowed = min(_MOST, left)
+        choice, spent = choose(plan, inf if best is None else best.energy, allowed)
         left -= spent
+        is_settled &= spent < allowed
         if choice is not None and (best is None or choice.energy < best.energy):
             best = choice
-        if left <= 0.0:
-            break
     if best is None:
         return None
     slabs = slabs_of(best)
@@ -84,4 +89,4 @@ def sketch(views: DrawnViews, grid: float) -> Sketch | None:
     except KERNEL_FAILURES:
         shape = None
     made = tuple(own for own in plan.breaks if own not in refused)
-    return Sketch(best, slabs, made, shape, places.supports)
+    return Sketch(best, slabs, made, shape, places.supports, is_settled)
