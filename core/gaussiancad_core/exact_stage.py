@@ -57,7 +57,10 @@ _RELAXED = 0.25
 """Share of the work for a solid that does not have all lines."""
 
 _FIRM = 0.03
-"""Share of the lines' length that a sketch costs at most for no other solid to be looked for."""
+"""Share of the lines' length that a sketch costs at most to stay: lines were misread then."""
+
+_POOR = 0.25
+"""The same from which it is no measure of what is usual: the part is none of slabs."""
 
 _UNUSUAL = 0.5
 """What counts of how unusual such a solid is: what it has beside slabs is no line of theirs."""
@@ -174,14 +177,15 @@ def _sketched(
     reading, sketch = readings[number], weighed.sketches[number]
     decided = weighed.is_clear and number == weighed.likelier
     result = checked(sketch, reading.drawn) if sketch is not None else None
-    is_firm = result is not None and (result.explains or _is_firm(sketch, reading))
-    if is_firm and not has_hidden_lines(reading.drawn):
+    is_firm = result is not None and (result.explains or _costs(sketch, reading) <= _FIRM)
+    if result is not None and result.explains and not has_hidden_lines(reading.drawn):
         return ExactModel(reading, result, decided, sketch, contradicted)
     relaxed = _solved(reading, replace(limits, work=_RELAXED * limits.work))
     model = ExactModel(reading, relaxed, decided, contradicted=contradicted)
     if result is None or relaxed.status is Status.VERIFIED:
         return model
-    if not is_firm and _is_better(relaxed, result, sketch):
+    is_poor = _costs(sketch, reading) > _POOR
+    if not is_firm and _is_better(relaxed, result, None if is_poor else sketch):
         return model
     result = replace(
         result,
@@ -192,20 +196,22 @@ def _sketched(
     return replace(model, result=result, sketched=sketch)
 
 
-def _is_firm(sketch: Sketch, reading: Reading) -> bool:
-    """Whether a sketch leaves so little unexplained that lines were misread rather than it."""
+def _costs(sketch: Sketch, reading: Reading) -> float:
+    """What a sketch costs as a share of the lines' length."""
     drawn = sum(own.length for strokes in reading.drawn.strokes.values() for own in strokes)
-    return sketch.energy <= _FIRM * drawn
+    return sketch.energy / drawn
 
 
-def _is_better(relaxed: ExactResult, result: ExactResult, sketch: Sketch) -> bool:
+def _is_better(relaxed: ExactResult, result: ExactResult, sketch: Sketch | None) -> bool:
     """Whether a solid that gives lines up has so many more than the sketch that this outweighs how
-    unusual it is."""
+    unusual it is; None for a sketch that is no measure of that."""
     if relaxed.shape is None:
         return False
     wrong, worse = _wrong(relaxed.verification), _wrong(result.verification)
     if wrong > _WRONG * worse:
         return False
+    if sketch is None:
+        return True
     more = energy_as_slabs(relaxed.shape, sketch.choice.plan) - sketch.energy
     return worse - wrong > _UNUSUAL * more
 
