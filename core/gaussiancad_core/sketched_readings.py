@@ -46,11 +46,6 @@ class Weighed:
     is_clear: bool
     is_plain: bool = False
 
-    @property
-    def sketch(self) -> Sketch | None:
-        """That of the likelier reading."""
-        return self.sketches[self.likelier]
-
 
 def weigh(readings: Sequence[Reading]) -> Weighed:
     """Sketch the part under each reading of a sheet.

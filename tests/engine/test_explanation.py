@@ -250,3 +250,18 @@ def test_a_folder_without_a_readable_report_is_one_line(
     assert main(["explain", str(tmp_path)]) == 3
     error = capsys.readouterr().err
     assert f"[{code}]" in error and error.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    "text", ["[", "[]", '{"schema": "gaussiancad-construction/1"}', '{"schema": 1}']
+)
+def test_a_construction_that_is_none_is_told_in_one_line(
+    text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = _written(tmp_path)
+    assert main(["explain", str(folder)]) == 0
+    (folder / "construction.json").write_text(text, encoding="utf-8")
+    assert main(["explain", str(folder)]) == 3
+    told = capsys.readouterr().err.strip()
+    assert told.count("\n") == 0
+    assert told.endswith(("[damaged-report]", "[old-report]"))

@@ -29,11 +29,26 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
 
 def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
     """Print the explanation."""
+    if options.folder.is_file():
+        lines = _of_sheet(options)
+    else:
+        try:
+            lines = _of_run(options)
+        except (KeyError, TypeError) as error:
+            raise UnreadableError(
+                "damaged-report",
+                "{path} cannot be read: {reason}",
+                path=options.folder,
+                reason=error,
+            ) from error
+    print("\n".join(lines))
+    return ExitCode.DONE
+
+
+def _of_run(options: argparse.Namespace) -> list[str]:
+    """What a run left in its folder, in all, of a view, or at a place."""
     from gaussiancad_core.explanation import explained, explained_place, explained_view
 
-    if options.folder.is_file():
-        print("\n".join(_of_sheet(options)))
-        return ExitCode.DONE
     report = _values(options.folder / "report.json")
     if options.at is not None:
         lines = explained_place(report, _reading(options.folder), _place(options.at))
@@ -55,8 +70,7 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
 
             lines += ["", "How it was put together:"]
             lines += construction_in_words(_values(construction))
-    print("\n".join(lines))
-    return ExitCode.DONE
+    return lines
 
 
 def _of_sheet(options: argparse.Namespace) -> list[str]:

@@ -81,7 +81,8 @@ def choose(plan: Plan, less: float, effort: float) -> tuple[Choice | None, float
         found = Choice(plan, filled, sunk, energy, status == cp_model.OPTIMAL)
         # Bodies are paid for once they are seen: to hold a part together takes many constraints.
         parted = model.price_bodies(filled)
-        best = replace(found, energy=energy + parted)
+        is_proven = found.is_proven and not parted
+        best = replace(found, energy=energy + parted, is_proven=is_proven)
         if not parted or spent >= effort:
             break
     return best, spent

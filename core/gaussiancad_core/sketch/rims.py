@@ -31,14 +31,12 @@ class Ring:
     Attributes:
         region: its number.
         within: numbers of the regions that it encloses.
-        around: of those beside it.
         centre: mm.
         outer, inner: mm, radii.
     """
 
     region: int
     within: tuple[int, ...]
-    around: tuple[int, ...]
     centre: tuple[float, float]
     outer: float
     inner: float
@@ -78,9 +76,8 @@ def rings_of(plan: Plan) -> tuple[Ring, ...]:
         within = {k for k in beside if hole.covers(polygons[k].representative_point())}
         outer, inner = (_circle_of(ring, plan) for ring in (own.exterior, own.interiors[0]))
         if within and outer is not None and inner is not None:
-            rest = tuple(sorted(beside - within))
             sizes = outer.radius, inner.radius
-            found.append(Ring(number, tuple(sorted(within)), rest, inner.centre, *sizes))
+            found.append(Ring(number, tuple(sorted(within)), inner.centre, *sizes))
     return tuple(found)
 
 
@@ -149,16 +146,8 @@ def add_bands(terms: Terms) -> None:
     """
     plan = terms.plan
     bands = set(plan.regions.bands)
-    ends = (
-        (seen, opened, is_top)
-        for seen, opened, is_top in (
-            (plan.is_seen[0], terms.tops, True),
-            (plan.is_seen[1], terms.bottoms, False),
-        )
-        if seen
-    )
     sides: dict[tuple[int, int], Literal] = {}
-    for _, opened, is_top in ends:
+    for is_top, opened in ((True, terms.tops), (False, terms.bottoms)):
         for border in plan.regions.borders:
             pair = {border.one, border.other}
             drawn = border.visible if is_top else border.visible_below

@@ -74,7 +74,7 @@ def sketch(views: DrawnViews, grid: float) -> Sketch | None:
         allowed = min(_MOST, left)
         choice, spent = choose(plan, inf if best is None else best.energy, allowed)
         left -= spent
-        is_settled &= spent < allowed
+        is_settled &= spent < allowed and (choice is None or choice.is_proven)
         if choice is not None and (best is None or choice.energy < best.energy):
             best = choice
     if best is None:
