@@ -178,11 +178,14 @@ def _sketched(
     decided = weighed.is_clear and number == weighed.likelier
     result = checked(sketch, reading.drawn) if sketch is not None else None
     is_firm = result is not None and (result.explains or _costs(sketch, reading) <= _FIRM)
-    if result is not None and result.explains and not has_hidden_lines(reading.drawn):
+    is_plain = not (has_hidden_lines(reading.drawn) or reading.drawn.holes)
+    if result is not None and result.explains and is_plain:
         return ExactModel(reading, result, decided, sketch, contradicted)
     relaxed = _solved(reading, replace(limits, work=_RELAXED * limits.work))
     model = ExactModel(reading, relaxed, decided, contradicted=contradicted)
     if result is None or relaxed.status is Status.VERIFIED:
+        return model
+    if relaxed.explains and not result.explains:
         return model
     is_poor = _costs(sketch, reading) > _POOR
     if not is_firm and _is_better(relaxed, result, None if is_poor else sketch):

@@ -1,21 +1,24 @@
 """The solid of slabs: prisms with true arcs, made one."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import shapely
 from OCP.BOPAlgo import BOPAlgo_GlueEnum
-from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
-from OCP.BRepPrimAPI import BRepPrimAPI_MakeCone
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Common, BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
+from OCP.BRepPrimAPI import BRepPrimAPI_MakeCone, BRepPrimAPI_MakeCylinder
 from OCP.collections import List_TopoDS_Shape
 from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt
 from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Axis
+from gaussiancad_core.drawing.brep import bounding_box
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.sketch.choosing import Choice
+from gaussiancad_core.sketch.cross_holes import CrossHole
+from gaussiancad_core.sketch.plan import Plan
 from gaussiancad_core.sketch.regions import Regions
 from gaussiancad_core.sketch.rims import SunkRim
 from gaussiancad_core.solid.profiles import Profile, prism
@@ -122,6 +125,47 @@ def _cone(own: Cone, axis: Axis) -> TopoDS_Shape:
     ends = ring.outer + beyond, max(0.0, ring.inner - beyond)
     maker = BRepPrimAPI_MakeCone(place, *ends, ends[0] - ends[1])
     return maker.Shape()
+
+
+def with_holes(shape: TopoDS_Shape, plan: Plan) -> TopoDS_Shape:
+    """A body with the holes across its slabs.
+
+    Args:
+        shape: mm.
+        plan: with the holes.
+
+    Raises:
+        RuntimeError: the kernel fails.
+    """
+    tools = [tool for own in plan.cross_holes for tool in _cylinders(shape, own, plan)]
+    return _unified(_cut(shape, tools)) if tools else shape
+
+
+def _cylinders(shape: TopoDS_Shape, hole: CrossHole, plan: Plan) -> Iterator[TopoDS_Shape]:
+    """What a hole takes away."""
+    index, size = hole.axis.value, plan.size[hole.axis.value]
+    for low, high in hole.intervals:
+        ends = -size if low <= plan.grid else low, 2.0 * size if high >= size - plan.grid else high
+        if hole.depth is not None:
+            # It begins where it enters the material.
+            entered = bounding_box(_common(shape, _cylinder(hole, ends)))
+            first, last = (float(own[index]) for own in entered)
+            inner = first + hole.depth if hole.looks_up else last - hole.depth
+            ends = (ends[0], inner) if hole.looks_up else (inner, ends[1])
+        yield _cylinder(hole, ends)
+
+
+def _cylinder(hole: CrossHole, ends: Sequence[float]) -> TopoDS_Shape:
+    at, direction = [0.0] * 3, [0.0] * 3
+    for index, place in zip(IN_PLANE[hole.axis], hole.circle.centre, strict=True):
+        at[index] = place
+    at[hole.axis.value], direction[hole.axis.value] = ends[0], 1.0
+    place = gp_Ax2(gp_Pnt(*at), gp_Dir(*direction))
+    return BRepPrimAPI_MakeCylinder(place, hole.circle.radius, ends[1] - ends[0]).Shape()
+
+
+def _common(shape: TopoDS_Shape, tool: TopoDS_Shape) -> TopoDS_Shape:
+    return BRepAlgoAPI_Common(shape, tool).Shape()
 
 
 def _cut(shape: TopoDS_Shape, tools: Sequence[TopoDS_Shape]) -> TopoDS_Shape:

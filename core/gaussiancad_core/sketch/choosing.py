@@ -7,7 +7,7 @@ holes, several bodies.  The cheapest choice of all is found exactly (CP-SAT).
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from math import floor, inf, isfinite
+from math import floor, inf, isfinite, pi, sqrt
 
 import numpy as np
 import numpy.typing as npt
@@ -23,6 +23,9 @@ from gaussiancad_core.sketch.terms import UNIT, Terms
 _BODY = 2.0
 """What each body costs beside the largest one, in the root of the area of its shadow along the
 axis; where two are drawn, the outlines between them cost twice as much."""
+
+_CROSS = 0.2
+"""What a hole across the slabs costs, in the root of its area; and a grid step."""
 
 _EVALUATED = 1.0
 """Units of the solver's work for what a given choice costs."""
@@ -132,7 +135,7 @@ class _Model:
         self.rims = add_rims(terms, rings_of(plan))
         add_bands(terms)
         alien = plan.regions.alien + sum(own.alien for own in plan.sights)
-        self.constant = terms.fixed + alien
+        self.constant = terms.fixed + alien + _habit(plan)
         self._priced: set[frozenset[_Cell]] = set()
         terms.model.minimize(sum(terms.costs))
 
@@ -176,6 +179,11 @@ class _Model:
         region, slab = cell
         levels = {(region, k) for k in (slab - 1, slab + 1) if k in self.terms.plan.slabs}
         return levels | {(other, slab) for other in self.terms.beside[region]}
+
+
+def _habit(plan: Plan) -> float:
+    """mm that the holes across the slabs cost: most holes of a part are along its slabs' axis."""
+    return sum(plan.grid + _CROSS * sqrt(pi) * own.circle.radius for own in plan.cross_holes)
 
 
 def _bodies(filled: npt.NDArray[np.bool_], beside: Mapping[int, set[int]]) -> list[set[_Cell]]:

@@ -4,10 +4,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from gaussiancad_core.axes import Axis, Role
-from gaussiancad_core.cuts import Cut
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
 from gaussiancad_core.sketch.breaks import EdgeBreak, without_breaks
+from gaussiancad_core.sketch.cross_holes import CrossHole, without_cross_holes
 from gaussiancad_core.sketch.levels import find_levels
 from gaussiancad_core.sketch.places import Places
 from gaussiancad_core.sketch.plane_lines import PlaneLine, plane_lines
@@ -33,6 +33,7 @@ class Plan:
         size: (3,) mm of the part.
         grid: mm of a step of the sheet's coordinates.
         breaks: of edges across the axis, which the lines are without.
+        cross_holes: holes along other axes, which the lines are without.
     """
 
     axis: Axis
@@ -45,6 +46,7 @@ class Plan:
     size: tuple[float, float, float]
     grid: float
     breaks: tuple[EdgeBreak, ...]
+    cross_holes: tuple[CrossHole, ...]
 
     @property
     def slabs(self) -> range:
@@ -71,7 +73,7 @@ def plans_of(views: DrawnViews, places: Places) -> Iterator[Plan]:
     }
     draws_hidden = any(not own.is_visible for drawn in lines.values() for own in drawn)
     for axis in Axis:
-        plan = _plan(axis, lines, views.cuts, places, draws_hidden=draws_hidden)
+        plan = _plan(axis, lines, views, places, draws_hidden=draws_hidden)
         if plan is not None:
             yield plan
 
@@ -79,12 +81,13 @@ def plans_of(views: DrawnViews, places: Places) -> Iterator[Plan]:
 def _plan(
     axis: Axis,
     lines: Mapping[Role, Sequence[PlaneLine]],
-    cuts: Mapping[Role, Cut],
+    views: DrawnViews,
     places: Places,
     *,
     draws_hidden: bool,
 ) -> Plan | None:
-    size, grid = places.size, places.grid
+    size, grid, cuts = places.size, places.grid, views.cuts
+    lines, holes = without_cross_holes(lines, axis, size, grid, views.holes)
     lines, breaks = without_breaks(lines, axis, max(size), grid)
     planes = {role: role_plane(role) for role in lines}
     facing = [r for r in lines if planes[r].normal is axis and r not in cuts]
@@ -112,4 +115,4 @@ def _plan(
         for role in beside
     )
     seen = bool(above), bool(below)
-    return Plan(axis, regions, levels, lines, sights, seen, draws_hidden, size, grid, breaks)
+    return Plan(axis, regions, levels, lines, sights, seen, draws_hidden, size, grid, breaks, holes)
