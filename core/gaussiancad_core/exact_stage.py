@@ -178,8 +178,7 @@ def _sketched(
     decided = weighed.is_clear and number == weighed.likelier
     result = checked(sketch, reading.drawn) if sketch is not None else None
     is_firm = result is not None and (result.explains or _costs(sketch, reading) <= _FIRM)
-    is_plain = not (has_hidden_lines(reading.drawn) or reading.drawn.holes)
-    if result is not None and result.explains and is_plain:
+    if result is not None and result.explains and not has_hidden_lines(reading.drawn):
         return ExactModel(reading, result, decided, sketch, contradicted)
     relaxed = _solved(reading, replace(limits, work=_RELAXED * limits.work))
     model = ExactModel(reading, relaxed, decided, contradicted=contradicted)

@@ -15,7 +15,7 @@ from ortools.sat.python import cp_model
 
 from gaussiancad_core.reasoning.solvers import FOUND
 from gaussiancad_core.sketch.evidence import add_evidence
-from gaussiancad_core.sketch.habits import add_habits
+from gaussiancad_core.sketch.habits import add_habits, add_notes
 from gaussiancad_core.sketch.plan import Plan
 from gaussiancad_core.sketch.rims import SunkRim, add_bands, add_rims, rings_of
 from gaussiancad_core.sketch.terms import UNIT, Terms
@@ -132,6 +132,7 @@ class _Model:
         self.terms = terms = Terms(plan)
         add_evidence(terms)
         add_habits(terms)
+        add_notes(terms)
         self.rims = add_rims(terms, rings_of(plan))
         add_bands(terms)
         alien = plan.regions.alien + sum(own.alien for own in plan.sights)

@@ -1,10 +1,12 @@
 """What is usual of parts: what they seldom have costs a little, as if a line were lacking."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise
 
 import numpy as np
 
+from gaussiancad_core.sketch.noted import NotedStep
+from gaussiancad_core.sketch.plan import Plan
 from gaussiancad_core.sketch.terms import Expression, Literal, Terms
 
 _RUN = 1.2
@@ -19,6 +21,9 @@ sees it."""
 
 _BLIND = 0.05
 """The same of a region within the outline that is filled in part; and half a grid step."""
+
+_NOTED = 2.0
+"""What a hole costs that is not as a note says, in the root of its area."""
 
 _SEEN = 0.3
 """Share of a region's sight lines in a view from which that sees it."""
@@ -53,6 +58,38 @@ def add_habits(terms: Terms) -> None:
                 terms.model.add(blind >= one - other)
                 terms.model.add(blind >= other - one)
             terms.cost(_BLIND * root + 0.5 * plan.grid, blind)
+
+
+def add_notes(terms: Terms) -> None:
+    """Let a choice cost holes that are not as notes say."""
+    for own in terms.plan.noted:
+        root = float(terms.plan.regions.areas[list(own.regions)].sum()) ** 0.5
+        filled = [terms.filled[r] for r in own.regions]
+        if own.depth is None:
+            for row in filled:
+                for k, x in enumerate(row):
+                    share = float(terms.heights[k]) / terms.plan.size[terms.plan.axis.value]
+                    terms.cost(_NOTED * root * share / len(filled), x)
+            continue
+        kept = terms.model.new_bool_var("")
+        fits = [
+            terms.all_of([*(1 - row[k] for row in filled for k in void), *(r[end] for r in filled)])
+            for void, end in _blind(terms.plan, own)
+        ]
+        terms.model.add(kept <= sum(fits))
+        terms.cost(_NOTED * root, 1 - kept)
+
+
+def _blind(plan: Plan, step: NotedStep) -> Iterator[tuple[range, int]]:
+    """Slabs that are void, and the filled one beneath, for each face that a hole may begin at."""
+    levels = np.array(plan.levels)
+    count = len(plan.slabs)
+    for face in levels:
+        at = face + step.depth if step.looks_up else face - step.depth
+        floor = int(np.abs(levels - at).argmin())
+        if abs(levels[floor] - at) > plan.grid or not 0 < floor < count:
+            continue
+        yield (range(floor), floor) if step.looks_up else (range(floor, count), floor - 1)
 
 
 def _column_runs(terms: Terms, row: list[Literal]) -> Expression:

@@ -9,6 +9,7 @@ from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
 from gaussiancad_core.sketch.breaks import EdgeBreak, without_breaks
 from gaussiancad_core.sketch.cross_holes import CrossHole, without_cross_holes
 from gaussiancad_core.sketch.levels import find_levels
+from gaussiancad_core.sketch.noted import NotedStep, floors, noted_steps
 from gaussiancad_core.sketch.places import Places
 from gaussiancad_core.sketch.plane_lines import PlaneLine, plane_lines
 from gaussiancad_core.sketch.regions import Regions, find_regions
@@ -34,6 +35,7 @@ class Plan:
         grid: mm of a step of the sheet's coordinates.
         breaks: of edges across the axis, which the lines are without.
         cross_holes: holes along other axes, which the lines are without.
+        noted: cylinders of holes along the axis of which notes speak.
     """
 
     axis: Axis
@@ -47,6 +49,7 @@ class Plan:
     grid: float
     breaks: tuple[EdgeBreak, ...]
     cross_holes: tuple[CrossHole, ...]
+    noted: tuple[NotedStep, ...]
 
     @property
     def slabs(self) -> range:
@@ -101,6 +104,7 @@ def _plan(
     regions = find_regions(above, below, grid, {own.width for own in breaks})
     across = [(IN_PLANE[planes[r].normal].index(axis.value), list(lines[r])) for r in beside]
     levels = find_levels(across, size[axis.value], grid)
+    levels = tuple(sorted((*levels, *floors(views.holes, axis, levels, grid))))
     if not 0 < len(regions.polygons) * (len(levels) - 1) <= _MOST_CELLS:
         return None
     sights = tuple(
@@ -115,4 +119,6 @@ def _plan(
         for role in beside
     )
     seen = bool(above), bool(below)
-    return Plan(axis, regions, levels, lines, sights, seen, draws_hidden, size, grid, breaks, holes)
+    noted = tuple(noted_steps(views.holes, axis, regions.polygons, grid))
+    told = seen, draws_hidden, size, grid
+    return Plan(axis, regions, levels, lines, sights, *told, breaks, holes, noted)

@@ -3,6 +3,7 @@
 Everything is a literal of one CP-SAT model; what was asked for once is kept.
 """
 
+from collections.abc import Sequence
 from functools import cached_property
 from itertools import pairwise
 
@@ -111,6 +112,13 @@ class Terms:
             self.model.add(own <= sum(xors))
             self._alters[key] = own
         return self._alters[key]
+
+    def all_of(self, what: Sequence[Expression]) -> Literal:
+        """A literal that holds only where all of some do."""
+        own = self.model.new_bool_var("")
+        for each in what:
+            self.model.add(own <= each)
+        return own
 
     def differ(self, one: Literal, other: Literal) -> Literal:
         """Whether one of two literals holds, and the other does not."""

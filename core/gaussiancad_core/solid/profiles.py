@@ -17,7 +17,7 @@ from OCP.BRepBuilderAPI import (
 )
 from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism, BRepPrimAPI_MakeRevol
 from OCP.GC import GC_MakeArcOfCircle
-from OCP.gp import gp_Ax1, gp_Dir, gp_Pnt, gp_Vec
+from OCP.gp import gp_Ax1, gp_Ax2, gp_Circ, gp_Dir, gp_Pnt, gp_Vec
 from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Wire
 
@@ -186,7 +186,11 @@ def _face(profile: Profile, place: Callable[[Point], gp_Pnt]) -> TopoDS_Face:
 def _wire(ring: Floats, profile: Profile, place: Callable[[Point], gp_Pnt]) -> TopoDS_Wire:
     """The edges of a ring of corners: arcs where they lie on one, else lines."""
     made = BRepBuilderAPI_MakeWire()
-    for run, arc in runs_of(ring, profile):
+    runs = runs_of(ring, profile)
+    if (circle := _whole(runs)) is not None:
+        made.Add(BRepBuilderAPI_MakeEdge(_circle(circle, ring, place)).Edge())
+        return made.Wire()
+    for run, arc in runs:
         ends = place(tuple(run[0])), place(tuple(run[-1]))
         middle = None if arc is None else _middle(run, arc)
         if middle is None:
@@ -197,13 +201,29 @@ def _wire(ring: Floats, profile: Profile, place: Callable[[Point], gp_Pnt]) -> T
     return made.Wire()
 
 
+def _whole(runs: Sequence[tuple[Floats, Arc | None]]) -> Arc | None:
+    """The circle that all runs of a ring lie on; None where there is none."""
+    arc = runs[0][1]
+    return arc if arc is not None and all(other is arc for _, other in runs) else None
+
+
+def _circle(arc: Arc, ring: Floats, place: Callable[[Point], gp_Pnt]) -> gp_Circ:
+    """A whole circle that runs as its ring does: round holes the other way than outlines."""
+    centre = place(arc.centre)
+    is_ccw = shapely.LinearRing(ring).is_ccw
+    right, up = (
+        gp_Vec(centre, place((arc.centre[0] + x, arc.centre[1] + y)))
+        for x, y in ((1.0, 0.0), (0.0, 1.0))
+    )
+    normal = right.Crossed(up) if is_ccw else up.Crossed(right)
+    return gp_Circ(gp_Ax2(centre, gp_Dir(normal), gp_Dir(right)), arc.radius)
+
+
 def _middle(run: Floats, arc: Arc) -> Floats | None:
     """(2,) a place of an arc between the ends of a run along it; None where that is straight."""
-    if len(run) > 2:
-        return run[len(run) // 2]
-    off = run.mean(axis=0) - arc.centre
+    off = (run[len(run) // 2] if len(run) > 2 else run.mean(axis=0)) - arc.centre
     away = float(np.hypot(*off))
-    if away == 0.0 or abs(arc.radius - away) <= _FLAT * arc.radius:
+    if away == 0.0 or (len(run) == 2 and abs(arc.radius - away) <= _FLAT * arc.radius):
         return None
     return np.array(arc.centre) + off * (arc.radius / away)
 
