@@ -150,8 +150,8 @@ def _cylinders(shape: TopoDS_Shape, hole: CrossHole, plan: Plan) -> Iterator[Top
             # It begins where it enters the material.
             entered = bounding_box(_common(shape, _cylinder(hole, ends)))
             first, last = (float(own[index]) for own in entered)
-            inner = first + hole.depth if hole.looks_up else last - hole.depth
-            ends = (ends[0], inner) if hole.looks_up else (inner, ends[1])
+            inner = first + hole.depth if hole.plane.looks_up else last - hole.depth
+            ends = (ends[0], inner) if hole.plane.looks_up else (inner, ends[1])
         yield _cylinder(hole, ends)
 
 

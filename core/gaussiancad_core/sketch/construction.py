@@ -7,6 +7,7 @@ strokes along which it lies: what a body needs that one can edit.
 import json
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, replace
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -155,6 +156,30 @@ class Countersink:
 
 
 @dataclass(frozen=True)
+class CrossHole:
+    """A round hole along another axis than the slabs'.
+
+    Attributes:
+        axis: along it: x, y or z.
+        centre: mm in the plane across that, its coordinates in the order x, y, z.
+        diameter: mm.
+        low, high: mm along it; None of an end at which it is open.
+        depth: mm from where it enters the material, as a note says; None where the ends tell it.
+        numbers: of the sheet, mm, that tell its diameter.
+        stroke: its circle; start and end are the centre.
+    """
+
+    axis: str
+    centre: Point
+    diameter: float
+    low: float | None
+    high: float | None
+    depth: float | None
+    numbers: tuple[float, ...]
+    stroke: Source
+
+
+@dataclass(frozen=True)
 class Break:
     """A chamfer or rounding around a face.
 
@@ -183,6 +208,7 @@ class Construction:
         holes: of those.
         countersinks: of holes.
         breaks: of edges, put on last.
+        cross_holes: cut out after these.
     """
 
     axis: str
@@ -192,6 +218,7 @@ class Construction:
     holes: tuple[Hole, ...]
     countersinks: tuple[Countersink, ...] = ()
     breaks: tuple[Break, ...] = ()
+    cross_holes: tuple[CrossHole, ...] = ()
 
     def as_json(self) -> dict[str, Any]:
         """As plain values."""
@@ -237,7 +264,8 @@ def construction_of(sketch: Sketch, told: ToldNumbers | None) -> Construction:
         for own in sketch.breaks
     )
     name = plan.axis.name.lower()
-    return Construction(name, energy, levels, slabs, holes, sunk, tuple(broken))
+    across = tuple(_cross_holes(plan, radii, near))
+    return Construction(name, energy, levels, slabs, holes, sunk, tuple(broken), across)
 
 
 def write_construction(construction: Construction, folder: Path) -> None:
@@ -381,6 +409,32 @@ def _holes(loops: Sequence[SlabLoops], near: float) -> Iterator[Hole]:
         yield from open_ones
         open_ones = going_on
     yield from open_ones
+
+
+def _cross_holes(plan: Plan, radii: Sequence[ToldRadius], near: float) -> Iterator[CrossHole]:
+    for own in plan.cross_holes:
+        circle = own.circle
+        numbers = {
+            2.0 * each.value
+            for each in radii
+            if each.normal is own.axis
+            and np.hypot(*np.subtract(each.centre, circle.centre)) <= near
+            and abs(each.radius - circle.radius) <= near
+        }
+        x, y = (at * sign for at, sign in zip(circle.centre, own.plane.signs, strict=True))
+        at = _point((x, y))
+        for ends in own.intervals:
+            low, high = (_rounded(end) if isfinite(end) else None for end in ends)
+            yield CrossHole(
+                own.axis.name.lower(),
+                _point(circle.centre),
+                _rounded(2.0 * circle.radius),
+                low,
+                high,
+                own.depth,
+                tuple(sorted(numbers)),
+                Source(own.role.value, at, at),
+            )
 
 
 def _is_same(hole: Hole, arc: Edge, low: float, near: float) -> bool:

@@ -35,7 +35,22 @@ def construction_in_words(construction: Values) -> list[str]:
         f"{own['width']:.3g} by {abs(own['height']):.3g} mm"
         for own in construction["breaks"]
     ]
+    lines += [
+        f"- a hole of {own['diameter']:.4g} mm along {own['axis']} at "
+        f"({own['centre'][0]:.4g}, {own['centre'][1]:.4g}), {_reach(own)}"
+        for own in construction["cross_holes"]
+    ]
     return lines
+
+
+def _reach(hole: Values) -> str:
+    if hole["depth"] is not None:
+        return f"{hole['depth']:.4g} mm deep, as a note tells"
+    if hole["low"] is None and hole["high"] is None:
+        return "through"
+    low = "the outside" if hole["low"] is None else f"{hole['low']:.4g}"
+    high = "the outside" if hole["high"] is None else f"{hole['high']:.4g} mm"
+    return f"from {low} to {high}"
 
 
 def _fixed(slab: Values) -> str:

@@ -12,7 +12,7 @@ from math import inf
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.holes import NotedHole
 from gaussiancad_core.reasoning.curves import CircleCurve
-from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
+from gaussiancad_core.reasoning.planes import IN_PLANE, RolePlane, role_plane
 from gaussiancad_core.sketch.plane_lines import PlaneLine
 from gaussiancad_core.sketch.tidy import with_whole_circles
 
@@ -38,18 +38,19 @@ class CrossHole:
         circle: mm in the plane across that.
         intervals: mm along it, from and to; infinite at an end that is open.
         depth: mm from where it enters the material; None where the intervals tell all.
-        looks_up: whether it is seen towards larger coordinates.
         role: the view with its circle.
-        stroke: number of the circle in that.
     """
 
     axis: Axis
     circle: CircleCurve
     intervals: tuple[_Interval, ...]
     depth: float | None
-    looks_up: bool
     role: Role
-    stroke: int | None
+
+    @property
+    def plane(self) -> RolePlane:
+        """In which its circle is drawn."""
+        return role_plane(self.role)
 
 
 def without_cross_holes(
@@ -90,10 +91,7 @@ def without_cross_holes(
                 if not is_noted and _is_around(own.circle, whole, grid):
                     continue
                 intervals = ((-inf, inf),)
-            told = role, own.stroke
-            holes.append(
-                CrossHole(plane.normal, own.circle, intervals, depth, plane.looks_up, *told)
-            )
+            holes.append(CrossHole(plane.normal, own.circle, intervals, depth, role))
             gone = {id(own), *(id(line) for pair in walls for line in pair)}
             for each, drawn in found.items():
                 found[each] = [line for line in drawn if id(line) not in gone]

@@ -2,42 +2,24 @@
 
 from collections.abc import Callable
 
-import numpy as np
 import pytest
-from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut
 from OCP.BRepFilletAPI import BRepFilletAPI_MakeChamfer, BRepFilletAPI_MakeFillet
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeCone
 from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Shape
+from sketch_checks import GRID, check, drawn
 
-from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.brep import (
     bounding_box,
     faces_of,
     soundness,
     subshapes,
-    volume,
 )
-from gaussiancad_core.drawing.hlr import LineDrawing
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
-from gaussiancad_core.sketch.sketching import Sketch, sketch
-from gaussiancad_core.views import Linetype
-
-GRID = 0.1
-ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
-
-
-def drawn(shape: TopoDS_Shape, roles: tuple[Role, ...] = ROLES, *, hidden: bool) -> DrawnViews:
-    """Views of a shape in the corner of its axes, with or without hidden lines."""
-    drawing = LineDrawing(shape)
-    strokes = {
-        role: tuple(own for own in drawing.view(role) if hidden or own.linetype is Linetype.VISIBLE)
-        for role in roles
-    }
-    size = tuple(np.ptp(bounding_box(shape), axis=0).tolist())
-    return DrawnViews(strokes, size, 1e-4)
+from gaussiancad_core.sketch.sketching import sketch
 
 
 def broken_top(
@@ -48,17 +30,6 @@ def broken_top(
     for edge in subshapes(top, TopAbs_ShapeEnum.TopAbs_EDGE):
         maker.Add(size, TopoDS.Edge(edge))
     return maker.Shape()
-
-
-def check(found: Sketch | None, truth: TopoDS_Shape) -> None:
-    facts, expected = soundness(found.shape), soundness(truth)
-    assert (facts.valid, facts.closed, facts.solids) == (True, True, 1)
-    left = sum(
-        volume(BRepAlgoAPI_Cut(*pair).Shape())
-        for pair in ((found.shape, truth), (truth, found.shape))
-    )
-    assert left == pytest.approx(0.0, abs=2e-4 * volume(truth))
-    assert facts.faces == expected.faces
 
 
 def bored() -> TopoDS_Shape:

@@ -1,0 +1,66 @@
+"""Holes along other axes than the slabs', and what notes say of holes."""
+
+from dataclasses import replace
+
+import pytest
+from OCP.TopoDS import TopoDS_Shape
+from sketch_checks import GRID, check, drawn
+
+from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.holes import HoleStep, NotedHole
+from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
+from gaussiancad_core.sketch.construction import construction_of
+from gaussiancad_core.sketch.construction_sentences import construction_in_words
+from gaussiancad_core.sketch.sketching import sketch
+
+
+def lug() -> TopoDS_Shape:
+    """A disc with two bores and a block on it, slabs along z."""
+    plate = cylinder(Axis.Z, (30, 30), 30, 0, 8)
+    for x in (8, 52):
+        plate = cut(plate, cylinder(Axis.Z, (x, 30), 3, -1, 9))
+    return fuse(plate, box((20, 20, 8), (40, 40, 30)))
+
+
+@pytest.mark.parametrize("hidden", [False, True])
+def test_a_hole_across_the_slabs_is_cut_last(hidden: bool) -> None:
+    truth = cut(lug(), cylinder(Axis.Y, (30, 20), 5, -1, 61))
+    found = sketch(drawn(truth, hidden=hidden), GRID)
+    assert found.axis is Axis.Z
+    assert len(found.choice.plan.levels) == 3
+    (hole,) = found.choice.plan.cross_holes
+    assert (hole.axis, hole.role) == (Axis.Y, Role.FRONT)
+    check(found, truth)
+    (own,) = construction_of(found, None).cross_holes
+    assert (own.axis, own.diameter) == ("y", pytest.approx(10.0, rel=1e-3))
+    words = construction_in_words(construction_of(found, None).as_json())
+    assert "- a hole of 10 mm along y at (30, 20), through" in words or hidden
+
+
+def test_hidden_lines_tell_how_deep_the_steps_of_a_hole_across_are() -> None:
+    truth = cut(lug(), cylinder(Axis.Y, (30, 20), 3, -1, 35))
+    truth = cut(truth, cylinder(Axis.Y, (30, 20), 6, -1, 26))
+    found = sketch(drawn(truth, hidden=True), GRID)
+    assert len(found.choice.plan.cross_holes) == 2
+    check(found, truth)
+
+
+@pytest.mark.parametrize("axis", [Axis.Y, Axis.Z])
+def test_a_note_tells_how_deep_a_hole_is_that_no_line_does(axis: Axis) -> None:
+    across = axis is Axis.Y
+    # From the front one looks towards larger y, from above towards smaller z.
+    hole = cylinder(Axis.Y, (30, 20), 5, -1, 35) if across else cylinder(axis, (30, 30), 5, 18, 31)
+    truth = cut(lug(), hole)
+    views = drawn(truth, hidden=False)
+    role, at, depth = (Role.FRONT, 20.0, 15.0) if across else (Role.TOP, 30.0, 12.0)
+    noted = NotedHole(role, (30.0, at), (HoleStep(10.0, depth),))
+    check(sketch(replace(views, holes=(noted,)), GRID), truth)
+    untold = sketch(views, GRID)
+    through = cylinder(axis, (30, at), 5, -1, 61)
+    check(untold, cut(lug(), through))
+
+
+def test_a_ring_around_a_hole_across_of_which_nothing_tells_a_depth_is_left_out() -> None:
+    bored = cut(lug(), cylinder(Axis.Y, (30, 20), 3, -1, 61))
+    stepped = cut(bored, cylinder(Axis.Y, (30, 20), 6, -1, 26))
+    check(sketch(drawn(stepped, hidden=False), GRID), bored)
