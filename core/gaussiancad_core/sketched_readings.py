@@ -58,10 +58,11 @@ def weigh(readings: Sequence[Reading]) -> Weighed:
     if len(known) < len(readings) or len(readings) == 1:
         return Weighed(sketches, min(known, default=0), is_clear=False)
     best = min(known, key=lambda number: sketches[number].energy)
-    least, most = sorted(own.energy for own in sketches)
+    least = sketches[best].energy
+    # Whether a search that was not ended finds less for the other one, nobody knows.
+    most = sketches[1 - best].at_least
     unusual = is_unusual(readings[best].registered.views.roles)
     clear = most > (1.0 + (_CLEAR_UNUSUAL if unusual else _CLEAR)) * least
-    clear &= all(own.is_settled for own in sketches)
     clear &= least <= _TELLING * sum(
         own.length for strokes in readings[best].drawn.strokes.values() for own in strokes
     )

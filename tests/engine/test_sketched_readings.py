@@ -51,7 +51,9 @@ def test_the_sketch_that_explains_clearly_more_tells_the_reading(
         sketched_readings,
         "sketch",
         lambda energy, grid: (
-            None if energy is None else SimpleNamespace(energy=energy, is_settled=energy < 199.0)
+            None
+            if energy is None
+            else SimpleNamespace(energy=energy, at_least=energy if energy < 199.0 else 0.0)
         ),
     )
     found = weigh(readings)

@@ -6,7 +6,7 @@ holes, several bodies.  The cheapest choice of all is found exactly (CP-SAT).
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import floor, inf, isfinite, pi, sqrt
 
 import numpy as np
@@ -24,8 +24,11 @@ _BODY = 2.0
 """What each body costs beside the largest one, in the root of the area of its shadow along the
 axis; where two are drawn, the outlines between them cost twice as much."""
 
-_CROSS = 0.2
+_CROSS = 0.5
 """What a hole across the slabs costs, in the root of its area; and a grid step."""
+
+_SAME = 1e-6
+"""Share of it by which an energy is known."""
 
 _EVALUATED = 1.0
 """Units of the solver's work for what a given choice costs."""
@@ -46,18 +49,24 @@ class Choice:
         filled: (regions, slabs) bool.
         sunk: rings whose surface is a cone.
         energy: mm of line, and what counts as much, that it costs.
-        is_proven: whether no other choice costs less.
+        at_least: mm that every choice of the plan costs.
     """
 
     plan: Plan
     filled: npt.NDArray[np.bool_]
     sunk: tuple[SunkRim, ...]
     energy: float
-    is_proven: bool
+    at_least: float
+
+    @property
+    def is_proven(self) -> bool:
+        """Whether no other choice costs less."""
+        return self.at_least >= self.energy * (1.0 - _SAME)
 
 
-def choose(plan: Plan, less: float, effort: float) -> tuple[Choice | None, float]:
-    """The cheapest choice of a plan, and the units of the solver's work that it took.
+def choose(plan: Plan, less: float, effort: float) -> tuple[Choice | None, float, float]:
+    """The cheapest choice of a plan, mm that each costs at least, and the units of the solver's
+    work that it took.
 
     There is no choice where none costs as little, or none was found in time.
 
@@ -70,25 +79,23 @@ def choose(plan: Plan, less: float, effort: float) -> tuple[Choice | None, float
     model.reach()
     if isfinite(less):
         model.bound(less)
-    spent = 0.0
+    spent, at_least = 0.0, plan.alien
     best: Choice | None = None
     for _ in range(_PARTINGS):
         solver = _solver(effort - spent)
         status = solver.solve(model.terms.model)
         spent += solver.response_proto.deterministic_time
+        at_least = inf if status == cp_model.INFEASIBLE else model.mm(solver.best_objective_bound)
         if status not in FOUND:
             break
         filled = np.array([[bool(solver.value(x)) for x in row] for row in model.terms.filled])
-        energy = (solver.objective_value / UNIT) * plan.grid + model.constant
         sunk = tuple(own for own, is_sunk in model.rims.items() if solver.value(is_sunk))
-        found = Choice(plan, filled, sunk, energy, status == cp_model.OPTIMAL)
         # Bodies are paid for once they are seen: to hold a part together takes many constraints.
         parted = model.price_bodies(filled)
-        is_proven = found.is_proven and not parted
-        best = replace(found, energy=energy + parted, is_proven=is_proven)
+        best = Choice(plan, filled, sunk, model.mm(solver.objective_value) + parted, at_least)
         if not parted or spent >= effort:
             break
-    return best, spent
+    return best, at_least, spent
 
 
 def energy_of(plan: Plan, filled: npt.NDArray[np.bool_]) -> float:
@@ -105,8 +112,7 @@ def energy_of(plan: Plan, filled: npt.NDArray[np.bool_]) -> float:
     solver = _solver(_EVALUATED)
     if solver.solve(model.terms.model) not in FOUND:
         return inf
-    energy = (solver.objective_value / UNIT) * plan.grid + model.constant
-    return energy + model.price_bodies(filled)
+    return model.mm(solver.objective_value) + model.price_bodies(filled)
 
 
 def _solver(effort: float) -> cp_model.CpSolver:
@@ -135,10 +141,13 @@ class _Model:
         add_notes(terms)
         self.rims = add_rims(terms, rings_of(plan))
         add_bands(terms)
-        alien = plan.regions.alien + sum(own.alien for own in plan.sights)
-        self.constant = terms.fixed + alien + _habit(plan)
+        self.constant = terms.fixed + plan.alien + _habit(plan)
         self._priced: set[frozenset[_Cell]] = set()
         terms.model.minimize(sum(terms.costs))
+
+    def mm(self, objective: float) -> float:
+        """What a choice costs by the value of the solver's objective."""
+        return (objective / UNIT) * self.terms.plan.grid + self.constant
 
     def reach(self) -> None:
         """Let the part reach from its first level to its last one."""

@@ -5,13 +5,14 @@ along the hole, mostly hidden ones, in the others.  As levels and regions these 
 everything that they cross.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf
 
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.holes import NotedHole
 from gaussiancad_core.reasoning.curves import CircleCurve
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.planes import IN_PLANE, RolePlane, role_plane
 from gaussiancad_core.sketch.plane_lines import PlaneLine
 from gaussiancad_core.sketch.tidy import with_whole_circles
@@ -58,36 +59,36 @@ def without_cross_holes(
     axis: Axis,
     size: Sequence[float],
     grid: float,
-    noted: Sequence[NotedHole],
+    views: DrawnViews,
 ) -> tuple[dict[Role, list[PlaneLine]], tuple[CrossHole, ...]]:
     """Views without the holes across an axis, and these.
 
-    A circle is a hole where hidden lines are its walls, or, on a sheet without any, everywhere: it
-    then goes through, or as deep as a note says.
+    A circle is a hole where hidden lines are its walls, or any lines of a section.  On a sheet
+    without hidden lines every circle is one: it goes through, or as deep as a note says.
 
     Args:
         lines: of each view, mm in its plane.
         axis: across the slabs; circles of views along it stay.
         size: (3,) mm of the part.
         grid: mm of a step of the sheet's coordinates.
-        noted: holes of which notes speak.
+        views: of which they are: what is cut, and holes of which notes speak.
     """
     found = {role: list(own) for role, own in lines.items()}
     draws_hidden = any(not own.is_visible for drawn in lines.values() for own in drawn)
     holes = []
     for role in lines:
         plane = role_plane(role)
-        if plane.normal is axis:
+        if plane.normal is axis or role in views.cuts:
             continue
         found[role] = whole = with_whole_circles(found[role], grid)
         for own in _circles(found[role], [size[k] for k in IN_PLANE[plane.normal]], grid):
-            walls = list(_walls(found, plane.normal, own.circle, grid))
+            walls = list(_walls(found, (plane.normal, own.circle), grid, views.cuts))
             intervals = tuple(dict.fromkeys(_shared(walls, grid)))
             depth = None
             if not intervals:
                 if draws_hidden:
                     continue
-                is_noted, depth = _depth(noted, role, own.circle, grid)
+                is_noted, depth = _depth(views.holes, role, own.circle, grid)
                 if not is_noted and _is_around(own.circle, whole, grid):
                     continue
                 intervals = ((-inf, inf),)
@@ -115,9 +116,11 @@ def _circles(lines: Sequence[PlaneLine], size: Sequence[float], grid: float) -> 
 
 
 def _walls(
-    lines: _Lines, normal: Axis, circle: CircleCurve, grid: float
+    lines: _Lines, hole: tuple[Axis, CircleCurve], grid: float, cuts: Container[Role]
 ) -> Iterator[tuple[PlaneLine, ...]]:
-    """Of each view from beside, hidden lines along a hole at either side of its circle."""
+    """Of each view from beside, hidden lines along a hole at either side of its circle; of what is
+    cut any lines."""
+    normal, circle = hole
     for role, drawn in lines.items():
         axes = IN_PLANE[role_plane(role).normal]
         if normal.value not in axes:
@@ -128,7 +131,7 @@ def _walls(
             [
                 own
                 for own in drawn
-                if not own.is_visible
+                if (role in cuts or not own.is_visible)
                 and own.constant(_STRAIGHT * grid) == across
                 and abs(own.points[:, across].mean() - middle - side) <= _NEAR * grid
             ]

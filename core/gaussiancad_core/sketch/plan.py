@@ -57,9 +57,9 @@ class Plan:
         return range(len(self.levels) - 1)
 
     @property
-    def complexity(self) -> int:
-        """How many regions of slabs there are to choose."""
-        return len(self.regions.polygons) * len(self.slabs)
+    def alien(self) -> float:
+        """mm of line that nothing made of slabs explains."""
+        return self.regions.alien + sum(own.alien for own in self.sights)
 
 
 def plans_of(views: DrawnViews, places: Places) -> Iterator[Plan]:
@@ -72,7 +72,6 @@ def plans_of(views: DrawnViews, places: Places) -> Iterator[Plan]:
     lines = {
         role: [places.settled(own, role_plane(role).normal) for own in plane_lines(strokes, role)]
         for role, strokes in views.strokes.items()
-        if isinstance(role, Role)
     }
     draws_hidden = any(not own.is_visible for drawn in lines.values() for own in drawn)
     for axis in Axis:
@@ -90,7 +89,7 @@ def _plan(
     draws_hidden: bool,
 ) -> Plan | None:
     size, grid, cuts = places.size, places.grid, views.cuts
-    lines, holes = without_cross_holes(lines, axis, size, grid, views.holes)
+    lines, holes = without_cross_holes(lines, axis, size, grid, views)
     lines, breaks = without_breaks(lines, axis, max(size), grid)
     planes = {role: role_plane(role) for role in lines}
     facing = [r for r in lines if planes[r].normal is axis and r not in cuts]

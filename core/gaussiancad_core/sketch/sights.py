@@ -14,7 +14,7 @@ import shapely
 
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.cuts import Cut
-from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
+from gaussiancad_core.reasoning.planes import IN_PLANE, RolePlane, role_plane
 from gaussiancad_core.sketch.levels import STRAIGHT
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine
 
@@ -122,11 +122,9 @@ def sights_of(
     edges = _edges(polygons, lines, (column, across), extent, grid)
     places, widths = _samples(edges)
     depth = size[plane.normal.value]
-    at = None
-    if cut is not None and cut.openings:
-        at = cut.openings[0].at if plane.looks_up else depth - cut.openings[0].at
 
     def look(place: float) -> Sight:
+        at = _cut_at(cut, plane, along, (place, levels[-1] / 2.0), depth)
         found = _met(place, polygons, column)
         if not plane.looks_up:
             found = [(depth - high, depth - low, k) for low, high, k in found]
@@ -157,6 +155,20 @@ def sights_of(
         draws_hidden and cut is None,
         alien,
     )
+
+
+def _cut_at(
+    cut: Cut | None, plane: RolePlane, along: int, place: tuple[float, float], depth: float
+) -> float | None:
+    """mm from the viewer's side at which a view is cut at a place across and along the axis of the
+    slabs; None where it is not."""
+    if cut is None:
+        return None
+    x, y = place if along == 1 else place[::-1]
+    opening = cut.opening((x * plane.signs[0], y * plane.signs[1]))
+    if opening is None:
+        return None
+    return opening.at if plane.looks_up else depth - opening.at
 
 
 def _goes_on(

@@ -33,7 +33,7 @@ class Sketch:
         breaks: of edges, as far as the kernel made them.
         shape: the part in mm; None where the kernel made none.
         supports: of the views: where their lines may lie.
-        is_settled: whether nothing along any axis costs less, for certain.
+        at_least: mm that every part costs, along any axis.
     """
 
     choice: Choice
@@ -41,7 +41,7 @@ class Sketch:
     breaks: tuple[EdgeBreak, ...]
     shape: TopoDS_Shape | None
     supports: PartSupports
-    is_settled: bool = True
+    at_least: float
 
     @property
     def energy(self) -> float:
@@ -66,15 +66,16 @@ def sketch(views: DrawnViews, grid: float) -> Sketch | None:
     """
     places = find_places(views, grid)
     best: Choice | None = None
-    left, is_settled = _EFFORT, True
-    for plan in sorted(plans_of(views, places), key=lambda own: own.complexity):
-        if left <= 0.0:
-            is_settled = False
-            break
-        allowed = min(_MOST, left)
-        choice, spent = choose(plan, inf if best is None else best.energy, allowed)
+    left, at_least = _EFFORT, inf
+    # What is not made of slabs along an axis has many lines that nothing explains.
+    for plan in sorted(plans_of(views, places), key=lambda own: own.alien):
+        least = inf if best is None else best.energy
+        if left <= 0.0 or plan.alien >= least:
+            at_least = min(at_least, plan.alien)
+            continue
+        choice, bound, spent = choose(plan, least, min(_MOST, left))
         left -= spent
-        is_settled &= spent < allowed and (choice is None or choice.is_proven)
+        at_least = min(at_least, bound)
         if choice is not None and (best is None or choice.energy < best.energy):
             best = choice
     if best is None:
@@ -90,4 +91,4 @@ def sketch(views: DrawnViews, grid: float) -> Sketch | None:
     except KERNEL_FAILURES:
         shape = None
     made = tuple(own for own in plan.breaks if own not in refused)
-    return Sketch(best, slabs, made, shape, places.supports, is_settled)
+    return Sketch(best, slabs, made, shape, places.supports, min(at_least, best.energy))
