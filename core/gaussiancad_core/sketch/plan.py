@@ -14,6 +14,7 @@ from gaussiancad_core.sketch.places import Places
 from gaussiancad_core.sketch.plane_lines import PlaneLine, plane_lines
 from gaussiancad_core.sketch.regions import Regions, find_regions
 from gaussiancad_core.sketch.sights import Sights, sights_of
+from gaussiancad_core.sketch.undrawn import undrawn_divisions
 
 _MOST_CELLS = 200
 """Regions of slabs from which nothing is chosen: of more nothing good was ever found in time."""
@@ -100,10 +101,21 @@ def _plan(
         [line for role in facing if planes[role].looks_up is up for line in lines[role]]
         for up in (False, True)
     )
-    regions = find_regions(above, below, grid, {own.width for own in breaks})
+    widths = {own.width for own in breaks}
+    regions = find_regions(above, below, grid, widths)
     across = [(IN_PLANE[planes[r].normal].index(axis.value), list(lines[r])) for r in beside]
     levels = find_levels(across, size[axis.value], grid)
     levels = tuple(sorted((*levels, *floors(views.holes, axis, levels, grid))))
+    if not draws_hidden:
+        common = [
+            (IN_PLANE[axis].index(IN_PLANE[planes[r].normal][1 - along]), 1 - along, drawn)
+            for r, (along, drawn) in zip(beside, across, strict=True)
+        ]
+        first, second = (size[k] for k in IN_PLANE[axis])
+        undrawn = undrawn_divisions([*above, *below], common, (first, second), grid)
+        divided = find_regions(above, below, grid, widths, undrawn) if undrawn else regions
+        if len(divided.polygons) * (len(levels) - 1) <= _MOST_CELLS:
+            regions = divided
     if not 0 < len(regions.polygons) * (len(levels) - 1) <= _MOST_CELLS:
         return None
     sights = tuple(

@@ -95,6 +95,7 @@ def find_regions(
     from_below: Sequence[PlaneLine],
     grid: float,
     breaks: Collection[float] = (),
+    undrawn: Sequence[PlaneLine] = (),
 ) -> Regions:
     """The regions that lines of a plane bound.
 
@@ -103,8 +104,9 @@ def find_regions(
         from_below: of those that look towards larger ones.
         grid: mm of a step of the sheet's coordinates.
         breaks: mm, widths of edge breaks: regions as narrow are bands.
+        undrawn: lines that divide the plane as well, though no view draws them.
     """
-    lines = tidied([*from_above, *from_below], grid)
+    lines = tidied([*from_above, *from_below, *undrawn], grid)
     polygons = _polygons(lines, grid)
     # Where broken edges meet is a mitre, which bounds nothing.
     mitre = _MITRE * max(breaks, default=0.0)
