@@ -11,10 +11,11 @@ from OCP.BRepPrimAPI import BRepPrimAPI_MakeCone, BRepPrimAPI_MakeCylinder
 from OCP.collections import List_TopoDS_Shape
 from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt
 from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
+from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import bounding_box
+from gaussiancad_core.drawing.brep import bounding_box, subshapes
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.sketch.choosing import Choice
 from gaussiancad_core.sketch.cross_holes import CrossHole
@@ -29,6 +30,9 @@ _ON_ARC = 0.6
 
 _BEYOND = 0.05
 """Of a cone's height by which it reaches beyond its face."""
+
+_LONGEST = 12.0
+"""Diameters that a hole is deep at most, unless lines or a note tell (DIN 338: jobber drills)."""
 
 _LEAST_AREA = 1e-6
 """mm2 of a piece at least."""
@@ -143,16 +147,34 @@ def with_holes(shape: TopoDS_Shape, plan: Plan) -> TopoDS_Shape:
 
 def _cylinders(shape: TopoDS_Shape, hole: CrossHole, plan: Plan) -> Iterator[TopoDS_Shape]:
     """What a hole takes away."""
-    index, size = hole.axis.value, plan.size[hole.axis.value]
+    size = plan.size[hole.axis.value]
     for low, high in hole.intervals:
         ends = -size if low <= plan.grid else low, 2.0 * size if high >= size - plan.grid else high
-        if hole.depth is not None:
-            # It begins where it enters the material.
-            entered = bounding_box(_common(shape, _cylinder(hole, ends)))
-            first, last = (float(own[index]) for own in entered)
-            inner = first + hole.depth if hole.plane.looks_up else last - hole.depth
-            ends = (ends[0], inner) if hole.plane.looks_up else (inner, ends[1])
-        yield _cylinder(hole, ends)
+        if hole.depth is not None or ends == (-size, 2.0 * size):
+            ends = _reach(shape, hole, ends, plan.grid)
+        if ends is not None:
+            yield _cylinder(hole, ends)
+
+
+def _reach(
+    shape: TopoDS_Shape, hole: CrossHole, ends: tuple[float, float], grid: float
+) -> tuple[float, float] | None:
+    """From and to of a hole of which no line tells how deep it is: as deep as a note says, or to
+    where it leaves the material that it enters; None where no drill is as long."""
+    within = _common(shape, _cylinder(hole, ends))
+    runs = [
+        bounding_box(own)[:, hole.axis.value].tolist()
+        for own in subshapes(within, TopAbs_ShapeEnum.TopAbs_SOLID)
+    ]
+    if not runs:
+        return None
+    low, high = min(runs) if hole.plane.looks_up else max(runs)
+    depth = hole.depth
+    if depth is None:
+        if high - low > _LONGEST * 2.0 * hole.circle.radius:
+            return None
+        depth = high - low + grid
+    return (ends[0], low + depth) if hole.plane.looks_up else (high - depth, ends[1])
 
 
 def _cylinder(hole: CrossHole, ends: Sequence[float]) -> TopoDS_Shape:

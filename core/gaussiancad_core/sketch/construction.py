@@ -431,7 +431,7 @@ def _cross_holes(plan: Plan, radii: Sequence[ToldRadius], near: float) -> Iterat
                 _rounded(2.0 * circle.radius),
                 low,
                 high,
-                own.depth,
+                own.depth if own.depth is not None and isfinite(own.depth) else None,
                 tuple(sorted(numbers)),
                 Source(own.role.value, at, at),
             )

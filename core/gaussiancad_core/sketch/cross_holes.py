@@ -38,7 +38,8 @@ class CrossHole:
         axis: along the hole.
         circle: mm in the plane across that.
         intervals: mm along it, from and to; infinite at an end that is open.
-        depth: mm from where it enters the material; None where the intervals tell all.
+        depth: mm from where it enters the material, as a note says, infinite for through; None
+            where none does.
         role: the view with its circle.
     """
 
@@ -64,7 +65,7 @@ def without_cross_holes(
     """Views without the holes across an axis, and these.
 
     A circle is a hole where hidden lines are its walls, or any lines of a section.  On a sheet
-    without hidden lines every circle is one: it goes through, or as deep as a note says.
+    without hidden lines every circle is one, as deep as a note says, or to the next void.
 
     Args:
         lines: of each view, mm in its plane.
@@ -88,8 +89,8 @@ def without_cross_holes(
             if not intervals:
                 if draws_hidden:
                     continue
-                is_noted, depth = _depth(views.holes, role, own.circle, grid)
-                if not is_noted and _is_around(own.circle, whole, grid):
+                depth = _depth(views.holes, role, own.circle, grid)
+                if depth is None and _is_around(own.circle, whole, grid):
                     continue
                 intervals = ((-inf, inf),)
             holes.append(CrossHole(plane.normal, own.circle, intervals, depth, role))
@@ -155,8 +156,8 @@ def _span(line: PlaneLine, grid: float) -> _Interval:
 
 def _depth(
     noted: Sequence[NotedHole], role: Role, circle: CircleCurve, grid: float
-) -> tuple[bool, float | None]:
-    """Whether a note speaks of a circle, and how deep the hole is; None for through."""
+) -> float | None:
+    """How deep a note says that the hole of a circle is, infinite for through; None without one."""
     signs = role_plane(role).signs
     for own in noted:
         centre = [at * sign for at, sign in zip(own.centre, signs, strict=True)]
@@ -165,8 +166,8 @@ def _depth(
             continue
         for step in own.steps:
             if abs(step.diameter - 2.0 * circle.radius) <= 2.0 * _NEAR * grid:
-                return True, step.depth
-    return False, None
+                return inf if step.depth is None else step.depth
+    return None
 
 
 def _is_around(circle: CircleCurve, lines: Sequence[PlaneLine], grid: float) -> bool:
