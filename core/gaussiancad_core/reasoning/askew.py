@@ -7,9 +7,9 @@ a circle where a straight line leads on to its extreme, and it would tell a plan
 
 from collections.abc import Sequence
 from dataclasses import replace
+from math import atan2, dist, pi
 
-import numpy as np
-
+from gaussiancad_core.reasoning.curves import TURN
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.verification.lines import Curve
 from gaussiancad_core.views import Arc, Segment
@@ -32,48 +32,50 @@ _SKEW = 0.3
 
 def without_askew_dashes(views: DrawnViews) -> DrawnViews:
     """The views without short strokes that run along a longer straight one, or a circle."""
-    strokes = {
-        role: tuple(stroke for stroke in own if not _is_askew(stroke, own, views.tolerance))
-        for role, own in views.strokes.items()
-    }
+    strokes = {role: _without(own, views.tolerance) for role, own in views.strokes.items()}
     return replace(views, strokes=strokes)
 
 
-def _is_askew(stroke: Curve, others: Sequence[Curve], tolerance: float) -> bool:
-    if not isinstance(stroke, Segment) or stroke.length > _LONG_DASH * tolerance:
-        return False
-    return any(_is_of(stroke, other, tolerance) for other in others)
-
-
-def _is_of(dash: Segment, other: Curve, tolerance: float) -> bool:
-    if isinstance(other, Arc):
-        return other.length > _LONG_DASH * tolerance and _runs_around(dash, other, tolerance)
-    if not isinstance(other, Segment) or dash.length > _DASH * tolerance:
-        return False
-    return other.length > _DASH * tolerance and _runs_along(dash, other, tolerance)
+def _without(strokes: Sequence[Curve], tolerance: float) -> tuple[Curve, ...]:
+    segments = [own for own in strokes if isinstance(own, Segment)]
+    lines = [own for own in segments if own.length > _DASH * tolerance]
+    arcs = [own for own in strokes if isinstance(own, Arc) and own.length > _LONG_DASH * tolerance]
+    askew = {
+        id(own)
+        for own in segments
+        if own.length <= _LONG_DASH * tolerance
+        and (
+            any(_runs_around(own, arc, tolerance) for arc in arcs)
+            or (
+                own.length <= _DASH * tolerance
+                and any(_runs_along(own, line, tolerance) for line in lines)
+            )
+        )
+    }
+    return tuple(own for own in strokes if id(own) not in askew)
 
 
 def _runs_around(dash: Segment, arc: Arc, tolerance: float) -> bool:
     """Whether a dash lies on an arc that is drawn all along it."""
-    if arc.linetype is not dash.linetype:
+    (x, y), (ox, oy) = dash.start, dash.end
+    points = dash.start, dash.end, ((x + ox) / 2.0, (y + oy) / 2.0)
+    away = max(abs(dist(point, arc.centre) - arc.radius) for point in points)
+    if arc.linetype is not dash.linetype or away > _TOUCHING * tolerance:
         return False
-    off = np.array([dash.start, dash.end]) - np.array(arc.centre)
-    middle = np.hypot(*off.mean(axis=0))
-    away = [*np.hypot(*off.T), middle]
-    angles = np.mod(np.arctan2(off[:, 1], off[:, 0]) - arc.start_angle, 2.0 * np.pi)
-    return bool(
-        np.abs(np.array(away) - arc.radius).max() <= _TOUCHING * tolerance
-        and angles.max() <= arc.sweep
-        and np.ptp(angles) < np.pi
-    )
+    angles = [
+        (atan2(y - arc.centre[1], x - arc.centre[0]) - arc.start_angle) % TURN
+        for x, y in (dash.start, dash.end)
+    ]
+    return max(angles) <= arc.sweep and max(angles) - min(angles) < pi
 
 
 def _runs_along(dash: Segment, line: Segment, tolerance: float) -> bool:
     """Whether a dash lies beside a line between the line's ends, a little turned against it."""
-    start = np.array(line.start)
-    along = (np.array(line.end) - start) / line.length
-    ends = np.array([dash.start, dash.end]) - start
-    at, off = ends @ along, ends @ np.array([-along[1], along[0]])
-    beside = -tolerance <= at.min() and at.max() <= line.length + tolerance
-    turned = tolerance < np.ptp(off) <= _SKEW * dash.length
-    return bool(beside and turned and np.abs(off).max() <= _ASKEW * tolerance)
+    (x, y), (ox, oy), length = line.start, line.end, line.length
+    dx, dy = (ox - x) / length, (oy - y) / length
+    off = [(b - y) * dx - (a - x) * dy for a, b in (dash.start, dash.end)]
+    if max(map(abs, off)) > _ASKEW * tolerance:
+        return False
+    at = [(a - x) * dx + (b - y) * dy for a, b in (dash.start, dash.end)]
+    beside = -tolerance <= min(at) and max(at) <= length + tolerance
+    return beside and tolerance < max(off) - min(off) <= _SKEW * dash.length

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.reasoning.curves import LineCurve, Point, line_through, meetings
-from gaussiancad_core.reasoning.relations import Numbers, Terms
+from gaussiancad_core.reasoning.relations import Terms
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class OnSlant:
     first: int
     slant: Slant
 
-    def at(self, numbers: Numbers) -> tuple[float, Terms]:
+    def at(self, numbers: Sequence[float]) -> tuple[float, Terms]:
         """See :class:`.relations.Relation`."""
         (dx, dy), length = direction_of(self.slant)
         x, y = numbers[self.a] - self.slant.start[0], numbers[self.b] - self.slant.start[1]
@@ -68,7 +68,7 @@ class OnCircle:
     b: int
     circle: int
 
-    def at(self, numbers: Numbers) -> tuple[float, Terms]:
+    def at(self, numbers: Sequence[float]) -> tuple[float, Terms]:
         """See :class:`.relations.Relation`."""
         x, y = numbers[self.a] - numbers[self.circle], numbers[self.b] - numbers[self.circle + 1]
         away = hypot(x, y) or 1.0
@@ -90,7 +90,7 @@ class Touches:
     slant: Slant
     side: float
 
-    def at(self, numbers: Numbers) -> tuple[float, Terms]:
+    def at(self, numbers: Sequence[float]) -> tuple[float, Terms]:
         """See :class:`.relations.Relation`."""
         value, terms = OnSlant(self.circle, self.circle + 1, self.first, self.slant).at(numbers)
         _, length = direction_of(self.slant)
@@ -114,7 +114,7 @@ class TouchesCircle:
     other: int
     inside: bool
 
-    def at(self, numbers: Numbers) -> tuple[float, Terms]:
+    def at(self, numbers: Sequence[float]) -> tuple[float, Terms]:
         """See :class:`.relations.Relation`."""
         x = numbers[self.other] - numbers[self.one]
         y = numbers[self.other + 1] - numbers[self.one + 1]
@@ -146,9 +146,10 @@ class OnFacet:
     frame: npt.NDArray[np.float64]
     origin: npt.NDArray[np.float64]
 
-    def at(self, numbers: Numbers) -> tuple[float, Terms]:
+    def at(self, numbers: Sequence[float]) -> tuple[float, Terms]:
         """See :class:`.relations.Relation`."""
-        along, across, out = self.frame @ (numbers[list(self.at_axes)] - self.origin)
+        corner = np.array([numbers[at] for at in self.at_axes])
+        along, across, out = self.frame @ (corner - self.origin)
         one, other, shift = numbers[self.first : self.first + 3]
         normal = self.frame[2] + one * self.frame[0] + other * self.frame[1]
         return float(out + one * along + other * across - shift), [

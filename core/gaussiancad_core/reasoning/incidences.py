@@ -248,23 +248,31 @@ class _Network:
                     yield OnSlant(corner.a, corner.b, first, slant)
         for one, other, inside in touching_circles(list(circles), plane.ends, self._snap.reach):
             yield TouchesCircle(circles[one], circles[other], inside)
+        drawn = self._drawn_arcs(plane)
         for circle, at in circles.items():
+            arcs = drawn.get(circle, [])
             for corner in corners.values():
                 is_on = self._is_on(corner, circle, loose=corner.loose)
                 if (
                     is_on
                     and not _is_extreme(circle, corner.point)
-                    and self._is_drawn(plane, circle, corner.point)
+                    and self._is_drawn(arcs, circle, corner.point)
                 ):
                     yield OnCircle(corner.a, corner.b, at)
 
-    def _is_drawn(self, plane: PlaneReading, circle: CircleCurve, point: Point) -> bool:
-        """Whether a circle is drawn right beside a point of it."""
-        arcs = [
-            (low, sweep)
-            for read, low, sweep in plane.arcs
-            if self._snap.circle(plane.normal, read) == circle
-        ]
+    def _drawn_arcs(self, plane: PlaneReading) -> dict[CircleCurve, list[tuple[float, float]]]:
+        """First angles and sweeps of the arcs of each of a plane's circles."""
+        found: dict[CircleCurve, list[tuple[float, float]]] = {}
+        for read, low, sweep in plane.arcs:
+            circle = self._snap.circle(plane.normal, read)
+            if circle is not None:
+                found.setdefault(circle, []).append((low, sweep))
+        return found
+
+    def _is_drawn(
+        self, arcs: Sequence[tuple[float, float]], circle: CircleCurve, point: Point
+    ) -> bool:
+        """Whether a circle, of which these arcs are told, is drawn right beside a point of it."""
         room = _READ_NEAR * self._tolerance / circle.radius
         at = circle.parameter(point)
         return not arcs or any(

@@ -7,15 +7,20 @@ number too far, or contradicts others, was no true one: it is dropped.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import chain
 from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
-from scipy.linalg import lstsq
+from scipy.linalg import cho_solve, solve_triangular
+from scipy.linalg.lapack import dpstrf
+from scipy.sparse import csr_array
 
 Numbers = npt.NDArray[np.float64]
 
-Terms = list[tuple[int, float]]
+Places = npt.NDArray[np.intp]
+
+Terms = Sequence[tuple[int, float]]
 """Numbers, by their place, with factors."""
 
 _ROUNDS = 8
@@ -30,12 +35,15 @@ _FULFILLED = 1e-6
 _STAYS = 0.9
 """Share of what was left of the equations from which another linearisation is in vain."""
 
+_INDEPENDENT = 1e-12
+"""Share of the largest multiplier's effect below which an equation follows from others."""
+
 
 class Relation(Protocol):
     """An equation: something that is to be zero."""
 
-    def at(self, numbers: Numbers) -> tuple[float, Terms]:
-        """What it is for some numbers, in units, and its gradient."""
+    def at(self, numbers: Sequence[float]) -> tuple[float, Terms]:
+        """What it is for some numbers, in units, and its gradient, of the same numbers always."""
 
 
 @dataclass(frozen=True)
@@ -45,12 +53,12 @@ class Linear:
     terms: tuple[tuple[int, float], ...]
     constant: float = 0.0
 
-    def at(self, numbers: Numbers) -> tuple[float, Terms]:
+    def at(self, numbers: Sequence[float]) -> tuple[float, Terms]:
         """See :class:`Relation`."""
         total = sum((factor * numbers[column] for column, factor in self.terms), self.constant)
-        return float(total), list(self.terms)
+        return float(total), self.terms
 
-    def holds(self, numbers: Numbers) -> bool:
+    def holds(self, numbers: Sequence[float]) -> bool:
         """Whether it is fulfilled, but for rounding errors."""
         return abs(self.at(numbers)[0]) <= _FULFILLED
 
@@ -71,51 +79,113 @@ def solved(
             first.
 
     Returns:
-        The observed ones where no relation is left, or the equations cannot be solved.
+        The observed ones where no relation is left.
     """
     start = np.array(observed, dtype=np.float64)
     spread = 1.0 / np.array(weights, dtype=np.float64)
     limit = np.broadcast_to(np.asarray(far, dtype=np.float64), start.shape)
-    kept = list(relations)
-    while kept:
-        try:
-            numbers, rows, left = _adjusted(start, spread, kept)
-        except np.linalg.LinAlgError:
-            break
+    equations = _Equations(relations, start)
+    kept = np.arange(len(relations))
+    while len(kept):
+        numbers, moves, left = _adjusted(equations, kept, spread)
         moved = np.abs(numbers - start) / limit
         worst = int(np.argmax(moved))
         if moved[worst] > 1.0:
-            involved = np.flatnonzero(rows[:, worst])
-            missed = np.array([abs(kept[row].at(start)[0]) for row in involved])
-            del kept[int(involved[missed.argmax()])]
+            involved = np.flatnonzero(moves[worst])
+            dropped = involved[np.abs(equations.missed[kept[involved]]).argmax()]
         elif np.abs(left).max() > _HOLDS:
-            del kept[int(np.abs(left).argmax())]
+            dropped = np.abs(left).argmax()
         else:
             return numbers
+        kept = np.delete(kept, dropped)
     return start
 
 
+class _Equations:
+    """Relations as rows of a sparse matrix, which stay what they are for linear ones.
+
+    Attributes:
+        start: (n,) numbers as read.
+        missed: (m,) what the relations are for these.
+    """
+
+    def __init__(self, relations: Sequence[Relation], start: Numbers) -> None:
+        found = [relation.at(start.tolist()) for relation in relations]
+        terms = list(chain.from_iterable(terms for _, terms in found))
+        ends = np.cumsum([0, *(len(terms) for _, terms in found)])
+        columns = np.array([column for column, _ in terms], dtype=np.intp)
+        factors = np.array([factor for _, factor in terms], dtype=np.float64)
+        self.start, self.missed = start, np.array([value for value, _ in found])
+        self._rows = csr_array((factors, columns, ends), shape=(len(found), len(start)))
+        self._relations = relations
+        self._curved = np.array([not isinstance(own, Linear) for own in relations], dtype=bool)
+
+    def at(self, numbers: Numbers, kept: Places) -> tuple[Numbers, csr_array]:
+        """What some of them are for some numbers, and their gradients: (k,) and (k, n)."""
+        rows = self._rows[kept]
+        left = self.missed[kept] + rows @ (numbers - self.start)
+        curved = self._curved[kept]
+        if numbers is not self.start and curved.any():
+            # Single numbers of a list are read faster than those of an array.
+            values = numbers.tolist()
+            found = [self._relations[place].at(values) for place in kept[curved]]
+            left[curved] = [value for value, _ in found]
+            factors = [factor for _, terms in found for _, factor in terms]
+            rows.data[np.repeat(curved, np.diff(rows.indptr))] = factors
+        return left, rows
+
+
 def _adjusted(
-    start: Numbers, spread: Numbers, relations: Sequence[Relation]
+    equations: _Equations, kept: Places, spread: Numbers
 ) -> tuple[Numbers, Numbers, Numbers]:
-    """Numbers that fulfil the relations, their gradients there, and what is left of each."""
-    numbers = start
-    rows = np.zeros((len(relations), len(start)))
-    left = np.zeros(len(relations))
+    """Numbers that fulfil equations as far as can be.
+
+    Args:
+        equations: between the numbers.
+        kept: (k,) places of those that count.
+        spread: (n,) how readily each number moves.
+
+    Returns:
+        The numbers; (n, k) by how much an equation's multiplier moves each; (k,) what is left of
+        each equation.
+    """
+    start = numbers = equations.start
     before = np.inf
     for _ in range(_ROUNDS):
-        rows[:] = 0.0
-        for row, relation in enumerate(relations):
-            left[row], terms = relation.at(numbers)
-            for column, factor in terms:
-                rows[row, column] += factor
+        left, rows = equations.at(numbers, kept)
+        moves = np.zeros(rows.shape[::-1])
+        of = np.repeat(np.arange(len(kept)), np.diff(rows.indptr))
+        np.add.at(moves, (rows.indices, of), rows.data * spread[rows.indices])
         most = np.abs(left).max(initial=0.0)
         # What contradicts each other stays so.
         if most <= _HOLDS or most > _STAYS * before:
             break
         before = most
         wanted = left + rows @ (start - numbers)
-        gram = (rows * spread) @ rows.T
-        multipliers = lstsq(gram, wanted, cond=1e-12, lapack_driver="gelsy")[0]
-        numbers = start - spread * (rows.T @ multipliers)
-    return numbers, rows, left
+        numbers = start - moves @ _multipliers(rows @ moves, wanted)
+    return numbers, moves, left
+
+
+def _multipliers(gram: Numbers, wanted: Numbers) -> Numbers:
+    """What solves a symmetric positive semi-definite system best, by pivoted Cholesky factors.
+
+    Rows that follow from others take no part, but for what the system cannot give: that is left
+    spread over all of them, as least squares has it.
+
+    Args:
+        gram: (m, m) matrix.
+        wanted: (m,) right side.
+    """
+    least = _INDEPENDENT * np.abs(gram).sum(axis=0).max()
+    factor, places, rank, _ = dpstrf(gram, tol=least, lower=True)
+    own, others = np.split(places - 1, [rank])
+    factor, rest = np.asfortranarray(factor[:rank, :rank]), factor[rank:, :rank]
+    given = wanted[own]
+    if len(others):
+        # Each of the other rows is this combination of the independent ones.
+        shares = solve_triangular(factor, rest.T, lower=True, trans=1, check_finite=False).T
+        missed = wanted[others] - shares @ given
+        given += shares.T @ np.linalg.solve(np.eye(len(others)) + shares @ shares.T, missed)
+    multipliers = np.zeros(len(wanted))
+    multipliers[own] = cho_solve((factor, True), given, check_finite=False)
+    return multipliers

@@ -220,7 +220,7 @@ def _slid(
             found.append(end)
             continue
         here = curve.at(end)
-        beside = [o for o in others if o != curve and o.distance(here) <= _ALONGSIDE * tolerance]
+        beside = [o for o in others if o.distance(here) <= _ALONGSIDE * tolerance and o != curve]
         met = [
             own for own in near if any(other.distance(curve.at(own)) <= 1e-6 for other in beside)
         ]
@@ -298,14 +298,8 @@ def _runs_by(other: Support, role: Role, point: Point, near: float) -> bool:
 
 
 def stations_on(curve: PlaneCurve, others: list[PlaneCurve]) -> list[float]:
-    """Parameters where a curve meets others, ascending."""
-    found = {
-        curve.parameter(point)
-        for other in others
-        if other != curve
-        for point in meetings(curve, other)
-    }
-    return sorted(found)
+    """Parameters where a curve meets others, ascending; it never meets itself."""
+    return sorted({curve.parameter(point) for own in others for point in meetings(curve, own)})
 
 
 def nearest_station(stations: list[float], parameter: float, slack: float) -> float:
