@@ -91,11 +91,13 @@ def _piece(stroke: Curve, arcs: Sequence[Arc], tolerance: float) -> Arc | None:
     """The stroke as a part of the circle of an arc that it goes on from; None if there is none."""
     points = stroke.sample(stroke.length / 4.0)
     best, least = None, _SAME * tolerance
-    for arc in arcs:
-        off = points - np.array(arc.centre)
-        away = np.abs(np.hypot(*off.T) - arc.radius)
-        ends = max(away[0], away[-1])
-        if ends > least or away.max() > _BESIDE * tolerance:
+    offs = points - np.array([arc.centre for arc in arcs]).reshape(-1, 1, 2)
+    aways = np.abs(np.hypot(*offs.transpose(2, 1, 0)) - [arc.radius for arc in arcs])
+    ends_away = np.maximum(aways[0], aways[-1])
+    near = (ends_away <= least) & (aways.max(axis=0) <= _BESIDE * tolerance)
+    for number in np.flatnonzero(near):
+        arc, off, ends = arcs[number], offs[number], ends_away[number]
+        if ends > least:
             continue
         angles = np.unwrap(np.arctan2(off[:, 1], off[:, 0]))
         low, high = sorted((float(angles[0]), float(angles[-1])))

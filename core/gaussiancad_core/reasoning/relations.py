@@ -12,8 +12,8 @@ from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
-from scipy.linalg import cho_solve, solve_triangular
-from scipy.linalg.lapack import dpstrf
+from scipy.linalg import cho_solve
+from scipy.linalg.lapack import dlange, dpstrf, dtrtrs
 from scipy.sparse import csr_array
 
 Numbers = npt.NDArray[np.float64]
@@ -173,19 +173,21 @@ def _multipliers(gram: Numbers, wanted: Numbers) -> Numbers:
     spread over all of them, as least squares has it.
 
     Args:
-        gram: (m, m) matrix.
+        gram: (m, m) matrix; what it holds is lost.
         wanted: (m,) right side.
     """
-    least = _INDEPENDENT * np.abs(gram).sum(axis=0).max()
-    factor, places, rank, _ = dpstrf(gram, tol=least, lower=True)
-    own, others = np.split(places - 1, [rank])
-    factor, rest = np.asfortranarray(factor[:rank, :rank]), factor[rank:, :rank]
-    given = wanted[own]
-    if len(others):
-        # Each of the other rows is this combination of the independent ones.
-        shares = solve_triangular(factor, rest.T, lower=True, trans=1, check_finite=False).T
-        missed = wanted[others] - shares @ given
-        given += shares.T @ np.linalg.solve(np.eye(len(others)) + shares @ shares.T, missed)
-    multipliers = np.zeros(len(wanted))
-    multipliers[own] = cho_solve((factor, True), given, check_finite=False)
+    least = _INDEPENDENT * dlange("1", gram.T)
+    factor, places, rank, _ = dpstrf(gram.T, tol=least, lower=True, overwrite_a=True)
+    places -= 1
+    given, missed = wanted[places], wanted[places[rank:]]
+    if len(missed):
+        # Each of the other rows is a combination of the independent ones; those stand in for it.
+        others = np.pad(factor[rank:, :rank], ((0, 0), (0, len(missed)))).T
+        factor[rank:] = np.eye(*factor[rank:].shape, k=rank)
+        shares, _ = dtrtrs(factor, others, lower=True, trans=1)
+        given[rank:] = 0.0
+        missed = missed - given @ shares
+        given += shares @ np.linalg.solve(np.eye(len(missed)) + shares.T @ shares, missed)
+    multipliers = np.empty_like(wanted)
+    multipliers[places] = cho_solve((factor, True), given, check_finite=False)
     return multipliers

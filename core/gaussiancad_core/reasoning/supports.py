@@ -409,13 +409,13 @@ def _collinear(lines: list[_Line], tolerance: float) -> list[list[_Line]]:
     """Slanted strokes in groups that lie on one line."""
     groups: list[tuple[LineCurve, list[_Line]]] = []
     for line in sorted(lines, key=lambda stroke: -stroke.length):
+        own, length = line_through(line.start, line.end), line.length
         for curve, group in groups:
             off = max(curve.distance(line.start), curve.distance(line.end))
-            direction = line_through(line.start, line.end).direction
-            sine = abs(curve.direction[0] * direction[1] - curve.direction[1] * direction[0])
-            if off <= 1.5 * tolerance and sine * line.length <= 1.5 * tolerance:
+            (dx, dy), (ex, ey) = curve.direction, own.direction
+            if off <= 1.5 * tolerance and abs(dx * ey - dy * ex) * length <= 1.5 * tolerance:
                 group.append(line)
                 break
         else:
-            groups.append((line_through(line.start, line.end), [line]))
+            groups.append((own, [line]))
     return [group for _, group in groups]
