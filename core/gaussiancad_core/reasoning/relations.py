@@ -110,7 +110,9 @@ class _Equations:
     """
 
     def __init__(self, relations: Sequence[Relation], start: Numbers) -> None:
-        found = [relation.at(start.tolist()) for relation in relations]
+        # Single numbers of a list are read faster than those of an array.
+        values = start.tolist()
+        found = [relation.at(values) for relation in relations]
         terms = list(chain.from_iterable(terms for _, terms in found))
         ends = np.cumsum([0, *(len(terms) for _, terms in found)])
         columns = np.array([column for column, _ in terms], dtype=np.intp)
@@ -126,7 +128,6 @@ class _Equations:
         left = self.missed[kept] + rows @ (numbers - self.start)
         curved = self._curved[kept]
         if numbers is not self.start and curved.any():
-            # Single numbers of a list are read faster than those of an array.
             values = numbers.tolist()
             found = [self._relations[place].at(values) for place in kept[curved]]
             left[curved] = [value for value, _ in found]
