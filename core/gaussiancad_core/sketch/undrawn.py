@@ -51,7 +51,7 @@ def undrawn_divisions(
         ]
     if not any(untold) or max(map(len, untold)) > _MOST:
         return []
-    circles = list(_circles(plan, untold, {column for column, *_ in beside}, near))
+    circles = list(_circles(plan, untold, near))
     for column in (0, 1):
         ends = [own.centre[column] + side for own in circles for side in (-own.radius, own.radius)]
         untold[column] = [at for at in untold[column] if all(abs(at - e) > near for e in ends)]
@@ -87,9 +87,9 @@ def _distinct(places: Sequence[float], near: float) -> Iterator[float]:
 
 
 def _circles(
-    plan: Sequence[PlaneLine], untold: Sequence[Sequence[float]], seen: set[int], near: float
+    plan: Sequence[PlaneLine], untold: Sequence[Sequence[float]], near: float
 ) -> Iterator[CircleCurve]:
-    """Circles about centres of the plan that all views from beside show."""
+    """Circles about centres of the plan."""
     centres: list[tuple[float, float]] = []
     for own in plan:
         if own.circle is not None and all(
@@ -98,13 +98,10 @@ def _circles(
             centres.append(own.circle.centre)
     for centre in centres:
         radii = [
-            [at - centre[column] for at in untold[column] if at > centre[column]]
-            for column in sorted(seen)
+            at - centre[column]
+            for column in (0, 1)
+            for at in untold[column]
+            if at > centre[column]
+            and min(abs(2.0 * centre[column] - at - own) for own in untold[column]) <= near
         ]
-        for radius in radii[0]:
-            if all(
-                min((abs(centre[c] + s * radius - at) for at in untold[c]), default=np.inf) <= near
-                for c in seen
-                for s in (-1.0, 1.0)
-            ):
-                yield CircleCurve(centre, radius)
+        yield from (CircleCurve(centre, own) for own in _distinct(radii, near))
