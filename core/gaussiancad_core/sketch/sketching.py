@@ -9,7 +9,14 @@ from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.supports import PartSupports
-from gaussiancad_core.sketch.bodies import Slab, body_of, cones_of, slabs_of, with_holes
+from gaussiancad_core.sketch.bodies import (
+    Slab,
+    body_of,
+    cones_of,
+    slabs_of,
+    with_holes,
+    within_envelope,
+)
 from gaussiancad_core.sketch.breaks import EdgeBreak
 from gaussiancad_core.sketch.broken_edges import with_breaks
 from gaussiancad_core.sketch.choosing import Choice, choose
@@ -87,7 +94,7 @@ def sketch(views: DrawnViews, grid: float) -> Sketch | None:
         if slabs:
             sharp = body_of(best, slabs, cones_of(best))
             shape, refused = with_breaks(sharp, plan)
-            shape = with_holes(shape, plan)
+            shape = with_holes(within_envelope(shape, plan), plan)
     except KERNEL_FAILURES:
         shape = None
     made = tuple(own for own in plan.breaks if own not in refused)

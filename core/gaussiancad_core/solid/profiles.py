@@ -1,4 +1,4 @@
-"""Solids of one view: its profile turned around an axis, or as thick as a number says.
+"""Solids of profiles: turned around an axis, or swept along one.
 
 The lines of a view divide it into cells; what is material of them is united, and its outline, line
 by line and arc by arc, is swept.
@@ -22,6 +22,7 @@ from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Wire
 
 from gaussiancad_core.axes import Axis
+from gaussiancad_core.reasoning.curves import CircleCurve, line_through, meetings
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.views import Arc, Stroke
 
@@ -36,6 +37,9 @@ _GRID = 1e-3
 
 _FLAT = 1e-5
 """Height of an arc over its chord, as a share of its radius, up to which that stands for it."""
+
+_CLEARLY = 0.1
+"""Sine of the angle from which two curves cross each other clearly."""
 
 _STRAIGHT = 1e-6
 """Sine of the angle between lines that go on in each other."""
@@ -107,22 +111,27 @@ def cells_of(
     return [cell for cell in cells if within.contains(cell.representative_point())]
 
 
-def turned(profile: Profile, axis: Axis) -> TopoDS_Shape:
+def turned(profile: Profile, axis: Axis, centre: Point = (0.0, 0.0)) -> TopoDS_Shape:
     """A profile turned once around an axis; its first coordinate runs along it, its second is the
     distance from it.
 
     Args:
         profile: whose distances are not negative.
-        axis: x or z.
+        axis: of the model.
+        centre: where it is, in the coordinates of the model's two other axes, in their order.
     """
+    first, second = IN_PLANE[axis]
 
     def place(point: Point) -> gp_Pnt:
-        along, away = point
-        return gp_Pnt(along, 0.0, away) if axis is Axis.X else gp_Pnt(away, 0.0, along)
+        at = [0.0, 0.0, 0.0]
+        at[axis.value] = point[0]
+        at[first], at[second] = centre[0] + point[1], centre[1]
+        return gp_Pnt(*at)
 
-    way = gp_Dir(1.0, 0.0, 0.0) if axis is Axis.X else gp_Dir(0.0, 0.0, 1.0)
+    way = [0.0, 0.0, 0.0]
+    way[axis.value] = 1.0
     face = _face(profile, place)
-    return _unified(BRepPrimAPI_MakeRevol(face, gp_Ax1(gp_Pnt(0.0, 0.0, 0.0), way)).Shape())
+    return _unified(BRepPrimAPI_MakeRevol(face, gp_Ax1(place((0.0, 0.0)), gp_Dir(*way))).Shape())
 
 
 def thickened(profile: Profile, thickness: float) -> TopoDS_Shape:
@@ -257,7 +266,42 @@ def runs_of(ring: Floats, profile: Profile) -> list[tuple[Floats, Arc | None]]:
         own = ring[np.arange(start, end + 1) % count]
         kind = kinds[start % count]
         found.append((own, None if kind is None else profile.arcs[kind]))
+    for index, (own, arc) in enumerate(found):
+        before, other = found[index - 1]
+        if arc is not other:
+            before[-1] = own[0] = _corner((before[-2:], other), (own[:2], arc), profile.near)
     return found
+
+
+def _corner(
+    one: tuple[Floats, Arc | None], other: tuple[Floats, Arc | None], near: float
+) -> Floats:
+    """(2,) where two stretches meet: on both their curves, where these cross each other clearly.
+
+    Args:
+        one: (2, 2) its last corners, and its arc.
+        other: (2, 2) its first corners, and its arc.
+        near: distance of that from the corner at most.
+    """
+    corner = other[0][0]
+    ways = [_way(points, arc, corner) for points, arc in (one, other)]
+    if abs(ways[0][0] * ways[1][1] - ways[0][1] * ways[1][0]) < _CLEARLY:
+        return corner
+    curves = [
+        line_through(*map(tuple, points.tolist()))
+        if arc is None
+        else CircleCurve(arc.centre, arc.radius)
+        for points, arc in (one, other)
+    ]
+    places = np.array(meetings(*curves)).reshape(-1, 2)
+    away = np.hypot(*(places - corner).T)
+    return places[away.argmin()] if len(places) and away.min() <= near else corner
+
+
+def _way(points: Floats, arc: Arc | None, at: Floats) -> Floats:
+    """(2,) the way along a stretch at one of its ends, of length 1."""
+    way = points[1] - points[0] if arc is None else (at - arc.centre)[::-1] * (-1.0, 1.0)
+    return way / max(float(np.hypot(*way)), 1e-12)
 
 
 def _arc_of(one: Floats, other: Floats, profile: Profile) -> int | None:
