@@ -20,14 +20,10 @@ from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.sketch.choosing import Choice
 from gaussiancad_core.sketch.cross_holes import CrossHole
 from gaussiancad_core.sketch.plan import Plan
-from gaussiancad_core.sketch.plane_lines import PlaneLine
+from gaussiancad_core.sketch.plane_lines import profile_along
 from gaussiancad_core.sketch.regions import Regions
 from gaussiancad_core.sketch.rims import SunkRim
 from gaussiancad_core.solid.profiles import Profile, prism, turned
-from gaussiancad_core.views import Arc, Linetype
-
-_ON_ARC = 0.6
-"""Grid steps within which a corner lies on an arc."""
 
 _BEYOND = 0.05
 """Of a cone's height by which it reaches beyond its face."""
@@ -145,9 +141,8 @@ def within_envelope(shape: TopoDS_Shape, plan: Plan) -> TopoDS_Shape:
     envelope = plan.envelope
     if envelope is None:
         return shape
-    area = shapely.geometry.polygon.orient(envelope.area)
-    profile = Profile(area, _arcs(envelope.lines), _ON_ARC * plan.grid)
-    return _unified(_common(shape, turned(profile, plan.axis, envelope.centre)))
+    tool = turned(envelope.profile(plan.grid), plan.axis, envelope.centre)
+    return _unified(_common(shape, tool))
 
 
 def with_holes(shape: TopoDS_Shape, plan: Plan) -> TopoDS_Shape:
@@ -229,20 +224,11 @@ def profiles_of(area: shapely.Geometry, regions: Regions, grid: float) -> list[P
         regions: of which it is.
         grid: mm of a step of the sheet's coordinates.
     """
-    arcs = _arcs(regions.lines)
     return [
-        Profile(shapely.geometry.polygon.orient(piece), arcs, _ON_ARC * grid)
+        profile_along(piece, regions.lines, grid)
         for piece in shapely.get_parts(area)
         if piece.geom_type == "Polygon" and piece.area > _LEAST_AREA
     ]
-
-
-def _arcs(lines: Sequence[PlaneLine]) -> tuple[Arc, ...]:
-    return tuple(
-        Arc(own.circle.centre, own.circle.radius, 0.0, 2.0 * np.pi, Linetype.VISIBLE)
-        for own in lines
-        if own.circle is not None
-    )
 
 
 def _united(regions: Regions, chosen: Sequence[int]) -> shapely.Geometry:

@@ -180,6 +180,19 @@ class CrossHole:
 
 
 @dataclass(frozen=True)
+class Turning:
+    """What a turned part is turned down to.
+
+    Attributes:
+        centre: mm in the plane across the axis, of what it is turned about.
+        edges: of its profile; their coordinates are mm along the axis, and away from the centre.
+    """
+
+    centre: Point
+    edges: tuple[Edge, ...]
+
+
+@dataclass(frozen=True)
 class Break:
     """A chamfer or rounding around a face.
 
@@ -208,7 +221,8 @@ class Construction:
         holes: of those.
         countersinks: of holes.
         breaks: of edges, put on last.
-        cross_holes: cut out after these.
+        turning: of the solid of the slabs, after these; None where nothing slopes.
+        cross_holes: cut out last.
     """
 
     axis: str
@@ -218,6 +232,7 @@ class Construction:
     holes: tuple[Hole, ...]
     countersinks: tuple[Countersink, ...] = ()
     breaks: tuple[Break, ...] = ()
+    turning: Turning | None = None
     cross_holes: tuple[CrossHole, ...] = ()
 
     def as_json(self) -> dict[str, Any]:
@@ -265,7 +280,8 @@ def construction_of(sketch: Sketch, told: ToldNumbers | None) -> Construction:
     )
     name = plan.axis.name.lower()
     across = tuple(_cross_holes(plan, radii, near))
-    return Construction(name, energy, levels, slabs, holes, sunk, tuple(broken), across)
+    turning = _turning(plan)
+    return Construction(name, energy, levels, slabs, holes, sunk, tuple(broken), turning, across)
 
 
 def write_construction(construction: Construction, folder: Path) -> None:
@@ -409,6 +425,14 @@ def _holes(loops: Sequence[SlabLoops], near: float) -> Iterator[Hole]:
         yield from open_ones
         open_ones = going_on
     yield from open_ones
+
+
+def _turning(plan: Plan) -> Turning | None:
+    if plan.envelope is None:
+        return None
+    profile = plan.envelope.profile(plan.grid)
+    ring, _ = next(_rings(profile))
+    return Turning(_point(plan.envelope.centre), tuple(_edges(ring, profile)))
 
 
 def _cross_holes(plan: Plan, radii: Sequence[ToldRadius], near: float) -> Iterator[CrossHole]:

@@ -35,6 +35,12 @@ def construction_in_words(construction: Values) -> list[str]:
         f"{own['width']:.3g} by {abs(own['height']):.3g} mm"
         for own in construction["breaks"]
     ]
+    if (turning := construction["turning"]) is not None:
+        x, y = turning["centre"]
+        lines.append(
+            f"- turned about the axis at ({x:.4g}, {y:.4g}) to a profile of "
+            f"{len(turning['edges'])} edges"
+        )
     lines += [
         f"- a hole of {own['diameter']:.4g} mm along {own['axis']} at "
         f"({own['centre'][0]:.4g}, {own['centre'][1]:.4g}), {_reach(own)}"

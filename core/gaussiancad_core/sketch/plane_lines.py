@@ -10,10 +10,12 @@ from math import ceil, pi
 
 import numpy as np
 import numpy.typing as npt
+import shapely
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.reasoning.curves import CircleCurve, PlaneCurve, line_through
 from gaussiancad_core.reasoning.planes import plane_points
+from gaussiancad_core.solid.profiles import Profile
 from gaussiancad_core.verification.lines import Curve
 from gaussiancad_core.views import Arc, Linetype, Segment
 
@@ -21,6 +23,9 @@ Floats = npt.NDArray[np.float64]
 
 CHORD = 2.0 * pi / 96
 """Radians of an arc between two of its points, at most."""
+
+_ON_ARC = 0.6
+"""Grid steps within which a corner lies on an arc."""
 
 _CHORDS = 24
 """Of a curve that is no arc."""
@@ -122,6 +127,22 @@ def arc_between(circle: CircleCurve, ends: tuple[Floats, Floats], sweep: float) 
     count = max(3, ceil(abs(sweep) / CHORD) + 1)
     angles = first + np.linspace(0.0, sweep, count)
     return np.array(circle.centre) + circle.radius * np.stack([np.cos(angles), np.sin(angles)], 1)
+
+
+def profile_along(area: shapely.Polygon, lines: Iterable[PlaneLine], grid: float) -> Profile:
+    """A piece of a plane with the arcs along which its outline runs.
+
+    Args:
+        area: mm.
+        lines: that bound it.
+        grid: mm of a step of the sheet's coordinates.
+    """
+    arcs = tuple(
+        Arc(own.circle.centre, own.circle.radius, 0.0, 2.0 * pi, Linetype.VISIBLE)
+        for own in lines
+        if own.circle is not None
+    )
+    return Profile(shapely.geometry.polygon.orient(area), arcs, _ON_ARC * grid)
 
 
 def _points(stroke: Curve) -> Floats:

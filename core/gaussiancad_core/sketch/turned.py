@@ -13,8 +13,9 @@ import shapely
 
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
-from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine
+from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine, profile_along
 from gaussiancad_core.sketch.regions import find_regions
+from gaussiancad_core.solid.profiles import Profile
 
 _NEAR = 1.5
 """Grid steps within which places are one."""
@@ -41,6 +42,14 @@ class Envelope:
     centre: tuple[float, float]
     area: shapely.Polygon
     lines: tuple[PlaneLine, ...]
+
+    def profile(self, grid: float) -> Profile:
+        """Its area with the arcs along which its outline runs.
+
+        Args:
+            grid: mm of a step of the sheet's coordinates.
+        """
+        return profile_along(self.area, self.lines, grid)
 
 
 def without_slopes(

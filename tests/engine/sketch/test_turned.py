@@ -6,6 +6,8 @@ from sketch_checks import GRID, check, drawn
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse, revolved
+from gaussiancad_core.sketch.construction import construction_of
+from gaussiancad_core.sketch.construction_sentences import construction_in_words
 from gaussiancad_core.sketch.sketching import sketch
 
 
@@ -20,8 +22,12 @@ def test_a_slope_is_turned_down_last(hidden: bool) -> None:
     truth = handle()
     found = sketch(drawn(truth, hidden=hidden), GRID)
     assert found.axis is Axis.X
-    assert found.choice.plan.envelope is not None
     check(found, truth)
+    construction = construction_of(found, None)
+    corners = {tuple(round(x, 2) for x in own.start) for own in construction.turning.edges}
+    assert corners == {(0, 0), (0, 8), (30, 14), (30, 20), (50, 20), (60, 16), (90, 16), (90, 0)}
+    words = construction_in_words(construction.as_json())
+    assert "- turned about the axis at (20, 20) to a profile of 8 edges" in words
 
 
 def test_what_is_milled_into_a_turned_part_stays() -> None:
