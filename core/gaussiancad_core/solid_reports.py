@@ -112,7 +112,7 @@ def _of_sheet(report: Report, model: ExactModel, turn: Turn) -> Iterator[Assumpt
         return
     yield from assumed_planes(report.sections)
     yield from _second_view(report)
-    if model.result.shape is not None and model.sketched is None:
+    if model.result.shape is not None:
         yield from assumed_holes(model.reading, model.result.shape, turn)
 
 
