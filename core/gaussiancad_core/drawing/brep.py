@@ -308,11 +308,16 @@ def edge_length(edge: TopoDS_Shape) -> float:
     return float(properties.Mass())
 
 
+def is_valid(shape: TopoDS_Shape) -> bool:
+    """Whether the kernel finds nothing wrong with a shape."""
+    return bool(BRepCheck_Analyzer(shape).IsValid())
+
+
 def soundness(shape: TopoDS_Shape) -> Soundness:
     """Check a shape as a solid."""
     enclosed = volume(shape)
     return Soundness(
-        bool(BRepCheck_Analyzer(shape).IsValid()) and enclosed > 0.0,
+        is_valid(shape) and enclosed > 0.0,
         _closed(shape),
         len(subshapes(shape, TopAbs_ShapeEnum.TopAbs_SOLID)),
         len(faces_of(shape)),

@@ -1,7 +1,7 @@
 """The solid of slabs: prisms with true arcs, made one."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
@@ -15,7 +15,7 @@ from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Axis
-from gaussiancad_core.drawing.brep import bounding_box, subshapes
+from gaussiancad_core.drawing.brep import bounding_box, is_valid, subshapes
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.sketch.choosing import Choice
 from gaussiancad_core.sketch.cross_holes import CrossHole
@@ -103,7 +103,7 @@ def body_of(choice: Choice, slabs: Sequence[Slab], cones: Sequence[Cone]) -> Top
     """
     plan = choice.plan
     prisms = [
-        prism(profile, plan.axis, (own.low, own.high))
+        _prism(profile, plan.axis, (own.low, own.high))
         for own in slabs
         for profile in profiles_of(own.area, plan.regions, plan.grid)
     ]
@@ -111,6 +111,12 @@ def body_of(choice: Choice, slabs: Sequence[Slab], cones: Sequence[Cone]) -> Top
     if cones:
         body = _cut(body, [_cone(own, plan.axis) for own in cones])
     return _unified(body)
+
+
+def _prism(profile: Profile, axis: Axis, between: tuple[float, float]) -> TopoDS_Shape:
+    """A profile as a prism; with chords for arcs, where these cross each other."""
+    made = prism(profile, axis, between)
+    return made if is_valid(made) else prism(replace(profile, arcs=()), axis, between)
 
 
 def _cone(own: Cone, axis: Axis) -> TopoDS_Shape:

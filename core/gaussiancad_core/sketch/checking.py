@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from gaussiancad_core.drawing.brep import soundness
+from gaussiancad_core.drawing.brep import is_valid, soundness
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.messages import Message
 from gaussiancad_core.modes import Status
@@ -25,7 +25,8 @@ def checked(sketch: Sketch, views: DrawnViews) -> ExactResult | None:
     Returns:
         None where the kernel made no part, or cannot draw it.
     """
-    if sketch.shape is None:
+    # Drawing what is not valid may end the process.
+    if sketch.shape is None or not is_valid(sketch.shape):
         return None
     if not has_hidden_lines(views):
         # What no view draws hidden is not to be found hidden.
