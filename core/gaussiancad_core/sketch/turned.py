@@ -5,7 +5,7 @@ outline slopes, they reach out to its larger end, and what lies beyond the profi
 from the solid of the slabs at the end.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -22,6 +22,12 @@ _NEAR = 1.5
 
 _STRAIGHT = 0.4
 """Grid steps by which a line along an axis may lean."""
+
+_MOST = 0.5
+"""Share of a slope that another view shows of it at least."""
+
+_ON = 0.5
+"""Grid steps between a slope and the widest outline at most."""
 
 _LEAST = 1.0
 """Grid steps that an outline slopes by at least, along either coordinate."""
@@ -68,24 +74,24 @@ def without_slopes(
     centre = _centre(lines, axis, size, grid)
     if centre is None:
         return found, None
-    halves = []
-    slopes: list[_Slope] = []
+    beside = []
     for role, own in lines.items():
         axes = IN_PLANE[role_plane(role).normal]
         if axis.value not in axes:
             continue
         along = axes.index(axis.value)
         middle = centre[IN_PLANE[axis].index(axes[1 - along])]
-        told = _outline(own, grid)
-        if told is None:
-            continue
-        outline, closed = told
-        found[role], sloping = _stepped(own, outline, (along, middle), grid)
-        slopes += sloping
-        halves += [_half(closed, outline, (along, middle), side) for side in (1.0, -1.0)]
+        outline = _outline(own, grid)
+        if outline is not None:
+            beside.append(_Seen(role, own, *outline, along, middle))
+    halves = [_half(own, side) for own in beside for side in (1.0, -1.0)]
     known = [own for own in halves if own is not None]
-    if not slopes or not known:
-        return {role: list(own) for role, own in lines.items()}, None
+    widest = shapely.union_all([area for area, _ in known])
+    slopes = list(_slopes(beside, widest, grid))
+    if not slopes:
+        return found, None
+    for own in beside:
+        found[own.role] = _stepped(own, slopes, grid)
     area, profile = max(known, key=lambda own: own[0].area)
     for role, own in found.items():
         if role_plane(role).normal is axis:
@@ -93,15 +99,58 @@ def without_slopes(
     return found, Envelope(centre, area, profile)
 
 
-@dataclass(frozen=True)
-class _Slope:
-    """A sloping piece of an outline, whose smaller end is no end of a cylinder.
+@dataclass(frozen=True, eq=False)
+class _Seen:
+    """A view of a turned part from beside.
 
     Attributes:
-        radius: mm, of the smaller end; None where a cylinder ends there.
+        role: of the view.
+        lines: mm in its plane.
+        outline: what it shows, without holes.
+        closed: its lines, made to meet.
+        along: which of its coordinates runs along the axis.
+        middle: mm along the other one, of the axis.
     """
 
-    radius: float | None
+    role: Role
+    lines: Sequence[PlaneLine]
+    outline: shapely.Polygon
+    closed: tuple[PlaneLine, ...]
+    along: int
+    middle: float
+
+    def away(self, points: Floats, side: float) -> Floats:
+        """(n, 2) places along the axis, and away from it to one side, of points."""
+        return np.stack(
+            [points[:, self.along], side * (points[:, 1 - self.along] - self.middle)], axis=1
+        )
+
+    def back(self, points: Floats, side: float) -> Floats:
+        """(n, 2) points of the view of places along the axis and away from it."""
+        found = np.empty_like(points)
+        found[:, self.along] = points[:, 0]
+        found[:, 1 - self.along] = self.middle + side * points[:, 1]
+        return found
+
+
+@dataclass(frozen=True, eq=False)
+class _Slope:
+    """A sloping piece of a profile; places are mm along the axis, and away from it.
+
+    Attributes:
+        small, large: (2,) its end that is nearer to the axis, and the other one.
+        points: (n, 2) along it.
+        is_foot: whether no cylinder ends at the smaller end.
+        is_plain: whether a cylinder goes on at the larger end: that has no edge then.
+        is_groove: whether another slope ends where its smaller end is.
+    """
+
+    small: Floats
+    large: Floats
+    points: Floats
+    is_foot: bool
+    is_plain: bool
+    is_groove: bool
 
 
 def _centre(
@@ -134,108 +183,129 @@ def _outline(
     return shapely.Polygon(whole.exterior), regions.lines
 
 
-def _stepped(
-    lines: Sequence[PlaneLine],
-    outline: shapely.Polygon,
-    coordinates: tuple[int, float],
-    grid: float,
-) -> tuple[list[PlaneLine], list[_Slope]]:
-    """Lines of a view with two in place of each that slopes along its outline on both sides of the
-    axis, and these."""
-    along, middle = coordinates
+def _slopes(beside: Sequence[_Seen], widest: shapely.Geometry, grid: float) -> Iterator[_Slope]:
+    """What slopes in a view from beside on both sides of the axis, and is the outline of what all
+    views from beside show together, each once."""
     near = _NEAR * grid
-    border = outline.boundary
-    sloping = [
-        own
-        for own in lines
-        if own.is_visible
-        and not own.is_closed
-        and np.ptp(own.points, axis=0).min() > _LEAST * grid
-        and border.distance(shapely.Point(own.points[len(own.points) // 2])) <= near
+    sides = [(own, side) for own in beside for side in (1.0, -1.0)]
+    shown = [list(_sloping(own, side, grid)) for own, side in sides]
+    walls = [
+        own.away(line.points[[0, -1]], side)
+        for own, side in sides
+        for line in own.lines
+        if line.is_visible and line.constant(_STRAIGHT * grid) == 1 - own.along
     ]
-    even = [own for own in sloping if _has_image(own, sloping, coordinates, near)]
-    ends = [own.points[[0, -1]] for own in lines]
-    found = [own for own in lines if not any(own is other for other in even)]
-    slopes = []
-    gone: set[int] = set()
-    for own in even:
-        far = sorted(own.points[[0, -1]].tolist(), key=lambda at: abs(at[1 - along] - middle))
-        small, large = (np.array(at) for at in far)
-        corner = small.copy()
-        corner[1 - along] = large[1 - along]
-        found += [
-            PlaneLine(np.array([a, b]), True)
-            for a, b in ((small, corner), (corner, large))
-            if float(np.hypot(*(b - a))) > _STRAIGHT * grid
-        ]
 
-        def at(place: Floats, constant: int) -> list[int]:
-            return [
-                k
-                for k, other in enumerate(lines)
-                if other.is_visible
-                and other.constant(_STRAIGHT * grid) == constant
-                and np.hypot(*(ends[k] - place).T).min() <= near
+    def ends_wall(place: Floats) -> bool:
+        return any(np.hypot(*(ends - place).T).min() <= near for ends in walls)
+
+    found: list[tuple[Floats, Floats, Floats]] = []
+    for points in sorted((own for each in shown for own in each), key=lambda own: -_length(own)):
+        if any(_lies_along(points, other, near) for *_, other in found):
+            continue
+        even = any(
+            all(any(_lies_along(own, points, near) for own in each) for each in pair)
+            for pair in zip(shown[::2], shown[1::2], strict=True)
+        )
+        border = widest.boundary
+        if even and all(border.distance(shapely.Point(at)) <= _ON * grid for at in points):
+            small, large = sorted(points[[0, -1]], key=lambda at: float(at[1]))
+            found.append((small, large, points))
+    for number, (small, large, points) in enumerate(found):
+        others = [own[0] for k, own in enumerate(found) if k != number]
+        is_groove = any(np.hypot(*(own - small)) <= near for own in others)
+        yield _Slope(small, large, points, not ends_wall(small), ends_wall(large), is_groove)
+
+
+def _sloping(seen: _Seen, side: float, grid: float) -> Iterator[Floats]:
+    """(n, 2) each, lines along the outline of a view on one side that are along no axis."""
+    border = seen.outline.boundary
+    for own in seen.lines:
+        is_sloping = np.ptp(own.points, axis=0).min() > _LEAST * grid
+        if not own.is_visible or own.is_closed or not is_sloping:
+            continue
+        at = seen.away(own.points, side)
+        on_outline = border.distance(shapely.LineString(own.points).centroid) <= _NEAR * grid
+        if at[:, 1].min() >= 0.0 and (on_outline or len(at) > 2):
+            yield at
+
+
+def _length(points: Floats) -> float:
+    return float(np.hypot(*np.diff(points, axis=0).T).sum())
+
+
+def _lies_along(points: Floats, other: Floats, near: float) -> bool:
+    """Whether a line lies along most of another one."""
+    line = shapely.LineString(other)
+    on = all(line.distance(shapely.Point(at)) <= near for at in points)
+    return on and _length(points) >= _MOST * _length(other)
+
+
+def _stepped(seen: _Seen, slopes: Sequence[_Slope], grid: float) -> list[PlaneLine]:
+    """Lines of a view with two in place of each that slopes."""
+    near = _NEAR * grid
+    left = list(seen.lines)
+    steps: list[PlaneLine] = []
+    for side in (1.0, -1.0):
+        for own in slopes:
+            small, corner, large = seen.back(
+                np.array([own.small, (own.small[0], own.large[1]), own.large]), side
+            )
+            gone = [
+                place
+                for place, is_gone in ((small, own.is_groove), (large, own.is_plain))
+                if is_gone
             ]
-
-        is_cylinder = bool(at(small, 1 - along))
-        slopes.append(_Slope(None if is_cylinder else abs(float(small[1 - along]) - middle)))
-        if at(large, 1 - along):
-            # Where a cylinder goes on the step has no edge.
-            gone |= {id(lines[k]) for k in at(large, along)}
-    return [own for own in found if id(own) not in gone], slopes
-
-
-def _has_image(
-    line: PlaneLine, others: Sequence[PlaneLine], coordinates: tuple[int, float], near: float
-) -> bool:
-    along, middle = coordinates
-    image = line.points[[0, -1]].copy()
-    image[:, 1 - along] = 2.0 * middle - image[:, 1 - along]
-    return any(
-        min(np.hypot(*(other.points[[0, -1]] - own).T).max() for own in (image, image[::-1]))
-        <= near
-        for other in others
-    )
+            left = [
+                line
+                for line in left
+                if not _lies_along(line.points, seen.back(own.points, side), near)
+                and not any(_is_edge_at(line, place, seen, grid) for place in gone)
+            ]
+            # What two slopes fall to is bridged.
+            if not own.is_groove:
+                steps += _step(small, corner, grid)
+            steps += _step(corner, large, grid)
+    return [*left, *steps]
 
 
-def _half(
-    lines: Sequence[PlaneLine],
-    outline: shapely.Polygon,
-    coordinates: tuple[int, float],
-    side: float,
-) -> tuple[shapely.Polygon, tuple[PlaneLine, ...]] | None:
+def _is_edge_at(line: PlaneLine, place: Floats, seen: _Seen, grid: float) -> bool:
+    """Whether a visible line across the axis ends at a place."""
+    across = line.is_visible and line.constant(_STRAIGHT * grid) == seen.along
+    return across and np.hypot(*(line.points[[0, -1]] - place).T).min() <= _NEAR * grid
+
+
+def _step(one: Floats, other: Floats, grid: float) -> list[PlaneLine]:
+    is_long = float(np.hypot(*(other - one))) > _STRAIGHT * grid
+    return [PlaneLine(np.array([one, other]), True)] if is_long else []
+
+
+def _half(seen: _Seen, side: float) -> tuple[shapely.Polygon, tuple[PlaneLine, ...]] | None:
     """The profile on one side of the axis, and the lines it may run along."""
-    along, middle = coordinates
-    moved = tuple(_moved(own, along, middle, side) for own in lines)
-    points = _away(np.array(outline.exterior.coords), along, middle, side)
+    points = seen.away(np.array(seen.outline.exterior.coords), side)
     low, high = points[:, 0].min(), points[:, 0].max()
     area = shapely.Polygon(points).buffer(0.0)
     area = area.intersection(shapely.box(low, 0.0, high, points[:, 1].max() + 1.0))
-    return (area, moved) if area.geom_type == "Polygon" and not area.is_empty else None
+    if area.geom_type != "Polygon" or area.is_empty:
+        return None
+    return area, tuple(_moved(own, seen, side) for own in seen.closed)
 
 
-def _away(points: Floats, along: int, middle: float, side: float) -> Floats:
-    """Points as places along the axis, and away from it."""
-    return np.stack([points[:, along], side * (points[:, 1 - along] - middle)], axis=1)
-
-
-def _moved(line: PlaneLine, along: int, middle: float, side: float) -> PlaneLine:
+def _moved(line: PlaneLine, seen: _Seen, side: float) -> PlaneLine:
     circle = line.circle
     if circle is not None:
-        x, y = _away(np.array([circle.centre]), along, middle, side)[0].tolist()
+        x, y = seen.away(np.array([circle.centre]), side)[0].tolist()
         circle = replace(circle, centre=(x, y))
-    return replace(line, points=_away(line.points, along, middle, side), circle=circle)
+    return replace(line, points=seen.away(line.points, side), circle=circle)
 
 
 def _is_foot(
     line: PlaneLine, centre: tuple[float, float], slopes: Sequence[_Slope], grid: float
 ) -> bool:
-    """Whether a circle of the plan is the smaller end of a slope only."""
-    if line.circle is None or not line.is_closed:
+    """Whether a circle of the plan, or an arc, is the smaller end of a slope only."""
+    if line.circle is None:
         return False
     near = _NEAR * grid
     if max(abs(a - b) for a, b in zip(line.circle.centre, centre, strict=True)) > near:
         return False
-    radii = [own.radius for own in slopes if own.radius is not None]
-    return any(abs(line.circle.radius - own) <= near for own in radii)
+    return any(own.is_foot and abs(line.circle.radius - own.small[1]) <= near for own in slopes)

@@ -41,3 +41,11 @@ def test_a_plain_shaft_has_no_envelope() -> None:
     found = sketch(drawn(plain, hidden=True), GRID)
     assert found.choice.plan.envelope is None
     check(found, plain)
+
+
+def test_a_groove_of_two_slopes_is_turned_into_a_drum() -> None:
+    profile = [(0, 0), (0, 32), (7, 32), (11, 28), (15, 32), (22, 32), (22, 18), (38, 14), (38, 0)]
+    truth = cut(revolved(profile, Axis.X, (32, 32)), cylinder(Axis.Y, (11, 32), 5, -1, 65))
+    found = sketch(drawn(truth, hidden=True), GRID)
+    assert [own.high for own in found.slabs] == pytest.approx([22, 38])
+    check(found, truth)
