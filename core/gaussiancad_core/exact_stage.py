@@ -7,19 +7,20 @@ two differ, nobody can tell from the sheet which is meant.
 Where no solid has all lines as they were read, the part is sketched: slabs that explain them best.
 Only where that leaves much unexplained, or a solid could be certain, are lines given up, of the
 likelier reading, and for a short while: a solid that is found so takes the sketch's place where it
-has so many more lines that this outweighs how unusual it is.
+shows the sheet's lines better.  On a sheet without hidden lines nothing can be certain: a sketch
+that has all lines is taken at once.
 """
 
 from dataclasses import dataclass, fields, replace
+from functools import cached_property
 
 from gaussiancad_core.messages import Message
 from gaussiancad_core.modes import Status
 from gaussiancad_core.projected_reading import Reading
 from gaussiancad_core.reasoning.labelling import Effort
 from gaussiancad_core.sketch.checking import checked
-from gaussiancad_core.sketch.occupancy import energy_as_slabs
 from gaussiancad_core.sketch.sketching import Sketch
-from gaussiancad_core.sketched_readings import weigh
+from gaussiancad_core.sketched_readings import Weighed, weigh
 from gaussiancad_core.solid.exact import ExactResult, exact_solid
 from gaussiancad_core.solid.limits import Limits
 from gaussiancad_core.solid.reasons import has_hidden_lines
@@ -56,17 +57,8 @@ _AMBIGUOUS = (
 _RELAXED = 0.25
 """Share of the work for a solid that does not have all lines."""
 
-_FIRM = 0.03
+_FIRM = 0.05
 """Share of the lines' length that a sketch costs at most to stay: lines were misread then."""
-
-_POOR = 0.25
-"""The same from which it is no measure of what is usual: the part is none of slabs."""
-
-_UNUSUAL = 0.5
-"""What counts of how unusual such a solid is: what it has beside slabs is no line of theirs."""
-
-_WRONG = 0.5
-"""Share of the sketch's wrong lines that such a solid has at most, to take its place."""
 
 _BRIEF = 0.25
 """Share of the usual effort for what carves the hull alone: a few seconds on usual parts."""
@@ -111,13 +103,19 @@ def find_exact(
             where lines contradict it, and taken only where they plainly do.
     """
     limits = limits or Limits()
+    readings = _Readings(own, other, by_symbol)
+    if not has_hidden_lines(own.drawn):
+        # Nothing can be certain of such a sheet.
+        sketched = readings.sketched
+        if sketched is not None and sketched.result.explains:
+            return _told_apart_by_sketches(sketched, readings)
     strict = replace(limits, relaxed=False)
     result = _solved(own, strict)
     if result.explains and (other is None or by_symbol):
         return ExactModel(own, result, by_symbol)
     contrary = _solved(other, strict) if other is not None else None
     if contrary is None or not (result.explains or contrary.explains):
-        return _sketched(own, other, limits, by_symbol=by_symbol)
+        return _not_strictly(readings, limits)
     if result.explains and contrary.explains:
         return _told_apart((own, result), (other, contrary))
     # The reading that has no solid must have none for certain, for the other one to be.
@@ -126,12 +124,81 @@ def find_exact(
     return ExactModel(reading, winner if loser.is_settled else winner.doubted(_UNSETTLED), True)
 
 
+@dataclass(frozen=True, eq=False)
+class _Readings:
+    """The readings of a sheet.
+
+    Attributes:
+        own: that was told, inferred or assumed.
+        other: the other one, if it is possible.
+        by_symbol: whether a projection symbol tells the first.
+    """
+
+    own: Reading
+    other: Reading | None
+    by_symbol: bool
+
+    @cached_property
+    def weighed(self) -> Weighed:
+        """How well they are sketched."""
+        return weigh((self.own,) if self.other is None else (self.own, self.other))
+
+    @property
+    def likelier(self) -> int:
+        """Number of the one that is taken, where no solid has all lines."""
+        weighed = self.weighed
+        return 0 if self.by_symbol and not weighed.is_plain else weighed.likelier
+
+    @property
+    def is_contradicted(self) -> bool:
+        """Whether the other one fits clearly better than the symbol's."""
+        return self.by_symbol and self.weighed.is_clear and self.weighed.likelier == 1
+
+    @property
+    def is_decided(self) -> bool:
+        """Whether sketches tell the one that is taken."""
+        return self.weighed.is_clear and self.likelier == self.weighed.likelier
+
+    @property
+    def taken(self) -> Reading:
+        """The one that is taken, where no solid has all lines."""
+        return self.own if self.likelier == 0 or self.other is None else self.other
+
+    @cached_property
+    def sketched(self) -> ExactModel | None:
+        """The sketch of that, drawn again; None where there is none."""
+        return self.sketch_of(self.likelier)
+
+    def sketch_of(self, number: int) -> ExactModel | None:
+        """The sketch of a reading, drawn again; None where there is none."""
+        sketch = self.weighed.sketches[number]
+        reading = self.own if number == 0 or self.other is None else self.other
+        result = checked(sketch, reading.drawn) if sketch is not None else None
+        if result is None:
+            return None
+        return ExactModel(reading, result, self.is_decided, sketch, self.is_contradicted)
+
+
+def _told_apart_by_sketches(sketched: ExactModel, readings: _Readings) -> ExactModel:
+    """A sketch that has all lines; where nothing tells the reading, the other one's beside it."""
+    if readings.other is None or readings.by_symbol or readings.is_decided:
+        return replace(sketched, decided=sketched.decided or readings.by_symbol)
+    contrary = readings.sketch_of(1 - readings.likelier)
+    if contrary is None or not contrary.result.explains:
+        return replace(sketched, decided=True)
+    first, second = ((own.reading, own.result) for own in (sketched, contrary))
+    return replace(_beside(first, second), sketched=sketched.sketched)
+
+
 def _told_apart(
     first: tuple[Reading, ExactResult], second: tuple[Reading, ExactResult]
 ) -> ExactModel:
     """Where both readings have a solid: the likelier one, and the other beside it."""
-    if _is_likelier(second, first):
-        first, second = second, first
+    return _beside(second, first) if _is_likelier(second, first) else _beside(first, second)
+
+
+def _beside(first: tuple[Reading, ExactResult], second: tuple[Reading, ExactResult]) -> ExactModel:
+    """A solid, and that of the other reading beside it, if it is another one."""
     (own, result), (_, contrary) = first, second
     indistinct = own.drawn.indistinct
     further = [
@@ -166,36 +233,26 @@ def _is_likelier(other: tuple[Reading, ExactResult], own: tuple[Reading, ExactRe
     return weigh((own[0], other[0])).likelier == 1
 
 
-def _sketched(
-    own: Reading, other: Reading | None, limits: Limits, *, by_symbol: bool
-) -> ExactModel:
+def _not_strictly(readings: _Readings, limits: Limits) -> ExactModel:
     """Where no reading has a solid that has all lines: the sketch, or what has more of them."""
-    readings = (own,) if other is None else (own, other)
-    weighed = weigh(readings)
-    contradicted = by_symbol and weighed.is_clear and weighed.likelier == 1
-    number = 0 if by_symbol and not weighed.is_plain else weighed.likelier
-    reading, sketch = readings[number], weighed.sketches[number]
-    decided = weighed.is_clear and number == weighed.likelier
-    result = checked(sketch, reading.drawn) if sketch is not None else None
-    is_firm = result is not None and (result.explains or _costs(sketch, reading) <= _FIRM)
-    if result is not None and result.explains and not has_hidden_lines(reading.drawn):
-        return ExactModel(reading, result, decided, sketch, contradicted)
+    sketched, reading = readings.sketched, readings.taken
+    is_firm = sketched is not None and _costs(sketched.sketched, reading) <= _FIRM
+    if is_firm and not has_hidden_lines(reading.drawn):
+        return sketched
     relaxed = _solved(reading, replace(limits, work=_RELAXED * limits.work))
-    model = ExactModel(reading, relaxed, decided, contradicted=contradicted)
-    if result is None or relaxed.status is Status.VERIFIED:
-        return model
-    if relaxed.explains and not result.explains:
-        return model
-    is_poor = _costs(sketch, reading) > _POOR
-    if not is_firm and _is_better(relaxed, result, None if is_poor else sketch):
-        return model
+    told = readings.is_decided, None, readings.is_contradicted
+    if sketched is None or relaxed.status is Status.VERIFIED:
+        return ExactModel(reading, relaxed, *told)
+    result = sketched.result
+    if relaxed.shape is not None and _is_better(relaxed, result, is_firm=is_firm):
+        return ExactModel(reading, relaxed, *told)
     result = replace(
         result,
         conflict=relaxed.conflict,
         trace=(*(replace(each, taken=False) for each in relaxed.trace), *result.trace),
         seconds=relaxed.seconds,
     )
-    return replace(model, result=result, sketched=sketch)
+    return replace(sketched, result=result)
 
 
 def _costs(sketch: Sketch, reading: Reading) -> float:
@@ -204,18 +261,12 @@ def _costs(sketch: Sketch, reading: Reading) -> float:
     return sketch.energy / drawn
 
 
-def _is_better(relaxed: ExactResult, result: ExactResult, sketch: Sketch | None) -> bool:
-    """Whether a solid that gives lines up has so many more than the sketch that this outweighs how
-    unusual it is; None for a sketch that is no measure of that."""
-    if relaxed.shape is None:
-        return False
-    wrong, worse = _wrong(relaxed.verification), _wrong(result.verification)
-    if wrong > _WRONG * worse:
-        return False
-    if sketch is None:
-        return True
-    more = energy_as_slabs(relaxed.shape, sketch.choice.plan) - sketch.energy
-    return worse - wrong > _UNUSUAL * more
+def _is_better(relaxed: ExactResult, result: ExactResult, *, is_firm: bool) -> bool:
+    """Whether a solid for which lines are given up takes the place of a sketch: with all lines, or,
+    where the sketch explains less, with fewer wrong ones."""
+    if is_firm or relaxed.explains:
+        return relaxed.explains and not result.explains
+    return _wrong(relaxed.verification) < _wrong(result.verification)
 
 
 def _wrong(verification: Verification) -> float:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from math import inf
 
 import numpy as np
 import shapely
@@ -170,7 +171,8 @@ def _cylinders(shape: TopoDS_Shape, hole: CrossHole, plan: Plan) -> Iterator[Top
     size = plan.size[hole.axis.value]
     for low, high in hole.intervals:
         ends = -size if low <= plan.grid else low, 2.0 * size if high >= size - plan.grid else high
-        if hole.depth is not None or ends == (-size, 2.0 * size):
+        is_told = ends != (-size, 2.0 * size) or hole.depth == inf
+        if not is_told or hole.depth not in (None, inf):
             ends = _reach(shape, hole, ends, plan.grid)
         if ends is not None:
             yield _cylinder(hole, ends)

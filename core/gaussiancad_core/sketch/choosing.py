@@ -30,9 +30,6 @@ _CROSS = 0.5
 _SAME = 1e-6
 """Share of it by which an energy is known."""
 
-_EVALUATED = 1.0
-"""Units of the solver's work for what a given choice costs."""
-
 _PARTINGS = 8
 """Times that the bodies of what is cheapest are looked at."""
 
@@ -96,23 +93,6 @@ def choose(plan: Plan, less: float, effort: float) -> tuple[Choice | None, float
         if not parted or spent >= effort:
             break
     return best, at_least, spent
-
-
-def energy_of(plan: Plan, filled: npt.NDArray[np.bool_]) -> float:
-    """What a given choice of a plan costs, mm.
-
-    Args:
-        plan: as for :func:`choose`.
-        filled: (regions, slabs).
-    """
-    model = _Model(plan)
-    for row, own in zip(model.terms.filled, filled, strict=True):
-        for x, value in zip(row, own, strict=True):
-            model.terms.model.add(x == int(value))
-    solver = _solver(_EVALUATED)
-    if solver.solve(model.terms.model) not in FOUND:
-        return inf
-    return model.mm(solver.objective_value) + model.price_bodies(filled)
 
 
 def _solver(effort: float) -> cp_model.CpSolver:

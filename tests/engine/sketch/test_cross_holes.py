@@ -60,6 +60,16 @@ def test_a_note_tells_how_deep_a_hole_is_that_no_line_does(axis: Axis) -> None:
     check(untold, cut(lug(), through))
 
 
+def test_a_note_tells_that_a_hole_goes_on_beyond_the_next_void() -> None:
+    ears = fuse(cylinder(Axis.Z, (30, 30), 30, 0, 8), box((20, 15, 8), (40, 22, 30)))
+    ears = fuse(ears, box((20, 38, 8), (40, 45, 30)))
+    truth = cut(ears, cylinder(Axis.Y, (30, 20), 4, -1, 61))
+    views = drawn(truth, hidden=False)
+    noted = NotedHole(Role.FRONT, (30.0, 20.0), (HoleStep(8.0),))
+    check(sketch(replace(views, holes=(noted,)), GRID), truth)
+    check(sketch(views, GRID), cut(ears, cylinder(Axis.Y, (30, 20), 4, -1, 30)))
+
+
 def test_a_ring_around_a_hole_across_of_which_nothing_tells_a_depth_is_left_out() -> None:
     bored = cut(lug(), cylinder(Axis.Y, (30, 20), 3, -1, 61))
     stepped = cut(bored, cylinder(Axis.Y, (30, 20), 6, -1, 26))
