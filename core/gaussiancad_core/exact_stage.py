@@ -106,9 +106,9 @@ def find_exact(
     readings = _Readings(own, other, by_symbol)
     if not has_hidden_lines(own.drawn):
         # Nothing can be certain of such a sheet.
-        sketched = readings.sketched
-        if sketched is not None and sketched.result.explains:
-            return _told_apart_by_sketches(sketched, readings)
+        sketched = _told_by_sketches(readings)
+        if sketched is not None:
+            return sketched
     strict = replace(limits, relaxed=False)
     result = _solved(own, strict)
     if result.explains and (other is None or by_symbol):
@@ -179,15 +179,22 @@ class _Readings:
         return ExactModel(reading, result, self.is_decided, sketch, self.is_contradicted)
 
 
-def _told_apart_by_sketches(sketched: ExactModel, readings: _Readings) -> ExactModel:
-    """A sketch that has all lines; where nothing tells the reading, the other one's beside it."""
+def _told_by_sketches(readings: _Readings) -> ExactModel | None:
+    """A sketch that has all lines, and, where nothing tells the reading, that of the other one
+    beside it; None where no sketch has."""
+    sketched = readings.sketched
     if readings.other is None or readings.by_symbol or readings.is_decided:
+        if sketched is None or not sketched.result.explains:
+            return None
         return replace(sketched, decided=sketched.decided or readings.by_symbol)
     contrary = readings.sketch_of(1 - readings.likelier)
-    if contrary is None or not contrary.result.explains:
-        return replace(sketched, decided=True)
-    first, second = ((own.reading, own.result) for own in (sketched, contrary))
-    return replace(_beside(first, second), sketched=sketched.sketched)
+    found = [own for own in (sketched, contrary) if own is not None and own.result.explains]
+    if len(found) < 2:
+        # The other one has lines that nothing explains, if it was sketched at all.
+        is_told = sketched is not None and contrary is not None
+        return replace(found[0], decided=is_told) if found else None
+    first, second = ((own.reading, own.result) for own in found)
+    return replace(_beside(first, second), sketched=found[0].sketched)
 
 
 def _told_apart(

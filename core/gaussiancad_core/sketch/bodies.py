@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from math import inf
+from math import inf, isfinite
 
 import numpy as np
 import shapely
@@ -135,25 +135,37 @@ def _cone(own: Cone, axis: Axis) -> TopoDS_Shape:
     return maker.Shape()
 
 
-def within_envelope(shape: TopoDS_Shape, plan: Plan) -> TopoDS_Shape:
-    """A body less what lies beyond the profile of a turned part.
+def turned_down(shape: TopoDS_Shape, plan: Plan) -> TopoDS_Shape:
+    """A body less what lies beyond the slopes of a turned part.
 
     Args:
         shape: mm.
-        plan: with the envelope, or without any.
+        plan: with the slopes, or without any.
 
     Raises:
         RuntimeError: the kernel fails.
     """
-    envelope = plan.envelope
-    if envelope is None:
-        return shape
-    tool = turned(envelope.profile(plan.grid), plan.axis, envelope.centre)
-    return _unified(_common(shape, tool))
+    slopes = plan.slopes
+    tools = [turned(own.beyond(plan.grid), plan.axis, own.centre) for own in slopes]
+    return _unified(_cut(shape, tools)) if tools else shape
 
 
-def with_holes(shape: TopoDS_Shape, plan: Plan) -> TopoDS_Shape:
-    """A body with the holes across its slabs.
+@dataclass(frozen=True)
+class Bore:
+    """A hole across the slabs as it was cut.
+
+    Attributes:
+        hole: of the plan.
+        low, high: mm along it; infinite where it is open.
+    """
+
+    hole: CrossHole
+    low: float
+    high: float
+
+
+def with_holes(shape: TopoDS_Shape, plan: Plan) -> tuple[TopoDS_Shape, tuple[Bore, ...]]:
+    """A body with the holes across its slabs, and these as they were cut.
 
     Args:
         shape: mm.
@@ -162,31 +174,34 @@ def with_holes(shape: TopoDS_Shape, plan: Plan) -> TopoDS_Shape:
     Raises:
         RuntimeError: the kernel fails.
     """
-    tools = [tool for own in plan.cross_holes for tool in _cylinders(shape, own, plan)]
-    return _unified(_cut(shape, tools)) if tools else shape
+    bores = tuple(bore for own in plan.cross_holes for bore in _bores(shape, own, plan))
+    if not bores:
+        return shape, ()
+    return _unified(_cut(shape, [_cylinder(own, plan) for own in bores])), bores
 
 
-def _cylinders(shape: TopoDS_Shape, hole: CrossHole, plan: Plan) -> Iterator[TopoDS_Shape]:
-    """What a hole takes away."""
+def _bores(shape: TopoDS_Shape, hole: CrossHole, plan: Plan) -> Iterator[Bore]:
+    """What a hole takes away: between its walls, as deep as a note says, or, of which nothing
+    tells how deep it is, to the next void."""
     size = plan.size[hole.axis.value]
     for low, high in hole.intervals:
-        ends = -size if low <= plan.grid else low, 2.0 * size if high >= size - plan.grid else high
-        is_told = ends != (-size, 2.0 * size) or hole.depth == inf
-        if not is_told or hole.depth not in (None, inf):
-            ends = _reach(shape, hole, ends, plan.grid)
-        if ends is not None:
-            yield _cylinder(hole, ends)
+        bore = Bore(
+            hole,
+            -inf if low <= plan.grid else low,
+            inf if high >= size - plan.grid else high,
+        )
+        if isfinite(low) or isfinite(high) or hole.depth == inf:
+            yield bore
+        elif (found := _reaching(shape, bore, plan)) is not None:
+            yield found
 
 
-def _reach(
-    shape: TopoDS_Shape, hole: CrossHole, ends: tuple[float, float], grid: float
-) -> tuple[float, float] | None:
-    """From and to of a hole of which no line tells how deep it is: as deep as a note says, or to
-    where it leaves the material that it enters; None where no drill is as long."""
-    within = _common(shape, _cylinder(hole, ends))
+def _reaching(shape: TopoDS_Shape, bore: Bore, plan: Plan) -> Bore | None:
+    """A hole from where it enters the material; None where no drill is as long."""
+    hole = bore.hole
     runs = [
         bounding_box(own)[:, hole.axis.value].tolist()
-        for own in subshapes(within, TopAbs_ShapeEnum.TopAbs_SOLID)
+        for own in subshapes(_common(shape, _cylinder(bore, plan)), TopAbs_ShapeEnum.TopAbs_SOLID)
     ]
     if not runs:
         return None
@@ -195,17 +210,21 @@ def _reach(
     if depth is None:
         if high - low > _LONGEST * 2.0 * hole.circle.radius:
             return None
-        depth = high - low + grid
-    return (ends[0], low + depth) if hole.plane.looks_up else (high - depth, ends[1])
+        depth = high - low + plan.grid
+    if hole.plane.looks_up:
+        return replace(bore, high=low + depth)
+    return replace(bore, low=high - depth)
 
 
-def _cylinder(hole: CrossHole, ends: Sequence[float]) -> TopoDS_Shape:
+def _cylinder(bore: Bore, plan: Plan) -> TopoDS_Shape:
+    hole, size = bore.hole, plan.size[bore.hole.axis.value]
+    low, high = max(bore.low, -size), min(bore.high, 2.0 * size)
     at, direction = [0.0] * 3, [0.0] * 3
     for index, place in zip(IN_PLANE[hole.axis], hole.circle.centre, strict=True):
         at[index] = place
-    at[hole.axis.value], direction[hole.axis.value] = ends[0], 1.0
+    at[hole.axis.value], direction[hole.axis.value] = low, 1.0
     place = gp_Ax2(gp_Pnt(*at), gp_Dir(*direction))
-    return BRepPrimAPI_MakeCylinder(place, hole.circle.radius, ends[1] - ends[0]).Shape()
+    return BRepPrimAPI_MakeCylinder(place, hole.circle.radius, high - low).Shape()
 
 
 def _common(shape: TopoDS_Shape, tool: TopoDS_Shape) -> TopoDS_Shape:

@@ -18,7 +18,7 @@ from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.outputs import os_error
 from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
 from gaussiancad_core.reasoning.told import ToldLength, ToldNumbers, ToldRadius
-from gaussiancad_core.sketch.bodies import Slab, cones_of, profiles_of
+from gaussiancad_core.sketch.bodies import Bore, Slab, cones_of, profiles_of
 from gaussiancad_core.sketch.plan import Plan
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine
 from gaussiancad_core.sketch.sketching import Sketch
@@ -181,11 +181,11 @@ class CrossHole:
 
 @dataclass(frozen=True)
 class Turning:
-    """What a turned part is turned down to.
+    """What is turned off a part.
 
     Attributes:
         centre: mm in the plane across the axis, of what it is turned about.
-        edges: of its profile; their coordinates are mm along the axis, and away from the centre.
+        edges: around it; their coordinates are mm along the axis, and away from the centre.
     """
 
     centre: Point
@@ -221,7 +221,7 @@ class Construction:
         holes: of those.
         countersinks: of holes.
         breaks: of edges, put on last.
-        turning: of the solid of the slabs, after these; None where nothing slopes.
+        turned: off the solid of the slabs, after these.
         cross_holes: cut out last.
     """
 
@@ -232,7 +232,7 @@ class Construction:
     holes: tuple[Hole, ...]
     countersinks: tuple[Countersink, ...] = ()
     breaks: tuple[Break, ...] = ()
-    turning: Turning | None = None
+    turned: tuple[Turning, ...] = ()
     cross_holes: tuple[CrossHole, ...] = ()
 
     def as_json(self) -> dict[str, Any]:
@@ -279,9 +279,9 @@ def construction_of(sketch: Sketch, told: ToldNumbers | None) -> Construction:
         for own in sketch.breaks
     )
     name = plan.axis.name.lower()
-    across = tuple(_cross_holes(plan, radii, near))
-    turning = _turning(plan)
-    return Construction(name, energy, levels, slabs, holes, sunk, tuple(broken), turning, across)
+    turned = tuple(_turned(sketch))
+    across = tuple(_cross_holes(sketch.bores, radii, near))
+    return Construction(name, energy, levels, slabs, holes, sunk, tuple(broken), turned, across)
 
 
 def write_construction(construction: Construction, folder: Path) -> None:
@@ -427,38 +427,38 @@ def _holes(loops: Sequence[SlabLoops], near: float) -> Iterator[Hole]:
     yield from open_ones
 
 
-def _turning(plan: Plan) -> Turning | None:
-    if plan.envelope is None:
-        return None
-    profile = plan.envelope.profile(plan.grid)
-    ring, _ = next(_rings(profile))
-    return Turning(_point(plan.envelope.centre), tuple(_edges(ring, profile)))
+def _turned(sketch: Sketch) -> Iterator[Turning]:
+    for own in sketch.slopes:
+        profile = own.beyond(sketch.choice.plan.grid)
+        ring, _ = next(_rings(profile))
+        yield Turning(_point(own.centre), tuple(_edges(ring, profile)))
 
 
-def _cross_holes(plan: Plan, radii: Sequence[ToldRadius], near: float) -> Iterator[CrossHole]:
-    for own in plan.cross_holes:
-        circle = own.circle
+def _cross_holes(
+    bores: Sequence[Bore], radii: Sequence[ToldRadius], near: float
+) -> Iterator[CrossHole]:
+    for own in bores:
+        hole, circle = own.hole, own.hole.circle
         numbers = {
             2.0 * each.value
             for each in radii
-            if each.normal is own.axis
+            if each.normal is hole.axis
             and np.hypot(*np.subtract(each.centre, circle.centre)) <= near
             and abs(each.radius - circle.radius) <= near
         }
-        x, y = (at * sign for at, sign in zip(circle.centre, own.plane.signs, strict=True))
-        at = _point((x, y))
-        for ends in own.intervals:
-            low, high = (_rounded(end) if isfinite(end) else None for end in ends)
-            yield CrossHole(
-                own.axis.name.lower(),
-                _point(circle.centre),
-                _rounded(2.0 * circle.radius),
-                low,
-                high,
-                own.depth if own.depth is not None and isfinite(own.depth) else None,
-                tuple(sorted(numbers)),
-                Source(own.role.value, at, at),
-            )
+        at = _point([a * sign for a, sign in zip(circle.centre, hole.plane.signs, strict=True)])
+        low, high = (_rounded(end) if isfinite(end) else None for end in (own.low, own.high))
+        is_noted = hole.depth is not None and isfinite(hole.depth)
+        yield CrossHole(
+            hole.axis.name.lower(),
+            _point(circle.centre),
+            _rounded(2.0 * circle.radius),
+            low,
+            high,
+            hole.depth if is_noted else None,
+            tuple(sorted(numbers)),
+            Source(hole.role.value, at, at),
+        )
 
 
 def _is_same(hole: Hole, arc: Edge, low: float, near: float) -> bool:

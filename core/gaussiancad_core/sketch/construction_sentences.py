@@ -35,18 +35,22 @@ def construction_in_words(construction: Values) -> list[str]:
         f"{own['width']:.3g} by {abs(own['height']):.3g} mm"
         for own in construction["breaks"]
     ]
-    if (turning := construction["turning"]) is not None:
-        x, y = turning["centre"]
-        lines.append(
-            f"- turned about the axis at ({x:.4g}, {y:.4g}) to a profile of "
-            f"{len(turning['edges'])} edges"
-        )
+    lines += [_turned(own) for own in construction["turned"]]
     lines += [
         f"- a hole of {own['diameter']:.4g} mm along {own['axis']} at "
         f"({own['centre'][0]:.4g}, {own['centre'][1]:.4g}), {_reach(own)}"
         for own in construction["cross_holes"]
     ]
     return lines
+
+
+def _turned(own: Values) -> str:
+    x, y = own["centre"]
+    places = [at for edge in own["edges"] for at, _ in (edge["start"], edge["end"])]
+    return (
+        f"- a slope turned about the axis at ({x:.4g}, {y:.4g}), from {min(places):.4g} to "
+        f"{max(places):.4g} mm"
+    )
 
 
 def _reach(hole: Values) -> str:

@@ -9,6 +9,8 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf
 
+import numpy as np
+
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.holes import NotedHole
 from gaussiancad_core.reasoning.curves import CircleCurve
@@ -64,8 +66,9 @@ def without_cross_holes(
 ) -> tuple[dict[Role, list[PlaneLine]], tuple[CrossHole, ...]]:
     """Views without the holes across an axis, and these.
 
-    A circle is a hole where hidden lines are its walls, or any lines of a section.  On a sheet
-    without hidden lines every circle is one, as deep as a note says, or to the next void.
+    A circle inside the outline is a hole where hidden lines are its walls, or any lines of a
+    section.  On a sheet without hidden lines it is one unless visible lines show it to be a boss,
+    or a smaller circle lies within; it is as deep as a note says, or ends at the next void.
 
     Args:
         lines: of each view, mm in its plane.
@@ -74,30 +77,35 @@ def without_cross_holes(
         grid: mm of a step of the sheet's coordinates.
         views: of which they are: what is cut, and holes of which notes speak.
     """
-    found = {role: list(own) for role, own in lines.items()}
+    found = {role: with_whole_circles(own, grid) for role, own in lines.items()}
     draws_hidden = any(not own.is_visible for drawn in lines.values() for own in drawn)
-    holes = []
-    for role in lines:
+    holes: list[CrossHole] = []
+    gone: set[int] = set()
+    for role, drawn in found.items():
         plane = role_plane(role)
         if plane.normal is axis or role in views.cuts:
             continue
-        found[role] = whole = with_whole_circles(found[role], grid)
-        for own in _circles(found[role], [size[k] for k in IN_PLANE[plane.normal]], grid):
-            walls = list(_walls(found, (plane.normal, own.circle), grid, views.cuts))
-            intervals = tuple(dict.fromkeys(_shared(walls, grid)))
-            depth = None
+        for own in _circles(drawn, [size[k] for k in IN_PLANE[plane.normal]], grid):
+            hole = plane.normal, own.circle
+            walls = list(_walls(found, hole, grid, views.cuts, hidden=True))
+            depth, intervals = None, _least(walls, grid)
             if not intervals:
-                if draws_hidden:
-                    continue
                 depth = _depth(views.holes, role, own.circle, grid)
-                if depth is None and _is_around(own.circle, whole, grid):
+                is_boss = any(_walls(found, hole, grid, views.cuts, hidden=False))
+                is_open = depth is None and (is_boss or _is_around(own.circle, drawn, grid))
+                if draws_hidden or is_open:
                     continue
                 intervals = ((-inf, inf),)
+            intervals = tuple(_opened(found, hole, each, grid) for each in intervals)
             holes.append(CrossHole(plane.normal, own.circle, intervals, depth, role))
-            gone = {id(own), *(id(line) for pair in walls for line in pair)}
-            for each, drawn in found.items():
-                found[each] = [line for line in drawn if id(line) not in gone]
-            _drop_floors(found, holes[-1], grid)
+            # Holes behind each other have walls in common.
+            gone |= {id(own), *(id(line) for pair in walls for line in pair)}
+    for role, drawn in found.items():
+        found[role] = [
+            own
+            for own in drawn
+            if id(own) not in gone and not any(_is_floor(own, role, hole, grid) for hole in holes)
+        ]
     return found, tuple(_once(holes, grid))
 
 
@@ -117,14 +125,19 @@ def _circles(lines: Sequence[PlaneLine], size: Sequence[float], grid: float) -> 
 
 
 def _walls(
-    lines: _Lines, hole: tuple[Axis, CircleCurve], grid: float, cuts: Container[Role]
+    lines: _Lines,
+    hole: tuple[Axis, CircleCurve],
+    grid: float,
+    cuts: Container[Role],
+    *,
+    hidden: bool,
 ) -> Iterator[tuple[PlaneLine, ...]]:
-    """Of each view from beside, hidden lines along a hole at either side of its circle; of what is
-    cut any lines."""
+    """Of each view from beside, lines along a hole at either side of its circle: hidden ones, and
+    of what is cut any; or visible ones of views that are not cut, as a boss has them."""
     normal, circle = hole
     for role, drawn in lines.items():
         axes = IN_PLANE[role_plane(role).normal]
-        if normal.value not in axes:
+        if normal.value not in axes or (role in cuts and not hidden):
             continue
         across = 1 - axes.index(normal.value)
         middle = circle.centre[IN_PLANE[normal].index(axes[across])]
@@ -132,7 +145,7 @@ def _walls(
             [
                 own
                 for own in drawn
-                if (role in cuts or not own.is_visible)
+                if (role in cuts or own.is_visible is not hidden)
                 and own.constant(_STRAIGHT * grid) == across
                 and abs(own.points[:, across].mean() - middle - side) <= _NEAR * grid
             ]
@@ -142,10 +155,22 @@ def _walls(
             yield tuple(sides[0] + sides[1])
 
 
-def _shared(walls: Sequence[Sequence[PlaneLine]], grid: float) -> Iterator[_Interval]:
-    """From and to along the hole of its walls, in the view that shows most of them."""
-    spans = [[_span(own, grid) for own in each] for each in walls]
-    yield from max(spans, key=lambda own: sum(b - a for a, b in own), default=[])
+def _least(walls: Sequence[Sequence[PlaneLine]], grid: float) -> tuple[_Interval, ...]:
+    """From and to along a hole of its walls, in the view that shows least: others may show walls
+    of holes behind as well."""
+    spans = [_united([_span(own, grid) for own in each], grid) for each in walls]
+    return min(spans, key=lambda own: sum(b - a for a, b in own), default=())
+
+
+def _united(spans: Sequence[_Interval], grid: float) -> tuple[_Interval, ...]:
+    """Intervals, those that overlap or nearly meet as one."""
+    found: list[_Interval] = []
+    for low, high in sorted(spans):
+        if found and low <= found[-1][1] + _NEAR * grid:
+            found[-1] = found[-1][0], max(found[-1][1], high)
+        else:
+            found.append((low, high))
+    return tuple(found)
 
 
 def _span(line: PlaneLine, grid: float) -> _Interval:
@@ -181,24 +206,52 @@ def _is_around(circle: CircleCurve, lines: Sequence[PlaneLine], grid: float) -> 
     )
 
 
-def _drop_floors(lines: dict[Role, list[PlaneLine]], hole: CrossHole, grid: float) -> None:
-    """Take away hidden lines across a hole at its ends."""
-    near = _NEAR * grid
-    ends = [at for own in hole.intervals for at in own]
-    for role, drawn in list(lines.items()):
-        axes = IN_PLANE[role_plane(role).normal]
-        if hole.axis.value not in axes:
-            continue
-        along = axes.index(hole.axis.value)
-        middle = hole.circle.centre[IN_PLANE[hole.axis].index(axes[1 - along])]
-        lines[role] = [
-            own
+def _opened(
+    lines: _Lines, hole: tuple[Axis, CircleCurve], interval: _Interval, grid: float
+) -> _Interval:
+    """An interval, longer by the hole's diameter at an end that no line closes: in round outlines
+    walls end where the middle of the hole goes on."""
+    normal, circle = hole
+    low, high = (
+        any(
+            _is_across(own, role, (normal, circle, at), grid)
+            for role, drawn in lines.items()
             for own in drawn
-            if own.is_visible
-            or own.constant(_STRAIGHT * grid) != along
-            or min(abs(own.points[:, along].mean() - at) for at in ends) > near
-            or abs(own.points[:, 1 - along] - middle).max() > hole.circle.radius + near
-        ]
+        )
+        for at in interval
+    )
+    more = 2.0 * circle.radius
+    return interval[0] - (0.0 if low else more), interval[1] + (0.0 if high else more)
+
+
+def _is_floor(line: PlaneLine, role: Role, hole: CrossHole, grid: float) -> bool:
+    """Whether a line is hidden, and lies across a hole at one of its ends."""
+    near = _NEAR * grid
+    return not line.is_visible and any(
+        _is_across(line, role, (hole.axis, hole.circle, at), grid)
+        and np.ptp(line.points, axis=0).max() <= 2.0 * (hole.circle.radius + near)
+        for own in hole.intervals
+        for at in own
+    )
+
+
+def _is_across(
+    line: PlaneLine, role: Role, place: tuple[Axis, CircleCurve, float], grid: float
+) -> bool:
+    """Whether a line lies across a hole at a place along it, over most of its width."""
+    normal, circle, at = place
+    axes = IN_PLANE[role_plane(role).normal]
+    if normal.value not in axes:
+        return False
+    along, near = axes.index(normal.value), _NEAR * grid
+    is_there = abs(line.points[:, along].mean() - at) <= near
+    if not is_there or line.constant(_STRAIGHT * grid) != along:
+        return False
+    middle = circle.centre[IN_PLANE[normal].index(axes[1 - along])]
+    first, last = np.sort(line.points[:, 1 - along]).tolist()
+    return bool(
+        min(last, middle + circle.radius) - max(first, middle - circle.radius) > circle.radius
+    )
 
 
 def _once(holes: Sequence[CrossHole], grid: float) -> Iterator[CrossHole]:
@@ -213,4 +266,8 @@ def _once(holes: Sequence[CrossHole], grid: float) -> Iterator[CrossHole]:
 def _is_same(one: CrossHole, other: CrossHole, grid: float) -> bool:
     apart = [abs(a - b) for a, b in zip(one.circle.centre, other.circle.centre, strict=True)]
     sizes = abs(one.circle.radius - other.circle.radius)
+    # From opposite faces two holes may be as deep as notes say.
+    is_noted = any(own.depth is not None and own.depth < inf for own in (one, other))
+    if is_noted and one.plane.looks_up is not other.plane.looks_up:
+        return False
     return one.axis is other.axis and max(*apart, sizes) <= _NEAR * grid

@@ -64,7 +64,7 @@ def add_notes(terms: Terms) -> None:
     """Let a choice cost holes that are not as notes say."""
     for own in terms.plan.noted:
         root = float(terms.plan.regions.areas[list(own.regions)].sum()) ** 0.5
-        filled = [terms.filled[r] for r in own.regions]
+        filled, floor = ([terms.filled[r] for r in each] for each in (own.regions, own.rim))
         if own.depth is None:
             for row in filled:
                 for k, x in enumerate(row):
@@ -73,7 +73,9 @@ def add_notes(terms: Terms) -> None:
             continue
         kept = terms.model.new_bool_var("")
         fits = [
-            terms.all_of([*(1 - row[k] for row in filled for k in void), *(r[end] for r in filled)])
+            terms.all_of(
+                [*(1 - row[k] for row in filled for k in void), *(row[end] for row in floor)]
+            )
             for void, end in _blind(terms.plan, own)
         ]
         terms.model.add(kept <= sum(fits))

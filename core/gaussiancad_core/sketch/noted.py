@@ -22,11 +22,13 @@ class NotedStep:
 
     Attributes:
         regions: their numbers.
+        rim: those of them that reach to the circle.
         depth: mm from the face that the hole is drawn on; None where it goes through.
         looks_up: whether it is seen towards larger coordinates.
     """
 
     regions: tuple[int, ...]
+    rim: tuple[int, ...]
     depth: float | None
     looks_up: bool
 
@@ -73,8 +75,11 @@ def noted_steps(
         for step in hole.steps:
             disc = centre.buffer(step.diameter / 2.0 + _NEAR * grid)
             inside = {k for k, own in enumerate(polygons) if disc.covers(own)}
-            if inside - within:
-                yield NotedStep(tuple(sorted(inside - within)), step.depth, plane.looks_up)
+            own = tuple(sorted(inside - within))
+            least = step.diameter / 2.0 - 2.0 * _NEAR * grid
+            rim = tuple(k for k in own if polygons[k].hausdorff_distance(centre) >= least)
+            if own:
+                yield NotedStep(own, rim, step.depth, plane.looks_up)
             within |= inside
 
 

@@ -14,7 +14,7 @@ from gaussiancad_core.sketch.places import Places
 from gaussiancad_core.sketch.plane_lines import PlaneLine, plane_lines
 from gaussiancad_core.sketch.regions import Regions, find_regions
 from gaussiancad_core.sketch.sights import Sights, sights_of
-from gaussiancad_core.sketch.turned import Envelope, without_slopes
+from gaussiancad_core.sketch.turned import Slope, without_slopes
 from gaussiancad_core.sketch.undrawn import undrawn_divisions
 
 _MOST_CELLS = 200
@@ -38,7 +38,7 @@ class Plan:
         breaks: of edges across the axis, which the lines are without.
         cross_holes: holes along other axes, which the lines are without.
         noted: cylinders of holes along the axis of which notes speak.
-        envelope: of a turned part whose outline slopes; None of others.
+        slopes: of the outline of a turned part, in place of which the lines have steps.
     """
 
     axis: Axis
@@ -53,7 +53,7 @@ class Plan:
     breaks: tuple[EdgeBreak, ...]
     cross_holes: tuple[CrossHole, ...]
     noted: tuple[NotedStep, ...]
-    envelope: Envelope | None
+    slopes: tuple[Slope, ...]
 
     @property
     def slabs(self) -> range:
@@ -94,7 +94,7 @@ def _plan(
 ) -> Plan | None:
     size, grid, cuts = places.size, places.grid, views.cuts
     lines, holes = without_cross_holes(lines, axis, size, grid, views)
-    lines, envelope = without_slopes(lines, axis, size, grid)
+    lines, slopes = without_slopes(lines, axis, size, grid)
     lines, breaks = without_breaks(lines, axis, max(size), grid)
     planes = {role: role_plane(role) for role in lines}
     facing = [r for r in lines if planes[r].normal is axis and r not in cuts]
@@ -136,4 +136,4 @@ def _plan(
     seen = bool(above), bool(below)
     noted = tuple(noted_steps(views.holes, axis, regions.polygons, grid))
     told = seen, draws_hidden, size, grid
-    return Plan(axis, regions, levels, lines, sights, *told, breaks, holes, noted, envelope)
+    return Plan(axis, regions, levels, lines, sights, *told, breaks, holes, noted, slopes)

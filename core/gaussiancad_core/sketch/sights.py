@@ -161,7 +161,7 @@ def _cut_at(
     cut: Cut | None, plane: RolePlane, along: int, place: tuple[float, float], depth: float
 ) -> float | None:
     """mm from the viewer's side at which a view is cut at a place across and along the axis of the
-    slabs; None where it is not."""
+    slabs; None where it is not.  Where a view is broken out, half its height tells for all."""
     if cut is None:
         return None
     x, y = place if along == 1 else place[::-1]

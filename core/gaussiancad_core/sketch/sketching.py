@@ -1,5 +1,6 @@
 """A part sketched from the lines of its views: slabs of regions, along the cheapest axis."""
 
+from contextlib import suppress
 from dataclasses import dataclass
 from math import inf
 
@@ -10,18 +11,20 @@ from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.supports import PartSupports
 from gaussiancad_core.sketch.bodies import (
+    Bore,
     Slab,
     body_of,
     cones_of,
     slabs_of,
+    turned_down,
     with_holes,
-    within_envelope,
 )
 from gaussiancad_core.sketch.breaks import EdgeBreak
 from gaussiancad_core.sketch.broken_edges import with_breaks
 from gaussiancad_core.sketch.choosing import Choice, choose
 from gaussiancad_core.sketch.places import find_places
 from gaussiancad_core.sketch.plan import plans_of
+from gaussiancad_core.sketch.turned import Slope
 
 _EFFORT = 1.0
 """Units of the solver's work for all axes."""
@@ -38,6 +41,8 @@ class Sketch:
         choice: of regions and slabs.
         slabs: from the lowest, with sharp edges.
         breaks: of edges, as far as the kernel made them.
+        slopes: of a turned part, that were turned down.
+        bores: holes across the slabs as they were cut.
         shape: the part in mm; None where the kernel made none.
         supports: of the views: where their lines may lie.
         at_least: mm that every part costs, along any axis.
@@ -46,6 +51,8 @@ class Sketch:
     choice: Choice
     slabs: tuple[Slab, ...]
     breaks: tuple[EdgeBreak, ...]
+    slopes: tuple[Slope, ...]
+    bores: tuple[Bore, ...]
     shape: TopoDS_Shape | None
     supports: PartSupports
     at_least: float
@@ -89,13 +96,17 @@ def sketch(views: DrawnViews, grid: float) -> Sketch | None:
         return None
     slabs = slabs_of(best)
     plan = best.plan
-    shape, refused = None, plan.breaks
-    try:
+    shape, refused, is_turned = None, plan.breaks, False
+    bores: tuple[Bore, ...] = ()
+    # What the kernel cannot do any more is left out.
+    with suppress(*KERNEL_FAILURES):
         if slabs:
-            sharp = body_of(best, slabs, cones_of(best))
-            shape, refused = with_breaks(sharp, plan)
-            shape = with_holes(within_envelope(shape, plan), plan)
-    except KERNEL_FAILURES:
-        shape = None
+            shape = body_of(best, slabs, cones_of(best))
+            shape, refused = with_breaks(shape, plan)
+            shape = turned_down(shape, plan)
+            is_turned = True
+            shape, bores = with_holes(shape, plan)
     made = tuple(own for own in plan.breaks if own not in refused)
-    return Sketch(best, slabs, made, shape, places.supports, min(at_least, best.energy))
+    slopes = plan.slopes if is_turned else ()
+    at_least = min(at_least, best.energy)
+    return Sketch(best, slabs, made, slopes, bores, shape, places.supports, at_least)

@@ -1,8 +1,8 @@
 """Turned parts: outlines that slope are made steps first, and the solid is turned down last.
 
 Seen from beside, the outline of a turned part is its profile.  Slabs are cylinders: where the
-outline slopes, they reach out to its larger end, and what lies beyond the profile is taken away
-from the solid of the slabs at the end.
+outline slopes, they reach out to its larger end, and what lies beyond the slope is taken away from
+the solid of the slabs at the end.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -29,6 +29,9 @@ _MOST = 0.5
 _ON = 0.5
 """Grid steps between a slope and the widest outline at most."""
 
+_TINY = 1e-9
+"""mm within which two places are the same."""
+
 _LEAST = 1.0
 """Grid steps that an outline slopes by at least, along either coordinate."""
 
@@ -36,33 +39,43 @@ _Lines = Mapping[Role, Sequence[PlaneLine]]
 
 
 @dataclass(frozen=True, eq=False)
-class Envelope:
-    """What a turned part lies within.
+class Slope:
+    """A sloping piece of a profile; places are mm along the axis, and away from it.
 
     Attributes:
         centre: mm in the plane across the axis.
-        area: mm along the axis, and away from it.
-        lines: along which its outline runs.
+        small, large: (2,) its end that is nearer to the axis, and the other one.
+        line: along it.
+        is_foot: whether no cylinder ends at the smaller end.
+        is_plain: whether a cylinder goes on at the larger end: that has no edge then.
+        is_groove: whether another slope falls to the same place.
     """
 
     centre: tuple[float, float]
-    area: shapely.Polygon
-    lines: tuple[PlaneLine, ...]
+    small: Floats
+    large: Floats
+    line: PlaneLine
+    is_foot: bool
+    is_plain: bool
+    is_groove: bool
 
-    def profile(self, grid: float) -> Profile:
-        """Its area with the arcs along which its outline runs.
+    def beyond(self, grid: float) -> Profile:
+        """What the step has more than the slope, with the arc along which it runs.
 
         Args:
             grid: mm of a step of the sheet's coordinates.
         """
-        return profile_along(self.area, self.lines, grid)
+        corner = np.array([self.small[0], self.large[1]])
+        points = self.line.points
+        ring = points if np.hypot(*(points[0] - self.large)) < _TINY else points[::-1]
+        return profile_along(shapely.Polygon([*ring, corner]), [self.line], grid)
 
 
 def without_slopes(
     lines: _Lines, axis: Axis, size: Sequence[float], grid: float
-) -> tuple[dict[Role, list[PlaneLine]], Envelope | None]:
-    """Views of a turned part with steps in place of what slopes, and its envelope; the lines as
-    they are and None where it is none, or nothing slopes.
+) -> tuple[dict[Role, list[PlaneLine]], tuple[Slope, ...]]:
+    """Views of a turned part with steps in place of what slopes, and the slopes: none where it is
+    no turned part.
 
     Args:
         lines: of each view, mm in its plane.
@@ -73,7 +86,7 @@ def without_slopes(
     found = {role: list(own) for role, own in lines.items()}
     centre = _centre(lines, axis, size, grid)
     if centre is None:
-        return found, None
+        return found, ()
     beside = []
     for role, own in lines.items():
         axes = IN_PLANE[role_plane(role).normal]
@@ -83,20 +96,17 @@ def without_slopes(
         middle = centre[IN_PLANE[axis].index(axes[1 - along])]
         outline = _outline(own, grid)
         if outline is not None:
-            beside.append(_Seen(role, own, *outline, along, middle))
-    halves = [_half(own, side) for own in beside for side in (1.0, -1.0)]
-    known = [own for own in halves if own is not None]
-    widest = shapely.union_all([area for area, _ in known])
-    slopes = list(_slopes(beside, widest, grid))
+            beside.append(_Seen(role, own, outline, along, middle))
+    widest = shapely.union_all([_half(own, side) for own in beside for side in (1.0, -1.0)])
+    slopes = tuple(_slopes(beside, widest, centre, grid)) if not widest.is_empty else ()
     if not slopes:
-        return found, None
+        return found, ()
     for own in beside:
         found[own.role] = _stepped(own, slopes, grid)
-    area, profile = max(known, key=lambda own: own[0].area)
     for role, own in found.items():
         if role_plane(role).normal is axis:
             found[role] = [each for each in own if not _is_foot(each, centre, slopes, grid)]
-    return found, Envelope(centre, area, profile)
+    return found, slopes
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,7 +117,6 @@ class _Seen:
         role: of the view.
         lines: mm in its plane.
         outline: what it shows, without holes.
-        closed: its lines, made to meet.
         along: which of its coordinates runs along the axis.
         middle: mm along the other one, of the axis.
     """
@@ -115,7 +124,6 @@ class _Seen:
     role: Role
     lines: Sequence[PlaneLine]
     outline: shapely.Polygon
-    closed: tuple[PlaneLine, ...]
     along: int
     middle: float
 
@@ -131,26 +139,6 @@ class _Seen:
         found[:, self.along] = points[:, 0]
         found[:, 1 - self.along] = self.middle + side * points[:, 1]
         return found
-
-
-@dataclass(frozen=True, eq=False)
-class _Slope:
-    """A sloping piece of a profile; places are mm along the axis, and away from it.
-
-    Attributes:
-        small, large: (2,) its end that is nearer to the axis, and the other one.
-        points: (n, 2) along it.
-        is_foot: whether no cylinder ends at the smaller end.
-        is_plain: whether a cylinder goes on at the larger end: that has no edge then.
-        is_groove: whether another slope ends where its smaller end is.
-    """
-
-    small: Floats
-    large: Floats
-    points: Floats
-    is_foot: bool
-    is_plain: bool
-    is_groove: bool
 
 
 def _centre(
@@ -172,18 +160,19 @@ def _centre(
     return None
 
 
-def _outline(
-    lines: Sequence[PlaneLine], grid: float
-) -> tuple[shapely.Polygon, tuple[PlaneLine, ...]] | None:
-    """What a view shows, without holes, and its lines, made to meet; None where it is in pieces."""
+def _outline(lines: Sequence[PlaneLine], grid: float) -> shapely.Polygon | None:
+    """What a view shows, without holes; None where it is in pieces."""
     regions = find_regions([own for own in lines if own.is_visible], (), grid)
     whole = shapely.union_all(regions.polygons)
-    if whole.geom_type != "Polygon":
-        return None
-    return shapely.Polygon(whole.exterior), regions.lines
+    return shapely.Polygon(whole.exterior) if whole.geom_type == "Polygon" else None
 
 
-def _slopes(beside: Sequence[_Seen], widest: shapely.Geometry, grid: float) -> Iterator[_Slope]:
+def _slopes(
+    beside: Sequence[_Seen],
+    widest: shapely.Geometry,
+    centre: tuple[float, float],
+    grid: float,
+) -> Iterator[Slope]:
     """What slopes in a view from beside on both sides of the axis, and is the outline of what all
     views from beside show together, each once."""
     near = _NEAR * grid
@@ -199,39 +188,70 @@ def _slopes(beside: Sequence[_Seen], widest: shapely.Geometry, grid: float) -> I
     def ends_wall(place: Floats) -> bool:
         return any(np.hypot(*(ends - place).T).min() <= near for ends in walls)
 
-    found: list[tuple[Floats, Floats, Floats]] = []
-    for points in sorted((own for each in shown for own in each), key=lambda own: -_length(own)):
-        if any(_lies_along(points, other, near) for *_, other in found):
+    found: list[PlaneLine] = []
+    for line in sorted((own for each in shown for own in each), key=lambda own: -own.length):
+        points = line.points
+        if any(_lies_along(points, other.points, near) for other in found):
             continue
         even = any(
-            all(any(_lies_along(own, points, near) for own in each) for each in pair)
+            all(any(_lies_along(own.points, points, near) for own in each) for each in pair)
             for pair in zip(shown[::2], shown[1::2], strict=True)
         )
         border = widest.boundary
         if even and all(border.distance(shapely.Point(at)) <= _ON * grid for at in points):
-            small, large = sorted(points[[0, -1]], key=lambda at: float(at[1]))
-            found.append((small, large, points))
-    for number, (small, large, points) in enumerate(found):
-        others = [own[0] for k, own in enumerate(found) if k != number]
-        is_groove = any(np.hypot(*(own - small)) <= near for own in others)
-        yield _Slope(small, large, points, not ends_wall(small), ends_wall(large), is_groove)
+            found.append(line)
+    ends = [sorted(own.points[[0, -1]], key=lambda at: float(at[1])) for own in found]
+    for line, (small, large) in zip(found, ends, strict=True):
+        falling = sum(np.hypot(*(other - small)) <= near for other, _ in ends)
+        told = not ends_wall(small), ends_wall(large), bool(falling > 1)
+        yield Slope(centre, small, large, line, *told)
 
 
-def _sloping(seen: _Seen, side: float, grid: float) -> Iterator[Floats]:
-    """(n, 2) each, lines along the outline of a view on one side that are along no axis."""
+def _sloping(seen: _Seen, side: float, grid: float) -> Iterator[PlaneLine]:
+    """Lines along the outline of a view on one side that are along no axis, as far as they are on
+    that side; places are along the axis, and away from it."""
     border = seen.outline.boundary
     for own in seen.lines:
         is_sloping = np.ptp(own.points, axis=0).min() > _LEAST * grid
         if not own.is_visible or own.is_closed or not is_sloping:
             continue
-        at = seen.away(own.points, side)
-        on_outline = border.distance(shapely.LineString(own.points).centroid) <= _NEAR * grid
-        if at[:, 1].min() >= 0.0 and (on_outline or len(at) > 2):
-            yield at
+        if border.distance(shapely.Point(own.points[len(own.points) // 2])) > _NEAR * grid:
+            continue
+        moved = _moved(own, seen, side)
+        if (points := _beyond_axis(moved, _NEAR * grid)) is not None:
+            yield replace(moved, points=points)
+
+
+def _beyond_axis(line: PlaneLine, near: float) -> Floats | None:
+    """(n, 2) the stretch of a line that is on the right side of the axis, from there on; None
+    where there is none."""
+    points = line.points
+    (on,) = np.nonzero(points[:, 1] >= -near)
+    if len(on) < 2 or np.ptp(on) + 1 != len(on):
+        return None
+    found = points[on]
+    before = [points[k] for k in (on[0] - 1, on[-1] + 1) if 0 <= k < len(points)]
+    if before and line.circle is not None:
+        # A dome meets the axis where its circle does.
+        (x, y), radius = line.circle.centre, line.circle.radius
+        reach = np.sqrt(max(0.0, radius**2 - y**2))
+        tip = min((x - reach, x + reach), key=lambda at: abs(at - before[0][0]))
+        end = 0 if np.hypot(*(found[0] - before[0])) < np.hypot(*(found[-1] - before[0])) else -1
+        found[end] = tip, 0.0
+    found[:, 1] = np.where(found[:, 1] < near, 0.0, found[:, 1])
+    return found if np.ptp(found[:, 1]) > near else None
 
 
 def _length(points: Floats) -> float:
     return float(np.hypot(*np.diff(points, axis=0).T).sum())
+
+
+def _holds(line: PlaneLine, points: Floats, near: float) -> bool:
+    """Whether a line lies along most of a slope, or holds all of it."""
+    if _lies_along(line.points, points, near):
+        return True
+    own = shapely.LineString(line.points)
+    return not line.is_closed and all(own.distance(shapely.Point(at)) <= near for at in points)
 
 
 def _lies_along(points: Floats, other: Floats, near: float) -> bool:
@@ -241,7 +261,7 @@ def _lies_along(points: Floats, other: Floats, near: float) -> bool:
     return on and _length(points) >= _MOST * _length(other)
 
 
-def _stepped(seen: _Seen, slopes: Sequence[_Slope], grid: float) -> list[PlaneLine]:
+def _stepped(seen: _Seen, slopes: Sequence[Slope], grid: float) -> list[PlaneLine]:
     """Lines of a view with two in place of each that slopes."""
     near = _NEAR * grid
     left = list(seen.lines)
@@ -259,7 +279,7 @@ def _stepped(seen: _Seen, slopes: Sequence[_Slope], grid: float) -> list[PlaneLi
             left = [
                 line
                 for line in left
-                if not _lies_along(line.points, seen.back(own.points, side), near)
+                if not _holds(line, seen.back(own.line.points, side), near)
                 and not any(_is_edge_at(line, place, seen, grid) for place in gone)
             ]
             # What two slopes fall to is bridged.
@@ -280,15 +300,12 @@ def _step(one: Floats, other: Floats, grid: float) -> list[PlaneLine]:
     return [PlaneLine(np.array([one, other]), True)] if is_long else []
 
 
-def _half(seen: _Seen, side: float) -> tuple[shapely.Polygon, tuple[PlaneLine, ...]] | None:
-    """The profile on one side of the axis, and the lines it may run along."""
+def _half(seen: _Seen, side: float) -> shapely.Geometry:
+    """What a view shows on one side of the axis; places are along the axis, and away from it."""
     points = seen.away(np.array(seen.outline.exterior.coords), side)
     low, high = points[:, 0].min(), points[:, 0].max()
-    area = shapely.Polygon(points).buffer(0.0)
-    area = area.intersection(shapely.box(low, 0.0, high, points[:, 1].max() + 1.0))
-    if area.geom_type != "Polygon" or area.is_empty:
-        return None
-    return area, tuple(_moved(own, seen, side) for own in seen.closed)
+    box = shapely.box(low, 0.0, high, max(0.0, points[:, 1].max()) + 1.0)
+    return shapely.Polygon(points).buffer(0.0).intersection(box)
 
 
 def _moved(line: PlaneLine, seen: _Seen, side: float) -> PlaneLine:
@@ -300,7 +317,7 @@ def _moved(line: PlaneLine, seen: _Seen, side: float) -> PlaneLine:
 
 
 def _is_foot(
-    line: PlaneLine, centre: tuple[float, float], slopes: Sequence[_Slope], grid: float
+    line: PlaneLine, centre: tuple[float, float], slopes: Sequence[Slope], grid: float
 ) -> bool:
     """Whether a circle of the plan, or an arc, is the smaller end of a slope only."""
     if line.circle is None:

@@ -98,10 +98,17 @@ def _circles(
             centres.append(own.circle.centre)
     for centre in centres:
         radii = [
-            at - centre[column]
+            [
+                at - centre[column]
+                for at in untold[column]
+                if at > centre[column]
+                and min(abs(2.0 * centre[column] - at - own) for own in untold[column]) <= near
+            ]
             for column in (0, 1)
-            for at in untold[column]
-            if at > centre[column]
-            and min(abs(2.0 * centre[column] - at - own) for own in untold[column]) <= near
         ]
-        yield from (CircleCurve(centre, own) for own in _distinct(radii, near))
+        first, second = radii
+        if first and second:
+            # What is not as wide one way as the other is not round.
+            first = [own for own in first if min(abs(own - other) for other in second) <= near]
+            second = []
+        yield from (CircleCurve(centre, own) for own in _distinct([*first, *second], near))

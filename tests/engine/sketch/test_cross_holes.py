@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 from OCP.TopoDS import TopoDS_Shape
-from sketch_checks import GRID, check, drawn
+from sketch_checks import GRID, ROLES, check, drawn
 
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.holes import HoleStep, NotedHole
@@ -34,7 +34,8 @@ def test_a_hole_across_the_slabs_is_cut_last(hidden: bool) -> None:
     (own,) = construction_of(found, None).cross_holes
     assert (own.axis, own.diameter) == ("y", pytest.approx(10.0, rel=1e-3))
     words = construction_in_words(construction_of(found, None).as_json())
-    assert "- a hole of 10 mm along y at (30, 20), through" in words or hidden
+    way = "from 20 to 40 mm" if hidden else "from the outside to 40.1 mm"
+    assert f"- a hole of 10 mm along y at (30, 20), {way}" in words
 
 
 def test_hidden_lines_tell_how_deep_the_steps_of_a_hole_across_are() -> None:
@@ -74,3 +75,34 @@ def test_a_ring_around_a_hole_across_of_which_nothing_tells_a_depth_is_left_out(
     bored = cut(lug(), cylinder(Axis.Y, (30, 20), 3, -1, 61))
     stepped = cut(bored, cylinder(Axis.Y, (30, 20), 6, -1, 26))
     check(sketch(drawn(stepped, hidden=False), GRID), bored)
+
+
+def test_holes_behind_each_other_have_walls_in_common() -> None:
+    truth = lug()
+    for x in (25, 35):
+        for z in (14, 24):
+            truth = cut(truth, cylinder(Axis.Y, (x, z), 3, -1, 61))
+    found = sketch(drawn(truth, hidden=True), GRID)
+    assert len(found.bores) == 4
+    check(found, truth)
+    both = sketch(drawn(truth, (*ROLES, Role.REAR), hidden=True), GRID)
+    assert len(both.bores) == 4
+    check(both, truth)
+
+
+def test_a_slender_hole_whose_walls_are_drawn_goes_through() -> None:
+    truth = cut(lug(), cylinder(Axis.Y, (30, 20), 0.6, -1, 61))
+    check(sketch(drawn(truth, hidden=True), GRID), truth)
+    untold = sketch(drawn(truth, hidden=False), GRID)
+    assert not untold.bores and not construction_of(untold, None).cross_holes
+
+
+def test_a_pin_across_is_no_hole() -> None:
+    truth = fuse(lug(), cylinder(Axis.Y, (30, 20), 4, 10, 20))
+    found = sketch(drawn(truth, hidden=False), GRID)
+    assert not found.choice.plan.cross_holes
+
+
+def test_a_hole_across_a_round_part_is_open_at_both_ends() -> None:
+    truth = cut(cylinder(Axis.Z, (30, 30), 30, 0, 40), cylinder(Axis.Y, (22, 20), 5, -1, 61))
+    check(sketch(drawn(truth, hidden=True), GRID), truth)
