@@ -57,6 +57,9 @@ _AMBIGUOUS = (
 _RELAXED = 0.25
 """Share of the work for a solid that does not have all lines."""
 
+_BESIDE_FIRM = 0.1
+"""The same where a sketch stays unless that has all lines."""
+
 _FIRM = 0.05
 """Share of the lines' length that a sketch costs at most to stay: lines were misread then."""
 
@@ -244,9 +247,8 @@ def _not_strictly(readings: _Readings, limits: Limits) -> ExactModel:
     """Where no reading has a solid that has all lines: the sketch, or what has more of them."""
     sketched, reading = readings.sketched, readings.taken
     is_firm = sketched is not None and _costs(sketched.sketched, reading) <= _FIRM
-    if is_firm and not has_hidden_lines(reading.drawn):
-        return sketched
-    relaxed = _solved(reading, replace(limits, work=_RELAXED * limits.work))
+    share = _BESIDE_FIRM if is_firm else _RELAXED
+    relaxed = _solved(reading, replace(limits, work=share * limits.work))
     told = readings.is_decided, None, readings.is_contradicted
     if sketched is None or relaxed.status is Status.VERIFIED:
         return ExactModel(reading, relaxed, *told)
