@@ -219,7 +219,22 @@ def _sloping(seen: _Seen, side: float, grid: float) -> Iterator[PlaneLine]:
             continue
         moved = _moved(own, seen, side)
         if (points := _beyond_axis(moved, _NEAR * grid)) is not None:
-            yield replace(moved, points=points)
+            yield from _one_way(replace(moved, points=points), _NEAR * grid)
+
+
+def _one_way(line: PlaneLine, near: float) -> Iterator[PlaneLine]:
+    """A slope, or the two of an arc that turns back from or to the axis between its ends."""
+    points = line.points
+    ends = np.sort(points[[0, -1], 1])
+    rises = points[:, 1].max() > ends[1] + near
+    if line.circle is None or not (rises or points[:, 1].min() < ends[0] - near):
+        yield line
+        return
+    (x, y), radius = line.circle.centre, line.circle.radius
+    turn = int(points[:, 1].argmax() if rises else points[:, 1].argmin())
+    tip = np.array([x, y + radius if rises else y - radius])
+    yield replace(line, points=np.array([*points[:turn], tip]))
+    yield replace(line, points=np.array([tip, *points[turn + 1 :]]))
 
 
 def _beyond_axis(line: PlaneLine, near: float) -> Floats | None:

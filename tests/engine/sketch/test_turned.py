@@ -82,3 +82,12 @@ def test_an_outline_that_crosses_the_axis_is_no_profile() -> None:
     base = revolved([(0, 0), (0, 30), (8, 24), (8, 0)], Axis.Z, (30, 30))
     zigzag = fuse(box((5, 28, 8), (25, 32, 20)), box((35, 28, 8), (55, 32, 14)))
     assert sketch(drawn(fuse(base, zigzag), hidden=True), GRID) is not None
+
+
+def test_a_barrel_slopes_to_both_sides() -> None:
+    ball = BRepPrimAPI_MakeSphere(gp_Pnt(30, 25, 25), 25).Shape()
+    truth = fuse(
+        cut(ball, box((0, 0, 0), (15, 50, 50)), box((45, 0, 0), (60, 50, 50))),
+        cylinder(Axis.X, (25, 25), 10, 0, 60),
+    )
+    check(sketch(drawn(truth, hidden=True), GRID), truth)
