@@ -24,6 +24,15 @@ block lie outside."""
 _IN_MIDDLE = 0.1
 """Share of a frame's ink in its middle at most."""
 
+_EVEN = 4
+"""px within which pieces of a frame are as wide, or as high, as each other."""
+
+_MARGIN = 0.15
+"""Share of the sheet that its margin is wide at most."""
+
+_FIELDS = 3
+"""Fields with writing that a title block has at least."""
+
 _ALL = 0.95
 """Share of the sheet's ink that lies inside of a frame, with its own."""
 
@@ -62,7 +71,8 @@ def find_frame(ink: Mask, turn: Turn) -> Frame | None:
         stats[:, cv2.CC_STAT_HEIGHT] > _SPAN * height
     )
     spans[0] = False
-    for label in np.flatnonzero(spans):
+    boxed = _boxed(labels, stats, np.flatnonzero(spans), ink.shape)
+    for label in np.flatnonzero(spans & ~boxed):
         around = _middle_of((0, 0, width, height))
         if not _contains_all(closed, stats[label]):
             # The paper's own middle, not the piece's: a long view has an empty one, too.
@@ -97,6 +107,37 @@ def find_frame(ink: Mask, turn: Turn) -> Frame | None:
     ]
     marks += [Mark(AnnotationKind.TITLE_BLOCK, _box(fact)) for fact in fields]
     return Frame(drawing_area, tuple(marks))
+
+
+def _boxed(
+    labels: np.ndarray, stats: np.ndarray, spanning: np.ndarray, shape: tuple[int, int]
+) -> np.ndarray:
+    """(n,) bool, pieces that stand on or beside each other, as wide or as high, and reach to the
+    margins together: a box for the drawing, with an empty middle, and fields for writing."""
+    found = np.zeros(len(stats), dtype=bool)
+    low, extents = stats[:, :2], stats[:, 2:4]
+    size = np.array(shape[::-1])
+    for label in spanning:
+        own = _middle_of(tuple(int(value) for value in stats[label, :4]))
+        if _share_in(labels, stats[label], int(label), own) >= _IN_MIDDLE:
+            continue
+        for way in (0, 1):
+            apart = np.abs(low - low[label])[:, way], np.abs(extents - extents[label])[:, way]
+            even = spanning[np.maximum(*apart)[spanning] <= _EVEN]
+            first, last = low[even].min(axis=0), (low + extents)[even].max(axis=0)
+            reach = (first <= _MARGIN * size).all() and (last >= (1.0 - _MARGIN) * size).all()
+            if reach and any(_is_written(labels, stats[k], int(k)) for k in even if k != label):
+                found[even] = True
+    return found
+
+
+def _is_written(labels: np.ndarray, fact: np.ndarray, label: int) -> bool:
+    """Whether a piece has several fields with something in them."""
+    x, y, w, h = (int(value) for value in fact[:4])
+    own = labels[y : y + h, x : x + w]
+    _, areas = cv2.connectedComponents((own != label).astype(np.uint8), connectivity=4)
+    within = np.unique(areas[(own != label) & (own > 0)])
+    return len(within) >= _FIELDS
 
 
 def _middle_of(box: tuple[int, int, int, int]) -> tuple[slice, slice]:

@@ -1,8 +1,9 @@
 """Frames and tables: what a sheet has before anything is drawn on it (ISO 5457, ISO 7200).
 
 Both are level and upright lines of one pen that touch.  A frame spans most of the sheet both ways,
-and reaches to its margins; a table is closed and divided into cells, several of which have writing
-in them.  Such lines that hang together with either are a part of it, in whatever pen.
+and reaches to its margins, in one box, or in several that stand on or beside each other; a table is
+closed and divided into cells, several of which have writing in them.  Such lines that hang together
+with either are a part of it, in whatever pen.
 """
 
 from collections.abc import Sequence
@@ -20,6 +21,12 @@ _SPAN = 0.6
 
 _MARGIN = 0.15
 """Share of the sheet that its margin, a title strip or filing margin with it, is wide at most."""
+
+_SIDES = 4
+"""Lines of a box at least."""
+
+_EVEN = 2.0
+"""px within which boxes are as wide, or as high, as each other."""
 
 _CLOSED = 0.9
 """Share of the ends of a table's lines that meet others of it, at least."""
@@ -54,6 +61,7 @@ def furniture(
     ).reshape(-1, 2)
     for pen in np.unique(numbers[level]):
         groups = touches.groups(level & (numbers == pen))
+        found |= np.isin(groups, _boxed_frames(groups, touches, size))
         for group in np.unique(groups[groups >= 0]):
             own = groups == group
             boxes = touches.boxes[own]
@@ -65,6 +73,35 @@ def furniture(
                 found |= own
     groups = touches.groups(level)
     return found | np.isin(groups, groups[found])
+
+
+def _boxed_frames(groups: Ints, touches: Touches, size: tuple[int, int]) -> list[int]:
+    """Numbers of groups that are closed boxes, as wide or as high as each other, which together
+    reach to the margins of the sheet; one of them has cells with something in several of them."""
+    boxes = {}
+    for group in np.unique(groups[groups >= 0]):
+        own = groups == group
+        if own.sum() >= _SIDES and float(touches.met(own)[own].mean()) >= _CLOSED:
+            low, high = touches.boxes[own, :2].min(axis=0), touches.boxes[own, 2:].max(axis=0)
+            boxes[int(group)] = np.concatenate([low, high])
+    found: list[int] = []
+    for way in (0, 1):
+        sides = [way, way + 2]
+        for box in boxes.values():
+            even = [k for k, own in boxes.items() if np.abs(own - box)[sides].max() <= _EVEN]
+            reach = len(even) > 1 and _fills(np.array([boxes[k] for k in even]), size)
+            if reach and any(_is_written(groups == k, touches) for k in even):
+                found += even
+    return found
+
+
+def _is_written(own: Flags, touches: Touches) -> bool:
+    """Whether lines make several cells that hold other strokes."""
+    low, high = touches.boxes[own, :2].min(axis=0), touches.boxes[own, 2:].max(axis=0)
+    middles = (touches.boxes[:, :2] + touches.boxes[:, 2:]) / 2.0
+    inside = ~own & ((middles > low) & (middles < high)).all(axis=1)
+    divided = int(touches.dividing(own).sum()) >= _DIVIDING
+    return divided and _written_cells(touches.boxes[own], middles[inside]) >= _CELLS
 
 
 def _fills(boxes: np.ndarray, size: tuple[int, int]) -> bool:
@@ -83,7 +120,8 @@ def _is_level(stroke: VectorStroke) -> bool:
 
 
 def _written_cells(boxes: np.ndarray, middles: np.ndarray) -> int:
-    """How many cells between level and upright lines have a text's middle in them.
+    """How many cells between level and upright lines have the middle of a text, or of what may be
+    one, in them.
 
     A cell is bounded by lines on all four sides, which reach over the place.
     """

@@ -203,3 +203,31 @@ def test_a_long_view_that_is_empty_within_is_no_frame(sketch: Sketch) -> None:
     drawn = sketch(400, 300).lines((20, 40), (300, 40), (300, 180), (20, 180), (20, 40))
     drawn.lines((20, 230), (300, 230), (300, 250), (20, 250), (20, 230))
     assert _found(drawn.weight >= 0.5) is None
+
+
+def _box(ink: Mask, x0: int, y0: int, x1: int, y1: int) -> None:
+    """Draw a rectangle, two px wide."""
+    ink[y0 : y1 + 2, [x0, x0 + 1, x1, x1 + 1]] = True
+    ink[[y0, y0 + 1, y1, y1 + 1], x0 : x1 + 2] = True
+
+
+@pytest.mark.parametrize(("wide", "written"), [(True, True), (False, True), (True, False)])
+def test_a_frame_may_be_of_boxes_that_are_as_wide_as_each_other(wide: bool, written: bool) -> None:
+    ink = np.zeros((1300, 920), bool)
+    _box(ink, 107, 114, 868, 900)
+    _box(ink, 107, 925, 868 if wide else 600, 1207)
+    for y in (995, 1065, 1135):
+        ink[y : y + 2, 107 : 868 if wide else 600] = True
+    for y in (940, 1010, 1080) if written else ():
+        ink[y : y + 20, 200:260] = True
+    _box(ink, 300, 540, 380, 700)
+    # Writing above the frame.
+    ink[50:75, 110:270] = True
+    frame = _found(ink)
+    if wide and written:
+        assert frame is not None
+        assert frame.drawing_area[600, 340] and frame.drawing_area[200, 200]
+        assert not frame.drawing_area[1000, 400] and not frame.drawing_area[60, 200]
+    else:
+        # Two views may be as large, and as wide as each other.
+        assert frame is None

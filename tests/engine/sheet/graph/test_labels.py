@@ -75,6 +75,22 @@ def test_frames_and_tables_are_told_whatever_their_pen(width: float) -> None:
     assert labels == [Label.VISIBLE] * 4 + [Label.FRAME] * (4 + len(table))
 
 
+@pytest.mark.parametrize("written", [True, False])
+def test_a_frame_may_be_of_boxes_that_are_as_wide_as_each_other(written: bool) -> None:
+    part = _box(300, 200, 200, 100)
+    upper, lower = _box(60, 40, 880, 400), _box(60, 460, 880, 200)
+    dividers = _lines((60, 520, 940, 520), (60, 580, 940, 580), (400, 460, 400, 660))
+    # Letters as outlines.
+    letters = [
+        stroke
+        for y in (485, 545, 615)
+        for stroke in _lines((200, y, 212, y + 8), (212, y + 8, 224, y), width=_THIN)
+    ]
+    labels = _labels([*part, *upper, *lower, *dividers, *(letters if written else ())])
+    assert labels[:4] == [Label.VISIBLE] * 4
+    assert (labels[4:15] == [Label.FRAME] * 11) is written
+
+
 def test_a_stepped_part_with_numbers_in_it_is_no_table() -> None:
     corners = [(300, 300), (700, 300), (700, 350), (600, 350), (600, 400), (300, 400), (300, 300)]
     part = [VectorStroke(Line(a, b), _WIDE) for a, b in itertools.pairwise(corners)]
