@@ -23,6 +23,9 @@ EXCLUDED = PROJECT["tool"]["uv"]["exclude-dependencies"]
 CUDA = [re.split(r"\W", line)[0] for line in EXTRAS["cuda"]]
 """Modules of the extra for GPUs, which is not installed where there is none; named as packages."""
 
+HELPED = ("tests/engine/benchmarks", "tests/engine/sketch")
+"""Folders of tests with scripts that help them."""
+
 CUDA_ONLY = ("nvidia-", "cuda-", "triton")
 
 
@@ -100,7 +103,7 @@ def test_every_import_is_declared(folder: str, declared: list[str]) -> None:
     known |= {name for package in of_here(declared) for name in provided(package.name)}
     # Scripts of a folder import each other; those of the benchmarks and of make are tested, too,
     # beside what helps their tests.
-    for scripts in (folder, "benchmarks", "scripts", "tests/engine/benchmarks"):
+    for scripts in (folder, "benchmarks", "scripts", *HELPED):
         known |= {path.stem for path in (CHECKOUT / scripts).glob("*.py")}
     undeclared = {
         (name, path.name)

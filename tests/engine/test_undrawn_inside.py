@@ -117,7 +117,7 @@ def test_a_section_that_was_not_used_is_a_reason(run) -> None:  # noqa: ANN001
 def test_without_hidden_lines_nothing_proves_that_there_is_nothing_inside(run) -> None:  # noqa: ANN001
     report = run(hidden=False, section=0.0)
     assert report.status is Status.APPROXIMATE
-    assert [reason.code for reason in report.reasons] == ["assumed"]
+    assert [reason.code for reason in report.reasons] == ["sketched", "assumed"]
     assert [own.code for own in report.assumptions] == ["nothing-hidden"]
     assert {view.hidden_lines for view in report.views.values()} == {"none"}
 
