@@ -25,17 +25,11 @@ _SOURCES = {
 _MODELS = {
     "as-drawn": "the lines as they are drawn",
     "sketch": "slabs that explain the lines best, none of which has to hold",
-    "sharp-edges": "without the chamfers that run around faces, which are put on last",
     "open-linetypes": "the same where a line no longer than a dash may be of either kind",
     "closed-outline": "the same with the outline that is open closed by a straight line",
     "lone-bodies": "with bodies of revolution that one view alone speaks of",
     "without-rough-arcs": "with arcs that only follow a curve of intersection taken for such",
-    "wider-places": "with places as one that are farther apart than lines should miss each other",
-    "lost-lines": "with lines that a view may lack, where the other views show them",
-    "finer-places": "with places as one only if they are closer together",
     "followed-curves": "with strokes led onto the curves in which two surfaces meet",
-    "open-ends": "with strokes that may go on beyond their ends",
-    "merged-values": "the same with places as one that are less than a pixel apart",
     "undrawn-lines": "with hidden lines that were left out in the views that have none",
     "likely-measures": "with measures that most likely are round",
 }

@@ -675,10 +675,6 @@
         <translation>Maßstab</translation>
     </message>
     <message>
-        <source>The sheet is read…</source>
-        <translation>Das Blatt wird gelesen …</translation>
-    </message>
-    <message>
         <source>The corrections beside the sheet are of another version of it: they were left out, and will be kept as a file of their own.</source>
         <translation>Die Korrekturen neben dem Blatt gehören zu einer anderen Fassung davon: Sie wurden weggelassen und bleiben als eigene Datei erhalten.</translation>
     </message>
@@ -727,20 +723,8 @@
         <translation>Löschen</translation>
     </message>
     <message>
-        <source>Reading…</source>
-        <translation>Es wird gelesen …</translation>
-    </message>
-    <message>
-        <source>Making the part…</source>
-        <translation>Das Teil wird erzeugt …</translation>
-    </message>
-    <message>
         <source>Length between the two points in mm:</source>
         <translation>Länge zwischen den zwei Punkten in mm:</translation>
-    </message>
-    <message>
-        <source>What “{0}” gives, in mm:</source>
-        <translation>Was „{0}“ angibt, in mm:</translation>
     </message>
     <message>
         <source>Dimension</source>
@@ -1559,10 +1543,6 @@
         <translation>Bohrung geht durch</translation>
     </message>
     <message>
-        <source>Depth of Hole…</source>
-        <translation>Tiefe der Bohrung…</translation>
-    </message>
-    <message>
         <source>Select all like this</source>
         <translation>Alle gleichartigen auswählen</translation>
     </message>
@@ -1639,20 +1619,12 @@
         <translation>Nein: {0}</translation>
     </message>
     <message>
-        <source>No, so Deep…</source>
-        <translation>Nein, so tief…</translation>
-    </message>
-    <message>
         <source>All {0} Go Through</source>
         <translation>Alle {0} gehen durch</translation>
     </message>
     <message>
         <source>The size is not known: tell a length</source>
         <translation>Die Größe ist nicht bekannt: geben Sie eine Länge an</translation>
-    </message>
-    <message>
-        <source>Measures to ±{0} mm</source>
-        <translation>Maße auf ±{0} mm</translation>
     </message>
     <message>
         <source>Verified: the part has the sheet&apos;s lines, no others</source>
@@ -1845,10 +1817,6 @@
     <message>
         <source>The surface does not have all lines of these views, or it has others: {views}.</source>
         <translation>Die Oberfläche hat nicht alle Linien dieser Ansichten, oder sie hat andere: {views}.</translation>
-    </message>
-    <message>
-        <source>Lines that nearly meet were taken to meet: small steps may be missing.</source>
-        <translation>Linien, die sich fast treffen, wurden als verbunden genommen: Kleine Absätze können fehlen.</translation>
     </message>
     <message>
         <source>In the view “{view}” the drawn line lies {distance_mm} mm beside the part&apos;s: a curve may have been misread there.</source>
@@ -2419,28 +2387,8 @@
         <translation>Ungenaue Bögen als Kurven genommen, in denen sich Flächen treffen</translation>
     </message>
     <message>
-        <source>Lines taken together that lie farther apart</source>
-        <translation>Linien zusammengefasst, die weiter auseinanderliegen</translation>
-    </message>
-    <message>
-        <source>With lines that one view may lack and the others show</source>
-        <translation>Mit Linien, die einer Ansicht fehlen können und die andere zeigen</translation>
-    </message>
-    <message>
-        <source>Lines taken together only if they lie closer</source>
-        <translation>Linien nur zusammengefasst, wenn sie näher beieinanderliegen</translation>
-    </message>
-    <message>
         <source>Lines led onto the curves in which two surfaces meet</source>
         <translation>Linien auf die Kurven geführt, in denen sich zwei Flächen treffen</translation>
-    </message>
-    <message>
-        <source>With lines that may go on beyond their ends</source>
-        <translation>Mit Linien, die über ihre Enden hinausgehen können</translation>
-    </message>
-    <message>
-        <source>Places less than a pixel apart taken as one</source>
-        <translation>Stellen, die weniger als ein Pixel auseinanderliegen, als eine genommen</translation>
     </message>
     <message>
         <source>With hidden lines that may have been left out</source>
@@ -2629,6 +2577,34 @@
     <message>
         <source>There is no view at this place</source>
         <translation>An dieser Stelle ist keine Ansicht</translation>
+    </message>
+    <message>
+        <source>What u201c{0}u201d gives, in mm:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth of Holeu2026</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No, so Deepu2026</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures to u00b1{0} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sheet is readu2026</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Readingu2026</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making the partu2026</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

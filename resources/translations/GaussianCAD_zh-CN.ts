@@ -203,10 +203,6 @@
         <translation>通孔</translation>
     </message>
     <message>
-        <source>Depth of Hole…</source>
-        <translation>孔的深度…</translation>
-    </message>
-    <message>
         <source>Select all like this</source>
         <translation>选中所有同类</translation>
     </message>
@@ -451,20 +447,12 @@
         <translation>否：{0}</translation>
     </message>
     <message>
-        <source>No, so Deep…</source>
-        <translation>不，深度为…</translation>
-    </message>
-    <message>
         <source>All {0} Go Through</source>
         <translation>全部 {0} 个都贯通</translation>
     </message>
     <message>
         <source>The size is not known: tell a length</source>
         <translation>尺寸未知：请指定一个长度</translation>
-    </message>
-    <message>
-        <source>Measures to ±{0} mm</source>
-        <translation>尺寸误差不超过 ±{0} mm</translation>
     </message>
     <message>
         <source>Verified: the part has the sheet&apos;s lines, no others</source>
@@ -477,10 +465,6 @@
     <message>
         <source>No part follows from the sheet as it is</source>
         <translation>按图纸现状得不出零件</translation>
-    </message>
-    <message>
-        <source>The sheet is read…</source>
-        <translation>正在读取图纸…</translation>
     </message>
     <message>
         <source>The corrections beside the sheet are of another version of it: they were left out, and will be kept as a file of their own.</source>
@@ -531,24 +515,12 @@
         <translation>擦除</translation>
     </message>
     <message>
-        <source>Reading…</source>
-        <translation>正在读图…</translation>
-    </message>
-    <message>
-        <source>Making the part…</source>
-        <translation>正在生成零件…</translation>
-    </message>
-    <message>
         <source>Ready</source>
         <translation>就绪</translation>
     </message>
     <message>
         <source>Length between the two points in mm:</source>
         <translation>两点之间的长度，单位 mm：</translation>
-    </message>
-    <message>
-        <source>What “{0}” gives, in mm:</source>
-        <translation>“{0}”表示的尺寸，单位 mm：</translation>
     </message>
     <message>
         <source>Dimension</source>
@@ -877,10 +849,6 @@
     <message>
         <source>The surface does not have all lines of these views, or it has others: {views}.</source>
         <translation>表面没有这些视图的全部线，或者有多余的线：{views}。</translation>
-    </message>
-    <message>
-        <source>Lines that nearly meet were taken to meet: small steps may be missing.</source>
-        <translation>几乎相接的线被当作相接：可能缺少小台阶。</translation>
     </message>
     <message>
         <source>In the view “{view}” the drawn line lies {distance_mm} mm beside the part&apos;s: a curve may have been misread there.</source>
@@ -2419,28 +2387,8 @@
         <translation>将粗略的圆弧视为两面的交线</translation>
     </message>
     <message>
-        <source>Lines taken together that lie farther apart</source>
-        <translation>将相距较远的线合并</translation>
-    </message>
-    <message>
-        <source>With lines that one view may lack and the others show</source>
-        <translation>含有某一视图可能缺少而其他视图画出的线</translation>
-    </message>
-    <message>
-        <source>Lines taken together only if they lie closer</source>
-        <translation>仅将更接近的线合并</translation>
-    </message>
-    <message>
         <source>Lines led onto the curves in which two surfaces meet</source>
         <translation>将线引到两面的交线上</translation>
-    </message>
-    <message>
-        <source>With lines that may go on beyond their ends</source>
-        <translation>含有可能越过其端点的线</translation>
-    </message>
-    <message>
-        <source>Places less than a pixel apart taken as one</source>
-        <translation>将相距不到一个像素的位置视为同一位置</translation>
     </message>
     <message>
         <source>With hidden lines that may have been left out</source>
@@ -2629,6 +2577,34 @@
     <message>
         <source>There is no view at this place</source>
         <translation>此处没有视图</translation>
+    </message>
+    <message>
+        <source>What u201c{0}u201d gives, in mm:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth of Holeu2026</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No, so Deepu2026</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures to u00b1{0} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sheet is readu2026</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Readingu2026</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making the partu2026</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

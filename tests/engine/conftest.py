@@ -49,6 +49,25 @@ def drawn() -> "Callable[[TopoDS_Shape, tuple[Role, ...]], DrawnViews]":
 
 
 @pytest.fixture(scope="session")
+def iou() -> "Callable[[TopoDS_Shape, TopoDS_Shape], float]":
+    """Intersection over union of two solids by OpenCASCADE's Booleans."""
+    from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
+
+    from gaussiancad_core.drawing.brep import volume
+
+    def measure(one: "TopoDS_Shape", other: "TopoDS_Shape") -> float:
+        first, second = volume(one), volume(other)
+        assert first > 0.0
+        assert second > 0.0
+        common = BRepAlgoAPI_Common(one, other)
+        common.Build()
+        shared = volume(common.Shape())
+        return shared / (first + second - shared)
+
+    return measure
+
+
+@pytest.fixture(scope="session")
 def sample_views(
     sample_solid: "Callable[[str], TopoDS_Shape]", drawn: "Callable[..., DrawnViews]"
 ) -> "Callable[[str], DrawnViews]":

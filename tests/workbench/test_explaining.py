@@ -47,7 +47,7 @@ class Explaining(unittest.TestCase):
             "taken": False,
         }
         second = {
-            "model": "lost-lines",
+            "model": "undrawn-lines",
             "outcome": "all-lines",
             "faces": 8,
             "agreement": 0.995,

@@ -43,7 +43,6 @@ Stretch = tuple[PlaneCurve, float, float]
 def with_lost_lines(
     supports: PartSupports,
     *,
-    along_axes: bool = False,
     undrawn: Collection[Role] = (),
     cuts: Collection[tuple[Axis, float]] = (),
     floors: Mapping[Axis, Sequence[float]] = MappingProxyType({}),
@@ -54,8 +53,6 @@ def with_lost_lines(
 
     Args:
         supports: of the strokes.
-        along_axes: whether only lines along the axes are looked for, which meet others where
-            values are known already.
         undrawn: views that may lack any line along the axes.
         cuts: cutting planes of sections: the axis that one is across, units along it.
         floors: coordinates in units at which nothing is drawn and a surface may lie.
@@ -86,9 +83,6 @@ def with_lost_lines(
         edges = _edges(supports, corners, axis, near)
         if all(role in undrawn for role in plane.roles):
             edges = chain(edges, _grid(supports, axis, silent, floors))
-        if along_axes:
-            planes[axis] = _divided(plane, edges)
-            continue
         slanted = lost_slants(supports, corners[axis], axis, near)
         round_ones = chain(
             lost_circles(supports, axis, near), sectioned_circles(supports, axis, cuts, near)

@@ -24,7 +24,6 @@ from gaussiancad_core.reasoning.incidences import Facet
 from gaussiancad_core.reasoning.lost_lines import as_if_drawn, with_lost_lines
 from gaussiancad_core.reasoning.noted_holes import floors, kept_notes
 from gaussiancad_core.reasoning.oblique import find_half_spaces
-from gaussiancad_core.reasoning.open_ends import with_open_ends
 from gaussiancad_core.reasoning.pieces import Piece, find_pieces
 from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
 from gaussiancad_core.reasoning.retraced import retraced
@@ -92,9 +91,7 @@ def model_part(
     near: float = NEAR,
     deadline: Deadline = NEVER,
     *,
-    open_ends: bool = False,
     lost_lines: bool = False,
-    along_axes: bool = False,
 ) -> PartModel:
     """Supports, cells and rules of views.
 
@@ -103,9 +100,7 @@ def model_part(
             where lines may be lacking.
         near: units within which a computed curve is one that is drawn, at least.
         deadline: by which it has to be done.
-        open_ends: whether strokes may go on beyond their ends.
         lost_lines: whether regions are divided as well where a view may lack a line.
-        along_axes: whether only such lines count as run along an axis.
 
     Raises:
         LimitError: ``part-too-complex``, or ``search-unfinished`` after the deadline.
@@ -121,18 +116,13 @@ def model_part(
         supports = find_supports(views, facets)
         half_spaces = find_half_spaces(supports)
     if lost_lines:
-        half_spaces = find_half_spaces(
-            as_if_drawn(with_lost_lines(supports, along_axes=along_axes))
-        )
+        half_spaces = find_half_spaces(as_if_drawn(with_lost_lines(supports)))
     supports = retraced(supports, half_spaces, find_bodies(supports))
     supports = with_untold_chamfers(with_untold_lines(supports))
     supports = with_smooth_edges(supports)
-    if open_ends:
-        supports = with_open_ends(supports)
     if lost_lines:
         supports = with_lost_lines(
             supports,
-            along_axes=along_axes,
             undrawn=views.without_hidden,
             cuts=_planes_of(views, supports.scale),
             floors=_undrawn_values(views, supports),

@@ -11,7 +11,6 @@ from gaussiancad_core.reasoning.columns import Cell, Vector
 from gaussiancad_core.reasoning.labelling import Labelling, Labels
 from gaussiancad_core.reasoning.unsaid import with_unsaid
 from gaussiancad_core.reasoning.work import Counted, Deadline
-from gaussiancad_core.solid.broken_edges import with_broken_edges
 from gaussiancad_core.solid.build import BuiltSolid, build_solid
 from gaussiancad_core.solid.labelled import LabelledSpace
 from gaussiancad_core.solid.limits import Limits, Work
@@ -146,15 +145,9 @@ def _candidate(work: Work, built: BuiltSolid) -> tuple[Candidate | None, bool]:
     """What was built, drawn again; and whether it is certain what the labels bound."""
     if built.shape is None:
         return None, built.closed
-    shape = built.shape
-    if work.finish is not None:
-        near = work.part.supports.tolerance / work.part.supports.scale
-        shape = with_broken_edges(shape, work.finish.breaks, near)
-        if shape is None:
-            return None, False
     try:
-        work.meter.count(Counted.EDGE, len(edges_of(shape)))
-        candidate = Candidate(shape, verify(shape, work.drawn))
+        work.meter.count(Counted.EDGE, len(edges_of(built.shape)))
+        candidate = Candidate(built.shape, verify(built.shape, work.views))
     except KERNEL_FAILURES:
         # What cannot be drawn again cannot be checked.
         return None, False

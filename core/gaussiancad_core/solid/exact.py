@@ -14,18 +14,16 @@ from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.conflict_lines import Conflict
 from gaussiancad_core.reasoning.conflicts import find_conflict
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.edge_breaks import sharp_views
 from gaussiancad_core.reasoning.labelling import Labelling
 from gaussiancad_core.reasoning.part import model_part
 from gaussiancad_core.reasoning.supports import find_supports
 from gaussiancad_core.reasoning.work import Deadline, Meter
 from gaussiancad_core.solid.candidates import Candidate, Found, candidates_of
-from gaussiancad_core.solid.limits import Finish, Limits, Work
+from gaussiancad_core.solid.limits import Limits, Work
 from gaussiancad_core.solid.measures import Measures, measures_of
 from gaussiancad_core.solid.models import first_work, labelled
 from gaussiancad_core.solid.reasons import (
     GUARDED,
-    LOOSE,
     NONE,
     UNBUILT,
     UNFINISHED,
@@ -52,9 +50,6 @@ _PATIENT = 0.25
 _FIRST, _OTHERS = 0.6, 0.9
 """Shares of the work at which building, and the search for others, end: of the first model's labels
 and of others'."""
-
-_SHARP = 0.4
-"""Share of the work after which chamfers around faces are looked at as any other face."""
 
 _WHOLE = 0.08
 """Share of the longest extent from which lines that are wrong, or lacking, count alike."""
@@ -134,30 +129,11 @@ def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
     """
     limits = limits or Limits()
     with _uncollected():
-        if (sharp := _found_sharp(views, limits)) is not None:
-            return sharp
         meter = Meter(limits.guard)
         result = _found(views, limits, meter)
         if meter.spent <= _QUICK * limits.work:
             result = _with_likely_measures(result, views, limits)
         return result.doubted(GUARDED) if meter.is_overrun else result
-
-
-def _found_sharp(views: DrawnViews, limits: Limits) -> ExactResult | None:
-    """The solid that is found without the chamfers around its faces, and has them; None where
-    there are none, or it does not have all lines.
-
-    Where places are read from pixels a chamfer's two outlines are not as evenly apart.
-    """
-    sharp = sharp_views(views) if views.apart is None else None
-    if sharp is None:
-        return None
-    meter = Meter(limits.guard)
-    less = replace(limits, work=_SHARP * limits.work)
-    result = _found(sharp.views, less, meter, Finish(sharp.breaks, views))
-    if not result.explains:
-        return None
-    return result.doubted(GUARDED) if meter.is_overrun else result
 
 
 @contextmanager
@@ -176,9 +152,7 @@ def _uncollected() -> Iterator[None]:
             gc.enable()
 
 
-def _found(
-    views: DrawnViews, limits: Limits, meter: Meter, finish: Finish | None = None
-) -> ExactResult:
+def _found(views: DrawnViews, limits: Limits, meter: Meter) -> ExactResult:
     journal = Journal()
     try:
         part = model_part(views, deadline=meter.until(_OTHERS * limits.work))
@@ -189,8 +163,6 @@ def _found(
     result: ExactResult | None = None
     best = -1
     first = first_work(part, views, limits, meter, journal)
-    if finish is not None:
-        first = replace(first, finish=finish, kind=ModelKind.SHARP_EDGES)
     for work, labelling in labelled(first, limits):
         meter.lap("label")
         if labelling.labels is None:
@@ -204,7 +176,7 @@ def _found(
         found = _searched(work, labelling, limits, meter.until(share * limits.work))
         if result is None or _worth(found, views) > _worth(result, views):
             result, best = found, len(journal.attempts) - 1
-        if _is_neat(found) or (work.fewest and labelling.complete and _is_sound(found)):
+        if _is_neat(found):
             break
     meter.lap("label")
     result = replace(result, trace=journal.told(best), seconds=meter.seconds)
@@ -267,10 +239,6 @@ def _is_neat(result: ExactResult) -> bool:
     return result.verification is not None and result.verification.neat
 
 
-def _is_sound(result: ExactResult) -> bool:
-    return result.verification is not None and result.verification.sound
-
-
 def _worth(result: ExactResult, views: DrawnViews) -> tuple[bool, bool, bool, float]:
     """What solids of several models are ranked by: exact lines are right or wrong as a whole."""
     verification = result.verification
@@ -299,8 +267,6 @@ def _searched(work: Work, labelling: Labelling, limits: Limits, latest: Deadline
     reasons = reasons_of(best.verification, len(agreeing), complete, views)
     if views.undrawn and len(views.undrawn) < len(views.roles):
         reasons.append(undrawn_in(views.undrawn))
-    if work.loose and not best.verification.apart:
-        reasons.append(LOOSE)
     others = sorted((c for c in agreeing if c is not best), key=_rank)
     if not reasons:
         undrawn = other_with_undrawn_lines(work, best.shape, limits)

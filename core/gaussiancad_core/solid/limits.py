@@ -1,9 +1,8 @@
 """How far the search for a solid goes, and what it has to work on."""
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.edge_breaks import EdgeBreak
 from gaussiancad_core.reasoning.labelling import Effort, Labelling, Search
 from gaussiancad_core.reasoning.part import PartModel
 from gaussiancad_core.reasoning.work import Counted, Meter
@@ -36,19 +35,6 @@ class Limits:
 
 
 @dataclass(frozen=True)
-class Finish:
-    """What is done to a solid that was found from views without the chamfers of its faces.
-
-    Attributes:
-        breaks: the chamfers.
-        drawn: the views with them.
-    """
-
-    breaks: tuple[EdgeBreak, ...]
-    drawn: DrawnViews
-
-
-@dataclass(frozen=True)
 class Work:
     """What candidates are made from.
 
@@ -58,9 +44,6 @@ class Work:
         meter: of all that is done.
         journal: of what was tried.
         kind: how the drawing was understood.
-        fewest: whether the labels are those by which the fewest strokes are wrong or lacking.
-        loose: whether places are one that are farther apart than the tolerance.
-        finish: of the solid; None where the views are as drawn.
     """
 
     part: PartModel
@@ -69,16 +52,6 @@ class Work:
     meter: Meter
     journal: Journal
     kind: ModelKind = ModelKind.AS_DRAWN
-    fewest: bool = False
-    loose: bool = False
-    finish: Finish | None = None
-
-    @property
-    def drawn(self) -> DrawnViews:
-        """The views that a solid is compared with."""
-        if self.finish is None:
-            return self.views
-        return replace(self.finish.drawn, undrawn=self.views.undrawn)
 
     def failed(self, labelling: Labelling) -> None:
         """Note that the model has no labels for all lines."""
@@ -93,9 +66,9 @@ class Work:
         differs in such cells only is no other one."""
         return self.views.indistinct * self.part.supports.scale
 
-    def allows_another(self, limits: Limits, times: float = 1.0) -> bool:
-        """Whether work is left for a model that takes some times as much as the first one did."""
-        return self.meter.spent + times * self.meter.work["model"] < OTHERWISE * limits.work
+    def allows_another(self, limits: Limits) -> bool:
+        """Whether work is left for a model that takes as much as the first one did."""
+        return self.meter.spent + self.meter.work["model"] < OTHERWISE * limits.work
 
 
 def search_for(part: PartModel, limits: Limits, meter: Meter) -> Search:

@@ -6,10 +6,8 @@ open outline closed, with more surfaces, with curves instead of lines that may o
 
 from collections.abc import Iterator
 from dataclasses import replace
-from math import inf
 
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, silent_views
-from gaussiancad_core.reasoning.fewest_strokes import fewest_strokes
 from gaussiancad_core.reasoning.labelling import Labelling
 from gaussiancad_core.reasoning.open_outlines import with_closed_outlines
 from gaussiancad_core.reasoning.part import PartModel
@@ -19,9 +17,6 @@ from gaussiancad_core.solid.limits import OTHERWISE, Limits, Work, search_for
 from gaussiancad_core.solid.other_models import (
     Modelled,
     followed_curves,
-    lacking_model,
-    looser_models,
-    misread_models,
     modelled,
     undrawn_models,
     wider_models,
@@ -32,24 +27,8 @@ _HARD, _RELAXED = 0.4, 0.8
 """Shares of the work at which a step ends: labels for all lines, labels for most of them."""
 
 _LITTLE = 3.0
-"""Units of line that labels give up at least for other models to be asked for better ones."""
-
-_LONG = 3.0
-"""Deterministic time of telling which rules to give up from which no other model is tried: each
-would take as long again, and strokes misread by some pixels contradict each other more simply."""
-
-_FINER = 4.0
-"""Times as long as the first model that the one takes in which views may lack lines."""
-
-_MOST_LACKING = 9_000
-"""Rules up to which it is told which strokes are lacking; with more only lines along the axes may
-be, and of more still nothing is told in time."""
-
-_PATIENT = 0.7
-"""Share of the time that is left in which that is told."""
-
-_BETTER = 0.7
-"""Share of what the first model gives up that another one gives up at most to be the better one."""
+"""Units of line that labels give up at most for strokes to bound nothing, maybe, as they follow the
+curves of surfaces."""
 
 
 def first_work(
@@ -111,10 +90,6 @@ def _otherwise(work: Work, found: Labelling, limits: Limits) -> Iterator[tuple[W
     first = _first_fulfilled((_remodelled(work, model, limits) for model in others), deadline)
     if first is None and not limits.relaxed:
         first = work, found
-    if first is None and found.complete:
-        others = _until(looser_models(work, lines, deadline), limits, work)
-        loose = (replace(_remodelled(work, model, limits), loose=True) for model in others)
-        first = _first_fulfilled(loose, deadline)
     if first is not None:
         yield first
         yield from _followed(work, lines, limits, deadline)
@@ -123,33 +98,10 @@ def _otherwise(work: Work, found: Labelling, limits: Limits) -> Iterator[tuple[W
         # Practice leaves hidden lines out.
         works = _undrawn(work, replace(lines, undrawn=silent), limits, deadline)
         yield from _fulfilled(works, deadline)
-    latest = meter.until(_RELAXED * limits.work)
-    # Where readers lead ends to the wrong lines nearly all strokes are a little wrong.
-    if views.apart is None and (lacking := _lacking(work, views, limits, latest)) is not None:
-        yield lacking
-    least = work.search.least(latest)
+    least = work.search.least(meter.until(_RELAXED * limits.work))
     yield work, least
-    if least.effort <= _LONG:
-        yield from _clearer(work, lines, _cost(least), limits)
-
-
-def _clearer(
-    work: Work, lines: DrawnViews, cost: float, limits: Limits
-) -> Iterator[tuple[Work, Labelling]]:
-    """Labels of models that give up clearly less than so many units of line; where that is hardly
-    any, of the one with the curves that strokes may follow, for these may bound nothing."""
-    deadline = work.meter.until(OTHERWISE * limits.work)
-    latest = work.meter.until(_RELAXED * limits.work)
-    if cost < _LITTLE:
+    if least.labels is not None and _cost(least) < _LITTLE:
         yield from _followed(work, lines, limits, deadline)
-        return
-    for model in _until(misread_models(work, lines, deadline), limits, work):
-        other = _remodelled(work, model, limits)
-        more = other.search.best(latest)
-        if _cost(more) < _BETTER * cost:
-            yield other, more
-        else:
-            other.failed(more)
 
 
 def _undrawn(work: Work, views: DrawnViews, limits: Limits, deadline: Deadline) -> Iterator[Work]:
@@ -185,23 +137,10 @@ def _followed(
         return
     if (model := followed_curves(work, lines, deadline)) is not None:
         other = _remodelled(work, model, limits)
-        yield other, other.search.best(deadline)
-
-
-def _lacking(
-    work: Work, views: DrawnViews, limits: Limits, latest: Deadline
-) -> tuple[Work, Labelling] | None:
-    """Labels for all but the fewest strokes, with the lines that views may lack."""
-    meter = work.meter
-    if not work.allows_another(limits, _FINER):
-        return None
-    model = lacking_model(work, views, _MOST_LACKING, meter.until(OTHERWISE * limits.work))
-    if model is None:
-        return None
-    other = replace(_remodelled(work, model, limits), fewest=True)
-    # Where that does not end in time, rules are given up one by one, which takes as long.
-    share = meter.until(meter.spent + _PATIENT * latest.left)
-    return other, fewest_strokes(model[1], limits.effort, share)
+        if limits.relaxed:
+            yield other, other.search.best(deadline)
+        else:
+            yield from _fulfilled(iter([other]), deadline)
 
 
 def _remodelled(work: Work, model: Modelled, limits: Limits) -> Work:
@@ -219,6 +158,4 @@ def _until(models: Iterator[Modelled], limits: Limits, work: Work) -> Iterator[M
 
 def _cost(labelling: Labelling) -> float:
     """Units of line that labels give up."""
-    if labelling.labels is None:
-        return inf
     return sum(rule.weight for rule in labelling.given_up)

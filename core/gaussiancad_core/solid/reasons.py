@@ -20,11 +20,6 @@ UNBUILT: Reason = (
     "no-valid-solid",
     "the cells that fit the lines best bound no closed solid: lines are missing or wrong",
 )
-LOOSE: Reason = (
-    "lines-apart",
-    "lines miss each other by more than they should: those that are close by were taken to meet, "
-    "so that small steps may be missing",
-)
 UNFINISHED: Reason = (
     "search-unfinished",
     "the search for solids with these lines was not completed",

@@ -20,17 +20,11 @@ class ModelKind(Enum):
 
     AS_DRAWN = "as-drawn"
     SKETCH = "sketch"
-    SHARP_EDGES = "sharp-edges"
     OPEN_LINETYPES = "open-linetypes"
     CLOSED_OUTLINE = "closed-outline"
     LONE_BODIES = "lone-bodies"
     SMOOTH_ARCS = "without-rough-arcs"
-    WIDER_PLACES = "wider-places"
-    LOST_LINES = "lost-lines"
-    FINER_PLACES = "finer-places"
     FOLLOWED_CURVES = "followed-curves"
-    OPEN_ENDS = "open-ends"
-    MERGED_VALUES = "merged-values"
     UNDRAWN_LINES = "undrawn-lines"
     LIKELY_MEASURES = "likely-measures"
 

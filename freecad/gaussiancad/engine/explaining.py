@@ -13,9 +13,6 @@ _MOST = 6
 MODELS = {
     "as-drawn": QT_TRANSLATE_NOOP("GaussianCAD", "The lines as they are drawn"),
     "sketch": QT_TRANSLATE_NOOP("GaussianCAD", "Slabs that explain the lines best"),
-    "sharp-edges": QT_TRANSLATE_NOOP(
-        "GaussianCAD", "Without the chamfers around faces, which are put on last"
-    ),
     "open-linetypes": QT_TRANSLATE_NOOP(
         "GaussianCAD", "Short lines as visible or hidden, whichever fits"
     ),
@@ -28,19 +25,8 @@ MODELS = {
     "without-rough-arcs": QT_TRANSLATE_NOOP(
         "GaussianCAD", "Rough arcs taken for curves in which surfaces meet"
     ),
-    "wider-places": QT_TRANSLATE_NOOP("GaussianCAD", "Lines taken together that lie farther apart"),
-    "lost-lines": QT_TRANSLATE_NOOP(
-        "GaussianCAD", "With lines that one view may lack and the others show"
-    ),
-    "finer-places": QT_TRANSLATE_NOOP(
-        "GaussianCAD", "Lines taken together only if they lie closer"
-    ),
     "followed-curves": QT_TRANSLATE_NOOP(
         "GaussianCAD", "Lines led onto the curves in which two surfaces meet"
-    ),
-    "open-ends": QT_TRANSLATE_NOOP("GaussianCAD", "With lines that may go on beyond their ends"),
-    "merged-values": QT_TRANSLATE_NOOP(
-        "GaussianCAD", "Places less than a pixel apart taken as one"
     ),
     "undrawn-lines": QT_TRANSLATE_NOOP(
         "GaussianCAD", "With hidden lines that may have been left out"

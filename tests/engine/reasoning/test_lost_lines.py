@@ -158,15 +158,6 @@ def test_the_arc_of_a_rounded_corner_is_where_both_lines_lead_into_it() -> None:
     assert (low, high) == pytest.approx((0.0, pi / 2.0))
 
 
-def test_along_the_axes_only_no_arc_is_added() -> None:
-    rounded = _path((90, 60), (0, 60), (0, 0), (100, 0), (100, 50))
-    views = _views(_without(_STEPPED, 3), (*rounded, *_path((40, 0), (40, 60))), _RIGHT)
-    planes = with_lost_lines(find_supports(views), along_axes=True).planes
-    assert _upright(planes[Axis.Y])
-    for plane in planes.values():
-        assert all(plane.supports[n].curve.axis is not None for n, _, _ in plane.lost)
-
-
 def test_two_planes_tell_nothing_of_what_the_third_lacks() -> None:
     views = DrawnViews({Role.FRONT: _without(_STEPPED, 3), Role.TOP: _TOP}, _SIZE, 2e-4)
     supports = find_supports(views)

@@ -4,10 +4,7 @@ from collections.abc import Callable
 from functools import cache
 
 import pytest
-from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
-from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.drawing.brep import volume
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.labelling import Effort, Search
 from gaussiancad_core.reasoning.part import PartModel, model_part
@@ -34,19 +31,3 @@ def labelled(sample_views: Callable[[str], DrawnViews]) -> Callable[[str], Label
 def solved(sample_views: Callable[[str], DrawnViews]) -> Callable[[str], ExactResult]:
     """What is found for the sample part of a name."""
     return cache(lambda name: exact_solid(sample_views(name)))
-
-
-@pytest.fixture(scope="session")
-def iou() -> Callable[[TopoDS_Shape, TopoDS_Shape], float]:
-    """Intersection over union of two solids by OpenCASCADE's Booleans."""
-
-    def measure(one: TopoDS_Shape, other: TopoDS_Shape) -> float:
-        first, second = volume(one), volume(other)
-        assert first > 0.0
-        assert second > 0.0
-        common = BRepAlgoAPI_Common(one, other)
-        common.Build()
-        shared = volume(common.Shape())
-        return shared / (first + second - shared)
-
-    return measure

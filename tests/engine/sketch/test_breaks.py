@@ -1,4 +1,4 @@
-"""Chamfers around faces are taken off the views, and put on the solid again."""
+"""Chamfers around faces are taken off the views, and put on the sketch again."""
 
 from collections.abc import Callable
 
@@ -8,14 +8,14 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.drawing.brep import soundness
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
-from gaussiancad_core.reasoning.edge_breaks import sharp_views
 from gaussiancad_core.samples.modelling import box, chamfered, cut, cylinder, edges_where, filleted
-from gaussiancad_core.solid.exact import exact_solid
-from gaussiancad_core.solid.trace import ModelKind
+from gaussiancad_core.sketch.checking import checked
+from gaussiancad_core.sketch.sketching import sketch
 
 Draw = Callable[[TopoDS_Shape, tuple[Role, ...]], DrawnViews]
 Iou = Callable[[TopoDS_Shape, TopoDS_Shape], float]
 
+_GRID = 0.05
 _TWO = (Role.FRONT, Role.TOP)
 _THREE = (Role.FRONT, Role.TOP, Role.RIGHT)
 
@@ -54,38 +54,20 @@ def test_a_chamfered_plate_comes_back(
     name: str, roles: tuple[Role, ...], drawn: Draw, iou: Iou
 ) -> None:
     part = _PARTS[name]
-    found = exact_solid(drawn(part, roles))
-    assert found.shape is not None
+    views = drawn(part, roles)
+    found = checked(sketch(views, _GRID), views)
     assert found.explains
     assert iou(found.shape, part) == pytest.approx(1.0, abs=1e-6)
     assert soundness(found.shape).faces == soundness(part).faces
-    assert [own.model for own in found.trace if own.taken] == [ModelKind.SHARP_EDGES]
 
 
 @pytest.mark.parametrize("name", _PARTS)
 def test_the_chamfers_are_measured(name: str, drawn: Draw) -> None:
-    found = sharp_views(drawn(_PARTS[name], _TWO))
-    assert found is not None
-    heights = {round(own.depth, 6): round(own.height, 6) for own in found.breaks}
-    assert heights == ({8.0: -1.0, 0.0: 1.0} if name == "both sides" else {8.0: -1.0})
-    assert all(own.width == pytest.approx(1.0) for own in found.breaks)
-    assert all(own.normal is Axis.Z and own.contour for own in found.breaks)
-
-
-def test_views_without_their_chamfers_are_those_of_the_sharp_part(drawn: Draw) -> None:
-    found = sharp_views(drawn(_PARTS["bores"], _THREE))
-    assert found is not None
-    sharp = drawn(_bored(_plate(10.0)), _THREE)
-    for role in _THREE:
-        assert len(found.views.strokes[role]) == len(sharp.strokes[role])
+    breaks = sketch(drawn(_PARTS[name], _TWO), _GRID).breaks
+    assert breaks
+    assert {round(own.width, 6) for own in breaks} == {1.0}
 
 
 @pytest.mark.parametrize("part", [_plate(), _bored(_plate(10.0))], ids=["plain", "bored"])
 def test_a_part_without_chamfers_has_none(part: TopoDS_Shape, drawn: Draw) -> None:
-    assert sharp_views(drawn(part, _THREE)) is None
-
-
-def test_a_chamfer_at_one_edge_stays_a_plane(drawn: Draw) -> None:
-    plate = _plate()
-    edge = edges_where(plate, lambda a, b: min(a[2], b[2]) > 7.9 and max(a[0], b[0]) < 0.1)
-    assert sharp_views(drawn(chamfered(plate, edge, 1.0), _THREE)) is None
+    assert not sketch(drawn(part, _THREE), _GRID).breaks
