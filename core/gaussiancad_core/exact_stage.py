@@ -22,7 +22,7 @@ from gaussiancad_core.sketch.checking import checked
 from gaussiancad_core.sketch.sketching import Sketch
 from gaussiancad_core.sketched_readings import Weighed, weigh
 from gaussiancad_core.solid.exact import ExactResult, exact_solid
-from gaussiancad_core.solid.limits import Limits
+from gaussiancad_core.solid.limits import Limits, Modelled
 from gaussiancad_core.solid.reasons import has_hidden_lines
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.verify import Verification
@@ -118,7 +118,7 @@ def find_exact(
         return ExactModel(own, result, by_symbol)
     contrary = _solved(other, strict) if other is not None else None
     if contrary is None or not (result.explains or contrary.explains):
-        return _not_strictly(readings, limits)
+        return _not_strictly(readings, limits, (result, contrary))
     if result.explains and contrary.explains:
         return _told_apart((own, result), (other, contrary))
     # The reading that has no solid must have none for certain, for the other one to be.
@@ -243,12 +243,15 @@ def _is_likelier(other: tuple[Reading, ExactResult], own: tuple[Reading, ExactRe
     return weigh((own[0], other[0])).likelier == 1
 
 
-def _not_strictly(readings: _Readings, limits: Limits) -> ExactModel:
+def _not_strictly(
+    readings: _Readings, limits: Limits, strict: tuple[ExactResult, ExactResult | None]
+) -> ExactModel:
     """Where no reading has a solid that has all lines: the sketch, or what has more of them."""
     sketched, reading = readings.sketched, readings.taken
+    tried = strict[readings.likelier] or strict[0]
     is_firm = sketched is not None and _costs(sketched.sketched, reading) <= _FIRM
     share = _BESIDE_FIRM if is_firm else _RELAXED
-    relaxed = _solved(reading, replace(limits, work=share * limits.work))
+    relaxed = _solved(reading, replace(limits, work=share * limits.work), tried.model)
     told = readings.is_decided, None, readings.is_contradicted
     if sketched is None or relaxed.status is Status.VERIFIED:
         return ExactModel(reading, relaxed, *told)
@@ -304,8 +307,8 @@ def find_for_hull(own: Reading, other: Reading | None) -> ExactModel | None:
     return find_exact(own, other, limits)
 
 
-def _solved(reading: Reading, limits: Limits) -> ExactResult:
-    result = exact_solid(reading.drawn, limits)
+def _solved(reading: Reading, limits: Limits, model: Modelled | None = None) -> ExactResult:
+    result = exact_solid(reading.drawn, limits, model)
     if result.verification is None:
         return result
     share = result.verification.share

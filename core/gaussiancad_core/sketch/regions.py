@@ -35,6 +35,9 @@ _SHARED = 0.3
 _DRAWN = 0.8
 """Grid steps between a border and a line that draws it at most."""
 
+_ARC = 4
+"""Chords of a quarter of a circle around the end of a line: within 2 % of the reach."""
+
 _SHORTEST = 1.5
 """Grid steps that a border is long at least."""
 
@@ -112,7 +115,7 @@ def find_regions(
     mitre = _MITRE * max(breaks, default=0.0)
     longer = [own for own in (*from_above, *from_below) if own.length > mitre]
     borders = _borders(polygons, (from_above, from_below), grid)
-    around = shapely.union_all(polygons).boundary.buffer(0.5 * grid) if polygons else None
+    around = _near(shapely.union_all(polygons).boundary, 0.5 * grid) if polygons else None
     inner = np.array([not own.intersects(around) for own in polygons], dtype=bool)
     rounds = np.array([is_disc(own) for own in polygons], dtype=bool)
     return Regions(
@@ -154,14 +157,23 @@ def _polygons(lines: Sequence[PlaneLine], grid: float) -> list[shapely.Polygon]:
 
 def _alien(lines: Sequence[PlaneLine], polygons: Sequence[shapely.Polygon], grid: float) -> float:
     """mm of lines that bound no polygon; half of it where they are hidden."""
-    bounds = shapely.union_all([own.boundary for own in polygons]).buffer(_DRAWN * grid)
-    return float(
-        sum(
-            shapely.LineString(own.points).difference(bounds).length
-            * (1.0 if own.is_visible else 0.5)
-            for own in lines
-        )
-    )
+    bounds = _near(shapely.union_all([own.boundary for own in polygons]), _DRAWN * grid)
+    drawn = [(shapely.LineString(own.points), 1.0 if own.is_visible else 0.5) for own in lines]
+    return float(sum((line.length - _within(line, bounds)) * share for line, share in drawn))
+
+
+def _near(lines: shapely.Geometry, reach: float) -> shapely.Geometry:
+    """What is within reach of lines; of pieces that go on in each other that takes long."""
+    found = shapely.line_merge(lines).buffer(reach, quad_segs=_ARC)
+    shapely.prepare(found)
+    return found
+
+
+def _within(line: shapely.Geometry, band: shapely.Geometry | None) -> float:
+    """Length of a line in a band; most are within it or outside of it as a whole."""
+    if band is None or not band.intersects(line):
+        return 0.0
+    return float(line.length if band.contains(line) else line.intersection(band).length)
 
 
 def _bands(
@@ -208,7 +220,7 @@ def _borders(
         for other, line in shared:
             if line.length < _SHORTEST * grid:
                 continue
-            told = (0.0 if band is None else line.intersection(band).length for band in drawn)
+            told = (_within(line, band) for band in drawn)
             found.append(Border(one, other, float(line.length), *told))
     return found
 
@@ -218,4 +230,4 @@ def _band(lines: Sequence[PlaneLine], grid: float) -> shapely.Geometry | None:
     if not lines:
         return None
     chains = shapely.multilinestrings([shapely.LineString(own.points) for own in lines])
-    return chains.buffer(_DRAWN * grid)
+    return _near(chains, _DRAWN * grid)

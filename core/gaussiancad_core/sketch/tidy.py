@@ -11,6 +11,7 @@ from itertools import combinations
 from math import radians
 
 import numpy as np
+import numpy.typing as npt
 import shapely
 from scipy.spatial import cKDTree
 
@@ -87,6 +88,7 @@ def _with_joined_ends(lines: Sequence[PlaneLine], grid: float) -> list[PlaneLine
         return list(lines)
     places = np.array([chains[k][end] for k, end in ends])
     tails: list[PlaneLine] = []
+    shapes = np.array([shapely.LineString(own) for own in chains])
     owners = [k for k, _ in ends]
     for group in _groups(places, owners, _to_others(places, owners, chains, grid), grid):
         if len(group) > 1:
@@ -94,9 +96,13 @@ def _with_joined_ends(lines: Sequence[PlaneLine], grid: float) -> list[PlaneLine
             for member in group:
                 k, end = ends[member]
                 chains[k][end] = middle
+                shapes[k] = shapely.LineString(chains[k])
         else:
             k, end = ends[group[0]]
-            tails += _tail(k, end, chains, lines[k].is_visible, grid)
+            place, beside = chains[k][end].copy(), np.delete(shapes, k)
+            chains[k][end] = _led_on(chains[k], end, grid)
+            shapes[k] = shapely.LineString(chains[k])
+            tails += _tail(place, beside, lines[k].is_visible, grid)
     moved = [replace(own, points=chain) for own, chain in zip(lines, chains, strict=True)]
     return moved + tails
 
@@ -168,26 +174,25 @@ def _groups(
     return list(groups.values())
 
 
-def _tail(k: int, end: int, chains: list[Floats], is_visible: bool, grid: float) -> list[PlaneLine]:
-    """What leads a lone end on to the nearest other line; the chain itself goes on a little."""
-    chain = chains[k]
-    place = chain[end].copy()
-    way = place - chain[1 if end == 0 else -2]
+def _led_on(chain: Floats, end: int, grid: float) -> Floats:
+    """(2,) an end of a chain that goes on a little."""
+    way = chain[end] - chain[1 if end == 0 else -2]
     length = float(np.hypot(*way))
-    if length > 0.0:
-        chain[end] = place + way / length * _REACH * grid
-    point = shapely.Point(place)
-    nearest: tuple[float, Floats] | None = None
-    for other, own in enumerate(chains):
-        if other == k:
-            continue
-        line = shapely.LineString(own)
-        away = line.distance(point)
-        if away < _REACH * grid and (nearest is None or away < nearest[0]):
-            at = line.interpolate(line.project(point))
-            nearest = away, np.array([at.x, at.y])
-    if nearest is None or nearest[0] < 1e-9:
+    return chain[end] + way / length * _REACH * grid if length > 0.0 else chain[end]
+
+
+def _tail(
+    place: Floats, others: npt.NDArray[np.object_], is_visible: bool, grid: float
+) -> list[PlaneLine]:
+    """What leads a lone end on to the nearest of the other lines."""
+    if not len(others):
         return []
-    away, at = nearest
-    beyond = at + (at - place) / away * _BEYOND * grid
+    point = shapely.Point(place)
+    away = shapely.distance(others, point)
+    nearest = int(away.argmin())
+    if not 1e-9 < away[nearest] < _REACH * grid:
+        return []
+    line = others[nearest]
+    at = shapely.get_coordinates(line.interpolate(line.project(point)))[0]
+    beyond = at + (at - place) / away[nearest] * _BEYOND * grid
     return [PlaneLine(np.array([place, beyond]), is_visible)]

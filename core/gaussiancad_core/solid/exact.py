@@ -3,7 +3,7 @@
 import gc
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from math import inf
 
 from OCP.TopoDS import TopoDS_Shape
@@ -19,7 +19,7 @@ from gaussiancad_core.reasoning.part import model_part
 from gaussiancad_core.reasoning.supports import find_supports
 from gaussiancad_core.reasoning.work import Deadline, Meter
 from gaussiancad_core.solid.candidates import Candidate, Found, candidates_of
-from gaussiancad_core.solid.limits import Limits, Work
+from gaussiancad_core.solid.limits import Limits, Modelled, Work
 from gaussiancad_core.solid.measures import Measures, measures_of
 from gaussiancad_core.solid.models import first_work, labelled
 from gaussiancad_core.solid.reasons import (
@@ -86,6 +86,7 @@ class ExactResult:
         measures: how well the places of the solid's faces are known; None without a solid.
         trace: what was tried, in order.
         unusual: how unusual the solid is, in surfaces; None where all lines are drawn.
+        model: of the drawing as it is; None where it is too complex.
     """
 
     status: Status
@@ -102,6 +103,7 @@ class ExactResult:
     measures: Measures | None = None
     trace: tuple[Attempt, ...] = ()
     unusual: float | None = None
+    model: Modelled | None = field(default=None, repr=False)
 
     @property
     def explains(self) -> bool:
@@ -120,17 +122,20 @@ class ExactResult:
         return replace(self, status=Status.APPROXIMATE, reasons=(*self.reasons, reason))
 
 
-def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
+def exact_solid(
+    views: DrawnViews, limits: Limits | None = None, model: Modelled | None = None
+) -> ExactResult:
     """The solid whose lines are those of the views.
 
     Args:
         views: two to six.
         limits: of the search.
+        model: of the drawing as it is, where an earlier search made it.
     """
     limits = limits or Limits()
     with _uncollected():
         meter = Meter(limits.guard)
-        result = _found(views, limits, meter)
+        result = _found(views, limits, meter, model)
         if meter.spent <= _QUICK * limits.work:
             result = _with_likely_measures(result, views, limits)
         return result.doubted(GUARDED) if meter.is_overrun else result
@@ -152,17 +157,19 @@ def _uncollected() -> Iterator[None]:
             gc.enable()
 
 
-def _found(views: DrawnViews, limits: Limits, meter: Meter) -> ExactResult:
+def _found(
+    views: DrawnViews, limits: Limits, meter: Meter, model: Modelled | None = None
+) -> ExactResult:
     journal = Journal()
     try:
-        part = model_part(views, deadline=meter.until(_OTHERS * limits.work))
+        model = model or _modelled(views, limits, meter)
     except LimitError as error:
         attempt = Attempt(ModelKind.AS_DRAWN, Outcome.TOO_LARGE, work=meter.spent)
         return _failed((error.code, error.message), meter, (attempt,))
     meter.lap("model")
     result: ExactResult | None = None
     best = -1
-    first = first_work(part, views, limits, meter, journal)
+    first = first_work(model, views, limits, meter, journal)
     for work, labelling in labelled(first, limits):
         meter.lap("label")
         if labelling.labels is None:
@@ -179,12 +186,17 @@ def _found(views: DrawnViews, limits: Limits, meter: Meter) -> ExactResult:
         if _is_neat(found):
             break
     meter.lap("label")
-    result = replace(result, trace=journal.told(best), seconds=meter.seconds)
+    result = replace(result, trace=journal.told(best), seconds=meter.seconds, model=model)
     if result.explains or not limits.relaxed or meter.spent > _PATIENT * limits.work:
         return result
-    conflict = find_conflict(part, views, limits.conflict)
+    conflict = find_conflict(model.part, views, limits.conflict)
     meter.lap("conflict")
     return replace(result, conflict=conflict)
+
+
+def _modelled(views: DrawnViews, limits: Limits, meter: Meter) -> Modelled:
+    part = model_part(views, deadline=meter.until(_OTHERS * limits.work))
+    return Modelled(part, meter.spent)
 
 
 def _failed(reason: tuple[str, str], meter: Meter, trace: tuple[Attempt, ...] = ()) -> ExactResult:

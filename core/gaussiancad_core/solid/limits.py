@@ -11,6 +11,10 @@ from gaussiancad_core.solid.trace import Attempt, Journal, ModelKind, Outcome, c
 OTHERWISE = 0.55
 """Share of the work after which no further model of the drawing is made."""
 
+_FURTHER = 8.0
+"""Units of work after which none is made, either: a drawing of which one model takes as long is
+asked for once."""
+
 
 @dataclass(frozen=True)
 class Limits:
@@ -34,12 +38,26 @@ class Limits:
     guard: float = 900.0
 
 
+@dataclass(frozen=True, eq=False)
+class Modelled:
+    """The model of a drawing as it is.
+
+    Attributes:
+        part: cells and rules.
+        took: units of work.
+    """
+
+    part: PartModel
+    took: float
+
+
 @dataclass(frozen=True)
 class Work:
     """What candidates are made from.
 
     Attributes:
         part, views: that are explained.
+        took: units of work that the model of the drawing as it is took.
         search: for labels of the part.
         meter: of all that is done.
         journal: of what was tried.
@@ -47,6 +65,7 @@ class Work:
     """
 
     part: PartModel
+    took: float
     views: DrawnViews
     search: Search
     meter: Meter
@@ -68,7 +87,7 @@ class Work:
 
     def allows_another(self, limits: Limits) -> bool:
         """Whether work is left for a model that takes as much as the first one did."""
-        return self.meter.spent + self.meter.work["model"] < OTHERWISE * limits.work
+        return self.meter.spent + self.took < min(_FURTHER, OTHERWISE * limits.work)
 
 
 def search_for(part: PartModel, limits: Limits, meter: Meter) -> Search:

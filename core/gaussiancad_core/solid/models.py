@@ -10,12 +10,11 @@ from dataclasses import replace
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, silent_views
 from gaussiancad_core.reasoning.labelling import Labelling
 from gaussiancad_core.reasoning.open_outlines import with_closed_outlines
-from gaussiancad_core.reasoning.part import PartModel
 from gaussiancad_core.reasoning.unsure_kinds import with_unsure_kinds
 from gaussiancad_core.reasoning.work import Deadline, Meter
-from gaussiancad_core.solid.limits import OTHERWISE, Limits, Work, search_for
+from gaussiancad_core.solid.limits import OTHERWISE, Limits, Modelled, Work, search_for
 from gaussiancad_core.solid.other_models import (
-    Modelled,
+    OtherModel,
     followed_curves,
     modelled,
     undrawn_models,
@@ -32,10 +31,11 @@ curves of surfaces."""
 
 
 def first_work(
-    part: PartModel, views: DrawnViews, limits: Limits, meter: Meter, journal: Journal
+    model: Modelled, views: DrawnViews, limits: Limits, meter: Meter, journal: Journal
 ) -> Work:
     """What the drawing as it is gives to work on."""
-    return Work(part, views, search_for(part, limits, meter), meter, journal)
+    search = search_for(model.part, limits, meter)
+    return Work(model.part, model.took, views, search, meter, journal)
 
 
 def labelled(work: Work, limits: Limits) -> Iterator[tuple[Work, Labelling]]:
@@ -74,7 +74,8 @@ def _otherwise(work: Work, found: Labelling, limits: Limits) -> Iterator[tuple[W
             yield from _followed(other, unsure, limits, deadline)
         # What is given up may be linetypes as well.
         work, lines = other, unsure
-    closed = with_closed_outlines(lines) if found.complete else None
+    may_close = found.complete and work.allows_another(limits)
+    closed = with_closed_outlines(lines) if may_close else None
     model = modelled(ModelKind.CLOSED_OUTLINE, closed, work, deadline)
     if model is not None:
         # Where the outside runs into the part nearly all lines contradict each other.
@@ -143,12 +144,12 @@ def _followed(
             yield from _fulfilled(iter([other]), deadline)
 
 
-def _remodelled(work: Work, model: Modelled, limits: Limits) -> Work:
+def _remodelled(work: Work, model: OtherModel, limits: Limits) -> Work:
     kind, part = model
     return replace(work, part=part, search=search_for(part, limits, work.meter), kind=kind)
 
 
-def _until(models: Iterator[Modelled], limits: Limits, work: Work) -> Iterator[Modelled]:
+def _until(models: Iterator[OtherModel], limits: Limits, work: Work) -> Iterator[OtherModel]:
     """Models as long as there is work left for another one."""
     while work.allows_another(limits):
         if (model := next(models, None)) is None:

@@ -24,7 +24,7 @@ _MANY = 4000
 """Rules of a picture's part up to which arcs are taken off it that only follow curves: they are
 what files have."""
 
-Modelled = tuple[ModelKind, PartModel]
+OtherModel = tuple[ModelKind, PartModel]
 
 _MOST_FINER = 4_000
 """Rules up to which lines that views may lack are admitted before the views are taken as they
@@ -33,7 +33,7 @@ are."""
 
 def modelled(
     kind: ModelKind, views: DrawnViews | None, work: Work, deadline: Deadline, **more: object
-) -> Modelled | None:
+) -> OtherModel | None:
     """A model of some views, if there are such; None, and noted, where it is too large."""
     if views is None:
         return None
@@ -44,7 +44,7 @@ def modelled(
         return None
 
 
-def followed_curves(work: Work, lines: DrawnViews, deadline: Deadline) -> Modelled | None:
+def followed_curves(work: Work, lines: DrawnViews, deadline: Deadline) -> OtherModel | None:
     """The part with the curves that strokes may follow."""
     followed = with_followed_curves(lines, work.part.supports)
     return modelled(ModelKind.FOLLOWED_CURVES, followed, work, deadline)
@@ -52,7 +52,7 @@ def followed_curves(work: Work, lines: DrawnViews, deadline: Deadline) -> Modell
 
 def wider_models(
     work: Work, lines: DrawnViews, contradict: bool, deadline: Deadline
-) -> Iterator[Modelled]:
+) -> Iterator[OtherModel]:
     """The part with more surfaces, and, where its lines do ``contradict``, without rough arcs."""
     if (wider := _wider(work, deadline)) is not None:
         yield ModelKind.LONE_BODIES, wider
@@ -64,7 +64,7 @@ def wider_models(
         yield model
 
 
-def undrawn_models(work: Work, views: DrawnViews, deadline: Deadline) -> Iterator[Modelled]:
+def undrawn_models(work: Work, views: DrawnViews, deadline: Deadline) -> Iterator[OtherModel]:
     """The part where some views draw no hidden lines: with the lines along the axes and circles
     that these may lack, and as it is.
 
