@@ -72,7 +72,11 @@ class Slope:
 
 
 def without_slopes(
-    lines: _Lines, axis: Axis, size: Sequence[float], grid: float
+    lines: _Lines,
+    axis: Axis,
+    size: Sequence[float],
+    grid: float,
+    middle: tuple[float, float] | None = None,
 ) -> tuple[dict[Role, list[PlaneLine]], tuple[Slope, ...]]:
     """Views of a turned part with steps in place of what slopes, and the slopes: none where it is
     no turned part.
@@ -82,9 +86,11 @@ def without_slopes(
         axis: that the part may be turned about.
         size: (3,) mm of the part.
         grid: mm of a step of the sheet's coordinates.
+        middle: mm in the plane across the axis, of what it is turned about; None where a circle
+            has to tell that.
     """
     found = {role: list(own) for role, own in lines.items()}
-    centre = _centre(lines, axis, size, grid)
+    centre = middle or _centre(lines, axis, size, grid)
     if centre is None:
         return found, ()
     beside = []
