@@ -23,7 +23,7 @@ from gaussiancad_core.sketch.sketching import Sketch
 from gaussiancad_core.sketched_readings import Weighed, weigh
 from gaussiancad_core.solid.exact import ExactResult, exact_solid
 from gaussiancad_core.solid.limits import Limits
-from gaussiancad_core.solid.reasons import has_hidden_lines
+from gaussiancad_core.solid.reasons import UNBUILT, has_hidden_lines
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.verify import Verification
 
@@ -107,6 +107,10 @@ def find_exact(
     """
     limits = limits or Limits()
     readings = _Readings(own, other, by_symbol)
+    if own.registered.unseen is not None:
+        # Cells take two views.
+        failed = ExactResult(Status.FAILED, None, None, (), (UNBUILT,), {})
+        return readings.sketched or ExactModel(own, failed, False)
     if not has_hidden_lines(own.drawn):
         # Nothing can be certain of such a sheet.
         sketched = _told_by_sketches(readings)
