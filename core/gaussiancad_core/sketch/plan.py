@@ -15,7 +15,9 @@ from gaussiancad_core.sketch.places import Places
 from gaussiancad_core.sketch.plane_lines import PlaneLine, plane_lines
 from gaussiancad_core.sketch.regions import Regions, find_regions
 from gaussiancad_core.sketch.sights import Sights, sights_of
-from gaussiancad_core.sketch.turned import Slope, without_slopes
+from gaussiancad_core.sketch.turned import without_slopes
+from gaussiancad_core.sketch.turned_bores import without_bore_slopes
+from gaussiancad_core.sketch.turned_views import Slope, turning_centre
 from gaussiancad_core.sketch.undrawn import undrawn_divisions
 
 _MOST_CELLS = 200
@@ -39,7 +41,8 @@ class Plan:
         breaks: of edges across the axis, which the lines are without.
         cross_holes: holes along other axes, which the lines are without.
         noted: cylinders of holes along the axis of which notes speak.
-        slopes: of the outline of a turned part, in place of which the lines have steps.
+        slopes: of the outline and the bores of a turned part, in place of which the lines have
+            steps.
     """
 
     axis: Axis
@@ -103,7 +106,12 @@ def _plan(
         return None
     middle = middle_of(axis, size) if views.about is axis else None
     lines, holes = without_cross_holes(lines, axis, size, grid, views)
-    lines, slopes = without_slopes(lines, axis, size, grid, middle)
+    centre = middle or turning_centre(lines, axis, size, grid)
+    slopes: tuple[Slope, ...] = ()
+    if centre is not None:
+        lines, outer = without_slopes(lines, axis, centre, grid)
+        lines, inner = without_bore_slopes(lines, axis, centre, grid, cuts)
+        slopes = (*outer, *inner)
     lines, breaks = without_breaks(lines, axis, max(size), grid)
     above, below = (
         [line for role in facing if planes[role].looks_up is up for line in lines[role]]
