@@ -8,7 +8,7 @@ Where no solid has all lines as they were read, the part is sketched: slabs that
 Only where that leaves much unexplained, or a solid could be certain, are lines given up, of the
 likelier reading, and for a short while: a solid that is found so takes the sketch's place where it
 shows the sheet's lines better.  On a sheet without hidden lines nothing can be certain: a sketch
-that has all lines is taken at once.
+that has all lines is taken at once.  A sheet of one view is sketched alone.
 """
 
 from dataclasses import dataclass, fields, replace

@@ -82,8 +82,10 @@ def told_unseen(
     raise NoModelError(
         "one-view",
         "only one view was found, at {places} px, and neither diameters across an axis nor a "
-        "thickness tell the part: a model needs two orthogonal views or more",
+        "thickness tell the part: a model needs two orthogonal views or more, or --length "
+        "{axis}=MM for its thickness",
         boxes=[view.box],
+        axis=axis.name.lower(),
         places="({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*view.box),
     )
 
