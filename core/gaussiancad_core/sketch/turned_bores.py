@@ -90,7 +90,12 @@ def _sloping(view: _Side, cut: Cut | None, grid: float) -> Iterator[PlaneLine]:
     seen, side = view
     near, border = NEAR * grid, seen.outline.boundary
     for own in seen.lines:
-        if not is_sloping(own, grid) or border.distance(_middle(own)) <= near:
+        if own.curve is None or not is_sloping(own, grid):
+            continue
+        if border.distance(_middle(own)) <= near:
+            continue
+        # Where holes across meet the outline, there are hidden curves, too.
+        if not (own.is_visible or own.is_straight or _goes_on(own, seen, grid)):
             continue
         moved = moved_to(own, seen, side)
         if (points := beyond_axis(moved, near)) is None:
@@ -98,6 +103,12 @@ def _sloping(view: _Side, cut: Cut | None, grid: float) -> Iterator[PlaneLine]:
         for line in one_way(replace(moved, points=points), near):
             if not own.is_visible or (cut is not None and _is_edge_of(cut, view, line, grid)):
                 yield line
+
+
+def _goes_on(line: PlaneLine, seen: Seen, grid: float) -> bool:
+    """Whether a hidden wall along the axis ends where a line does."""
+    walls = [own for own in seen.lines if not own.is_visible]
+    return any(_ends_wall(own, end, seen, grid) for own in walls for end in line.points[[0, -1]])
 
 
 def _is_edge_of(cut: Cut, view: _Side, line: PlaneLine, grid: float) -> bool:

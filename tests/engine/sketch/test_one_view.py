@@ -4,6 +4,8 @@ from dataclasses import replace
 
 import pytest
 import shapely
+from OCP.BRepPrimAPI import BRepPrimAPI_MakeSphere
+from OCP.gp import gp_Pnt
 from OCP.TopoDS import TopoDS_Shape
 from sketch_checks import GRID, check, drawn
 
@@ -129,3 +131,14 @@ def test_a_bore_that_slopes_is_turned_out_of_three_views() -> None:
     truth = cut(shaft(), cylinder(Axis.X, MIDDLE, 5, -1, 81), cone)
     roles = (Role.FRONT, Role.TOP, Role.RIGHT)
     check(sketch(drawn(truth, roles, hidden=True), GRID), truth)
+
+
+@pytest.mark.parametrize("tip", [0, 5])
+def test_a_bore_ends_in_a_tip_or_in_a_dome(tip: int) -> None:
+    bore = cylinder(Axis.X, MIDDLE, 5, 60, 81)
+    if tip:
+        bore = fuse(bore, BRepPrimAPI_MakeSphere(gp_Pnt(60, 20, 20), tip).Shape())
+    else:
+        bore = fuse(bore, revolved([(60, 0), (60, 5), (57, 0)], Axis.X, MIDDLE))
+    truth = cut(shaft(), bore)
+    check(sketch(turned(truth, hidden=True), GRID), truth)
