@@ -87,7 +87,7 @@ def carved_hull(
     """The hull of the views, carved where a solid was found.
 
     Args:
-        views: two to six.
+        views: one to six.
         cameras: one for each view; with others than orthographic ones the hull stays plain.
         result: the exact solid of these views, if there is one.
 

@@ -8,7 +8,7 @@ Where no solid has all lines as they were read, the part is sketched: slabs that
 Only where that leaves much unexplained, or a solid could be certain, are lines given up, of the
 likelier reading, and for a short while: a solid that is found so takes the sketch's place where it
 shows the sheet's lines better.  On a sheet without hidden lines nothing can be certain: a sketch
-that has all lines is taken at once.
+that has all lines is taken at once.  A sheet of one view is sketched alone.
 """
 
 from dataclasses import dataclass, fields, replace
@@ -23,7 +23,7 @@ from gaussiancad_core.sketch.sketching import Sketch
 from gaussiancad_core.sketched_readings import Weighed, weigh
 from gaussiancad_core.solid.exact import ExactResult, exact_solid
 from gaussiancad_core.solid.limits import Limits, Modelled
-from gaussiancad_core.solid.reasons import has_hidden_lines
+from gaussiancad_core.solid.reasons import UNBUILT, has_hidden_lines
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.solid.verify import Verification
 
@@ -107,6 +107,10 @@ def find_exact(
     """
     limits = limits or Limits()
     readings = _Readings(own, other, by_symbol)
+    if own.registered.unseen is not None:
+        # Cells take two views.
+        failed = ExactResult(Status.FAILED, None, None, (), (UNBUILT,), {})
+        return readings.sketched or ExactModel(own, failed, False)
     if not has_hidden_lines(own.drawn):
         # Nothing can be certain of such a sheet.
         sketched = _told_by_sketches(readings)

@@ -91,7 +91,7 @@ def visual_hull(
     """Surface of the largest body that all masks, the box and the reliefs allow.
 
     Args:
-        views: two to six views; a direction that no mask bounds ends at the box.
+        views: one to six views; a direction that no mask bounds ends at the box.
         cameras: one for each view, in any order; orthographic or pinhole.
         reliefs: known depths; those of views with a pinhole camera are not used.
         cells: grid cells along the longest edge of the box.

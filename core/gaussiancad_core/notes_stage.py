@@ -58,7 +58,8 @@ def hole_notes(
     """The holes that notes speak of.
 
     A note belongs to the circle that its leader points at; without one to those of its diameter, if
-    one view alone has as many as it says.
+    one view alone has as many as it says.  In the only view of a turned part one that belongs to
+    none speaks of a bore along the axis.
 
     Args:
         registered: the views.
@@ -84,6 +85,9 @@ def hole_notes(
             else _meant(group, circles, at, taken, registered.mm_per_pixel)
         )
         if role is None:
+            bores = tuple(_bores(registered, group))
+            holes += bores
+            used.update((each.text, each.box) for each in group if bores)
             continue
         count = first.callout.count
         if count > 1 and len(own) != count:
@@ -230,6 +234,20 @@ def _fits(note: SheetNote, circle: Arc, scale: float) -> bool:
 
 def _apart(one: Arc, other: Arc) -> float:
     return float(np.hypot(*np.subtract(one.centre, other.centre)))
+
+
+def _bores(registered: RegisteredSheet, group: Sequence[SheetNote]) -> Iterator[NotedHole]:
+    """The bore through a turned part of which the only view does not show the circle: how deep
+    another one is, and from which end, no note tells."""
+    about = registered.unseen.about if registered.unseen is not None else None
+    first = group[0]
+    if about is None or first.value_mm is None or first.callout.count > 1:
+        return
+    if first.callout.through:
+        role = next(own for own in Role if own.frame.look_axis[0] is about)
+        along = role.frame.right_axis, role.frame.up_axis
+        right, up = (sign * registered.views.size[axis.value] / 2.0 for axis, sign in along)
+        yield NotedHole(role, (right, up), (HoleStep(first.value_mm, None),), first.text)
 
 
 def _noted(

@@ -54,12 +54,13 @@ class Reading:
     def drawn(self) -> DrawnViews:
         """The lines of the views, as the reasoning takes them."""
         plain = drawn_views(self.registered, self.measures)
-        beside = self.beside.items()
+        beside, unseen = self.beside.items(), self.registered.unseen
         return replace(
             plain,
             strokes={**plain.strokes, **{role: own.strokes for role, own in beside}},
             cuts={**self.cuts, **{role: own.cut for role, own in beside}},
             holes=self.holes,
+            about=unseen.about if unseen is not None else None,
         )
 
     @property

@@ -5,11 +5,11 @@ from dataclasses import dataclass, replace
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.job import Job
 from gaussiancad_core.label_doubts import tell_doubtful_labels, weighed_views
 from gaussiancad_core.messages import Message
 from gaussiancad_core.modes import ResultKind
+from gaussiancad_core.one_view_stage import is_unseen, told_unseen
 from gaussiancad_core.projection_choice import opposite
 from gaussiancad_core.report import NoteReport, Unused, ViewReport
 from gaussiancad_core.run_notes import RunNotes
@@ -21,11 +21,9 @@ from gaussiancad_core.sheet.graph.heads import arrowheads
 from gaussiancad_core.sheet.graph.tangent_edges import without_tangent_edges
 from gaussiancad_core.sheet.labels.evidence import NO_LABELS, SheetLabels
 from gaussiancad_core.sheet.layout import Layout, may_be_views
-from gaussiancad_core.sheet.masks import supersampling_for
 from gaussiancad_core.sheet.notes.finding import SheetNote, notes_of
 from gaussiancad_core.sheet.notes.sections import NamedSection, named_sections
 from gaussiancad_core.sheet.options import Box, ReadingOptions
-from gaussiancad_core.sheet.painted import painted, view_by_strokes, visible_bounds
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
 from gaussiancad_core.sheet.scale.dimensions import file_lines
@@ -40,6 +38,7 @@ from gaussiancad_core.sheet.special_views.hatched_areas import to_middles, with_
 from gaussiancad_core.sheet.special_views.kinds import SECTIONS
 from gaussiancad_core.sheet.special_views.telling import UNUSED, tellings, why_unused
 from gaussiancad_core.sheet.special_views.threads import arcs_of, without_threads
+from gaussiancad_core.unseen import Unseen
 from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
 
 _MOST_PLACES = 5
@@ -63,6 +62,7 @@ class SheetLines:
         loose: lines of the part that belong to no view, where none was found.
         beside: sections that stand beside plain views of their directions.
         labels: what the lines of the sheet were taken for; nothing where no labels told it.
+        unseen: what is known of the axis that the only view does not show; None of several views.
     """
 
     layout: Layout
@@ -75,6 +75,7 @@ class SheetLines:
     loose: tuple[Stroke, ...] = ()
     beside: tuple[ReadView, ...] = ()
     labels: SheetLabels = NO_LABELS
+    unseen: Unseen | None = None
 
 
 def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) -> SheetLines:
@@ -106,13 +107,12 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
 
         layout, beside = sections_beside(layout, sections, hatched, read)
         said = notes_of(scale.texts, scale.unit) if scale is not None else ()
-        if len(drawn) == 1:
-            layout, drawn = _with_companion(clean, layout, drawn[0], (scale, said), notes)
         tell_layout(notes, layout, clean.turn)
-        options = tell_scale(reading, scale, notes)
+        options = tell_scale(reading, scale, drawn, notes)
         tell_notes(notes, said, clean.turn)
+        unseen = told_unseen(drawn, scale, said, options, notes)
     told = separated.marks, scale, options, said, sections
-    return SheetLines(layout, drawn, *told, beside=beside, labels=separated.labels)
+    return SheetLines(layout, drawn, *told, beside=beside, labels=separated.labels, unseen=unseen)
 
 
 def boxed_views(
@@ -204,40 +204,6 @@ def _role_at(roles: dict[Box, Role], box: Box) -> Role | None:
     )
 
 
-def _with_companion(
-    clean: CleanSheet,
-    layout: Layout,
-    view: ReadView,
-    told: tuple[SheetScale | None, Sequence[SheetNote]],
-    notes: RunNotes,
-) -> tuple[Layout, tuple[ReadView, ...]]:
-    """The only view with the one that follows from it.
-
-    Raises:
-        NoModelError: ``one-view`` where none does.
-    """
-    # It makes a solid: the kernel takes a second to load, and most sheets do without.
-    from gaussiancad_core.one_view_stage import companion
-
-    scale, found = told
-    other = companion(view, scale, found, clean.ink.shape[1]) if scale is not None else None
-    if other is None:
-        raise NoModelError(
-            "one-view",
-            "only one view was found, at {places} px, and neither diameters across an axis nor a "
-            "thickness tell the part: a model needs two orthogonal views or more",
-            boxes=[view.box],
-            places="({:.0f}, {:.0f})-({:.0f}, {:.0f})".format(*view.box),
-        )
-    notes.doubt("second-view-assumed", other.message)
-    x0, y0, x1, y1 = visible_bounds(other.strokes)
-    part = painted(other.strokes, clean)
-    factor = supersampling_for(max(x1 - x0, y1 - y0, view.box[2] - view.box[0]))
-    own = view_by_strokes(other.role, other.strokes, part, factor, (view.source, None))
-    boxes = {**layout.boxes, other.role: own.box}
-    return replace(layout, boxes=boxes, alternatives=()), (view, own)
-
-
 def _tangent_mark(line: Segment) -> Mark:
     return line_mark(AnnotationKind.TANGENT_EDGE, line.start, line.end)
 
@@ -269,9 +235,9 @@ def _sheet_scale(
     notes: RunNotes,
 ) -> SheetScale | None:
     """What the sheet's dimensions, paper and notes say; None where nobody asks."""
-    if _is_given(job.reading) and job.result is ResultKind.SURFACE:
-        return None
     found, drawn = read
+    if _is_given(job.reading, drawn) and job.result is ResultKind.SURFACE:
+        return None
     scale = find_scale(image, clean, found.separated.marks, drawn, found.written)
     notes.tell(dimensions=scale.dimensions)
     for note in scale.contradictions:
@@ -279,15 +245,17 @@ def _sheet_scale(
     return scale
 
 
-def _is_given(reading: ReadingOptions) -> bool:
-    return reading.length is not None or reading.mm_per_pixel is not None
+def _is_given(reading: ReadingOptions, drawn: Sequence[ReadView]) -> bool:
+    """Whether the user says a scale: an extent that no view shows says none."""
+    shown = reading.length is not None and not is_unseen(reading.length[0], drawn)
+    return shown or reading.mm_per_pixel is not None
 
 
 def tell_scale(
-    reading: ReadingOptions, scale: SheetScale | None, notes: RunNotes
+    reading: ReadingOptions, scale: SheetScale | None, drawn: Sequence[ReadView], notes: RunNotes
 ) -> ReadingOptions:
     """What the user said, with the scale that the sheet tells where they said none."""
-    if scale is None or _is_given(reading):
+    if scale is None or _is_given(reading, drawn):
         notes.tell(scale_source=ScaleSource.GIVEN.value)
         return reading
     notes.tell(scale_source=scale.source.value)

@@ -64,10 +64,11 @@ def registered_lines(job: Job, lines: SheetLines, turn: Turn, notes: RunNotes) -
     with notes.stage("masks"):
         if job.recipe is Recipe.PAPER:
             options = replace(options, open_holes=False)
-        if layout.alternatives and not options.views:
+        if layout.alternatives and not options.views and lines.unseen is None:
             found = _both(lines, options, notes)
         else:
-            own = Reading(register_views(lines.drawn, options), notes.report.projection)
+            registered = register_views(lines.drawn, options, lines.unseen)
+            own = Reading(registered, notes.report.projection)
             found = SheetFindings(own, None, (), ())
         found = _with_measures(found, lines.scale, notes)
         found = _with_cuts(found, lines)
@@ -238,7 +239,7 @@ def _tell_registration(notes: RunNotes, registered: RegisteredSheet, turn: Turn)
                 spread_mm=round(spread * registered.mm_per_pixel, 2),
             ),
         )
-    if not mutually_orthogonal(registered.views.roles):
+    if registered.unseen is None and not mutually_orthogonal(registered.views.roles):
         notes.doubt(
             "two-views", "only two directions of view: what a third would show is not known"
         )

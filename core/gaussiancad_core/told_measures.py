@@ -17,6 +17,7 @@ from gaussiancad_core.sheet.registration import Placement
 from gaussiancad_core.sheet.scale.dimensions import Span
 from gaussiancad_core.sheet.scale.estimate import Measure
 from gaussiancad_core.sheet.scale.find import SheetScale
+from gaussiancad_core.unseen import Unseen
 
 _BEYOND_PX = 4.0
 """px by which what a dimension measures may reach beyond its view."""
@@ -45,11 +46,12 @@ def told_numbers(
     # Digits are rather lost in reading than added: of two numbers for one length the longer counts.
     ordered = sorted(measures, key=lambda measure: measure.digit_mm)
     found = tuple(own for measure in ordered for own in _told(registered, measure))
+    found += tuple(_thickness(registered.unseen))
     if not found:
         return None
     reach = min(max(_NOISES * noise_px, _LEAST_PX), _MOST_PX)
     # Zeros at the end are left out: the longest number tells how all are rounded.
-    digit = min(measure.digit_mm for measure in measures)
+    digit = min((measure.digit_mm for measure in measures), default=0.0)
     return ToldNumbers(found, reach * registered.mm_per_pixel, digit)
 
 
@@ -94,6 +96,12 @@ def _length(role: Role, placement: Placement, span: Span, value: float) -> ToldL
     along, (axis, sign) = (right, role.frame.right_axis) if span.level else (up, role.frame.up_axis)
     low, high = sorted((sign * along).tolist())
     return ToldLength(axis, low, high, value)
+
+
+def _thickness(unseen: Unseen | None) -> Iterator[ToldLength]:
+    """That the part is as thick as was said, where no view shows it."""
+    if unseen is not None and unseen.thickness is not None:
+        yield ToldLength(unseen.axis, 0.0, unseen.thickness, unseen.thickness)
 
 
 def _radius(

@@ -193,7 +193,7 @@ class ViewSet:
     """Views that show the same part.
 
     Attributes:
-        views: two to six, each role once.
+        views: one to six, each role once.
         size: (3,) extent of the part's bounding box in mm; it starts at the origin.
     """
 

@@ -17,6 +17,7 @@ from gaussiancad_core.views import Arc, Linetype
 PIXEL = 0.5
 SHEET = SimpleNamespace(
     mm_per_pixel=PIXEL,
+    unseen=None,
     placements={
         # 60 mm wide, 20 deep, 40 high; the left view's right is -Y.
         Role.FRONT: Placement(Role.FRONT, (100.0, 200.0, 220.0, 280.0), (0.0, 60.0), (0.0, 40.0)),

@@ -77,7 +77,7 @@ def add_reading_options(parser: argparse.ArgumentParser) -> None:
         "--length",
         type=values.axis_length,
         metavar="AXIS=MM",
-        help="the part's extent on x, y or z",
+        help="the part's extent on x, y or z; y is the thickness of a plate in one view",
     )
     scale.add_argument("--mm-per-pixel", type=values.positive, metavar="S")
     parser.add_argument(

@@ -258,7 +258,9 @@ def _with_scale(reading: SheetReading, operation: ScaleOperation) -> SheetReadin
     if operation.length_mm is None:
         return None
     if operation.axis is not None:
-        own = ReadScale(source=GIVEN, axis=operation.axis, length_mm=operation.length_mm)
+        # An extent that the only view does not show tells no scale: that stays.
+        known = reading.scale if _is_unseen(reading, operation.axis) else ReadScale(source=GIVEN)
+        own = changed(known, axis=operation.axis, length_mm=operation.length_mm, points=None)
         return changed(reading, scale=own)
     if operation.points is None:
         return None
@@ -273,6 +275,13 @@ def _with_scale(reading: SheetReading, operation: ScaleOperation) -> SheetReadin
         points=operation.points,
     )
     return changed(reading, scale=own)
+
+
+def _is_unseen(reading: SheetReading, axis: str) -> bool:
+    """Whether the reading has one view, which looks along an axis."""
+    known = {role.value: role for role in Role}
+    roles = [known[own.role.value] for own in reading.views if own.role.value in known]
+    return len(roles) == 1 and roles[0].frame.look_axis[0].name.lower() == axis
 
 
 def _with_unit(reading: SheetReading, operation: UnitOperation) -> SheetReading:

@@ -109,7 +109,8 @@ class ReadUnit(Struct, frozen=True, kw_only=True):
 
 
 class ReadScale(Struct, frozen=True, kw_only=True, omit_defaults=True):
-    """mm a px, or the part's extent along an axis; neither where the sheet does not tell.
+    """mm a px, or the part's extent along an axis; neither where the sheet does not tell.  Both
+    where no view shows the axis.
 
     Attributes:
         points: px of the sheet, between which a person told ``length_mm``.

@@ -14,6 +14,7 @@ from gaussiancad_core.errors import NoModelError, UsageError
 from gaussiancad_core.job import Job
 from gaussiancad_core.label_doubts import DOUBTFUL, tell_doubtful_labels
 from gaussiancad_core.messages import filled
+from gaussiancad_core.one_view_stage import told_unseen
 from gaussiancad_core.opened_sheet import OpenedSheet
 from gaussiancad_core.reading_stage import (
     SheetLines,
@@ -120,7 +121,8 @@ def taken_lines(
     with notes.stage("lines"):
         drawn = _drawn(reading, clean, reread)
         scale = _scale(reading, turn)
-        options = tell_scale(in_worked_px(_told_axis(job, reading).reading, turn), scale, notes)
+        told = in_worked_px(_told_axis(job, reading).reading, turn)
+        options = tell_scale(told, scale, drawn, notes)
         for problem in reading.problems:
             if problem.code in _CARRIED:
                 tell = notes.doubt if problem.severity == "doubt" else notes.warn
@@ -129,10 +131,11 @@ def taken_lines(
         tell_notes(notes, found, turn)
         sections = tuple(_section(own, turn) for own in reading.sections)
         beside = _beside(reading, clean)
+        unseen = told_unseen(drawn, scale, found, options, notes)
         labels = entry_labels(reading.strokes, turn, clean.stroke_width)
         _tell_labels(notes, reading, labels, layout, turn)
     told = marks, scale, options, found, sections
-    return SheetLines(layout, drawn, *told, beside=beside, labels=labels)
+    return SheetLines(layout, drawn, *told, beside=beside, labels=labels, unseen=unseen)
 
 
 def _tell_labels(
@@ -215,11 +218,10 @@ def _is_settled(view: ViewEntry) -> bool:
 
 def _drawn(reading: SheetReading, clean: CleanSheet, reread: Reread) -> tuple[ReadView, ...]:
     views = _principal(reading)
-    if len(views) < 2:
+    if not views:
         raise NoModelError(
-            "one-view" if views else "no-views",
-            "the reading names fewer than two views of the part: give each its role, and a box "
-            "around it",
+            "no-views",
+            "the reading names no view of the part: give each its role, and a box around it",
         )
     strokes = {role: _strokes_of(reading, view, clean.turn) for role, view in views.items()}
     empty = [

@@ -34,6 +34,7 @@ class DrawnViews:
         undrawn: views that are taken to draw no hidden lines: what is blank there is not visible.
         cuts: views that are sections.  They draw no hidden lines.
         holes: of which notes speak.
+        about: the axis that the part is turned about, where no view looks along it.
     """
 
     strokes: Mapping[Role, tuple[Curve, ...]]
@@ -49,6 +50,7 @@ class DrawnViews:
     undrawn: tuple[Role, ...] = ()
     cuts: Mapping[Role, Cut] = field(default_factory=dict)
     holes: tuple[NotedHole, ...] = ()
+    about: Axis | None = None
 
     @property
     def without_hidden(self) -> tuple[Role, ...]:

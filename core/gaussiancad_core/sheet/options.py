@@ -26,7 +26,8 @@ class ReadingOptions:
     Attributes:
         projection: None to infer it.
         views: role -> box around the view in sheet px.
-        length: (axis, mm), the part's extent along an axis, or None.
+        length: (axis, mm), the part's extent along an axis, or None; along the one that the only
+            view does not show it is the part's thickness, and tells no scale.
         mm_per_pixel: scale of the sheet, or None.
         colour: RGB of the part.
         open_holes: open the through holes that the hidden lines prove; the paper's masks are only

@@ -38,6 +38,7 @@ from gaussiancad_core.sheet.through_holes import Extent, ViewEvidence, is_throug
 from gaussiancad_core.sheet.twin_lines import with_twins
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet, vector_views
 from gaussiancad_core.sheet.view_shapes import find_shapes, view_pens, view_rhythm
+from gaussiancad_core.unseen import Unseen
 from gaussiancad_core.views import Linetype, Stroke, ViewSet
 
 _LEAST_PX = 0.5
@@ -105,6 +106,7 @@ class RegisteredSheet:
         extents: of the axes in sheet px.
         opened: number of through holes opened in the masks.
         told: the axis whose extent was told; None where none was, or the scale.
+        unseen: what is known of the axis that the only view does not show; None of several views.
     """
 
     views: ViewSet
@@ -114,6 +116,7 @@ class RegisteredSheet:
     extents: AxisExtents
     opened: int
     told: Axis | None = None
+    unseen: Unseen | None = None
 
     @property
     def source(self) -> StrokesSource:
@@ -196,8 +199,15 @@ def _check_outline(view: ReadView) -> None:
         )
 
 
-def register_views(drawn: tuple[ReadView, ...], options: ReadingOptions) -> RegisteredSheet:
+def register_views(
+    drawn: tuple[ReadView, ...], options: ReadingOptions, unseen: Unseen | None = None
+) -> RegisteredSheet:
     """Bring views onto shared axes in mm.
+
+    Args:
+        drawn: the views, px of the upright sheet.
+        options: with the scale, if it is known.
+        unseen: of the axis that a view alone does not show.
 
     Raises:
         NoModelError: ``open-outline`` if the outline of a view does not close; the views
@@ -205,14 +215,18 @@ def register_views(drawn: tuple[ReadView, ...], options: ReadingOptions) -> Regi
     """
     for view in drawn:
         _check_outline(view)
-    extents = axis_extents({view.role: view.box for view in drawn})
+    hidden_axis = unseen.axis if unseen is not None else None
+    extents = axis_extents({view.role: view.box for view in drawn}, hidden_axis)
     plain = [_own_placement(view) for view in drawn]
     shared = share_axes(
         [_in_own_plane(view, place) for view, place in zip(drawn, plain, strict=True)]
     )
-    extents = replace(extents, extents=shared.extents, residuals=shared.residuals)
-    scale = _scale(extents, options)
-    pixels = tuple(extents.extents[axis] for axis in Axis)
+    scale = _scale(shared.extents, options)
+    along = dict(shared.extents)
+    if unseen is not None:
+        along[unseen.axis] = unseen.extent(shared.extents, scale)
+    extents = replace(extents, extents=along, residuals=shared.residuals)
+    pixels = tuple(along[axis] for axis in Axis)
     size = tuple(extent * scale for extent in pixels)
     placements = {}
     strokes = {}
@@ -236,7 +250,7 @@ def register_views(drawn: tuple[ReadView, ...], options: ReadingOptions) -> Regi
     by_length = options.mm_per_pixel is None and options.length is not None
     told = options.length[0] if by_length else None
     found = ViewSet(tuple(views), size)
-    return RegisteredSheet(found, placements, drawn, scale, extents, opened, told)
+    return RegisteredSheet(found, placements, drawn, scale, extents, opened, told, unseen)
 
 
 def _own_placement(view: ReadView) -> Placement:
@@ -254,14 +268,14 @@ def _in_own_plane(view: ReadView, place: Placement) -> PlaneView:
     return PlaneView(view.role, strokes, (x1 - x0, y1 - y0), view.source.precision)
 
 
-def _scale(extents: AxisExtents, options: ReadingOptions) -> float:
-    """mm per sheet px."""
+def _scale(extents: dict[Axis, float], options: ReadingOptions) -> float:
+    """mm per sheet px, for a part whose extents are so many."""
     if options.mm_per_pixel is not None:
         return options.mm_per_pixel
     if options.length is not None:
         axis, length = options.length
-        return length / extents.extents[axis]
-    return DEFAULT_LONGEST_MM / max(extents.extents.values())
+        return length / extents[axis]
+    return DEFAULT_LONGEST_MM / max(extents.values())
 
 
 def _through_holes(view: ReadView, drawn: tuple[ReadView, ...]) -> tuple[Region, ...]:

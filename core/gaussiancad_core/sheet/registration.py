@@ -192,8 +192,12 @@ def _extremes(stroke: Stroke) -> npt.NDArray[np.float64]:
     return np.array(stroke.centre) + stroke.radius * radial
 
 
-def axis_extents(boxes: dict[Role, Box]) -> AxisExtents:
+def axis_extents(boxes: dict[Role, Box], unseen: Axis | None = None) -> AxisExtents:
     """Extent of each axis over the views.
+
+    Args:
+        boxes: of the views, px.
+        unseen: the axis that no view has to show; it has no extent then.
 
     Raises:
         NoModelError: ``views-contradict`` if two views show an axis with very different lengths.
@@ -202,7 +206,7 @@ def axis_extents(boxes: dict[Role, Box]) -> AxisExtents:
     for role, (x0, y0, x1, y1) in boxes.items():
         seen.setdefault(role.frame.right_axis[0], {})[role] = x1 - x0
         seen.setdefault(role.frame.up_axis[0], {})[role] = y1 - y0
-    missing = [axis.name for axis in Axis if axis not in seen]
+    missing = [axis.name for axis in Axis if axis not in seen and axis is not unseen]
     if missing:
         raise NoModelError(
             "views-parallel",
@@ -223,8 +227,9 @@ def axis_extents(boxes: dict[Role, Box]) -> AxisExtents:
                 views=", ".join(role.value for role in by_role),
                 percent=round(100 * (1.0 - shortest / longest)),
             )
-    extents = {axis: float(np.mean(list(seen[axis].values()))) for axis in Axis}
-    spread = {axis: max(seen[axis].values()) - min(seen[axis].values()) for axis in Axis}
+    known = {axis: list(seen[axis].values()) for axis in Axis if axis in seen}
+    extents = {axis: float(np.mean(own)) for axis, own in known.items()}
+    spread = {axis: max(own) - min(own) for axis, own in known.items()}
     return AxisExtents(extents, spread)
 
 

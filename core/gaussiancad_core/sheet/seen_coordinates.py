@@ -137,6 +137,11 @@ class SeenByViews:
         # In terms of variance, so that views of different precision can be averaged.
         self._weight[axis].append(weight / self.views[source.view].precision.noise ** 2)
 
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """Those that a view shows."""
+        return tuple(axis for axis in Axis if self.sources[axis])
+
     def on(self, axis: Axis) -> SeenCoordinates:
         """The coordinates of an axis; its views are counted as in :meth:`showing`."""
         showing = self.showing(axis)

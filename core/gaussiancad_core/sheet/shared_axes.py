@@ -81,11 +81,11 @@ def share_axes(views: Sequence[PlaneView]) -> SharedAxes:
     """Bring views together and let their coordinates agree.
 
     Args:
-        views: at least two, which show all three axes between them.
+        views: at least one; an axis that none shows has no extent.
     """
     supported = [supports_of(view.strokes, view.precision) for view in views]
     seen = SeenByViews(views, supported)
-    fits = {axis: seen.fit(axis) for axis in Axis}
+    fits = {axis: seen.fit(axis) for axis in seen.axes}
     maps = tuple(_map(seen, index, fits) for index in range(len(views)))
     unknowns = _Unknowns(seen, fits, maps)
     levels = unknowns.levels
@@ -105,10 +105,10 @@ def share_axes(views: Sequence[PlaneView]) -> SharedAxes:
     )
     residuals = {
         axis: found
-        for axis in Axis
+        for axis in seen.axes
         if (found := axis_residual(seen.on(axis), fits[axis], levels[axis], unknowns.zero[axis]))
     }
-    extents = {axis: float(levels[axis][-1]) for axis in Axis}
+    extents = {axis: float(levels[axis][-1]) for axis in seen.axes}
     return SharedAxes(strokes, shifted, extents, residuals)
 
 
@@ -136,18 +136,18 @@ class _Unknowns:
         self._seen = seen
         self._maps = maps
         self._number: dict[CoordinateSource, int] = {}
-        self._chains: list[npt.NDArray[np.int64]] = []
+        self._chains: dict[Axis, npt.NDArray[np.int64]] = {}
         self._start: list[float] = []
         self._weights: list[float] = []
-        for axis in Axis:
-            self._number_axis(axis, fits[axis])
+        for axis, fit in fits.items():
+            self._number_axis(axis, fit)
         self._radius: dict[tuple[int, int], int] = {}
         self._number_circles()
         self.values = self._solved()
         if self._attached():
             self.values = self._solved()
         self.levels, self.zero = {}, {}
-        for axis, chain in zip(Axis, self._chains, strict=True):
+        for axis, chain in self._chains.items():
             self.zero[axis] = float(self.values[chain[0]])
             self.levels[axis] = self.values[chain] - self.zero[axis]
 
@@ -169,7 +169,7 @@ class _Unknowns:
         start = averages(fit.common(seen), seen.weight, fit.cluster)
         self._start += start.tolist()
         self._weights += np.bincount(fit.cluster, weights=seen.weight).tolist()
-        self._chains.append(np.arange(first, first + len(start)))
+        self._chains[axis] = np.arange(first, first + len(start))
         for source, cluster in zip(self._seen.sources[axis], fit.cluster, strict=True):
             self._number[source] = first + int(cluster)
 
@@ -232,7 +232,7 @@ class _Unknowns:
         for view, support in self._radius:
             self._observe_circle(view, support, information, pull)
         limits = self._seen.limits.reach + _SURELY / np.sqrt(np.array(self._weights))
-        known = Estimates(information, start, limits, tuple(self._chains))
+        known = Estimates(information, start, limits, tuple(self._chains.values()))
         return tied(known, pull, self._ties())
 
     def _attached(self) -> bool:
@@ -240,7 +240,7 @@ class _Unknowns:
         count = len(self._number)
         for source in self._seen.loose:
             axis = self._seen.views[source.view].axes[source.direction][0]
-            chain = self._chains[axis.value]
+            chain = self._chains[axis]
             away = np.abs(self.values[chain] - self.values[self._number[source]])
             nearest = int(np.argmin(away))
             if away[nearest] <= self._seen.limits.finest:
@@ -249,7 +249,7 @@ class _Unknowns:
         return count < len(self._number)
 
     def _observe_lines(self, information: Floats, pull: Floats) -> None:
-        for axis in Axis:
+        for axis in self._chains:
             seen = self._seen.on(axis)
             for index, source in enumerate(self._seen.sources[axis]):
                 support = (

@@ -78,7 +78,10 @@ def without_cross_holes(
         views: of which they are: what is cut, and holes of which notes speak.
     """
     found = {role: with_whole_circles(own, grid) for role, own in lines.items()}
-    draws_hidden = any(not own.is_visible for drawn in lines.values() for own in drawn)
+    # No view shows the walls of a hole along which the only view looks.
+    draws_hidden = len(lines) > 1 and any(
+        not own.is_visible for drawn in lines.values() for own in drawn
+    )
     holes: list[CrossHole] = []
     gone: set[int] = set()
     for role, drawn in found.items():

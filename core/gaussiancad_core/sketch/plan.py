@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
+from gaussiancad_core.sketch.about_axis import circles_about, middle_of
 from gaussiancad_core.sketch.breaks import EdgeBreak, without_breaks
 from gaussiancad_core.sketch.cross_holes import CrossHole, without_cross_holes
 from gaussiancad_core.sketch.levels import find_levels
@@ -14,7 +15,9 @@ from gaussiancad_core.sketch.places import Places
 from gaussiancad_core.sketch.plane_lines import PlaneLine, plane_lines
 from gaussiancad_core.sketch.regions import Regions, find_regions
 from gaussiancad_core.sketch.sights import Sights, sights_of
-from gaussiancad_core.sketch.turned import Slope, without_slopes
+from gaussiancad_core.sketch.turned import without_slopes
+from gaussiancad_core.sketch.turned_bores import without_bore_slopes
+from gaussiancad_core.sketch.turned_views import Slope, turning_centre
 from gaussiancad_core.sketch.undrawn import undrawn_divisions
 
 _MOST_CELLS = 200
@@ -38,7 +41,8 @@ class Plan:
         breaks: of edges across the axis, which the lines are without.
         cross_holes: holes along other axes, which the lines are without.
         noted: cylinders of holes along the axis of which notes speak.
-        slopes: of the outline of a turned part, in place of which the lines have steps.
+        slopes: of the outline and the bores of a turned part, in place of which the lines have
+            steps.
     """
 
     axis: Axis
@@ -67,7 +71,8 @@ class Plan:
 
 
 def plans_of(views: DrawnViews, places: Places) -> Iterator[Plan]:
-    """The part's slabs along each axis along which a view that is not cut looks.
+    """The part's slabs along each axis along which a view that is not cut looks, or along the one
+    that it is turned about.
 
     Args:
         views: of the part.
@@ -93,28 +98,36 @@ def _plan(
     draws_hidden: bool,
 ) -> Plan | None:
     size, grid, cuts = places.size, places.grid, views.cuts
-    lines, holes = without_cross_holes(lines, axis, size, grid, views)
-    lines, slopes = without_slopes(lines, axis, size, grid)
-    lines, breaks = without_breaks(lines, axis, max(size), grid)
     planes = {role: role_plane(role) for role in lines}
     facing = [r for r in lines if planes[r].normal is axis and r not in cuts]
     beside = [r for r in lines if planes[r].normal is not axis]
-    if not facing or not beside:
+    is_alone = len(lines) == 1 and (bool(facing) or views.about is axis)
+    if not is_alone and not (facing and beside):
         return None
+    middle = middle_of(axis, size) if views.about is axis else None
+    lines, holes = without_cross_holes(lines, axis, size, grid, views)
+    centre = middle or turning_centre(lines, axis, size, grid)
+    slopes: tuple[Slope, ...] = ()
+    if centre is not None:
+        lines, outer = without_slopes(lines, axis, centre, grid)
+        lines, inner = without_bore_slopes(lines, axis, centre, grid, cuts)
+        slopes = (*outer, *inner)
+    lines, breaks = without_breaks(lines, axis, max(size), grid)
     above, below = (
         [line for role in facing if planes[role].looks_up is up for line in lines[role]]
         for up in (False, True)
     )
     widths = {own.width for own in breaks}
-    regions = find_regions(above, below, grid, widths)
     across = [(IN_PLANE[planes[r].normal].index(axis.value), list(lines[r])) for r in beside]
+    common = [
+        (IN_PLANE[axis].index(IN_PLANE[planes[r].normal][1 - along]), 1 - along, drawn)
+        for r, (along, drawn) in zip(beside, across, strict=True)
+    ]
+    circles = circles_about(axis, common, views.holes, size, grid) if middle is not None else ()
+    regions = find_regions(above, below, grid, widths, circles)
     levels = find_levels(across, size[axis.value], grid)
     levels = tuple(sorted((*levels, *floors(views.holes, axis, levels, grid))))
-    if not draws_hidden:
-        common = [
-            (IN_PLANE[axis].index(IN_PLANE[planes[r].normal][1 - along]), 1 - along, drawn)
-            for r, (along, drawn) in zip(beside, across, strict=True)
-        ]
+    if not draws_hidden and middle is None:
         first, second = (size[k] for k in IN_PLANE[axis])
         undrawn = undrawn_divisions([*above, *below], common, (first, second), grid)
         divided = find_regions(above, below, grid, widths, undrawn) if undrawn else regions

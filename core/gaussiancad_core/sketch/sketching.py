@@ -24,7 +24,7 @@ from gaussiancad_core.sketch.broken_edges import with_breaks
 from gaussiancad_core.sketch.choosing import Choice, choose
 from gaussiancad_core.sketch.places import find_places
 from gaussiancad_core.sketch.plan import plans_of
-from gaussiancad_core.sketch.turned import Slope
+from gaussiancad_core.sketch.turned_views import Slope
 
 _EFFORT = 1.0
 """Units of the solver's work for all axes."""

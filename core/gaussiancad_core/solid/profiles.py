@@ -1,7 +1,6 @@
 """Solids of profiles: turned around an axis, or swept along one.
 
-The lines of a view divide it into cells; what is material of them is united, and its outline, line
-by line and arc by arc, is swept.
+The outline of what is material in a plane is swept line by line and arc by arc.
 """
 
 from collections.abc import Callable, Sequence
@@ -24,16 +23,10 @@ from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Wire
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.curves import CircleCurve, line_through, meetings
 from gaussiancad_core.reasoning.planes import IN_PLANE
-from gaussiancad_core.views import Arc, Stroke
+from gaussiancad_core.views import Arc
 
 _CHORDS = 96
 """Of a whole circle."""
-
-_WHOLE = 0.98
-"""Share of the material that is in one piece at least."""
-
-_GRID = 1e-3
-"""Distance of points that are made one, as a share of that within which they are."""
 
 _FLAT = 1e-5
 """Height of an arc over its chord, as a share of its radius, up to which that stands for it."""
@@ -63,54 +56,6 @@ class Profile:
     near: float
 
 
-def profile_of(
-    strokes: Sequence[Stroke],
-    within: shapely.Geometry,
-    is_material: Callable[[Point], bool],
-    near: float,
-) -> Profile | None:
-    """What is material of the cells that strokes divide a part of a view into.
-
-    Args:
-        strokes: in the plane.
-        within: the part that is looked at; its border divides as well.
-        is_material: tells it of a point of a cell.
-        near: distance within which points are one.
-
-    Returns:
-        None where that is not one piece, but for specks.
-    """
-    chosen = [
-        cell
-        for cell in cells_of(strokes, within, near)
-        if is_material((cell.representative_point().x, cell.representative_point().y))
-    ]
-    area = shapely.union_all(chosen)
-    parts = sorted(shapely.get_parts(area), key=lambda own: own.area)
-    if not parts or parts[-1].area < _WHOLE * area.area:
-        return None
-    area = parts[-1]
-    # Holes run the other way round than the outline.
-    area = shapely.geometry.polygon.orient(area)
-    return Profile(area, tuple(own for own in strokes if isinstance(own, Arc)), near)
-
-
-def cells_of(
-    strokes: Sequence[Stroke], within: shapely.Geometry, near: float
-) -> list[shapely.Polygon]:
-    """The cells that strokes, and the border, divide a part of a view into.
-
-    Args:
-        strokes: in the plane.
-        within: the part that is looked at.
-        near: distance within which ends of strokes are one.
-    """
-    lines = [shapely.LineString(own) for own in _meeting([_points(own) for own in strokes], near)]
-    noded = shapely.union_all([*lines, within.boundary], grid_size=_GRID * near)
-    cells = shapely.get_parts(shapely.polygonize(shapely.get_parts(noded)))
-    return [cell for cell in cells if within.contains(cell.representative_point())]
-
-
 def turned(profile: Profile, axis: Axis, centre: Point = (0.0, 0.0)) -> TopoDS_Shape:
     """A profile turned once around an axis; its first coordinate runs along it, its second is the
     distance from it.
@@ -134,12 +79,6 @@ def turned(profile: Profile, axis: Axis, centre: Point = (0.0, 0.0)) -> TopoDS_S
     return _unified(BRepPrimAPI_MakeRevol(face, gp_Ax1(place((0.0, 0.0)), gp_Dir(*way))).Shape())
 
 
-def thickened(profile: Profile, thickness: float) -> TopoDS_Shape:
-    """A profile in the plane of x and z, as thick as told along y."""
-    face = _face(profile, lambda point: gp_Pnt(point[0], 0.0, point[1]))
-    return _unified(BRepPrimAPI_MakePrism(face, gp_Vec(0.0, thickness, 0.0)).Shape())
-
-
 def prism(profile: Profile, axis: Axis, between: tuple[float, float]) -> TopoDS_Shape:
     """A profile across an axis as a prism along it.
 
@@ -159,28 +98,6 @@ def prism(profile: Profile, axis: Axis, between: tuple[float, float]) -> TopoDS_
     way = [0.0, 0.0, 0.0]
     way[axis.value] = high - low
     return BRepPrimAPI_MakePrism(_face(profile, place), gp_Vec(*way)).Shape()
-
-
-def _meeting(chains: Sequence[Floats], near: float) -> list[Floats]:
-    """Chains whose ends are one where they are near each other."""
-    known: list[Floats] = []
-    found = []
-    for chain in chains:
-        own = chain.copy()
-        for end in (0, -1):
-            one = next((at for at in known if np.hypot(*(at - own[end])) <= near), None)
-            if one is None:
-                known.append(own[end].copy())
-            else:
-                own[end] = one
-        found.append(own)
-    return found
-
-
-def _points(stroke: Stroke) -> Floats:
-    if isinstance(stroke, Arc):
-        return stroke.sample(2.0 * np.pi * stroke.radius / _CHORDS)
-    return stroke.sample(max(stroke.length, 1e-9))
 
 
 def _face(profile: Profile, place: Callable[[Point], gp_Pnt]) -> TopoDS_Face:

@@ -80,7 +80,7 @@ def reasons_of(
         views: that it was made from.
     """
     reasons: list[Reason] = []
-    if not mutually_orthogonal(views.roles):
+    if len(views.roles) > 1 and not mutually_orthogonal(views.roles):
         reasons.append(
             ("two-views", "only two directions of view: what a third would show is not known")
         )

@@ -1,17 +1,20 @@
 """Sheets as practice draws them: sections, notes, few views."""
 
 import json
+from math import pi
 from pathlib import Path
 
 import pytest
 from exact_measures import closeness, fine_mesh, registered
 from practice import Task
 from practice_parts import CLASSES
+from practice_pdf import Page, Pen, arrow
 from practice_sheets import Practice, write_sheet
 from textbook_modelling import Lot
 
 from gaussiancad_core.cli import main
 from gaussiancad_core.drawing.brep import bounding_box, read_solid
+from gaussiancad_core.views import Arc, Linetype
 
 _CASES = (
     ("bracket", Practice.PLACE),
@@ -63,7 +66,7 @@ def test_what_practice_draws_is_the_part(sheet: Path, case: tuple[str, Practice]
     assert all(own["at"] and own["alternative"] for own in through)
     assert through or how is not Practice.OFFSET
     holes = [own for own in report["notes"] if own["through"] or own["depth_mm"]]
-    assert all(own["used"] for own in holes) or how is Practice.ONE
+    assert all(own["used"] for own in holes)
 
 
 @pytest.mark.parametrize("sheet", [("block", Practice.BESIDE)], indirect=True)
@@ -87,3 +90,42 @@ def test_a_view_that_was_not_drawn_is_an_assumption(sheet: Path) -> None:
     report = _reconstructed(sheet)
     assert "second-view-assumed" in {own["code"] for own in report["reasons"]}
     assert "second-view" in {own["code"] for own in report["assumptions"]}
+    assert report["solid"]["source"] == "sketch"
+    assert list(report["views"]) == ["front"]
+    written = ["read", str(sheet / "sheet.pdf"), "--output", str(sheet / "read")]
+    assert main(written) == 0
+    again = _reconstructed(sheet, "--reading", str(sheet / "read" / "reading.json"))
+    for name in ("faces", "source", "agreement"):
+        assert again["solid"][name] == report["solid"][name]
+    assert again["solid"]["volume_mm3"] == pytest.approx(report["solid"]["volume_mm3"], rel=1e-5)
+
+
+def _plate(path: Path, *texts: str) -> None:
+    """One view of a plate, 80 x 50 mm, with a hole, and texts beside it."""
+    page = Page(200.0, 150.0)
+    corners = [(50.0, 50.0), (130.0, 50.0), (130.0, 100.0), (50.0, 100.0), (50.0, 50.0)]
+    page.path(corners, Pen(0.5))
+    hole = Arc((30.0, 20.0), 8.0, 0.0, 2.0 * pi, Linetype.VISIBLE)
+    page.strokes([hole], (50.0, 50.0), 1.0, Pen(0.5))
+    for x in (50.0, 130.0):
+        page.line((x, 48.0), (x, 36.0), Pen(0.18))
+        arrow(page, (x, 38.0), (90.0, 38.0), 3.0)
+    page.line((50.0, 38.0), (130.0, 38.0), Pen(0.18))
+    page.text((86.0, 39.0), "80", 3.5)
+    for number, text in enumerate(texts):
+        page.text((150.0, 120.0 - 8.0 * number), text, 3.5)
+    page.write(path)
+
+
+@pytest.mark.parametrize(("texts", "said"), [(("t = 4",), ()), ((), ("--length", "y=4"))])
+def test_a_plate_in_one_view_is_as_thick_as_is_said(
+    texts: tuple[str, ...], said: tuple[str, ...], tmp_path: Path
+) -> None:
+    _plate(tmp_path / "sheet.pdf", *texts)
+    report = _reconstructed(tmp_path, *said)
+    assert report["status"] == "approximate"
+    assert "second-view-assumed" in {own["code"] for own in report["reasons"]}
+    solid = report["solid"]
+    assert (solid["source"], solid["faces"]) == ("sketch", 7)
+    assert solid["bounding_box_mm"] == pytest.approx([80.0, 4.0, 50.0], abs=1e-3)
+    assert solid["volume_mm3"] == pytest.approx(4.0 * (80.0 * 50.0 - 64.0 * pi), rel=1e-4)

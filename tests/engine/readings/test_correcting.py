@@ -7,7 +7,11 @@ import pytest
 from msgspec.structs import replace
 
 from gaussiancad_core.readings.correcting import Ink, corrected
-from gaussiancad_core.readings.operations import CORRECTIONS_SCHEMA, Corrections
+from gaussiancad_core.readings.operations import (
+    CORRECTIONS_SCHEMA,
+    Corrections,
+    ScaleOperation,
+)
 from gaussiancad_core.readings.schema import SCHEMA, SheetReading, StrokeKind, ViewRole
 
 _LINE = [[10.0, 10.0], [110.0, 10.0]]
@@ -138,6 +142,15 @@ def test_inches_make_all_lengths_longer_and_millimetres_make_them_what_they_were
 def test_the_scale_is_told_in_three_ways(scale: dict, expected: tuple) -> None:
     own = _with({"op": "scale", **scale})[0].scale
     assert (own.mm_per_px, own.axis, own.length_mm) == expected and own.source == "given"
+
+
+@pytest.mark.parametrize(("axis", "known"), [("y", (0.5, "dimension")), ("z", (None, "given"))])
+def test_an_extent_that_no_view_shows_leaves_the_scale(axis: str, known: tuple) -> None:
+    lone = msgspec.structs.replace(_READING, views=(_READING.views[0], _READING.views[2]))
+    told = msgspec.convert({"op": "scale", "axis": axis, "length_mm": 4.0}, ScaleOperation)
+    own = corrected(lone, (told,)).reading.scale
+    assert (own.mm_per_px, own.source) == known
+    assert (own.axis, own.length_mm) == (axis, 4.0)
 
 
 @pytest.mark.parametrize(

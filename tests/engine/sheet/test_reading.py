@@ -11,6 +11,7 @@ from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.reading import read_views, register_views
+from gaussiancad_core.unseen import Unseen
 
 THROUGH_HOLES = {
     "l-bracket": 2,
@@ -109,3 +110,21 @@ def test_a_view_that_is_one_line_is_told_by_place() -> None:
         register_views(read_views(clean, layout), ReadingOptions())
     assert error.value.code == "open-outline"
     assert "front view at (144, 60)-(144, 240) px encloses nothing" in str(error.value)
+
+
+@pytest.mark.parametrize("role", [Role.FRONT, Role.TOP])
+def test_a_view_alone_is_as_deep_as_is_known(read, role: Role) -> None:  # noqa: ANN001
+    (view,) = (own for own in read("bored-plate").views if own.role is role)
+    x0, _, x1, _ = view.box
+    axis = role.frame.look_axis[0]
+    along, up = role.frame.right_axis[0], role.frame.up_axis[0]
+    plate = register_views((view,), ReadingOptions(mm_per_pixel=0.5), Unseen(axis, 7.0))
+    assert plate.views.size[axis.value] == pytest.approx(7.0)
+    assert plate.views.size[along.value] == pytest.approx((x1 - x0) / 2.0, abs=0.1)
+    assert plate.extents.extents[axis] == pytest.approx(14.0)
+    shaft = register_views((view,), ReadingOptions(length=(along, 60.0)), Unseen(axis, about=along))
+    assert shaft.views.size[along.value] == pytest.approx(60.0)
+    assert shaft.views.size[axis.value] == shaft.views.size[up.value]
+    with pytest.raises(NoModelError) as error:
+        register_views((view,), ReadingOptions())
+    assert error.value.code == "views-parallel"

@@ -1,0 +1,76 @@
+"""The plan of a turned part that no view looks along: circles about its axis.
+
+What runs along the axis in a view from beside is the side of a cylinder, or of a bore.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from gaussiancad_core.axes import Axis
+from gaussiancad_core.holes import NotedHole
+from gaussiancad_core.reasoning.curves import CircleCurve
+from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
+from gaussiancad_core.sketch.plane_lines import PlaneLine, whole_circle
+
+_NEAR = 1.2
+"""Grid steps within which two radii are one."""
+
+_STRAIGHT = 0.4
+"""Grid steps by which a line along an axis may lean."""
+
+_SHORTEST = 2.5
+"""Grid steps that a line is long at least to be the side of a cylinder."""
+
+Point = tuple[float, float]
+
+
+def middle_of(axis: Axis, size: Sequence[float]) -> Point:
+    """mm in the plane across an axis, of the part's middle.
+
+    Args:
+        axis: that the part is turned about.
+        size: (3,) mm of the part.
+    """
+    first, second = (size[k] / 2.0 for k in IN_PLANE[axis])
+    return first, second
+
+
+def circles_about(
+    axis: Axis,
+    beside: Iterable[tuple[int, int, Sequence[PlaneLine]]],
+    holes: Iterable[NotedHole],
+    size: Sequence[float],
+    grid: float,
+) -> list[PlaneLine]:
+    """The circles of a turned part in the plane across its axis, the largest as wide as the part.
+
+    Args:
+        axis: that it is turned about.
+        beside: of each view from beside, which coordinate of the plan and of its own plane it has
+            in common with the plan, and its lines.
+        holes: of which notes speak.
+        size: (3,) mm of the part.
+        grid: mm of a step of the sheet's coordinates.
+    """
+    middle = middle_of(axis, size)
+    widest = min(middle)
+    radii = [
+        step.diameter / 2.0
+        for own in holes
+        if role_plane(own.role).normal is axis
+        for step in own.steps
+    ]
+    for column, across, lines in beside:
+        radii += [abs(at - middle[column]) for at in _sides(lines, across, grid)]
+    near = _NEAR * grid
+    kept = [widest]
+    for radius in radii:
+        if near < radius < widest and all(abs(radius - own) > near for own in kept):
+            kept.append(radius)
+    return [whole_circle(CircleCurve(middle, own), False) for own in kept]
+
+
+def _sides(lines: Sequence[PlaneLine], across: int, grid: float) -> Iterator[float]:
+    """Where lines run along the axis, the longest first."""
+    for own in sorted(lines, key=lambda line: -line.length):
+        if own.constant(_STRAIGHT * grid) == across and own.length > _SHORTEST * grid:
+            yield float(own.points[:, across].mean())

@@ -1,0 +1,123 @@
+"""What a sheet of one view says of the axis that it does not show."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.events import Progress, Silence
+from gaussiancad_core.one_view_stage import is_unseen, told_unseen
+from gaussiancad_core.report import Report
+from gaussiancad_core.run_notes import RunNotes
+from gaussiancad_core.sheet.masks import Outline
+from gaussiancad_core.sheet.notes.callouts import Callout, NoteKind
+from gaussiancad_core.sheet.notes.finding import SheetNote
+from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.sheet.reading import ReadView
+from gaussiancad_core.sheet.scale.dimensions import Span
+from gaussiancad_core.sheet.scale.estimate import ReadDimension
+from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale
+from gaussiancad_core.sheet.scale.numbers import Sign
+from gaussiancad_core.unseen import Unseen
+from gaussiancad_core.views import Linetype, Segment
+
+_BOX = (100.0, 50.0, 300.0, 150.0)
+_KNOWN = ReadingOptions(mm_per_pixel=0.5)
+
+
+def _lines(*ends: tuple[float, float, float, float]) -> tuple[Segment, ...]:
+    return tuple(Segment((a, b), (c, d), Linetype.VISIBLE) for a, b, c, d in ends)
+
+
+_SIDES = _lines((100, 50, 300, 50), (300, 50, 300, 150), (300, 150, 100, 150), (100, 150, 100, 50))
+_SHOULDER = _lines((200, 50, 200, 150))
+_BORE = _lines((200, 90, 300, 90))
+
+
+def _view(*strokes: Segment, opened: bool = False) -> ReadView:
+    depth = np.full((200, 400), -1.0, np.float32)
+    depth[50:150, 100:300] = 1.0
+    half = ((100.0, 50.0), (300.0, 50.0), (300.0, 100.0), (100.0, 100.0))
+    outline = Outline(depth, (), 1, (0.0, 0.0))
+    return ReadView(Role.FRONT, _BOX, strokes, outline, opened=half if opened else ())
+
+
+def _scale(*places: Span) -> SheetScale:
+    dimensions = tuple(
+        ReadDimension("50", 50.0, (0.0, 0.0, 1.0, 1.0), 0.5, True, Sign.DIAMETER, place)
+        for place in places
+    )
+    return SheetScale(0.5, ScaleSource.DIMENSION, dimensions)
+
+
+_UPRIGHT = Span(False, 50.0, 150.0)
+_LEVEL = Span(True, 100.0, 300.0)
+
+
+def _notes() -> RunNotes:
+    return RunNotes(Report("", {}), Progress(Silence(), 1))
+
+
+def _thick(value: float) -> SheetNote:
+    callout = Callout(NoteKind.THICKNESS, value)
+    return SheetNote("t", (0.0, 0.0, 1.0, 1.0), callout, value, None)
+
+
+def _told(
+    view: ReadView,
+    scale: SheetScale,
+    options: ReadingOptions = _KNOWN,
+    notes: tuple[SheetNote, ...] = (),
+) -> Unseen | None:
+    run = _notes()
+    found = told_unseen((view,), scale, notes, options, run)
+    assert [own.code for own in run.report.reasons] == ["second-view-assumed"]
+    return found
+
+
+def test_a_note_tells_the_thickness() -> None:
+    assert _told(_view(*_SIDES), _scale(), notes=(_thick(3.0),)) == Unseen(Axis.Y, 3.0)
+
+
+def test_what_the_user_says_goes_before_a_note_and_diameters() -> None:
+    options = ReadingOptions(length=(Axis.Y, 7.0), mm_per_pixel=0.5)
+    view = _view(*_SIDES)
+    assert _told(view, _scale(_UPRIGHT), options, (_thick(3.0),)) == Unseen(Axis.Y, 7.0)
+
+
+@pytest.mark.parametrize(("place", "about"), [(_UPRIGHT, Axis.X), (_LEVEL, Axis.Z)])
+def test_a_diameter_across_the_axis_tells_a_turned_part(place: Span, about: Axis) -> None:
+    assert _told(_view(*_SIDES), _scale(place)) == Unseen(Axis.Y, about=about)
+
+
+def test_a_view_that_is_not_alike_on_both_sides_is_not_turned() -> None:
+    with pytest.raises(NoModelError) as raised:
+        _told(_view(*_SIDES, *_BORE), _scale(_UPRIGHT))
+    assert raised.value.code == "one-view"
+
+
+def test_the_outline_of_a_half_section_is_alike() -> None:
+    view = _view(*_SIDES, *_SHOULDER, *_BORE, opened=True)
+    assert _told(view, _scale(_UPRIGHT)) == Unseen(Axis.Y, about=Axis.X)
+
+
+@pytest.mark.parametrize(
+    ("options", "notes"),
+    [(_KNOWN, ()), (ReadingOptions(), (_thick(3.0),)), (ReadingOptions(length=(Axis.Y, 3.0)), ())],
+)
+def test_without_a_thickness_or_a_scale_one_view_is_no_part(
+    options: ReadingOptions, notes: tuple[SheetNote, ...]
+) -> None:
+    with pytest.raises(NoModelError) as raised:
+        told_unseen((_view(*_SIDES),), _scale(), notes, options, _notes())
+    assert raised.value.code == "one-view"
+
+
+def test_of_two_views_nothing_is_asked() -> None:
+    views = (_view(*_SIDES), SimpleNamespace(role=Role.TOP))
+    assert told_unseen(views, None, (), ReadingOptions(), _notes()) is None
+    assert not is_unseen(Axis.Y, views)
+    assert is_unseen(Axis.Y, views[:1])
+    assert not is_unseen(Axis.X, views[:1])
