@@ -256,7 +256,8 @@ class _Run:
         self.notes.tell(solid=solid_report(solid))
         write_solids(solid.result, self.folder.staging)
         if solid.sketched is not None:
-            from gaussiancad_core.sketch.construction import construction_of, write_construction
+            from gaussiancad_core.sketch.constructing import construction_of
+            from gaussiancad_core.sketch.construction import write_construction
 
             told = solid.reading.numbered.told
             write_construction(construction_of(solid.sketched, told), self.folder.staging)

@@ -10,7 +10,8 @@ import pytest
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.told import ToldLength, ToldNumbers, ToldRadius
-from gaussiancad_core.sketch.construction import construction_of, write_construction
+from gaussiancad_core.sketch.constructing import construction_of
+from gaussiancad_core.sketch.construction import write_construction
 from gaussiancad_core.sketch.construction_sentences import construction_in_words
 from gaussiancad_core.sketch.sketching import sketch
 

@@ -8,7 +8,7 @@ from sketch_checks import GRID, check, drawn
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse, revolved
-from gaussiancad_core.sketch.construction import construction_of
+from gaussiancad_core.sketch.constructing import construction_of
 from gaussiancad_core.sketch.construction_sentences import construction_in_words
 from gaussiancad_core.sketch.sketching import sketch
 

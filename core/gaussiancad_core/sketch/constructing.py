@@ -1,0 +1,262 @@
+"""From a sketch to how it is put together, with the numbers and strokes that fix each piece."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from math import isfinite
+
+import numpy as np
+import shapely
+
+from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.reasoning.planes import IN_PLANE, role_plane
+from gaussiancad_core.reasoning.told import ToldLength, ToldNumbers, ToldRadius
+from gaussiancad_core.sketch.bodies import Bore, Slab, cones_of, profiles_of
+from gaussiancad_core.sketch.construction import (
+    Break,
+    Construction,
+    Countersink,
+    Edge,
+    Hole,
+    Level,
+    Loop,
+    Point,
+    SideHole,
+    SlabLoops,
+    Source,
+    Turning,
+)
+from gaussiancad_core.sketch.plan import Plan
+from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine
+from gaussiancad_core.sketch.sketching import Sketch
+from gaussiancad_core.solid.profiles import Profile, runs_of
+from gaussiancad_core.views import Arc
+
+_NEAR = 1.2
+"""Grid steps between what is one place, at most."""
+
+_DIGITS = 6
+"""Of coordinates, after the decimal point."""
+
+
+def construction_of(sketch: Sketch, told: ToldNumbers | None) -> Construction:
+    """How a sketched part is put together.
+
+    Args:
+        sketch: with a part.
+        told: what the sheet's numbers say, mm.
+    """
+    plan, near = sketch.choice.plan, _NEAR * sketch.choice.plan.grid
+    numbers = told.lengths if told is not None else ()
+    lengths = [own for own in numbers if isinstance(own, ToldLength)]
+    radii = [own for own in numbers if isinstance(own, ToldRadius)]
+    levels = tuple(
+        Level(_rounded(at), _reaching(lengths, plan.axis, at, near), tuple(_at(plan, at, near)))
+        for at in plan.levels
+        if any(near > abs(at - end) for own in sketch.slabs for end in (own.low, own.high))
+    )
+    slabs = tuple(_loops_of(own, plan, (lengths, radii), near) for own in sketch.slabs)
+    holes = tuple(
+        replace(own, is_through=not any(slab.area.covers(at) for slab in sketch.slabs))
+        for own in _holes(slabs, near)
+        for at in [shapely.Point(own.centre)]
+    )
+    energy = _rounded(sketch.energy)
+    sunk = tuple(
+        Countersink(
+            _point(ring.centre),
+            _rounded(2.0 * ring.outer),
+            _rounded(2.0 * ring.inner),
+            _rounded(own.at),
+            own.rim.is_top,
+        )
+        for own in cones_of(sketch.choice)
+        for ring in [own.rim.ring]
+    )
+    broken = dict.fromkeys(
+        Break(*(round(x, 3) for x in (own.at, own.width, own.height)), own.is_round)
+        for own in sketch.breaks
+    )
+    name = plan.axis.name.lower()
+    turned = tuple(_turned(sketch))
+    across = tuple(_cross_holes(sketch.bores, radii, near))
+    return Construction(name, energy, levels, slabs, holes, sunk, tuple(broken), turned, across)
+
+
+def _reaching(
+    lengths: Sequence[ToldLength], axis: Axis, at: float, near: float
+) -> tuple[float, ...]:
+    found = {
+        own.value
+        for own in lengths
+        if own.axis is axis and min(abs(own.low - at), abs(own.high - at)) <= near
+    }
+    return tuple(sorted(found))
+
+
+def _at(plan: Plan, at: float, near: float) -> Iterator[Source]:
+    """Strokes of views from beside at a level."""
+    for role, lines in plan.lines.items():
+        axes = IN_PLANE[role_plane(role).normal]
+        if plan.axis.value not in axes:
+            continue
+        along = axes.index(plan.axis.value)
+        for own in lines:
+            if own.constant(near) == along and abs(own.points[:, along].mean() - at) <= near:
+                yield _source(own, role)
+
+
+def _source(line: PlaneLine, role: Role) -> Source:
+    (a, b), (c, d) = (line.points[[0, -1]] * np.array(role_plane(role).signs)).tolist()
+    return Source(role.value, (_rounded(a), _rounded(b)), (_rounded(c), _rounded(d)))
+
+
+def _loops_of(
+    slab: Slab,
+    plan: Plan,
+    told: tuple[Sequence[ToldLength], Sequence[ToldRadius]],
+    near: float,
+) -> SlabLoops:
+    loops = [
+        Loop(edges, is_hole, _along(edges, plan.axis, told, near), tuple(_under(ring, plan, near)))
+        for profile in profiles_of(slab.area, plan.regions, plan.grid)
+        for ring, is_hole in _rings(profile)
+        for edges in [tuple(_edges(ring, profile))]
+    ]
+    return SlabLoops(_rounded(slab.low), _rounded(slab.high), tuple(loops))
+
+
+def _rings(profile: Profile) -> Iterator[tuple[Floats, bool]]:
+    yield np.array(profile.area.exterior.coords)[:-1], False
+    for own in profile.area.interiors:
+        yield np.array(own.coords)[:-1], True
+
+
+def _edges(ring: Floats, profile: Profile) -> Iterator[Edge]:
+    for run, arc in runs_of(ring, profile):
+        start, end = _point(run[0]), _point(run[-1])
+        if arc is None:
+            yield Edge(start, end)
+        else:
+            yield Edge(start, end, _point(arc.centre), _rounded(arc.radius), _on(run, arc))
+
+
+def _on(run: Floats, arc: Arc) -> Point:
+    """A place of an arc in the middle of a run along it."""
+    off = run[len(run) // 2] if len(run) > 2 else run.mean(axis=0)
+    off = off - arc.centre
+    return _point(np.array(arc.centre) + off * arc.radius / max(float(np.hypot(*off)), 1e-12))
+
+
+def _along(
+    edges: Sequence[Edge],
+    axis: Axis,
+    told: tuple[Sequence[ToldLength], Sequence[ToldRadius]],
+    near: float,
+) -> tuple[float, ...]:
+    """Numbers that lie between two straight edges of an outline, or are the radius of an arc."""
+    lengths, radii = told
+    found = set()
+    for column, index in enumerate(IN_PLANE[axis]):
+        places = np.array(
+            [
+                own.start[column]
+                for own in edges
+                if own.centre is None and abs(own.start[column] - own.end[column]) <= near
+            ]
+        )
+        for own in lengths:
+            if own.axis.value == index and all(
+                len(places) and np.abs(places - end).min() <= near for end in (own.low, own.high)
+            ):
+                found.add(own.value)
+    arcs = [own for own in edges if own.centre is not None]
+    for own in radii:
+        if own.normal is axis and any(
+            np.hypot(*np.subtract(arc.centre, own.centre)) <= near
+            and abs(arc.radius - own.radius) <= near
+            for arc in arcs
+        ):
+            found.add(own.value)
+    return tuple(sorted(found))
+
+
+def _under(ring: Floats, plan: Plan, near: float) -> Iterator[Source]:
+    """Strokes of views along the axis that lie along a ring."""
+    band = shapely.LineString([*ring, ring[0]]).buffer(near)
+    for role, lines in plan.lines.items():
+        if role_plane(role).normal is plan.axis:
+            for own in lines:
+                if shapely.LineString(own.points).within(band):
+                    yield _source(own, role)
+
+
+def _holes(loops: Sequence[SlabLoops], near: float) -> Iterator[Hole]:
+    """Round holes, each through all slabs on each other that have it."""
+    open_ones: list[Hole] = []
+    for own in loops:
+        going_on = []
+        for loop in own.loops:
+            arc = loop.edges[0]
+            if not loop.is_hole or any(e.centre != arc.centre for e in loop.edges):
+                continue
+            if arc.centre is None or arc.radius is None:
+                continue
+            below = next((h for h in open_ones if _is_same(h, arc, own.low, near)), None)
+            low = below.low if below is not None else own.low
+            numbers = tuple(2.0 * value for value in loop.numbers)
+            going_on.append(Hole(arc.centre, 2.0 * arc.radius, low, own.high, False, numbers))
+            if below is not None:
+                open_ones.remove(below)
+        yield from open_ones
+        open_ones = going_on
+    yield from open_ones
+
+
+def _turned(sketch: Sketch) -> Iterator[Turning]:
+    for own in sketch.slopes:
+        profile = own.beyond(sketch.choice.plan.grid)
+        ring, _ = next(_rings(profile))
+        yield Turning(_point(own.centre), tuple(_edges(ring, profile)))
+
+
+def _cross_holes(
+    bores: Sequence[Bore], radii: Sequence[ToldRadius], near: float
+) -> Iterator[SideHole]:
+    for own in bores:
+        hole, circle = own.hole, own.hole.circle
+        numbers = {
+            2.0 * each.value
+            for each in radii
+            if each.normal is hole.axis
+            and np.hypot(*np.subtract(each.centre, circle.centre)) <= near
+            and abs(each.radius - circle.radius) <= near
+        }
+        at = _point([a * sign for a, sign in zip(circle.centre, hole.plane.signs, strict=True)])
+        low, high = (_rounded(end) if isfinite(end) else None for end in (own.low, own.high))
+        is_noted = hole.depth is not None and isfinite(hole.depth)
+        yield SideHole(
+            hole.axis.name.lower(),
+            _point(circle.centre),
+            _rounded(2.0 * circle.radius),
+            low,
+            high,
+            hole.depth if is_noted else None,
+            tuple(sorted(numbers)),
+            Source(hole.role.value, at, at),
+        )
+
+
+def _is_same(hole: Hole, arc: Edge, low: float, near: float) -> bool:
+    off = np.hypot(*np.subtract(hole.centre, arc.centre))
+    return bool(
+        off <= near and abs(hole.diameter - 2.0 * arc.radius) <= near and hole.high >= low - near
+    )
+
+
+def _point(point: Sequence[float]) -> Point:
+    x, y = np.asarray(point, dtype=float).tolist()
+    return _rounded(x), _rounded(y)
+
+
+def _rounded(value: float) -> float:
+    return round(float(value), _DIGITS)
