@@ -233,7 +233,7 @@ def _with_companion(
     x0, y0, x1, y1 = visible_bounds(other.strokes)
     part = painted(other.strokes, clean)
     factor = supersampling_for(max(x1 - x0, y1 - y0, view.box[2] - view.box[0]))
-    own = view_by_strokes(other.role, other.strokes, part, factor, (view.source, None))
+    own = view_by_strokes(other.role, other.strokes, part, factor, (view.source, None, view.step))
     boxes = {**layout.boxes, other.role: own.box}
     return replace(layout, boxes=boxes, alternatives=()), (view, own)
 
