@@ -8,10 +8,10 @@ from scipy.spatial import cKDTree
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.strokes import DrawnStroke, mapped
-from gaussiancad_core.projected_reading import TOLERANCE_PX, Reading
+from gaussiancad_core.projected_reading import Reading
 from gaussiancad_core.reasoning.drawn_views import EXACT_TOLERANCE
 from gaussiancad_core.sheet.masks import Outline
-from gaussiancad_core.sheet.precision import StrokesSource
+from gaussiancad_core.sheet.precision import StrokesSource, tolerance_px
 from gaussiancad_core.sheet.reading import ReadView, RegisteredSheet
 from gaussiancad_core.sheet.registration import AxisExtents
 from gaussiancad_core.views import Linetype, View, ViewSet
@@ -117,7 +117,7 @@ def _least(direction: tuple[int, int, int], size: Size) -> float:
 
 def _reading(drawn: Drawing, size: Size, projection: Projection) -> Reading:
     """Exact lines as those of a vector file: known to a share of the longest extent."""
-    pixel = EXACT_TOLERANCE * max(size) / TOLERANCE_PX[StrokesSource.VECTOR]
+    pixel = EXACT_TOLERANCE * max(size) / tolerance_px(StrokesSource.VECTOR, 0.0)
     nothing = np.zeros((2, 2), bool)
     blank = Outline(nothing.astype(np.float32), (), 1, (0.0, 0.0))
     box = (0.0, 0.0, 1.0, 1.0)

@@ -5,7 +5,6 @@ lines to parts of a pixel, in two views alike.
 """
 
 from gaussiancad_core.sheet.pixel_grids import Rounding, rounding_step, seen_rounding
-from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import RegisteredSheet
 
 _MEAN = 0.15
@@ -25,9 +24,6 @@ pixels misplace them by four times as much."""
 
 _USUAL_STEP_PX = 0.25
 """Step of programs that round: where a sheet has too few lines to tell, one may have drawn it."""
-
-_PLOTTER_STEP_PX = 0.28
-"""Step of programs that plot to 1/720 inch."""
 
 _ROUNDED_APART = 0.78
 """Steps within which the distance of two lines lies that are rounded, each by itself, in 95 % of
@@ -52,9 +48,10 @@ def noise_px(registered: RegisteredSheet) -> tuple[float, float]:
     seen = _seen_px(registered)
     strokes = [view.strokes for view in registered.drawn]
     well_read = seen <= _FREE_NOISE_PX
-    rounding = seen_rounding(strokes, well_read=well_read)
+    by_file = _file_step(registered)
+    rounding = Rounding.TOLD if by_file else seen_rounding(strokes, well_read=well_read)
     if rounding is Rounding.TOLD:
-        step = rounding_step(strokes, well_read=well_read)
+        step = by_file or rounding_step(strokes, well_read=well_read)
         least = max(_ROUNDED_NOISE_PX, _ROUGH_NOISE * step)
     elif rounding is Rounding.NONE or _is_fine(registered):
         step, least = 0.0, _FREE_NOISE_PX
@@ -66,10 +63,13 @@ def noise_px(registered: RegisteredSheet) -> tuple[float, float]:
 
 def bound_of_seen_px(registered: RegisteredSheet) -> float:
     """px by which 95 % of what is measured between lines of a file misses, as far as views
-    contradict each other; plotters round all views alike."""
-    plotted = any(view.source is StrokesSource.PLOT for view in registered.drawn)
-    least = _ROUNDED_APART * _PLOTTER_STEP_PX if plotted else 0.0
-    return max(least, _SEEN_APART * _seen_px(registered))
+    contradict each other, and at least as its grid says: it rounds all views alike."""
+    return max(_ROUNDED_APART * _file_step(registered), _SEEN_APART * _seen_px(registered))
+
+
+def _file_step(registered: RegisteredSheet) -> float:
+    """px of the coarsest grid to which the file of a view was rounded; 0 of pictures."""
+    return max(view.step for view in registered.drawn)
 
 
 def _seen_px(registered: RegisteredSheet) -> float:

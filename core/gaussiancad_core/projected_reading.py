@@ -9,7 +9,7 @@ from gaussiancad_core.holes import NotedHole
 from gaussiancad_core.line_noise import bound_of_seen_px, noise_px
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, views_as_read
 from gaussiancad_core.sections_stage import SectionBeside
-from gaussiancad_core.sheet.precision import StrokesSource
+from gaussiancad_core.sheet.precision import tolerance_px
 from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.sheet.scale.estimate import Measure
 from gaussiancad_core.told_measures import told_numbers
@@ -20,14 +20,6 @@ _ROUGH_PX = 1.0
 APART_PX = 0.3
 """px from which the coordinates of such strokes are different ones: lines are read to a twentieth
 of a pixel, and what is one over the views has been made equal."""
-
-TOLERANCE_PX = {
-    StrokesSource.RASTER: 1.0,
-    StrokesSource.COARSE: 1.0,
-    StrokesSource.PLOT: 0.3,
-    StrokesSource.VECTOR: 0.05,
-}
-"""px by which lines of a sheet may miss where they belong, by where they come from."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +71,7 @@ def drawn_views(registered: RegisteredSheet, measures: Sequence[Measure] = ()) -
         registered: the views.
         measures: what the sheet's dimensions say; lines of a file are more exact than these.
     """
-    tolerance = max(TOLERANCE_PX[view.source] for view in registered.drawn)
+    tolerance = max(tolerance_px(view.source, view.step) for view in registered.drawn)
     pixel = registered.mm_per_pixel
     if tolerance < _ROUGH_PX:
         exact = views_as_read(registered.views, tolerance * pixel)

@@ -46,7 +46,7 @@ def _reading(strokes: Strokes, projection: Projection) -> Reading:
         for role, own in strokes.items()
     )
     drawn = tuple(
-        SimpleNamespace(dash=None, source=StrokesSource.RASTER, strokes=()) for _ in views
+        SimpleNamespace(dash=None, source=StrokesSource.RASTER, strokes=(), step=0.0) for _ in views
     )
     registered = RegisteredSheet(ViewSet(views, _SIZE), {}, drawn, 0.02, AxisExtents({}, {}), 0)
     return Reading(registered, projection)
@@ -224,7 +224,9 @@ def test_the_noise_of_views_is_that_of_the_axis_on_which_they_differ_most() -> N
     few = AxisExtents({}, {}, {Axis.Y: Residual(0.001, 0.01, 3), Axis.Z: Residual(0.002, 0.01, 9)})
     unsure = drawn_views(replace(third.registered, extents=few))
     assert unsure.noise == pytest.approx(0.015 * noisy.mm_per_pixel)
-    exact = tuple(SimpleNamespace(dash=None, source=StrokesSource.VECTOR) for _ in noisy.drawn)
+    exact = tuple(
+        SimpleNamespace(dash=None, source=StrokesSource.VECTOR, step=0.0) for _ in noisy.drawn
+    )
     assert drawn_views(replace(noisy, drawn=exact)).noise == 0.0
 
 
@@ -246,11 +248,36 @@ def test_what_views_round_alike_is_told_by_their_places(
     if rounded:
         agreed.residuals[Axis.Y] = Residual(seen, seen, 6)
     drawn = tuple(
-        SimpleNamespace(dash=None, source=StrokesSource.RASTER, strokes=lines)
+        SimpleNamespace(dash=None, source=StrokesSource.RASTER, strokes=lines, step=0.0)
         for _ in third.registered.drawn
     )
     views = drawn_views(replace(third.registered, extents=agreed, drawn=drawn))
     assert views.noise == pytest.approx(noise * third.registered.mm_per_pixel)
+
+
+@pytest.mark.parametrize(
+    ("step", "tolerance"), [(0.0, 0.05), (0.03, 0.05), (1 / 6, 1.1 / 6), (0.28, 0.308), (0.5, 1.0)]
+)
+def test_a_file_is_known_as_well_as_the_grid_to_which_it_was_rounded(
+    step: float, tolerance: float
+) -> None:
+    """However well its views agree: it rounds all of them alike."""
+    third, _ = _both(_block())
+    pixel = third.registered.mm_per_pixel
+    source = StrokesSource.VECTOR
+    drawn = tuple(
+        SimpleNamespace(dash=None, source=source, strokes=(), step=own)
+        for own in (0.0, step, 0.0)[: len(third.registered.drawn)]
+    )
+    agreed = AxisExtents({}, {}, {axis: Residual(0.0, 0.0, 9) for axis in Axis})
+    views = drawn_views(replace(third.registered, extents=agreed, drawn=drawn))
+    assert views.tolerance == pytest.approx(tolerance * pixel)
+    assert views.bound == pytest.approx(0.78 * step * pixel)
+    # As coarse as this it is no better than a picture: numbers on the sheet tell more.
+    assert (views.noise > 0.0) == (step >= 0.4)
+    apart = AxisExtents({}, {}, {axis: Residual(0.2, 0.4, 9) for axis in Axis})
+    unlike = drawn_views(replace(third.registered, extents=apart, drawn=drawn))
+    assert unlike.bound == pytest.approx(4.1 * 0.2 * pixel)
 
 
 def test_of_two_readings_without_a_solid_the_one_that_explains_more_is_taken() -> None:

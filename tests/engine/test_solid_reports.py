@@ -34,7 +34,7 @@ def _reading(projection: Projection, strokes: dict[Role, list[Segment]]) -> Read
     views = tuple(
         View(role, _BOX, tuple(own), mask, colour, (0.0, 0.0), 1.0) for role, own in strokes.items()
     )
-    drawn = tuple(SimpleNamespace(source=StrokesSource.VECTOR) for _ in views)
+    drawn = tuple(SimpleNamespace(source=StrokesSource.VECTOR, step=0.0) for _ in views)
     registered = RegisteredSheet(ViewSet(views, _SIZE), {}, drawn, 0.02, AxisExtents({}, {}), 0)
     return Reading(registered, projection)
 

@@ -55,6 +55,7 @@ def with_read_views(reading: SheetReading, reread: Reread, turn: Turn) -> SheetR
             view,
             source=own.source.value,
             dash=own.dash,
+            step=own.step,
             hatch=tuple(stored_ring(ring, turn) for ring in own.hatched),
             opened=stored_ring(own.opened, turn),
         )

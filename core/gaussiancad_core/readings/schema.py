@@ -131,12 +131,13 @@ class ViewEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
         role: what it shows.
         box: around its lines.
         kind: what it is, where that is no plain view: as in the report, or ``lines``.
-        source: where its strokes come from, ``raster``, ``vector`` or ``plot``; ``given`` where a
+        source: where its strokes come from, ``raster`` or ``vector``; ``given`` where a
             person said what it is.
         hidden_lines: ``drawn`` if it has some, ``none`` otherwise.
         used: whether it stands for a principal view.
         cut: around its hatching.
         dash: px up to which a hidden stroke may be one dash.
+        step: px of the grid to which the file was rounded; 0 of exact files and of pictures.
         hatch: of a section the outlines of what is cut; an odd number of them surrounds it.
         opened: of a half or broken-out section the region that is cut open.
         looks: of a section beside plain views the direction in which it looks.
@@ -151,6 +152,7 @@ class ViewEntry(Struct, frozen=True, kw_only=True, omit_defaults=True):
     used: bool = True
     cut: Box | None = None
     dash: Number | None = None
+    step: Number = 0.0
     hatch: tuple[tuple[Point, ...], ...] = ()
     opened: tuple[Point, ...] = ()
     looks: ViewRole | None = None

@@ -250,7 +250,9 @@ def _drawn(reading: SheetReading, clean: CleanSheet, reread: Reread) -> tuple[Re
         if role in empty:
             drawn.append(found[role])
             continue
-        own = view_by_strokes(role, strokes[role], part, factor, (_source(view), view.dash))
+        own = view_by_strokes(
+            role, strokes[role], part, factor, (_source(view), view.dash, view.step)
+        )
         own = replace(own, labels=_labels_of(reading, view, clean))
         drawn.append(_cut_open(own, view, clean.turn))
     return tuple(drawn)
@@ -271,6 +273,7 @@ def _beside(reading: SheetReading, clean: CleanSheet) -> tuple[ReadView, ...]:
             None,
             _source(view),
             view.dash,
+            view.step,
             labels=_labels_of(reading, view, clean),
         )
         found.append(_cut_open(own, view, clean.turn))

@@ -237,6 +237,7 @@ def _view(view: ReadView, turn: Turn) -> ViewEntry:
         source=view.source.value,
         hidden_lines="drawn" if view.has_hidden_lines else "none",
         dash=view.dash,
+        step=view.step,
         hatch=tuple(stored_ring(own, turn) for own in view.hatched),
         opened=stored_ring(view.opened, turn),
     )
@@ -248,7 +249,9 @@ def _specials(lines: SheetLines, turn: Turn) -> Iterator[ViewEntry]:
         entry = _special(number, own, turn)
         if own.beside:
             view = _view(next(beside), turn)
-            more = {name: getattr(view, name) for name in ("source", "dash", "hatch", "opened")}
+            more = {
+                name: getattr(view, name) for name in ("source", "dash", "step", "hatch", "opened")
+            }
             entry = msgspec.structs.replace(entry, box=view.box, looks=view.role, **more)
         yield entry
 

@@ -37,7 +37,7 @@ def view_by_strokes(
     strokes: tuple[Stroke, ...],
     part: CleanSheet,
     supersampling: int,
-    source: tuple[StrokesSource, float | None],
+    source: tuple[StrokesSource, float | None, float],
 ) -> ReadView:
     """A view with the outline that its strokes enclose.
 
@@ -46,7 +46,8 @@ def view_by_strokes(
         strokes: px of the upright sheet, some of them visible.
         part: the sheet with the strokes.
         supersampling: mask px per sheet px.
-        source: where they come from, and px up to which a hidden one may be one dash.
+        source: where they come from, px up to which a hidden one may be one dash, and px of the
+            grid to which the file was rounded.
     """
     bounds = visible_bounds(strokes)
     outline = find_outline(part, bounds, supersampling)

@@ -29,21 +29,53 @@ FROM_PIXELS = Precision(0.3, 0.6, 1.2, Limits(apart=0.5, reach=1.0, finest=0.3))
 FROM_VECTORS = Precision(0.01, 0.02, 0.02, Limits(apart=0.02, reach=0.25, finest=0.01))
 """As the file has them."""
 
-FROM_PLOTS = Precision(0.06, 0.2, 0.35, Limits(apart=0.2, reach=0.5, finest=0.1))
-"""Rounded by a plotter or printer driver, to 1/1200 inch or so: a sixth of a pixel."""
+_NOISE, _LEVEL, _ENDS = 0.3, 1.2, 2.1
+"""Steps of the grid that a file was rounded to: the deviation of what lies anywhere in a step is
+.29; two ends that are level are rounded into two steps at most, one apart, and something is left
+for matrices; ends of two lines that meet a third are apart by the diagonals of their steps, half
+one each, and by what the third turned."""
+
+_APART, _REACH, _FINEST = 1.2, 3.0, 0.6
+"""The same of coordinates that are two, those that may be one, and those that are."""
+
+_PICTURE_PX, _EXACT_PX, _STEPS = 1.0, 0.05, 1.1
+"""Tolerance of strokes that were read from a picture, of those of a file, and in steps of the grid
+of one that was rounded: what two views show of a face lies up to a step apart."""
+
+COARSE_PX = 0.4
+"""px of the grid from which places of a file are known no better than from a picture, which is read
+to a tenth of a pixel: rounding to it misplaces lines by a tenth at the mean."""
 
 
 class StrokesSource(Enum):
-    """Where the strokes of a view come from: its picture, the file, a file that was plotted, or
-    one that was plotted on a grid as coarse as pixels."""
+    """Where the strokes of a view come from: its picture, or the file."""
 
     RASTER = "raster"
     VECTOR = "vector"
-    PLOT = "plot"
-    COARSE = "coarse-plot"
 
-    @property
-    def precision(self) -> Precision:
-        """Of strokes from there."""
-        known = {StrokesSource.VECTOR: FROM_VECTORS, StrokesSource.PLOT: FROM_PLOTS}
-        return known.get(self, FROM_PIXELS)
+
+def precision_of(source: StrokesSource, step: float) -> Precision:
+    """How exactly strokes are known.
+
+    Args:
+        source: where they come from.
+        step: px of the grid to which the file was rounded; 0 of exact files.
+    """
+    if source is StrokesSource.RASTER:
+        return FROM_PIXELS
+    exact, rough = FROM_VECTORS.limits, FROM_PIXELS.limits
+    limits = Limits(
+        max(exact.apart, _APART * step),
+        min(max(exact.reach, _REACH * step), rough.reach),
+        max(exact.finest, _FINEST * step),
+    )
+    noise, level = max(FROM_VECTORS.noise, _NOISE * step), max(FROM_VECTORS.level, _LEVEL * step)
+    return Precision(noise, level, max(FROM_VECTORS.ends, _ENDS * step), limits)
+
+
+def tolerance_px(source: StrokesSource, step: float) -> float:
+    """px by which lines of a view may miss where they belong; arguments as of
+    :func:`precision_of`."""
+    if source is StrokesSource.RASTER or step >= COARSE_PX:
+        return _PICTURE_PX
+    return max(_EXACT_PX, _STEPS * step)

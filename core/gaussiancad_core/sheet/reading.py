@@ -16,7 +16,7 @@ from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.masks import Outline, Region, find_outline, supersampling_for
 from gaussiancad_core.sheet.options import Box, Finder, ReadingOptions
 from gaussiancad_core.sheet.outside import without_outside
-from gaussiancad_core.sheet.precision import StrokesSource
+from gaussiancad_core.sheet.precision import StrokesSource, precision_of
 from gaussiancad_core.sheet.registration import (
     DEFAULT_LONGEST_MM,
     AxisExtents,
@@ -64,6 +64,7 @@ class ReadView:
         source: where its strokes come from.
         dash: px up to which a hidden stroke may be one dash, as solid as a visible one; None where
             the pens or the file tell linetypes.
+        step: px of the grid to which its file was rounded; 0 of exact files, and of pictures.
         hatched: of a section the outlines of what is cut: an odd number of them surrounds it.
         opened: corners of the region that is cut open; empty where that is all of the view.
         labels: what the lines of its ink were taken for; nothing where no labels told it.
@@ -75,6 +76,7 @@ class ReadView:
     outline: Outline | None
     source: StrokesSource = StrokesSource.RASTER
     dash: float | None = None
+    step: float = 0.0
     hatched: tuple[Ring, ...] = ()
     opened: Ring = ()
     labels: SheetLabels = NO_LABELS
@@ -161,11 +163,11 @@ def read_views(
     supersampling = supersampling_for(largest)
     drawn = []
     for role, box in layout.boxes.items():
-        strokes, source = (
-            exact[role]
-            if role in exact
-            else (classify_strokes(shapes[role], rhythm, pens), StrokesSource.RASTER)
-        )
+        step, source = 0.0, StrokesSource.RASTER
+        if role in exact:
+            (strokes, step), source = exact[role], StrokesSource.VECTOR
+        else:
+            strokes = classify_strokes(shapes[role], rhythm, pens)
         outline = find_outline(sheet, box, supersampling)
         own = box
         if outline is not None:
@@ -174,7 +176,7 @@ def read_views(
             own = view_box(strokes, outline, exact=source is StrokesSource.VECTOR)
         told = pens.told or source is not StrokesSource.RASTER
         dash = None if told else rhythm.dash + _ALONE * rhythm.gap
-        drawn.append(ReadView(role, own, strokes, outline, source, dash))
+        drawn.append(ReadView(role, own, strokes, outline, source, dash, step))
     return tuple(drawn)
 
 
@@ -265,7 +267,7 @@ def _own_placement(view: ReadView) -> Placement:
 def _in_own_plane(view: ReadView, place: Placement) -> PlaneView:
     x0, y0, x1, y1 = view.box
     strokes = strokes_in_plane(view.strokes, place)
-    return PlaneView(view.role, strokes, (x1 - x0, y1 - y0), view.source.precision)
+    return PlaneView(view.role, strokes, (x1 - x0, y1 - y0), precision_of(view.source, view.step))
 
 
 def _scale(extents: dict[Axis, float], options: ReadingOptions) -> float:

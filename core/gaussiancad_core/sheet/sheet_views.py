@@ -76,7 +76,7 @@ def sheet_views(
         return _of_pens(by_pens)
     if by_pens is not None and len(seen.layout.boxes) == 1:
         return _of_pens(by_pens)
-    vectors = VectorSheet.of(drawing, sheet) if drawing is not None else None
+    vectors = VectorSheet(drawing, sheet) if drawing is not None else None
     return SheetViews(seen.separated, seen.layout, vectors, seen.written, seen.problem)
 
 

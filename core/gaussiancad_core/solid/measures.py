@@ -103,7 +103,8 @@ def _sources(supports: PartSupports, views: DrawnViews, least: float) -> list[_T
     if supports.step is not None:
         own, scale = supports.step, supports.scale
         moved, aside = own.moved / scale, _ASIDE * views.noise
-        reach = min(max(moved, aside), own.reach / scale)
+        # Lines of a file have no noise; what it was rounded by moves them nevertheless.
+        reach = min(max(moved, aside or views.bound), own.reach / scale)
         measures = RoundMeasures(own.length / scale, reach, supports.odd)
         # A number of a dimension may have been misread as a round one.
         likely = not supports.unread and (measures.is_usual or moved <= aside)

@@ -27,21 +27,11 @@ from gaussiancad_core.sheet.files.content import (
     page_missing,
     too_many_elements,
 )
-from gaussiancad_core.sheet.files.curves import placed
 from gaussiancad_core.sheet.files.dxf_entities import DrawnCurve, Exploder, Explosion
-from gaussiancad_core.sheet.files.dxf_text import PlacedText
-from gaussiancad_core.sheet.files.fitting import curve_along
+from gaussiancad_core.sheet.files.dxf_placing import placed_drawing
 from gaussiancad_core.sheet.files.painting import paint
 from gaussiancad_core.sheet.files.sizing import Sizing, no_paper_size, notes_on, size_drawing
-from gaussiancad_core.sheet.files.vectors import (
-    Box,
-    Chain,
-    StrokeKind,
-    VectorDrawing,
-    VectorStroke,
-    VectorText,
-    bounds,
-)
+from gaussiancad_core.sheet.files.vectors import Box, bounds
 
 _MAX_BYTES = 256_000_000
 
@@ -120,7 +110,7 @@ def read_dxf(path: Path, page: int) -> FileContent:
     sizing = _sizing(doc, width, height, content.inches_per_unit)
     size = tuple(int(np.ceil(side * sizing.scale - 1e-6)) for side in (width, height))
     check_pixels(path, *size)
-    vectors = _placed(content.found, sheet, sizing)
+    vectors = placed_drawing(content.found, sheet, sizing)
     dpi = sizing.pixels_per_inch
     notes = notes_on(path, dpi) if dpi else (no_paper_size(path),)
     picture = paint(vectors, *size)
@@ -288,34 +278,3 @@ def _sizing(doc: Drawing, width: float, height: float, inches_per_unit: float | 
         if sizing.pixels_per_inch is not None:
             return Sizing(sizing.scale, None)
     return size_drawing(width, height, np.inf)
-
-
-def _placed(found: Explosion, sheet: Box, sizing: Sizing) -> VectorDrawing:
-    left, top = sheet[0], sheet[3]
-    strokes = tuple(_stroke(drawn, left, top, sizing) for drawn in found.curves)
-    texts = tuple(_text(text, left, top, sizing.scale) for text in found.texts)
-    return VectorDrawing(strokes, texts, found.complete)
-
-
-def _stroke(drawn: DrawnCurve, left: float, top: float, sizing: Sizing) -> VectorStroke:
-    curve = placed(drawn.curve, sizing.scale, left, top)
-    look = drawn.look
-    if isinstance(curve, Chain) and look.kind is not StrokeKind.FILL:
-        curve = curve_along(np.array(curve.points))
-    if drawn.width is not None:
-        width: float | None = drawn.width * sizing.scale
-    elif look.weight is not None and sizing.pixels_per_inch is not None:
-        width = look.weight / _MM_PER_INCH * sizing.pixels_per_inch
-    else:
-        width = None
-    dashes = tuple(value * sizing.scale for value in look.dashes)
-    return VectorStroke(curve, width, dashes, look.role, look.layer, look.kind, look.colour)
-
-
-def _text(text: PlacedText, left: float, top: float, scale: float) -> VectorText:
-    x, y = (text.centre[0] - left) * scale, (top - text.centre[1]) * scale
-    c, s = abs(np.cos(text.angle)), abs(np.sin(text.angle))
-    half_width = float(text.length * c + text.height * s) * scale / 2.0
-    half_height = float(text.length * s + text.height * c) * scale / 2.0
-    box = (x - half_width, y - half_height, x + half_width, y + half_height)
-    return VectorText(text.text, box, -text.angle)

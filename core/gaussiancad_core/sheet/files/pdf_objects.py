@@ -17,6 +17,7 @@ from pypdfium2 import raw
 from gaussiancad_core.sheet.files.beziers import curves_from_path
 from gaussiancad_core.sheet.files.content import MAX_ELEMENTS, PAPER_LEVEL, too_many_elements
 from gaussiancad_core.sheet.files.curves import to_point
+from gaussiancad_core.sheet.files.file_grid import WrittenPath, line_ends, with_steps
 from gaussiancad_core.sheet.files.linetypes import role_by_dashes, role_by_name
 from gaussiancad_core.sheet.files.pdf_texts import TextPiece, joined_texts, text_piece
 from gaussiancad_core.sheet.files.vectors import (
@@ -31,6 +32,9 @@ from gaussiancad_core.sheet.files.vectors import (
 
 Affine = npt.NDArray[np.float64]
 """(2, 3)"""
+
+Pieces = list[npt.NDArray[np.float64]]
+"""(2, 2) the ends of lines and (4, 2) Bézier curves."""
 
 _DEEPEST = 24
 """Forms in forms."""
@@ -67,7 +71,7 @@ class _Walk:
     page: pdfium.PdfPage
     text_page: pdfium.PdfTextPage
     path: Path
-    strokes: list[VectorStroke] = field(default_factory=list)
+    paths: list[WrittenPath] = field(default_factory=list)
     texts: list[TextPiece] = field(default_factory=list)
     complete: bool = True
     objects: int = 0
@@ -100,7 +104,7 @@ def page_objects(page: pdfium.PdfPage, target: PageMap) -> PageContent:
         _take_all(walk, objects, target.to_pixels, 0)
     finally:
         text_page.close()
-    return PageContent(tuple(walk.strokes), tuple(joined_texts(walk.texts)), walk.complete)
+    return PageContent(with_steps(walk.paths), tuple(joined_texts(walk.texts)), walk.complete)
 
 
 def _take_all(
@@ -109,7 +113,7 @@ def _take_all(
     for item in objects:
         kind = raw.FPDFPageObj_GetType(item)
         if kind == raw.FPDF_PAGEOBJ_PATH:
-            walk.strokes += _path_strokes(walk, item, outer)
+            _take_path(walk, item, outer)
         elif kind == raw.FPDF_PAGEOBJ_TEXT:
             piece = text_piece(walk.text_page, item, outer, _composed(outer, _matrix(item)))
             walk.texts += [piece] if piece else []
@@ -137,27 +141,36 @@ def _composed(outer: Affine, inner: Affine) -> Affine:
     return linear
 
 
-def _path_strokes(walk: _Walk, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> list[VectorStroke]:
+def _take_path(walk: _Walk, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> None:
     fill, stroked = ctypes.c_int(), ctypes.c_int()
     if not raw.FPDFPath_GetDrawMode(item, fill, stroked) or not (fill.value or stroked.value):
-        return []
+        return
     matrix = _composed(outer, _matrix(item))
-    subpaths = _subpaths(walk, item, matrix)
-    layer = _layer(item)
-    if not stroked.value:
-        if _is_paper(item):
-            return []
-        outlines = [_outline(pieces) for pieces in subpaths]
-        colour = _colour(item, raw.FPDFPageObj_GetFillColor)
-        return [
-            VectorStroke(curve, None, (), StrokeRole.UNKNOWN, layer, StrokeKind.FILL, colour)
-            for curve in outlines
-            if curve is not None
-        ]
+    subpaths = _subpaths(walk, item)
     scale = float(np.sqrt(abs(np.linalg.det(matrix[:, :2]))))
+    drawn = [[piece @ matrix[:, :2].T + matrix[:, 2] for piece in own] for own in subpaths]
+    strokes = _stroked(item, drawn, scale) if stroked.value else _filled(item, drawn)
+    # Areas are filled with letters and arrow heads, which are often put on the sheet as they are.
+    ends = line_ends(piece for own in subpaths for piece in own if stroked.value)
+    walk.paths.append(WrittenPath(tuple(strokes), ends, matrix))
+
+
+def _filled(item: raw.FPDF_PAGEOBJECT, subpaths: list[Pieces]) -> list[VectorStroke]:
+    if _is_paper(item):
+        return []
+    colour, layer = _colour(item, raw.FPDFPageObj_GetFillColor), _layer(item)
+    return [
+        VectorStroke(curve, None, (), StrokeRole.UNKNOWN, layer, StrokeKind.FILL, colour)
+        for curve in map(_outline, subpaths)
+        if curve is not None
+    ]
+
+
+def _stroked(item: raw.FPDF_PAGEOBJECT, subpaths: list[Pieces], scale: float) -> list[VectorStroke]:
     dashes = tuple(length * scale for length in _dashes(item))
     width = ctypes.c_float()
     raw.FPDFPageObj_GetStrokeWidth(item, width)
+    layer = _layer(item)
     role = role_by_dashes(dashes) if dashes else role_by_name(layer) or StrokeRole.UNKNOWN
     colour = _colour(item, raw.FPDFPageObj_GetStrokeColor)
     return [
@@ -181,20 +194,18 @@ def _colour(item: raw.FPDF_PAGEOBJECT, getter: Callable[..., int]) -> Colour | N
     return red.value, green.value, blue.value
 
 
-def _subpaths(
-    walk: _Walk, item: raw.FPDF_PAGEOBJECT, matrix: Affine
-) -> list[list[npt.NDArray[np.float64]]]:
-    """Runs of pieces that join: (2, 2) the ends of a line, or (4, 2) a Bézier curve, in px."""
+def _subpaths(walk: _Walk, item: raw.FPDF_PAGEOBJECT) -> list[Pieces]:
+    """Runs of pieces that join, in the coordinates in which the path was drawn."""
     count = raw.FPDFPath_CountSegments(item)
     walk.count(0, count)
-    subpaths: list[list[npt.NDArray[np.float64]]] = []
+    subpaths: list[Pieces] = []
     start = here = np.zeros(2)
     controls: list[npt.NDArray[np.float64]] = []
     x, y = ctypes.c_float(), ctypes.c_float()
     for index in range(count):
         segment = raw.FPDFPath_GetPathSegment(item, index)
         raw.FPDFPathSegment_GetPoint(segment, x, y)
-        point = matrix[:, :2] @ (x.value, y.value) + matrix[:, 2]
+        point = np.array((x.value, y.value))
         kind = raw.FPDFPathSegment_GetType(segment)
         if kind == raw.FPDF_SEGMENT_MOVETO:
             subpaths.append([])
@@ -216,7 +227,7 @@ def _subpaths(
     return [pieces for pieces in subpaths if pieces]
 
 
-def _outline(pieces: list[npt.NDArray[np.float64]]) -> Curve | None:
+def _outline(pieces: Pieces) -> Curve | None:
     """The closed chain around a filled area."""
     curves = curves_from_path(pieces, exact=False)
     parts = [curve.points if isinstance(curve, Chain) else curve.sample(np.inf) for curve in curves]

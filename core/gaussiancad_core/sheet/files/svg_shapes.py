@@ -11,6 +11,7 @@ import svgelements
 from gaussiancad_core.sheet.files.beziers import curves_from_path
 from gaussiancad_core.sheet.files.content import PAPER_LEVEL
 from gaussiancad_core.sheet.files.curves import affine_arc, to_point
+from gaussiancad_core.sheet.files.file_grid import WrittenPath, line_ends, with_steps
 from gaussiancad_core.sheet.files.linetypes import role_by_dashes, role_by_name
 from gaussiancad_core.sheet.files.vectors import (
     FULL_TURN,
@@ -43,11 +44,21 @@ def svg_strokes(root: Element, scale: float) -> list[VectorStroke]:
         root: with its ``width`` and ``height`` in CSS px.
         scale: sheet px per CSS px.
     """
-    strokes = []
-    for shape in _elements(root):
-        if isinstance(shape, svgelements.Shape) and _is_visible(shape):
-            strokes += _shape_strokes(shape, scale)
-    return strokes
+    shapes = (own for own in _elements(root) if isinstance(own, svgelements.Shape))
+    return list(with_steps([_path(own, scale) for own in shapes if _is_visible(own)]))
+
+
+def _path(shape: svgelements.Shape, scale: float) -> WrittenPath:
+    strokes = tuple(_shape_strokes(shape, scale))
+    rounds = svgelements.Circle | svgelements.Ellipse
+    drawn = _is_painted(shape.stroke) and not isinstance(shape, rounds)
+    lines = [
+        piece
+        for own in (_segments(shape) if drawn else ())
+        if isinstance(own, svgelements.Line | svgelements.Close)
+        and (piece := _piece(own, np.eye(2, 3))) is not None
+    ]
+    return WrittenPath(strokes, line_ends(lines), _matrix(shape, scale))
 
 
 def svg_texts(root: Element, scale: float) -> list[VectorText]:

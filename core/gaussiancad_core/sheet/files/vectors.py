@@ -178,6 +178,8 @@ class VectorStroke:
         layer: name of its layer, empty where there is none.
         kind: from what it was made.
         colour: (red, green, blue) 0 to 255; None where the file does not say.
+        step: px of the grid to which its places were rounded when the file was written; 0 where
+            they are as exact as the drawing.
     """
 
     curve: Curve
@@ -187,6 +189,7 @@ class VectorStroke:
     layer: str = ""
     kind: StrokeKind = StrokeKind.GEOMETRY
     colour: Colour | None = None
+    step: float = 0.0
 
     @property
     def is_solid(self) -> bool:

@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from gaussiancad_core.sheet.files.curves import to_point
-from gaussiancad_core.sheet.files.plotted import grid_step, lines_and_arcs
+from gaussiancad_core.sheet.files.plotted import lines_and_arcs
 from gaussiancad_core.sheet.files.vectors import Curve, Line, VectorStroke
 from gaussiancad_core.sheet.graph.touching import Floats
 
@@ -34,8 +34,7 @@ def with_whole_edges(strokes: Sequence[VectorStroke]) -> tuple[VectorStroke, ...
     """
     lines = {index: own.curve for index, own in enumerate(strokes) if isinstance(own.curve, Line)}
     kept = [own for index, own in enumerate(strokes) if index not in lines]
-    ends = np.array([end for line in lines.values() for end in (line.start, line.end)])
-    beside = _BESIDE + 0.5 * grid_step(ends.reshape(-1, 2))
+    beside = _BESIDE + 0.5 * max((own.step for own in strokes), default=0.0)
     for first, points in _chains(lines):
         kept += [replace(strokes[first], curve=curve) for curve in _whole(points, beside)]
     return tuple(kept)

@@ -22,11 +22,9 @@ from gaussiancad_core.views import Arc, Ellipse, Segment, Stroke
 _SMOOTH = 0.03
 """Sine of the angle between two strokes that go over into each other, at most."""
 
-_NEAR = {StrokesSource.VECTOR: 0.3, StrokesSource.PLOT: 0.6}
-"""px within which ends meet, and coordinates of two views are one."""
-
-_NEAR_COARSE = 1.0
-"""The same of strokes that are known less well."""
+_NEAR, _NEAR_STEPS, _NEAR_COARSE = 0.3, 1.8, 1.0
+"""px within which ends meet, and coordinates of two views are one, of exact strokes; steps of the
+grid of a file that was rounded by which that is more; px of strokes of pictures, and at most."""
 
 _MOSTLY = 0.7
 """Share of the places on outlines where faces meet smoothly that have their line, if a sheet draws
@@ -63,11 +61,18 @@ class _Junctions:
         return True if _has(self.smooth, at, near) else None
 
 
+def _near(view: ReadView) -> float:
+    """px within which ends of strokes of a view meet."""
+    if view.source is StrokesSource.RASTER:
+        return _NEAR_COARSE
+    return min(_NEAR + _NEAR_STEPS * view.step, _NEAR_COARSE)
+
+
 def without_tangent_edges(
     drawn: Sequence[ReadView],
 ) -> tuple[tuple[ReadView, ...], tuple[Segment, ...]]:
     """Views without the lines where faces meet smoothly, and these, px of the upright sheet."""
-    near = max(_NEAR.get(view.source, _NEAR_COARSE) for view in drawn)
+    near = max(_near(view) for view in drawn)
     between = [_between_smooth(view, near) for view in drawn]
     plain = [_less(view, own) for view, own in zip(drawn, between, strict=True)]
     known = {

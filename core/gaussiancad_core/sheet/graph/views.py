@@ -21,7 +21,7 @@ from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.special_views.finding import LayoutRequest
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 from gaussiancad_core.sheet.special_views.symbol import find_symbol
-from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet, drawing_grid
+from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.sheet.view_search import STUB, arranged, lone_view, with_symbol
 
 _COVERED = 0.75
@@ -77,7 +77,7 @@ def graph_views(
     found = labelled(drawing, (width, height)) if not sheet.turn.angle else None
     if found is None:
         return None
-    separated, vectors = _part(found, sheet, drawing_grid(drawing))
+    separated, vectors = _part(found, sheet)
     symbol = find_symbol(sheet) if projection is None else None
     told = symbol.projection if symbol else projection
     request = LayoutRequest(given, told, STUB * separated.part.stroke_width)
@@ -98,9 +98,7 @@ def graph_views(
     return GraphViews(separated, layout, vectors, tuple(used))
 
 
-def _part(
-    found: LabelledDrawing, sheet: CleanSheet, grid: float
-) -> tuple[SeparatedSheet, VectorSheet]:
+def _part(found: LabelledDrawing, sheet: CleanSheet) -> tuple[SeparatedSheet, VectorSheet]:
     """The sheet with the part's strokes alone, and these."""
     height, width = sheet.ink.shape
     drawing = VectorDrawing(
@@ -114,10 +112,7 @@ def _part(
         if label in _MARKS and (mark := _mark(stroke, _MARKS[label])) is not None
     ]
     hatched = _hatched(found.of(Label.HATCH), part.ink)
-    # Chords that make one arc together are rounded, too.
-    own = VectorDrawing(found.of(Label.VISIBLE, Label.HIDDEN), ())
-    vectors = VectorSheet(drawing, part, drawing_grid(own) or grid)
-    return SeparatedSheet(part, tuple(marks), hatched), vectors
+    return SeparatedSheet(part, tuple(marks), hatched), VectorSheet(drawing, part)
 
 
 def _mark(stroke: VectorStroke, kind: AnnotationKind) -> Mark | None:

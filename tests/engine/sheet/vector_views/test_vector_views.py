@@ -27,7 +27,7 @@ def read(path, change=lambda grey: grey) -> tuple[ReadView, ...]:  # noqa: ANN00
     image = replace(stored, grey=change(stored.grey))
     clean = upright_sheet(clean_sheet(image.grey))
     seen = picture_views(image, clean, {}, Projection.THIRD)
-    vectors = VectorSheet.of(image.vectors, clean)
+    vectors = VectorSheet(image.vectors, clean)
     return read_views(seen.separated.part, seen.layout, vectors=vectors)
 
 
@@ -82,6 +82,7 @@ def test_strokes_are_the_file_s_own(write_sheet, name: str, suffix: str) -> None
     views = read(path)
     assert {view.source for view in views} == {StrokesSource.VECTOR}
     check(sheet, views)
+    assert all(view.step == 0.0 for view in views)
     for view in views:
         assert view.box == pytest.approx(sheet[view.role].box, abs=EXACT)
         assert all(stroke.confidence == 1.0 for stroke in view.strokes)
@@ -113,8 +114,9 @@ def test_dashes_of_their_own_are_hidden_lines(write_sheet, suffix: str) -> None:
 def test_plotted_lines_are_taken_for_what_they_are(write_sheet) -> None:  # noqa: ANN001
     sheet, path = write_sheet("slotted-link", ".pdf", step=1.0 / 6.0)
     views = read(path)
-    # Its circles and arcs were not rounded, so that lines miss them.
-    assert {view.source for view in views} == {StrokesSource.PLOT}
+    assert {view.source for view in views} == {StrokesSource.VECTOR}
+    # Its circles and arcs were not rounded; they were drawn with what was.
+    assert [view.step for view in views] == pytest.approx([1.0 / 6.0] * 3, rel=1e-3)
     check(sheet, views, slack=0.2)
     registered = register_views(views, ReadingOptions(mm_per_pixel=1.0))
     assert registered.source is StrokesSource.VECTOR

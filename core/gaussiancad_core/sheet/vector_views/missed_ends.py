@@ -1,0 +1,35 @@
+"""How far ends that meet miss each other in a file, where its numbers tell no grid any more.
+
+What was rounded may have been taken apart, turned or fitted again since.  Lines that ended together
+are still apart by about a step.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from gaussiancad_core.sheet.files.vectors import CircularArc, Curve, Line
+
+_COARSEST, _EXACTLY = 0.3, 0.005
+"""px between the ends of rounded strokes that meet, at most, and of exact ones: farther ones may be
+two corners of a part."""
+
+_OFTEN, _FEWEST = 0.3, 8
+"""Share of meetings that are missed where that is a rule, and strokes from which it is one."""
+
+
+def missed_px(curves: Sequence[Curve]) -> float:
+    """px by which ends that meet miss each other at the median; 0 where most do not."""
+    open_curves = [own for own in curves if isinstance(own, Line | CircularArc)]
+    if len(open_curves) < _FEWEST:
+        return 0.0
+    ends = np.concatenate([own.sample(np.inf)[[0, -1]] for own in open_curves])
+    # The nearest but one: the nearest is the end itself, or the other end of a circle.
+    away = cKDTree(ends).query(ends, k=min(4, len(ends)))[0][:, 1:]
+    meeting = away[(away < _COARSEST).any(axis=1)]
+    missed = (meeting > _EXACTLY) & (meeting < _COARSEST)
+    exactly = (meeting <= _EXACTLY).any(axis=1)
+    if not len(meeting) or (missed.any(axis=1) & ~exactly).mean() <= _OFTEN:
+        return 0.0
+    return float(np.median(meeting[missed]))
