@@ -31,7 +31,7 @@ from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import RegisteredSheet, register_views
 from gaussiancad_core.sheet.scale.estimate import Measure
 from gaussiancad_core.sheet.scale.find import find_scale
-from gaussiancad_core.solid.exact import ExactResult, exact_solid
+from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.told_measures import trusted
 from gaussiancad_core.views import ViewSet
 
@@ -57,11 +57,36 @@ class InputKind(Enum):
 DRAWN_KINDS = tuple(kind for kind in InputKind if not kind.value.startswith("dxf"))
 FILE_KINDS = (InputKind.DXF_RASTER, InputKind.DXF_VECTORS)
 
+_FINEST = 2000.0
+"""Pixels of the longest extent on a sheet, at most."""
+
 _NOISE = {
     InputKind.MISSING: missing_and_spurious,
     InputKind.JITTER: jittered,
     InputKind.LENGTHS: of_wrong_length,
 }
+
+
+@dataclass(frozen=True)
+class Lines:
+    """Views of no sheet, as what was read of one.
+
+    Attributes:
+        drawn: the views.
+    """
+
+    drawn: DrawnViews
+    is_alone: bool = False
+
+    @property
+    def numbered(self) -> DrawnViews:
+        """No numbers tell anything else."""
+        return self.drawn
+
+    @property
+    def grid(self) -> float:
+        """mm of a pixel of a sheet on which the lines would be as exact, at least."""
+        return max(self.drawn.tolerance, max(self.drawn.size) / _FINEST)
 
 
 @dataclass(frozen=True)
@@ -89,7 +114,7 @@ class Input:
     def solved(self) -> ExactResult:
         """The solid: as of a sheet, compared with the ink, where there is one."""
         if self.registered is None or self.sheet is None:
-            return exact_solid(self.views)
+            return find_exact(Lines(self.views), None).result
         reading = Reading(self.registered, Projection.THIRD, self.measures)
         result = find_exact(reading, None).result
         return compared_with_ink(result, self.registered, self.sheet)

@@ -107,7 +107,7 @@ def find_exact(
     """
     limits = limits or Limits()
     readings = _Readings(own, other, by_symbol)
-    if own.registered.unseen is not None:
+    if own.is_alone:
         # Cells take two views.
         failed = ExactResult(Status.FAILED, None, None, (), (UNBUILT,), {})
         return readings.sketched or ExactModel(own, failed, False)
@@ -296,7 +296,7 @@ def find_for_hull(own: Reading, other: Reading | None) -> ExactModel | None:
     Returns:
         What :func:`find_exact` finds with a quarter of the effort; None for sheets of many lines.
     """
-    strokes = sum(len(view.strokes) for view in own.registered.views.views)
+    strokes = sum(map(len, own.drawn.strokes.values()))
     if strokes > _MOST_BRIEF:
         return None
     usual = Effort()

@@ -43,6 +43,16 @@ class Reading:
     holes: tuple[NotedHole, ...] = ()
 
     @property
+    def grid(self) -> float:
+        """mm of a px of the sheet: lines closer together are one."""
+        return self.registered.mm_per_pixel
+
+    @property
+    def is_alone(self) -> bool:
+        """Whether the sheet has one view."""
+        return self.registered.unseen is not None
+
+    @property
     def drawn(self) -> DrawnViews:
         """The lines of the views, as the reasoning takes them."""
         plain = drawn_views(self.registered, self.measures)

@@ -9,8 +9,9 @@ show one and the same part.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
-from gaussiancad_core.projected_reading import Reading
+from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.sheet.layout import is_unusual
 from gaussiancad_core.sketch.sketching import Sketch, sketch
 
@@ -30,6 +31,26 @@ _PLAIN = 1.0
 """The same for it to be so whatever a projection symbol says: title blocks are copied."""
 
 
+class ReadViews(Protocol):
+    """What was read of a part's views, of a sheet or not."""
+
+    @property
+    def drawn(self) -> DrawnViews:
+        """The lines of the views."""
+
+    @property
+    def numbered(self) -> DrawnViews:
+        """The same with what the sheet's numbers say of lengths."""
+
+    @property
+    def grid(self) -> float:
+        """mm within which lines are one."""
+
+    @property
+    def is_alone(self) -> bool:
+        """Whether it is one view."""
+
+
 @dataclass(frozen=True, eq=False)
 class Weighed:
     """How well the readings of a sheet are sketched.
@@ -47,13 +68,13 @@ class Weighed:
     is_plain: bool = False
 
 
-def weigh(readings: Sequence[Reading]) -> Weighed:
+def weigh(readings: Sequence[ReadViews]) -> Weighed:
     """Sketch the part under each reading of a sheet.
 
     Args:
         readings: one or two, the first as the views are named.
     """
-    sketches = tuple(sketch(own.numbered, own.registered.mm_per_pixel) for own in readings)
+    sketches = tuple(sketch(own.numbered, own.grid) for own in readings)
     known = [number for number, own in enumerate(sketches) if own is not None]
     if len(known) < len(readings) or len(readings) == 1:
         return Weighed(sketches, min(known, default=0), is_clear=False)
@@ -61,7 +82,7 @@ def weigh(readings: Sequence[Reading]) -> Weighed:
     least = sketches[best].energy
     # Whether a search that was not ended finds less for the other one, nobody knows.
     most = sketches[1 - best].at_least
-    unusual = is_unusual(readings[best].registered.views.roles)
+    unusual = is_unusual(readings[best].drawn.roles)
     clear = most > (1.0 + (_CLEAR_UNUSUAL if unusual else _CLEAR)) * least
     clear &= least <= _TELLING * sum(
         own.length for strokes in readings[best].drawn.strokes.values() for own in strokes
