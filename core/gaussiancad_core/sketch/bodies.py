@@ -1,6 +1,7 @@
 """The solid of slabs: prisms with true arcs, made one."""
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from math import inf, isfinite
 
@@ -17,6 +18,7 @@ from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.brep import bounding_box, is_valid, subshapes
+from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.sketch.choosing import Choice
 from gaussiancad_core.sketch.cross_holes import CrossHole
@@ -116,8 +118,11 @@ def body_of(choice: Choice, slabs: Sequence[Slab], cones: Sequence[Cone]) -> Top
 
 def _prism(profile: Profile, axis: Axis, between: tuple[float, float]) -> TopoDS_Shape:
     """A profile as a prism; with chords for arcs, where these cross each other."""
-    made = prism(profile, axis, between)
-    return made if is_valid(made) else prism(replace(profile, arcs=()), axis, between)
+    with suppress(*KERNEL_FAILURES):
+        made = prism(profile, axis, between)
+        if is_valid(made):
+            return made
+    return prism(replace(profile, arcs=()), axis, between)
 
 
 def _cone(own: Cone, axis: Axis) -> TopoDS_Shape:

@@ -31,6 +31,9 @@ _CHORDS = 96
 _FLAT = 1e-5
 """Height of an arc over its chord, as a share of its radius, up to which that stands for it."""
 
+_SHORTEST = 1e-6
+"""Length of a stretch that has an edge, at least: ten times what the kernel takes for one point."""
+
 _CLEARLY = 0.1
 """Sine of the angle from which two curves cross each other clearly."""
 
@@ -117,6 +120,9 @@ def _wire(ring: Floats, profile: Profile, place: Callable[[Point], gp_Pnt]) -> T
         made.Add(BRepBuilderAPI_MakeEdge(_circle(circle, ring, place)).Edge())
         return made.Wire()
     for run, arc in runs:
+        # A short stretch may have none left between the curves beside it.
+        if np.hypot(*(run[-1] - run[0])) < _SHORTEST:
+            continue
         ends = place(tuple(run[0])), place(tuple(run[-1]))
         middle = None if arc is None else _middle(run, arc)
         if middle is None:
