@@ -101,7 +101,8 @@ def _plan(
     planes = {role: role_plane(role) for role in lines}
     facing = [r for r in lines if planes[r].normal is axis and r not in cuts]
     beside = [r for r in lines if planes[r].normal is not axis]
-    is_alone = len(lines) == 1 and (bool(facing) or views.about is axis)
+    # What is said to be turned is no plate as thick as it is wide.
+    is_alone = len(lines) == 1 and (bool(facing) if views.about is None else views.about is axis)
     if not is_alone and not (facing and beside):
         return None
     middle = middle_of(axis, size) if views.about is axis else None

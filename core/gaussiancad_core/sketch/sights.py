@@ -4,7 +4,7 @@ A view from beside shows a level where what is nearest changes from one slab to 
 along the axis where it changes from one sight line to the one beside it.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -17,6 +17,7 @@ from gaussiancad_core.cuts import Cut
 from gaussiancad_core.reasoning.planes import IN_PLANE, RolePlane, role_plane
 from gaussiancad_core.sketch.levels import STRAIGHT
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine
+from gaussiancad_core.sketch.steps import DEEPER, Sight, goes_on
 
 Mask = npt.NDArray[np.bool_]
 
@@ -31,30 +32,6 @@ _SHORTEST = 1.0
 
 _AT_LEVEL = 1.0
 """Grid steps between a line and the level that it draws at most."""
-
-_BEFORE, _AFTER = 0.1, 0.9
-"""Grid steps before and after a place where something changes at which depths are compared."""
-
-_SLOPE = 3.0
-"""Depth that a wall which is not across may gain between, in the distance."""
-
-_DEEPER = 0.7
-"""Grid steps by which what is nearest lies deeper, at least, for a line to be seen there."""
-
-
-@dataclass(frozen=True, eq=False)
-class Sight:
-    """What one sight line meets, the nearest first.
-
-    Attributes:
-        regions: numbers of the regions.
-        depths: (m,) mm from where the view looks to where it enters these.
-        is_cut: (m,) bool, whether the section plane lies within the region.
-    """
-
-    regions: tuple[int, ...]
-    depths: Floats
-    is_cut: Mask
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,14 +119,14 @@ def sights_of(
     alien = sum(
         own.length * (1.0 if own.is_visible else 0.5)
         for own in lines
-        if own.constant(_DEEPER * grid) is None
+        if own.constant(DEEPER * grid) is None
     )
     return Sights(
         role,
         places,
         widths,
         met,
-        tuple(_goes_on(met, places, edges, look, grid)),
+        tuple(goes_on(met, places, edges, look, grid)),
         *drawn,
         _hatched(cut, plane.signs, (along, across), places, levels),
         draws_hidden and cut is None,
@@ -169,34 +146,6 @@ def _cut_at(
     if opening is None:
         return None
     return opening.at if plane.looks_up else depth - opening.at
-
-
-def _goes_on(
-    met: Sequence[Sight],
-    places: Floats,
-    edges: Sequence[float],
-    look: Callable[[float], Sight],
-    grid: float,
-) -> Iterator[Mask]:
-    nothing = Sight((), np.zeros(0), np.zeros(0, bool))
-    for index in range(len(met) + 1):
-        before, after = (met[k] if 0 <= k < len(met) else nothing for k in (index - 1, index))
-        near, far = before.depths, after.depths
-        between = 0.0
-        if 0 < index < len(met):
-            low, high = places[index - 1], places[index]
-            edge = next((own for own in edges if low < own < high), None)
-            if edge is None and before.regions == after.regions:
-                yield np.eye(len(near), dtype=bool)
-                continue
-            between = high - low
-            if edge is not None:
-                low, high = max(low, edge - _BEFORE * grid), min(high, edge + _AFTER * grid)
-                closer = look(low), look(high)
-                if (closer[0].regions, closer[1].regions) == (before.regions, after.regions):
-                    near, far, between = closer[0].depths, closer[1].depths, high - low
-        slack = max(_DEEPER * grid, _SLOPE * between)
-        yield np.abs(near[:, None] - far[None, :]) < slack
 
 
 def _edges(
