@@ -7,16 +7,13 @@ from math import inf, isfinite
 
 import numpy as np
 import shapely
-from OCP.BOPAlgo import BOPAlgo_GlueEnum
-from OCP.BRepAlgoAPI import BRepAlgoAPI_Common, BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeCone, BRepPrimAPI_MakeCylinder
-from OCP.collections import List_TopoDS_Shape
 from OCP.gp import gp_Ax2, gp_Dir, gp_Pnt
-from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Axis
+from gaussiancad_core.drawing.booleans import common, fused, unified, without
 from gaussiancad_core.drawing.brep import bounding_box, is_valid, subshapes
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.reasoning.planes import IN_PLANE
@@ -110,10 +107,10 @@ def body_of(choice: Choice, slabs: Sequence[Slab], cones: Sequence[Cone]) -> Top
         for own in slabs
         for profile in profiles_of(own.area, plan.regions, plan.grid)
     ]
-    body = _fused(prisms)
+    body = fused(prisms)
     if cones:
-        body = _cut(body, [_cone(own, plan.axis) for own in cones])
-    return _unified(body)
+        body = without(body, [_cone(own, plan.axis) for own in cones])
+    return unified(body)
 
 
 def _prism(profile: Profile, axis: Axis, between: tuple[float, float]) -> TopoDS_Shape:
@@ -152,7 +149,7 @@ def turned_down(shape: TopoDS_Shape, plan: Plan) -> TopoDS_Shape:
     """
     slopes = plan.slopes
     tools = [turned(own.beyond(plan.grid), plan.axis, own.centre) for own in slopes]
-    return _unified(_cut(shape, tools)) if tools else shape
+    return unified(without(shape, tools)) if tools else shape
 
 
 @dataclass(frozen=True)
@@ -182,7 +179,7 @@ def with_holes(shape: TopoDS_Shape, plan: Plan) -> tuple[TopoDS_Shape, tuple[Bor
     bores = tuple(bore for own in plan.cross_holes for bore in _bores(shape, own, plan))
     if not bores:
         return shape, ()
-    return _unified(_cut(shape, [_cylinder(own, plan) for own in bores])), bores
+    return unified(without(shape, [_cylinder(own, plan) for own in bores])), bores
 
 
 def _bores(shape: TopoDS_Shape, hole: CrossHole, plan: Plan) -> Iterator[Bore]:
@@ -206,7 +203,7 @@ def _reaching(shape: TopoDS_Shape, bore: Bore, plan: Plan) -> Bore | None:
     hole = bore.hole
     runs = [
         bounding_box(own)[:, hole.axis.value].tolist()
-        for own in subshapes(_common(shape, _cylinder(bore, plan)), TopAbs_ShapeEnum.TopAbs_SOLID)
+        for own in subshapes(common(shape, _cylinder(bore, plan)), TopAbs_ShapeEnum.TopAbs_SOLID)
     ]
     if not runs:
         return None
@@ -232,22 +229,6 @@ def _cylinder(bore: Bore, plan: Plan) -> TopoDS_Shape:
     return BRepPrimAPI_MakeCylinder(place, hole.circle.radius, high - low).Shape()
 
 
-def _common(shape: TopoDS_Shape, tool: TopoDS_Shape) -> TopoDS_Shape:
-    return BRepAlgoAPI_Common(shape, tool).Shape()
-
-
-def _cut(shape: TopoDS_Shape, tools: Sequence[TopoDS_Shape]) -> TopoDS_Shape:
-    arguments, others = List_TopoDS_Shape(), List_TopoDS_Shape()
-    arguments.Append(shape)
-    for own in tools:
-        others.Append(own)
-    cut = BRepAlgoAPI_Cut()
-    cut.SetArguments(arguments)
-    cut.SetTools(others)
-    cut.Build()
-    return cut.Shape()
-
-
 def profiles_of(area: shapely.Geometry, regions: Regions, grid: float) -> list[Profile]:
     """The pieces of a slab's area with the arcs along which their outlines run.
 
@@ -265,24 +246,3 @@ def profiles_of(area: shapely.Geometry, regions: Regions, grid: float) -> list[P
 
 def _united(regions: Regions, chosen: Sequence[int]) -> shapely.Geometry:
     return shapely.union_all([regions.polygons[k] for k in chosen])
-
-
-def _fused(shapes: Sequence[TopoDS_Shape]) -> TopoDS_Shape:
-    if len(shapes) == 1:
-        return shapes[0]
-    arguments, tools = List_TopoDS_Shape(), List_TopoDS_Shape()
-    arguments.Append(shapes[0])
-    for own in shapes[1:]:
-        tools.Append(own)
-    fuse = BRepAlgoAPI_Fuse()
-    fuse.SetArguments(arguments)
-    fuse.SetTools(tools)
-    fuse.SetGlue(BOPAlgo_GlueEnum.BOPAlgo_GlueOff)
-    fuse.Build()
-    return fuse.Shape()
-
-
-def _unified(shape: TopoDS_Shape) -> TopoDS_Shape:
-    unify = ShapeUpgrade_UnifySameDomain(shape, True, True, True)
-    unify.Build()
-    return unify.Shape()

@@ -17,10 +17,10 @@ from OCP.BRepBuilderAPI import (
 from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism, BRepPrimAPI_MakeRevol
 from OCP.GC import GC_MakeArcOfCircle
 from OCP.gp import gp_Ax1, gp_Ax2, gp_Circ, gp_Dir, gp_Pnt, gp_Vec
-from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Wire
 
 from gaussiancad_core.axes import Axis
+from gaussiancad_core.drawing.booleans import unified
 from gaussiancad_core.reasoning.curves import CircleCurve, line_through, meetings
 from gaussiancad_core.reasoning.planes import IN_PLANE
 from gaussiancad_core.views import Arc
@@ -79,7 +79,7 @@ def turned(profile: Profile, axis: Axis, centre: Point = (0.0, 0.0)) -> TopoDS_S
     way = [0.0, 0.0, 0.0]
     way[axis.value] = 1.0
     face = _face(profile, place)
-    return _unified(BRepPrimAPI_MakeRevol(face, gp_Ax1(place((0.0, 0.0)), gp_Dir(*way))).Shape())
+    return unified(BRepPrimAPI_MakeRevol(face, gp_Ax1(place((0.0, 0.0)), gp_Dir(*way))).Shape())
 
 
 def prism(profile: Profile, axis: Axis, between: tuple[float, float]) -> TopoDS_Shape:
@@ -235,9 +235,3 @@ def _arc_of(one: Floats, other: Floats, profile: Profile) -> int | None:
         if np.abs(away).max() <= profile.near and chord < 4.0 * np.pi * arc.radius / _CHORDS:
             return number
     return None
-
-
-def _unified(shape: TopoDS_Shape) -> TopoDS_Shape:
-    unify = ShapeUpgrade_UnifySameDomain(shape, True, True, True)
-    unify.Build()
-    return unify.Shape()

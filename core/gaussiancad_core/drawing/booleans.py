@@ -1,0 +1,67 @@
+"""Several solids made one, cut from each other, or met: OpenCASCADE's Booleans at once."""
+
+from collections.abc import Sequence
+
+from OCP.BOPAlgo import BOPAlgo_GlueEnum
+from OCP.BRepAlgoAPI import (
+    BRepAlgoAPI_BooleanOperation,
+    BRepAlgoAPI_Common,
+    BRepAlgoAPI_Cut,
+    BRepAlgoAPI_Fuse,
+)
+from OCP.collections import List_TopoDS_Shape
+from OCP.ShapeUpgrade import ShapeUpgrade_UnifySameDomain
+from OCP.TopoDS import TopoDS_Shape
+
+
+def fused(shapes: Sequence[TopoDS_Shape]) -> TopoDS_Shape:
+    """One at least, as one; faces that continue each other stay apart.
+
+    Raises:
+        RuntimeError: the kernel fails.
+    """
+    first, *others = shapes
+    return _combined(BRepAlgoAPI_Fuse(), first, others) if others else first
+
+
+def without(shape: TopoDS_Shape, tools: Sequence[TopoDS_Shape]) -> TopoDS_Shape:
+    """What is left of a shape that some are taken away from, one at least.
+
+    Raises:
+        RuntimeError: the kernel fails.
+    """
+    return _combined(BRepAlgoAPI_Cut(), shape, tools)
+
+
+def common(shape: TopoDS_Shape, tool: TopoDS_Shape) -> TopoDS_Shape:
+    """What two shapes share.
+
+    Raises:
+        RuntimeError: the kernel fails.
+    """
+    return _combined(BRepAlgoAPI_Common(), shape, [tool])
+
+
+def unified(shape: TopoDS_Shape) -> TopoDS_Shape:
+    """With faces, edges and curves that continue each other as one.
+
+    Raises:
+        RuntimeError: the kernel fails.
+    """
+    unify = ShapeUpgrade_UnifySameDomain(shape, True, True, True)
+    unify.Build()
+    return unify.Shape()
+
+
+def _combined(
+    operation: BRepAlgoAPI_BooleanOperation, shape: TopoDS_Shape, tools: Sequence[TopoDS_Shape]
+) -> TopoDS_Shape:
+    arguments, others = List_TopoDS_Shape(), List_TopoDS_Shape()
+    arguments.Append(shape)
+    for own in tools:
+        others.Append(own)
+    operation.SetArguments(arguments)
+    operation.SetTools(others)
+    operation.SetGlue(BOPAlgo_GlueEnum.BOPAlgo_GlueOff)
+    operation.Build()
+    return operation.Shape()
