@@ -1,11 +1,12 @@
 """From the lines of views to the part, the reader left out: how often is it the true one?
 
-    .venv/bin/python benchmarks/from_lines.py --cases DIR --data DIR [--only TEXT ...]
-        [--json FILE]
+    OPENBLAS_NUM_THREADS=1 .venv/bin/python benchmarks/from_lines.py --cases DIR --data DIR
+        [--only TEXT ...] [--json FILE]
 
 The sheets are those of benchmarks/line_cases.py.  Of each the sketch is made from what was read,
 under both projections where both may be, and compared with the part at one size, in the best of 24
-orientations.  ``exact`` counts those with an IoU of .99 at least.
+orientations.  ``exact`` counts those with an IoU of .99 at least.  The command of the engine tells
+OpenBLAS to use one thread; without that its idle threads count as much as the work itself.
 """
 
 import argparse
