@@ -42,8 +42,8 @@ def test_the_sketch_that_explains_clearly_more_tells_the_reading(
     readings = [
         SimpleNamespace(
             numbered=energy,
-            drawn=SimpleNamespace(strokes={Role.FRONT: [SimpleNamespace(length=500.0)]}),
-            registered=SimpleNamespace(mm_per_pixel=1.0, views=SimpleNamespace(roles=own)),
+            drawn=SimpleNamespace(strokes={Role.FRONT: [SimpleNamespace(length=500.0)]}, roles=own),
+            grid=1.0,
         )
         for energy, own in zip(energies, roles, strict=True)
     ]
