@@ -52,6 +52,7 @@ class Layout:
         left_out: boxes of clusters that are no view and have no name.
         special: drawings that are no plain views, by name.
         symbol: what the projection symbol of the sheet says, or None.
+        frame: box of what was taken for the frame of a drawing that has no paper to tell it by.
     """
 
     boxes: dict[Role, Box]
@@ -61,6 +62,7 @@ class Layout:
     left_out: tuple[Box, ...]
     special: tuple[SpecialView, ...] = ()
     symbol: Projection | None = None
+    frame: Box | None = None
 
 
 def find_layout(

@@ -68,6 +68,9 @@ def sheet_views(
         by_pens = graph_views(drawing, sheet, boxes, projection)
         if by_pens is not None and len(by_pens.layout.boxes) > 1:
             return _of_pens(by_pens)
+        if by_pens is not None and by_pens.is_all and not drawing.has_paper:
+            # A picture of it shows no more.
+            return _of_pens(by_pens)
     try:
         seen = picture_views(image, sheet, boxes, projection)
     except NoModelError:

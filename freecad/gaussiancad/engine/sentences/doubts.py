@@ -173,6 +173,11 @@ REASONS = {
         "The projection symbol says {symbol}, but the lines fit {other} better. Taken was "
         "{taken}; choose under Projection if it is the other.",
     ),
+    "unit-contradicts-note": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "A note names {noted} as the unit, but the numbers fit what the file draws in {taken}, "
+        "which was taken. Check the part's size.",
+    ),
     "scale-contradicts-dimensions": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The drawing's dimensions agree on {sheet} mm per pixel, but the scale that was set gives "
@@ -296,6 +301,11 @@ WARNINGS = {
         "The sheet has no readable scale: 1:1 was assumed. Set a length under Scale if it is "
         "another.",
     ),
+    "full-scale-assumed:file": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The file says the unit of its lengths, and no scale: the part was taken to be drawn in "
+        "its own size. Set a length under Scale if it is not.",
+    ),
     "scale-assumed": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The scale is not known: the longest edge was made 100 mm. Set a length under Scale.",
@@ -315,7 +325,11 @@ WARNINGS = {
     ),
     "paper-size-unknown": QT_TRANSLATE_NOOP(
         "GaussianCAD",
-        "The file does not say how large its paper is. Set a length under Scale.",
+        "The file says neither its unit nor how large its paper is. Set a length under Scale.",
+    ),
+    "frame-left-out": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The lines around everything were taken for a frame, not for the part's outline.",
     ),
     "lines-left-out": QT_TRANSLATE_NOOP(
         "GaussianCAD",
