@@ -8,7 +8,6 @@ or else the drawing with a margin.
 import logging
 import mmap
 import re
-import struct
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -28,6 +27,7 @@ from gaussiancad_core.sheet.files.content import (
     too_many_elements,
 )
 from gaussiancad_core.sheet.files.dxf_entities import DrawnCurve, Exploder, Explosion
+from gaussiancad_core.sheet.files.dxf_faults import BROKEN, left_out
 from gaussiancad_core.sheet.files.dxf_paper import drawing_box, paper_box
 from gaussiancad_core.sheet.files.dxf_placing import placed_drawing
 from gaussiancad_core.sheet.files.painting import paint
@@ -118,7 +118,7 @@ def read_dxf(path: Path, page: int) -> FileContent:
         vectors, has_paper=paper is not None, unit_mm=unit_mm if content.is_model else None
     )
     dpi = sizing.pixels_per_inch
-    notes = notes_on(path, sizing)
+    notes = (*left_out(path, content.found.unread), *notes_on(path, sizing))
     picture = paint(vectors, *size)
     return FileContent(picture, dpi, vectors, notes, pages=content.pages)
 
@@ -140,28 +140,11 @@ def _check_size(path: Path) -> None:
                 raise too_many_elements(path)
 
 
-_BROKEN = (
-    ezdxf.DXFError,
-    struct.error,
-    ArithmeticError,
-    AssertionError,
-    AttributeError,
-    EOFError,
-    LookupError,
-    OSError,
-    RuntimeError,
-    TypeError,
-    ValueError,
-)
-"""What ezdxf's parsers raise over broken files: its own errors, and whatever broken values lead to;
-neither lack of memory nor an interrupt."""
-
-
 def _load(path: Path) -> Drawing:
     logging.getLogger("ezdxf").setLevel(logging.CRITICAL)
     try:
         return ezdxf.readfile(path)
-    except _BROKEN:
+    except BROKEN:
         return _recovered(path)
 
 
@@ -169,7 +152,7 @@ def _recovered(path: Path) -> Drawing:
     """What the lenient parser makes of a file that the strict one stumbled over."""
     try:
         return recover.readfile(path)[0]
-    except _BROKEN as error:
+    except BROKEN as error:
         raise UnreadableError(
             "damaged-dxf",
             "{path} is no DXF file, or is damaged ({reason}): save it again",
@@ -200,6 +183,7 @@ def _page(doc: Drawing, path: Path, page: int) -> _Page:
             drawn for drawn in shown.curves if _lies_in(drawn, (low.x, low.y, high.x, high.y))
         ]
         found.complete &= shown.complete
+        found.unread += shown.unread
     inches = 1.0 if layout.dxf.get("plot_paper_units", 1) == 0 else MILLIMETRE
     low, high = layout.get_paper_limits()
     return _Page(found, (low.x, low.y, high.x, high.y), inches, len(layouts))

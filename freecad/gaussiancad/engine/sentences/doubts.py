@@ -173,6 +173,11 @@ REASONS = {
         "The projection symbol says {symbol}, but the lines fit {other} better. Taken was "
         "{taken}; choose under Projection if it is the other.",
     ),
+    "entities-left-out:part": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The file has entities that cannot be read and were left out: {kinds}. What they show may "
+        "be missing.",
+    ),
     "unit-contradicts-note": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "A note names {noted} as the unit, but the numbers fit what the file draws in {taken}, "
@@ -326,6 +331,10 @@ WARNINGS = {
     "paper-size-unknown": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The file says neither its unit nor how large its paper is. Set a length under Scale.",
+    ),
+    "entities-left-out": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The file has entities that cannot be read and were left out: {kinds}.",
     ),
     "frame-left-out": QT_TRANSLATE_NOOP(
         "GaussianCAD",

@@ -522,6 +522,46 @@ def test_broken_files_are_read_as_far_as_possible(tmp_path: Path) -> None:
     assert len(read_dxf(path, 1).vectors.strokes) == 2
 
 
+def _with_entity(path: Path, tags: list[str]) -> None:
+    """Put an entity of some tags at the end of a text file's model space."""
+    text = path.read_text()
+    start = text.index("ENTITIES")
+    end = text.index("  0\nENDSEC", start)
+    path.write_text(text[:end] + "\n".join(tags) + "\n" + text[end:])
+
+
+_TABLE = ["  0", "ACAD_TABLE", "  5", "FFF1", "100", "AcDbEntity", "  8", "0"]
+_TABLE += ["100", "AcDbBlockReference", "  2", "*T1", " 10", "110.0", " 20", "125.0"]
+_TABLE += ["100", "AcDbTable", " 91", "3", " 92", "2"]
+_CURVE = ["  0", "SPLINE", "  5", "FFF2", "100", "AcDbEntity", "  8", "0", "100", "AcDbSpline"]
+_CURVE += [" 71", "3", " 73", "1", " 10", "1.0", " 20", "1.0"]
+
+
+@pytest.mark.parametrize(
+    ("tags", "kinds", "is_doubt"),
+    [
+        (_TABLE, "1 ACAD_TABLE", False),
+        (_TABLE + _TABLE, "2 ACAD_TABLE", False),
+        (_CURVE, "1 SPLINE", True),
+        (_CURVE + _TABLE, "1 ACAD_TABLE, 1 SPLINE", True),
+    ],
+)
+def test_entities_that_cannot_be_read_are_left_out_and_said(
+    tmp_path: Path, tags: list[str], kinds: str, is_doubt: bool
+) -> None:
+    doc = _framed(_a4())
+    doc.modelspace().add_circle((100, 100), 50)
+    path = tmp_path / "a.dxf"
+    doc.saveas(path)
+    whole = read_dxf(path, 1)
+    _with_entity(path, tags)
+    content = read_dxf(path, 1)
+    assert content.vectors == whole.vectors
+    (note,) = content.notes
+    assert (note.code, note.message.args["kinds"]) == ("entities-left-out", kinds)
+    assert note.is_doubt is is_doubt
+
+
 def _many(count: int) -> bytes:
     line = b"  0\nLINE\n  8\n0\n 10\n0.0\n 20\n0.0\n 11\n5.0\n 21\n9.0\n"
     return b"  0\nSECTION\n  2\nENTITIES\n" + line * count + b"  0\nENDSEC\n  0\nEOF\n"
