@@ -89,9 +89,11 @@ def find_layout(
     return arrange_clusters(view_clusters(ink, stub_width), given, projection)
 
 
-def view_clusters(ink: npt.NDArray[np.bool_], stub_width: float) -> list[Box]:
+def view_clusters(
+    ink: npt.NDArray[np.bool_], stub_width: float, *, has_paper: bool = True
+) -> list[Box]:
     """Boxes of connected groups of ink, largest first, without single lines that stick out."""
-    return [_without_stubs(box, ink, stub_width) for box in find_clusters(ink)]
+    return [_without_stubs(box, ink, stub_width) for box in find_clusters(ink, has_paper=has_paper)]
 
 
 def arrange_clusters(
@@ -143,8 +145,8 @@ def is_unusual(roles: Container[Role]) -> bool:
     return Role.BOTTOM in roles and Role.TOP not in roles
 
 
-def find_clusters(ink: npt.NDArray[np.bool_]) -> list[Box]:
-    """Boxes of connected groups of ink, largest first; a drawing frame is left out."""
+def find_clusters(ink: npt.NDArray[np.bool_], *, has_paper: bool = True) -> list[Box]:
+    """Boxes of connected groups of ink, largest first; on paper a drawing frame is left out."""
     height, width = ink.shape
     # An even kernel would shift what it closes by a pixel.
     kernel = np.ones((_REACH + 1, _REACH + 1), np.uint8)
@@ -155,7 +157,7 @@ def find_clusters(ink: npt.NDArray[np.bool_]) -> list[Box]:
         for x, y, w, h, _ in stats[1:count]
         if max(w, h) >= 3
     ]
-    frames = [box for box in boxes if _is_frame(box, boxes, width, height)]
+    frames = [box for box in boxes if has_paper and _is_frame(box, boxes, width, height)]
     merged = _merge_overlapping([box for box in boxes if box not in frames])
     merged = _merge_overlapping(_with_lone_lines(merged, ink))
     views = [box for box in merged if max(_width(box), _height(box)) >= _MIN_SIDE]

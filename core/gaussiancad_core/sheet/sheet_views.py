@@ -14,6 +14,7 @@ from gaussiancad_core.sheet.options import Box, Finder
 from gaussiancad_core.sheet.picture_views import picture_views
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.scale.find import WrittenSheet
+from gaussiancad_core.sheet.special_views.naming import inside
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 
 
@@ -77,10 +78,16 @@ def sheet_views(
         if by_pens is None:
             raise
         return _of_pens(by_pens)
-    if by_pens is not None and len(seen.layout.boxes) == 1:
+    if by_pens is not None and _is_one(by_pens.layout, seen.layout):
         return _of_pens(by_pens)
     vectors = VectorSheet(drawing, sheet) if drawing is not None else None
     return SheetViews(seen.separated, seen.layout, vectors, seen.written, seen.problem)
+
+
+def _is_one(alone: Layout, seen: Layout) -> bool:
+    """Whether what a picture shows is the one view that the pens tell, or pieces within it."""
+    (whole,) = alone.boxes.values()
+    return len(seen.boxes) == 1 or all(inside(box, whole) for box in seen.boxes.values())
 
 
 def _of_pens(found: GraphViews) -> SheetViews:

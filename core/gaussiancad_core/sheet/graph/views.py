@@ -86,6 +86,7 @@ def graph_views(
     if found is None:
         return None
     separated, vectors = _part(found, sheet)
+    separated = replace(separated, has_paper=drawing.has_paper)
     symbol = find_symbol(sheet) if projection is None else None
     told = symbol.projection if symbol else projection
     request = LayoutRequest(given, told, STUB * separated.part.stroke_width)
