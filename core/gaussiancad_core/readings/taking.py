@@ -64,6 +64,7 @@ _CARRIED = (
     "other-pen-lines",
     "dimensions-disagree",
     "unit-contradicts-note",
+    "size-contradicts-unit",
     "full-scale-assumed",
     "dimensions-not-read",
 )

@@ -84,6 +84,7 @@ _OFFERS = {
     "scale-assumed": ("scale",),
     "full-scale-assumed": ("scale",),
     "unit-contradicts-note": ("scale",),
+    "size-contradicts-unit": ("scale",),
     "dimensions-disagree": ("dimension", "scale"),
     "unused-view": ("view",),
     "lines-left-out": ("view",),

@@ -3,7 +3,7 @@
 The box around a drawing that has no paper is the drawing's own: a plate with holes spans it as a
 frame does.  A frame goes around everything, notes and dimensions with it, and holds what a part's
 outline cannot: closed lines within closed lines (a view with a hole, which would lie in the air
-otherwise), a table, or writing beside lines of other pens alone.
+otherwise), lines that end on others of it (edges within a view; holes have none), or a table.
 """
 
 from collections.abc import Sequence
@@ -17,6 +17,10 @@ _CLOSED = 0.9
 """Share of the lines of a group that are closed, or meet others of it at both ends, at least: as of
 tables."""
 
+_VIEW = 0.1
+"""Share of a frame's width and height that a view in it has at least: engraved letters have
+less."""
+
 _EVEN = 2.0
 """px by which what lies within a box may reach over it: half of a wide line (ISO 128-2)."""
 
@@ -25,7 +29,6 @@ def goes_around_sheet(
     own: Flags,
     found: Flags,
     touches: Touches,
-    numbers: Ints,
     texts: Sequence[VectorText],
     *,
     has_table: bool,
@@ -36,7 +39,6 @@ def goes_around_sheet(
         own: (n,) the lines.
         found: (n,) lines of frames around these, and of tables.
         touches: of the strokes.
-        numbers: (n,) of each stroke's pen.
         texts: of the drawing.
         has_table: whether a table hangs together with them.
     """
@@ -46,22 +48,46 @@ def goes_around_sheet(
     written = _within(np.array([text.box for text in texts]).reshape(-1, 4), low, high)
     if not rest.any() or not held[rest].all() or not written.all():
         return False
-    if has_table or _is_nested(rest, touches):
+    if has_table:
         return True
-    return bool(len(texts)) and not np.isin(numbers[rest], numbers[own]).any()
-
-
-def _is_nested(rest: Flags, touches: Touches) -> bool:
-    """Whether some lines are closed and hold others that are."""
-    closed = touches.closed | (rest & touches.met(rest).all(axis=1))
     groups = touches.groups(rest)
-    boxes = []
-    for group in np.unique(groups[rest]):
-        own = groups == group
-        if float(closed[own].mean()) >= _CLOSED:
-            boxes.append(np.concatenate(_extent(touches, own)))
-    around = np.array(boxes).reshape(-1, 4)
-    return any(bool((_within(around, box[:2], box[2:])).sum() > 1) for box in boxes)
+    large = [
+        own for own in np.unique(groups[rest]) if _is_large(touches, groups == own, high - low)
+    ]
+    divided = touches.dividing(rest)
+    return any(bool(divided[groups == own].any()) for own in large) or _is_nested(
+        groups, large, rest, touches
+    )
+
+
+def _is_large(touches: Touches, own: Flags, size: np.ndarray) -> bool:
+    """Whether some lines are as large as a view."""
+    low, high = _extent(touches, own)
+    return bool((high - low >= _VIEW * size).all())
+
+
+def _is_nested(groups: Ints, large: Sequence[int], rest: Flags, touches: Touches) -> bool:
+    """Whether closed lines as large as a view hold others that are closed; circles around one
+    middle are a hole with a counterbore or countersink."""
+    closed = touches.closed | touches.met(rest).all(axis=1)
+    boxes = {
+        number: np.concatenate(_extent(touches, own))
+        for number in np.unique(groups[rest])
+        for own in [groups == number]
+        if float(closed[own].mean()) >= _CLOSED
+    }
+    for number in large:
+        if number not in boxes:
+            continue
+        around = boxes[number]
+        held = np.array([box for k, box in boxes.items() if k != number]).reshape(-1, 4)
+        held = held[_within(held, around[:2], around[2:])]
+        if int((groups == number).sum()) == 1:
+            apart = np.abs(held[:, :2] + held[:, 2:] - around[:2] - around[2:]).max(axis=1) / 2.0
+            held = held[apart > _EVEN]
+        if len(held):
+            return True
+    return False
 
 
 def _extent(touches: Touches, own: Flags) -> tuple[np.ndarray, np.ndarray]:

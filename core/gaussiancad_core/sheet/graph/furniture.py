@@ -81,7 +81,7 @@ def furniture(
                 found |= own
     # The outer ones first: what they are leaves what the inner ones go around.
     for own, has_table in sorted(spanning, key=lambda each: -_spanned(touches.boxes[each[0]])):
-        if goes_around_sheet(own, found, touches, numbers, texts, has_table=has_table):
+        if goes_around_sheet(own, found, touches, texts, has_table=has_table):
             found |= own
     groups = touches.groups(level)
     return found | np.isin(groups, groups[found])

@@ -53,7 +53,7 @@ from gaussiancad_core.sheet.scale.numbers import (
 from gaussiancad_core.sheet.scale.ocr import ocr_problem
 from gaussiancad_core.sheet.scale.ordinates import is_zero, ordinate_length
 from gaussiancad_core.sheet.scale.texts import SheetText, fields_of, file_texts, pixel_texts
-from gaussiancad_core.sheet.scale.units import Units, file_unit, noted_unit
+from gaussiancad_core.sheet.scale.units import Units, file_unit, noted_unit, other_size
 from gaussiancad_core.views import Arc, Segment
 
 _MOST_RULES = 5000
@@ -187,6 +187,8 @@ def find_scale(
     if found.mm_per_pixel is not None:
         apart = _disagreement(found)
         surely = _has_texts(image)
+        if paper_scale is not None:
+            notes += other_size(image.vectors, found.mm_per_pixel, paper_scale)
         return SheetScale(
             found.mm_per_pixel,
             ScaleSource.DIMENSION,

@@ -2,13 +2,16 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import isclose
+from math import isclose, log
 
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.files.content import Note
 from gaussiancad_core.sheet.files.vectors import VectorDrawing
 from gaussiancad_core.sheet.scale.numbers import Unit, parse_unit
 from gaussiancad_core.sheet.scale.texts import SheetText
+
+_AGREE = 0.03
+"""Share by which two scales may differ that are one: as of single dimensions and paper."""
 
 
 @dataclass(frozen=True)
@@ -45,6 +48,25 @@ class Units:
             taken=taken.value,
         )
         return (Note("unit-contradicts-note", message),)
+
+
+def other_size(drawing: VectorDrawing | None, written: float, drawn: float) -> tuple[Note, ...]:
+    """That numbers say another size than the one that a file draws, by the unit that it states.
+
+    Args:
+        drawing: of the file.
+        written: mm per px by the numbers.
+        drawn: the same by the file's unit and the scale note, if there is one.
+    """
+    share = written / drawn
+    if drawing is None or drawing.unit_mm is None or abs(log(share)) <= _AGREE:
+        return ()
+    message = Message(
+        "the dimensions say that the part is {share:.4g} times as large as the file draws it in "
+        "the unit that it states: the dimensions were taken",
+        share=share,
+    )
+    return (Note("size-contradicts-unit", message),)
 
 
 def file_unit(drawing: VectorDrawing | None) -> Unit | None:

@@ -306,6 +306,11 @@ WARNINGS = {
         "The sheet has no readable scale: 1:1 was assumed. Set a length under Scale if it is "
         "another.",
     ),
+    "size-contradicts-unit": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The dimensions say that the part is {share} times as large as the file draws it. They "
+        "were taken: check the part's size.",
+    ),
     "full-scale-assumed:file": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The file says the unit of its lengths, and no scale: the part was taken to be drawn in "

@@ -69,11 +69,34 @@ def test_a_frame_may_have_two_lines() -> None:
     assert _labels(strokes) == [Label.FRAME] * 8 + [Label.VISIBLE] * 5
 
 
-@pytest.mark.parametrize("texts", [[], [_text(500, 550)]])
-def test_writing_within_lines_of_another_pen_makes_them_a_frame(texts: list[VectorText]) -> None:
-    strokes = _box(*_AROUND, "FRAME") + _box(300, 200, 300, 200)
-    is_frame = Label.FRAME in _labels(strokes, *texts)
-    assert is_frame is bool(texts)
+@pytest.mark.parametrize("layer", ["", "FRAME"])
+def test_an_edge_within_a_view_tells_that_what_goes_around_is_a_frame(layer: str) -> None:
+    edge = VectorStroke(Line((300.0, 300.0), (600.0, 300.0)), 2.0)
+    strokes = [*_box(*_AROUND, layer), *_box(300, 200, 300, 200), edge]
+    assert _labels(strokes) == [Label.FRAME] * 4 + [Label.VISIBLE] * 5
+
+
+def _ring(x: float, y: float, radius: float) -> VectorStroke:
+    return VectorStroke(CircularArc((x, y), radius, 0.0, tau), 2.0)
+
+
+def test_a_counterbore_does_not() -> None:
+    rings = [_ring(300, 300, 60), _ring(300, 300, 100), *_HOLES[1]]
+    assert set(_labels(_box(*_AROUND) + rings)) == {Label.VISIBLE}
+    flange = [_ring(300, 300, 100), _ring(260, 300, 20), _ring(340, 300, 20)]
+    assert _labels(_box(*_AROUND) + flange)[:4] == [Label.FRAME] * 4
+
+
+def test_an_engraved_letter_does_not() -> None:
+    crossbar = VectorStroke(Line((500.0, 120.0), (540.0, 120.0)), 2.0)
+    letter = [*_box(500, 100, 40, 40), crossbar]
+    assert _labels([*_box(*_AROUND), *_HOLES[0], *letter])[:5] == [Label.VISIBLE] * 5
+
+
+def test_a_bend_line_across_a_plate_does_not() -> None:
+    bend = VectorStroke(Line((500.0, 50.0), (500.0, 650.0)), 2.0, layer="BEND")
+    labels = _labels([*_box(*_AROUND), *_HOLES[0], bend])
+    assert labels[:5] == [Label.VISIBLE] * 5
 
 
 def test_paper_tells_a_frame_by_its_margins() -> None:

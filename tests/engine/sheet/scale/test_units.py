@@ -5,7 +5,7 @@ import pytest
 from gaussiancad_core.sheet.files.vectors import VectorDrawing
 from gaussiancad_core.sheet.scale.numbers import Unit
 from gaussiancad_core.sheet.scale.texts import SheetText
-from gaussiancad_core.sheet.scale.units import Units, file_unit, noted_unit
+from gaussiancad_core.sheet.scale.units import Units, file_unit, noted_unit, other_size
 
 MM, INCH = Unit.MILLIMETRE, Unit.INCH
 
@@ -41,6 +41,18 @@ def test_what_is_drawn_and_written_goes_before_a_note(
 def test_only_units_of_numbers_count(unit_mm: float | None, unit: Unit | None) -> None:
     assert file_unit(VectorDrawing((), (), unit_mm=unit_mm)) is unit
     assert file_unit(None) is None
+
+
+@pytest.mark.parametrize(
+    ("unit_mm", "share", "told"),
+    [(1.0, 1.0, 0), (1.0, 1.02, 0), (1.0, 2.0, 1), (25.4, 1 / 25.4, 1), (None, 2.0, 0)],
+)
+def test_dimensions_of_another_size_than_the_files_are_told(
+    unit_mm: float | None, share: float, told: int
+) -> None:
+    found = other_size(VectorDrawing((), (), unit_mm=unit_mm), 0.127 * share, 0.127)
+    assert [own.code for own in found] == told * ["size-contradicts-unit"]
+    assert all(own.message.args["share"] == pytest.approx(share) for own in found)
 
 
 def test_two_notes_that_differ_tell_nothing() -> None:
