@@ -50,7 +50,7 @@ def tell_image(image: SheetImage, notes: RunNotes) -> None:
     """Put what is known of a sheet's file into the report."""
     notes.tell(sheet_sha256=image.sha256)
     for note in image.notes:
-        notes.warn(note.code, note.message)
+        (notes.doubt if note.is_doubt else notes.warn)(note.code, note.message)
 
 
 def with_ink(job: Job, image: SheetImage) -> OpenedSheet:

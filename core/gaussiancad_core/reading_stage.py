@@ -44,6 +44,7 @@ from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
 _MOST_PLACES = 5
 """Boxes that one message names at most."""
 
+_WHY_FRAME = "it goes around everything that is drawn: a frame shows no part"
 _WHY_UNUSED = "if they show the part, what they show may be missing"
 
 
@@ -357,9 +358,21 @@ def tell_layout(notes: RunNotes, layout: Layout, turn: Turn) -> None:
                 why=_WHY_UNUSED,
             ),
         )
+    frame = [turn.box_to_stored(layout.frame)] if layout.frame is not None else []
+    if frame:
+        notes.warn(
+            "frame-left-out",
+            Message(
+                "the lines around everything at {places} px were taken for a frame, not for the "
+                "part's outline",
+                boxes=frame,
+                places=_places(frame),
+            ),
+        )
     rest = [view for view in special if not view.used]
     notes.tell(
         unused=(
+            *(Unused("frame", box, _WHY_FRAME) for box in frame),
             *(Unused(view.kind.value, view.box, why_unused(view.kind)) for view in rest),
             *(Unused("lines", box, _WHY_UNUSED) for box in view_like),
         )

@@ -60,7 +60,14 @@ from gaussiancad_core.sheet.scale.numbers import Sign, Unit
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 from gaussiancad_core.views import Arc, Linetype, Stroke
 
-_CARRIED = ("other-pen-lines", "dimensions-disagree", "full-scale-assumed", "dimensions-not-read")
+_CARRIED = (
+    "other-pen-lines",
+    "dimensions-disagree",
+    "unit-contradicts-note",
+    "size-contradicts-unit",
+    "full-scale-assumed",
+    "dimensions-not-read",
+)
 """Codes of what only reading itself can tell."""
 
 _STEP_PX = 0.5

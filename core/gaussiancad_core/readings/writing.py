@@ -83,6 +83,8 @@ _OFFERS = {
     "open-outline": ("draw", "view"),
     "scale-assumed": ("scale",),
     "full-scale-assumed": ("scale",),
+    "unit-contradicts-note": ("scale",),
+    "size-contradicts-unit": ("scale",),
     "dimensions-disagree": ("dimension", "scale"),
     "unused-view": ("view",),
     "lines-left-out": ("view",),

@@ -52,6 +52,7 @@ class Layout:
         left_out: boxes of clusters that are no view and have no name.
         special: drawings that are no plain views, by name.
         symbol: what the projection symbol of the sheet says, or None.
+        frame: box of what was taken for the frame of a drawing that has no paper to tell it by.
     """
 
     boxes: dict[Role, Box]
@@ -61,6 +62,7 @@ class Layout:
     left_out: tuple[Box, ...]
     special: tuple[SpecialView, ...] = ()
     symbol: Projection | None = None
+    frame: Box | None = None
 
 
 def find_layout(
@@ -87,9 +89,11 @@ def find_layout(
     return arrange_clusters(view_clusters(ink, stub_width), given, projection)
 
 
-def view_clusters(ink: npt.NDArray[np.bool_], stub_width: float) -> list[Box]:
+def view_clusters(
+    ink: npt.NDArray[np.bool_], stub_width: float, *, has_paper: bool = True
+) -> list[Box]:
     """Boxes of connected groups of ink, largest first, without single lines that stick out."""
-    return [_without_stubs(box, ink, stub_width) for box in find_clusters(ink)]
+    return [_without_stubs(box, ink, stub_width) for box in find_clusters(ink, has_paper=has_paper)]
 
 
 def arrange_clusters(
@@ -141,8 +145,8 @@ def is_unusual(roles: Container[Role]) -> bool:
     return Role.BOTTOM in roles and Role.TOP not in roles
 
 
-def find_clusters(ink: npt.NDArray[np.bool_]) -> list[Box]:
-    """Boxes of connected groups of ink, largest first; a drawing frame is left out."""
+def find_clusters(ink: npt.NDArray[np.bool_], *, has_paper: bool = True) -> list[Box]:
+    """Boxes of connected groups of ink, largest first; on paper a drawing frame is left out."""
     height, width = ink.shape
     # An even kernel would shift what it closes by a pixel.
     kernel = np.ones((_REACH + 1, _REACH + 1), np.uint8)
@@ -153,7 +157,7 @@ def find_clusters(ink: npt.NDArray[np.bool_]) -> list[Box]:
         for x, y, w, h, _ in stats[1:count]
         if max(w, h) >= 3
     ]
-    frames = [box for box in boxes if _is_frame(box, boxes, width, height)]
+    frames = [box for box in boxes if has_paper and _is_frame(box, boxes, width, height)]
     merged = _merge_overlapping([box for box in boxes if box not in frames])
     merged = _merge_overlapping(_with_lone_lines(merged, ink))
     views = [box for box in merged if max(_width(box), _height(box)) >= _MIN_SIDE]

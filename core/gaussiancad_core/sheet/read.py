@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.files.content import MAX_PIXELS, MIN_SIDE, MOST_WORKED_ON, Note
+from gaussiancad_core.sheet.files.duplicates import distinct_strokes
 from gaussiancad_core.sheet.files.isolation import read_isolated
 from gaussiancad_core.sheet.files.kinds import VECTOR_SUFFIXES, detect
 from gaussiancad_core.sheet.files.opening import cannot_open, head_of
@@ -80,12 +81,18 @@ def read_sheet(path: Path, page: int = 1) -> SheetImage:
         grey,
         sha256,
         content.pixels_per_inch,
-        content.vectors,
+        _without_duplicates(content.vectors),
         content.notes,
         tint=tint,
         pages=content.pages,
     )
     return _at_working_scale(image) if content.vectors is None else image
+
+
+def _without_duplicates(drawing: VectorDrawing | None) -> VectorDrawing | None:
+    if drawing is None:
+        return None
+    return replace(drawing, strokes=distinct_strokes(drawing.strokes))
 
 
 def _at_working_scale(image: SheetImage) -> SheetImage:

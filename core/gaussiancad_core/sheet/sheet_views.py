@@ -14,6 +14,7 @@ from gaussiancad_core.sheet.options import Box, Finder
 from gaussiancad_core.sheet.picture_views import picture_views
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.scale.find import WrittenSheet
+from gaussiancad_core.sheet.special_views.naming import inside
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 
 
@@ -68,16 +69,25 @@ def sheet_views(
         by_pens = graph_views(drawing, sheet, boxes, projection)
         if by_pens is not None and len(by_pens.layout.boxes) > 1:
             return _of_pens(by_pens)
+        if by_pens is not None and by_pens.is_all and not drawing.has_paper:
+            # A picture of it shows no more.
+            return _of_pens(by_pens)
     try:
         seen = picture_views(image, sheet, boxes, projection)
     except NoModelError:
         if by_pens is None:
             raise
         return _of_pens(by_pens)
-    if by_pens is not None and len(seen.layout.boxes) == 1:
+    if by_pens is not None and _is_one(by_pens.layout, seen.layout):
         return _of_pens(by_pens)
     vectors = VectorSheet(drawing, sheet) if drawing is not None else None
     return SheetViews(seen.separated, seen.layout, vectors, seen.written, seen.problem)
+
+
+def _is_one(alone: Layout, seen: Layout) -> bool:
+    """Whether what a picture shows is the one view that the pens tell, or pieces within it."""
+    (whole,) = alone.boxes.values()
+    return len(seen.boxes) == 1 or all(inside(box, whole) for box in seen.boxes.values())
 
 
 def _of_pens(found: GraphViews) -> SheetViews:

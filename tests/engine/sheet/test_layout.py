@@ -3,7 +3,7 @@ import pytest
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.errors import NoModelError, UsageError
-from gaussiancad_core.sheet.layout import Box, find_layout
+from gaussiancad_core.sheet.layout import Box, find_clusters, find_layout
 
 
 def _sheet(*boxes: tuple[int, int, int, int]) -> np.ndarray:
@@ -86,6 +86,14 @@ def test_a_frame_around_the_views_is_none() -> None:
     layout = find_layout(_sheet(FRONT, ABOVE, RIGHT, (10, 10, 990, 690)), {}, None)
     assert _close(layout.boxes[Role.FRONT], FRONT)
     assert len(layout.boxes) == 3
+
+
+def test_in_free_space_what_goes_around_all_is_an_outline() -> None:
+    around, holes = (10, 10, 990, 690), ((100, 100, 160, 160), (800, 100, 860, 160))
+    ink = _sheet(around, *holes)
+    (box,) = find_clusters(ink, has_paper=False)
+    assert _close(box, around)
+    assert all(any(_close(own, hole) for hole in holes) for own in find_clusters(ink))
 
 
 def test_other_lines_are_left_out_and_told() -> None:

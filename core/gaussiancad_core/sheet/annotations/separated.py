@@ -20,6 +20,7 @@ class SeparatedSheet:
         askew: (h, w) bool, ink of pictorials and auxiliary views; nothing where none was told.
         told: the lines and circles, and what each is; nothing where they were not looked at.
         labels: what each line was taken for, and how surely; nothing where no labels told it.
+        has_paper: False of a drawing in free space, where what spans the sheet is no frame for it.
     """
 
     part: CleanSheet
@@ -28,6 +29,7 @@ class SeparatedSheet:
     askew: Mask | None = None
     told: Told | None = None
     labels: SheetLabels = NO_LABELS
+    has_paper: bool = True
 
 
 def line_marks(told: Told) -> list[Mark]:

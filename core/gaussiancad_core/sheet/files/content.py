@@ -41,10 +41,12 @@ class Note:
     Attributes:
         code: kebab-case, listed among the warnings in the docs.
         message: one sentence: a :class:`.Message` where it has values.
+        is_doubt: whether it puts what is made of the sheet in doubt; otherwise it is a warning.
     """
 
     code: str
     message: str
+    is_doubt: bool = False
 
 
 @dataclass(frozen=True)

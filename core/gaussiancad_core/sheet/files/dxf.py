@@ -8,8 +8,7 @@ or else the drawing with a margin.
 import logging
 import mmap
 import re
-import struct
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import ezdxf
@@ -28,41 +27,38 @@ from gaussiancad_core.sheet.files.content import (
     too_many_elements,
 )
 from gaussiancad_core.sheet.files.dxf_entities import DrawnCurve, Exploder, Explosion
+from gaussiancad_core.sheet.files.dxf_faults import BROKEN, left_out
+from gaussiancad_core.sheet.files.dxf_paper import drawing_box, paper_box
 from gaussiancad_core.sheet.files.dxf_placing import placed_drawing
 from gaussiancad_core.sheet.files.painting import paint
-from gaussiancad_core.sheet.files.sizing import Sizing, no_paper_size, notes_on, size_drawing
+from gaussiancad_core.sheet.files.sizing import (
+    MILLIMETRE,
+    Sizing,
+    notes_on,
+    size_drawing,
+    size_without_unit,
+)
 from gaussiancad_core.sheet.files.vectors import Box, bounds
 
 _MAX_BYTES = 256_000_000
 
-_MM_PER_INCH = 25.4
-
 _INCHES = {
     1: 1.0,
     2: 12.0,
-    4: 1.0 / _MM_PER_INCH,
-    5: 10.0 / _MM_PER_INCH,
-    6: 1000.0 / _MM_PER_INCH,
+    4: MILLIMETRE,
+    5: 10.0 * MILLIMETRE,
+    6: 1000.0 * MILLIMETRE,
     8: 1e-6,
     9: 1e-3,
     10: 36.0,
-    13: 1e-3 / _MM_PER_INCH,
-    14: 100.0 / _MM_PER_INCH,
+    13: 1e-3 * MILLIMETRE,
+    14: 100.0 * MILLIMETRE,
 }
 """Value of $INSUNITS -> inches, for the units that papers may be given in (DXF reference)."""
 
-_MARGIN = 0.05
-"""Blank border around a drawing without paper, as a share of its longest side."""
-
-_LEAST_USE = 0.15
-"""A drawing that is smaller than this share of the limits was not drawn for them."""
-
-_OVERHANG = 0.02
-"""Share of the paper by which a drawing may reach over it."""
-
-_EDGE = 5e-4
-"""Share of the paper that stays blank where it does, so that the outermost line is whole; a drawing
-that comes as near to a side reaches it."""
+_MOST_METRES = 10.0
+"""Longest side of a drawing whose unit is the metre: what is larger was drawn in millimetres by a
+program that leaves the unit at its library's default, as writers with ezdxf do."""
 
 _ENTITY = re.compile(rb"\n[ \t]*0[ \t]*\r?\n[ \t]*[A-Z]")
 """The start of an entity or table entry in a text file."""
@@ -77,12 +73,14 @@ class _Page:
         limits: (x0, y0, x1, y1) of its paper as the file says, or None.
         inches_per_unit: as the file says, or None.
         pages: of the file.
+        is_model: whether it is model space, whose unit is the part's own.
     """
 
     found: Explosion
     limits: Box | None
     inches_per_unit: float | None
     pages: int
+    is_model: bool = False
 
 
 def read_dxf(path: Path, page: int) -> FileContent:
@@ -105,14 +103,22 @@ def read_dxf(path: Path, page: int) -> FileContent:
             path=path,
             page=page,
         )
-    sheet = _sheet_box(box, content.limits)
+    paper = paper_box(box, content.limits)
+    sheet = paper or drawing_box(box, content.found.texts)
     width, height = sheet[2] - sheet[0], sheet[3] - sheet[1]
-    sizing = _sizing(doc, width, height, content.inches_per_unit)
+    inches_per_unit = content.inches_per_unit
+    if inches_per_unit == 1000.0 * MILLIMETRE and max(width, height) > _MOST_METRES:
+        inches_per_unit = None
+    sizing = _sizing(doc, width, height, inches_per_unit)
     size = tuple(int(np.ceil(side * sizing.scale - 1e-6)) for side in (width, height))
     check_pixels(path, *size)
     vectors = placed_drawing(content.found, sheet, sizing)
+    unit_mm = None if inches_per_unit is None else inches_per_unit / MILLIMETRE
+    vectors = replace(
+        vectors, has_paper=paper is not None, unit_mm=unit_mm if content.is_model else None
+    )
     dpi = sizing.pixels_per_inch
-    notes = notes_on(path, dpi) if dpi else (no_paper_size(path),)
+    notes = (*left_out(path, content.found.unread), *notes_on(path, sizing))
     picture = paint(vectors, *size)
     return FileContent(picture, dpi, vectors, notes, pages=content.pages)
 
@@ -134,28 +140,11 @@ def _check_size(path: Path) -> None:
                 raise too_many_elements(path)
 
 
-_BROKEN = (
-    ezdxf.DXFError,
-    struct.error,
-    ArithmeticError,
-    AssertionError,
-    AttributeError,
-    EOFError,
-    LookupError,
-    OSError,
-    RuntimeError,
-    TypeError,
-    ValueError,
-)
-"""What ezdxf's parsers raise over broken files: its own errors, and whatever broken values lead to;
-neither lack of memory nor an interrupt."""
-
-
 def _load(path: Path) -> Drawing:
     logging.getLogger("ezdxf").setLevel(logging.CRITICAL)
     try:
         return ezdxf.readfile(path)
-    except _BROKEN:
+    except BROKEN:
         return _recovered(path)
 
 
@@ -163,7 +152,7 @@ def _recovered(path: Path) -> Drawing:
     """What the lenient parser makes of a file that the strict one stumbled over."""
     try:
         return recover.readfile(path)[0]
-    except _BROKEN as error:
+    except BROKEN as error:
         raise UnreadableError(
             "damaged-dxf",
             "{path} is no DXF file, or is damaged ({reason}): save it again",
@@ -185,7 +174,7 @@ def _page(doc: Drawing, path: Path, page: int) -> _Page:
     exploder = Exploder(doc, path)
     if isinstance(layout, Modelspace):
         found, inches = exploder.explode(layout), _inches_per_unit(doc)
-        return _Page(found, _model_limits(doc), inches, len(layouts))
+        return _Page(found, _model_limits(doc), inches, len(layouts), is_model=True)
     found = exploder.explode(entity for entity in layout if not isinstance(entity, Viewport))
     for viewport in _views_of_model(layout):
         shown = exploder.explode(model, viewport.get_transformation_matrix())
@@ -194,7 +183,8 @@ def _page(doc: Drawing, path: Path, page: int) -> _Page:
             drawn for drawn in shown.curves if _lies_in(drawn, (low.x, low.y, high.x, high.y))
         ]
         found.complete &= shown.complete
-    inches = 1.0 if layout.dxf.get("plot_paper_units", 1) == 0 else 1.0 / _MM_PER_INCH
+        found.unread += shown.unread
+    inches = 1.0 if layout.dxf.get("plot_paper_units", 1) == 0 else MILLIMETRE
     low, high = layout.get_paper_limits()
     return _Page(found, (low.x, low.y, high.x, high.y), inches, len(layouts))
 
@@ -241,40 +231,9 @@ def _inches_per_unit(doc: Drawing) -> float | None:
         return None
 
 
-def _sheet_box(box: Box, limits: Box | None) -> Box:
-    """The paper: the limits if the drawing was drawn for them, else the drawing with a margin.
-
-    Where the drawing reaches a little over the limits, they are widened on that side.  A drawing
-    that begins at their corner and ends within them, with no frame around it, was drawn for no
-    paper: programs that write files without asking for one give all of them the same limits, and
-    half of the outermost lines would lie outside.
-    """
-    longest = max(box[2] - box[0], box[3] - box[1])
-    if limits is not None:
-        paper = max(limits[2] - limits[0], limits[3] - limits[1])
-        over = (limits[0] - box[0], limits[1] - box[1], box[2] - limits[2], box[3] - limits[3])
-        reached = [abs(reach) <= _EDGE * paper for reach in over]
-        meant = longest >= _LEAST_USE * paper and (all(reached) or not any(reached))
-        if meant and paper > 0.0 and max(over) <= _OVERHANG * paper:
-            left, bottom, right, top = (
-                reach + _EDGE * paper if reach > 0.0 else 0.0 for reach in over
-            )
-            return (limits[0] - left, limits[1] - bottom, limits[2] + right, limits[3] + top)
-    margin = _MARGIN * longest
-    return box[0] - margin, box[1] - margin, box[2] + margin, box[3] + margin
-
-
 def _sizing(doc: Drawing, width: float, height: float, inches_per_unit: float | None) -> Sizing:
-    """200 dpi of the unit that the file names; if that makes no paper, of millimetres or inches."""
+    """By the unit that the file names; else by that of its system of measurement, as a guess."""
     if inches_per_unit is not None:
-        sizing = size_drawing(width, height, inches_per_unit)
-        if sizing.pixels_per_inch is not None:
-            return sizing
-    guesses = [1.0 / _MM_PER_INCH, 1.0]
-    if doc.header.get("$MEASUREMENT", 1) == 0:
-        guesses.reverse()
-    for guess in guesses:
-        sizing = size_drawing(width, height, guess)
-        if sizing.pixels_per_inch is not None:
-            return Sizing(sizing.scale, None)
-    return size_drawing(width, height, np.inf)
+        return size_drawing(width, height, inches_per_unit)
+    guesses = (1.0, MILLIMETRE) if doc.header.get("$MEASUREMENT", 1) == 0 else (MILLIMETRE, 1.0)
+    return size_without_unit(width, height, guesses)

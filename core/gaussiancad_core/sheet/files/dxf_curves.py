@@ -6,7 +6,6 @@ import numpy as np
 import numpy.typing as npt
 from ezdxf.entities import Arc, Circle, DXFGraphic, Ellipse, Face3d, Hatch, Solid, Spline
 from ezdxf.entities import Line as DxfLine
-from ezdxf.lldxf.const import DXFError
 from ezdxf.math import Vec3
 from ezdxf.path import Path as BoundaryPath
 from ezdxf.path import from_hatch
@@ -18,45 +17,24 @@ from gaussiancad_core.sheet.files.vectors import FULL_TURN, Chain, Curve, Line
 _FLATNESS = 5e-6
 """Share of a free curve's own size by which its chain may leave it."""
 
-_BROKEN = (DXFError, ValueError, TypeError, ZeroDivisionError, IndexError, np.linalg.LinAlgError)
-"""What ezdxf raises on entities whose data cannot be."""
-
 
 def entity_curves(entity: DXFGraphic) -> list[Curve]:
-    """The curves of an entity in its drawing's units, y up; none if it is broken or has none.
+    """The curves of an entity in its drawing's units, y up; none if it has none.
 
-    Chains always follow smooth curves.
+    Chains always follow smooth curves.  What is broken raises one of :data:`.BROKEN`.
     """
-    try:
-        curves = _curves(entity)
-    except _BROKEN:
-        return []
-    return [curve for curve in curves if _is_finite(curve)]
-
-
-def parts(entity: DXFGraphic) -> Iterator[DXFGraphic]:
-    """The simpler entities that an entity consists of, up to where it is broken."""
-    try:
-        yield from entity.virtual_entities()
-    except (*_BROKEN, AttributeError):
-        return
+    return [curve for curve in _curves(entity) if _is_finite(curve)]
 
 
 def fill_outline(entity: DXFGraphic) -> list[Curve]:
     """The outline of a SOLID or TRACE entity."""
-    try:
-        corners = entity.wcs_vertices(close=True) if isinstance(entity, Solid) else []
-    except _BROKEN:
-        return []
+    corners = entity.wcs_vertices(close=True) if isinstance(entity, Solid) else []
     return [Chain(tuple((p.x, p.y) for p in corners))] if len(corners) > 3 else []
 
 
 def hatch_outlines(hatch: Hatch) -> list[Curve]:
     """The outlines of a filled hatch."""
-    try:
-        loops = [np.array([(p.x, p.y) for p in _flattened(path)]) for path in from_hatch(hatch)]
-    except _BROKEN:
-        return []
+    loops = [np.array([(p.x, p.y) for p in _flattened(path)]) for path in from_hatch(hatch)]
     return [Chain(tuple(to_point(p) for p in (*loop, loop[0]))) for loop in loops if len(loop) > 2]
 
 
@@ -69,7 +47,7 @@ def hatch_lines(hatch: Hatch) -> Iterator[Curve | None]:
         for start, end in hatch_entity(hatch):
             if not start.isclose(end):
                 yield Line((start.x, start.y), (end.x, end.y))
-    except (HatchingError, *_BROKEN):
+    except HatchingError:
         # The pattern is too dense, or the outline does not close.
         yield None
 

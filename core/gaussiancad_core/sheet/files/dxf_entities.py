@@ -1,22 +1,23 @@
 """The entities of a DXF page taken apart: blocks, dimensions, polylines, hatches."""
 
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from ezdxf.document import Drawing
 from ezdxf.entities import DXFGraphic, Hatch, Insert, LWPolyline, MText, Text
-from ezdxf.lldxf.const import DXFError
 from ezdxf.math import Matrix44
 
+from gaussiancad_core.errors import LimitError
 from gaussiancad_core.sheet.files.content import MAX_ELEMENTS, too_many_elements
 from gaussiancad_core.sheet.files.dxf_curves import (
     entity_curves,
     fill_outline,
     hatch_lines,
     hatch_outlines,
-    parts,
 )
+from gaussiancad_core.sheet.files.dxf_faults import BROKEN
 from gaussiancad_core.sheet.files.dxf_look import Look, Looks, inside_block
 from gaussiancad_core.sheet.files.dxf_text import PlacedText, placed_paragraph, placed_text
 from gaussiancad_core.sheet.files.vectors import Curve, StrokeKind
@@ -77,12 +78,14 @@ class Explosion:
         curves, texts: found so far.
         complete: whether nothing was met that cannot be drawn.
         count: entities met, blocks' parts as often as they are shown.
+        unread: how many of each kind were left out, as they cannot be read.
     """
 
     curves: list[DrawnCurve] = field(default_factory=list)
     texts: list[PlacedText] = field(default_factory=list)
     complete: bool = True
     count: int = 0
+    unread: Counter[str] = field(default_factory=Counter)
 
 
 class Exploder:
@@ -104,10 +107,21 @@ class Exploder:
             shown = entity if matrix is None else _mapped(entity, matrix)
             if shown is not None:
                 self._take(shown, Look(), 0)
+            else:
+                self._found.unread[entity.dxftype()] += 1
         return self._found
 
     def _take(self, entity: DXFGraphic, parent: Look, depth: int) -> None:
+        """Take an entity as far as it can be read."""
         self._count()
+        try:
+            self._take_known(entity, parent, depth)
+        except LimitError:
+            raise
+        except BROKEN:
+            self._found.unread[entity.dxftype()] += 1
+
+    def _take_known(self, entity: DXFGraphic, parent: Look, depth: int) -> None:
         look = self._looks.of(entity, parent)
         if isinstance(entity, Insert):
             if depth < _DEEPEST and not self._looks.is_frozen(look):
@@ -117,7 +131,7 @@ class Exploder:
         elif entity.dxftype() in _ANNOTATIONS:
             if depth < _DEEPEST:
                 inner = replace(look, kind=_ANNOTATIONS[entity.dxftype()])
-                self._take_all(parts(entity), inner, depth)
+                self._take_all(entity.virtual_entities(), inner, depth)
         else:
             self._take_simple(entity, look)
 
@@ -153,7 +167,7 @@ class Exploder:
         inner = inside_block(look, insert.dxf.name)
         copies = insert.multi_insert() if insert.mcount > 1 else (insert,)
         for copy in copies:
-            self._take_all(parts(copy), inner, depth)
+            self._take_all(copy.virtual_entities(), inner, depth)
         self._take_all(insert.attribs, inner, depth)
 
     def _take_all(self, entities: Iterable[DXFGraphic], look: Look, depth: int) -> None:
@@ -162,7 +176,7 @@ class Exploder:
 
     def _take_polyline(self, entity: DXFGraphic, look: Look) -> None:
         width = float(entity.dxf.get("const_width", 0.0)) if isinstance(entity, LWPolyline) else 0.0
-        for part in parts(entity):
+        for part in entity.virtual_entities():
             self._count()
             self._add(entity_curves(part), look, width or None)
 
@@ -187,6 +201,6 @@ def _mapped(entity: DXFGraphic, matrix: Matrix44) -> DXFGraphic | None:
     try:
         copy = entity.copy()
         copy.transform(matrix)
-    except (DXFError, NotImplementedError, TypeError, ValueError):
+    except BROKEN:
         return None
     return copy

@@ -7,7 +7,7 @@ from gaussiancad_core.sheet.files.dxf_entities import DrawnCurve, Explosion
 from gaussiancad_core.sheet.files.dxf_text import PlacedText
 from gaussiancad_core.sheet.files.file_grid import WrittenPath, line_ends, with_steps
 from gaussiancad_core.sheet.files.fitting import curve_along
-from gaussiancad_core.sheet.files.sizing import Sizing
+from gaussiancad_core.sheet.files.sizing import MILLIMETRE, Sizing
 from gaussiancad_core.sheet.files.vectors import (
     Box,
     Chain,
@@ -17,8 +17,6 @@ from gaussiancad_core.sheet.files.vectors import (
     VectorStroke,
     VectorText,
 )
-
-_MM_PER_INCH = 25.4
 
 
 def placed_drawing(found: Explosion, sheet: Box, sizing: Sizing) -> VectorDrawing:
@@ -49,8 +47,8 @@ def _stroke(drawn: DrawnCurve, left: float, top: float, sizing: Sizing) -> Vecto
         curve = curve_along(np.array(curve.points))
     if drawn.width is not None:
         width: float | None = drawn.width * sizing.scale
-    elif look.weight is not None and sizing.pixels_per_inch is not None:
-        width = look.weight / _MM_PER_INCH * sizing.pixels_per_inch
+    elif look.weight is not None and sizing.on_paper and sizing.pixels_per_inch is not None:
+        width = look.weight * MILLIMETRE * sizing.pixels_per_inch
     else:
         width = None
     dashes = tuple(value * sizing.scale for value in look.dashes)

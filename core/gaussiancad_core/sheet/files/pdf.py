@@ -24,7 +24,7 @@ from gaussiancad_core.sheet.files.content import (
 )
 from gaussiancad_core.sheet.files.painting import shown_share
 from gaussiancad_core.sheet.files.pdf_objects import PageMap, page_objects
-from gaussiancad_core.sheet.files.sizing import notes_on, paper_dpi
+from gaussiancad_core.sheet.files.sizing import Sizing, notes_on, paper_dpi
 from gaussiancad_core.sheet.files.vectors import VectorDrawing
 
 _POINTS = 72.0
@@ -138,7 +138,8 @@ def _read_page(document: pdfium.PdfDocument, path: Path, index: int) -> FileCont
     page.close()
     vectors = VectorDrawing(strokes, content.texts, content.complete)
     shown = vectors if strokes or content.texts else None
-    return FileContent(grey, dpi, shown, notes_on(path, dpi), pages=len(document))
+    notes = notes_on(path, Sizing(scale, dpi, on_paper=True))
+    return FileContent(grey, dpi, shown, notes, pages=len(document))
 
 
 def _geometry(document: pdfium.PdfDocument, index: int) -> _Geometry:

@@ -21,7 +21,7 @@ from gaussiancad_core.sheet.files.content import (
     page_missing,
 )
 from gaussiancad_core.sheet.files.painting import render_svg, shown_share
-from gaussiancad_core.sheet.files.sizing import no_paper_size, notes_on, paper_dpi, size_drawing
+from gaussiancad_core.sheet.files.sizing import Sizing, notes_on, paper_dpi, size_without_unit
 from gaussiancad_core.sheet.files.svg_safety import SafeSvg, load_svg
 from gaussiancad_core.sheet.files.svg_shapes import svg_strokes, svg_texts
 from gaussiancad_core.sheet.files.vectors import VectorDrawing, bounds
@@ -86,11 +86,11 @@ def _read_tree(path: Path, safe: SafeSvg) -> FileContent:
     if size.physical:
         inches = size.width / _CSS_DPI, size.height / _CSS_DPI
         check_pixels(path, *(side * VECTOR_DPI for side in inches))
-        pixels_per_inch = paper_dpi(*inches)
-        scale = pixels_per_inch / _CSS_DPI
+        dpi = paper_dpi(*inches)
+        sizing = Sizing(dpi / _CSS_DPI, dpi, on_paper=True)
     else:
-        scale = size_drawing(size.width, size.height, 1.0 / _CSS_DPI).scale
-        pixels_per_inch = None
+        sizing = size_without_unit(size.width, size.height, (1.0 / _CSS_DPI,))
+    scale = sizing.scale
     pixels = size.width * scale, size.height * scale
     check_pixels(path, *pixels)
     width, height = (int(np.ceil(side - 1e-3)) for side in pixels)
@@ -106,11 +106,11 @@ def _read_tree(path: Path, safe: SafeSvg) -> FileContent:
     grey = render_svg(tostring(safe.root, encoding="unicode"), width, height, scale)
     shown = tuple(stroke for stroke in strokes if shown_share(stroke, grey) >= _SHOWN)
     vectors = VectorDrawing(shown, tuple(texts), not safe.pictures)
-    notes = (*_notes(path, safe, size), *notes_on(path, pixels_per_inch))
-    return FileContent(grey, pixels_per_inch, vectors if shown or texts else None, notes)
+    notes = (*_notes(path, safe), *notes_on(path, sizing))
+    return FileContent(grey, sizing.pixels_per_inch, vectors if shown or texts else None, notes)
 
 
-def _notes(path: Path, safe: SafeSvg, size: _Size) -> tuple[Note, ...]:
+def _notes(path: Path, safe: SafeSvg) -> tuple[Note, ...]:
     notes = []
     if safe.external:
         notes.append(
@@ -124,8 +124,6 @@ def _notes(path: Path, safe: SafeSvg, size: _Size) -> tuple[Note, ...]:
                 ),
             )
         )
-    if not size.physical:
-        notes.append(no_paper_size(path))
     return tuple(notes)
 
 

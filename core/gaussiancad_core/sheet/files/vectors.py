@@ -221,11 +221,17 @@ class VectorDrawing:
         strokes: in the file's order.
         texts: in the file's order.
         complete: False if the page shows anything else, such as a picture.
+        has_paper: False where the drawing lies in free space, as in the model space of a CAD
+            system: the sheet is then no more than what is drawn, with a margin.
+        unit_mm: mm to the unit that the file says its lengths are in; None where it does not, or
+            where they are the paper's.
     """
 
     strokes: tuple[VectorStroke, ...]
     texts: tuple[VectorText, ...]
     complete: bool = True
+    has_paper: bool = True
+    unit_mm: float | None = None
 
 
 def bounds(curves: list[Curve]) -> Box | None:

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from gaussiancad_core.sheet.files.vectors import Line, VectorStroke, VectorText
+from gaussiancad_core.sheet.graph.free_frames import goes_around_sheet
 from gaussiancad_core.sheet.graph.touching import Flags, Ints, Touches
 
 _LEVEL = 1e-3
@@ -44,6 +45,8 @@ def furniture(
     touches: Touches,
     numbers: Ints,
     size: tuple[int, int],
+    *,
+    has_paper: bool = True,
 ) -> Flags:
     """(n,) which strokes are lines of frames and tables.
 
@@ -53,12 +56,14 @@ def furniture(
         touches: of the strokes.
         numbers: (n,) of each stroke's pen: one pen draws the sides of a table's cells.
         size: width and height of the sheet in px.
+        has_paper: False of a drawing in free space, whose outline may span the sheet.
     """
     level = np.array([stroke.is_solid and _is_level(stroke) for stroke in strokes], dtype=bool)
     found = np.zeros(len(strokes), dtype=bool)
     middles = np.array(
         [((t.box[0] + t.box[2]) / 2.0, (t.box[1] + t.box[3]) / 2.0) for t in texts]
     ).reshape(-1, 2)
+    spanning: list[tuple[Flags, bool]] = []
     for pen in np.unique(numbers[level]):
         groups = touches.groups(level & (numbers == pen))
         found |= np.isin(groups, _boxed_frames(groups, touches, size))
@@ -69,8 +74,15 @@ def furniture(
             is_frame = bool((longest >= _SPAN * np.array(size)).all()) and _fills(boxes, size)
             closed = float(touches.met(own)[own].mean())
             is_divided = closed >= _CLOSED and int(touches.dividing(own).sum()) >= _DIVIDING
-            if is_frame or (is_divided and _written_cells(boxes, middles) >= _CELLS):
+            is_table = is_divided and _written_cells(boxes, middles) >= _CELLS
+            if is_frame and not has_paper:
+                spanning.append((own, is_table))
+            elif is_frame or is_table:
                 found |= own
+    # The outer ones first: what they are leaves what the inner ones go around.
+    for own, has_table in sorted(spanning, key=lambda each: -_spanned(touches.boxes[each[0]])):
+        if goes_around_sheet(own, found, touches, texts, has_table=has_table):
+            found |= own
     groups = touches.groups(level)
     return found | np.isin(groups, groups[found])
 
@@ -109,6 +121,11 @@ def _fills(boxes: np.ndarray, size: tuple[int, int]) -> bool:
     margin = _MARGIN * np.array(size)
     low, high = boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)
     return bool((low <= margin).all() and (high >= size - margin).all())
+
+
+def _spanned(boxes: np.ndarray) -> float:
+    """px^2 of the box around lines."""
+    return float(np.prod(boxes[:, 2:].max(axis=0) - boxes[:, :2].min(axis=0)))
 
 
 def _is_level(stroke: VectorStroke) -> bool:

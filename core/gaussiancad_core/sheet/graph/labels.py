@@ -122,7 +122,7 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
         return None
     touches = touching([stroke.curve for stroke in lines], _REACH)
     pens, numbers = pens_of(lines)
-    framed = furniture(lines, drawing.texts, touches, numbers, size)
+    framed = furniture(lines, drawing.texts, touches, numbers, size, has_paper=drawing.has_paper)
     candidates = ~framed & np.array([may_be_edge(stroke) for stroke in lines], dtype=bool)
     found = evidence(lines, pens, numbers, touches, candidates)
     best = max(range(len(pens)), key=lambda number: found[number].weight)

@@ -12,7 +12,13 @@ from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
 from gaussiancad_core.sheet.files.painting import paint
-from gaussiancad_core.sheet.files.vectors import Line, VectorDrawing, VectorStroke, bounds
+from gaussiancad_core.sheet.files.vectors import (
+    Line,
+    StrokeKind,
+    VectorDrawing,
+    VectorStroke,
+    bounds,
+)
 from gaussiancad_core.sheet.graph.chains import with_whole_edges
 from gaussiancad_core.sheet.graph.labels import Label, LabelledDrawing, labelled
 from gaussiancad_core.sheet.labels.evidence import meets
@@ -47,12 +53,14 @@ class GraphViews:
         layout: of its views.
         vectors: the part's strokes.
         doubtful: boxes in px of strokes in other pens that may be the part's.
+        is_all: whether all lies in the views but frames and the file's own dimensions.
     """
 
     separated: SeparatedSheet
     layout: Layout
     vectors: VectorSheet
     doubtful: tuple[Box, ...] = ()
+    is_all: bool = False
 
 
 def graph_views(
@@ -78,6 +86,7 @@ def graph_views(
     if found is None:
         return None
     separated, vectors = _part(found, sheet)
+    separated = replace(separated, has_paper=drawing.has_paper)
     symbol = find_symbol(sheet) if projection is None else None
     told = symbol.projection if symbol else projection
     request = LayoutRequest(given, told, STUB * separated.part.stroke_width)
@@ -92,10 +101,26 @@ def graph_views(
         separated, layout = alone
     separated, layout = with_symbol(separated, layout, symbol)
     askew = tuple(SpecialView(SpecialKind.PICTORIAL, box) for box in found.pictorials)
-    layout = replace(layout, special=(*layout.special, *askew))
+    frame = None if drawing.has_paper else bounds([own.curve for own in found.of(Label.FRAME)])
+    layout = replace(layout, special=(*layout.special, *askew), frame=frame)
     boxes = [tuple(found.touches.boxes[number].tolist()) for number in found.doubtful]
     used = [box for box in boxes if any(meets(box, view) for view in layout.boxes.values())]
-    return GraphViews(separated, layout, vectors, tuple(used))
+    is_all = _is_all(found, drawing, tuple(layout.boxes.values()))
+    return GraphViews(separated, layout, vectors, tuple(used), is_all)
+
+
+def _is_all(found: LabelledDrawing, drawing: VectorDrawing, views: tuple[Box, ...]) -> bool:
+    """Whether what a file draws itself lies in some views, but for frames."""
+    plain = [
+        tuple(box)
+        for box, stroke, label in zip(
+            found.touches.boxes.tolist(), found.strokes, found.labels, strict=True
+        )
+        if label is not Label.FRAME and stroke.kind in (StrokeKind.GEOMETRY, StrokeKind.BLOCK)
+    ]
+    fills = any(own.kind is StrokeKind.FILL for own in drawing.strokes)
+    inside = all(any(meets(box, view) for view in views) for box in plain)
+    return drawing.complete and inside and not fills
 
 
 def _part(found: LabelledDrawing, sheet: CleanSheet) -> tuple[SeparatedSheet, VectorSheet]:

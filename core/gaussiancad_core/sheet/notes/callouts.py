@@ -9,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from enum import Enum
 
+from gaussiancad_core.sheet.notes.thickness import parse_thickness
 from gaussiancad_core.sheet.scale.numbers import Sign, Unit, parse_dimension
 
 
@@ -101,9 +102,6 @@ _THREAD = re.compile(
 )
 _CHAMFER = re.compile(rf"{_N}\s?[xX]\s?{_N}\s?\u00b0|(?<![A-Za-z])C\s?{_N}(?![A-Za-z\d])")
 _ANGLE = re.compile(rf"^{_N}\s?\u00b0$")
-_THICK = re.compile(
-    rf"^(?:t|s|THK\.?|THICKNESS|DICKE|\u539a)\s?[=:]?\s?{_N}(?:\s?mm)?$", re.IGNORECASE
-)
 _ALL = re.compile(
     r"\bALL\b|\bUNLESS\b|\bALLE\b|\bUNBEMASSTE?\b|\u672a\u6807|\u672a\u6ce8|\u6240\u6709",
     re.IGNORECASE,
@@ -122,6 +120,9 @@ def parse_callout(text: str) -> tuple[Callout, ...]:
     reference = plain.startswith("(") and plain.endswith(")")
     if reference:
         plain = plain[1:-1].strip()
+    thick = parse_thickness(plain)
+    if thick is not None:
+        return (Callout(NoteKind.THICKNESS, thick.value, reference=reference, unit=thick.unit),)
     if _ALL.search(plain):
         return _of_all(plain)
     count, rest = _counted(plain)
@@ -207,7 +208,6 @@ def _chamfer(found: re.Match[str]) -> Callout:
 
 _FEATURES: tuple[tuple[re.Pattern[str], Callable[[re.Match[str]], Callout | None]], ...] = (
     (_THREAD, _thread),
-    (_THICK, lambda found: Callout(NoteKind.THICKNESS, _number(found[1]))),
     (_ANGLE, lambda found: Callout(NoteKind.ANGLE, _number(found[1]))),
     (_CHAMFER, _chamfer),
 )

@@ -32,7 +32,8 @@ class SheetNote:
 
 
 def notes_of(texts: Sequence[SheetText], unit: Unit) -> tuple[SheetNote, ...]:
-    """What texts say that is more than a mere length; those of the title block say nothing of it.
+    """What texts say that is more than a mere length; those of the title block say no more of it
+    than how thick it is.
 
     Args:
         texts: of the sheet.
@@ -41,9 +42,8 @@ def notes_of(texts: Sequence[SheetText], unit: Unit) -> tuple[SheetNote, ...]:
     return tuple(
         _note(text, own, unit)
         for text in texts
-        if not text.field
         for own in parse_callout(text.text)
-        if own.kind is not NoteKind.LENGTH
+        if own.kind is not NoteKind.LENGTH and (own.kind is NoteKind.THICKNESS or not text.field)
     )
 
 

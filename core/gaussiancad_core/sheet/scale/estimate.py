@@ -154,30 +154,30 @@ class Agreement:
         return tuple(own for own in self.dimensions if own.mm_per_pixel and not own.used)
 
 
-def usual_unit(
-    dimensions: Sequence[Dimension], noted: Unit | None, paper_scale: float | None
-) -> Unit:
-    """The unit of texts that do not name theirs.
+def fitting_unit(dimensions: Sequence[Dimension], paper_scale: float | None) -> Unit | None:
+    """The unit in which more texts that do not name theirs say the lengths that are drawn.
 
     Args:
         dimensions: of the sheet.
-        noted: in a note such as ``DIMENSIONS IN MM``.
-        paper_scale: mm per px by the paper's size and the scale note, where both are known.
+        paper_scale: mm per px by the paper's size and the scale note, or by the unit in which the
+            file says that it is drawn; None where neither is known.
     """
-    if noted is not None:
-        return noted
-    if paper_scale is not None:
-        fitting = {
-            unit: sum(
-                any(
-                    _fits(own, unit, candidate, paper_scale, _PAPER) for candidate in own.candidates
-                )
-                for own in dimensions
-            )
-            for unit in Unit
-        }
-        if fitting[Unit.INCH] != fitting[Unit.MILLIMETRE]:
-            return max(Unit, key=lambda unit: fitting[unit])
+    if paper_scale is None:
+        return None
+    inch, millimetre = (
+        sum(
+            any(_fits(own, unit, candidate, paper_scale, _PAPER) for candidate in own.candidates)
+            for own in dimensions
+        )
+        for unit in (Unit.INCH, Unit.MILLIMETRE)
+    )
+    if inch == millimetre:
+        return None
+    return Unit.INCH if inch > millimetre else Unit.MILLIMETRE
+
+
+def usual_unit(dimensions: Sequence[Dimension]) -> Unit:
+    """The unit of texts that do not name theirs, by those that do."""
     inches = sum(own.said.unit is Unit.INCH for own in dimensions)
     return Unit.INCH if 2 * inches > len(dimensions) else Unit.MILLIMETRE
 

@@ -32,6 +32,7 @@ from gaussiancad_core.sheet.scale.estimate import (
     Measure,
     ReadDimension,
     agree,
+    fitting_unit,
     usual_unit,
 )
 from gaussiancad_core.sheet.scale.leaders import (
@@ -48,11 +49,11 @@ from gaussiancad_core.sheet.scale.numbers import (
     Unit,
     parse_dimension,
     parse_scale,
-    parse_unit,
 )
 from gaussiancad_core.sheet.scale.ocr import ocr_problem
 from gaussiancad_core.sheet.scale.ordinates import is_zero, ordinate_length
 from gaussiancad_core.sheet.scale.texts import SheetText, fields_of, file_texts, pixel_texts
+from gaussiancad_core.sheet.scale.units import Units, file_unit, noted_unit, other_size
 from gaussiancad_core.views import Arc, Segment
 
 _MOST_RULES = 5000
@@ -76,6 +77,17 @@ taken a letter: digits are narrower."""
 
 _OTHER = 0.6
 """Weight of a circle that the leader crosses."""
+
+
+_ON_PAPER = Message(
+    "the sheet has no scale note that could be read: its paper was taken to show the part full "
+    "scale; tell --length AXIS=MM if it does not"
+)
+_IN_OWN_SIZE = Message(
+    "the file says the unit of its lengths, and no scale: the part was taken to be drawn in its "
+    "own size; tell --length AXIS=MM if it is not",
+    case="file",
+)
 
 
 class ScaleSource(Enum):
@@ -159,22 +171,30 @@ def find_scale(
     written = written or read_texts(image, sheet, marks)
     texts, notes = written.texts, written.notes
     paper_scale, assumed = _paper_scale(image, texts)
-    dimensions = _dimensions(texts, marks, _lines(image, sheet, texts, (marks, drawn)))
-    noted = _noted_unit(texts)
-    unit = usual_unit(dimensions, noted, None if assumed else paper_scale)
-    told_by_texts = {"texts": texts, "unit": unit, "unit_noted": noted is not None}
+    in_file = file_unit(image.vectors)
+    lines = _lines(image, sheet, texts, (marks, drawn))
+    dimensions = _dimensions(texts, marks, lines, bare_point_is_inch=in_file is None)
+    units = Units(
+        noted_unit(texts),
+        in_file,
+        fitting_unit(dimensions, paper_scale if in_file or not assumed else None),
+    )
+    unit = units.taken or usual_unit(dimensions)
+    told_by_texts = {"texts": texts, "unit": unit, "unit_noted": units.noted is unit}
     found = agree(dimensions, unit, None if assumed else paper_scale)
     told = tuple(_as_stored(own, sheet.turn) for own in found.dimensions)
     found = replace(found, dimensions=told)
     if found.mm_per_pixel is not None:
         apart = _disagreement(found)
         surely = _has_texts(image)
+        if paper_scale is not None:
+            notes += other_size(image.vectors, found.mm_per_pixel, paper_scale)
         return SheetScale(
             found.mm_per_pixel,
             ScaleSource.DIMENSION,
             told,
             notes if surely else notes + apart,
-            apart if surely else (),
+            units.contradictions + (apart if surely else ()),
             found.measures,
             **told_by_texts,
         )
@@ -184,8 +204,7 @@ def find_scale(
         notes += (
             Note(
                 "full-scale-assumed",
-                "the sheet has no scale note that could be read: its paper was taken to show the "
-                "part full scale; tell --length AXIS=MM if it does not",
+                _IN_OWN_SIZE if in_file else _ON_PAPER,
             ),
         )
     return SheetScale(paper_scale, ScaleSource.SHEET, told, notes, **told_by_texts)
@@ -236,11 +255,6 @@ def _ratios(texts: Sequence[SheetText], field: bool) -> set[float]:
     return {ratio for ratio in found if ratio is not None}
 
 
-def _noted_unit(texts: Sequence[SheetText]) -> Unit | None:
-    units = {unit for text in texts if (unit := parse_unit(text.text, text.field)) is not None}
-    return units.pop() if len(units) == 1 else None
-
-
 def _lines(
     image: SheetImage,
     sheet: CleanSheet,
@@ -268,11 +282,15 @@ def _lines(
 
 
 def _dimensions(
-    texts: Sequence[SheetText], marks: Sequence[Mark], lines: _Lines
+    texts: Sequence[SheetText], marks: Sequence[Mark], lines: _Lines, *, bare_point_is_inch: bool
 ) -> tuple[Dimension, ...]:
     shelves = shelves_of(marks)
     zeros = [text for text in texts if is_zero(text)]
-    parsed = ((text, parse_dimension(text.text)) for text in texts if not text.field)
+    parsed = (
+        (text, parse_dimension(text.text, bare_point_is_inch=bare_point_is_inch))
+        for text in texts
+        if not text.field
+    )
     numbers = [(text, said) for text, said in parsed if said is not None]
     found = []
     for text, said in numbers[:_MOST_TEXTS]:

@@ -127,8 +127,14 @@ _INCHES = re.compile(r"\bINCH(?:ES)?\b|\bIPS\b|\bZOLL\b")
 """Words for units, and the systems of units of CAD programs that have them."""
 
 
-def parse_dimension(text: str) -> DimensionText | None:
-    """The length that a text gives; nothing for threads, angles, scales and words."""
+def parse_dimension(text: str, *, bare_point_is_inch: bool = True) -> DimensionText | None:
+    """The length that a text gives; nothing for threads, angles, scales and words.
+
+    Args:
+        text: of the dimension.
+        bare_point_is_inch: whether a number that begins with its point is one of inches, as ASME
+            Y14.5 has it; where the file says its unit that counts, and the zero was only left out.
+    """
     plain = " ".join(text.translate(_ALIKE).split())
     if plain.startswith("(") and plain.endswith(")"):
         # Given for reference only, but as true as the others.
@@ -141,7 +147,7 @@ def parse_dimension(text: str) -> DimensionText | None:
     if not value:
         return None
     sign = _SIGNS.get(found["sign"] or ("DIA" if found["after"] else ""), Sign.LENGTH)
-    return DimensionText(value, sign, _own_unit(number, found["unit"]))
+    return DimensionText(value, sign, _own_unit(number, found["unit"], bare_point_is_inch))
 
 
 def _value(number: str) -> float:
@@ -155,11 +161,12 @@ def _value(number: str) -> float:
     return float(sum(int(inches) for inches in whole) + Fraction(over, under))
 
 
-def _own_unit(number: str, mark: str | None) -> Unit | None:
+def _own_unit(number: str, mark: str | None, bare_point_is_inch: bool) -> Unit | None:
     if mark:
         return Unit.MILLIMETRE if mark.lower() == "mm" else Unit.INCH
     # Millimetres have a zero before the point, inches have none (ASME Y14.5).
-    return Unit.INCH if "/" in number or number.startswith(".") else None
+    bare_point = bare_point_is_inch and number.startswith(".")
+    return Unit.INCH if "/" in number or bare_point else None
 
 
 def parse_scale(text: str) -> float | None:

@@ -74,7 +74,7 @@ def find_named_layout(
         NoModelError: there are fewer than two views that belong together.
         UsageError: a given box holds no ink.
     """
-    clusters = view_clusters(separated.part.ink, request.stub_width)
+    clusters = view_clusters(separated.part.ink, request.stub_width, has_paper=separated.has_paper)
     if request.figures:
         separated, clusters = _figures(separated, clusters)
     breaks = find_breaks(sheet.ink, clusters, sheet.stroke_width)
@@ -149,7 +149,12 @@ def _completed(
     part = separated.part
     found: list[tuple[Half, Box]] = []
     # Open sides look like single lines that stick out: here they count.
-    for half in find_halves(part.ink, separated.told, find_clusters(part.ink), part.stroke_width):
+    for half in find_halves(
+        part.ink,
+        separated.told,
+        find_clusters(part.ink, has_paper=separated.has_paper),
+        part.stroke_width,
+    ):
         own = [box for box in clusters if inside(box, half.box)]
         others = [box for box in clusters if box not in own and not half.marks(box)]
         if not own:

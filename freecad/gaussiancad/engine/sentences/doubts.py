@@ -173,6 +173,16 @@ REASONS = {
         "The projection symbol says {symbol}, but the lines fit {other} better. Taken was "
         "{taken}; choose under Projection if it is the other.",
     ),
+    "entities-left-out:part": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The file has entities that cannot be read and were left out: {kinds}. What they show may "
+        "be missing.",
+    ),
+    "unit-contradicts-note": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "A note names {noted} as the unit, but the numbers fit what the file draws in {taken}, "
+        "which was taken. Check the part's size.",
+    ),
     "scale-contradicts-dimensions": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The drawing's dimensions agree on {sheet} mm per pixel, but the scale that was set gives "
@@ -296,6 +306,16 @@ WARNINGS = {
         "The sheet has no readable scale: 1:1 was assumed. Set a length under Scale if it is "
         "another.",
     ),
+    "size-contradicts-unit": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The dimensions say that the part is {share} times as large as the file draws it. They "
+        "were taken: check the part's size.",
+    ),
+    "full-scale-assumed:file": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The file says the unit of its lengths, and no scale: the part was taken to be drawn in "
+        "its own size. Set a length under Scale if it is not.",
+    ),
     "scale-assumed": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The scale is not known: the longest edge was made 100 mm. Set a length under Scale.",
@@ -315,7 +335,15 @@ WARNINGS = {
     ),
     "paper-size-unknown": QT_TRANSLATE_NOOP(
         "GaussianCAD",
-        "The file does not say how large its paper is. Set a length under Scale.",
+        "The file says neither its unit nor how large its paper is. Set a length under Scale.",
+    ),
+    "entities-left-out": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The file has entities that cannot be read and were left out: {kinds}.",
+    ),
+    "frame-left-out": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The lines around everything were taken for a frame, not for the part's outline.",
     ),
     "lines-left-out": QT_TRANSLATE_NOOP(
         "GaussianCAD",

@@ -368,16 +368,15 @@ def test_units(read: Read, unit: int, per_mm: float) -> None:
 @pytest.mark.parametrize(
     ("unit", "metric", "size", "shape"),
     [
-        # A unit that is not named, or that makes no paper: millimetres if that does, or inches.
+        # A unit that is not named: millimetres if they make a paper, or inches, or none at all.
         (0, 1, 200.0, (158, 1575)),
-        (6, 1, 200.0, (158, 1575)),
         (0, 0, 20.0, (400, 4000)),
-        # No paper at all.
-        (4, 1, 1.8, (300, 3000)),
-        (4, 1, 1e7, (300, 3000)),
+        # Metres that only a library's default says.
+        (6, 1, 200.0, (158, 1575)),
+        (0, 1, 1e7, (300, 3000)),
     ],
 )
-def test_sizes_that_are_no_papers(
+def test_a_unit_that_is_not_named_is_not_known(
     read: Read, unit: int, metric: int, size: float, shape: tuple[int, int]
 ) -> None:
     doc = _a4(unit)
@@ -387,7 +386,44 @@ def test_sizes_that_are_no_papers(
     content = read(doc)
     assert content.grey.shape == shape
     assert content.pixels_per_inch is None
+    assert content.vectors.unit_mm is None
     assert [note.code for note in content.notes] == ["paper-size-unknown"]
+
+
+@pytest.mark.parametrize("unit, millimetres", [(1, 25.4), (4, 1.0), (5, 10.0), (6, 1000.0)])
+@pytest.mark.parametrize("size_mm", [1.8, 45.0, 300.0, 9e3])
+def test_a_unit_that_is_named_is_kept_at_any_size(
+    read: Read, unit: int, millimetres: float, size_mm: float
+) -> None:
+    doc = _a4(unit)
+    size = size_mm / millimetres
+    doc.modelspace().add_lwpolyline([(0, 0), (size, 0), (size, size / 2)], close=True)
+    doc.modelspace().add_line((0, 0), (0, size), dxfattribs={"lineweight": 100})
+    content = read(doc)
+    lengths = [own.curve.length * 25.4 / content.pixels_per_inch for own in content.vectors.strokes]
+    assert lengths[0] == pytest.approx(size_mm)
+    assert content.vectors.unit_mm == pytest.approx(millimetres)
+    assert "paper-size-unknown" not in {note.code for note in content.notes}
+    # A pen of 1 mm is none on what is drawn twenty times as large as paper, or as small.
+    is_paper = 50.8 <= max(content.grey.shape) * 25.4 / content.pixels_per_inch <= 2641.6
+    assert (content.vectors.strokes[-1].width is not None) == is_paper
+
+
+def test_notes_beside_a_drawing_without_paper_are_on_its_sheet(read: Read) -> None:
+    doc = _a4()
+    model = doc.modelspace()
+    model.add_lwpolyline([(0, 0), (60, 0), (60, 40), (0, 40)], close=True)
+    for text, place in (("t=3", (0, -12)), ("part 7", (70, 20)), ("far away", (0, 400))):
+        model.add_text(text, height=4).set_placement(place)
+    content = read(doc)
+    height, width = content.grey.shape
+    *near, far = (own.box for own in content.vectors.texts)
+    for x0, y0, x1, y1 in near:
+        assert 0.0 < x0 < x1 < width
+        assert 0.0 < y0 < y1 < height
+    assert far[3] < 0.0
+    assert not content.vectors.has_paper
+    assert content.vectors.strokes[0].curve.length == pytest.approx(60 * MM)
 
 
 def test_without_limits_the_drawing_gets_a_margin(read: Read) -> None:
@@ -484,6 +520,46 @@ def test_broken_files_are_read_as_far_as_possible(tmp_path: Path) -> None:
     end = max(i for i, line in enumerate(lines) if line == "OBJECTS") - 3
     path.write_text("\n".join(lines[:end]))
     assert len(read_dxf(path, 1).vectors.strokes) == 2
+
+
+def _with_entity(path: Path, tags: list[str]) -> None:
+    """Put an entity of some tags at the end of a text file's model space."""
+    text = path.read_text()
+    start = text.index("ENTITIES")
+    end = text.index("  0\nENDSEC", start)
+    path.write_text(text[:end] + "\n".join(tags) + "\n" + text[end:])
+
+
+_TABLE = ["  0", "ACAD_TABLE", "  5", "FFF1", "100", "AcDbEntity", "  8", "0"]
+_TABLE += ["100", "AcDbBlockReference", "  2", "*T1", " 10", "110.0", " 20", "125.0"]
+_TABLE += ["100", "AcDbTable", " 91", "3", " 92", "2"]
+_CURVE = ["  0", "SPLINE", "  5", "FFF2", "100", "AcDbEntity", "  8", "0", "100", "AcDbSpline"]
+_CURVE += [" 71", "3", " 73", "1", " 10", "1.0", " 20", "1.0"]
+
+
+@pytest.mark.parametrize(
+    ("tags", "kinds", "is_doubt"),
+    [
+        (_TABLE, "1 ACAD_TABLE", False),
+        (_TABLE + _TABLE, "2 ACAD_TABLE", False),
+        (_CURVE, "1 SPLINE", True),
+        (_CURVE + _TABLE, "1 ACAD_TABLE, 1 SPLINE", True),
+    ],
+)
+def test_entities_that_cannot_be_read_are_left_out_and_said(
+    tmp_path: Path, tags: list[str], kinds: str, is_doubt: bool
+) -> None:
+    doc = _framed(_a4())
+    doc.modelspace().add_circle((100, 100), 50)
+    path = tmp_path / "a.dxf"
+    doc.saveas(path)
+    whole = read_dxf(path, 1)
+    _with_entity(path, tags)
+    content = read_dxf(path, 1)
+    assert content.vectors == whole.vectors
+    (note,) = content.notes
+    assert (note.code, note.message.args["kinds"]) == ("entities-left-out", kinds)
+    assert note.is_doubt is is_doubt
 
 
 def _many(count: int) -> bytes:

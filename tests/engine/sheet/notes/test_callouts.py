@@ -41,6 +41,8 @@ MM = Unit.MILLIMETRE
         ("C0.5", [Callout(CHAMFER, 0.5, angle=45.0)]),
         ("120\u00b0", [Callout(NoteKind.ANGLE, 120.0)]),
         ("t=3", [Callout(NoteKind.THICKNESS, 3.0)]),
+        ("ALL PARTS 3 mm THICK", [Callout(NoteKind.THICKNESS, 3.0, unit=MM)]),
+        ("(s 3)", [Callout(NoteKind.THICKNESS, 3.0, reference=True)]),
         ("\u21a7 12", [Callout(NoteKind.DEPTH, 12.0)]),
         ("(\u00d8 38)", [Callout(DIAMETER, 38.0, reference=True)]),
         ("5.05 x6", [Callout(NoteKind.LENGTH, 5.05, 6)]),
@@ -68,13 +70,15 @@ def test_no_text_is_too_much(text: str) -> None:
         assert own.count >= 0 and isinstance(own.kind, NoteKind)
 
 
-def test_notes_are_in_mm_and_those_of_the_title_block_are_none() -> None:
+def test_notes_are_in_mm_and_those_of_the_title_block_tell_a_thickness_alone() -> None:
     texts = [
         SheetText("\u00d8.5 THRU", (10.0, 10.0, 40.0, 20.0)),
         SheetText("M6", (10.0, 40.0, 40.0, 50.0)),
         SheetText("90\u00b0", (10.0, 60.0, 40.0, 70.0)),
         SheetText("12", (10.0, 70.0, 40.0, 80.0)),
         SheetText("R5", (10.0, 90.0, 40.0, 99.0), field=True),
+        SheetText("THK .25", (10.0, 110.0, 40.0, 119.0), field=True),
+        SheetText("3 mm thick", (10.0, 130.0, 40.0, 139.0)),
     ]
     found = notes_of(texts, Unit.INCH)
-    assert [own.value_mm for own in found] == [pytest.approx(12.7), 6.0, 90.0]
+    assert [own.value_mm for own in found] == [pytest.approx(12.7), 6.0, 90.0, 6.35, 3.0]

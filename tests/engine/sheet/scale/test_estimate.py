@@ -11,6 +11,7 @@ from gaussiancad_core.sheet.scale.estimate import (
     Measure,
     ReadDimension,
     agree,
+    fitting_unit,
     usual_unit,
 )
 from gaussiancad_core.sheet.scale.numbers import Unit, parse_dimension
@@ -90,20 +91,21 @@ def test_the_second_candidate_serves_where_the_first_disagrees() -> None:
 def test_inches_become_millimetres() -> None:
     texts = [("1 1/2", 1.5), (".500", 0.5), ("3.25", 3.25)]
     dimensions = [dimension(text, 25.4 * value / SCALE) for text, value in texts]
-    unit = usual_unit(dimensions, None, None)
+    unit = usual_unit(dimensions)
     assert unit is INCH
     found = agree(dimensions, unit, None)
     assert found.mm_per_pixel == pytest.approx(SCALE, rel=1e-12)
     assert found.dimensions[2].value_mm == pytest.approx(82.55)
 
 
-def test_the_unit_follows_note_paper_and_texts_in_this_order() -> None:
+def test_the_unit_follows_what_is_drawn_and_what_most_texts_name() -> None:
     plain = [true(2), true(5)]
-    assert usual_unit(plain, None, None) is MM
-    assert usual_unit(plain, INCH, SCALE) is INCH
-    assert usual_unit(plain, None, SCALE) is MM
-    assert usual_unit(plain, None, 25.4 * SCALE) is INCH
-    assert usual_unit([*plain, dimension('3"')], None, None) is MM
+    assert usual_unit(plain) is MM
+    assert usual_unit([*plain, dimension('3"')]) is MM
+    assert fitting_unit(plain, None) is None
+    assert fitting_unit(plain, SCALE) is MM
+    assert fitting_unit(plain, 25.4 * SCALE) is INCH
+    assert fitting_unit(plain, 7.0 * SCALE) is None
 
 
 def test_nothing_gives_nothing() -> None:

@@ -68,6 +68,11 @@ def test_dimensions(text: str, value: float, sign: Sign, unit: Unit | None) -> N
     assert parse_dimension(text) == DimensionText(value, sign, unit)
 
 
+def test_a_bare_point_tells_inches_where_nothing_else_does() -> None:
+    assert parse_dimension(".5", bare_point_is_inch=False) == DimensionText(0.5)
+    assert parse_dimension('.5"', bare_point_is_inch=False) == DimensionText(0.5, unit=INCH)
+
+
 @pytest.mark.parametrize(
     "text",
     [

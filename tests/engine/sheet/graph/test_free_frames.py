@@ -1,0 +1,104 @@
+"""In free space no paper tells a frame from an outline: what it holds does."""
+
+import itertools
+from math import tau
+
+import pytest
+
+from gaussiancad_core.sheet.files.vectors import (
+    CircularArc,
+    Line,
+    VectorDrawing,
+    VectorStroke,
+    VectorText,
+)
+from gaussiancad_core.sheet.graph.labels import Label, labelled
+
+_SIZE = (1000, 700)
+
+
+def _box(x: float, y: float, w: float, h: float, layer: str = "") -> list[VectorStroke]:
+    corners = [(x, y), (x + w, y), (x + w, y + h), (x, y + h), (x, y)]
+    return [VectorStroke(Line(a, b), 2.0, layer=layer) for a, b in itertools.pairwise(corners)]
+
+
+def _circle(x: float, y: float, layer: str = "") -> list[VectorStroke]:
+    return [VectorStroke(CircularArc((x, y), 20.0, 0.0, tau), 2.0, layer=layer)]
+
+
+def _text(x: float, y: float, text: str = "t=3") -> VectorText:
+    return VectorText(text, (x - 10.0, y - 5.0, x + 10.0, y + 5.0))
+
+
+_AROUND = (50.0, 50.0, 900.0, 600.0)
+_HOLES = _circle(300, 300), _circle(700, 400)
+_VIEW = [*_box(300, 200, 300, 200), *_circle(400, 300)]
+
+
+def _labels(
+    strokes: list[VectorStroke], *texts: VectorText, has_paper: bool = False
+) -> list[Label]:
+    found = labelled(VectorDrawing(tuple(strokes), texts, has_paper=has_paper), _SIZE)
+    assert found is not None
+    return list(found.labels)
+
+
+@pytest.mark.parametrize("layer", ["", "HOLES"])
+@pytest.mark.parametrize("texts", [[], [_text(500, 680)]])
+def test_the_outline_of_a_plate_with_holes_is_no_frame(layer: str, texts: list[VectorText]) -> None:
+    holes = [*_circle(300, 300, layer), *_circle(700, 400, layer), *_box(450, 200, 80, 60, layer)]
+    assert set(_labels(_box(*_AROUND) + holes, *texts)) == {Label.VISIBLE}
+
+
+def test_words_within_the_outline_of_a_plate_in_one_pen_make_it_no_frame() -> None:
+    strokes = [*_box(*_AROUND), *_HOLES[0], *_HOLES[1]]
+    assert set(_labels(strokes, _text(500, 350))) == {Label.VISIBLE}
+
+
+def test_a_note_beside_what_goes_around_a_view_tells_that_it_is_no_frame() -> None:
+    assert _labels(_box(*_AROUND) + _VIEW, _text(500, 680))[:4] == [Label.VISIBLE] * 4
+
+
+def test_what_goes_around_a_view_with_a_hole_is_a_frame() -> None:
+    labels = _labels(_box(*_AROUND) + _VIEW, _text(500, 550))
+    assert labels == [Label.FRAME] * 4 + [Label.VISIBLE] * 5
+
+
+def test_a_frame_may_have_two_lines() -> None:
+    strokes = _box(*_AROUND) + _box(60, 60, 880, 580) + _VIEW
+    assert _labels(strokes) == [Label.FRAME] * 8 + [Label.VISIBLE] * 5
+
+
+@pytest.mark.parametrize("layer", ["", "FRAME"])
+def test_an_edge_within_a_view_tells_that_what_goes_around_is_a_frame(layer: str) -> None:
+    edge = VectorStroke(Line((300.0, 300.0), (600.0, 300.0)), 2.0)
+    strokes = [*_box(*_AROUND, layer), *_box(300, 200, 300, 200), edge]
+    assert _labels(strokes) == [Label.FRAME] * 4 + [Label.VISIBLE] * 5
+
+
+def _ring(x: float, y: float, radius: float) -> VectorStroke:
+    return VectorStroke(CircularArc((x, y), radius, 0.0, tau), 2.0)
+
+
+def test_a_counterbore_does_not() -> None:
+    rings = [_ring(300, 300, 60), _ring(300, 300, 100), *_HOLES[1]]
+    assert set(_labels(_box(*_AROUND) + rings)) == {Label.VISIBLE}
+    flange = [_ring(300, 300, 100), _ring(260, 300, 20), _ring(340, 300, 20)]
+    assert _labels(_box(*_AROUND) + flange)[:4] == [Label.FRAME] * 4
+
+
+def test_an_engraved_letter_does_not() -> None:
+    crossbar = VectorStroke(Line((500.0, 120.0), (540.0, 120.0)), 2.0)
+    letter = [*_box(500, 100, 40, 40), crossbar]
+    assert _labels([*_box(*_AROUND), *_HOLES[0], *letter])[:5] == [Label.VISIBLE] * 5
+
+
+def test_a_bend_line_across_a_plate_does_not() -> None:
+    bend = VectorStroke(Line((500.0, 50.0), (500.0, 650.0)), 2.0, layer="BEND")
+    labels = _labels([*_box(*_AROUND), *_HOLES[0], bend])
+    assert labels[:5] == [Label.VISIBLE] * 5
+
+
+def test_paper_tells_a_frame_by_its_margins() -> None:
+    strokes = [*_box(*_AROUND, "FRAME"), *_box(300, 200, 300, 200)]
+    assert _labels(strokes, has_paper=True)[:4] == [Label.FRAME] * 4
