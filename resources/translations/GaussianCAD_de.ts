@@ -199,6 +199,34 @@
 <context>
     <name>GaussianCAD</name>
     <message>
+        <source>The file has entities that cannot be read and were left out: {kinds}. What they show may be missing.</source>
+        <translation>Die Datei hat Elemente, die nicht gelesen werden können und ausgelassen wurden: {kinds}. Was sie zeigen, kann fehlen.</translation>
+    </message>
+    <message>
+        <source>A note names {noted} as the unit, but the numbers fit what the file draws in {taken}, which was taken. Check the part&apos;s size.</source>
+        <translation>Eine Notiz nennt {noted} als Einheit, aber die Zahlen passen zu dem, was die Datei in {taken} zeichnet; das wurde genommen. Prüfen Sie die Größe des Teils.</translation>
+    </message>
+    <message>
+        <source>The dimensions say that the part is {share} times as large as the file draws it. They were taken: check the part&apos;s size.</source>
+        <translation>Nach den Maßen ist das Teil {share}-mal so groß, wie die Datei es zeichnet. Die Maße wurden genommen: Prüfen Sie die Größe des Teils.</translation>
+    </message>
+    <message>
+        <source>The file says the unit of its lengths, and no scale: the part was taken to be drawn in its own size. Set a length under Scale if it is not.</source>
+        <translation>Die Datei nennt die Einheit ihrer Längen und keinen Maßstab: Es wurde angenommen, dass das Teil in wahrer Größe gezeichnet ist. Geben Sie sonst unter „Maßstab“ eine Länge an.</translation>
+    </message>
+    <message>
+        <source>The file says neither its unit nor how large its paper is. Set a length under Scale.</source>
+        <translation>Die Datei sagt weder ihre Einheit noch, wie groß ihr Papier ist. Geben Sie unter „Maßstab“ eine Länge an.</translation>
+    </message>
+    <message>
+        <source>The file has entities that cannot be read and were left out: {kinds}.</source>
+        <translation>Die Datei hat Elemente, die nicht gelesen werden können und ausgelassen wurden: {kinds}.</translation>
+    </message>
+    <message>
+        <source>The lines around everything were taken for a frame, not for the part&apos;s outline.</source>
+        <translation>Die Linien um alles herum wurden für einen Rahmen gehalten, nicht für den Umriss des Teils.</translation>
+    </message>
+    <message>
         <source>{name} cannot be written for the comparison: {reason}</source>
         <translation>{name} kann für den Vergleich nicht geschrieben werden: {reason}</translation>
     </message>
@@ -675,6 +703,10 @@
         <translation>Maßstab</translation>
     </message>
     <message>
+        <source>The sheet is read…</source>
+        <translation>Das Blatt wird gelesen …</translation>
+    </message>
+    <message>
         <source>The corrections beside the sheet are of another version of it: they were left out, and will be kept as a file of their own.</source>
         <translation>Die Korrekturen neben dem Blatt gehören zu einer anderen Fassung davon: Sie wurden weggelassen und bleiben als eigene Datei erhalten.</translation>
     </message>
@@ -723,8 +755,20 @@
         <translation>Löschen</translation>
     </message>
     <message>
+        <source>Reading…</source>
+        <translation>Es wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Making the part…</source>
+        <translation>Das Teil wird erzeugt …</translation>
+    </message>
+    <message>
         <source>Length between the two points in mm:</source>
         <translation>Länge zwischen den zwei Punkten in mm:</translation>
+    </message>
+    <message>
+        <source>What “{0}” gives, in mm:</source>
+        <translation>Was „{0}“ angibt, in mm:</translation>
     </message>
     <message>
         <source>Dimension</source>
@@ -1543,6 +1587,10 @@
         <translation>Bohrung geht durch</translation>
     </message>
     <message>
+        <source>Depth of Hole…</source>
+        <translation>Tiefe der Bohrung…</translation>
+    </message>
+    <message>
         <source>Select all like this</source>
         <translation>Alle gleichartigen auswählen</translation>
     </message>
@@ -1619,12 +1667,20 @@
         <translation>Nein: {0}</translation>
     </message>
     <message>
+        <source>No, so Deep…</source>
+        <translation>Nein, so tief…</translation>
+    </message>
+    <message>
         <source>All {0} Go Through</source>
         <translation>Alle {0} gehen durch</translation>
     </message>
     <message>
         <source>The size is not known: tell a length</source>
         <translation>Die Größe ist nicht bekannt: geben Sie eine Länge an</translation>
+    </message>
+    <message>
+        <source>Measures to ±{0} mm</source>
+        <translation>Maße auf ±{0} mm</translation>
     </message>
     <message>
         <source>Verified: the part has the sheet&apos;s lines, no others</source>
@@ -1819,6 +1875,10 @@
         <translation>Die Oberfläche hat nicht alle Linien dieser Ansichten, oder sie hat andere: {views}.</translation>
     </message>
     <message>
+        <source>Lines that nearly meet were taken to meet: small steps may be missing.</source>
+        <translation>Linien, die sich fast treffen, wurden als verbunden genommen: Kleine Absätze können fehlen.</translation>
+    </message>
+    <message>
         <source>In the view “{view}” the drawn line lies {distance_mm} mm beside the part&apos;s: a curve may have been misread there.</source>
         <translation>In der Ansicht „{view}“ liegt die gezeichnete Linie {distance_mm} mm neben der des Teils: Dort kann eine Kurve falsch gelesen sein.</translation>
     </message>
@@ -1981,10 +2041,6 @@
     <message>
         <source>The SVG refers to other files, which are never opened: what they hold is missing.</source>
         <translation>Die SVG-Datei verweist auf andere Dateien, die nie geöffnet werden: Was sie enthalten, fehlt.</translation>
-    </message>
-    <message>
-        <source>The file does not say how large its paper is. Set a length under Scale.</source>
-        <translation>Die Datei sagt nicht, wie groß ihr Papier ist. Stellen Sie unter „Maßstab“ eine Länge ein.</translation>
     </message>
     <message>
         <source>Groups of lines belong to no view and were left out: {count}.</source>
@@ -2367,10 +2423,6 @@
         <translation>Platten, die die Linien am besten erklären</translation>
     </message>
     <message>
-        <source>Without the chamfers around faces, which are put on last</source>
-        <translation>Ohne die umlaufenden Fasen, die zuletzt angebracht werden</translation>
-    </message>
-    <message>
         <source>Short lines as visible or hidden, whichever fits</source>
         <translation>Kurze Linien als sichtbar oder verdeckt, je nachdem was passt</translation>
     </message>
@@ -2577,34 +2629,6 @@
     <message>
         <source>There is no view at this place</source>
         <translation>An dieser Stelle ist keine Ansicht</translation>
-    </message>
-    <message>
-        <source>What u201c{0}u201d gives, in mm:</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Depth of Holeu2026</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No, so Deepu2026</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Measures to u00b1{0} mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sheet is readu2026</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Readingu2026</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Making the partu2026</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -199,8 +199,40 @@
 <context>
     <name>GaussianCAD</name>
     <message>
+        <source>The file has entities that cannot be read and were left out: {kinds}. What they show may be missing.</source>
+        <translation>文件中有无法读取的实体，已略去：{kinds}。它们所表示的内容可能缺失。</translation>
+    </message>
+    <message>
+        <source>A note names {noted} as the unit, but the numbers fit what the file draws in {taken}, which was taken. Check the part&apos;s size.</source>
+        <translation>注释给出的单位是 {noted}，但数字与文件以 {taken} 绘制的内容相符，因此采用了后者。请检查零件尺寸。</translation>
+    </message>
+    <message>
+        <source>The dimensions say that the part is {share} times as large as the file draws it. They were taken: check the part&apos;s size.</source>
+        <translation>按尺寸标注，零件是文件所绘大小的 {share} 倍。已采用标注：请检查零件尺寸。</translation>
+    </message>
+    <message>
+        <source>The file says the unit of its lengths, and no scale: the part was taken to be drawn in its own size. Set a length under Scale if it is not.</source>
+        <translation>文件给出了长度单位而没有比例：假定零件按实际大小绘制。如果不是，请在“比例”下设置一个长度。</translation>
+    </message>
+    <message>
+        <source>The file says neither its unit nor how large its paper is. Set a length under Scale.</source>
+        <translation>文件既没有给出单位，也没有给出图纸大小。请在“比例”下设置一个长度。</translation>
+    </message>
+    <message>
+        <source>The file has entities that cannot be read and were left out: {kinds}.</source>
+        <translation>文件中有无法读取的实体，已略去：{kinds}。</translation>
+    </message>
+    <message>
+        <source>The lines around everything were taken for a frame, not for the part&apos;s outline.</source>
+        <translation>包围全部内容的线条被当作图框，而不是零件的轮廓。</translation>
+    </message>
+    <message>
         <source>Hole Goes Through</source>
         <translation>通孔</translation>
+    </message>
+    <message>
+        <source>Depth of Hole…</source>
+        <translation>孔的深度…</translation>
     </message>
     <message>
         <source>Select all like this</source>
@@ -447,12 +479,20 @@
         <translation>否：{0}</translation>
     </message>
     <message>
+        <source>No, so Deep…</source>
+        <translation>不，深度为…</translation>
+    </message>
+    <message>
         <source>All {0} Go Through</source>
         <translation>全部 {0} 个都贯通</translation>
     </message>
     <message>
         <source>The size is not known: tell a length</source>
         <translation>尺寸未知：请指定一个长度</translation>
+    </message>
+    <message>
+        <source>Measures to ±{0} mm</source>
+        <translation>尺寸误差不超过 ±{0} mm</translation>
     </message>
     <message>
         <source>Verified: the part has the sheet&apos;s lines, no others</source>
@@ -465,6 +505,10 @@
     <message>
         <source>No part follows from the sheet as it is</source>
         <translation>按图纸现状得不出零件</translation>
+    </message>
+    <message>
+        <source>The sheet is read…</source>
+        <translation>正在读取图纸…</translation>
     </message>
     <message>
         <source>The corrections beside the sheet are of another version of it: they were left out, and will be kept as a file of their own.</source>
@@ -515,12 +559,24 @@
         <translation>擦除</translation>
     </message>
     <message>
+        <source>Reading…</source>
+        <translation>正在读图…</translation>
+    </message>
+    <message>
+        <source>Making the part…</source>
+        <translation>正在生成零件…</translation>
+    </message>
+    <message>
         <source>Ready</source>
         <translation>就绪</translation>
     </message>
     <message>
         <source>Length between the two points in mm:</source>
         <translation>两点之间的长度，单位 mm：</translation>
+    </message>
+    <message>
+        <source>What “{0}” gives, in mm:</source>
+        <translation>“{0}”表示的尺寸，单位 mm：</translation>
     </message>
     <message>
         <source>Dimension</source>
@@ -851,6 +907,10 @@
         <translation>表面没有这些视图的全部线，或者有多余的线：{views}。</translation>
     </message>
     <message>
+        <source>Lines that nearly meet were taken to meet: small steps may be missing.</source>
+        <translation>几乎相接的线被当作相接：可能缺少小台阶。</translation>
+    </message>
+    <message>
         <source>In the view “{view}” the drawn line lies {distance_mm} mm beside the part&apos;s: a curve may have been misread there.</source>
         <translation>在“{view}”中，图线与零件的线相距 {distance_mm} mm：该处可能有曲线读错。</translation>
     </message>
@@ -1013,10 +1073,6 @@
     <message>
         <source>The SVG refers to other files, which are never opened: what they hold is missing.</source>
         <translation>该 SVG 引用了其他文件，而这些文件从不打开：其中的内容缺失。</translation>
-    </message>
-    <message>
-        <source>The file does not say how large its paper is. Set a length under Scale.</source>
-        <translation>文件未说明纸张大小。请在“比例”中设置一个长度。</translation>
     </message>
     <message>
         <source>Groups of lines belong to no view and were left out: {count}.</source>
@@ -2367,10 +2423,6 @@
         <translation>最能解释各线条的层叠板</translation>
     </message>
     <message>
-        <source>Without the chamfers around faces, which are put on last</source>
-        <translation>先不计环绕面的倒角，最后再加上</translation>
-    </message>
-    <message>
         <source>Short lines as visible or hidden, whichever fits</source>
         <translation>短线按可见线或隐藏线处理，以吻合者为准</translation>
     </message>
@@ -2577,34 +2629,6 @@
     <message>
         <source>There is no view at this place</source>
         <translation>此处没有视图</translation>
-    </message>
-    <message>
-        <source>What u201c{0}u201d gives, in mm:</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Depth of Holeu2026</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No, so Deepu2026</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Measures to u00b1{0} mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sheet is readu2026</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Readingu2026</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Making the partu2026</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

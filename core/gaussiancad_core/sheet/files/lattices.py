@@ -19,7 +19,7 @@ parts are the step: 97 of 100 are on the grid of most files."""
 _AT_ONCE = 120
 """Numbers of an axis that are asked for how long the step is exactly, all along it."""
 
-_FIRST, _LIKELY = 24, 0.7
+_FIRST, _LIKELY = 24, 0.45
 """Numbers of an axis, neighbours, that are asked before all others, and share of those wanted that
 has to be on the grid among them: it is told sooner, as they are close together."""
 

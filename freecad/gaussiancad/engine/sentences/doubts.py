@@ -109,6 +109,10 @@ REASONS = {
         "GaussianCAD",
         "The surface does not have all lines of these views, or it has others: {views}.",
     ),
+    "lines-apart": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "Lines that nearly meet were taken to meet: small steps may be missing.",
+    ),
     "lines-apart:ink": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "In the view “{view}” the drawn line lies {distance_mm} mm beside the part's: a curve may "
