@@ -41,6 +41,9 @@ _SHORT = 15
 _PER_TURN = 6.0
 """Frequencies that are tried for each at which the farthest number is a turn ahead."""
 
+_MOST_TRIED = 200_000
+"""Frequencies that are tried at most: as many as a sheet of 10,000 px has for the finest step."""
+
 _CLOSER = 3
 """Times that the frequency is looked for twenty times as closely, to a ten-thousandth of a turn."""
 
@@ -161,7 +164,8 @@ def _may_be(apart: Floats, step: float) -> bool:
 def _refined(places: Sequence[Floats], guess: float) -> float:
     """The step near a guess on which the numbers lie best."""
     widest = max(float(np.ptp(own)) for own in places)
-    count = int(np.ceil(2.0 * _GUESSED * widest / guess * _PER_TURN)) + 3
+    # Numbers far off the sheet would ask for any number of them: those tell no step.
+    count = int(min(np.ceil(2.0 * _GUESSED * widest / guess * _PER_TURN), _MOST_TRIED)) + 3
     tried = np.linspace(1.0 - _GUESSED, 1.0 + _GUESSED, count) / guess
     best = _best(places, tried)
     half = float(tried[1] - tried[0])

