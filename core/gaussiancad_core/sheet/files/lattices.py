@@ -41,8 +41,12 @@ _SHORT = 15
 _PER_TURN = 6.0
 """Frequencies that are tried for each at which the farthest number is a turn ahead."""
 
-_MOST_TRIED = 200_000
-"""Frequencies that are tried at most: as many as a sheet of 10,000 px has for the finest step."""
+_MOST_STEPS = 1e6
+"""Finest steps from the median of numbers to the farthest that are asked: half a sheet of 20,000 px
+has no more.  Those off the sheet would ask for any number of frequencies."""
+
+_TOLD = 0.5
+"""Turns that the farthest of the first numbers may be off when the step is told by them."""
 
 _CLOSER = 3
 """Times that the frequency is looked for twenty times as closely, to a ten-thousandth of a turn."""
@@ -94,14 +98,16 @@ def common_step(places: Sequence[Floats], finest: float, fit: Fit) -> float:
         finest: step that is looked for.
         fit: of the numbers.
     """
-    told = [own for own in places if len(own) > 1]
+    told = [
+        own[np.abs(own - np.median(own)) <= _MOST_STEPS * finest] for own in places if len(own) > 1
+    ]
     some = [own[:: -(-len(own) // _AT_ONCE)] for own in told]
     first = [own[:_FIRST] for own in told]
     for guess in _guesses(told, finest):
-        rough = _refined(first, guess)
+        rough = _refined(first, guess, _GUESSED)
         if fit.share(first, rough) < _LIKELY * fit.least:
             continue
-        step = _refined(some, rough)
+        step = _refined(some, rough, min(_GUESSED, _TOLD * rough / _widest(first)))
         share = fit.share(places, step)
         if share >= fit.least and all(
             fit.share(places, step / parts) - share < _BETTER for parts in _SUBDIVIDED
@@ -161,12 +167,21 @@ def _may_be(apart: Floats, step: float) -> bool:
     return not len(turns) or bool(near.mean() >= _FITS)
 
 
-def _refined(places: Sequence[Floats], guess: float) -> float:
-    """The step near a guess on which the numbers lie best."""
-    widest = max(float(np.ptp(own)) for own in places)
-    # Numbers far off the sheet would ask for any number of them: those tell no step.
-    count = int(min(np.ceil(2.0 * _GUESSED * widest / guess * _PER_TURN), _MOST_TRIED)) + 3
-    tried = np.linspace(1.0 - _GUESSED, 1.0 + _GUESSED, count) / guess
+def _widest(places: Sequence[Floats]) -> float:
+    """How far apart the numbers of an axis are, at most."""
+    return max(float(np.ptp(own)) for own in places)
+
+
+def _refined(places: Sequence[Floats], guess: float, off: float) -> float:
+    """The step near a guess on which the numbers lie best.
+
+    Args:
+        places: for each axis numbers in order.
+        guess: at the step.
+        off: share of it by which it may be off.
+    """
+    count = int(np.ceil(2.0 * off * _widest(places) / guess * _PER_TURN)) + 3
+    tried = np.linspace(1.0 - off, 1.0 + off, count) / guess
     best = _best(places, tried)
     half = float(tried[1] - tried[0])
     for _ in range(_CLOSER):

@@ -143,6 +143,14 @@ def test_the_last_decimal_tells_where_lines_are_few(
     assert rounding_step(boxes([box]), POINT) == pytest.approx(step * POINT)
 
 
+@pytest.mark.parametrize("far", [1e6, 1e9, 1e15, 1e300])
+def test_a_line_that_ends_far_off_the_sheet_changes_no_step(far: float) -> None:
+    lot = np.random.default_rng(0)
+    ends = np.round(slanted(lot, 60), 1)
+    ends[3, 0] = far
+    assert rounding_step(ends, POINT) == pytest.approx(0.1 * POINT, rel=1e-6)
+
+
 def test_no_lines_have_no_step() -> None:
     assert rounding_step(np.empty((0, 2, 2)), POINT) == 0.0
     assert rounding_step(slanted(np.random.default_rng(1), 40), 0.0) == 0.0
