@@ -59,37 +59,52 @@ def goes_on(
     nothing = Sight((), np.zeros(0), np.zeros(0, bool))
     for index in range(len(met) + 1):
         before, after = (met[k] if 0 <= k < len(met) else nothing for k in (index - 1, index))
-        near, far = before.depths, after.depths
-        between = 0.0
-        if 0 < index < len(met):
-            low, high = places[index - 1], places[index]
-            edge = next((own for own in edges if low < own < high), None)
-            if edge is None and before.regions == after.regions:
-                yield np.eye(len(near), dtype=bool)
-                continue
-            between = high - low
-            if edge is not None:
-                low, high = max(low, edge - _BEFORE * grid), min(high, edge + _AFTER * grid)
-                closer = look(low), look(high)
-                if (closer[0].regions, closer[1].regions) == (before.regions, after.regions):
-                    near, far, between = closer[0].depths, closer[1].depths, high - low
-        slack = max(DEEPER * grid, _SLOPE * between)
-        even = np.abs(near[:, None] - far[None, :]) < slack
-        if between and before.regions == after.regions:
+        if not 0 < index < len(met):
+            yield _even(before, after, DEEPER * grid)
+            continue
+        between = places[index - 1], places[index]
+        edge = next((own for own in edges if between[0] < own < between[1]), None)
+        same = before.regions == after.regions
+        if edge is None and same:
+            yield np.eye(len(before.depths), dtype=bool)
+            continue
+        if edge is not None:
+            close = max(between[0], edge - _BEFORE * grid), min(between[1], edge + _AFTER * grid)
+            closer = look(close[0]), look(close[1])
+            if (closer[0].regions, closer[1].regions) == (before.regions, after.regions):
+                (before, after), between = closer, close
+        even = _even(before, after, max(DEEPER * grid, _SLOPE * (between[1] - between[0])))
+        if same:
             for number in np.flatnonzero(~np.diag(even)):
-                even[number, number] = _is_smooth(look, (low, high), number)
+                even[number, number] = _is_smooth(look, between, (before, after), number)
         yield even
 
 
-def _is_smooth(look: Callable[[float], Sight], between: tuple[float, float], number: int) -> bool:
+def _even(before: Sight, after: Sight, slack: float) -> Mask:
+    """(m, l) whether what two sights meet is as deep, but for a slack in mm."""
+    return np.abs(before.depths[:, None] - after.depths[None, :]) < slack
+
+
+def _is_smooth(
+    look: Callable[[float], Sight],
+    between: tuple[float, float],
+    ends: tuple[Sight, Sight],
+    number: int,
+) -> bool:
     """Whether what is met as the n-th goes on as one steep wall between two places: where there is
-    a step, half of the way has all of it, and half of that again."""
+    a step, half of the way has all of it, and half of that again.
+
+    Args:
+        look: what the sight line at a place meets.
+        between: the places, mm.
+        ends: what is met there, of the same regions.
+        number: n.
+    """
     low, high = between
-    ends = look(low), look(high)
     whole = abs(ends[1].depths[number] - ends[0].depths[number])
     for _ in range(_HALVES):
         middle = look((low + high) / 2.0)
-        if not ends[0].regions == middle.regions == ends[1].regions:
+        if middle.regions != ends[0].regions:
             return False
         below, above = (abs(middle.depths[number] - own.depths[number]) for own in ends)
         if below > above:

@@ -98,9 +98,10 @@ def common_step(places: Sequence[Floats], finest: float, fit: Fit) -> float:
         finest: step that is looked for.
         fit: of the numbers.
     """
-    told = [
-        own[np.abs(own - np.median(own)) <= _MOST_STEPS * finest] for own in places if len(own) > 1
+    near = [
+        own[np.abs(own - own[len(own) // 2]) <= _MOST_STEPS * finest] for own in places if own.size
     ]
+    told = [own for own in near if len(own) > 1]
     some = [own[:: -(-len(own) // _AT_ONCE)] for own in told]
     first = [own[:_FIRST] for own in told]
     for guess in _guesses(told, finest):

@@ -151,6 +151,14 @@ def test_a_line_that_ends_far_off_the_sheet_changes_no_step(far: float) -> None:
     assert rounding_step(ends, POINT) == pytest.approx(0.1 * POINT, rel=1e-6)
 
 
+@pytest.mark.parametrize("far", [1e5, 1e6])
+def test_a_copy_of_the_drawing_far_off_the_sheet_changes_no_step(far: float) -> None:
+    lot = np.random.default_rng(0)
+    ends = np.round(slanted(lot, 60), 1)
+    both = np.concatenate([ends, ends + far])
+    assert rounding_step(both, POINT) == pytest.approx(0.1 * POINT, rel=1e-6)
+
+
 def test_no_lines_have_no_step() -> None:
     assert rounding_step(np.empty((0, 2, 2)), POINT) == 0.0
     assert rounding_step(slanted(np.random.default_rng(1), 40), 0.0) == 0.0
