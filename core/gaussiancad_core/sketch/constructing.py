@@ -28,8 +28,7 @@ from gaussiancad_core.sketch.construction import (
 from gaussiancad_core.sketch.plan import Plan
 from gaussiancad_core.sketch.plane_lines import Floats, PlaneLine
 from gaussiancad_core.sketch.sketching import Sketch
-from gaussiancad_core.solid.profiles import Profile, runs_of
-from gaussiancad_core.views import Arc
+from gaussiancad_core.solid.profiles import Profile, edges_of
 
 _NEAR = 1.2
 """Grid steps between what is one place, at most."""
@@ -132,19 +131,13 @@ def _rings(profile: Profile) -> Iterator[tuple[Floats, bool]]:
 
 
 def _edges(ring: Floats, profile: Profile) -> Iterator[Edge]:
-    for run, arc in runs_of(ring, profile):
-        start, end = _point(run[0]), _point(run[-1])
-        if arc is None:
+    for own in edges_of(ring, profile):
+        start, end = _point(own.start), _point(own.end)
+        if own.arc is None:
             yield Edge(start, end)
         else:
-            yield Edge(start, end, _point(arc.centre), _rounded(arc.radius), _on(run, arc))
-
-
-def _on(run: Floats, arc: Arc) -> Point:
-    """A place of an arc in the middle of a run along it."""
-    off = run[len(run) // 2] if len(run) > 2 else run.mean(axis=0)
-    off = off - arc.centre
-    return _point(np.array(arc.centre) + off * arc.radius / max(float(np.hypot(*off)), 1e-12))
+            radius = _rounded(own.arc.radius)
+            yield Edge(start, end, _point(own.arc.centre), radius, _point(own.middle))
 
 
 def _along(

@@ -59,6 +59,22 @@ class Profile:
     near: float
 
 
+@dataclass(frozen=True)
+class ProfileEdge:
+    """A line or an arc of an outline.
+
+    Attributes:
+        start, end: where it begins and ends.
+        arc: on which it lies; None of a line.
+        middle: a place of the arc between its ends.
+    """
+
+    start: Point
+    end: Point
+    arc: Arc | None = None
+    middle: Point | None = None
+
+
 def turned(profile: Profile, axis: Axis, centre: Point = (0.0, 0.0)) -> TopoDS_Shape:
     """A profile turned once around an axis; its first coordinate runs along it, its second is the
     distance from it.
@@ -115,22 +131,46 @@ def _face(profile: Profile, place: Callable[[Point], gp_Pnt]) -> TopoDS_Face:
 def _wire(ring: Floats, profile: Profile, place: Callable[[Point], gp_Pnt]) -> TopoDS_Wire:
     """The edges of a ring of corners: arcs where they lie on one, else lines."""
     made = BRepBuilderAPI_MakeWire()
-    runs = runs_of(ring, profile)
+    runs = _runs_of(ring, profile)
     if (circle := _whole(runs)) is not None:
         made.Add(BRepBuilderAPI_MakeEdge(_circle(circle, ring, place)).Edge())
         return made.Wire()
+    for own in _edges(runs):
+        ends = place(own.start), place(own.end)
+        if own.middle is None:
+            made.Add(BRepBuilderAPI_MakeEdge(*ends).Edge())
+        else:
+            curve = GC_MakeArcOfCircle(ends[0], place(own.middle), ends[1]).Value()
+            made.Add(BRepBuilderAPI_MakeEdge(curve).Edge())
+    return made.Wire()
+
+
+def edges_of(ring: Floats, profile: Profile) -> list[ProfileEdge]:
+    """The edges that a ring of corners has in the solid, in order.
+
+    Args:
+        ring: (n, 2) corners of the profile's area, the first not repeated.
+        profile: with the arcs.
+    """
+    return _edges(_runs_of(ring, profile))
+
+
+def _edges(runs: Sequence[tuple[Floats, Arc | None]]) -> list[ProfileEdge]:
+    found = []
     for run, arc in runs:
         # A short stretch may have none left between the curves beside it.
         if np.hypot(*(run[-1] - run[0])) < _SHORTEST:
             continue
-        ends = place(tuple(run[0])), place(tuple(run[-1]))
         middle = None if arc is None else _middle(run, arc)
-        if middle is None:
-            made.Add(BRepBuilderAPI_MakeEdge(*ends).Edge())
-        else:
-            curve = GC_MakeArcOfCircle(ends[0], place(tuple(middle)), ends[1]).Value()
-            made.Add(BRepBuilderAPI_MakeEdge(curve).Edge())
-    return made.Wire()
+        found.append(
+            ProfileEdge(
+                tuple(run[0].tolist()),
+                tuple(run[-1].tolist()),
+                None if middle is None else arc,
+                None if middle is None else tuple(middle.tolist()),
+            )
+        )
+    return found
 
 
 def _whole(runs: Sequence[tuple[Floats, Arc | None]]) -> Arc | None:
@@ -160,7 +200,7 @@ def _middle(run: Floats, arc: Arc) -> Floats | None:
     return np.array(arc.centre) + off * (arc.radius / away)
 
 
-def runs_of(ring: Floats, profile: Profile) -> list[tuple[Floats, Arc | None]]:
+def _runs_of(ring: Floats, profile: Profile) -> list[tuple[Floats, Arc | None]]:
     """Stretches of a ring's corners that are one line or lie on one arc, with that.
 
     Args:
