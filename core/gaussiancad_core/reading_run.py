@@ -13,6 +13,7 @@ from gaussiancad_core.job import Job
 from gaussiancad_core.opened_sheet import OpenedSheet, open_sheet
 from gaussiancad_core.outputs import os_error
 from gaussiancad_core.reading_stage import SheetLines, boxed_views, read_lines
+from gaussiancad_core.readings.cleaned_lines import DXF_FILE, SVG_FILE, lines_dxf, lines_svg
 from gaussiancad_core.readings.correcting import Ink
 from gaussiancad_core.readings.filling import Reread, with_read_views
 from gaussiancad_core.readings.partial import partial_lines
@@ -36,8 +37,8 @@ STAGES = ("read", "views", "lines", "masks")
 
 
 def read_to_file(job: Job, listener: Listener) -> SheetReading:
-    """Read a sheet and write ``reading.json``, ``reading.png`` and ``sheet.png``, the sheet in grey
-    by itself, into the job's folder.
+    """Read a sheet and write ``reading.json``, ``reading.png``, ``sheet.png``, the sheet in grey by
+    itself, ``lines.dxf`` and ``lines.svg`` into the job's folder.
 
     Returns:
         The reading; where no part follows, one of its problems is ``refused``.
@@ -55,6 +56,8 @@ def read_to_file(job: Job, listener: Listener) -> SheetReading:
         job.output.mkdir(parents=True, exist_ok=True)
         write_whole(job.output / PICTURE_FILE, reading_picture(reading, *sheet.picture))
         write_whole(job.output / SHEET_FILE, png_bytes(sheet.picture[0]))
+        write_whole(job.output / DXF_FILE, lines_dxf(reading))
+        write_whole(job.output / SVG_FILE, lines_svg(reading))
         write_whole(job.output / READING_FILE, msgspec.json.encode(reading) + b"\n")
     except OSError as error:
         raise os_error(job.output, error) from error

@@ -1,0 +1,273 @@
+"""``lines.dxf`` and ``lines.svg``: the lines that were read, clean, for other programs.
+
+A view is a block of its own whose origin is the lower left corner of its box, and stands where it
+does on the sheet.  Centre lines, and others that are no edges, go with the view in whose box their
+middle lies; what belongs to no view is left out.  Arcs stay arcs.  Lengths are millimetres of
+the part, or px of the sheet where its scale is not known, which the file says.
+"""
+
+import io
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import cos, degrees, hypot, pi, sin
+from xml.etree import ElementTree
+
+import ezdxf
+from ezdxf.document import Drawing
+from ezdxf.enums import TextEntityAlignment
+from ezdxf.layouts import BlockLayout
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.readings.anchors import points_of
+from gaussiancad_core.readings.schema import DRAWN, SheetReading, StrokeEntry, StrokeKind, ViewEntry
+
+DXF_FILE = "lines.dxf"
+SVG_FILE = "lines.svg"
+
+UNKNOWN_SIZE = "lengths are px of the sheet: its scale is not known"
+
+_FULL_TURN = 2.0 * pi
+_WHOLE = 1e-6
+"""Radians that a whole turn may lack."""
+
+_DECIMALS = 6
+
+_MM, _UNITLESS = 4, 0
+"""DXF's numbers of units."""
+
+
+@dataclass(frozen=True)
+class _Look:
+    """How a kind of line is drawn.
+
+    Attributes:
+        layer: its name in DXF, in small letters its class in SVG.
+        colour: number in DXF.
+        rgb: of SVG.
+        pattern: name of DXF's linetype.
+        dashes: lengths in line widths; empty of solid lines.
+    """
+
+    layer: str
+    colour: int
+    rgb: str
+    pattern: str = "CONTINUOUS"
+    dashes: tuple[int, ...] = ()
+
+
+_LOOKS = {
+    StrokeKind.VISIBLE: _Look("VISIBLE", 7, "#000000"),
+    StrokeKind.HIDDEN: _Look("HIDDEN", 5, "#1f5fbf", "DASHED", (8, 4)),
+    StrokeKind.CENTRE: _Look("CENTRE", 1, "#bf3f1f", "CENTER", (16, 4, 4, 4)),
+    StrokeKind.TANGENT: _Look("TANGENT", 8, "#808080"),
+    StrokeKind.CUT: _Look("CUT", 6, "#9f1f9f", "DASHDOT", (16, 4, 1, 4)),
+}
+
+
+@dataclass(frozen=True)
+class _View:
+    """A view to write: its name, its lower left corner in px, and its lines."""
+
+    name: str
+    corner: tuple[float, float]
+    strokes: tuple[StrokeEntry, ...]
+
+
+@dataclass(frozen=True)
+class _Sheet:
+    """What is written, and the length of a px."""
+
+    views: tuple[_View, ...]
+    unit: float
+    height: float
+    is_mm: bool
+
+    def place(self, view: _View) -> tuple[float, float]:
+        """Where a view's corner stands, y up."""
+        return self.unit * view.corner[0], self.unit * (self.height - view.corner[1])
+
+
+def lines_dxf(reading: SheetReading) -> bytes:
+    """The lines of a reading as a DXF file (R2000), the same bytes for the same reading."""
+    sheet = _sheet(reading)
+    drawing = ezdxf.new("R2000", setup=["linetypes"], units=_MM if sheet.is_mm else _UNITLESS)
+    for look in _LOOKS.values():
+        drawing.layers.add(look.layer, color=look.colour, linetype=look.pattern)
+    model = drawing.modelspace()
+    for view in sheet.views:
+        block = drawing.blocks.new(view.name)
+        for stroke in view.strokes:
+            _draw(block, stroke, view.corner, sheet.unit)
+        model.add_blockref(view.name, sheet.place(view))
+    if not sheet.is_mm:
+        model.add_text(UNKNOWN_SIZE, height=10.0).set_placement(
+            (0.0, -20.0), align=TextEntityAlignment.LEFT
+        )
+    return _written(drawing)
+
+
+def lines_svg(reading: SheetReading) -> bytes:
+    """The same to look at, as an SVG file in millimetres."""
+    sheet = _sheet(reading)
+    width, height = (sheet.unit * side for side in _size(reading))
+    size = {"width": f"{width:g}", "height": f"{height:g}"}
+    if sheet.is_mm:
+        size = {name: f"{value}mm" for name, value in size.items()}
+    root = ElementTree.Element(
+        "svg",
+        {"xmlns": "http://www.w3.org/2000/svg", "viewBox": f"0 0 {width:g} {height:g}", **size},
+    )
+    if not sheet.is_mm:
+        ElementTree.SubElement(root, "desc").text = UNKNOWN_SIZE
+    thick = max(width, height) / 1000.0
+    for view in sheet.views:
+        group = ElementTree.SubElement(root, "g", {"id": view.name, "fill": "none"})
+        for stroke in view.strokes:
+            look = _LOOKS[stroke.kind]
+            line = {
+                "class": look.layer.lower(),
+                "d": _path(stroke, sheet.unit),
+                "stroke": look.rgb,
+                "stroke-width": f"{thick:g}",
+            }
+            if look.dashes:
+                line["stroke-dasharray"] = " ".join(f"{own * thick:g}" for own in look.dashes)
+            ElementTree.SubElement(group, "path", line)
+    ElementTree.indent(root)
+    return ElementTree.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n"
+
+
+def mm_per_px(reading: SheetReading) -> float | None:
+    """The part's length of a px; None where the sheet does not tell, or nobody said."""
+    scale = reading.scale
+    if scale.source == "default":
+        return None
+    if scale.mm_per_px is not None:
+        return scale.mm_per_px
+    if scale.axis is None or scale.length_mm is None:
+        return None
+    extents = (
+        side
+        for view in reading.views
+        if view.used
+        for role in Role
+        if role.value == view.role.value
+        for (axis, _), side in (
+            (role.frame.right_axis, view.box[2] - view.box[0]),
+            (role.frame.up_axis, view.box[3] - view.box[1]),
+        )
+        if axis.name.lower() == scale.axis and side > 0.0
+    )
+    extent = next(extents, None)
+    return None if extent is None else scale.length_mm / extent
+
+
+def _sheet(reading: SheetReading) -> _Sheet:
+    unit = mm_per_px(reading)
+    views = tuple(_views(reading))
+    return _Sheet(views, unit or 1.0, _size(reading)[1], unit is not None)
+
+
+def _size(reading: SheetReading) -> tuple[float, float]:
+    """px across and down the sheet."""
+    if reading.sheet.size is not None:
+        width, height = reading.sheet.size
+        return float(width), float(height)
+    far = [view.box[2:] for view in reading.views] or [(1.0, 1.0)]
+    return max(own[0] for own in far), max(own[1] for own in far)
+
+
+def _views(reading: SheetReading) -> Iterator[_View]:
+    names: set[str] = set()
+    shaped = [own for own in reading.strokes if own.kind in _LOOKS and len(points_of(own))]
+    owned = {view.id for view in reading.views if any(own.view == view.id for own in shaped)}
+    for view in reading.views:
+        strokes = tuple(own for own in shaped if view.id in owned and _is_of(own, view))
+        if strokes:
+            name = _name(view, names)
+            names.add(name)
+            yield _View(name, (view.box[0], view.box[3]), strokes)
+
+
+def _is_of(stroke: StrokeEntry, view: ViewEntry) -> bool:
+    if stroke.view is not None:
+        return stroke.view == view.id
+    x0, y0, x1, y1 = view.box
+    low, high = points_of(stroke).min(axis=0), points_of(stroke).max(axis=0)
+    x, y = (low + high) / 2.0
+    return stroke.kind not in DRAWN and bool(x0 <= x <= x1 and y0 <= y <= y1)
+
+
+def _name(view: ViewEntry, taken: set[str]) -> str:
+    name = view.role.value.upper()
+    number = 2
+    while name in taken:
+        name = f"{view.role.value.upper()}-{number}"
+        number += 1
+    return name
+
+
+def _draw(
+    block: BlockLayout, stroke: StrokeEntry, corner: tuple[float, float], unit: float
+) -> None:
+    """Add a stroke to a block whose origin is a corner; y runs up, and angles the other way."""
+
+    def place(x: float, y: float) -> tuple[float, float]:
+        return round(unit * (x - corner[0]), _DECIMALS), round(unit * (corner[1] - y), _DECIMALS)
+
+    look = {"layer": _LOOKS[stroke.kind].layer}
+    if stroke.line is not None:
+        block.add_line(*(place(*own) for own in stroke.line), dxfattribs=look)
+    elif stroke.arc is not None:
+        x, y, radius, start, sweep = stroke.arc
+        radius = round(unit * radius, _DECIMALS)
+        if sweep >= _FULL_TURN - _WHOLE:
+            block.add_circle(place(x, y), radius, dxfattribs=look)
+        else:
+            ends = degrees(-start - sweep) % 360.0, degrees(-start) % 360.0
+            block.add_arc(place(x, y), radius, *ends, dxfattribs=look)
+    elif stroke.ellipse is not None:
+        x, y, major, minor, rotation, start, sweep = stroke.ellipse
+        way = unit * major * cos(rotation), -unit * major * sin(rotation)
+        whole = sweep >= _FULL_TURN - _WHOLE
+        ends = (0.0, _FULL_TURN) if whole else (-start - sweep, -start)
+        block.add_ellipse(place(x, y), way, minor / major, *ends, dxfattribs=look)
+
+
+def _path(stroke: StrokeEntry, unit: float) -> str:
+    """A stroke as SVG's path data."""
+    points = unit * points_of(stroke)
+    (x0, y0), (x1, y1) = points[0], points[-1]
+    if stroke.line is not None:
+        return f"M {_number(x0)} {_number(y0)} L {_number(x1)} {_number(y1)}"
+    if stroke.arc is not None:
+        radii, turned, sweep = (stroke.arc[2], stroke.arc[2]), 0.0, stroke.arc[4]
+    else:
+        assert stroke.ellipse is not None
+        _, _, major, minor, turned, _, sweep = stroke.ellipse
+        radii = major, minor
+    shape = f"A {_number(unit * radii[0])} {_number(unit * radii[1])} {_number(degrees(turned))}"
+    if hypot(x1 - x0, y1 - y0) < _WHOLE * unit or sweep >= _FULL_TURN - _WHOLE:
+        # A whole turn has no ends: SVG draws a little less than half of it, and then the rest.
+        x, y = points[(len(points) - 1) // 2]
+        less = f"{shape} 0 1 {_number(x)} {_number(y)}"
+        return f"M {_number(x0)} {_number(y0)} {less} {shape} 1 1 {_number(x0)} {_number(y0)}"
+    large = int(sweep > pi)
+    return f"M {_number(x0)} {_number(y0)} {shape} {large} 1 {_number(x1)} {_number(y1)}"
+
+
+def _number(value: float) -> str:
+    return f"{round(float(value), _DECIMALS):g}" if abs(value) < 1e-4 else f"{value:.{_DECIMALS}f}"
+
+
+def _written(drawing: Drawing) -> bytes:
+    """A drawing as it is stored, without the time of day."""
+    drawing.ezdxf_metadata()["CREATED_BY_EZDXF"] = ezdxf.__version__
+    text = io.StringIO()
+    before = ezdxf.options.write_fixed_meta_data_for_testing
+    ezdxf.options.write_fixed_meta_data_for_testing = True
+    try:
+        drawing.write(text)
+    finally:
+        ezdxf.options.write_fixed_meta_data_for_testing = before
+    return text.getvalue().encode(drawing.output_encoding, "dxfreplace")
