@@ -65,6 +65,7 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
         metavar="ADDRESS",
         help="of a Dask cluster that does the work, as tcp://host:8786; its machines share folders",
     )
+    parser.add_argument("--page", type=values.count, default=1, metavar="N")
     add_job_options(parser)
     add_events_option(parser)
     parser.set_defaults(run=run)
@@ -135,6 +136,7 @@ def _usual_workers() -> int:
 def _job_with(options: argparse.Namespace, own: Sequence[str]) -> Job:
     """The job that options of a line of a table describe, beside those of the batch."""
     parser = _LineParser(prog="gaussiancad batch", add_help=False)
+    parser.add_argument("--page", type=values.count, default=1, metavar="N")
     add_job_options(parser)
     # What the line says replaces what was said for all: of a length and a scale one counts.
     told = {name for name in ("length", "mm_per_pixel") if _names(own, name)}

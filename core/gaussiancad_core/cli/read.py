@@ -3,6 +3,7 @@
 import argparse
 from pathlib import Path
 
+from gaussiancad_core.cli.pages import add_page_option, run_pages
 from gaussiancad_core.cli.reconstruct import (
     add_events_option,
     add_reading_files,
@@ -22,6 +23,7 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
         "sheet", type=Path, metavar="SHEET", help="PNG, JPEG, TIFF, BMP, WebP, PDF, SVG or DXF"
     )
     parser.add_argument("--output", type=Path, required=True, metavar="DIR")
+    add_page_option(parser)
     add_reading_options(parser)
     add_reading_files(parser)
     add_events_option(parser)
@@ -29,8 +31,12 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
 
 
 def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
-    """Read one sheet."""
+    """Read one sheet, or each page of a file."""
     greet(listener)
+    return run_pages(options, listener, _run_page)
+
+
+def _run_page(options: argparse.Namespace, listener: Listener) -> ExitCode:
     job = Job(
         sheet=options.sheet,
         output=options.output,

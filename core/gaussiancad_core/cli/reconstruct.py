@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from gaussiancad_core.axes import Projection
 from gaussiancad_core.cli import values
+from gaussiancad_core.cli.pages import add_page_option, run_pages
 from gaussiancad_core.errors import ExitCode, UsageError
 from gaussiancad_core.events import PROTOCOL, Listener
 from gaussiancad_core.job import Job, corrections_beside
@@ -26,6 +27,7 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
         "sheet", type=Path, metavar="SHEET", help="PNG, JPEG, TIFF, BMP, WebP, PDF, SVG or DXF"
     )
     parser.add_argument("--output", type=Path, required=True, metavar="DIR")
+    add_page_option(parser)
     add_job_options(parser)
     add_reading_files(parser)
     add_events_option(parser)
@@ -71,7 +73,6 @@ def add_reading_options(parser: argparse.ArgumentParser) -> None:
         metavar="ROLE=X0,Y0,X1,Y1",
         help="name a view by a box around it in px; repeat for each",
     )
-    parser.add_argument("--page", type=values.count, default=1, metavar="N")
     scale = parser.add_mutually_exclusive_group()
     scale.add_argument(
         "--length",
@@ -173,11 +174,15 @@ def job_of(options: argparse.Namespace, sheet: Path, output: Path) -> Job:
 
 
 def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
-    """Reconstruct one sheet."""
+    """Reconstruct one sheet, or each page of a file."""
     from gaussiancad_core.sheet_names import folder_names
 
     (name,) = folder_names([options.sheet])
     greet(listener, name=name)
+    return run_pages(options, listener, _run_page)
+
+
+def _run_page(options: argparse.Namespace, listener: Listener) -> ExitCode:
     job = replace(
         job_of(options, options.sheet, options.output),
         given=options.reading,
