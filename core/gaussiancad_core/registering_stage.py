@@ -121,8 +121,8 @@ def weigh_readings(found: SheetFindings, notes: RunNotes) -> SheetFindings:
     own, other = found.own, found.other
     weighed = weigh((own, other))
     is_other = weighed.likelier == 1
-    contradicted = found.symbol is not None and is_other
-    if is_other and not contradicted:
+    contradicted = found.symbol is not None and is_other and weighed.is_clear
+    if is_other and found.symbol is None:
         own, other = other, own
     tell_projection(notes, own.projection, weighed.is_clear or found.symbol is not None)
     return replace(found, own=own, other=other, contradicted=contradicted)

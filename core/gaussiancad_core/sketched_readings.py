@@ -23,6 +23,9 @@ _CLEAR_UNUSUAL = 0.3
 """The same where the better one has a view from below in place of one from above."""
 
 
+_LIKELIER = 0.01
+"""The same for its reading to be the less likely, where nothing else tells."""
+
 _TELLING = 0.25
 """Share of the lines' length that the better sketch costs at most for anything to be clear: what
 hardly fits is no better for fitting a little less badly."""
@@ -57,7 +60,8 @@ class Weighed:
 
     Attributes:
         sketches: of each reading; None where there is none.
-        likelier: number of the reading whose sketch explains more, the first where all do alike.
+        likelier: number of the reading whose sketch explains more, as far as these were searched;
+            the first where all do alike.
         is_clear: whether it clearly does.
         is_plain: whether it does even against a symbol.
     """
@@ -87,4 +91,6 @@ def weigh(readings: Sequence[ReadViews]) -> Weighed:
     clear &= least <= _TELLING * sum(
         own.length for strokes in readings[best].drawn.strokes.values() for own in strokes
     )
-    return Weighed(sketches, best if clear else 0, clear, clear and most > (1.0 + _PLAIN) * least)
+    other = sketches[1 - best].energy
+    likelier = best if other > (1.0 + (_CLEAR_UNUSUAL if unusual else _LIKELIER)) * least else 0
+    return Weighed(sketches, likelier, clear, clear and most > (1.0 + _PLAIN) * least)

@@ -16,12 +16,15 @@ USUAL, UNUSUAL = (Role.FRONT, Role.TOP), (Role.FRONT, Role.BOTTOM)
     [
         ((100.0, 120.0), (USUAL, USUAL), 0, True),
         ((120.0, 100.0), (USUAL, USUAL), 1, True),
-        ((105.0, 100.0), (USUAL, USUAL), 0, False),
+        # A little less tells which is likelier, and leaves it open.
+        ((105.0, 100.0), (USUAL, USUAL), 1, False),
+        ((100.5, 100.0), (USUAL, USUAL), 0, False),
         ((0.0, 0.0), (USUAL, USUAL), 0, False),
-        # A search that was not ended tells nothing.
+        # A search that was not ended tells no more.
         ((110.0, 199.0), (USUAL, USUAL), 0, False),
+        ((199.0, 110.0), (USUAL, USUAL), 1, False),
         # What hardly fits is no better for fitting a little less badly.
-        ((180.0, 130.0), (USUAL, USUAL), 0, False),
+        ((180.0, 130.0), (USUAL, USUAL), 1, False),
         # A view from below in place of one from above must explain more.
         ((120.0, 100.0), (USUAL, UNUSUAL), 0, False),
         ((140.0, 100.0), (USUAL, UNUSUAL), 1, True),
