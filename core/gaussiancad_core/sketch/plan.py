@@ -21,7 +21,8 @@ from gaussiancad_core.sketch.turned_views import Slope, turning_centre
 from gaussiancad_core.sketch.undrawn import undrawn_divisions
 
 _MOST_CELLS = 200
-"""Regions of slabs from which nothing is chosen: of more nothing good was ever found in time."""
+"""Regions of slabs from which nothing is chosen: of more nothing good was ever found in time, nor
+on a coarser grid."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,14 +98,92 @@ def _plan(
     *,
     draws_hidden: bool,
 ) -> Plan | None:
-    size, grid, cuts = places.size, places.grid, views.cuts
-    planes = {role: role_plane(role) for role in lines}
-    facing = [r for r in lines if planes[r].normal is axis and r not in cuts]
-    beside = [r for r in lines if planes[r].normal is not axis]
+    """The slabs along an axis; None where no view faces it, or there are too many of them."""
+    size, cuts = places.size, views.cuts
+    faces = {role: role_plane(role).normal is axis for role in lines}
     # What is said to be turned is no plate as thick as it is wide.
-    is_alone = len(lines) == 1 and (bool(facing) if views.about is None else views.about is axis)
-    if not is_alone and not (facing and beside):
+    facing = any(own and role not in cuts for role, own in faces.items())
+    is_alone = len(lines) == 1 and (facing if views.about is None else views.about is axis)
+    if not is_alone and not (facing and not all(faces.values())):
         return None
+    ready = _made_ready(axis, lines, views, places)
+    grid = places.grid
+    regions, levels = _divided(ready, views, (size, grid), draws_hidden=draws_hidden)
+    if not 0 < _cells(regions, levels) <= _MOST_CELLS:
+        return None
+    sights = tuple(
+        sights_of(
+            (role, ready.lines[role], cuts.get(role)),
+            axis,
+            (regions.polygons, levels),
+            size,
+            grid,
+            draws_hidden=draws_hidden,
+        )
+        for role, is_facing in faces.items()
+        if not is_facing
+    )
+    return Plan(
+        axis=axis,
+        regions=regions,
+        levels=levels,
+        lines=ready.lines,
+        sights=sights,
+        is_seen=tuple(bool(ready.facing(looks_up=up)) for up in (False, True)),
+        draws_hidden=draws_hidden,
+        size=size,
+        grid=grid,
+        breaks=ready.breaks,
+        cross_holes=ready.holes,
+        noted=tuple(noted_steps(views.holes, axis, regions.polygons, grid)),
+        slopes=ready.slopes,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Ready:
+    """The lines of a part's views, without what is no slab.
+
+    Attributes:
+        axis: across the slabs.
+        lines: of each view, cut or not.
+        whole: roles of the views that are not cut.
+        middle: of what is turned about the axis.
+        holes, breaks, slopes: what the lines are without, as of :class:`Plan`.
+    """
+
+    axis: Axis
+    lines: Mapping[Role, Sequence[PlaneLine]]
+    whole: frozenset[Role]
+    middle: tuple[float, float] | None
+    holes: tuple[CrossHole, ...]
+    breaks: tuple[EdgeBreak, ...]
+    slopes: tuple[Slope, ...]
+
+    def facing(self, *, looks_up: bool) -> list[PlaneLine]:
+        """Lines of the views that look along the axis, towards larger coordinates or smaller."""
+        return [
+            line
+            for role, drawn in self.lines.items()
+            if role in self.whole and role_plane(role).normal is self.axis
+            if role_plane(role).looks_up is looks_up
+            for line in drawn
+        ]
+
+    def beside(self) -> list[tuple[Role, int]]:
+        """The views that look across the axis, and which coordinate of each runs along it."""
+        normals = {role: role_plane(role).normal for role in self.lines}
+        return [
+            (role, IN_PLANE[normal].index(self.axis.value))
+            for role, normal in normals.items()
+            if normal is not self.axis
+        ]
+
+
+def _made_ready(
+    axis: Axis, lines: Mapping[Role, Sequence[PlaneLine]], views: DrawnViews, places: Places
+) -> _Ready:
+    size, grid, cuts = places.size, places.grid, views.cuts
     middle = middle_of(axis, size) if views.about is axis else None
     lines, holes = without_cross_holes(lines, axis, size, grid, views)
     centre = middle or turning_centre(lines, axis, size, grid)
@@ -114,40 +193,53 @@ def _plan(
         lines, inner = without_bore_slopes(lines, axis, centre, grid, cuts)
         slopes = (*outer, *inner)
     lines, breaks = without_breaks(lines, axis, max(size), grid)
-    above, below = (
-        [line for role in facing if planes[role].looks_up is up for line in lines[role]]
-        for up in (False, True)
-    )
-    widths = {own.width for own in breaks}
-    across = [(IN_PLANE[planes[r].normal].index(axis.value), list(lines[r])) for r in beside]
+    whole = frozenset(role for role in lines if role not in cuts)
+    return _Ready(axis, lines, whole, middle, holes, breaks, slopes)
+
+
+def _divided(
+    ready: _Ready,
+    views: DrawnViews,
+    measures: tuple[tuple[float, float, float], float],
+    *,
+    draws_hidden: bool,
+) -> tuple[Regions, tuple[float, ...]]:
+    """Regions across an axis, and levels along it.
+
+    Args:
+        ready: the lines.
+        views: of the part.
+        measures: mm of the part, and within which lines are one.
+        draws_hidden: whether the sheet has hidden lines.
+    """
+    axis = ready.axis
+    size, grid = measures
+    above, below = (ready.facing(looks_up=up) for up in (False, True))
+    widths = {own.width for own in ready.breaks}
+    beside = ready.beside()
     common = [
-        (IN_PLANE[axis].index(IN_PLANE[planes[r].normal][1 - along]), 1 - along, drawn)
-        for r, (along, drawn) in zip(beside, across, strict=True)
+        (
+            IN_PLANE[axis].index(IN_PLANE[role_plane(role).normal][1 - along]),
+            1 - along,
+            ready.lines[role],
+        )
+        for role, along in beside
     ]
-    circles = circles_about(axis, common, views.holes, size, grid) if middle is not None else ()
+    circles = (
+        circles_about(axis, common, views.holes, size, grid) if ready.middle is not None else ()
+    )
     regions = find_regions(above, below, grid, widths, circles)
+    across = [(along, list(ready.lines[role])) for role, along in beside]
     levels = find_levels(across, size[axis.value], grid)
     levels = tuple(sorted((*levels, *floors(views.holes, axis, levels, grid))))
-    if not draws_hidden and middle is None:
+    if not draws_hidden and ready.middle is None:
         first, second = (size[k] for k in IN_PLANE[axis])
         undrawn = undrawn_divisions([*above, *below], common, (first, second), grid)
         divided = find_regions(above, below, grid, widths, undrawn) if undrawn else regions
-        if len(divided.polygons) * (len(levels) - 1) <= _MOST_CELLS:
+        if _cells(divided, levels) <= _MOST_CELLS:
             regions = divided
-    if not 0 < len(regions.polygons) * (len(levels) - 1) <= _MOST_CELLS:
-        return None
-    sights = tuple(
-        sights_of(
-            (role, lines[role], cuts.get(role)),
-            axis,
-            (regions.polygons, levels),
-            size,
-            grid,
-            draws_hidden=draws_hidden,
-        )
-        for role in beside
-    )
-    seen = bool(above), bool(below)
-    noted = tuple(noted_steps(views.holes, axis, regions.polygons, grid))
-    told = seen, draws_hidden, size, grid
-    return Plan(axis, regions, levels, lines, sights, *told, breaks, holes, noted, slopes)
+    return regions, levels
+
+
+def _cells(regions: Regions, levels: Sequence[float]) -> int:
+    return len(regions.polygons) * (len(levels) - 1)
