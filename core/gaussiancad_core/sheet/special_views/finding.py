@@ -9,7 +9,7 @@ from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.annotations.erase import masked
-from gaussiancad_core.sheet.annotations.marks import Mark
+from gaussiancad_core.sheet.annotations.marks import Mark, Mask
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.layout import (
@@ -19,6 +19,7 @@ from gaussiancad_core.sheet.layout import (
     lone_layout,
     view_clusters,
 )
+from gaussiancad_core.sheet.loose_views import arrange_loosely
 from gaussiancad_core.sheet.notes.captions import Caption, captioned, told_projection
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.silhouettes import beside, without_stickouts
@@ -83,7 +84,7 @@ def find_named_layout(
         clusters = [box for box in clusters if box not in broken.halves] + [broken.box]
     separated, clusters, halves = _completed(separated, clusters)
     cut = _sections(separated, clusters)
-    layout = _arranged(clusters, cut, request)
+    layout = _arranged(clusters, cut, request, separated.part.ink)
     special = [
         SpecialView(kind, box, box in layout.boxes.values(), hatched_box(separated.hatched, box))
         for box, kind in cut.items()
@@ -190,7 +191,9 @@ def _sections(separated: SeparatedSheet, clusters: list[Box]) -> dict[Box, Speci
     return {box: kind for box, kind in kinds.items() if kind is not None}
 
 
-def _arranged(clusters: list[Box], cut: dict[Box, SpecialKind], request: LayoutRequest) -> Layout:
+def _arranged(
+    clusters: list[Box], cut: dict[Box, SpecialKind], request: LayoutRequest, ink: Mask
+) -> Layout:
     """The views with full sections where these show another direction, or are needed; else
     without.  One view alone where there may be one."""
     alone = lone_layout(clusters, request.projection) if request.lone else None
@@ -203,16 +206,16 @@ def _arranged(clusters: list[Box], cut: dict[Box, SpecialKind], request: LayoutR
     plain = [box for box in clusters if box not in full]
     if full and not request.given:
         try:
-            layout = arrange_clusters(plain, request.given, request.projection)
+            layout = arrange_loosely(plain, request.given, request.projection, ink)
         except NoModelError:
-            return arrange_clusters(clusters, request.given, request.projection)
-        whole = arrange_clusters(clusters, request.given, request.projection)
+            return arrange_loosely(clusters, request.given, request.projection, ink)
+        whole = arrange_loosely(clusters, request.given, request.projection, ink)
         if layout.boxes.items() <= whole.boxes.items() and _directions(whole) > _directions(layout):
             return whole
         used = sum(_area(box) for box in layout.boxes.values())
         if used > _ENOUGH * sum(_area(box) for box in layout.left_out):
             return replace(layout, left_out=layout.left_out + tuple(full))
-    return arrange_clusters(clusters, request.given, request.projection)
+    return arrange_loosely(clusters, request.given, request.projection, ink)
 
 
 def _named(named: dict[Role, Box], clusters: list[Box], projection: Projection | None) -> Layout:
