@@ -1,6 +1,6 @@
 """Simple DXF entities as curves, seen from above: LINE, ARC, CIRCLE, ELLIPSE, SPLINE, faces."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -19,23 +19,38 @@ _FLATNESS = 5e-6
 
 
 def entity_curves(entity: DXFGraphic) -> list[Curve]:
-    """The curves of an entity in its drawing's units, y up; none if it has none.
+    """The curves of an entity in its drawing's units, y up; none if it has no size.
 
-    Chains always follow smooth curves.  What is broken raises one of :data:`.BROKEN`.
+    Chains always follow smooth curves.
+
+    Raises:
+        NotImplementedError: of a kind that has no curves that are known.
+        ValueError: a coordinate is no finite number.
+        Exception: others of :data:`.BROKEN` over what is broken besides.
     """
-    return [curve for curve in _curves(entity) if _is_finite(curve)]
+    return _sized(_curves(entity))
 
 
 def fill_outline(entity: DXFGraphic) -> list[Curve]:
-    """The outline of a SOLID or TRACE entity."""
+    """The outline of a SOLID or TRACE entity.
+
+    Raises:
+        ValueError: a coordinate is no finite number.
+    """
     corners = entity.wcs_vertices(close=True) if isinstance(entity, Solid) else []
-    return [Chain(tuple((p.x, p.y) for p in corners))] if len(corners) > 3 else []
+    return _sized([Chain(tuple((p.x, p.y) for p in corners))] if len(corners) > 3 else [])
 
 
 def hatch_outlines(hatch: Hatch) -> list[Curve]:
-    """The outlines of a filled hatch."""
+    """The outlines of a filled hatch.
+
+    Raises:
+        ValueError: a coordinate is no finite number.
+    """
     loops = [np.array([(p.x, p.y) for p in _flattened(path)]) for path in from_hatch(hatch)]
-    return [Chain(tuple(to_point(p) for p in (*loop, loop[0]))) for loop in loops if len(loop) > 2]
+    return _sized(
+        [Chain(tuple(to_point(p) for p in (*loop, loop[0]))) for loop in loops if len(loop) > 2]
+    )
 
 
 def hatch_lines(hatch: Hatch) -> Iterator[Curve | None]:
@@ -53,14 +68,16 @@ def hatch_lines(hatch: Hatch) -> Iterator[Curve | None]:
 
 
 def _flattened(path: BoundaryPath) -> Iterator[Vec3]:
-    size = max((vertex - path.start).magnitude for vertex in (*path.control_vertices(), path.end))
+    corners = [Vec3(path.start), *path.control_vertices(), path.end]
+    _check_finite(np.array([(corner.x, corner.y) for corner in corners]))
+    size = max((corner - corners[0]).magnitude for corner in corners)
     return path.flattening(max(size, 1e-9) * _FLATNESS)
 
 
 def _curves(entity: DXFGraphic) -> list[Curve]:
     if isinstance(entity, DxfLine):
         start, end = entity.dxf.start, entity.dxf.end
-        return polygon_curves(np.array([(start.x, start.y), (end.x, end.y)]))
+        return _polygon([start, end])
     if isinstance(entity, Circle):
         return [_circle(entity)]
     if isinstance(entity, Ellipse):
@@ -77,8 +94,14 @@ def _curves(entity: DXFGraphic) -> list[Curve]:
     if isinstance(entity, Spline):
         return _spline(entity)
     if isinstance(entity, Face3d):
-        return polygon_curves(np.array([(p.x, p.y) for p in entity.wcs_vertices(close=True)]))
-    return []
+        return _polygon(entity.wcs_vertices(close=True))
+    raise NotImplementedError(entity.dxftype())
+
+
+def _polygon(corners: Sequence[Vec3]) -> list[Curve]:
+    points = np.array([(corner.x, corner.y) for corner in corners])
+    _check_finite(points)
+    return polygon_curves(points)
 
 
 def _flat(value: Vec3) -> npt.NDArray[np.float64]:
@@ -107,6 +130,7 @@ def _circle(entity: Circle) -> Curve:
 def _spline(spline: Spline) -> list[Curve]:
     tool = spline.construction_tool()
     corners = np.array([(p.x, p.y) for p in tool.control_points])
+    _check_finite(corners)
     size = float(np.ptp(corners, axis=0).max())
     if size <= 0.0:
         return []
@@ -114,7 +138,19 @@ def _spline(spline: Spline) -> list[Curve]:
     return [Chain(tuple(to_point(point) for point in points))] if len(points) > 1 else []
 
 
-def _is_finite(curve: Curve) -> bool:
-    """Whether a curve has numbers and a size at all."""
-    points = np.array((curve.start, curve.end)) if isinstance(curve, Line) else curve.sample(np.inf)
-    return bool(np.isfinite(points).all() and np.ptp(points, axis=0).max() > 0.0)
+def _sized(curves: Sequence[Curve]) -> list[Curve]:
+    """Those of some curves that have a size."""
+    sized = []
+    for curve in curves:
+        is_line = isinstance(curve, Line)
+        points = np.array((curve.start, curve.end)) if is_line else curve.sample(np.inf)
+        _check_finite(points)
+        if np.ptp(points, axis=0).max() > 0.0:
+            sized.append(curve)
+    return sized
+
+
+def _check_finite(points: npt.NDArray[np.float64]) -> None:
+    """Refuse points of which a coordinate is no finite number."""
+    if not np.isfinite(points).all():
+        raise ValueError("a coordinate is no finite number")

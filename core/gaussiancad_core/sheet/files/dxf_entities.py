@@ -31,19 +31,30 @@ _UNDRAWN = frozenset(
         "BODY",
         "DGNUNDERLAY",
         "DWFUNDERLAY",
+        "EXTRUDEDSURFACE",
         "IMAGE",
+        "LOFTEDSURFACE",
         "MESH",
         "OLE2FRAME",
         "OLEFRAME",
         "PDFUNDERLAY",
+        "PLANESURFACE",
         "REGION",
+        "REVOLVEDSURFACE",
         "SURFACE",
+        "SWEPTSURFACE",
         "WIPEOUT",
     }
 )
 """Pictures and bodies, which have no lines of their own."""
 
-_POLYLINES = frozenset({"POLYLINE", "LWPOLYLINE", "MLINE", "ACAD_PROXY_ENTITY"})
+_BLANK = frozenset({"ATTDEF", "LIGHT", "POINT", "SEQEND", "VIEWPORT"})
+"""Kinds that put no line and no text on the sheet; an ATTDEF is only the pattern of a text."""
+
+_POLYLINES = frozenset({"POLYLINE", "LWPOLYLINE"})
+
+_COMPOSED = frozenset({"ACAD_PROXY_ENTITY", "MLINE"})
+"""Kinds that are drawn as entities of any kind, each with a look of its own."""
 
 _ANNOTATIONS = {
     "DIMENSION": StrokeKind.DIMENSION,
@@ -132,12 +143,16 @@ class Exploder:
             if depth < _DEEPEST:
                 inner = replace(look, kind=_ANNOTATIONS[entity.dxftype()])
                 self._take_all(entity.virtual_entities(), inner, depth)
+        elif entity.dxftype() in _COMPOSED:
+            self._take_composed(entity, look, depth)
         else:
             self._take_simple(entity, look)
 
     def _take_simple(self, entity: DXFGraphic, look: Look) -> None:
         """Take an entity that holds no others but lines and arcs."""
         kind = entity.dxftype()
+        if kind in _BLANK:
+            return
         if kind in _POLYLINES:
             self._take_polyline(entity, look)
         elif isinstance(entity, Hatch):
@@ -145,8 +160,7 @@ class Exploder:
         elif isinstance(entity, MText):
             self._found.texts += placed_paragraph(entity)
         elif isinstance(entity, Text):
-            # An ATTDEF is only the pattern of a text.
-            self._found.texts += placed_text(entity) if kind != "ATTDEF" else []
+            self._found.texts += placed_text(entity)
         elif kind in ("SOLID", "TRACE"):
             self._add(fill_outline(entity), replace(look, kind=StrokeKind.FILL, dashes=()))
         elif kind in _UNDRAWN:
@@ -174,11 +188,21 @@ class Exploder:
         for entity in entities:
             self._take(entity, look, depth + 1)
 
+    def _take_composed(self, entity: DXFGraphic, look: Look, depth: int) -> None:
+        """Take an entity's parts; one that has none, as its program left no picture of it, is
+        unread."""
+        parts = list(entity.virtual_entities())
+        if not parts:
+            self._found.unread[entity.dxftype()] += 1
+        self._take_all(parts, look, depth)
+
     def _take_polyline(self, entity: DXFGraphic, look: Look) -> None:
         width = float(entity.dxf.get("const_width", 0.0)) if isinstance(entity, LWPolyline) else 0.0
+        curves: list[Curve] = []
         for part in entity.virtual_entities():
             self._count()
-            self._add(entity_curves(part), look, width or None)
+            curves += entity_curves(part)
+        self._add(curves, look, width or None)
 
     def _take_hatch(self, hatch: Hatch, look: Look) -> None:
         if hatch.dxf.solid_fill:

@@ -40,13 +40,16 @@ _FURNITURE = frozenset(
         "MTEXT",
         "MULTILEADER",
         "POINT",
+        "RAY",
         "TEXT",
         "TOLERANCE",
         "VIEWPORT",
         "WIPEOUT",
+        "XLINE",
     }
 )
-"""Kinds of entities (DXF reference) that show no line of a part."""
+"""Kinds of entities (DXF reference) that show no line of a part: endless lines construct, edges
+end."""
 
 
 def left_out(path: Path, unread: Mapping[str, int]) -> tuple[Note, ...]:

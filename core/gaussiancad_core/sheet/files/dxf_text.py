@@ -35,7 +35,11 @@ class PlacedText:
 
 
 def placed_text(text: Text) -> list[PlacedText]:
-    """A TEXT or ATTRIB entity; nothing if it is blank."""
+    """A TEXT or ATTRIB entity; nothing if it is blank.
+
+    Raises:
+        ValueError: its place or size is no finite number.
+    """
     content = text.plain_text().strip()
     align, first, second = text.get_placement()
     height = float(text.dxf.height)
@@ -51,7 +55,11 @@ def placed_text(text: Text) -> list[PlacedText]:
 
 
 def placed_paragraph(text: MText) -> list[PlacedText]:
-    """The lines of an MTEXT entity."""
+    """The lines of an MTEXT entity.
+
+    Raises:
+        ValueError: its place or size is no finite number.
+    """
     lines = [line.strip() for line in text.plain_text(split=True)]
     height = float(text.dxf.char_height)
     attachment = int(text.dxf.get("attachment_point", 1)) - 1
@@ -82,6 +90,8 @@ def _lines(
 ) -> list[PlacedText]:
     """Lines under each other, the block of them held at its anchor; blank ones left out."""
     longest, height = size
+    if not np.isfinite((*insert, *size, angle, spacing)).all():
+        raise ValueError("the place or size of a text is no finite number")
     along = np.array([np.cos(angle), np.sin(angle)])
     up = np.array([-along[1], along[0]])
     total = height + spacing * (len(lines) - 1)

@@ -537,6 +537,15 @@ _CURVE = ["  0", "SPLINE", "  5", "FFF2", "100", "AcDbEntity", "  8", "0", "100"
 _CURVE += [" 71", "3", " 73", "1", " 10", "1.0", " 20", "1.0"]
 
 
+def _entity(kind: str, subclass: str, tags: str) -> list[str]:
+    """An entity of codes and values in turn."""
+    head = ["  0", kind, "  5", "FFF3", "100", "AcDbEntity", "  8", "0", "100", subclass]
+    return [*head, *tags.split()]
+
+
+_ENDLESS = "10 50.0 20 50.0 30 0.0 11 1.0 21 0.0 31 0.0"
+
+
 @pytest.mark.parametrize(
     ("tags", "kinds", "is_doubt"),
     [
@@ -544,6 +553,24 @@ _CURVE += [" 71", "3", " 73", "1", " 10", "1.0", " 20", "1.0"]
         (_TABLE + _TABLE, "2 ACAD_TABLE", False),
         (_CURVE, "1 SPLINE", True),
         (_CURVE + _TABLE, "1 ACAD_TABLE, 1 SPLINE", True),
+        (_entity("LINE", "AcDbLine", "10 20.0 20 30.0 11 nan 21 40.0"), "1 LINE", True),
+        (_entity("LINE", "AcDbLine", "10 20.0 20 30.0 11 1e999 21 40.0"), "1 LINE", True),
+        (_entity("CIRCLE", "AcDbCircle", "10 20.0 20 30.0 40 nan"), "1 CIRCLE", True),
+        (
+            _entity("LWPOLYLINE", "AcDbPolyline", "90 2 70 0 10 20.0 20 30.0 10 nan 20 30.0"),
+            "1 LWPOLYLINE",
+            True,
+        ),
+        (
+            _entity("SOLID", "AcDbTrace", "10 20.0 20 30.0 11 inf 21 0.0 12 20.0 22 50.0"),
+            "1 SOLID",
+            True,
+        ),
+        (_entity("TEXT", "AcDbText", "10 nan 20 30.0 40 5.0 1 t=3"), "1 TEXT", False),
+        (_entity("XLINE", "AcDbXline", _ENDLESS), "1 XLINE", False),
+        (_entity("RAY", "AcDbRay", _ENDLESS), "1 RAY", False),
+        (_entity("GEARWHEEL", "AcDbGearwheel", "10 20.0 20 30.0"), "1 GEARWHEEL", True),
+        (_entity("ACAD_PROXY_ENTITY", "AcDbProxy", "90 498"), "1 ACAD_PROXY_ENTITY", True),
     ],
 )
 def test_entities_that_cannot_be_read_are_left_out_and_said(
@@ -560,6 +587,21 @@ def test_entities_that_cannot_be_read_are_left_out_and_said(
     (note,) = content.notes
     assert (note.code, note.message.args["kinds"]) == ("entities-left-out", kinds)
     assert note.is_doubt is is_doubt
+
+
+def test_filled_shapes_without_a_picture_are_left_out_and_said(read: Read) -> None:
+    doc = _framed(_a4())
+    doc.modelspace().add_mpolygon().paths.add_polyline_path([(20, 20), (90, 20), (90, 60)])
+    (note,) = read(doc).notes
+    assert (note.message.args["kinds"], note.is_doubt) == ("1 MPOLYGON", True)
+
+
+def test_lines_of_several_strands_are_drawn(read: Read) -> None:
+    doc = _framed(_a4())
+    doc.modelspace().add_mline([(20, 20), (90, 20)], dxfattribs={"scale_factor": 5.0})
+    content = read(doc)
+    assert [type(own.curve) for own in _rest(content)] == [Line, Line]
+    assert content.notes == ()
 
 
 def _many(count: int) -> bytes:
