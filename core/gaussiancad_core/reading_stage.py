@@ -32,6 +32,7 @@ from gaussiancad_core.sheet.scale.find import (
     SheetScale,
     find_scale,
 )
+from gaussiancad_core.sheet.scale.units import file_unit
 from gaussiancad_core.sheet.sheet_views import SheetViews, sheet_views
 from gaussiancad_core.sheet.special_views.beside import sections_beside
 from gaussiancad_core.sheet.special_views.hatched_areas import to_middles, with_hatched_areas
@@ -107,7 +108,7 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
             return weighed_views(more, separated.labels)
 
         layout, beside = sections_beside(layout, sections, hatched, read)
-        said = notes_of(scale.texts, scale.unit) if scale is not None else ()
+        said = _notes(image, scale)
         tell_layout(notes, layout, clean.turn)
         options = tell_scale(reading, scale, drawn, notes)
         tell_notes(notes, said, clean.turn)
@@ -244,6 +245,13 @@ def _sheet_scale(
     for note in scale.contradictions:
         notes.doubt(note.code, note.message)
     return scale
+
+
+def _notes(image: SheetImage, scale: SheetScale | None) -> tuple[SheetNote, ...]:
+    """What the texts say that were read for the scale."""
+    if scale is None:
+        return ()
+    return notes_of(scale.texts, scale.unit, bare_point_is_inch=file_unit(image.vectors) is None)
 
 
 def _is_given(reading: ReadingOptions, drawn: Sequence[ReadView]) -> bool:

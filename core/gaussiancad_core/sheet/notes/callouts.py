@@ -9,8 +9,15 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from enum import Enum
 
-from gaussiancad_core.sheet.notes.thickness import parse_thickness
-from gaussiancad_core.sheet.scale.numbers import Sign, Unit, parse_dimension
+from gaussiancad_core.sheet.notes.thickness import take_thickness
+from gaussiancad_core.sheet.scale.numbers import (
+    DECIMAL,
+    Sign,
+    Unit,
+    parse_dimension,
+    plain_text,
+    value_of,
+)
 
 
 class NoteKind(Enum):
@@ -60,25 +67,7 @@ class Callout:
         return None if value is None else value * (self.unit or usual).millimetres
 
 
-_ALIKE = str.maketrans(
-    {
-        "\u2300": "\u00d8",
-        "\u00f8": "\u00d8",
-        "\u03a6": "\u00d8",
-        "\u03c6": "\u00d8",
-        "\u2205": "\u00d8",
-        "\u00d7": "x",
-        "\u2715": "x",
-        "\u2013": "-",
-        "\u2212": "-",
-        "\u00ba": "\u00b0",
-        "\uff1a": ":",
-        "\uff0c": ",",
-        "\u00a0": " ",
-    }
-)
-
-_N = r"(\d+(?:[.,]\d+)?|[.,]\d+)"
+_N = rf"(?<!\d)({DECIMAL})(?![.,]?\d)"
 _COUNT = re.compile(r"^\(?(\d{1,3})\s?[xX*](?=\s|\u00d8|[A-Z]|\d)\s?|(?<=\s)[xX]\s?(\d{1,3})$")
 _THROUGH = re.compile(
     r"(?<![A-Za-z])(?:THRU|THROUGH|DURCH(?:GEHEND)?|DEBOUCHANT|PASSANTE?|PASSANT)\b(?:\s+ALL)?"
@@ -112,33 +101,44 @@ _SCREW_INCHES = {"4": 0.112, "6": 0.138, "8": 0.164, "10": 0.19}
 """Nominal diameters of numbered screws in inches (ASME B1.1)."""
 
 
-def parse_callout(text: str) -> tuple[Callout, ...]:
-    """What a line of a note says; nothing where it speaks of no feature."""
-    plain = " ".join(text.translate(_ALIKE).split())
-    if not plain:
-        return ()
+def parse_callout(
+    text: str, *, field: bool = False, bare_point_is_inch: bool = True
+) -> tuple[Callout, ...]:
+    """What a line of a note says; nothing where it speaks of no feature.
+
+    Args:
+        text: of the note.
+        field: whether it stands in a field of the title block.
+        bare_point_is_inch: see :func:`.parse_dimension`.
+    """
+    plain = plain_text(text)
     reference = plain.startswith("(") and plain.endswith(")")
     if reference:
         plain = plain[1:-1].strip()
-    thick = parse_thickness(plain)
-    if thick is not None:
-        return (Callout(NoteKind.THICKNESS, thick.value, reference=reference, unit=thick.unit),)
-    if _ALL.search(plain):
-        return _of_all(plain)
+    found: list[Callout] = []
+    while True:
+        thick, plain = take_thickness(plain, field=field, bare_point_is_inch=bare_point_is_inch)
+        if thick is None:
+            break
+        found.append(Callout(NoteKind.THICKNESS, thick.value, unit=thick.unit))
+    found += _of_all(plain) if _ALL.search(plain) else _of_one(plain, bare_point_is_inch)
+    return tuple(replace(own, reference=reference) for own in found)
+
+
+def _of_one(plain: str, bare_point_is_inch: bool) -> tuple[Callout, ...]:
+    """Notes about the features that they stand at."""
     count, rest = _counted(plain)
     through = _THROUGH.search(rest) is not None
     rest = _THROUGH.sub(" ", rest).strip()
-    found = _feature(rest)
-    if not found and through:
-        return ()
-    return tuple(_completed(own, count, reference, through) for own in found)
+    found = _feature(rest, bare_point_is_inch)
+    return tuple(_completed(own, count, through) for own in found)
 
 
-def _completed(own: Callout, count: int, reference: bool, through: bool) -> Callout:
+def _completed(own: Callout, count: int, through: bool) -> Callout:
     """The same with what a note says of all that it names; what goes through is a hole."""
     kind = NoteKind.DIAMETER if through and own.kind is NoteKind.LENGTH else own.kind
     goes = through and kind in (NoteKind.DIAMETER, NoteKind.THREAD)
-    return replace(own, kind=kind, count=count, reference=reference, through=goes)
+    return replace(own, kind=kind, count=count, through=goes)
 
 
 def _of_all(plain: str) -> tuple[Callout, ...]:
@@ -146,9 +146,9 @@ def _of_all(plain: str) -> tuple[Callout, ...]:
     found = []
     chamfer, rounding = _CHAMFER.search(plain), _ROUND.search(plain)
     if chamfer:
-        found.append(Callout(NoteKind.ALL_CHAMFERS, _number(chamfer[3] or chamfer[1])))
+        found.append(Callout(NoteKind.ALL_CHAMFERS, value_of(chamfer[3] or chamfer[1])))
     if rounding:
-        found.append(Callout(NoteKind.ALL_FILLETS, _number(rounding[1])))
+        found.append(Callout(NoteKind.ALL_FILLETS, value_of(rounding[1])))
     return tuple(found)
 
 
@@ -160,18 +160,18 @@ def _counted(plain: str) -> tuple[int, str]:
     return int(found[1] or found[2]), rest
 
 
-def _feature(rest: str) -> tuple[Callout, ...]:
+def _feature(rest: str, bare_point_is_inch: bool) -> tuple[Callout, ...]:
     depth, rest = _taken(_DEPTH, rest)
-    deep = _number(depth[1] or depth[2]) if depth else None
+    deep = value_of(depth[1] or depth[2]) if depth else None
     found: list[Callout] = []
     for pattern, kind in ((_BORE, NoteKind.COUNTERBORE), (_SINK, NoteKind.COUNTERSINK)):
         own, rest = _taken(pattern, rest)
         if own:
-            angle = _number(own[2]) if kind is NoteKind.COUNTERSINK and own[2] else None
-            found.append(Callout(kind, _number(own[1]), depth=deep, angle=angle))
+            angle = value_of(own[2]) if kind is NoteKind.COUNTERSINK and own[2] else None
+            found.append(Callout(kind, value_of(own[1]), depth=deep, angle=angle))
     if found and not rest:
         return tuple(found)
-    first = _plain_feature(rest)
+    first = _plain_feature(rest, bare_point_is_inch)
     if first is None:
         if deep is not None and not found and not rest:
             return (Callout(NoteKind.DEPTH, deep),)
@@ -181,12 +181,12 @@ def _feature(rest: str) -> tuple[Callout, ...]:
     return (first, *found)
 
 
-def _plain_feature(rest: str) -> Callout | None:
+def _plain_feature(rest: str, bare_point_is_inch: bool) -> Callout | None:
     for pattern, made in _FEATURES:
         found = pattern.search(rest)
         if found:
             return made(found)
-    said = parse_dimension(rest)
+    said = parse_dimension(rest, bare_point_is_inch=bare_point_is_inch)
     if said is None:
         return None
     kinds = {Sign.DIAMETER: NoteKind.DIAMETER, Sign.RADIUS: NoteKind.RADIUS}
@@ -195,20 +195,20 @@ def _plain_feature(rest: str) -> Callout | None:
 
 def _thread(found: re.Match[str]) -> Callout | None:
     if found[1]:
-        return Callout(NoteKind.THREAD, _number(found[1]), unit=Unit.MILLIMETRE)
+        return Callout(NoteKind.THREAD, value_of(found[1]), unit=Unit.MILLIMETRE)
     size = _screw(found[3])
     return None if size is None else Callout(NoteKind.THREAD, size, unit=Unit.INCH)
 
 
 def _chamfer(found: re.Match[str]) -> Callout:
     if found[3]:
-        return Callout(NoteKind.CHAMFER, _number(found[3]), angle=45.0)
-    return Callout(NoteKind.CHAMFER, _number(found[1]), angle=_number(found[2]))
+        return Callout(NoteKind.CHAMFER, value_of(found[3]), angle=45.0)
+    return Callout(NoteKind.CHAMFER, value_of(found[1]), angle=value_of(found[2]))
 
 
 _FEATURES: tuple[tuple[re.Pattern[str], Callable[[re.Match[str]], Callout | None]], ...] = (
     (_THREAD, _thread),
-    (_ANGLE, lambda found: Callout(NoteKind.ANGLE, _number(found[1]))),
+    (_ANGLE, lambda found: Callout(NoteKind.ANGLE, value_of(found[1]))),
     (_CHAMFER, _chamfer),
 )
 
@@ -227,7 +227,3 @@ def _taken(pattern: re.Pattern[str], text: str) -> tuple[re.Match[str] | None, s
     if found is None:
         return None, text
     return found, " ".join((text[: found.start()] + " " + text[found.end() :]).split())
-
-
-def _number(text: str) -> float:
-    return float(text.replace(",", "."))

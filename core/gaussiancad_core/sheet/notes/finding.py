@@ -31,18 +31,21 @@ class SheetNote:
     circle: Arc | None = None
 
 
-def notes_of(texts: Sequence[SheetText], unit: Unit) -> tuple[SheetNote, ...]:
+def notes_of(
+    texts: Sequence[SheetText], unit: Unit, *, bare_point_is_inch: bool = True
+) -> tuple[SheetNote, ...]:
     """What texts say that is more than a mere length; those of the title block say no more of it
     than how thick it is.
 
     Args:
         texts: of the sheet.
         unit: of numbers that do not name theirs.
+        bare_point_is_inch: see :func:`.parse_dimension`.
     """
     return tuple(
         _note(text, own, unit)
         for text in texts
-        for own in parse_callout(text.text)
+        for own in parse_callout(text.text, field=text.field, bare_point_is_inch=bare_point_is_inch)
         if own.kind is not NoteKind.LENGTH and (own.kind is NoteKind.THICKNESS or not text.field)
     )
 

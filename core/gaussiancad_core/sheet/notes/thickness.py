@@ -5,29 +5,23 @@ before the number or behind it, in a longer note, too.
 """
 
 import re
-import unicodedata
 from dataclasses import dataclass
-from fractions import Fraction
 
-from gaussiancad_core.sheet.scale.numbers import Unit
+from gaussiancad_core.sheet.scale.numbers import NUMBER, UNIT, Unit, own_unit, plain_text, value_of
 
-_ALIKE = str.maketrans(
-    {
-        "\u201c": '"',
-        "\u201d": '"',
-        "\u2033": '"',
-        "\uff1a": ":",
-        "\uff1d": "=",
-        "\u00bc": " 1/4",
-        "\u00bd": " 1/2",
-        "\u00be": " 3/4",
-    }
+_UNITS = r"[:\u00b0%]|(?:[\u00b5\u03bcuckd]?m|[CFKs]|sec|min|h|k?Nm?|[kMG]?Pa|bar|k?g|HRC|HB|deg)\b"
+"""What follows numbers that are no thickness in millimetres or inches: temperatures, times, forces,
+hardnesses, other lengths; and the colon of scales."""
+
+_NUMBER = (
+    rf"(?P<number>{NUMBER})(?![\d.,/]*\d)"
+    rf"(?!(?:\s?/?\s?[\u00b1+-]\s?{NUMBER})*\s?(?:{_UNITS}))"
+    # Within a sentence IN is a word.
+    rf"(?:\s?(?P<unit>(?!in\s+\w){UNIT}))?(?:\s?\u00b1\s?{NUMBER}(?:\s?{UNIT})?)?"
 )
-"""Characters that mean the same in a note."""
 
-_NUMBER = r"(?P<number>(?:\d+[ -])?\d+/\d+|\d+[.,]\d+|[.,]\d+|\d+)(?![\d.,]*\d)"
-
-_UNIT = r"""(?P<unit>"|''|mm\b|in(?:ch(?:es)?)?\b\.?|\u043c\u043c\b|\u6beb\u7c73)?"""
+_PLATE = r"(?:PLATE|SHEET|STOCK|BLECH|PLATTE|T\u00d4LE|\u677f)"
+"""What a note says is so thick, beside its words: a part of them."""
 
 _BEFORE = (
     r"THK",
@@ -47,18 +41,27 @@ _BEHIND = (r"THK", r"THICK(?:NESS)?", r"DICK", r"STARK", r"D['\u2019]\u00c9PAISS
 _HAN = r"(?:\u677f\u539a|\u539a\u5ea6|\u539a\u3055|\u539a|\u03b4)"
 """Words of scripts that part none."""
 
-_LETTER = re.compile(rf"[ts]\s?[=:]?\s?{_NUMBER}\s?{_UNIT}(?:\s?\u00b1.*)?", re.IGNORECASE)
-_EQUAL = re.compile(rf"(?<!\w)[ts]\s?=\s?{_NUMBER}\s?{_UNIT}", re.IGNORECASE)
-_WORD = re.compile(
-    rf"(?<!\w)(?:{'|'.join(_BEFORE)})\b\.?\s?[=:]?\s?{_NUMBER}\s?{_UNIT}", re.IGNORECASE
-)
-_HAN_WORD = re.compile(rf"{_HAN}\s?[=:]?\s?{_NUMBER}\s?{_UNIT}", re.IGNORECASE)
-_WORD_BEHIND = re.compile(
-    rf"(?<![\w.,/])(?<!\d:){_NUMBER}\s?-?{_UNIT}\s?-?(?:(?:{'|'.join(_BEHIND)})(?!\w)|\u539a)",
-    re.IGNORECASE,
+_LETTER = re.compile(rf"[ts]\s?:?\s?{_NUMBER}")
+_EQUAL = rf"[ts]\s?=\s?{_NUMBER}"
+_WORD = rf"(?:{'|'.join(_BEFORE)})\b\.?\s?[=:]?\s?{_NUMBER}"
+_HAN_WORD = rf"{_HAN}\s?[=:]?\s?{_NUMBER}"
+_WORD_BEHIND = (
+    rf"(?<![.,/])(?<!\d:)(?P<number>{NUMBER})\s?-?(?P<unit>{UNIT})?"
+    rf"\s?-?(?:(?:{'|'.join(_BEHIND)})(?!\w)|\u539a)"
 )
 
-_OTHER = re.compile(
+_PHRASES = tuple(
+    re.compile(rf"{start}(?:{_PLATE}\s)?{phrase}(?:\s{_PLATE}(?!\w))?", re.IGNORECASE)
+    for start, phrase in (
+        (r"(?<!\w)", _EQUAL),
+        (r"(?<!\w)", _WORD),
+        ("", _HAN_WORD),
+        (r"(?<!\w)", _WORD_BEHIND),
+    )
+)
+"""What tells a thickness within a longer text."""
+
+_WALLS = re.compile(
     r"WALL|COAT|PLATING|PAINT|FILM|LAYER|WAND|SCHICHT|PAROI|REV\u00caTEMENT|\u58c1|\u9540|\u6d82"
     r"|\u0441\u0442\u0435\u043d\u043a|\u043f\u043e\u043a\u0440\u044b\u0442",
     re.IGNORECASE,
@@ -79,31 +82,27 @@ class Thickness:
     unit: Unit | None = None
 
 
-def parse_thickness(text: str) -> Thickness | None:
-    """The thickness of a plate that a note tells; nothing where it tells none."""
-    plain = " ".join(unicodedata.normalize("NFC", text).translate(_ALIKE).split())
-    if _OTHER.search(plain):
-        return None
-    found = _LETTER.fullmatch(plain)
-    for pattern in (_EQUAL, _WORD, _HAN_WORD, _WORD_BEHIND):
+def take_thickness(
+    text: str, *, field: bool = False, bare_point_is_inch: bool = True
+) -> tuple[Thickness | None, str]:
+    """The thickness of a plate that a note tells first, if it tells any, and what it says besides.
+
+    Args:
+        text: of the note.
+        field: whether it stands in a field of the title block, where a letter and a number are a
+            material, a temper or a part's number as well: only words, or a letter with its equals
+            sign, tell there.
+        bare_point_is_inch: see :func:`.parse_dimension`.
+    """
+    plain = plain_text(text)
+    if _WALLS.search(plain):
+        return None, plain
+    found = None if field else _LETTER.fullmatch(plain)
+    for pattern in _PHRASES:
         found = found or pattern.search(plain)
-    if found is None:
-        return None
-    value = _value(found["number"])
-    return Thickness(value, _unit(found["unit"])) if value else None
-
-
-def _value(number: str) -> float:
-    """A number, 0 of a fraction that has none."""
-    if "/" not in number:
-        return float(number.replace(",", "."))
-    *whole, part = re.split("[ -]", number)
-    over, under = (int(side) for side in part.split("/"))
-    return float(sum(int(own) for own in whole) + Fraction(over, under)) if under else 0.0
-
-
-def _unit(mark: str | None) -> Unit | None:
-    if mark is None:
-        return None
-    metric = mark.lower() in ("mm", "\u043c\u043c", "\u6beb\u7c73")
-    return Unit.MILLIMETRE if metric else Unit.INCH
+    value = value_of(found["number"]) if found else 0.0
+    if not found or not value:
+        return None, plain
+    unit = own_unit(found["number"], found["unit"], bare_point_is_inch=bare_point_is_inch)
+    beside = (plain[: found.start()].rstrip(" ,;"), plain[found.end() :].lstrip(" ,;."))
+    return Thickness(value, unit), ", ".join(own for own in beside if own)

@@ -1,6 +1,7 @@
 """What the texts of a drawing say in numbers: lengths, scales, units (ISO 129-1, ASME Y14.5)."""
 
 import re
+import unicodedata
 from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
@@ -69,7 +70,10 @@ _ALIKE = str.maketrans(
         "\u2044": "/",
         "\u2236": ":",
         "\uff1a": ":",
-        "\u00a0": " ",
+        "\uff0c": ",",
+        "\uff1d": "=",
+        "\u2715": "x",
+        "\u00ba": "\u00b0",
         "\u00bc": " 1/4",
         "\u00bd": " 1/2",
         "\u00be": " 3/4",
@@ -88,18 +92,30 @@ _SIGNS = {
     "R": Sign.RADIUS,
 }
 
-_NUMBER = r"(?:(?:\d+[ -])?\d+/\d+|\d+[.,]\d+|[.,]\d+|\d+)"
+_DIGITS = r"\d{1,15}"
+"""More on end are no measure, and no number that a computer has exactly."""
+
+DECIMAL = rf"(?:{_DIGITS}(?:[.,]{_DIGITS})?|[.,]{_DIGITS})"
+"""Pattern of a decimal number."""
+
+NUMBER = rf"(?:(?:{_DIGITS}[ -])?{_DIGITS}/{_DIGITS}|{DECIMAL})"
+"""Pattern of a decimal number, or of one with a fraction."""
+
+UNIT = r"(?:\"|''|(?i:mm\b|in(?:ch(?:es)?)?\b\.?|\u043c\u043c\b)|\u6beb\u7c73)"
+"""Pattern of what a number is followed by that is a length."""
+
+_METRIC = ("mm", "\u043c\u043c", "\u6beb\u7c73")
 
 _DIMENSION = re.compile(
     rf"""
     (?:\d{{1,3}}\ ?x\ ?|\d{{1,3}}-(?=[\u00d8R]))?     # how often
     (?:S?(?P<sign>[\u00d8R]|DIA|[O0](?=\d))\ ?)?      # a sphere's, too; misread without its slash
-    (?P<number>{_NUMBER})\ ?
-    (?P<unit>"|''|in\b\.?|IN\b\.?|mm\b|MM\b)?
+    (?P<number>{NUMBER})\ ?
+    (?P<unit>{UNIT})?
     (?P<after>\ ?DIA)?
     (?:
-        \ ?\u00b1\ ?{_NUMBER}"?                       # one tolerance both ways
-      | \ ?[+-]\ ?{_NUMBER}\ ?/?\ ?[+-]?\ ?{_NUMBER}  # one each way
+        \ ?\u00b1\ ?{NUMBER}"?                       # one tolerance both ways
+      | \ ?[+-]\ ?{NUMBER}\ ?/?\ ?[+-]?\ ?{NUMBER}  # one each way
       | \ ?[A-Za-z]{{1,2}}\d{{1,2}}(?:/[a-z]{{1,2}}\d{{1,2}})?  # a fit
     )?
     (?:\ ?(?:THRU|TYP|REF)\.?)*
@@ -135,23 +151,29 @@ def parse_dimension(text: str, *, bare_point_is_inch: bool = True) -> DimensionT
         bare_point_is_inch: whether a number that begins with its point is one of inches, as ASME
             Y14.5 has it; where the file says its unit that counts, and the zero was only left out.
     """
-    plain = " ".join(text.translate(_ALIKE).split())
+    plain = plain_text(text)
     if plain.startswith("(") and plain.endswith(")"):
         # Given for reference only, but as true as the others.
         plain = plain[1:-1].strip()
     found = _DIMENSION.fullmatch(plain)
     if found is None:
         return None
-    number = found["number"]
-    value = _value(number)
+    value = value_of(found["number"])
     if not value:
         return None
     sign = _SIGNS.get(found["sign"] or ("DIA" if found["after"] else ""), Sign.LENGTH)
-    return DimensionText(value, sign, _own_unit(number, found["unit"], bare_point_is_inch))
+    unit = own_unit(found["number"], found["unit"], bare_point_is_inch=bare_point_is_inch)
+    return DimensionText(value, sign, unit)
 
 
-def _value(number: str) -> float:
-    """A number, 0 for fractions that no rule has."""
+def plain_text(text: str) -> str:
+    """A text in one line, with one character for all that mean the same on a drawing."""
+    return " ".join(unicodedata.normalize("NFC", text).translate(_ALIKE).split())
+
+
+def value_of(number: str) -> float:
+    """What a match of :data:`NUMBER` or :data:`DECIMAL` is worth; 0 of fractions that no rule
+    has."""
     if "/" not in number:
         return float(number.replace(",", "."))
     *whole, part = re.split("[ -]", number)
@@ -161,9 +183,16 @@ def _value(number: str) -> float:
     return float(sum(int(inches) for inches in whole) + Fraction(over, under))
 
 
-def _own_unit(number: str, mark: str | None, bare_point_is_inch: bool) -> Unit | None:
+def own_unit(number: str, mark: str | None, *, bare_point_is_inch: bool) -> Unit | None:
+    """The unit of a number, where it tells.
+
+    Args:
+        number: a match of :data:`NUMBER`.
+        mark: of :data:`UNIT`, if any follows.
+        bare_point_is_inch: see :func:`parse_dimension`.
+    """
     if mark:
-        return Unit.MILLIMETRE if mark.lower() == "mm" else Unit.INCH
+        return Unit.MILLIMETRE if mark.lower() in _METRIC else Unit.INCH
     # Millimetres have a zero before the point, inches have none (ASME Y14.5).
     bare_point = bare_point_is_inch and number.startswith(".")
     return Unit.INCH if "/" in number or bare_point else None
@@ -171,7 +200,7 @@ def _own_unit(number: str, mark: str | None, bare_point_is_inch: bool) -> Unit |
 
 def parse_scale(text: str) -> float | None:
     """Length on the sheet over length on the part, where a text is a scale note (ISO 5455)."""
-    plain = " ".join(text.translate(_ALIKE).split())
+    plain = plain_text(text)
     if _FULL_SCALE.fullmatch(plain):
         return 1.0
     found = _SCALE.fullmatch(plain)

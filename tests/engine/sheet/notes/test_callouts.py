@@ -43,6 +43,26 @@ MM = Unit.MILLIMETRE
         ("t=3", [Callout(NoteKind.THICKNESS, 3.0)]),
         ("ALL PARTS 3 mm THICK", [Callout(NoteKind.THICKNESS, 3.0, unit=MM)]),
         ("(s 3)", [Callout(NoteKind.THICKNESS, 3.0, reference=True)]),
+        (
+            "ALL FILLETS R3, PLATE 5 THK",
+            [Callout(NoteKind.THICKNESS, 5.0), Callout(NoteKind.ALL_FILLETS, 3.0)],
+        ),
+        (
+            "UNLESS NOTED R2, THICKNESS 5",
+            [Callout(NoteKind.THICKNESS, 5.0), Callout(NoteKind.ALL_FILLETS, 2.0)],
+        ),
+        (
+            "M6 THRU 5 THK PLATE",
+            [Callout(NoteKind.THICKNESS, 5.0), Callout(THREAD, 6.0, through=True, unit=MM)],
+        ),
+        (
+            "4x \u00d85, t=3, s=4",
+            [
+                Callout(NoteKind.THICKNESS, 3.0),
+                Callout(NoteKind.THICKNESS, 4.0),
+                Callout(DIAMETER, 5.0, 4),
+            ],
+        ),
         ("\u21a7 12", [Callout(NoteKind.DEPTH, 12.0)]),
         ("(\u00d8 38)", [Callout(DIAMETER, 38.0, reference=True)]),
         ("5.05 x6", [Callout(NoteKind.LENGTH, 5.05, 6)]),
@@ -64,6 +84,11 @@ def test_other_texts_say_nothing_of_a_feature(text: str) -> None:
     assert parse_callout(text) == ()
 
 
+@pytest.mark.parametrize("text", ["R{}", "\u00d85 {} DEEP", "M{}", "C{}", "ALL R{}", "{} THK"])
+def test_endless_numbers_are_none(text: str) -> None:
+    assert all(own.value == 5.0 for own in parse_callout(text.format("9" * 400)))
+
+
 @given(st.text(max_size=60))
 def test_no_text_is_too_much(text: str) -> None:
     for own in parse_callout(text):
@@ -82,3 +107,12 @@ def test_notes_are_in_mm_and_those_of_the_title_block_tell_a_thickness_alone() -
     ]
     found = notes_of(texts, Unit.INCH)
     assert [own.value_mm for own in found] == [pytest.approx(12.7), 6.0, 90.0, 6.35, 3.0]
+
+
+def test_a_zero_may_be_left_out_where_the_file_says_its_unit() -> None:
+    texts = [
+        SheetText("\u00d8.5 THRU", (10.0, 10.0, 40.0, 20.0)),
+        SheetText("THK .25", (10.0, 110.0, 40.0, 119.0)),
+    ]
+    found = notes_of(texts, MM, bare_point_is_inch=False)
+    assert [own.value_mm for own in found] == [0.5, 0.25]

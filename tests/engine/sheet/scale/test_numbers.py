@@ -62,6 +62,8 @@ MM, INCH = Unit.MILLIMETRE, Unit.INCH
         ('2.250"', 2.25, LENGTH, INCH),
         ("2 in", 2.0, LENGTH, INCH),
         ("R.125", 0.125, RADIUS, INCH),
+        ("3 inch", 3.0, LENGTH, INCH),
+        ("25 \u043c\u043c", 25.0, LENGTH, MM),
     ],
 )
 def test_dimensions(text: str, value: float, sign: Sign, unit: Unit | None) -> None:
@@ -98,6 +100,9 @@ def test_a_bare_point_tells_inches_where_nothing_else_does() -> None:
         "12.5.2026",
         "A-A",
         "+0.1",
+        "9" * 400,
+        "1/" + "9" * 5000,
+        "1" + "0" * 400 + "/2",
     ],
 )
 def test_other_texts_are_no_dimensions(text: str) -> None:
