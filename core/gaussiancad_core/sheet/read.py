@@ -33,7 +33,8 @@ class SheetImage:
         path: where it was read from.
         grey: (h, w) uint8, dark ink on light paper.
         sha256: of the file's bytes, hexadecimal.
-        pixels_per_inch: of the paper, where the file says it believably.
+        pixels_per_inch: of the paper, or of what is drawn where a DXF draws it in the part's own
+            size; where the file says it believably.
         vectors: exact lines and texts in px of ``grey``, where the file has them.
         notes: what was left out or assumed.
         reduction: px of the sheet as stored per px of ``grey``.

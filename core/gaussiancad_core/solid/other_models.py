@@ -1,7 +1,7 @@
 """Other models of a drawing: what may have been meant where its lines contradict each other.
 
-With more surfaces, with places as one that are farther apart or closer together, with curves
-instead of lines that may only follow them, with ends of strokes left open.
+With more surfaces, with curves instead of lines that may only follow them, without arcs that only
+follow curves, with lines that views without hidden ones may lack.
 """
 
 from collections.abc import Iterator, Sequence

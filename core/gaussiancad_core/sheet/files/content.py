@@ -55,7 +55,8 @@ class FileContent:
 
     Attributes:
         grey: (h, w) uint8, as it is drawn on white paper.
-        pixels_per_inch: of the paper, where the file says it believably.
+        pixels_per_inch: of the paper, or of what is drawn where a DXF draws it in the part's own
+            size; where the file says it believably.
         vectors: exact lines and texts, where the file has them.
         notes: what was left out or assumed.
         tint: (h, w) uint8, 0 where ink or paper has no colour, else 1 to 180 by its hue in steps of

@@ -180,34 +180,37 @@ def find_scale(
         fitting_unit(dimensions, paper_scale if in_file or not assumed else None),
     )
     unit = units.taken or usual_unit(dimensions)
-    told_by_texts = {"texts": texts, "unit": unit, "unit_noted": units.noted is unit}
     found = agree(dimensions, unit, None if assumed else paper_scale)
     told = tuple(_as_stored(own, sheet.turn) for own in found.dimensions)
     found = replace(found, dimensions=told)
+    plain = SheetScale(
+        None,
+        ScaleSource.DEFAULT,
+        told,
+        notes,
+        units.contradictions,
+        texts=texts,
+        unit=unit,
+        unit_noted=units.noted is unit,
+    )
     if found.mm_per_pixel is not None:
         apart = _disagreement(found)
         surely = _has_texts(image)
         if paper_scale is not None:
             notes += other_size(image.vectors, found.mm_per_pixel, paper_scale)
-        return SheetScale(
-            found.mm_per_pixel,
-            ScaleSource.DIMENSION,
-            told,
-            notes if surely else notes + apart,
-            units.contradictions + (apart if surely else ()),
-            found.measures,
-            **told_by_texts,
+        return replace(
+            plain,
+            mm_per_pixel=found.mm_per_pixel,
+            source=ScaleSource.DIMENSION,
+            notes=notes if surely else notes + apart,
+            contradictions=units.contradictions + (apart if surely else ()),
+            measures=found.measures,
         )
     if paper_scale is None:
-        return SheetScale(None, ScaleSource.DEFAULT, told, notes, **told_by_texts)
+        return plain
     if assumed:
-        notes += (
-            Note(
-                "full-scale-assumed",
-                _IN_OWN_SIZE if in_file else _ON_PAPER,
-            ),
-        )
-    return SheetScale(paper_scale, ScaleSource.SHEET, told, notes, **told_by_texts)
+        notes += (Note("full-scale-assumed", _IN_OWN_SIZE if in_file else _ON_PAPER),)
+    return replace(plain, mm_per_pixel=paper_scale, source=ScaleSource.SHEET, notes=notes)
 
 
 def _as_stored(own: ReadDimension, turn: Turn) -> ReadDimension:
@@ -238,7 +241,8 @@ def _has_texts(image: SheetImage) -> bool:
 
 
 def _paper_scale(image: SheetImage, texts: Sequence[SheetText]) -> tuple[float | None, bool]:
-    """mm per px by the paper's size, and whether full scale was assumed for want of a note."""
+    """mm of the part per px by the size of what is drawn, see :class:`.SheetImage`, and whether full
+    scale was assumed for want of a note."""
     if image.pixels_per_inch is None:
         return None, False
     full = MM_PER_INCH / image.pixels_per_inch

@@ -178,6 +178,16 @@ def test_a_vector_sheet_without_a_note_is_full_scale_and_says_so() -> None:
     assert [note.code for note in found.notes] == ["full-scale-assumed"]
 
 
+def test_a_wrong_note_of_the_unit_is_named_though_no_dimensions_give_the_scale() -> None:
+    own = case("l-bracket", "iso")
+    note = VectorText("DIMENSIONS ARE IN INCHES", (1600.0, 870.0, 1800.0, 880.0))
+    (text,) = (text for text in own.texts if text.text == "80")
+    vectors = VectorDrawing((), (text, note), unit_mm=1.0)
+    found = own.scale(vectors=vectors, pixels_per_inch=25.4 / own.drawn.mm_per_pixel)
+    assert found.source is ScaleSource.SHEET
+    assert [note.code for note in found.contradictions] == ["unit-contradicts-note"]
+
+
 def test_without_the_extra_pixels_stay_unread_and_that_is_said(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
