@@ -21,7 +21,7 @@ from gaussiancad_core.reasoning.labelling import Effort
 from gaussiancad_core.sketch.checking import checked
 from gaussiancad_core.sketch.sketching import Sketch
 from gaussiancad_core.sketched_readings import Weighed, weigh
-from gaussiancad_core.solid.exact import ExactResult, exact_solid
+from gaussiancad_core.solid.exact import ExactResult, exact_solid_and_model
 from gaussiancad_core.solid.limits import Limits, Modelled
 from gaussiancad_core.solid.reasons import UNBUILT, has_hidden_lines
 from gaussiancad_core.solid.same import same_solid
@@ -117,12 +117,12 @@ def find_exact(
         if sketched is not None:
             return sketched
     strict = replace(limits, relaxed=False)
-    result = _solved(own, strict)
+    result, model = _solved(own, strict)
     if result.explains and (other is None or by_symbol):
         return ExactModel(own, result, by_symbol)
-    contrary = _solved(other, strict) if other is not None else None
+    contrary, model_of_other = _solved(other, strict) if other is not None else (None, None)
     if contrary is None or not (result.explains or contrary.explains):
-        return _not_strictly(readings, limits, (result, contrary))
+        return _not_strictly(readings, limits, (model, model_of_other))
     if result.explains and contrary.explains:
         return _told_apart((own, result), (other, contrary))
     # The reading that has no solid must have none for certain, for the other one to be.
@@ -248,14 +248,20 @@ def _is_likelier(other: tuple[Reading, ExactResult], own: tuple[Reading, ExactRe
 
 
 def _not_strictly(
-    readings: _Readings, limits: Limits, strict: tuple[ExactResult, ExactResult | None]
+    readings: _Readings, limits: Limits, models: tuple[Modelled | None, Modelled | None]
 ) -> ExactModel:
-    """Where no reading has a solid that has all lines: the sketch, or what has more of them."""
+    """Where no reading has a solid that has all lines: the sketch, or what has more of them.
+
+    Args:
+        readings: of the sheet.
+        limits: of the search.
+        models: of both readings, as the search for such solids made them.
+    """
     sketched, reading = readings.sketched, readings.taken
-    tried = strict[readings.likelier] or strict[0]
     is_firm = sketched is not None and _costs(sketched.sketched, reading) <= _FIRM
     share = _BESIDE_FIRM if is_firm else _RELAXED
-    relaxed = _solved(reading, replace(limits, work=share * limits.work), tried.model)
+    less = replace(limits, work=share * limits.work)
+    relaxed, _ = _solved(reading, less, models[readings.likelier])
     told = readings.is_decided, None, readings.is_contradicted
     if sketched is None or relaxed.status is Status.VERIFIED:
         return ExactModel(reading, relaxed, *told)
@@ -311,8 +317,16 @@ def find_for_hull(own: Reading, other: Reading | None) -> ExactModel | None:
     return find_exact(own, other, limits)
 
 
-def _solved(reading: Reading, limits: Limits, model: Modelled | None = None) -> ExactResult:
-    result = exact_solid(reading.drawn, limits, model)
+def _solved(
+    reading: Reading, limits: Limits, model: Modelled | None = None
+) -> tuple[ExactResult, Modelled | None]:
+    """The solid of a reading as far as it is worth keeping, and the model of its drawing."""
+    result, model = exact_solid_and_model(reading.drawn, limits, model)
+    return _kept(result), model
+
+
+def _kept(result: ExactResult) -> ExactResult:
+    """A result without its solid where that agrees with too few of the lines."""
     if result.verification is None:
         return result
     share = result.verification.share

@@ -1,8 +1,9 @@
 """The exact solid of a sheet, and what it says about first and third angle."""
 
+import gc
 import itertools
 from dataclasses import replace
-from types import SimpleNamespace
+from types import FunctionType, ModuleType, SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,9 +13,11 @@ from gaussiancad_core.drawing.brep import soundness
 from gaussiancad_core.exact_stage import ExactModel, find_exact, find_for_hull
 from gaussiancad_core.modes import Status
 from gaussiancad_core.projected_reading import Reading, drawn_views
+from gaussiancad_core.reasoning.part import PartModel
 from gaussiancad_core.sheet.axis_residuals import Residual
 from gaussiancad_core.sheet.reading import RegisteredSheet, StrokesSource
 from gaussiancad_core.sheet.registration import AxisExtents
+from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.solid.same import same_solid
 from gaussiancad_core.views import Linetype, Segment, View, ViewSet
 
@@ -311,3 +314,22 @@ def test_a_symbol_stays_unless_the_other_reading_plainly_explains_more(plain: bo
     assert found.reading is (third if plain else first)
     found = find_exact(third, first, by_symbol=True)
     assert found.reading is third and not found.contradicted
+
+
+def _holds(root: object, kind: type) -> bool:
+    """Whether anything of a kind hangs on an object."""
+    seen, waiting = set(), [root]
+    while waiting:
+        own = waiting.pop()
+        if isinstance(own, kind):
+            return True
+        if id(own) not in seen and not isinstance(own, (type, ModuleType, FunctionType)):
+            seen.add(id(own))
+            waiting += gc.get_referents(own)
+    return False
+
+
+def test_the_models_of_the_search_are_not_kept_with_what_it_found() -> None:
+    found = find_exact(_reading(_back_pocket(0.0), Projection.THIRD), None)
+    assert _holds(found, ExactResult)
+    assert not _holds(found, PartModel)

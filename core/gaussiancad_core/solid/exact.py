@@ -3,7 +3,7 @@
 import gc
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from math import inf
 
 from OCP.TopoDS import TopoDS_Shape
@@ -86,7 +86,6 @@ class ExactResult:
         measures: how well the places of the solid's faces are known; None without a solid.
         trace: what was tried, in order.
         unusual: how unusual the solid is, in surfaces; None where all lines are drawn.
-        model: of the drawing as it is; None where it is too complex.
     """
 
     status: Status
@@ -103,7 +102,6 @@ class ExactResult:
     measures: Measures | None = None
     trace: tuple[Attempt, ...] = ()
     unusual: float | None = None
-    model: Modelled | None = field(default=None, repr=False)
 
     @property
     def explains(self) -> bool:
@@ -122,10 +120,21 @@ class ExactResult:
         return replace(self, status=Status.APPROXIMATE, reasons=(*self.reasons, reason))
 
 
-def exact_solid(
-    views: DrawnViews, limits: Limits | None = None, model: Modelled | None = None
-) -> ExactResult:
+def exact_solid(views: DrawnViews, limits: Limits | None = None) -> ExactResult:
     """The solid whose lines are those of the views.
+
+    Args:
+        views: two to six.
+        limits: of the search.
+    """
+    return exact_solid_and_model(views, limits)[0]
+
+
+def exact_solid_and_model(
+    views: DrawnViews, limits: Limits | None = None, model: Modelled | None = None
+) -> tuple[ExactResult, Modelled | None]:
+    """The solid whose lines are those of the views, and the model of the drawing as it is, for
+    another search with other limits; None where it is too complex.
 
     Args:
         views: two to six.
@@ -135,10 +144,10 @@ def exact_solid(
     limits = limits or Limits()
     with _uncollected():
         meter = Meter(limits.guard)
-        result = _found(views, limits, meter, model)
+        result, model = _found(views, limits, meter, model)
         if meter.spent <= _QUICK * limits.work:
             result = _with_likely_measures(result, views, limits)
-        return result.doubted(GUARDED) if meter.is_overrun else result
+        return result.doubted(GUARDED) if meter.is_overrun else result, model
 
 
 @contextmanager
@@ -159,13 +168,13 @@ def _uncollected() -> Iterator[None]:
 
 def _found(
     views: DrawnViews, limits: Limits, meter: Meter, model: Modelled | None = None
-) -> ExactResult:
+) -> tuple[ExactResult, Modelled | None]:
     journal = Journal()
     try:
         model = model or _modelled(views, limits, meter)
     except LimitError as error:
         attempt = Attempt(ModelKind.AS_DRAWN, Outcome.TOO_LARGE, work=meter.spent)
-        return _failed((error.code, error.message), meter, (attempt,))
+        return _failed((error.code, error.message), meter, (attempt,)), None
     meter.lap("model")
     result: ExactResult | None = None
     best = -1
@@ -186,12 +195,12 @@ def _found(
         if _is_neat(found):
             break
     meter.lap("label")
-    result = replace(result, trace=journal.told(best), seconds=meter.seconds, model=model)
+    result = replace(result, trace=journal.told(best), seconds=meter.seconds)
     if result.explains or not limits.relaxed or meter.spent > _PATIENT * limits.work:
-        return result
+        return result, model
     conflict = find_conflict(model.part, views, limits.conflict)
     meter.lap("conflict")
-    return replace(result, conflict=conflict)
+    return replace(result, conflict=conflict), model
 
 
 def _modelled(views: DrawnViews, limits: Limits, meter: Meter) -> Modelled:
@@ -215,7 +224,7 @@ def _with_likely_measures(found: ExactResult, views: DrawnViews, limits: Limits)
     if not find_supports(likely).moved:
         return found
     less = replace(limits, work=_QUICK * limits.work)
-    other = _found(likely, less, Meter(limits.guard))
+    other, _ = _found(likely, less, Meter(limits.guard))
     if not _is_as_good(other, found):
         return found
     # What else there may be was looked for among the first ones.

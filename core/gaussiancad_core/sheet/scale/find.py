@@ -241,8 +241,8 @@ def _has_texts(image: SheetImage) -> bool:
 
 
 def _paper_scale(image: SheetImage, texts: Sequence[SheetText]) -> tuple[float | None, bool]:
-    """mm of the part per px by the size of what is drawn, see :class:`.SheetImage`, and whether full
-    scale was assumed for want of a note."""
+    """mm of the part per px by what the file says of its size, and whether full scale was assumed
+    for want of a note."""
     if image.pixels_per_inch is None:
         return None, False
     full = MM_PER_INCH / image.pixels_per_inch
