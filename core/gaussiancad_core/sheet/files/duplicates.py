@@ -10,10 +10,14 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.sheet.files.vectors import VectorStroke
+from gaussiancad_core.sheet.files.vectors import Chain, Curve, EllipticArc, VectorStroke
 
 _SAME = 0.02
 """px within which curves are one: chains follow what they stand for as closely."""
+
+
+_PLACES = 5
+"""Points that tell ellipses apart, as five determine a conic, and most chains."""
 
 
 def distinct_strokes(strokes: Sequence[VectorStroke]) -> tuple[VectorStroke, ...]:
@@ -39,31 +43,42 @@ def _pen(own: VectorStroke) -> Hashable:
 
 
 def _repeated(strokes: Sequence[VectorStroke]) -> list[int]:
-    """Numbers of strokes that lie along an earlier one."""
+    """Numbers of strokes that lie along an earlier one; all of them have curves of one type."""
     if len(strokes) < 2:
         return []
-    there = np.array([_places(own) for own in strokes])
-    back = np.concatenate([there[:, 4:6], there[:, 2:4], there[:, :2], there[:, 6:]], axis=1)
+    curves = [own.curve for own in strokes]
+    there = np.array([_places(own) for own in curves])
+    back = there[:, ::-1].reshape(len(there), -1)
+    there = there.reshape(len(there), -1)
     tree = cKDTree(there)
-    reach = _SAME * np.sqrt(there.shape[1])
     left_out: set[int] = set()
-    for index in range(len(strokes)):
+    for index, own in enumerate(curves):
         if index in left_out:
             continue
-        for way in (there[index], back[index]):
-            near = tree.query_ball_point(way, reach)
+        for way, turned in ((there[index], False), (back[index], True)):
+            near = tree.query_ball_point(way, _SAME, p=np.inf)
             left_out.update(
                 other
                 for other in near
-                if other > index and np.abs(there[other] - way).max() <= _SAME
+                if other > index and _is_along(own, curves[other], turned=turned)
             )
     return sorted(left_out)
 
 
-def _places(own: VectorStroke) -> npt.NDArray[np.float64]:
-    """(8,) px: start, middle and end of a curve, and its length twice, by which those of closed
-    curves are told apart."""
-    points = own.curve.sample(np.inf)
-    count = len(points)
-    middle = (points[(count - 1) // 2] + points[count // 2]) / 2.0
-    return np.concatenate([points[0], middle, points[-1], [own.curve.length] * 2])
+def _places(curve: Curve) -> npt.NDArray[np.float64]:
+    """(n, 2) px: points from a curve's start to its end, as many of all that have its type.  Those
+    of a line, an arc or an ellipse tell it from others."""
+    if isinstance(curve, Chain):
+        return curve.at(np.linspace(0.0, 1.0, _PLACES))
+    return curve.spread(_PLACES) if isinstance(curve, EllipticArc) else curve.sample(np.inf)
+
+
+def _is_along(own: Curve, other: Curve, *, turned: bool) -> bool:
+    """Whether curves whose places are the same are one, the other one drawn backwards or not:
+    chains may bend in any way between their places."""
+    if not isinstance(own, Chain) or not isinstance(other, Chain):
+        return True
+    if turned:
+        other = Chain(other.points[::-1])
+    shares = np.union1d(own.shares, other.shares)
+    return bool(np.abs(own.at(shares) - other.at(shares)).max() <= _SAME)

@@ -121,7 +121,7 @@ class EllipticArc:
     @property
     def length(self) -> float:
         """In px, of the chords between a fixed number of points."""
-        steps = np.diff(self._points(_ARC_NODES), axis=0)
+        steps = np.diff(self.spread(_ARC_NODES), axis=0)
         return float(np.hypot(steps[:, 0], steps[:, 1]).sum())
 
     @property
@@ -132,9 +132,10 @@ class EllipticArc:
     def sample(self, step: float) -> npt.NDArray[np.float64]:
         """(n, 2) points along the curve, at most ``step`` apart, both ends included."""
         longest = self.sweep * float(np.hypot(*self.major))
-        return self._points(max(3, int(np.ceil(longest / step)) + 1))
+        return self.spread(max(3, int(np.ceil(longest / step)) + 1))
 
-    def _points(self, count: int) -> npt.NDArray[np.float64]:
+    def spread(self, count: int) -> npt.NDArray[np.float64]:
+        """(count, 2) points at equal steps of the parameter, both ends included."""
         t = self.start + np.linspace(0.0, self.sweep, count)[:, None]
         major = np.array(self.major)
         minor = self.ratio * np.array([-major[1], major[0]])
@@ -154,8 +155,24 @@ class Chain:
     @property
     def length(self) -> float:
         """In px."""
+        return float(self._way[-1])
+
+    @property
+    def shares(self) -> npt.NDArray[np.float64]:
+        """(n,) shares of the length up to each point, 0 to 1."""
+        way = self._way
+        return way / way[-1] if way[-1] > 0.0 else np.linspace(0.0, 1.0, len(way))
+
+    def at(self, shares: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+        """(n, 2) the points at shares of the length, in order."""
+        own = self.shares
+        return np.stack([np.interp(shares, own, column) for column in np.array(self.points).T], 1)
+
+    @property
+    def _way(self) -> npt.NDArray[np.float64]:
+        """(n,) px along the chain up to each point."""
         steps = np.diff(np.array(self.points), axis=0)
-        return float(np.hypot(steps[:, 0], steps[:, 1]).sum())
+        return np.concatenate([[0.0], np.cumsum(np.hypot(steps[:, 0], steps[:, 1]))])
 
     def sample(self, step: float) -> npt.NDArray[np.float64]:
         """(n, 2) points along the curve, at most ``step`` apart, all its own points included."""

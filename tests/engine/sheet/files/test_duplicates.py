@@ -68,6 +68,37 @@ def test_arcs_with_the_same_ends_are_told_apart_by_their_way() -> None:
     assert distinct_strokes(pair) == pair
 
 
+@pytest.mark.parametrize("waves", [1, 2, 4, 8])
+def test_free_curves_with_the_same_ends_middle_and_length_are_told_apart(waves: int) -> None:
+    x = np.linspace(0.0, 200.0, 161)
+    y = 20.0 * np.sin(waves * FULL_TURN * x / 200.0)
+    pair = tuple(
+        VectorStroke(Chain(tuple(zip(x.tolist(), (100.0 + own).tolist(), strict=True))), None)
+        for own in (y, -y)
+    )
+    assert distinct_strokes(pair) == pair
+
+
+def test_a_free_curve_that_is_drawn_back_is_one() -> None:
+    points = ((0.0, 0.0), (5.0, 9.0), (20.0, 12.0), (31.0, 40.0))
+    there, back = (VectorStroke(Chain(own), None) for own in (points, points[::-1]))
+    assert distinct_strokes([there, back]) == (there,)
+
+
+def test_ellipses_with_the_same_ends_and_middle_are_told_apart() -> None:
+    pair = tuple(
+        VectorStroke(EllipticArc((150.0, 90.0), (40.0, 0.0), own, 0.0, FULL_TURN), None)
+        for own in (0.5, 0.6)
+    )
+    assert distinct_strokes(pair) == pair
+    tilts = (0.9, 0.3), (0.9, -0.3)
+    pair = tuple(
+        VectorStroke(EllipticArc((150.0, 90.0), (40.0 * a, 40.0 * b), 0.5, 0.0, FULL_TURN), None)
+        for a, b in tilts
+    )
+    assert distinct_strokes(pair) == pair
+
+
 @given(
     st.lists(
         st.tuples(*[st.integers(0, 9)] * 4).filter(lambda own: own[:2] != own[2:]), max_size=20
