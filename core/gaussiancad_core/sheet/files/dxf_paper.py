@@ -55,16 +55,18 @@ def drawing_box(box: Box, texts: Sequence[PlacedText]) -> Box:
 
     Args:
         box: (x0, y0, x1, y1) around the drawing's curves, in its units, y up.
-        texts: of the drawing; those beside it belong to it.
+        texts: of the drawing; those beside it belong to it, each as far as it lies beside it.
     """
     low, high = np.array(box[:2]), np.array(box[2:])
-    longest = float((high - low).max())
+    beside = _BESIDE * float((high - low).max())
+    farthest = np.array(box[:2]) - beside, np.array(box[2:]) + beside
     for text in texts:
         c, s = abs(np.cos(text.angle)), abs(np.sin(text.angle))
         half = np.array([text.length * c + text.height * s, text.length * s + text.height * c]) / 2
         first, last = np.array(text.centre) - half, np.array(text.centre) + half
-        if max((box[:2] - last).max(), (first - box[2:]).max()) <= _BESIDE * longest:
-            low, high = np.minimum(low, first), np.maximum(high, last)
+        if (last >= farthest[0]).all() and (first <= farthest[1]).all():
+            low = np.minimum(low, np.maximum(first, farthest[0]))
+            high = np.maximum(high, np.minimum(last, farthest[1]))
     margin = _MARGIN * float((high - low).max())
     x0, y0, x1, y1 = (*(low - margin).tolist(), *(high + margin).tolist())
     return x0, y0, x1, y1

@@ -426,6 +426,15 @@ def test_notes_beside_a_drawing_without_paper_are_on_its_sheet(read: Read) -> No
     assert content.vectors.strokes[0].curve.length == pytest.approx(60 * MM)
 
 
+def test_a_long_note_does_not_make_the_drawing_small(read: Read) -> None:
+    doc = _a4()
+    model = doc.modelspace()
+    model.add_lwpolyline([(0, 0), (100, 0), (100, 50), (0, 50)], close=True)
+    model.add_text("x" * 2000, height=3).set_placement((0, -12))
+    width = 1.1 * 200.0
+    assert read(doc).grey.shape[1] == pytest.approx(width * MM, abs=1.0)
+
+
 def test_without_limits_the_drawing_gets_a_margin(read: Read) -> None:
     doc = _a4()
     doc.modelspace().reset_limits((0, 0), (12, 9))
