@@ -19,11 +19,12 @@ apart.
 
 Few lines, all of them along the axes, cannot tell.  Then the grid on which they lie is taken for
 rounding where it is fine enough to be: the bound of measures is wider than it need be, not narrower
-than it may be.  Of still fewer only the last decimal is asked.
+than it may be.  Of still fewer only the last decimal is asked, and so it is of all but the few
+scales at which most is drawn: measuring takes its time.
 """
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -62,6 +63,9 @@ misses half a right angle."""
 
 _SAME_SCALE = 4
 """Digits of the scale at which lines are asked together."""
+
+_MOST_SCALES = 8
+"""Scales whose lines are measured, a second each at most: those at which most lines are drawn."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,7 +109,20 @@ def rounding_step(ends: Floats, scale: float) -> float:
         step = _step_along_axes(every, _lengths(ends, finest), scale)
     else:
         step = decimal_step(np.concatenate(every))
-    length = step * scale
+    return _believable(step * scale)
+
+
+def _last_decimal(ends: Floats, scale: float) -> float:
+    """px of the unit of the last decimal in which the ends of lines are written; 0 of exact ones.
+
+    Args:
+        ends, scale: see :func:`rounding_step`.
+    """
+    return _believable(decimal_step(ends.ravel()) * scale) if scale else 0.0
+
+
+def _believable(length: float) -> float:
+    """px of a step that files are rounded to, else 0."""
     return length if _FINEST_PX <= length <= _COARSEST_PX else 0.0
 
 
@@ -140,21 +157,23 @@ def with_steps(paths: Sequence[WrittenPath]) -> tuple[VectorStroke, ...]:
     alike: dict[str, list[WrittenPath]] = defaultdict(list)
     for path in paths:
         alike[_name(path)].append(path)
-    steps = {name: _step(own) for name, own in alike.items()}
+    most = sorted(alike, key=lambda name: -sum(len(path.ends) for path in alike[name]))
+    asked = {name: rounding_step for name in most[:_MOST_SCALES]}
+    steps = {name: _step(own, asked.get(name, _last_decimal)) for name, own in alike.items()}
     return tuple(
         replace(stroke, step=steps[_name(path)]) for path in paths for stroke in path.strokes
     )
 
 
-def _step(paths: Sequence[WrittenPath]) -> float:
-    """px of the step of paths at one scale."""
+def _step(paths: Sequence[WrittenPath], told: Callable[[Floats, float], float]) -> float:
+    """px of the step of paths at one scale, as it is told by ends and scale."""
     by_matrix: dict[bytes, list[Floats]] = defaultdict(list)
     for path in paths:
         by_matrix[path.matrix.tobytes()].append(path.ends)
     groups = [np.concatenate(own) for own in by_matrix.values()]
     most = max(groups, key=len)
     every = np.concatenate(groups)
-    return rounding_step(most if len(most) > _MOST * len(every) else every, paths[0].scale)
+    return told(most if len(most) > _MOST * len(every) else every, paths[0].scale)
 
 
 def line_ends(pieces: Iterable[Floats]) -> Floats:

@@ -193,6 +193,25 @@ def test_strokes_have_the_step_of_the_lines_at_their_scale() -> None:
     assert [stroke.curve for stroke in found] == [line, circle, line, line, line]
 
 
+def test_of_many_scales_those_with_most_lines_are_measured_the_rest_by_their_decimals() -> None:
+    lot = np.random.default_rng(3)
+    line = Line((0.0, 0.0), (5.0, 1.0))
+    thirds, tenths = [], []
+    for number in range(20):
+        matrix = np.array([[1.0 + number, 0.0, 0.0], [0.0, 1.0 + number, 0.0]]) / 20.0
+        ends = slanted(lot, 60 if number % 2 else 80)
+        thirds.append(path(np.round(ends * 3.0) / 3.0, matrix, line))
+        tenths.append(path(np.round(ends, 1), matrix, line))
+    exact = np.array([(1.0 + number) / 60.0 for number in range(20)])
+    found = np.array([stroke.step for stroke in with_steps(thirds)])
+    measured = found > 0.0
+    assert measured.sum() == 8 and not measured[1::2].any()
+    assert found[measured] == pytest.approx(exact[measured], rel=1e-6)
+    found = np.array([stroke.step for stroke in with_steps(tenths)])
+    fine = 0.3 * exact >= 0.01
+    assert found == pytest.approx(np.where(fine, 0.3 * exact, 0.0), rel=1e-6)
+
+
 def test_only_straight_pieces_are_asked() -> None:
     straight, bent = np.array([[0.0, 1.0], [2.0, 3.0]]), np.zeros((4, 2))
     assert line_ends([bent, straight, bent]).tolist() == [straight.tolist()]
