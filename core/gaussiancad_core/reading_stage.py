@@ -109,7 +109,7 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
 
         layout, beside = sections_beside(layout, sections, hatched, read)
         said = _notes(image, scale)
-        tell_layout(notes, layout, clean.turn)
+        tell_layout(notes, layout, clean.turn, frame_guessed=found.frame_guessed)
         options = tell_scale(reading, scale, drawn, notes)
         tell_notes(notes, said, clean.turn)
         unseen = told_unseen(drawn, scale, said, options, notes)
@@ -329,7 +329,9 @@ def tell_notes(notes: RunNotes, found: Sequence[SheetNote], turn: Turn) -> None:
     notes.tell(notes=told)
 
 
-def tell_layout(notes: RunNotes, layout: Layout, turn: Turn) -> None:
+def tell_layout(
+    notes: RunNotes, layout: Layout, turn: Turn, *, frame_guessed: bool = False
+) -> None:
     """Put views and all else that was drawn into the report, and what is in doubt for them."""
     special = tuple(replace(view, box=turn.box_to_stored(view.box)) for view in layout.special)
     notes.tell(
@@ -367,7 +369,18 @@ def tell_layout(notes: RunNotes, layout: Layout, turn: Turn) -> None:
             ),
         )
     frame = [turn.box_to_stored(layout.frame)] if layout.frame is not None else []
-    if frame:
+    if frame and frame_guessed:
+        notes.doubt(
+            "frame-left-out",
+            Message(
+                "the lines around everything at {places} px were taken for a frame; they may be "
+                "the part's outline, and what was taken for its view a pocket in it",
+                boxes=frame,
+                case="guessed",
+                places=_places(frame),
+            ),
+        )
+    elif frame:
         notes.warn(
             "frame-left-out",
             Message(

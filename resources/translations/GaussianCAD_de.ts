@@ -203,6 +203,10 @@
         <translation>Die Datei hat Elemente, die nicht gelesen werden können und ausgelassen wurden: {kinds}. Was sie zeigen, kann fehlen.</translation>
     </message>
     <message>
+        <source>The lines around everything were taken for a frame. If they are the part&apos;s outline, and what lies within is a pocket, the part is larger than what was made.</source>
+        <translation>Die Linien um alles herum wurden für einen Rahmen gehalten. Sind sie der Umriss des Teils, und ist das Innere eine Tasche, dann ist das Teil größer als das, was gemacht wurde.</translation>
+    </message>
+    <message>
         <source>A note names {noted} as the unit, but the numbers fit what the file draws in {taken}, which was taken. Check the part&apos;s size.</source>
         <translation>Eine Notiz nennt {noted} als Einheit, aber die Zahlen passen zu dem, was die Datei in {taken} zeichnet; das wurde genommen. Prüfen Sie die Größe des Teils.</translation>
     </message>

@@ -203,6 +203,10 @@
         <translation>文件中有无法读取的实体，已略去：{kinds}。它们所表示的内容可能缺失。</translation>
     </message>
     <message>
+        <source>The lines around everything were taken for a frame. If they are the part&apos;s outline, and what lies within is a pocket, the part is larger than what was made.</source>
+        <translation>包围全部内容的线条被当作图框。如果它们是零件的轮廓，而其中的图形是凹槽，则零件比所生成的更大。</translation>
+    </message>
+    <message>
         <source>A note names {noted} as the unit, but the numbers fit what the file draws in {taken}, which was taken. Check the part&apos;s size.</source>
         <translation>注释给出的单位是 {noted}，但数字与文件以 {taken} 绘制的内容相符，因此采用了后者。请检查零件尺寸。</translation>
     </message>

@@ -100,7 +100,7 @@ def test_numbers_of_a_drawing_in_inches_are_inches(run: Run) -> None:
     assert extents == pytest.approx([60.0, 3.175, 40.0], abs=1e-3)
 
 
-def test_a_frame_in_free_space_is_told_as_not_used(run: Run) -> None:
+def test_a_frame_around_a_single_view_is_told_as_not_used_and_in_doubt(run: Run) -> None:
     doc, model = _drawing()
     _plate(model)
     model.add_lwpolyline([(-80, -60), (197, -60), (197, 130), (-80, 130)], close=True)
@@ -108,7 +108,20 @@ def test_a_frame_in_free_space_is_told_as_not_used(run: Run) -> None:
     report, extents, _ = run(doc)
     assert extents == pytest.approx([60.0, 3.0, 40.0], abs=1e-3)
     assert [own["kind"] for own in report["unused"]] == ["frame"]
-    assert "frame-left-out" in _codes(report["warnings"])
+    assert "frame-left-out" in _codes(report["reasons"])
+    assert "frame-left-out" not in _codes(report["warnings"])
+
+
+def test_a_plate_with_a_pocket_and_a_hole_beside_it_is_no_frame(run: Run) -> None:
+    doc, model = _drawing()
+    for x, y, w, h in ((0, 0, 120, 80), (10, 15, 70, 50)):
+        model.add_lwpolyline([(x, y), (x + w, y), (x + w, y + h), (x, y + h)], close=True)
+    model.add_circle((30, 30), 6)
+    model.add_circle((100, 40), 8)
+    _note(model, "t=10", (85.0, 5.0))
+    report, extents, _ = run(doc)
+    assert extents == pytest.approx([120.0, 10.0, 80.0], abs=1e-3)
+    assert report["unused"] == []
 
 
 def test_a_plate_without_a_thickness_asks_for_one_and_takes_it(run: Run) -> None:

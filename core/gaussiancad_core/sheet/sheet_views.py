@@ -29,6 +29,7 @@ class SheetViews:
         written: the texts, where they are read already.
         labels_problem: why a picture was read without the labels network; None where it was not.
         other_pens: boxes in px of strokes in other pens than the part's that may be its own.
+        frame_guessed: whether the layout's frame may as well be the part's outline.
     """
 
     separated: SeparatedSheet
@@ -37,6 +38,7 @@ class SheetViews:
     written: WrittenSheet | None = None
     labels_problem: Message | None = None
     other_pens: tuple[Box, ...] = ()
+    frame_guessed: bool = False
 
 
 def sheet_views(
@@ -91,4 +93,10 @@ def _is_one(alone: Layout, seen: Layout) -> bool:
 
 
 def _of_pens(found: GraphViews) -> SheetViews:
-    return SheetViews(found.separated, found.layout, found.vectors, other_pens=found.doubtful)
+    return SheetViews(
+        found.separated,
+        found.layout,
+        found.vectors,
+        other_pens=found.doubtful,
+        frame_guessed=found.frame_guessed,
+    )

@@ -7,12 +7,14 @@ with either are a part of it, in whatever pen.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from gaussiancad_core.sheet.files.vectors import Line, VectorStroke, VectorText
-from gaussiancad_core.sheet.graph.free_frames import goes_around_sheet
-from gaussiancad_core.sheet.graph.touching import Flags, Ints, Touches
+from gaussiancad_core.sheet.files.vectors import Line, StrokeKind, VectorStroke, VectorText
+from gaussiancad_core.sheet.graph.free_frames import Spanning, free_frames
+from gaussiancad_core.sheet.graph.groups import CLOSED, EVEN, Groups, grouped
+from gaussiancad_core.sheet.graph.touching import Flags, Floats, Ints, Touches
 
 _LEVEL = 1e-3
 """Slope of a line up to which it is level, or upright."""
@@ -26,17 +28,24 @@ _MARGIN = 0.15
 _SIDES = 4
 """Lines of a box at least."""
 
-_EVEN = 2.0
-"""px within which boxes are as wide, or as high, as each other."""
-
-_CLOSED = 0.9
-"""Share of the ends of a table's lines that meet others of it, at least."""
-
 _DIVIDING = 2
 """Lines from side to side that make a table's cells, at least."""
 
 _CELLS = 3
 """Cells with writing that a table has at least."""
+
+
+@dataclass(frozen=True, eq=False)
+class Furniture:
+    """What a sheet has besides its drawing.
+
+    Attributes:
+        lines: (n,) which strokes are lines of frames and tables.
+        guessed: whether a frame of a drawing in free space may as well be the part's outline.
+    """
+
+    lines: Flags
+    guessed: bool = False
 
 
 def furniture(
@@ -47,8 +56,8 @@ def furniture(
     size: tuple[int, int],
     *,
     has_paper: bool = True,
-) -> Flags:
-    """(n,) which strokes are lines of frames and tables.
+) -> Furniture:
+    """Find the lines of frames and tables.
 
     Args:
         strokes: of the sheet, px.
@@ -63,69 +72,72 @@ def furniture(
     middles = np.array(
         [((t.box[0] + t.box[2]) / 2.0, (t.box[1] + t.box[3]) / 2.0) for t in texts]
     ).reshape(-1, 2)
-    spanning: list[tuple[Flags, bool]] = []
+    spanning: list[Spanning] = []
     for pen in np.unique(numbers[level]):
-        groups = touches.groups(level & (numbers == pen))
-        found |= np.isin(groups, _boxed_frames(groups, touches, size))
-        for group in np.unique(groups[groups >= 0]):
-            own = groups == group
-            boxes = touches.boxes[own]
-            longest = (boxes[:, 2:] - boxes[:, :2]).max(axis=0)
-            is_frame = bool((longest >= _SPAN * np.array(size)).all()) and _fills(boxes, size)
-            closed = float(touches.met(own)[own].mean())
-            is_divided = closed >= _CLOSED and int(touches.dividing(own).sum()) >= _DIVIDING
-            is_table = is_divided and _written_cells(boxes, middles) >= _CELLS
-            if is_frame and not has_paper:
-                spanning.append((own, is_table))
-            elif is_frame or is_table:
-                found |= own
-    # The outer ones first: what they are leaves what the inner ones go around.
-    for own, has_table in sorted(spanning, key=lambda each: -_spanned(touches.boxes[each[0]])):
-        if goes_around_sheet(own, found, touches, texts, has_table=has_table):
-            found |= own
-    groups = touches.groups(level)
-    return found | np.isin(groups, groups[found])
+        chosen = level & (numbers == pen)
+        groups = grouped(touches, chosen)
+        closed = groups.means(touches.met(chosen).mean(axis=1)) >= CLOSED
+        divided = closed & (groups.sums(touches.dividing(chosen)) >= _DIVIDING)
+        found[_boxed_frames(groups, closed, divided, touches, size)] = True
+        longest = groups.most(touches.boxes[:, 2:] - touches.boxes[:, :2])
+        spans = (longest >= _SPAN * np.array(size)).all(axis=1) & _fill(groups.boxes, size)
+        for group in np.flatnonzero(spans | divided):
+            lines = groups.members(group)
+            written = divided[group] and _written_cells(touches.boxes[lines], middles) >= _CELLS
+            if spans[group] and not has_paper:
+                spanning.append(Spanning(lines, groups.boxes[group], bool(written)))
+            elif spans[group] or written:
+                found[lines] = True
+    annotations = np.array(
+        [own.kind not in (StrokeKind.GEOMETRY, StrokeKind.BLOCK) for own in strokes], dtype=bool
+    )
+    frames, guessed = free_frames(spanning, found, annotations, touches, texts)
+    found |= frames
+    every = touches.groups(level)
+    return Furniture(found | np.isin(every, every[found]), guessed)
 
 
-def _boxed_frames(groups: Ints, touches: Touches, size: tuple[int, int]) -> list[int]:
-    """Numbers of groups that are closed boxes, as wide or as high as each other, which together
+def _boxed_frames(
+    groups: Groups, closed: Flags, divided: Flags, touches: Touches, size: tuple[int, int]
+) -> Flags:
+    """(n,) lines of groups that are closed boxes, as wide or as high as each other, which together
     reach to the margins of the sheet; one of them has cells with something in several of them."""
-    boxes = {}
-    for group in np.unique(groups[groups >= 0]):
-        own = groups == group
-        if own.sum() >= _SIDES and float(touches.met(own)[own].mean()) >= _CLOSED:
-            low, high = touches.boxes[own, :2].min(axis=0), touches.boxes[own, 2:].max(axis=0)
-            boxes[int(group)] = np.concatenate([low, high])
-    found: list[int] = []
+    boxed = np.flatnonzero(closed & (groups.counts >= _SIDES))
+    boxes = groups.boxes[boxed]
+    written = np.zeros(len(boxed), dtype=bool)
+    asked = np.zeros(len(boxed), dtype=bool)
+    found = np.zeros(len(boxed), dtype=bool)
     for way in (0, 1):
-        sides = [way, way + 2]
-        for box in boxes.values():
-            even = [k for k, own in boxes.items() if np.abs(own - box)[sides].max() <= _EVEN]
-            reach = len(even) > 1 and _fills(np.array([boxes[k] for k in even]), size)
-            if reach and any(_is_written(groups == k, touches) for k in even):
-                found += even
-    return found
+        for box in boxes:
+            even = np.abs(boxes - box)[:, [way, way + 2]].max(axis=1) <= EVEN
+            if found[even].all() or even.sum() < 2 or not _fill(_around(boxes[even]), size)[0]:
+                continue
+            for number in np.flatnonzero(even & divided[boxed] & ~asked):
+                written[number] = _is_written(groups.members(boxed[number]), touches)
+                asked[number] = True
+            found |= even & bool(written[even].any())
+    return np.isin(groups.places, boxed[found])
 
 
-def _is_written(own: Flags, touches: Touches) -> bool:
-    """Whether lines make several cells that hold other strokes."""
-    low, high = touches.boxes[own, :2].min(axis=0), touches.boxes[own, 2:].max(axis=0)
+def _is_written(lines: Ints, touches: Touches) -> bool:
+    """Whether several of the cells that lines make hold other strokes."""
+    box = _around(touches.boxes[lines])[0]
     middles = (touches.boxes[:, :2] + touches.boxes[:, 2:]) / 2.0
-    inside = ~own & ((middles > low) & (middles < high)).all(axis=1)
-    divided = int(touches.dividing(own).sum()) >= _DIVIDING
-    return divided and _written_cells(touches.boxes[own], middles[inside]) >= _CELLS
+    inside = ((middles > box[:2]) & (middles < box[2:])).all(axis=1)
+    inside[lines] = False
+    return _written_cells(touches.boxes[lines], middles[inside]) >= _CELLS
 
 
-def _fills(boxes: np.ndarray, size: tuple[int, int]) -> bool:
-    """Whether lines reach to the margins of the sheet, on all four sides."""
+def _around(boxes: Floats) -> Floats:
+    """(1, 4) the box around some."""
+    return np.concatenate([boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)])[None]
+
+
+def _fill(boxes: Floats, size: tuple[int, int]) -> Flags:
+    """(k,) which boxes reach to the margins of the sheet, on all four sides."""
     margin = _MARGIN * np.array(size)
-    low, high = boxes[:, :2].min(axis=0), boxes[:, 2:].max(axis=0)
-    return bool((low <= margin).all() and (high >= size - margin).all())
-
-
-def _spanned(boxes: np.ndarray) -> float:
-    """px^2 of the box around lines."""
-    return float(np.prod(boxes[:, 2:].max(axis=0) - boxes[:, :2].min(axis=0)))
+    found: Flags = ((boxes[:, :2] <= margin) & (boxes[:, 2:] >= size - margin)).all(axis=1)
+    return found
 
 
 def _is_level(stroke: VectorStroke) -> bool:

@@ -91,6 +91,8 @@ class LabelledDrawing:
         doubtful: numbers of those that are no part's for their pen alone: they run from edge to
             edge, and nothing at their ends tells a dimension.
         pictorials: boxes in px.
+        frame_guessed: whether the frame of a drawing in free space may as well be the part's
+            outline.
     """
 
     strokes: tuple[VectorStroke, ...]
@@ -99,6 +101,7 @@ class LabelledDrawing:
     touches: Touches
     doubtful: tuple[int, ...] = ()
     pictorials: tuple[Box, ...] = ()
+    frame_guessed: bool = False
 
     def of(self, *labels: Label) -> tuple[VectorStroke, ...]:
         """The strokes that stand for any of some things."""
@@ -122,7 +125,8 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
         return None
     touches = touching([stroke.curve for stroke in lines], _REACH)
     pens, numbers = pens_of(lines)
-    framed = furniture(lines, drawing.texts, touches, numbers, size, has_paper=drawing.has_paper)
+    around = furniture(lines, drawing.texts, touches, numbers, size, has_paper=drawing.has_paper)
+    framed = around.lines
     candidates = ~framed & np.array([may_be_edge(stroke) for stroke in lines], dtype=bool)
     found = evidence(lines, pens, numbers, touches, candidates)
     best = max(range(len(pens)), key=lambda number: found[number].weight)
@@ -161,7 +165,8 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
     doubtful = _doubtful(lines, touches, labels, edges & ~hatched)
     doubtful = tuple(own for own in doubtful if not _is_pointed(touches.ends[own], tips))
     order = sorted(found, key=lambda own: -own.weight)
-    return LabelledDrawing(lines, tuple(labels), tuple(order), touches, doubtful, boxes)
+    told = tuple(labels), tuple(order), touches, doubtful, boxes
+    return LabelledDrawing(lines, *told, frame_guessed=around.guessed)
 
 
 def _may_be_centre(stroke: VectorStroke) -> bool:

@@ -54,6 +54,7 @@ class GraphViews:
         vectors: the part's strokes.
         doubtful: boxes in px of strokes in other pens that may be the part's.
         is_all: whether all lies in the views but frames and the file's own dimensions.
+        frame_guessed: whether the layout's frame may as well be the part's outline.
     """
 
     separated: SeparatedSheet
@@ -61,6 +62,7 @@ class GraphViews:
     vectors: VectorSheet
     doubtful: tuple[Box, ...] = ()
     is_all: bool = False
+    frame_guessed: bool = False
 
 
 def graph_views(
@@ -106,7 +108,7 @@ def graph_views(
     boxes = [tuple(found.touches.boxes[number].tolist()) for number in found.doubtful]
     used = [box for box in boxes if any(meets(box, view) for view in layout.boxes.values())]
     is_all = _is_all(found, drawing, tuple(layout.boxes.values()))
-    return GraphViews(separated, layout, vectors, tuple(used), is_all)
+    return GraphViews(separated, layout, vectors, tuple(used), is_all, found.frame_guessed)
 
 
 def _is_all(found: LabelledDrawing, drawing: VectorDrawing, views: tuple[Box, ...]) -> bool:

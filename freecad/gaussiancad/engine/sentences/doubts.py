@@ -182,6 +182,11 @@ REASONS = {
         "The file has entities that cannot be read and were left out: {kinds}. What they show may "
         "be missing.",
     ),
+    "frame-left-out:guessed": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The lines around everything were taken for a frame. If they are the part's outline, and "
+        "what lies within is a pocket, the part is larger than what was made.",
+    ),
     "unit-contradicts-note": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "A note names {noted} as the unit, but the numbers fit what the file draws in {taken}, "

@@ -8,11 +8,12 @@ import pytest
 from gaussiancad_core.sheet.files.vectors import (
     CircularArc,
     Line,
+    StrokeKind,
     VectorDrawing,
     VectorStroke,
     VectorText,
 )
-from gaussiancad_core.sheet.graph.labels import Label, labelled
+from gaussiancad_core.sheet.graph.labels import Label, LabelledDrawing, labelled
 
 _SIZE = (1000, 700)
 
@@ -35,12 +36,18 @@ _HOLES = _circle(300, 300), _circle(700, 400)
 _VIEW = [*_box(300, 200, 300, 200), *_circle(400, 300)]
 
 
+def _found(
+    strokes: list[VectorStroke], *texts: VectorText, has_paper: bool = False
+) -> LabelledDrawing:
+    found = labelled(VectorDrawing(tuple(strokes), texts, has_paper=has_paper), _SIZE)
+    assert found is not None
+    return found
+
+
 def _labels(
     strokes: list[VectorStroke], *texts: VectorText, has_paper: bool = False
 ) -> list[Label]:
-    found = labelled(VectorDrawing(tuple(strokes), texts, has_paper=has_paper), _SIZE)
-    assert found is not None
-    return list(found.labels)
+    return list(_found(strokes, *texts, has_paper=has_paper).labels)
 
 
 @pytest.mark.parametrize("layer", ["", "HOLES"])
@@ -97,6 +104,63 @@ def test_a_bend_line_across_a_plate_does_not() -> None:
     bend = VectorStroke(Line((500.0, 50.0), (500.0, 650.0)), 2.0, layer="BEND")
     labels = _labels([*_box(*_AROUND), *_HOLES[0], bend])
     assert labels[:5] == [Label.VISIBLE] * 5
+
+
+_POCKET = [*_box(120, 120, 525, 375), *_circle(250, 250)]
+
+
+@pytest.mark.parametrize("radius", [10.0, 60.0])
+def test_a_hole_beside_what_looks_like_a_view_is_in_the_part_of_the_outline(radius: float) -> None:
+    strokes = [*_box(*_AROUND), *_POCKET, _ring(800, 350, radius)]
+    assert set(_labels(strokes)) == {Label.VISIBLE}
+    assert not _found(strokes).frame_guessed
+
+
+def test_two_pockets_with_a_hole_beside_them_are_no_views() -> None:
+    other = [*_box(670, 120, 200, 375), *_circle(750, 250)]
+    strokes = [*_box(*_AROUND), *_POCKET, *other, _ring(500, 580, 20.0)]
+    assert set(_labels(strokes)) == {Label.VISIBLE}
+
+
+def test_dimensions_of_a_pocket_divide_nothing() -> None:
+    ends = ((200, 250), (200, 450)), ((500, 250), (500, 450)), ((200, 350), (500, 350))
+    measures = [VectorStroke(Line(*own), 1.0, kind=StrokeKind.DIMENSION) for own in ends]
+    strokes = [*_box(*_AROUND), *_box(200, 200, 300, 50), *_HOLES[1], *measures]
+    assert _labels(strokes)[:4] == [Label.VISIBLE] * 4
+
+
+def test_around_a_single_view_a_frame_is_a_guess() -> None:
+    found = _found([*_box(*_AROUND), *_POCKET])
+    assert found.labels[:4] == (Label.FRAME,) * 4
+    assert found.frame_guessed
+
+
+@pytest.mark.parametrize("width", [20, 120])
+def test_around_views_in_a_row_a_frame_is_certain(width: int) -> None:
+    plain = _box(680, 200, width, 200)
+    found = _found([*_box(*_AROUND), *_VIEW, *plain])
+    assert found.labels == (Label.FRAME,) * 4 + (Label.VISIBLE,) * 9
+    assert not found.frame_guessed
+    # In no row with it, it is a recess beside a pocket.
+    aside = _box(680, 150, width, 200)
+    assert set(_labels([*_box(*_AROUND), *_VIEW, *aside])) == {Label.VISIBLE}
+
+
+@pytest.mark.parametrize(("left", "guessed"), [(40.0, False), (20.0, True)])
+def test_the_margins_of_a_sheet_tell_its_edge_and_frame(left: float, guessed: bool) -> None:
+    inner = _box(50.0 + left, 70.0, 880.0 - left, 560.0)
+    found = _found([*_box(*_AROUND), *inner, *_VIEW])
+    assert found.labels == (Label.FRAME,) * 8 + (Label.VISIBLE,) * 5
+    assert found.frame_guessed is guessed
+
+
+def test_only_a_few_lines_around_each_other_are_frames() -> None:
+    around = [
+        own for k in range(10) for own in _box(50 + 6 * k, 50 + 6 * k, 900 - 12 * k, 590 - 12 * k)
+    ]
+    labels = _labels([*around, *_VIEW])
+    assert labels[:24] == [Label.FRAME] * 24
+    assert labels[24:] == [Label.VISIBLE] * 21
 
 
 def test_paper_tells_a_frame_by_its_margins() -> None:
