@@ -58,12 +58,13 @@ def curves_from_beziers(beziers: list[npt.NDArray[np.float64]]) -> list[Curve]:
     return _chains_linked(curves + _joined(run))
 
 
-def curves_from_path(pieces: list[npt.NDArray[np.float64]], exact: bool = True) -> list[Curve]:
+def curves_from_path(pieces: list[npt.NDArray[np.float64]], step: float | None) -> list[Curve]:
     """Curves of a path whose pieces join end to end.
 
     Args:
         pieces: (2, 2) the ends of a line, or (4, 2) the control points of a Bézier curve, in px.
-        exact: recognise arcs; else Bézier curves become chains.
+        step: px of the grid to which they were rounded, 0 of exact ones, by which arcs are
+            recognised; None to leave lines as they are, and Bézier curves as chains.
     """
     curves: list[Curve] = []
     for is_bezier, group in groupby(
@@ -73,8 +74,8 @@ def curves_from_path(pieces: list[npt.NDArray[np.float64]], exact: bool = True) 
         run = list(group)
         if not is_bezier:
             points = np.array([piece[0] for piece in run] + [run[-1][1]])
-            curves += lines_and_arcs(points) if exact else polygon_curves(points)
-        elif exact:
+            curves += polygon_curves(points) if step is None else lines_and_arcs(points, step)
+        elif step is not None:
             curves += curves_from_beziers(run)
         else:
             curves += [_chain(bezier) for bezier in run]

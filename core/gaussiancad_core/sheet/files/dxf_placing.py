@@ -37,7 +37,7 @@ def _path(drawn: DrawnCurve, left: float, top: float, sizing: Sizing) -> Written
     curve = drawn.curve
     lines = [np.array([curve.start, curve.end])] if isinstance(curve, Line) else []
     stroke = _stroke(drawn, left, top, sizing)
-    return WrittenPath((stroke,), line_ends(lines), sizing.scale * np.eye(2, 3))
+    return WrittenPath(lambda _: (stroke,), line_ends(lines), sizing.scale * np.eye(2, 3))
 
 
 def _stroke(drawn: DrawnCurve, left: float, top: float, sizing: Sizing) -> VectorStroke:

@@ -36,6 +36,9 @@ from gaussiancad_core.sheet.files.vectors import VectorStroke
 
 Floats = npt.NDArray[np.float64]
 
+Strokes = Callable[[float], Sequence[VectorStroke]]
+"""Strokes in px of the sheet, by the px of the step to which their places were rounded."""
+
 _FINEST_PX, _COARSEST_PX = 0.01, 0.7
 """px of steps that are looked for, at 200 dpi: finer ones are a fifth of the tolerance of exact
 lines; 300 to the inch, two thirds of a px, is the coarsest that printers have, and a tenth of a
@@ -73,12 +76,12 @@ class WrittenPath:
     """What a file draws at once.
 
     Attributes:
-        strokes: px of the sheet.
+        strokes: that it draws.
         ends: (n, 2, 2) both ends of its straight pieces, across and up, in the numbers of the file.
         matrix: (2, 3) from these to px.
     """
 
-    strokes: tuple[VectorStroke, ...]
+    strokes: Strokes
     ends: Floats
     matrix: Floats
 
@@ -160,8 +163,9 @@ def with_steps(paths: Sequence[WrittenPath]) -> tuple[VectorStroke, ...]:
     most = sorted(alike, key=lambda name: -sum(len(path.ends) for path in alike[name]))
     asked = {name: rounding_step for name in most[:_MOST_SCALES]}
     steps = {name: _step(own, asked.get(name, _last_decimal)) for name, own in alike.items()}
+    drawn = ((path, steps[_name(path)]) for path in paths)
     return tuple(
-        replace(stroke, step=steps[_name(path)]) for path in paths for stroke in path.strokes
+        replace(stroke, step=step) for path, step in drawn for stroke in path.strokes(step)
     )
 
 

@@ -17,7 +17,7 @@ from pypdfium2 import raw
 from gaussiancad_core.sheet.files.beziers import curves_from_path
 from gaussiancad_core.sheet.files.content import MAX_ELEMENTS, PAPER_LEVEL, too_many_elements
 from gaussiancad_core.sheet.files.curves import to_point
-from gaussiancad_core.sheet.files.file_grid import WrittenPath, line_ends, with_steps
+from gaussiancad_core.sheet.files.file_grid import Strokes, WrittenPath, line_ends, with_steps
 from gaussiancad_core.sheet.files.linetypes import role_by_dashes, role_by_name
 from gaussiancad_core.sheet.files.pdf_texts import TextPiece, joined_texts, text_piece
 from gaussiancad_core.sheet.files.vectors import (
@@ -152,31 +152,32 @@ def _take_path(walk: _Walk, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> None:
     strokes = _stroked(item, drawn, scale) if stroked.value else _filled(item, drawn)
     # Areas are filled with letters and arrow heads, which are often put on the sheet as they are.
     ends = line_ends(piece for own in subpaths for piece in own if stroked.value)
-    walk.paths.append(WrittenPath(tuple(strokes), ends, matrix))
+    walk.paths.append(WrittenPath(strokes, ends, matrix))
 
 
-def _filled(item: raw.FPDF_PAGEOBJECT, subpaths: list[Pieces]) -> list[VectorStroke]:
+def _filled(item: raw.FPDF_PAGEOBJECT, subpaths: list[Pieces]) -> Strokes:
     if _is_paper(item):
-        return []
+        return lambda _: []
     colour, layer = _colour(item, raw.FPDFPageObj_GetFillColor), _layer(item)
-    return [
+    found = [
         VectorStroke(curve, None, (), StrokeRole.UNKNOWN, layer, StrokeKind.FILL, colour)
         for curve in map(_outline, subpaths)
         if curve is not None
     ]
+    return lambda _: found
 
 
-def _stroked(item: raw.FPDF_PAGEOBJECT, subpaths: list[Pieces], scale: float) -> list[VectorStroke]:
+def _stroked(item: raw.FPDF_PAGEOBJECT, subpaths: list[Pieces], scale: float) -> Strokes:
     dashes = tuple(length * scale for length in _dashes(item))
     width = ctypes.c_float()
     raw.FPDFPageObj_GetStrokeWidth(item, width)
     layer = _layer(item)
     role = role_by_dashes(dashes) if dashes else role_by_name(layer) or StrokeRole.UNKNOWN
     colour = _colour(item, raw.FPDFPageObj_GetStrokeColor)
-    return [
+    return lambda step: [
         VectorStroke(curve, width.value * scale, dashes, role, layer, colour=colour)
         for pieces in subpaths
-        for curve in curves_from_path(pieces)
+        for curve in curves_from_path(pieces, step)
     ]
 
 
@@ -229,7 +230,7 @@ def _subpaths(walk: _Walk, item: raw.FPDF_PAGEOBJECT) -> list[Pieces]:
 
 def _outline(pieces: Pieces) -> Curve | None:
     """The closed chain around a filled area."""
-    curves = curves_from_path(pieces, exact=False)
+    curves = curves_from_path(pieces, None)
     parts = [curve.points if isinstance(curve, Chain) else curve.sample(np.inf) for curve in curves]
     points = [to_point(point) for part in parts for point in part[1:]]
     if not points:

@@ -28,21 +28,6 @@ _BESIDE, _STEPS = 0.15, 0.8
 """px, and steps of the grid, within which points lie beside their circle: of the diagonal a half,
 and something for the chord."""
 
-_COARSEST = 0.6
-"""px of the grid's step at most."""
-
-_FINEST = 0.01
-"""px of the grid's step at least."""
-
-_TELLING = 8
-"""Of so many at least."""
-
-_OFF_GRID, _ON_GRID = 0.1, 0.9
-"""Steps that distances may be off the grid, and share of them that are not, at least."""
-
-_MOST_PARTS = 24
-"""Steps that the two nearest lines are apart at most."""
-
 _MOST = 1024
 """Chords of an arc that are looked at."""
 
@@ -50,55 +35,19 @@ _CLOSED = 1e-6
 """px between the ends of a whole circle."""
 
 
-def lines_and_arcs(points: Points) -> list[Curve]:
+def lines_and_arcs(points: Points, step: float) -> list[Curve]:
     """Curves along a polygon that a plotter drew, in order.
 
     Args:
         points: no two neighbours at the same place.
+        step: px of the grid to which the points were rounded; 0 of exact ones.
     """
-    step = grid_step(points)
     curves: list[Curve] = []
     first = 0
     for last in _ends_of_runs(points, step):
         curves += _along_run(points[first : last + 1], max(_BESIDE, _STEPS * step))
         first = last
     return curves
-
-
-def grid_step(points: Points) -> float:
-    """px between lines of the grid to which points are rounded; 0 where they tell of none."""
-    apart = np.sort(
-        np.concatenate([np.diff(np.unique(np.round(column, 3))) for column in points.T])
-    )
-    apart = apart[apart > _FINEST]
-    if len(apart) < _TELLING:
-        return 0.0
-    # No two lines need be one step apart; but then more must tell of it.
-    for parts in range(1, _MOST_PARTS + 1 if len(apart) >= 2 * _TELLING else 2):
-        step = float(apart[0]) / parts
-        if _FINEST < step <= _COARSEST and (fitted := _fitted_step(apart, step)):
-            return fitted
-    return 0.0
-
-
-def _fitted_step(apart: npt.NDArray[np.float64], step: float) -> float:
-    """The step that distances are multiples of, from about that one on; 0 where most are none.
-
-    Args:
-        apart: px, in order: each makes the step surer for those that are farther.
-        step: px.
-    """
-    length, steps, off = 0.0, 0.0, 0
-    for distance in apart.tolist():
-        count = round(distance / step)
-        if not count or abs(distance / step - count) >= _OFF_GRID:
-            off += 1
-            if off > (1.0 - _ON_GRID) * len(apart):
-                return 0.0
-            continue
-        length, steps = length + distance, steps + count
-        step = length / steps
-    return step
 
 
 def _ends_of_runs(points: Points, step: float) -> npt.NDArray[np.int64]:

@@ -1,6 +1,7 @@
 """The shapes of an SVG tree as exact curves, through svgelements' styles and transforms."""
 
 from collections.abc import Iterator
+from functools import partial
 from io import BytesIO
 from xml.etree.ElementTree import Element, tostring
 
@@ -49,7 +50,6 @@ def svg_strokes(root: Element, scale: float) -> list[VectorStroke]:
 
 
 def _path(shape: svgelements.Shape, scale: float) -> WrittenPath:
-    strokes = tuple(_shape_strokes(shape, scale))
     rounds = svgelements.Circle | svgelements.Ellipse
     drawn = _is_painted(shape.stroke) and not isinstance(shape, rounds)
     lines = [
@@ -58,6 +58,7 @@ def _path(shape: svgelements.Shape, scale: float) -> WrittenPath:
         if isinstance(own, svgelements.Line | svgelements.Close)
         and (piece := _piece(own, np.eye(2, 3))) is not None
     ]
+    strokes = partial(_shape_strokes, shape, scale)
     return WrittenPath(strokes, line_ends(lines), _matrix(shape, scale))
 
 
@@ -89,7 +90,14 @@ def _matrix(item: svgelements.Transformable, scale: float) -> npt.NDArray[np.flo
     return scale * np.array([[m.a, m.c, m.e], [m.b, m.d, m.f]], dtype=np.float64)
 
 
-def _shape_strokes(shape: svgelements.Shape, scale: float) -> list[VectorStroke]:
+def _shape_strokes(shape: svgelements.Shape, scale: float, step: float) -> list[VectorStroke]:
+    """What a shape draws, px of the sheet.
+
+    Args:
+        shape: with its style and matrix.
+        scale: sheet px per CSS px.
+        step: px to which its places were rounded.
+    """
     matrix = _matrix(shape, scale)
     layer = str(shape.values.get(_LABEL, ""))
     if _is_painted(shape.stroke):
@@ -104,14 +112,14 @@ def _shape_strokes(shape: svgelements.Shape, scale: float) -> list[VectorStroke]
         colour = _channels(shape.stroke)
         return [
             VectorStroke(curve, width, dashes, role, layer, colour=colour)
-            for curve in _curves(shape, matrix)
+            for curve in _curves(shape, matrix, step)
         ]
     if _is_painted(shape.fill) and min(_channels(shape.fill)) < PAPER_LEVEL:
         return [
             VectorStroke(
                 outline, None, (), StrokeRole.UNKNOWN, layer, StrokeKind.FILL, _channels(shape.fill)
             )
-            for outline in _outlines(shape, matrix)
+            for outline in _outlines(shape, matrix, step)
         ]
     return []
 
@@ -145,7 +153,7 @@ def _dashes(shape: svgelements.Shape) -> list[float]:
     return lengths if sum(lengths[1::2]) > 0.0 else []
 
 
-def _curves(shape: svgelements.Shape, matrix: npt.NDArray[np.float64]) -> list[Curve]:
+def _curves(shape: svgelements.Shape, matrix: npt.NDArray[np.float64], step: float) -> list[Curve]:
     if isinstance(shape, svgelements.Circle | svgelements.Ellipse):
         centre = np.array([_number(shape.cx, 0.0), _number(shape.cy, 0.0)])
         axes = np.diag([_number(shape.rx, 0.0), _number(shape.ry, 0.0)])
@@ -161,19 +169,19 @@ def _curves(shape: svgelements.Shape, matrix: npt.NDArray[np.float64]) -> list[C
             curves.append(_joined_arc(arcs, matrix))
             arcs = []
         if is_arc:
-            curves += curves_from_path(run)
+            curves += curves_from_path(run, step)
             run = []
             arcs.append(segment)
             continue
         piece = _piece(segment, matrix)
         if piece is None:
-            curves += curves_from_path(run)
+            curves += curves_from_path(run, step)
             run = []
         else:
             run.append(piece)
     if arcs:
         curves.append(_joined_arc(arcs, matrix))
-    return curves + curves_from_path(run)
+    return curves + curves_from_path(run, step)
 
 
 def _segments(shape: svgelements.Shape) -> list[svgelements.PathSegment]:
@@ -243,13 +251,15 @@ def _mapped_arc(
     )
 
 
-def _outlines(shape: svgelements.Shape, matrix: npt.NDArray[np.float64]) -> list[Curve]:
+def _outlines(
+    shape: svgelements.Shape, matrix: npt.NDArray[np.float64], step: float
+) -> list[Curve]:
     """The closed chains around a filled area."""
     loops: list[list[tuple[float, float]]] = [[]]
-    for curve in _curves(shape, matrix):
+    for curve in _curves(shape, matrix, step):
         # Straight pieces need no points between their ends.
-        step = np.inf if isinstance(curve, Line) else 2.0
-        points = curve.points if isinstance(curve, Chain) else curve.sample(step)
+        apart = np.inf if isinstance(curve, Line) else 2.0
+        points = curve.points if isinstance(curve, Chain) else curve.sample(apart)
         if loops[-1] and np.hypot(*(np.array(points[0]) - loops[-1][-1])) > 1e-6:
             loops.append([])
         loops[-1] += [to_point(point) for point in points]

@@ -36,14 +36,21 @@ def with_whole_edges(strokes: Sequence[VectorStroke]) -> tuple[VectorStroke, ...
     kept = [own for index, own in enumerate(strokes) if index not in lines]
     beside = _BESIDE + 0.5 * max((own.step for own in strokes), default=0.0)
     for first, points in _chains(lines):
-        kept += [replace(strokes[first], curve=curve) for curve in _whole(points, beside)]
+        whole = _whole(points, strokes[first].step, beside)
+        kept += [replace(strokes[first], curve=curve) for curve in whole]
     return tuple(kept)
 
 
-def _whole(points: Floats, beside: float) -> Iterator[Curve]:
-    """Arcs and lines along a chain, lines as one that are straight within so many px."""
+def _whole(points: Floats, step: float, beside: float) -> Iterator[Curve]:
+    """Arcs and lines along a chain.
+
+    Args:
+        points: (n, 2) px.
+        step: px to which they were rounded.
+        beside: px within which lines are one that is straight.
+    """
     run: list[Line] = []
-    for curve in lines_and_arcs(points):
+    for curve in lines_and_arcs(points, step):
         if isinstance(curve, Line) and _is_straight([*run, curve], beside):
             run.append(curve)
             continue

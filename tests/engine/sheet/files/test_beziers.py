@@ -72,8 +72,8 @@ def test_paths_of_lines_and_curves() -> None:
         *arc,
         np.array([(100, 150), (0, 150)], float),
     ]
-    kinds = [type(curve) for curve in curves_from_path(pieces)]
+    kinds = [type(curve) for curve in curves_from_path(pieces, 0.0)]
     assert kinds == [Line, CircularArc, Line]
-    plain = [type(curve) for curve in curves_from_path(pieces, exact=False)]
+    plain = [type(curve) for curve in curves_from_path(pieces, None)]
     assert plain == [Line, Chain, Line]
-    assert curves_from_path([np.zeros((2, 2))]) == []
+    assert curves_from_path([np.zeros((2, 2))], 0.0) == []

@@ -165,7 +165,8 @@ def test_no_lines_have_no_step() -> None:
 
 
 def path(ends: np.ndarray, matrix: np.ndarray, *curves: Line | CircularArc) -> WrittenPath:
-    return WrittenPath(tuple(VectorStroke(own, 1.0) for own in curves), ends, matrix)
+    strokes = [VectorStroke(own, 1.0) for own in curves]
+    return WrittenPath(lambda _: strokes, ends, matrix)
 
 
 def test_strokes_have_the_step_of_the_lines_at_their_scale() -> None:
