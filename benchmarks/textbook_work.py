@@ -118,7 +118,7 @@ def worked(task: Task) -> Iterator[Row]:
         longest = max(Axis, key=lambda axis: float(lines.size[axis.value]))
         told = ReadingOptions(
             projection=task.projection if task.told else None,
-            length=(longest, float(lines.size[longest.value])),
+            lengths=((longest, float(lines.size[longest.value])),),
         )
         yield {"stage": SOLVE}
         reconstruct(Job(sheet, folder, told, result=ResultKind.SOLID), Silence())

@@ -80,7 +80,7 @@ def sheet_cases(kind: str, seed: int) -> Iterator[Row]:
         longest = max(Axis, key=lambda axis: page.size[axis.value])
         told = ReadingOptions(
             projection=angle if policy.told else None,
-            length=(longest, page.size[longest.value]),
+            lengths=((longest, page.size[longest.value]),),
         )
         job = Job(sheet, folder / "out", told, result=ResultKind.SOLID)
         yield row | _reconstructed(job, page.shape, unique=not alike)

@@ -83,11 +83,7 @@ class Job:
             **beside,
             "projection": reading.projection.value if reading.projection else "auto",
             "views": {role.value: list(box) for role, box in reading.views},
-            "length": (
-                {"axis": reading.length[0].name.lower(), "mm": reading.length[1]}
-                if reading.length
-                else None
-            ),
+            "lengths": {axis.name.lower(): length for axis, length in reading.lengths},
             "mm_per_pixel": reading.mm_per_pixel,
             "colour": "#{:02x}{:02x}{:02x}".format(*reading.colour),
             "median_kernel": reading.median_kernel,

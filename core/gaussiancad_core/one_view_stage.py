@@ -42,9 +42,14 @@ _TURNED = Message(
 )
 
 
-def is_unseen(axis: Axis, drawn: Sequence[ReadView]) -> bool:
-    """Whether the sheet has one view, which looks along an axis."""
-    return len(drawn) == 1 and drawn[0].role.frame.look_axis[0] is axis
+def shown_extents(drawn: Sequence[ReadView]) -> dict[Axis, float]:
+    """px of the part along each axis that views show, of the first view that shows it."""
+    extents: dict[Axis, float] = {}
+    for view in drawn:
+        x0, y0, x1, y1 = view.box
+        extents.setdefault(view.role.frame.right_axis[0], x1 - x0)
+        extents.setdefault(view.role.frame.up_axis[0], y1 - y0)
+    return extents
 
 
 def told_unseen(
@@ -72,8 +77,7 @@ def told_unseen(
     axis = view.role.frame.look_axis[0]
     about = _turned_about(view, scale) if scale is not None else None
     thickness = _thickness(axis, notes, options)
-    is_said = options.length is not None and options.length[0] is axis
-    if about is not None and not is_said:
+    if about is not None and options.length_along(axis) is None:
         run.doubt("second-view-assumed", _TURNED)
         return Unseen(axis, about=about)
     if thickness is not None and _is_scaled(axis, options):
@@ -92,16 +96,16 @@ def told_unseen(
 
 def _thickness(axis: Axis, notes: Sequence[SheetNote], options: ReadingOptions) -> float | None:
     """mm that the user says, else a note."""
-    if options.length is not None and options.length[0] is axis:
-        return options.length[1]
+    if said := options.length_along(axis):
+        return said
     noted = (own.value_mm for own in notes if own.callout.kind is NoteKind.THICKNESS)
     return next((own for own in noted if own), None)
 
 
 def _is_scaled(axis: Axis, options: ReadingOptions) -> bool:
     """Whether anything tells the scale of what the view shows."""
-    shown = options.length is not None and options.length[0] is not axis
-    return shown or options.mm_per_pixel is not None
+    shown = [own for own in Axis if own is not axis]
+    return options.scaling_length(shown) is not None or options.mm_per_pixel is not None
 
 
 def _turned_about(view: ReadView, scale: SheetScale) -> Axis | None:

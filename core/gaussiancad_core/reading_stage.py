@@ -9,7 +9,7 @@ from gaussiancad_core.job import Job
 from gaussiancad_core.label_doubts import tell_doubtful_labels, weighed_views
 from gaussiancad_core.messages import Message
 from gaussiancad_core.modes import ResultKind
-from gaussiancad_core.one_view_stage import is_unseen, told_unseen
+from gaussiancad_core.one_view_stage import shown_extents, told_unseen
 from gaussiancad_core.projection_choice import opposite
 from gaussiancad_core.report import NoteReport, Unused, ViewReport
 from gaussiancad_core.run_notes import RunNotes
@@ -256,8 +256,8 @@ def _notes(image: SheetImage, scale: SheetScale | None) -> tuple[SheetNote, ...]
 
 def _is_given(reading: ReadingOptions, drawn: Sequence[ReadView]) -> bool:
     """Whether the user says a scale: an extent that no view shows says none."""
-    shown = reading.length is not None and not is_unseen(reading.length[0], drawn)
-    return shown or reading.mm_per_pixel is not None
+    told = reading.scaling_length(shown_extents(drawn))
+    return told is not None or reading.mm_per_pixel is not None
 
 
 def tell_scale(

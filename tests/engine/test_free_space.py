@@ -130,8 +130,15 @@ def test_a_plate_without_a_thickness_asks_for_one_and_takes_it(run: Run) -> None
     with pytest.raises(NoModelError) as caught:
         run(doc)
     assert caught.value.code == "one-view"
-    _, extents, _ = run(doc, ReadingOptions(length=(Axis.Y, 3.0)))
+    _, extents, _ = run(doc, ReadingOptions(lengths=((Axis.Y, 3.0),)))
     assert extents == pytest.approx([60.0, 3.0, 40.0], abs=1e-3)
+
+
+def test_a_plate_is_told_its_width_and_its_thickness(run: Run) -> None:
+    doc, model = _drawing()
+    _plate(model)
+    _, extents, _ = run(doc, ReadingOptions(lengths=((Axis.X, 90.0), (Axis.Y, 3.0))))
+    assert extents == pytest.approx([90.0, 3.0, 60.0], abs=1e-3)
 
 
 def test_circles_of_chords_that_are_drawn_twice_are_circles(run: Run) -> None:

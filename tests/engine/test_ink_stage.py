@@ -40,7 +40,7 @@ def read(
     image = read_sheet(path)
     clean = upright_sheet(clean_sheet(image.grey))
     seen = sheet_views(image, clean, projection=Projection.THIRD)
-    options = ReadingOptions(projection=Projection.THIRD, length=(Axis.X, _LENGTH))
+    options = ReadingOptions(projection=Projection.THIRD, lengths=((Axis.X, _LENGTH),))
     registered = register_views(read_views(seen.separated.part, seen.layout), options)
     return find_exact(Reading(registered, Projection.THIRD), None).result, registered, clean
 

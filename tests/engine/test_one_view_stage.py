@@ -8,7 +8,7 @@ import pytest
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.events import Progress, Silence
-from gaussiancad_core.one_view_stage import is_unseen, told_unseen
+from gaussiancad_core.one_view_stage import shown_extents, told_unseen
 from gaussiancad_core.report import Report
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.masks import Outline
@@ -82,7 +82,7 @@ def test_a_note_tells_the_thickness() -> None:
 
 
 def test_what_the_user_says_goes_before_a_note_and_diameters() -> None:
-    options = ReadingOptions(length=(Axis.Y, 7.0), mm_per_pixel=0.5)
+    options = ReadingOptions(lengths=((Axis.Y, 7.0),), mm_per_pixel=0.5)
     view = _view(*_SIDES)
     assert _told(view, _scale(_UPRIGHT), options, (_thick(3.0),)) == Unseen(Axis.Y, 7.0)
 
@@ -105,7 +105,11 @@ def test_the_outline_of_a_half_section_is_alike() -> None:
 
 @pytest.mark.parametrize(
     ("options", "notes"),
-    [(_KNOWN, ()), (ReadingOptions(), (_thick(3.0),)), (ReadingOptions(length=(Axis.Y, 3.0)), ())],
+    [
+        (_KNOWN, ()),
+        (ReadingOptions(), (_thick(3.0),)),
+        (ReadingOptions(lengths=((Axis.Y, 3.0),)), ()),
+    ],
 )
 def test_without_a_thickness_or_a_scale_one_view_is_no_part(
     options: ReadingOptions, notes: tuple[SheetNote, ...]
@@ -116,8 +120,14 @@ def test_without_a_thickness_or_a_scale_one_view_is_no_part(
 
 
 def test_of_two_views_nothing_is_asked() -> None:
-    views = (_view(*_SIDES), SimpleNamespace(role=Role.TOP))
+    views = (_view(*_SIDES), SimpleNamespace(role=Role.TOP, box=(0.0, 0.0, 7.0, 8.0)))
     assert told_unseen(views, None, (), ReadingOptions(), _notes()) is None
-    assert not is_unseen(Axis.Y, views)
-    assert is_unseen(Axis.Y, views[:1])
-    assert not is_unseen(Axis.X, views[:1])
+    assert set(shown_extents(views)) == set(Axis)
+    assert set(shown_extents(views[:1])) == {Axis.X, Axis.Z}
+
+
+def test_of_two_lengths_one_is_the_scale_and_one_the_thickness() -> None:
+    options = ReadingOptions(lengths=((Axis.Y, 3.0), (Axis.X, 80.0)))
+    views = (_view(*_SIDES),)
+    assert told_unseen(views, _scale(), (), options, _notes()) == Unseen(Axis.Y, 3.0)
+    assert options.scaling_length(shown_extents(views)) == (Axis.X, 80.0)

@@ -266,7 +266,7 @@ def test_a_failed_run_says_so_and_leaves_no_model(tmp_path: Path) -> None:
 
 
 def _job(sheet: Path, output: Path, result: ResultKind = ResultKind.BOTH) -> Job:
-    reading = ReadingOptions(Projection.FIRST, length=(Axis.X, 80.0))
+    reading = ReadingOptions(Projection.FIRST, lengths=((Axis.X, 80.0),))
     return Job(sheet, output, reading, result=result, preset=Preset.DRAFT)
 
 

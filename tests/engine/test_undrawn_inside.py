@@ -87,7 +87,7 @@ def run(tmp_path: Path):  # noqa: ANN201
         if section:
             sheet.draw((1000.0, 650.0), _section(section))
         sheet.write(tmp_path / "sheet.svg")
-        reading = ReadingOptions(length=(Axis.X, _WIDTH))
+        reading = ReadingOptions(lengths=((Axis.X, _WIDTH),))
         job = Job(
             tmp_path / "sheet.svg", tmp_path / "out", reading=reading, result=ResultKind.SOLID
         )

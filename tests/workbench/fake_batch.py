@@ -175,7 +175,7 @@ def settings_of(arguments: list[str]) -> Mapping[str, Any]:
     return {
         **{name: told[f"--{name}"] for name in names if f"--{name}" in told},
         **{n.replace("-", "_"): int(told[f"--{n}"]) for n in numbers if f"--{n}" in told},
-        "length": {"axis": axis, "mm": float(length)} if length else None,
+        "lengths": {axis: float(length)} if length else {},
         "mm_per_pixel": float(told["--mm-per-pixel"]) if "--mm-per-pixel" in told else None,
     }
 

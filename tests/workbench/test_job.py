@@ -63,7 +63,7 @@ class Told(unittest.TestCase):
         settings = {
             "projection": "first",
             "views": {},
-            "length": {"axis": "y", "mm": 12.5},
+            "lengths": {"y": 12.5},
             "mm_per_pixel": None,
             "colour": "#102030",
             "median_kernel": 3,
@@ -88,7 +88,7 @@ class Told(unittest.TestCase):
             scale_down=4,
         )
         self.assertEqual(ReconstructJob.told("a.png", "out", settings), expected)
-        pixels = {**settings, "length": None, "mm_per_pixel": 0.25}
+        pixels = {**settings, "lengths": {}, "mm_per_pixel": 0.25}
         scale = ReconstructJob.told("a.png", "out", pixels).scale
         self.assertEqual(scale, Scale(ScaleKind.MM_PER_PIXEL, 0.25))
         self.assertEqual(ReconstructJob.told("a", "b", {}), ReconstructJob("a", "b"))

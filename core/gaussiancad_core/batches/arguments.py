@@ -11,8 +11,8 @@ def job_arguments(job: Job) -> list[str]:
         arguments += [f"--{name}", str(settings[name])]
     for role, box in settings["views"].items():
         arguments += ["--view", f"{role}={','.join(str(value) for value in box)}"]
-    if settings["length"]:
-        arguments += ["--length", f"{settings['length']['axis']}={settings['length']['mm']}"]
+    for axis, length in settings["lengths"].items():
+        arguments += ["--length", f"{axis}={length}"]
     if settings["mm_per_pixel"]:
         arguments += ["--mm-per-pixel", str(settings["mm_per_pixel"])]
     arguments += ["--median", str(settings["median_kernel"])]

@@ -77,8 +77,10 @@ def add_reading_options(parser: argparse.ArgumentParser) -> None:
     scale.add_argument(
         "--length",
         type=values.axis_length,
+        action="append",
         metavar="AXIS=MM",
-        help="the part's extent on x, y or z; y is the thickness of a plate in one view",
+        help="the part's extent on x, y or z; y is the thickness of a plate in one view; repeat "
+        "for a plate whose scale is not known",
     )
     scale.add_argument("--mm-per-pixel", type=values.positive, metavar="S")
     parser.add_argument(
@@ -136,15 +138,19 @@ def reading_of(options: argparse.Namespace) -> ReadingOptions:
     """What the options say of the sheet.
 
     Raises:
-        UsageError: ``view-repeated`` if two boxes name one role.
+        UsageError: ``view-repeated`` if two boxes name one role, ``length-repeated`` if two
+            lengths name one axis.
     """
     named = [role for role, _ in options.view]
     if len(set(named)) < len(named):
         raise UsageError("view-repeated", "--view: each role can be named once only")
+    lengths = tuple(options.length or ())
+    if len({axis for axis, _ in lengths}) < len(lengths):
+        raise UsageError("length-repeated", "--length: each axis can be named once only")
     return ReadingOptions(
         projection=None if options.projection == "auto" else Projection(options.projection),
         views=tuple(options.view),
-        length=options.length,
+        lengths=lengths,
         mm_per_pixel=options.mm_per_pixel,
         median_kernel=options.median,
         finder=options.finder,
@@ -155,7 +161,8 @@ def job_of(options: argparse.Namespace, sheet: Path, output: Path) -> Job:
     """The job that the options describe.
 
     Raises:
-        UsageError: ``view-repeated`` if two boxes name one role.
+        UsageError: ``view-repeated`` if two boxes name one role, ``length-repeated`` if two
+            lengths name one axis.
     """
     return Job(
         sheet=sheet,

@@ -160,10 +160,10 @@ def _tell_labels(
 def _told_axis(job: Job, reading: SheetReading) -> Job:
     """The job with the length that the reading was told, unless the user tells another scale."""
     own, scale = job.reading, reading.scale
-    if own.length or own.mm_per_pixel or scale.axis is None or scale.length_mm is None:
+    if own.lengths or own.mm_per_pixel or scale.axis is None or scale.length_mm is None:
         return job
     length = Axis[scale.axis.upper()], scale.length_mm
-    return replace(job, reading=replace(own, length=length))
+    return replace(job, reading=replace(own, lengths=(length,)))
 
 
 def _principal(reading: SheetReading) -> dict[Role, ViewEntry]:

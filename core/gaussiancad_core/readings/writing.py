@@ -10,6 +10,7 @@ from gaussiancad_core import __version__
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.messages import told
+from gaussiancad_core.one_view_stage import shown_extents
 from gaussiancad_core.reading_stage import SheetLines
 from gaussiancad_core.readings.certainty import (
     OF_FILE,
@@ -218,11 +219,18 @@ def _corners(trace: Trace | None, turn: Turn) -> tuple[tuple[float, float], ...]
 
 def _scale(lines: SheetLines, turn: Turn) -> ReadScale:
     options, scale = lines.options, lines.scale
-    given = options.mm_per_pixel is not None or options.length is not None
+    given = options.mm_per_pixel is not None or bool(options.lengths)
     told = scale is not None and options.mm_per_pixel == scale.mm_per_pixel
     source = scale.source if told else ScaleSource.GIVEN if given else ScaleSource.DEFAULT
-    axis, length = options.length or (None, None)
-    per_pixel = options.mm_per_pixel
+    per_pixel, lengths = options.mm_per_pixel, options.lengths
+    if per_pixel is None and len(lengths) > 1:
+        # A reading has one length: that which no view shows, beside the scale that the other tells.
+        extents = shown_extents(lines.drawn)
+        told = options.scaling_length(extents)
+        if told is not None:
+            per_pixel = told[1] / extents[told[0]]
+            lengths = tuple(own for own in lengths if own[0] not in extents)
+    axis, length = lengths[0] if lengths else (None, None)
     return ReadScale(
         source=source.value,
         mm_per_px=None if per_pixel is None else per_pixel / turn.scale,

@@ -1,5 +1,6 @@
 """What a user can say about a sheet."""
 
+from collections.abc import Container
 from dataclasses import dataclass
 from enum import Enum
 
@@ -26,8 +27,9 @@ class ReadingOptions:
     Attributes:
         projection: None to infer it.
         views: role -> box around the view in sheet px.
-        length: (axis, mm), the part's extent along an axis, or None; along the one that the only
-            view does not show it is the part's thickness, and tells no scale.
+        lengths: (axis, mm), the part's extents along axes, each axis once; the first along one that
+            a view shows tells the scale, the one along that which no view shows how thick the part
+            is.
         mm_per_pixel: scale of the sheet, or None.
         colour: RGB of the part.
         open_holes: open the through holes that the hidden lines prove; the paper's masks are only
@@ -38,9 +40,21 @@ class ReadingOptions:
 
     projection: Projection | None = None
     views: tuple[tuple[Role, Box], ...] = ()
-    length: tuple[Axis, float] | None = None
+    lengths: tuple[tuple[Axis, float], ...] = ()
     mm_per_pixel: float | None = None
     colour: tuple[int, int, int] = (120, 160, 210)
     open_holes: bool = True
     median_kernel: int = MEDIAN_KERNEL
     finder: Finder = Finder.RIDGES
+
+    def length_along(self, axis: Axis) -> float | None:
+        """mm that the part is long along an axis, if it was said."""
+        return next((length for own, length in self.lengths if own is axis), None)
+
+    def scaling_length(self, shown: Container[Axis]) -> tuple[Axis, float] | None:
+        """The length that tells the scale of views, if one does.
+
+        Args:
+            shown: axes that the views show.
+        """
+        return next((own for own in self.lengths if own[0] in shown), None)

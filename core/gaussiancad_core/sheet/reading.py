@@ -249,10 +249,11 @@ def register_views(
             scale / view.outline.supersampling,
         )
         views.append(colourised(plain, options.colour))
-    by_length = options.mm_per_pixel is None and options.length is not None
-    told = options.length[0] if by_length else None
+    told = _scaling(shared.extents, options)
     found = ViewSet(tuple(views), size)
-    return RegisteredSheet(found, placements, drawn, scale, extents, opened, told, unseen)
+    return RegisteredSheet(
+        found, placements, drawn, scale, extents, opened, told and told[0], unseen
+    )
 
 
 def _own_placement(view: ReadView) -> Placement:
@@ -274,10 +275,15 @@ def _scale(extents: dict[Axis, float], options: ReadingOptions) -> float:
     """mm per sheet px, for a part whose extents are so many."""
     if options.mm_per_pixel is not None:
         return options.mm_per_pixel
-    if options.length is not None:
-        axis, length = options.length
+    if told := _scaling(extents, options):
+        axis, length = told
         return length / extents[axis]
     return DEFAULT_LONGEST_MM / max(extents.values())
+
+
+def _scaling(extents: dict[Axis, float], options: ReadingOptions) -> tuple[Axis, float] | None:
+    """The length that the scale is taken from."""
+    return options.scaling_length(extents) if options.mm_per_pixel is None else None
 
 
 def _through_holes(view: ReadView, drawn: tuple[ReadView, ...]) -> tuple[Region, ...]:

@@ -120,10 +120,11 @@ class ReconstructJob:
             ValueError: a setting has no such value.
         """
         usual = cls(sheet, output)
-        length, mm_per_pixel = settings.get("length"), settings.get("mm_per_pixel")
+        lengths, mm_per_pixel = settings.get("lengths"), settings.get("mm_per_pixel")
         scale = usual.scale
-        if isinstance(length, Mapping):
-            scale = Scale(ScaleKind(length.get("axis")), float(length.get("mm", "nan")))
+        if isinstance(lengths, Mapping) and lengths:
+            axis, length = next(iter(lengths.items()))
+            scale = Scale(ScaleKind(axis), float(length))
         elif mm_per_pixel is not None:
             scale = Scale(ScaleKind.MM_PER_PIXEL, float(mm_per_pixel))
         return replace(
@@ -153,7 +154,7 @@ class ReconstructJob:
         if kind == ScaleKind.MM_PER_PIXEL.value:
             told["mm_per_pixel"] = value
         elif value:
-            told["length"] = {"axis": kind, "mm": value}
+            told["lengths"] = {kind: value}
         told["scale_down"] = told.pop("scale-down", cls.scale_down)
         try:
             return cls.told(sheet, output, told)

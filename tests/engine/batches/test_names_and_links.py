@@ -18,7 +18,7 @@ def test_options_give_the_same_job_again() -> None:
     reading = ReadingOptions(
         projection=Projection.FIRST,
         views=((Role.FRONT, (1.5, 2.0, 30.0, 40.0)), (Role.LEFT, (50.0, 2.0, 80.0, 40.0))),
-        length=(Axis.Y, 42.5),
+        lengths=((Axis.Y, 42.5),),
         colour=(1, 200, 30),
         median_kernel=5,
         finder=Finder.HOUGH,

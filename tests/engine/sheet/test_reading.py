@@ -39,14 +39,14 @@ def test_the_longest_edge_is_100_mm_where_no_one_tells(read) -> None:  # noqa: A
 
 def test_a_length_or_a_scale_sets_the_size(read) -> None:  # noqa: ANN001
     case = read("l-bracket")
-    by_length = register_views(case.views, ReadingOptions(length=(Axis.Z, 60.0)))
+    by_length = register_views(case.views, ReadingOptions(lengths=((Axis.Z, 60.0),)))
     assert by_length.views.size == pytest.approx((80.0, 50.0, 60.0), abs=0.02)
     scale = ReadingOptions(mm_per_pixel=case.drawn.mm_per_pixel)
     assert register_views(case.views, scale).views.size == pytest.approx((80, 50, 60), abs=0.02)
 
 
 def test_masks_have_the_area_of_the_silhouettes(read) -> None:  # noqa: ANN001
-    options = ReadingOptions(length=(Axis.X, 80.0))
+    options = ReadingOptions(lengths=((Axis.X, 80.0),))
     views = register_views(read("l-bracket").views, options).views
     areas = {view.role: view.mask.sum() * view.mm_per_pixel**2 for view in views.views}
     assert areas[Role.FRONT] == pytest.approx(80 * 12 + 14 * 48, rel=0.005)
@@ -62,7 +62,7 @@ def test_filled_masks_have_no_holes(read) -> None:  # noqa: ANN001
 
 
 def test_strokes_lie_on_the_part_in_millimetres(read) -> None:  # noqa: ANN001
-    options = ReadingOptions(length=(Axis.X, 80.0))
+    options = ReadingOptions(lengths=((Axis.X, 80.0),))
     case = read("l-bracket", "clean", "front,bottom,left")
     views = register_views(case.views, options).views
     left = np.concatenate([s.sample(1.0) for s in views[Role.LEFT].strokes])
@@ -122,7 +122,9 @@ def test_a_view_alone_is_as_deep_as_is_known(read, role: Role) -> None:  # noqa:
     assert plate.views.size[axis.value] == pytest.approx(7.0)
     assert plate.views.size[along.value] == pytest.approx((x1 - x0) / 2.0, abs=0.1)
     assert plate.extents.extents[axis] == pytest.approx(14.0)
-    shaft = register_views((view,), ReadingOptions(length=(along, 60.0)), Unseen(axis, about=along))
+    shaft = register_views(
+        (view,), ReadingOptions(lengths=((along, 60.0),)), Unseen(axis, about=along)
+    )
     assert shaft.views.size[along.value] == pytest.approx(60.0)
     assert shaft.views.size[axis.value] == shaft.views.size[up.value]
     with pytest.raises(NoModelError) as error:

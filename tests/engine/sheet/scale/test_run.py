@@ -67,7 +67,7 @@ def test_the_report_names_the_dimensions(report, drawn) -> None:  # noqa: ANN001
 
 def test_what_the_user_says_counts_more(report, drawn) -> None:  # noqa: ANN001
     path, true = drawn
-    found = report(path, ReadingOptions(length=(Axis.X, 160.0)))
+    found = report(path, ReadingOptions(lengths=((Axis.X, 160.0),)))
     assert found["scale_source"] == "given"
     assert found["scale_mm_per_pixel"] == pytest.approx(2 * true, rel=0.002)
 
@@ -76,7 +76,7 @@ def test_what_the_user_says_counts_more(report, drawn) -> None:  # noqa: ANN001
 def test_a_scale_that_contradicts_the_dimensions_is_told(report, drawn) -> None:  # noqa: ANN001
     codes = []
     for length in (160.0, 80.0):
-        found = report(drawn[0], ReadingOptions(length=(Axis.X, length)))
+        found = report(drawn[0], ReadingOptions(lengths=((Axis.X, length),)))
         codes.append({own["code"] for own in (*found["reasons"], *found["warnings"])})
         assert found["dimensions"]
         contradicts = {"scale-contradicts-dimensions"} & {own["code"] for own in found["reasons"]}
