@@ -59,7 +59,7 @@ def with_ink(job: Job, image: SheetImage) -> OpenedSheet:
     Raises:
         NoModelError: there is no ink, or too much of it for a line drawing.
     """
-    clean = upright_sheet(clean_sheet(image.grey, job.reading.median_kernel))
+    clean = upright_sheet(clean_sheet(image.grey, job.reading.median_kernel), image.vectors)
     clean = replace(clean, turn=replace(clean.turn, scale=image.reduction))
     return OpenedSheet(image, clean)
 

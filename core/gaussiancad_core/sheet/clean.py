@@ -13,7 +13,8 @@ import numpy.typing as npt
 
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.dash_gaps import dash_gap
-from gaussiancad_core.sheet.deskew import Turn, find_turn
+from gaussiancad_core.sheet.deskew import Turn, file_directions, find_turn, grown_lines
+from gaussiancad_core.sheet.files.vectors import VectorDrawing
 from gaussiancad_core.sheet.growth import GrowthRules, grow_straight
 from gaussiancad_core.sheet.options import MEDIAN_KERNEL
 from gaussiancad_core.sheet.pale_strokes import mean_stroke_width, with_pale
@@ -117,11 +118,33 @@ def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL)
     return CleanSheet(ink, weight, mean_stroke_width(ink, weight), unturned)
 
 
-def upright_sheet(sheet: CleanSheet) -> CleanSheet:
+def upright_sheet(sheet: CleanSheet, drawing: VectorDrawing | None = None) -> CleanSheet:
     """The sheet turned so that its lines are level, with the gaps of its dashes.
+
+    Args:
+        sheet: as stored.
+        drawing: of its file, where that has lines; they tell how it lies where they are all there
+            is on it.
 
     Raises:
         NoModelError: ``not-a-line-drawing``, the ink is many pieces and hardly any is a line.
+    """
+    if drawing is not None and drawing.complete and drawing.strokes:
+        turn = find_turn(*file_directions(drawing), sheet.ink.shape)
+    else:
+        turn = _seen_turn(sheet)
+    if turn.angle:
+        ink = turn.upright(sheet.ink.astype(np.float32)) > 0.5
+        sheet = replace(sheet, ink=ink, weight=turn.upright(sheet.weight), turn=turn)
+    gap = dash_gap(sheet.ink, sheet.stroke_width)
+    return replace(sheet, dash_gap=gap) if gap else sheet
+
+
+def _seen_turn(sheet: CleanSheet) -> Turn:
+    """How a sheet lies by the lines that are seen on it.
+
+    Raises:
+        NoModelError: ``not-a-line-drawing``.
     """
     ridges = ridge_points(sheet.weight, sheet.stroke_width)
     shapes = grow_straight(ridges, GrowthRules.of_width(sheet.stroke_width))
@@ -134,12 +157,7 @@ def upright_sheet(sheet: CleanSheet) -> CleanSheet:
             "the drawing, not a photograph",
             pieces=pieces,
         )
-    turn = find_turn(shapes, sheet.ink.shape)
-    if turn.angle:
-        ink = turn.upright(sheet.ink.astype(np.float32)) > 0.5
-        sheet = replace(sheet, ink=ink, weight=turn.upright(sheet.weight), turn=turn)
-    gap = dash_gap(sheet.ink, sheet.stroke_width)
-    return replace(sheet, dash_gap=gap) if gap else sheet
+    return find_turn(*grown_lines(shapes), sheet.ink.shape)
 
 
 def _without_specks(raw: Ink, filtered: Ink) -> Ink:

@@ -11,6 +11,8 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.sheet.files.vectors import Line as StraightLine
+from gaussiancad_core.sheet.files.vectors import VectorDrawing
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.growth import Grown
 from gaussiancad_core.sheet.options import Box
@@ -24,7 +26,10 @@ _SMALLEST_SKEW_PX = 0.3
 """Displacement at the sheet's border under which turning it back does more harm than good."""
 
 _SHORTEST = 40
-"""Ridge points of a line whose direction is exact enough to count."""
+"""px of a line whose direction is exact enough to count."""
+
+_MOST_LINES = 1000
+"""Lines of a file that are asked."""
 
 _NEIGHBOURHOODS = (np.radians(0.5), np.radians(0.2), np.radians(0.1))
 """Angles around the common one within which lines are level or upright."""
@@ -94,17 +99,16 @@ class Turn:
         return turned + np.array(self.centre)
 
 
-def find_turn(lines: Sequence[Grown], shape: tuple[int, int]) -> Turn:
+def find_turn(directions: Floats, lengths: Floats, shape: tuple[int, int]) -> Turn:
     """The turn of a sheet, from its lines; none if it is too small to matter.
 
     Args:
-        lines: found on the sheet as stored; circles among them are passed over.
+        directions: (n, 2) of straight lines of the sheet as stored.
+        lengths: (n,) px of these.
         shape: height and width of the sheet in px.
     """
     height, width = shape
     centre = (width / 2, height / 2)
-    directions = np.array([g.geometry.direction for g in lines if isinstance(g.geometry, Line)])
-    lengths = np.array([len(g.members) for g in lines if isinstance(g.geometry, Line)], float)
     long = lengths >= _SHORTEST
     if not long.any():
         return Turn(0.0, centre)
@@ -120,6 +124,23 @@ def find_turn(lines: Sequence[Grown], shape: tuple[int, int]) -> Turn:
     reach = np.hypot(width, height) / 2
     small = abs(common) * reach < _SMALLEST_SKEW_PX or abs(common) > LARGEST_SKEW
     return Turn(0.0 if small else common, centre)
+
+
+def grown_lines(shapes: Sequence[Grown]) -> tuple[Floats, Floats]:
+    """(n, 2) directions and (n,) lengths in px of the straight ones of shapes found in pixels."""
+    lines = [own for own in shapes if isinstance(own.geometry, Line)]
+    directions = np.array([own.geometry.direction for own in lines]).reshape(-1, 2)
+    return directions, np.array([len(own.members) for own in lines], dtype=np.float64)
+
+
+def file_directions(drawing: VectorDrawing) -> tuple[Floats, Floats]:
+    """The same of the longest straight lines of a file."""
+    lines = [own.curve for own in drawing.strokes if isinstance(own.curve, StraightLine)]
+    ends = np.array([(own.start, own.end) for own in lines]).reshape(-1, 2, 2)
+    ways = ends[:, 1] - ends[:, 0]
+    lengths = np.hypot(ways[:, 0], ways[:, 1])
+    longest = np.argsort(-lengths, kind="stable")[:_MOST_LINES]
+    return ways[longest], lengths[longest]
 
 
 def _commonest(angles: Floats, lengths: Floats) -> float:

@@ -1,5 +1,6 @@
 """Turns to a hundredth of a degree, and back."""
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -7,7 +8,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.sheet.deskew import LARGEST_SKEW, Turn, find_turn
+from gaussiancad_core.sheet.deskew import (
+    LARGEST_SKEW,
+    Turn,
+    file_directions,
+    find_turn,
+    grown_lines,
+)
+from gaussiancad_core.sheet.files.vectors import Line as StraightLine
+from gaussiancad_core.sheet.files.vectors import VectorDrawing, VectorStroke
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.growth import Grown, grow_shapes
 from gaussiancad_core.sheet.ridges import ridge_points
@@ -26,7 +35,7 @@ def _line(degrees: float, length: int = 200) -> Grown:
 
 def _found(*lines: Grown) -> float:
     """Degrees by which lines on a sheet of 2000 x 1000 px are turned."""
-    return float(np.degrees(find_turn(lines, (1000, 2000)).angle))
+    return float(np.degrees(find_turn(*grown_lines(lines), (1000, 2000)).angle))
 
 
 def _part(sketch: Sketch, degrees: float) -> Sketch:
@@ -46,7 +55,8 @@ def _part(sketch: Sketch, degrees: float) -> Sketch:
 
 
 def _turn_of(drawn: Sketch) -> Turn:
-    return find_turn(grow_shapes(ridge_points(drawn.weight, 3.0)), drawn.weight.shape)
+    shapes = grow_shapes(ridge_points(drawn.weight, 3.0))
+    return find_turn(*grown_lines(shapes), drawn.weight.shape)
 
 
 @pytest.mark.parametrize("degrees", [-8.0, -5.3, -2.0, -0.4, 0.15, 0.7, 1.0, 3.0, 6.2, 8.0])
@@ -54,6 +64,18 @@ def test_the_turn_of_a_drawing(sketch: Sketch, degrees: float) -> None:
     turn = _turn_of(_part(sketch, degrees))
     assert np.degrees(turn.angle) == pytest.approx(degrees, abs=0.01)
     assert turn.centre == MIDDLE
+
+
+@pytest.mark.parametrize("degrees", [-3.0, 0.0, 1.5])
+def test_the_strokes_of_a_file_tell_its_turn(degrees: float) -> None:
+    turn = Turn(np.radians(degrees), MIDDLE)
+    box = np.array([(60.0, 50.0), (420.0, 50.0), (420.0, 310.0), (60.0, 310.0), (60.0, 50.0)])
+    corners = [tuple(own) for own in turn.to_stored(box).tolist()]
+    lines = [StraightLine(*ends) for ends in pairwise(corners)]
+    lines.append(StraightLine((0.0, 0.0), (300.0, 120.0)))
+    drawing = VectorDrawing(tuple(VectorStroke(own, None) for own in lines), ())
+    found = find_turn(*file_directions(drawing), (HEIGHT, WIDTH))
+    assert np.degrees(found.angle) == pytest.approx(degrees, abs=1e-6)
 
 
 @pytest.mark.parametrize("degrees", [0.0, 0.02, -0.03])

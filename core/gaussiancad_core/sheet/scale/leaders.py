@@ -107,6 +107,7 @@ def circles_at(
         return ()
     near = _NEAR * (text.box[3] - text.box[1])
     starts = [end for shelf in shelves if _beside(shelf, text.box, near) for end in shelf]
+    ends = np.array([end for piece in leaders for end in piece]).reshape(-1, 2)
     missed: dict[float, tuple[float, Arc]] = {}
     for leader in leaders:
         for start, tip in (leader, leader[::-1]):
@@ -114,19 +115,19 @@ def circles_at(
                 np.hypot(*(start - end)) <= _TOUCH for end in starts
             ):
                 # Edges that a leader crosses cut it into pieces.
-                tips = [tip, *(end for piece in leaders for end in piece if _on(start, tip, end))]
+                tips = [tip, *_beyond(start, tip, ends)]
                 for miss, arc in (hit for end in tips for hit in _pointed_at(start, end, arcs)):
                     if arc.radius not in missed or miss < missed[arc.radius][0]:
                         missed[arc.radius] = miss, arc
     return tuple(arc for _, arc in sorted(missed.values(), key=lambda hit: hit[0]))
 
 
-def _on(start: Points, tip: Points, point: Points) -> bool:
-    """Whether a point lies on the line from a start, beyond its tip."""
+def _beyond(start: Points, tip: Points, points: Points) -> Points:
+    """(m, 2) those of some points that lie on the line from a start, beyond its tip."""
     length = float(np.hypot(*(tip - start)))
-    way, offset = (tip - start) / length, point - start
-    beside = abs(float(way[0] * offset[1] - way[1] * offset[0]))
-    return float(way @ offset) > length and beside <= _ALIGNED
+    way, offsets = (tip - start) / length, points - start
+    beside = np.abs(way[0] * offsets[:, 1] - way[1] * offsets[:, 0])
+    return points[(offsets @ way > length) & (beside <= _ALIGNED)]
 
 
 def _beside(shelf: Leader, box: Box, near: float) -> bool:
