@@ -18,6 +18,7 @@ from gaussiancad_core.sheet.files.vectors import VectorDrawing
 from gaussiancad_core.sheet.growth import GrowthRules, grow_straight
 from gaussiancad_core.sheet.options import MEDIAN_KERNEL
 from gaussiancad_core.sheet.pale_strokes import mean_stroke_width, with_pale
+from gaussiancad_core.sheet.paper import STROKE_REACH, enlarged, even_paper, smaller
 from gaussiancad_core.sheet.ridges import ridge_points
 
 _SHORTEST_DASH = 7.0
@@ -41,12 +42,6 @@ _LINE_PX = 24
 
 _LEAST_LINES = 0.1
 """Share of the strokes' length that lines have at least."""
-
-_PAPER_SCALE = 4
-"""Factor by which the sheet is made smaller to find its paper."""
-
-_PAPER_REACH = 11
-"""Side in px of the smaller sheet over which ink is closed: wider than any stroke."""
 
 _NOISE = 4.0
 """Standard deviations of the paper's own darkness under which there is no ink.
@@ -180,7 +175,8 @@ def _threshold(grey: npt.NDArray[np.uint8]) -> Ink:
 
 def _weight(grey: npt.NDArray[np.uint8], ink: Ink) -> npt.NDArray[np.float32]:
     """Darkness of each pixel between the paper's around it (0) and the ink's (1)."""
-    darkness = _paper(grey) - grey
+    height, width = grey.shape
+    darkness = enlarged(even_paper(smaller(grey), STROKE_REACH), (width, height)) - grey
     full = float(np.percentile(darkness[ink], 75))
     blank = darkness[cv2.dilate(ink.astype(np.uint8), np.ones((5, 5), np.uint8)) == 0]
     noise = float(np.sqrt(np.mean(np.minimum(blank, 0.25 * full) ** 2))) if len(blank) else 0.0
@@ -190,15 +186,3 @@ def _weight(grey: npt.NDArray[np.uint8], ink: Ink) -> npt.NDArray[np.float32]:
     dark = np.clip(blank, 0.0, 0.25 * full)
     plotted = not len(blank) or float(np.sqrt(np.mean(dark**2))) < _EVEN_PAPER
     return with_pale(weight, ink) if plotted else weight
-
-
-def _paper(grey: npt.NDArray[np.uint8]) -> npt.NDArray[np.float32]:
-    """The sheet as it would be without ink: the light of its surroundings."""
-    height, width = grey.shape
-    small = (max(1, width // _PAPER_SCALE), max(1, height // _PAPER_SCALE))
-    coarse = cv2.resize(grey, small, interpolation=cv2.INTER_AREA)
-    kernel = np.ones((_PAPER_REACH, _PAPER_REACH), np.uint8)
-    # Closing dark strokes would take the brightest noise for paper: smooth before and after.
-    closed = cv2.morphologyEx(cv2.GaussianBlur(coarse, (0, 0), 1.0), cv2.MORPH_CLOSE, kernel)
-    even = cv2.GaussianBlur(closed.astype(np.float32), (0, 0), _PAPER_REACH / 2)
-    return cv2.resize(even, (width, height), interpolation=cv2.INTER_LINEAR)

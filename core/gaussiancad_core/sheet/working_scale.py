@@ -9,6 +9,8 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.sheet.paper import PICTURE_REACH, smaller
+
 Runs = tuple[npt.NDArray[np.intp], npt.NDArray[np.intp], npt.NDArray[np.intp]]
 """(n,) each: row, first and last column."""
 
@@ -41,10 +43,6 @@ _SHARE = 0.12
 
 _WINDOW = 0.13
 """Share by which the widths of one pen differ."""
-
-_PAPER_SCALE, _PAPER_REACH = 4, 21
-"""Factor by which the sheet is made smaller to find its paper, and px there that are wider than any
-stroke."""
 
 
 def working_factor(grey: npt.NDArray[np.uint8]) -> float:
@@ -101,10 +99,8 @@ def resampled(grey: npt.NDArray[np.uint8], size: tuple[int, int]) -> npt.NDArray
 def _darkness(grey: npt.NDArray[np.uint8]) -> npt.NDArray[np.float32] | None:
     """(h, w) 0 for paper to 1 for ink; None without any ink."""
     height, width = grey.shape
-    small = (max(1, width // _PAPER_SCALE), max(1, height // _PAPER_SCALE))
-    coarse = cv2.resize(grey, small, interpolation=cv2.INTER_AREA)
-    kernel = np.ones((_PAPER_REACH, _PAPER_REACH), np.uint8)
-    paper = cv2.morphologyEx(coarse, cv2.MORPH_CLOSE, kernel)
+    kernel = np.ones((PICTURE_REACH, PICTURE_REACH), np.uint8)
+    paper = cv2.morphologyEx(smaller(grey), cv2.MORPH_CLOSE, kernel)
     light = cv2.resize(paper, (width, height), interpolation=cv2.INTER_LINEAR)
     darkness = cv2.subtract(light, grey)
     dark = darkness[darkness > _DARK]

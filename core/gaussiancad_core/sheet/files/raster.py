@@ -1,10 +1,12 @@
 """Raster files: PNG, JPEG, TIFF, BMP and WebP."""
 
 import warnings
+from collections.abc import Iterator
 from pathlib import Path
 
 import cv2
 import numpy as np
+import numpy.typing as npt
 from PIL import Image, ImageOps, UnidentifiedImageError
 
 from gaussiancad_core.errors import UnreadableError
@@ -17,6 +19,7 @@ from gaussiancad_core.sheet.files.content import (
     too_large,
     too_many_pages,
 )
+from gaussiancad_core.sheet.paper import PICTURE_REACH, enlarged, even_paper, smaller
 
 _FORMATS = ("PNG", "JPEG", "TIFF", "BMP", "WEBP")
 
@@ -27,10 +30,13 @@ _BAND = 1024
 """Rows that are converted at a time."""
 
 _LEAST_INK = 48
-"""Levels of a colour's light that ink takes at least to have a hue: paper is never quite white."""
+"""Levels of a colour's light that ink takes at least to have a hue, on paper made white."""
 
 _LEAST_SATURATION = 0.35
 """Share by which it takes more of one colour's light than of another's, at least."""
+
+_LEAST_PAPER = 64.0
+"""Levels of light that paper has at least: what is darker is none, and its noise no colour."""
 
 _SCREEN_DPI = 96.0
 """Written by programs that know nothing of paper."""
@@ -120,13 +126,35 @@ def _to_grey(image: Image.Image) -> tuple[Grey, Grey | None]:
     image.load()
     grey = np.empty((image.height, image.width), np.uint8)
     tint = np.empty_like(grey)
-    # By bands: a large sheet as RGBA takes four bytes a pixel, and as much for each step.
-    for top in range(0, image.height, _BAND):
-        bottom = min(top + _BAND, image.height)
+    small = []
+    for top, bottom in _bands(image):
         rgb = _on_paper(image.crop((0, top, image.width, bottom)))
         grey[top:bottom] = np.asarray(rgb.convert("L"))
-        tint[top:bottom] = _tint(np.asarray(rgb))
+        small.append(smaller(np.asarray(rgb)))
+    paper = np.maximum(even_paper(np.concatenate(small), PICTURE_REACH), _LEAST_PAPER)
+    rows = np.cumsum([0, *(len(own) for own in small)])
+    for (top, bottom), start, end in zip(_bands(image), rows[:-1], rows[1:], strict=True):
+        rgb = np.asarray(_on_paper(image.crop((0, top, image.width, bottom))))
+        light = enlarged(paper[start:end], (image.width, bottom - top))
+        tint[top:bottom] = _tint(_on_white(rgb, light))
     return grey, tint if tint.any() else None
+
+
+def _bands(image: Image.Image) -> Iterator[tuple[int, int]]:
+    """First row, and the one after the last, of the parts in which a picture is converted: a large
+    sheet as RGBA takes four bytes a pixel, and as much for each step."""
+    for top in range(0, image.height, _BAND):
+        yield top, min(top + _BAND, image.height)
+
+
+def _on_white(rgb: np.ndarray, light: npt.NDArray[np.float32]) -> np.ndarray:
+    """(h, w, 3) uint8 a picture as it would be with white paper.
+
+    Args:
+        rgb: (h, w, 3) uint8.
+        light: (h, w, 3) of its paper.
+    """
+    return np.minimum(rgb * (np.float32(255.0) / light) + 0.5, 255.0).astype(np.uint8)
 
 
 def _on_paper(image: Image.Image) -> Image.Image:

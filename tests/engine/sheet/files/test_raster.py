@@ -101,3 +101,34 @@ def test_truncated_headers_are_damage(save: Callable, tmp_path: Path) -> None:
         with pytest.raises(UnreadableError) as caught:
             read_raster(save("b.tif", data[:length]), 1)
         assert caught.value.code in ("damaged-image", "not-an-image")
+
+
+@pytest.mark.parametrize("shade", [(0.0, 0.0), (0.12, 0.0), (0.0, 0.25)])
+@pytest.mark.parametrize("paper", [(255, 255, 255), (214, 196, 150), (150, 160, 190)])
+def test_ink_has_its_colour_on_paper_of_any_colour(
+    tmp_path: Path, paper: tuple[int, int, int], shade: tuple[float, float]
+) -> None:
+    across, down = (1.0 - own * np.linspace(0.0, 1.0, 1200) for own in shade)
+    light = np.array(paper) * (across[None, :] * down[:, None])[..., None]
+    passed = np.ones_like(light)
+    inks = {200: (0.1, 0.1, 0.1), 500: (0.9, 0.1, 0.1), 800: (0.15, 0.25, 0.95)}
+    for row, ink in inks.items():
+        passed[row : row + 5, 100:1100] = ink
+    noise = np.random.default_rng(7).normal(0.0, 4.0, light.shape)
+    picture = np.clip(light * passed + noise, 0.0, 255.0).astype(np.uint8)
+    Image.fromarray(picture).save(tmp_path / "a.png")
+    tint = read_raster(tmp_path / "a.png", 1).tint
+    rest = tint.copy()
+    for row, hue in {500: 0, 800: 116}.items():
+        own = tint[row : row + 5, 100:1100].astype(int) - 1
+        # Hues are a circle of 180.
+        assert (np.abs((own - hue + 90) % 180 - 90) <= 8).mean() > 0.99
+        rest[row : row + 5, 100:1100] = 0
+    assert (rest > 0).mean() < 1e-4
+
+
+def test_black_ink_on_yellowed_paper_has_no_colour(tmp_path: Path, picture: Image.Image) -> None:
+    paper = np.array((214, 196, 150)) / 255.0
+    yellowed = np.asarray(picture)[..., None] * paper
+    Image.fromarray(yellowed.astype(np.uint8)).save(tmp_path / "a.png")
+    assert read_raster(tmp_path / "a.png", 1).tint is None
