@@ -21,7 +21,7 @@ from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.scale.find import WrittenSheet, read_texts
 from gaussiancad_core.sheet.special_views.finding import LayoutRequest
-from gaussiancad_core.sheet.special_views.symbol import find_symbol
+from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
 from gaussiancad_core.sheet.view_search import STUB, arranged, lone_view, with_symbol
 from gaussiancad_core.sheet.working_scale import resampled, working_factor
 
@@ -44,7 +44,11 @@ class PictureViews:
 
 
 def picture_views(
-    image: SheetImage, sheet: CleanSheet, given: dict[Role, Box], projection: Projection | None
+    image: SheetImage,
+    sheet: CleanSheet,
+    given: dict[Role, Box],
+    projection: Projection | None,
+    symbol: ProjectionSymbol | None = None,
 ) -> PictureViews:
     """Label a picture's ink and find its views.
 
@@ -53,6 +57,7 @@ def picture_views(
         sheet: the same, upright.
         given: boxes that the user named, in px of the upright sheet.
         projection: as told by the user, or nothing: then captions tell it, or the sheet's symbol.
+        symbol: of the sheet, where it was looked for and found.
 
     Raises:
         NoModelError: there are fewer than two views that belong together, and not one alone.
@@ -63,7 +68,6 @@ def picture_views(
     seen = replace(sheet, hidden_odds=labels.hidden_odds()) if problem is None else sheet
     separated = separate_by_labels(seen, labels, _upright_tint(image.tint, sheet.turn))
     written = read_texts(image, sheet, separated.marks)
-    symbol = find_symbol(sheet) if projection is None else None
     told = symbol.projection if symbol else projection
     request = LayoutRequest(
         given,

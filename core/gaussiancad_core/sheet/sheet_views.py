@@ -15,6 +15,7 @@ from gaussiancad_core.sheet.picture_views import picture_views
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.scale.find import WrittenSheet
 from gaussiancad_core.sheet.special_views.naming import inside
+from gaussiancad_core.sheet.special_views.symbol import find_symbol
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 
 
@@ -66,16 +67,19 @@ def sheet_views(
     """
     boxes = dict(given or {})
     drawing = image.vectors if finder is Finder.RIDGES else None
+    symbol = find_symbol(image, sheet) if projection is None else None
     by_pens = None
     if drawing is not None:
-        by_pens = graph_views(drawing, sheet, boxes, projection)
+        by_pens = graph_views(drawing, sheet, boxes, projection, symbol)
         if by_pens is not None and len(by_pens.layout.boxes) > 1:
             return _of_pens(by_pens)
         if by_pens is not None and by_pens.is_all and not drawing.has_paper:
             # A picture of it shows no more.
             return _of_pens(by_pens)
+    if drawing is not None and not drawing.complete and projection is None and symbol is None:
+        symbol = find_symbol(image, sheet, pictured=True)
     try:
-        seen = picture_views(image, sheet, boxes, projection)
+        seen = picture_views(image, sheet, boxes, projection, symbol)
     except NoModelError:
         if by_pens is None:
             raise

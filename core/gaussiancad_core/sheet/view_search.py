@@ -14,7 +14,7 @@ from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.registration import axis_extents
 from gaussiancad_core.sheet.special_views.finding import LayoutRequest, find_named_layout
-from gaussiancad_core.sheet.special_views.symbol import ProjectionSymbol
+from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
 
 _LARGEST_LEFT_OUT = 10.0
 """Size of a figure that is no view, in that of all views, at most."""

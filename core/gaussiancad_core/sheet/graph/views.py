@@ -26,7 +26,7 @@ from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.special_views.finding import LayoutRequest
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
-from gaussiancad_core.sheet.special_views.symbol import find_symbol
+from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 from gaussiancad_core.sheet.view_search import STUB, arranged, lone_view, with_symbol
 
@@ -70,6 +70,7 @@ def graph_views(
     sheet: CleanSheet,
     given: dict[Role, Box],
     projection: Projection | None,
+    symbol: ProjectionSymbol | None = None,
 ) -> GraphViews | None:
     """The views of a sheet by its strokes; nothing where no pen tells the part, or where what it
     drew is no views that belong together.
@@ -78,7 +79,8 @@ def graph_views(
         drawing: of the file, in px of the sheet as stored.
         sheet: upright, which it has to be as stored.
         given: boxes that the user named, in px.
-        projection: as told by the user, or nothing: then the sheet's symbol is looked for.
+        projection: as told by the user, or nothing: then the sheet's symbol tells it.
+        symbol: of the sheet, where it was looked for and found.
 
     Raises:
         UsageError: a given box holds no stroke.
@@ -89,7 +91,6 @@ def graph_views(
         return None
     separated, vectors = _part(found, sheet)
     separated = replace(separated, has_paper=drawing.has_paper)
-    symbol = find_symbol(sheet) if projection is None else None
     told = symbol.projection if symbol else projection
     request = LayoutRequest(given, told, STUB * separated.part.stroke_width)
     try:

@@ -16,9 +16,10 @@ from gaussiancad_core.drawing.sheet import PartLines, compose_sheet, part_lines
 from gaussiancad_core.drawing.style import SheetStyle, parse_style
 from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
-from gaussiancad_core.sheet.picture_views import PictureViews, picture_views
 from gaussiancad_core.sheet.read import SheetImage
-from gaussiancad_core.sheet.special_views.symbol import find_symbol
+from gaussiancad_core.sheet.sheet_views import SheetViews, sheet_views
+from gaussiancad_core.sheet.special_views.symbol_pixels import pixel_symbol
+from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol, largest_symbol
 
 
 @cache
@@ -35,10 +36,14 @@ def _sheet(projection: Projection, look: str) -> CleanSheet:
     return upright_sheet(clean_sheet(_grey(projection, look)))
 
 
-def _views(projection: Projection, told: Projection | None) -> PictureViews:
+def _symbol(sheet: CleanSheet) -> ProjectionSymbol | None:
+    return pixel_symbol(sheet, largest_symbol(sheet.ink.shape, None))
+
+
+def _views(projection: Projection, told: Projection | None) -> SheetViews:
     grey = _grey(projection, "dimensioned")
     image = SheetImage(Path("sheet.png"), grey, "")
-    return picture_views(image, upright_sheet(clean_sheet(grey)), {}, told)
+    return sheet_views(image, upright_sheet(clean_sheet(grey)), {}, told)
 
 
 @pytest.mark.parametrize("projection", Projection)
@@ -57,7 +62,7 @@ def test_the_symbol_of_a_title_block_tells_the_projection(
     style = parse_style(look)
     drawn = compose_sheet(_lines(), projection, style)
     clean = upright_sheet(clean_sheet(cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)))
-    symbol = find_symbol(clean)
+    symbol = _symbol(clean)
     assert symbol is not None
     assert symbol.projection is projection
     true = next(m.box for m in drawn.annotations if m.kind is AnnotationKind.SYMBOL)
@@ -71,6 +76,26 @@ def _alone(projection: Projection, size: float, quarter_turns: int, width: float
     return clean_sheet(np.rint(255.0 * (1.0 - ink)).astype(np.uint8))
 
 
+def _on_sheet(clean: CleanSheet, ink: np.ndarray, weight: np.ndarray) -> CleanSheet:
+    wide = np.zeros((800, 1600), bool)
+    darkness = np.zeros((800, 1600), np.float32)
+    wide[:400, :400], darkness[:400, :400] = ink, weight
+    return CleanSheet(wide, darkness, clean.stroke_width, clean.turn)
+
+
+def _with_axes(
+    clean: CleanSheet, box: tuple[float, ...], turns: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """The same with one line through cone and circles, longer than both."""
+    ink, weight = clean.ink.copy(), clean.weight.copy()
+    x0, y0, x1, y1 = (round(value) for value in box)
+    line = (slice(y0 - 8, y1 + 8), (x0 + x1) // 2)
+    if turns % 2 == 0:
+        line = ((y0 + y1) // 2, slice(x0 - 8, x1 + 8))
+    ink[line], weight[line] = True, 1.0
+    return ink, weight
+
+
 @pytest.mark.parametrize("projection", Projection)
 @pytest.mark.parametrize("turns", range(4))
 @pytest.mark.parametrize(("size", "width"), [(20.0, 1.5), (26.0, 2.0), (40.0, 2.0)])
@@ -79,28 +104,27 @@ def test_it_may_stand_anywhere_and_any_way_up(
 ) -> None:
     clean = _alone(projection, size, turns, width)
     # What is a twentieth of a sheet is no more than one of this small one.
-    wide = np.zeros((800, 1600), bool)
-    weight = np.zeros((800, 1600), np.float32)
-    wide[:400, :400], weight[:400, :400] = clean.ink, clean.weight
-    symbol = find_symbol(CleanSheet(wide, weight, clean.stroke_width, clean.turn))
+    symbol = _symbol(_on_sheet(clean, clean.ink, clean.weight))
     assert symbol is not None
     assert symbol.projection is projection
+    if size >= 26.0:
+        ink, weight = _with_axes(clean, symbol.mark.box, turns)
+        along = _symbol(_on_sheet(clean, ink, weight))
+        assert along is not None
+        assert along.projection is projection
 
 
 def test_a_mirrored_symbol_says_the_same() -> None:
     """The end view stands beside the same end of the cone."""
     clean = _alone(Projection.FIRST, 40.0, 0, 2.0)
-    wide = np.zeros((800, 1600), bool)
-    weight = np.zeros((800, 1600), np.float32)
-    wide[:400, :400], weight[:400, :400] = clean.ink[:, ::-1], clean.weight[:, ::-1]
-    symbol = find_symbol(CleanSheet(wide, weight, clean.stroke_width, clean.turn))
+    symbol = _symbol(_on_sheet(clean, clean.ink[:, ::-1], clean.weight[:, ::-1]))
     assert symbol is not None
     assert symbol.projection is Projection.FIRST
 
 
 @pytest.mark.parametrize("look", ["clean", "dimensioned,symbol=off", "ansi"])
 def test_without_a_symbol_none_is_found(look: str) -> None:
-    assert find_symbol(_sheet(Projection.THIRD, look)) is None
+    assert _symbol(_sheet(Projection.THIRD, look)) is None
 
 
 @pytest.mark.parametrize("projection", Projection)

@@ -1,0 +1,167 @@
+"""The projection symbol of a file that tells its strokes: two circles and a cone in any pen, with
+or without an axis through them."""
+
+import numpy as np
+import numpy.typing as npt
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
+
+from gaussiancad_core.sheet.files.fitting import circle_through
+from gaussiancad_core.sheet.files.vectors import (
+    FULL_TURN,
+    Chain,
+    CircularArc,
+    EllipticArc,
+    Line,
+    StrokeRole,
+    VectorDrawing,
+    VectorStroke,
+)
+from gaussiancad_core.sheet.geometry import Circle
+from gaussiancad_core.sheet.special_views.symbol_shape import (
+    AXES,
+    Ends,
+    ProjectionSymbol,
+    agreed,
+    is_around,
+    symbol_beside,
+)
+
+Floats = npt.NDArray[np.float64]
+
+_SMALLEST = 0.15
+"""Length of a symbol at least, as a share of the largest one: 5 mm on paper."""
+
+_SAME_PX = 1.0
+"""px by which the pieces of one circle may differ in centre and radius."""
+
+_ROUND = 0.04
+"""The same share by which points of one may lie beside it, in its radius."""
+
+_WHOLE = 0.75
+"""Share of a circle that is drawn at least."""
+
+_ON_END = 0.12
+"""Distance of a line from the end of a cone that it closes at most, in the circles' radius."""
+
+_DRAWN = 0.8
+"""Share of an end that is drawn at least."""
+
+_BEYOND = 0.3
+"""Length by which what closes a cone goes beyond its sides at most, in the circles' radius: the
+base of a taper on a part goes on."""
+
+_SLICES = 24
+"""Places of an end that are looked at."""
+
+
+def stroke_symbol(drawing: VectorDrawing, largest: float) -> ProjectionSymbol | None:
+    """Find the projection symbol of a sheet; nothing where there is none, or several disagree.
+
+    Args:
+        drawing: of the sheet, which lies upright.
+        largest: px that a symbol is long at most.
+    """
+    solid = [own for own in drawing.strokes if _is_solid(own)]
+    lines = _lines(solid, largest)
+    ways = np.abs(lines[:, 1] - lines[:, 0])
+    slanted = lines[ways.min(axis=1) > 0.02 * ways.max(axis=1)] if len(lines) else lines
+    if len(slanted) < 2:
+        return None
+    found = []
+    for circle in _ringed(_circles(solid, largest / 2.0)):
+        for axis in AXES:
+            symbol = symbol_beside(circle, axis, slanted, lambda ends: _is_closed(ends, lines))
+            if symbol is not None and _SMALLEST * largest <= _length(symbol) <= largest:
+                found.append(symbol)
+    return agreed(found)
+
+
+def _is_solid(stroke: VectorStroke) -> bool:
+    return not stroke.dashes and stroke.role not in (StrokeRole.HIDDEN, StrokeRole.CENTRE)
+
+
+def _length(symbol: ProjectionSymbol) -> float:
+    x0, y0, x1, y1 = symbol.mark.box
+    return max(x1 - x0, y1 - y0)
+
+
+def _lines(strokes: list[VectorStroke], largest: float) -> Floats:
+    """(n, 2, 2) ends of the straight pieces that are as short as a symbol's."""
+    ends = [(own.curve.start, own.curve.end) for own in strokes if isinstance(own.curve, Line)]
+    found = np.array(ends, dtype=float).reshape(-1, 2, 2)
+    return found[np.hypot(*(found[:, 1] - found[:, 0]).T) <= largest]
+
+
+def _circles(strokes: list[VectorStroke], largest: float) -> list[Circle]:
+    """Whole circles of at most so many px of radius, whatever their file draws them with."""
+    arcs = []
+    for own in strokes:
+        arc = _round(own.curve)
+        if arc is not None and 0.0 < arc[2] <= largest:
+            arcs.append(arc)
+    if not arcs:
+        return []
+    places = np.array(arcs)
+    pairs = cKDTree(places[:, :3]).query_pairs(_SAME_PX, output_type="ndarray")
+    joined = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(places), len(places)))
+    count, groups = connected_components(joined, directed=False)
+    swept = np.bincount(groups, weights=places[:, 3], minlength=count)
+    means = [np.bincount(groups, weights=column, minlength=count) for column in places[:, :3].T]
+    x, y, radius = np.array(means) / np.bincount(groups, minlength=count)
+    return [
+        Circle((float(x[i]), float(y[i])), float(radius[i]))
+        for i in np.flatnonzero(swept >= _WHOLE * FULL_TURN)
+    ]
+
+
+def _round(curve: object) -> tuple[float, float, float, float] | None:
+    """Centre, radius and sweep of a curve that is a circle's, or as good as one."""
+    if isinstance(curve, CircularArc):
+        return (*curve.centre, curve.radius, curve.sweep)
+    if isinstance(curve, EllipticArc) and curve.ratio > 1.0 - _ROUND:
+        radius = float(np.hypot(*curve.major)) * (1.0 + curve.ratio) / 2.0
+        return (*curve.centre, radius, curve.sweep)
+    if not isinstance(curve, Chain) or len(curve.points) < 5:
+        return None
+    points = np.array(curve.points)
+    centre, radius = circle_through(points)
+    away = points - centre
+    if radius <= 0.0 or np.abs(np.hypot(*away.T) - radius).max() > _ROUND * radius:
+        return None
+    turned = np.unwrap(np.arctan2(away[:, 1], away[:, 0]))
+    return float(centre[0]), float(centre[1]), radius, float(abs(turned[-1] - turned[0]))
+
+
+def _ringed(circles: list[Circle]) -> list[Circle]:
+    """Circles with another one around the same centre in them."""
+    if not circles:
+        return []
+    tree = cKDTree([own.centre for own in circles])
+    near = tree.query_ball_point([own.centre for own in circles], [own.radius for own in circles])
+    return [
+        outer
+        for outer, inside in zip(circles, near, strict=True)
+        if any(is_around(outer, circles[index]) for index in inside)
+    ]
+
+
+def _is_closed(ends: Ends, lines: Floats) -> bool:
+    """Whether each end of a cone is drawn from side to side, and hardly beyond."""
+    base = np.stack([ends.axis, ends.crosswise], axis=1)
+    places = (lines - np.array(ends.circle.centre)) @ base
+    for along, across in zip(ends.along, ends.across, strict=True):
+        reach = _ON_END * ends.circle.radius
+        own = places[(np.abs(places[:, :, 0] - along) <= reach).all(axis=1)][:, :, 1]
+        low, high = own.min(axis=1), own.max(axis=1)
+        near = (low <= across.max()) & (high >= across.min())
+        low, high = low[near], high[near]
+        steps = np.linspace(across.min(), across.max(), _SLICES + 2)[1:-1, None]
+        covered = ((low <= steps) & (steps <= high)).any(axis=1)
+        beyond = _BEYOND * ends.circle.radius
+        if covered.mean() < _DRAWN:
+            return False
+        if low.min() < across.min() - beyond or high.max() > across.max() + beyond:
+            return False
+    return True
