@@ -124,17 +124,25 @@ _DIMENSION = re.compile(
     re.VERBOSE,
 )
 
-_SCALE_WORD = r"(?:SCALE|MA(?:SS|\u00df|\u1e9e)STAB|[E\u00c9]CHELLE|SCALA|ESCALA|SKALA|M)"
+SCALE_WORD = (
+    r"(?:SCALE|MA(?:SS|\u00df|\u1e9e)STAB|[E\u00c9]CHELLE|SCALA|ESCALA|SKALA|SCHAAL|M|\u041c"
+    r"|\u041c\u0410\u0421\u0428\u0422(?:\u0410\u0411|\.)|\u041c\u0410\u0429\u0410\u0411"
+    r"|M\u011a\u0158\u00cdTKO|MIERKA|PODZIA\u0141KA|MJERILO|MERILO|\u00d6L\u00c7EK|MITTAKAAVA"
+    r"|M\u00c9RETAR\u00c1NY|SCAR\u0102|\u039a\u039b\u0399\u039c\u0391\u039a\u0391"
+    r"|\u5c3a\u5ea6|\u6bd4\u4f8b(?:\u5c3a)?|\u7e2e\u5c3a|\u7f29\u5c3a|\u30b9\u30b1\u30fc\u30eb"
+    r"|\ucc99\ub3c4|\ucd95\ucc99|T[\u1ef6\u1ec8] L\u1ec6)"
+)
+"""What stands before a ratio in the languages of those who draw, in any case."""
 
-_SIDE = r"\d{1,4}(?:[.,]\d+)?"
+_SIDE = r"\d{1,9}(?:[.,]\d+)?"
 
 _SCALE = re.compile(
-    rf"(?P<word>{_SCALE_WORD}\.?\ ?[:=]?\ ?)?"
-    rf"\(?(?P<sheet>{_SIDE})\ ?(?P<mark>[:/])\ ?(?P<part>{_SIDE})\)?",
+    rf"(?P<word>{SCALE_WORD}\.?\ ?[:=]?\ ?)?"
+    rf"\(?(?P<sheet>{_SIDE})(?P<mark>\ ?[:/]\ ?)(?P<part>{_SIDE})\)?",
     re.IGNORECASE,
 )
 
-_FULL_SCALE = re.compile(rf"{_SCALE_WORD}\ ?[:=]?\ ?FULL|FULL\ (?:SCALE|SIZE)", re.IGNORECASE)
+_FULL_SCALE = re.compile(rf"{SCALE_WORD}\ ?[:=]?\ ?FULL|FULL\ (?:SCALE|SIZE)", re.IGNORECASE)
 
 _LARGEST_RATIO = 5000.0
 
@@ -199,15 +207,20 @@ def own_unit(number: str, mark: str | None, *, bare_point_is_inch: bool) -> Unit
 
 
 def parse_scale(text: str) -> float | None:
-    """Length on the sheet over length on the part, where a text is a scale note (ISO 5455)."""
-    plain = plain_text(text)
+    """Length on the sheet over length on the part, where a text is a scale note.
+
+    Alone, a ratio has a one (ISO 5455) or is set apart from its colon, as programs write it: 12:30
+    is a time.
+    """
+    plain = unicodedata.normalize("NFKC", plain_text(text))
     if _FULL_SCALE.fullmatch(plain):
         return 1.0
     found = _SCALE.fullmatch(plain)
-    if found is None or (found["mark"] == "/" and not found["word"]):
+    if found is None or ("/" in found["mark"] and not found["word"]):
         return None
     sheet, part = (float(found[side].replace(",", ".")) for side in ("sheet", "part"))
-    if min(sheet, part) <= 0.0 or 1.0 not in (sheet, part):
+    surely = found["word"] or found["mark"] == " : " or 1.0 in (sheet, part)
+    if min(sheet, part) <= 0.0 or not surely:
         return None
     ratio = sheet / part
     return ratio if 1.0 / _LARGEST_RATIO <= ratio <= _LARGEST_RATIO else None

@@ -145,6 +145,21 @@ def test_a_text_says_its_unit_or_has_the_usual_one() -> None:
         ("(2:1)", 2.0),
         ("FULL SCALE", 1.0),
         ("SCALE: FULL", 1.0),
+        ("333333 : 1000000", 0.333333),
+        ("3 : 4", 0.75),
+        ("SCALE 3:4", 0.75),
+        ("1:2,5", 0.4),
+        ("2,5:1", 2.5),
+        ("1,0 : 2,0", 0.5),
+        ("\u5c3a\u5ea6 1:2", 0.5),
+        ("\u5c3a\u5ea6\uff1a\uff11\uff1a\uff12", 0.5),
+        ("\u6bd4\u4f8b 2:1", 2.0),
+        ("\u7e2e\u5c3a1:5", 0.2),
+        ("\ucc99\ub3c4 1:5", 0.2),
+        ("\u041c\u0430\u0441\u0448\u0442\u0430\u0431 1:2,5", 0.4),
+        ("\u041c 1:4", 0.25),
+        ("\u041c\u0430\u0441\u0448\u0442. 4:1", 4.0),
+        ("M\u011b\u0159\u00edtko 1:2", 0.5),
     ],
 )
 def test_scale_notes(text: str, ratio: float) -> None:
@@ -152,7 +167,22 @@ def test_scale_notes(text: str, ratio: float) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["1/2", "1/1", "3:7", "0:1", "1:0", "12", "SCALE", "NTS", "A:B", "1:9999", "12:30"]
+    "text",
+    [
+        "1/2",
+        "1/1",
+        "3:7",
+        "0:1",
+        "1:0",
+        "12",
+        "SCALE",
+        "NTS",
+        "A:B",
+        "1:9999",
+        "12:30",
+        "16:9",
+        "27.08 : ",
+    ],
 )
 def test_other_texts_are_no_scale_notes(text: str) -> None:
     assert parse_scale(text) is None
