@@ -19,7 +19,14 @@ from gaussiancad_core.sheet.files.content import MAX_ELEMENTS, PAPER_LEVEL, too_
 from gaussiancad_core.sheet.files.curves import to_point
 from gaussiancad_core.sheet.files.file_grid import Strokes, WrittenPath, line_ends, with_steps
 from gaussiancad_core.sheet.files.linetypes import role_by_dashes, role_by_name
-from gaussiancad_core.sheet.files.pdf_texts import TextPiece, joined_texts, text_piece
+from gaussiancad_core.sheet.files.pdf_texts import (
+    Origins,
+    TextPiece,
+    address,
+    joined_texts,
+    letter_origins,
+    text_piece,
+)
 from gaussiancad_core.sheet.files.vectors import (
     Chain,
     Colour,
@@ -70,6 +77,7 @@ class _Walk:
 
     page: pdfium.PdfPage
     text_page: pdfium.PdfTextPage
+    letters: Origins
     path: Path
     paths: list[WrittenPath] = field(default_factory=list)
     texts: list[TextPiece] = field(default_factory=list)
@@ -97,7 +105,8 @@ def page_objects(page: pdfium.PdfPage, target: PageMap) -> PageContent:
     """
     text_page = page.get_textpage()
     try:
-        walk = _Walk(page, text_page, target.path)
+        letters = letter_origins(text_page, target.to_pixels)
+        walk = _Walk(page, text_page, letters, target.path)
         count = raw.FPDFPage_CountObjects(page)
         walk.count(count, 0)
         objects = (raw.FPDFPage_GetObject(page, index) for index in range(count))
@@ -115,7 +124,10 @@ def _take_all(
         if kind == raw.FPDF_PAGEOBJ_PATH:
             _take_path(walk, item, outer)
         elif kind == raw.FPDF_PAGEOBJ_TEXT:
-            piece = text_piece(walk.text_page, item, outer, _composed(outer, _matrix(item)))
+            letters = walk.letters.get(address(item))
+            piece = text_piece(
+                walk.text_page, item, outer, _composed(outer, _matrix(item)), letters
+            )
             walk.texts += [piece] if piece else []
         elif kind == raw.FPDF_PAGEOBJ_FORM:
             if depth < _DEEPEST:

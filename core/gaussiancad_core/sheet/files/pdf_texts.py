@@ -7,7 +7,7 @@ then the numbers of their glyphs come out as letters.
 
 import ctypes
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -25,7 +25,11 @@ _WORD_GAP, _TEXT_GAP = 0.27, 0.56
 """Distances over the size of the letters: from here on words are apart, and texts."""
 
 _OVERLAP = 0.2
-"""The same by which neighbours may overlap."""
+"""The same by which neighbours may overlap, whatever their letters."""
+
+_AHEAD = 0.15
+"""The same by which what goes on begins after the last letter: narrow letters are often told as
+wider than they are, so that neighbours overlap by more."""
 
 _OFF_LINE = 0.25
 """The same by which they may be off one base line: smaller signs are set in its middle."""
@@ -60,22 +64,55 @@ class TextPiece:
     Attributes:
         text: its characters.
         origin: (2,) px, on the base line.
+        last: (2,) px, where its last letter begins on the base line.
         size: px of the font.
-        span: px along the direction of reading, from where it begins to where it ends.
+        span: px along the base line, from where it begins to where it ends; slanted letters reach
+            beyond.
         angle: radians from x towards y, of that direction.
         box: px, around it.
     """
 
     text: str
     origin: tuple[float, float]
+    last: tuple[float, float]
     size: float
     span: tuple[float, float]
     angle: float
     box: Box
 
 
+Origins = Mapping[int, npt.NDArray[np.float64]]
+"""By the address of a text object: (n, 2) px where its letters begin on the base line."""
+
+
+def letter_origins(page: pdfium.PdfTextPage, to_pixels: Affine) -> Origins:
+    """Where the letters of each text object of a page begin.
+
+    Args:
+        page: the texts.
+        to_pixels: (2, 3) from the page to px.
+    """
+    found: dict[int, list[tuple[float, float]]] = {}
+    x, y = ctypes.c_double(), ctypes.c_double()
+    for index in range(max(raw.FPDFText_CountChars(page), 0)):
+        item = raw.FPDFText_GetTextObject(page, index)
+        if item and raw.FPDFText_GetCharOrigin(page, index, x, y):
+            found.setdefault(address(item), []).append((x.value, y.value))
+    linear, shift = to_pixels[:, :2], to_pixels[:, 2]
+    return {item: np.array(places) @ linear.T + shift for item, places in found.items()}
+
+
+def address(item: raw.FPDF_PAGEOBJECT) -> int:
+    """What tells an object of a page from the others."""
+    return ctypes.cast(item, ctypes.c_void_p).value or 0
+
+
 def text_piece(
-    page: pdfium.PdfTextPage, item: raw.FPDF_PAGEOBJECT, outer: Affine, own: Affine
+    page: pdfium.PdfTextPage,
+    item: raw.FPDF_PAGEOBJECT,
+    outer: Affine,
+    own: Affine,
+    letters: npt.NDArray[np.float64] | None = None,
 ) -> TextPiece | None:
     """A text object; None if it shows nothing.
 
@@ -84,6 +121,7 @@ def text_piece(
         item: the object.
         outer: (2, 3) from where the object is placed to px.
         own: (2, 3) from the text's own plane to px.
+        letters: (n, 2) px, where its letters begin on the base line; None where that is not known.
     """
     text = _characters(page, item)
     quad = raw.FS_QUADPOINTSF()
@@ -95,15 +133,21 @@ def text_piece(
     mapped = corners @ outer[:, :2].T + outer[:, 2]
     along, up = own[:, 0], own[:, 1]
     length = float(np.hypot(*along))
-    if not length:
+    if abs(along[0] * up[1] - along[1] * up[0]) <= 1e-9 * length * float(np.hypot(*up)):
         return None
     if _SIGN_FONT.search(_font_name(item)):
         text = text.translate(_SIGNS)
-    reach = mapped @ (along / length)
+    # In the text's own plane letters stand upright, however they are slanted.
+    upright = (mapped - own[:, 2]) @ np.linalg.inv(own[:, :2]).T
+    reach = own[:, 2] @ (along / length) + upright[:, 0] * length
+    last = own[:, 2]
+    if letters is not None:
+        last = letters[(letters @ along).argmax()]
     (x0, y0), (x1, y1) = mapped.min(axis=0), mapped.max(axis=0)
     return TextPiece(
         text,
         to_point(own[:, 2]),
+        to_point(last),
         float(size.value * np.hypot(*up)),
         (float(reach.min()), float(reach.max())),
         float(np.arctan2(along[1], along[0])),
@@ -145,6 +189,7 @@ def joined_texts(pieces: Iterable[TextPiece]) -> list[VectorText]:
         lines[-1] = TextPiece(
             last.text + space + piece.text,
             last.origin,
+            piece.last,
             max(last.size, piece.size),
             (min(last.span[0], piece.span[0]), max(last.span[1], piece.span[1])),
             last.angle,
@@ -161,6 +206,10 @@ def _gap(last: TextPiece, piece: TextPiece) -> float | None:
     across = np.array([-np.sin(last.angle), np.cos(last.angle)])
     off = abs(float(np.subtract(piece.origin, last.origin) @ across))
     gap = piece.span[0] - last.span[1]
-    if size <= 0.0 or off > _OFF_LINE * size or not -_OVERLAP * size <= gap <= _TEXT_GAP * size:
+    if size <= 0.0 or off > _OFF_LINE * size or gap > _TEXT_GAP * size:
+        return None
+    along = np.array([np.cos(last.angle), np.sin(last.angle)])
+    ahead = float(np.subtract(piece.origin, last.last) @ along)
+    if gap < -_OVERLAP * size and ahead < _AHEAD * size:
         return None
     return gap / size

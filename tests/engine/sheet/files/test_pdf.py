@@ -167,6 +167,60 @@ def test_letters_placed_one_by_one_are_one_text(pdf: type, save: Save) -> None:
     assert [text.text for text in read.vectors.texts] == ["125", "9"]
 
 
+Written = Callable[[bytes], list[str]]
+
+
+@pytest.fixture
+def written(pdf: type, save: Save) -> Written:
+    """The texts of a page with such a content, in a usual font ``T``."""
+
+    def texts(content: bytes) -> list[str]:
+        font = b"<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica >>"
+        page = b"/Resources << /Font << /T 5 0 R >> >>"
+        read = read_pdf(save("a.pdf", pdf(content, page=page, objects=(font,)).to_bytes()), 1)
+        return [text.text for text in read.vectors.texts]
+
+    return texts
+
+
+_WAYS = {
+    "level": (np.eye(2), (100.0, 700.0)),
+    "upwards": (np.array([[0.0, -1.0], [1.0, 0.0]]), (300.0, 400.0)),
+}
+
+
+@pytest.mark.parametrize("way", _WAYS.values(), ids=_WAYS)
+@pytest.mark.parametrize("slant", [0.0, 0.27, 0.33])
+@pytest.mark.parametrize("pieces", [("48", ",5"), ("4", "8", ",", "5"), ("48,", "5")])
+@pytest.mark.parametrize("narrow", [1.0, 0.88, 0.77])
+def test_slanted_letters_narrower_than_told_are_one_text(
+    written: Written,
+    way: tuple[np.ndarray, tuple[float, float]],
+    slant: float,
+    pieces: tuple[str, ...],
+    narrow: float,
+) -> None:
+    """The widths are those of a usual font, and letters are placed as for a narrow one."""
+    turn, start = way
+    letters = np.column_stack([turn @ (1.0, 0.0), turn @ (slant, 1.0)])
+    at, content = 0.0, b"50 100 m 550 100 l S "
+    for piece in (*pieces, None, "7"):
+        if piece is None:
+            at += 30.0
+            continue
+        x, y = turn @ (at, 0.0) + start
+        matrix = " ".join(f"{own:.4f}" for own in (*letters.T.ravel(), x, y))
+        content += f"BT /T 10 Tf {matrix} Tm ({piece}) Tj ET ".encode()
+        at += narrow * sum(2.78 if own == "," else 5.56 for own in piece)
+    assert written(content) == ["48,5", "7"]
+
+
+def test_numbers_on_each_other_are_two(written: Written) -> None:
+    content = b"BT /T 10 Tf 100 700 Td (25) Tj ET BT /T 10 Tf 103 700 Td (36) Tj ET "
+    content += b"50 100 m 550 100 l S"
+    assert written(content) == ["25", "36"]
+
+
 def test_what_does_not_show_is_left_out(pdf: type, save: Save) -> None:
     content = (
         b"1 1 1 RG 50 100 m 550 100 l S 0 0 0 RG 50 200 m 550 200 l S "
