@@ -1,7 +1,7 @@
 """Sections by name: a title at the one view, arrows with its letter in another (ISO 128-3).
 
-Two arrows with one letter point the way that a section is looked at; the line through their far
-ends is where the part is cut.
+Two arrows with one letter point the way that a section is looked at.  The part is cut along the
+line that they start from, or that they rest on with their tips, as GOST 2.305 has it.
 """
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.graph.heads import Head
 from gaussiancad_core.sheet.notes.steps import stepped_path
-from gaussiancad_core.sheet.notes.titles import Title, TitleKind, parse_title
+from gaussiancad_core.sheet.notes.titles import Title, TitleKind, looks_of, parse_title
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.scale.leaders import Leader, pointed_lines
 from gaussiancad_core.sheet.scale.texts import SheetText
@@ -28,6 +28,9 @@ _ONE_WAY = 0.02
 
 _IN_LINE = 6.0
 """px by which the ends of a straight cut may be out of line; those of one in steps are more."""
+
+_ON_LINE = 3.0
+"""px from an end of an arrow to a line square to it at most, if the arrow stands on that line."""
 
 _SHAFT = 5.0
 """Length of an arrow with its shaft at most, in that of its head."""
@@ -103,15 +106,17 @@ def named_sections(
     boxes = [*named.values(), *others]
     found = []
     taken: set[str] = set()
-    for text in texts:
-        title = parse_title(text.text)
-        if title is None or title.kind is not TitleKind.SECTION or title.label in taken:
+    titled = [(text, title) for text in texts if (title := parse_title(text.text)) is not None]
+    sections = [own for own in titled if own[1].kind is TitleKind.SECTION]
+    labels = {title.label for _, title in sections}
+    for text, title in sections:
+        if title.label in taken:
             continue
         box = _nearest(text.box, hatched) or _nearest(text.box, boxes)
         if box is None:
             continue
         taken.add(title.label)
-        trace = _trace(title.label, texts, heads, lines, turn)
+        trace = _trace(title.label, _letters(title.label, labels, texts), heads, lines, turn)
         found.append(_placed(NamedSection(title, box, trace), named))
     return tuple(found)
 
@@ -131,14 +136,24 @@ def _nearest(title: Box, boxes: Sequence[Box]) -> Box | None:
     return near[1] if near[0] <= _TITLE * max(sides) + 4.0 * (title[3] - title[1]) else None
 
 
+def _letters(label: str, labels: set[str], texts: Sequence[SheetText]) -> list[Box]:
+    """The texts that are a section's letters; those that only look like them where there are none,
+    unless another section has these."""
+    written = [(text.text.strip().upper(), text.box) for text in texts]
+    own = [box for name, box in written if name == label]
+    if own:
+        return own
+    look = looks_of(label)
+    return [box for name, box in written if name not in labels and looks_of(name) == look]
+
+
 def _trace(
     label: str,
-    texts: Sequence[SheetText],
+    letters: Sequence[Box],
     heads: Sequence[Head],
     lines: Sequence[Leader],
     turn: Turn,
 ) -> Trace | None:
-    letters = [text.box for text in texts if text.text.strip().upper() == label]
     arrows = []
     for head in heads:
         tip, back = turn.to_upright(
@@ -150,7 +165,8 @@ def _trace(
         near = [_apart(box, place) / (box[3] - box[1]) for box in letters for place in (tip, tail)]
         if near and min(near) <= _LETTER:
             way = (tip - back) / np.hypot(*(tip - back))
-            arrows.append((tail, way))
+            rests = None if _square_at(tail, way, lines) else _square_at(tip, way, lines)
+            arrows.append((tail if rests is None else tip + rests * way, way))
     pairs = [
         (one, two)
         for one, two in combinations(arrows, 2)
@@ -169,6 +185,20 @@ def _trace(
     if _steps((one, two)) <= _IN_LINE:
         return Trace(label, ends, way, ends)
     return Trace(label, ends, way, stepped_path(ends, way, lines))
+
+
+def _square_at(point: Point, way: Point, lines: Sequence[Leader]) -> float | None:
+    """Px along a direction from a point to the line square to it that the point stands on; None
+    where there is none. A tip may end at the edge of a wide line."""
+    across = np.array([-way[1], way[0]])
+    found = []
+    for start, end in lines:
+        ahead = [float((own - point) @ way) for own in (start, end)]
+        beside = sorted(float((own - point) @ across) for own in (start, end))
+        level = max(map(abs, ahead)) <= _ON_LINE and beside[1] - beside[0] > 2.0 * _ON_LINE
+        if level and beside[0] <= _ON_LINE and beside[1] >= -_ON_LINE:
+            found.append(sum(ahead) / 2.0)
+    return min(found, key=abs, default=None)
 
 
 def _steps(pair: tuple[tuple[Point, Point], tuple[Point, Point]]) -> float:

@@ -29,6 +29,16 @@ _HEAD = 14.0
         ("VIEW D", Title(TitleKind.VIEW, "D")),
         ("DETAIL E (5:1)", Title(TitleKind.DETAIL, "E", 5.0)),
         ("E (5:1)", Title(TitleKind.DETAIL, "E", 5.0)),
+        ("\u0410\u2013\u0410", Title(TitleKind.SECTION, "\u0410")),
+        ("\u0411-\u0411 (1:2,5)", Title(TitleKind.SECTION, "\u0411", 0.4)),
+        (
+            "\u0420\u0430\u0437\u0440\u0435\u0437 \u0412 - \u0412",
+            Title(TitleKind.SECTION, "\u0412"),
+        ),
+        ("\u0416 (4:1)", Title(TitleKind.DETAIL, "\u0416", 4.0)),
+        ("\u0393-\u0393 \u041c 2:1", Title(TitleKind.SECTION, "\u0393", 2.0)),
+        ("\u03a3-\u03a3", Title(TitleKind.SECTION, "\u03a3")),
+        ("A-\u0410", None),
         ("A-B", None),
         ("A", None),
         ("1-1", None),
@@ -91,3 +101,46 @@ def test_without_arrows_or_with_other_letters_the_plane_is_not_known() -> None:
         assert found.trace is None and found.box == _SIDE
     far = SheetText("A-A", (900.0, 900.0, 940.0, 916.0))
     assert named_sections([far], heads, lines, _VIEWS, _STILL) == ()
+
+
+@pytest.mark.parametrize("line_at", ["tips", "tails"])
+@given(y=st.floats(110.0, 240.0), before=st.floats(0.0, 2.0))
+def test_arrows_may_rest_on_the_line_with_their_tips(line_at: str, y: float, before: float) -> None:
+    """A tip ends at the middle of a line, or at its edge."""
+    heads, lines = [], []
+    for x in (70.0, 330.0):
+        heads.append(Head((x, y), (0.0, 1.0), _HEAD))
+        lines.append((np.array([x, y - 40.0]), np.array([x, y - _HEAD])))
+        at = y + before if line_at == "tips" else y - 40.0
+        lines.append((np.array([x - 16.0, at]), np.array([x + 16.0, at])))
+    texts = [_TITLE, _letter(50.0, y - 30.0), _letter(350.0, y - 30.0)]
+    (found,) = named_sections(texts, heads, lines, _VIEWS, _STILL)
+    cut = y + before if line_at == "tips" else y - 40.0
+    assert [end[1] for end in found.trace.ends] == pytest.approx([cut, cut])
+    assert found.trace.straight and found.trace.way == pytest.approx((0.0, 1.0))
+
+
+def _lettered(title: str, *letters: str) -> bool:
+    """Whether a section has its trace where arrows have such letters, beside other titles."""
+    heads, lines = _arrows(200.0, 1.0)
+    first, *others = title.split()
+    texts = [SheetText(f"{first}-{first}", _TITLE.box)]
+    texts += [SheetText(f"{own}-{own}", _TITLE.box) for own in others]
+    for letter in letters:
+        texts += [_letter(240.0, 60.0, letter), _letter(240.0, 290.0, letter)]
+    found = named_sections(texts, heads, lines, _VIEWS, _STILL)
+    assert [own.title.label for own in found] == [first, *others]
+    return found[0].trace is not None
+
+
+def test_letters_of_any_script_name_a_section() -> None:
+    for letter in ("\u0410", "\u0411", "\u0414", "\u03a9", "B"):
+        assert _lettered(letter, letter)
+    assert not _lettered("\u0411", "B")
+
+
+def test_look_alikes_of_another_script_are_a_letter_only_where_nothing_else_is_meant() -> None:
+    cyrillic, latin = "\u0412", "B"
+    assert _lettered(cyrillic, latin)
+    assert not _lettered(f"{cyrillic} {latin}", latin)
+    assert _lettered(f"{cyrillic} {latin}", cyrillic)
