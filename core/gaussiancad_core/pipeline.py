@@ -20,10 +20,12 @@ from gaussiancad_core.messages import Message
 from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
 from gaussiancad_core.opened_sheet import OpenedSheet, open_image, tell_image, with_ink
 from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
+from gaussiancad_core.page_choice import naming_pages, page_instead, tell_page
 from gaussiancad_core.report import Report, ViewReport
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import RegisteredSheet
 
 if TYPE_CHECKING:
@@ -119,24 +121,22 @@ class _Run:
         self.progress = progress
         self.notes = RunNotes(Report("", job.settings()), progress)
         self._turn: Turn | None = None
+        self._image: SheetImage | None = None
 
     def all_stages(self, kept: OpenedSheet | None) -> Report:
         """Read, reconstruct, check and write."""
         from gaussiancad_core.check_stage import overlay_picture, preview_picture
-        from gaussiancad_core.reading_run import sheet_lines
         from gaussiancad_core.registering_stage import registered_lines, tell_symbol
 
         _check_device(self.job.device)
-        with self.notes.stage("read"):
-            if kept is not None:
-                tell_image(kept.image, self.notes)
-            image = kept.image if kept is not None else open_image(self.job, self.notes)
-            if self.job.resume and (earlier := self._earlier()):
-                return earlier
-            sheet = kept or with_ink(self.job, image)
+        try:
+            read = self._read(kept)
+        except NoModelError as error:
+            read = self._read_instead(error)
+        if isinstance(read, Report):
+            return read
+        sheet, lines = read
         clean = sheet.clean
-        self._turn = clean.turn
-        lines = sheet_lines(self.job, sheet, self.notes)
         self._write_reading(lines, sheet)
         found = registered_lines(self.job, lines, clean.turn, self.notes)
         exact = None
@@ -163,6 +163,43 @@ class _Run:
                 write_models(models, self.job, self.folder.staging, self.progress)
         self._finish(self._status(solid))
         return self.notes.report
+
+    def _read(self, kept: OpenedSheet | None) -> "tuple[OpenedSheet, SheetLines] | Report":
+        """The sheet with its views and lines; the report where an earlier run of the job has it.
+
+        Raises:
+            NoModelError: the page has no views that belong together.
+        """
+        from gaussiancad_core.reading_run import sheet_lines
+
+        with self.notes.stage("read"):
+            if kept is not None:
+                tell_image(kept.image, self.notes)
+            self._image = kept.image if kept is not None else open_image(self.job, self.notes)
+            if self.job.resume and (earlier := self._earlier()):
+                return earlier
+            sheet = kept or with_ink(self.job, self._image)
+        self._turn = sheet.clean.turn
+        return sheet, sheet_lines(self.job, sheet, self.notes)
+
+    def _read_instead(self, error: NoModelError) -> "tuple[OpenedSheet, SheetLines] | Report":
+        """The same of the page that brings together what the first page shows apart.
+
+        Raises:
+            NoModelError: there is none, or it has no views either.
+        """
+        if self._image is None:
+            raise error
+        job = page_instead(self.job, self._image)
+        if job is None:
+            raise naming_pages(error, self._image) from error
+        self.notes.report = Report("", self.job.settings())
+        self.job, self._turn = job, None
+        tell_page(self.notes, job.page, self._image)
+        try:
+            return self._read(None)
+        except NoModelError as again:
+            raise naming_pages(again, self._image) from again
 
     def write_failure(self, error: GaussianCadError) -> None:
         """Leave a report of how far the run came and why it ended there."""

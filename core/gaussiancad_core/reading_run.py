@@ -12,6 +12,7 @@ from gaussiancad_core.events import Listener, Progress, Silence
 from gaussiancad_core.job import Job
 from gaussiancad_core.opened_sheet import OpenedSheet, open_sheet
 from gaussiancad_core.outputs import os_error
+from gaussiancad_core.page_choice import naming_pages
 from gaussiancad_core.reading_stage import SheetLines, boxed_views, read_lines
 from gaussiancad_core.readings.cleaned_lines import DXF_FILE, SVG_FILE, lines_dxf, lines_svg
 from gaussiancad_core.readings.correcting import Ink
@@ -74,7 +75,8 @@ def read_sheet_lines(
         lines = sheet_lines(job, sheet, notes)
         registered_lines(job, lines, sheet.clean.turn, notes)
     except NoModelError as error:
-        refused.append(refusal(error.code, error.message.moved(sheet.clean.turn.box_to_stored)))
+        message = naming_pages(error, sheet.image).message
+        refused.append(refusal(error.code, message.moved(sheet.clean.turn.box_to_stored)))
     if lines is None:
         lines = partial_lines(job, sheet.image, sheet.clean)
     return lines, _reading(lines, sheet, notes, refused)

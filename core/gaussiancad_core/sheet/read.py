@@ -40,6 +40,7 @@ class SheetImage:
         reduction: px of the sheet as stored per px of ``grey``.
         tint: (h, w) uint8, hue + 1 of coloured ink, 0 elsewhere; None where there is none.
         pages: of the file.
+        brought_together: as of :class:`.FileContent`.
     """
 
     path: Path
@@ -51,6 +52,7 @@ class SheetImage:
     reduction: float = 1.0
     tint: npt.NDArray[np.uint8] | None = None
     pages: int = 1
+    brought_together: int | None = None
 
 
 def read_sheet(path: Path, page: int = 1) -> SheetImage:
@@ -86,6 +88,7 @@ def read_sheet(path: Path, page: int = 1) -> SheetImage:
         content.notes,
         tint=tint,
         pages=content.pages,
+        brought_together=content.brought_together,
     )
     return _at_working_scale(image) if content.vectors is None else image
 

@@ -63,6 +63,7 @@ def content_bytes(content: FileContent) -> bytes:
         "notes": _plain(content.notes),
         "tinted": content.tint is not None,
         "pages": content.pages,
+        "brought_together": content.brought_together,
     }
     planes = [content.grey] if content.tint is None else [content.grey, content.tint]
     return _line(head) + b"".join(np.ascontiguousarray(own).tobytes() for own in planes)
@@ -95,6 +96,7 @@ def outcome_of(answer: bytes) -> FileContent | GaussianCadError:
             _made(head["notes"]),
             planes[1] if count > 1 else None,
             int(head["pages"]),
+            head["brought_together"],
         )
     except (TypeError, LookupError, AttributeError) as error:
         raise ValueError(f"no answer: {error}") from error

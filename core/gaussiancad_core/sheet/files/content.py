@@ -62,6 +62,8 @@ class FileContent:
         tint: (h, w) uint8, 0 where ink or paper has no colour, else 1 to 180 by its hue in steps of
             two degrees; None where nothing has.
         pages: of the file.
+        brought_together: the one page that shows parts of this one through several windows, as a
+            paper layout does; None where no page does, or several.
     """
 
     grey: Grey
@@ -70,6 +72,7 @@ class FileContent:
     notes: tuple[Note, ...] = ()
     tint: Grey | None = None
     pages: int = 1
+    brought_together: int | None = None
 
 
 def check_pixels(path: Path, width: float, height: float) -> None:

@@ -74,6 +74,7 @@ class _Page:
         inches_per_unit: as the file says, or None.
         pages: of the file.
         is_model: whether it is model space, whose unit is the part's own.
+        brought_together: the one page that shows parts of model space through several windows.
     """
 
     found: Explosion
@@ -81,6 +82,7 @@ class _Page:
     inches_per_unit: float | None
     pages: int
     is_model: bool = False
+    brought_together: int | None = None
 
 
 def read_dxf(path: Path, page: int) -> FileContent:
@@ -120,7 +122,14 @@ def read_dxf(path: Path, page: int) -> FileContent:
     dpi = sizing.pixels_per_inch
     notes = (*left_out(path, content.found.unread), *notes_on(path, sizing))
     picture = paint(vectors, *size)
-    return FileContent(picture, dpi, vectors, notes, pages=content.pages)
+    return FileContent(
+        picture,
+        dpi,
+        vectors,
+        notes,
+        pages=content.pages,
+        brought_together=content.brought_together,
+    )
 
 
 def _check_size(path: Path) -> None:
@@ -174,7 +183,19 @@ def _page(doc: Drawing, path: Path, page: int) -> _Page:
     exploder = Exploder(doc, path)
     if isinstance(layout, Modelspace):
         found, inches = exploder.explode(layout), _inches_per_unit(doc)
-        return _Page(found, _model_limits(doc), inches, len(layouts), is_model=True)
+        together = [
+            number
+            for number, own in enumerate(layouts, start=1)
+            if not isinstance(own, Modelspace) and len(_views_of_model(own)) > 1
+        ]
+        return _Page(
+            found,
+            _model_limits(doc),
+            inches,
+            len(layouts),
+            is_model=True,
+            brought_together=together[0] if len(together) == 1 else None,
+        )
     found = exploder.explode(entity for entity in layout if not isinstance(entity, Viewport))
     for viewport in _views_of_model(layout):
         shown = exploder.explode(model, viewport.get_transformation_matrix())

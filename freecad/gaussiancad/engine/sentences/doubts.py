@@ -325,6 +325,11 @@ WARNINGS = {
         "The file says the unit of its lengths, and no scale: the part was taken to be drawn in "
         "its own size. Set a length under Scale if it is not.",
     ),
+    "other-page-taken": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "Page 1 shows no views that belong together. Page {page} of {pages}, which brings them "
+        "together, was taken.",
+    ),
     "scale-assumed": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The scale is not known: the longest edge was made 100 mm. Set a length under Scale.",
