@@ -95,3 +95,6 @@ class SectionRole:
     def value(self) -> str:
         """Name in reports."""
         return f"{self.role.value} {self.label}-{self.label}"
+
+    def __str__(self) -> str:
+        return self.value
