@@ -1,13 +1,14 @@
 """The views of a sheet, whatever it is: by the strokes of its file, else by its picture."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.files.vectors import VectorDrawing
 from gaussiancad_core.sheet.graph.views import GraphViews, graph_views
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box, Finder
@@ -16,6 +17,7 @@ from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.scale.find import WrittenSheet
 from gaussiancad_core.sheet.special_views.naming import inside
 from gaussiancad_core.sheet.special_views.symbol import find_symbol
+from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
 
 
@@ -68,6 +70,56 @@ def sheet_views(
     boxes = dict(given or {})
     drawing = image.vectors if finder is Finder.RIDGES else None
     symbol = find_symbol(image, sheet) if projection is None else None
+    told = projection, symbol
+    try:
+        return _found(image, sheet, boxes, told, drawing)
+    except NoModelError:
+        # A box alone fixes one view; what is found without it stands where it is that view there.
+        if len(boxes) != 1:
+            raise
+        found = _holding(image, sheet, boxes, told, drawing)
+        if found is None:
+            raise
+        return found
+
+
+def _holding(
+    image: SheetImage,
+    sheet: CleanSheet,
+    given: dict[Role, Box],
+    told: tuple[Projection | None, ProjectionSymbol | None],
+    drawing: VectorDrawing | None,
+) -> SheetViews | None:
+    """What is found without the only given box, if that is one of its views and has its name there,
+    or is the only one."""
+    try:
+        found = _found(image, sheet, {}, told, drawing)
+    except NoModelError:
+        return None
+    ((role, given_box),) = given.items()
+    layout = found.layout
+    held = [own for own, box in layout.boxes.items() if _is_middle_in(box, given_box)]
+    if held == [role]:
+        return found
+    if not held or len(layout.boxes) != 1:
+        return None
+    return replace(found, layout=replace(layout, boxes={role: layout.boxes[held[0]]}))
+
+
+def _is_middle_in(box: Box, around: Box) -> bool:
+    x, y = (box[0] + box[2]) / 2.0, (box[1] + box[3]) / 2.0
+    return around[0] <= x <= around[2] and around[1] <= y <= around[3]
+
+
+def _found(
+    image: SheetImage,
+    sheet: CleanSheet,
+    boxes: dict[Role, Box],
+    told: tuple[Projection | None, ProjectionSymbol | None],
+    drawing: VectorDrawing | None,
+) -> SheetViews:
+    """The views by the pens of a file, where they tell them; else by the picture."""
+    projection, symbol = told
     by_pens = None
     if drawing is not None:
         by_pens = graph_views(drawing, sheet, boxes, projection, symbol)
