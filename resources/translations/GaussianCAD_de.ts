@@ -2031,6 +2031,14 @@
         <translation>Das Blatt hat keine lesbare Maßstabsangabe: 1:1 wurde angenommen. Stellen Sie unter „Maßstab“ eine Länge ein, wenn es anders ist.</translation>
     </message>
     <message>
+        <source>The picture has {across} pixels an inch across and {down} down: it was resampled to {dpi} both ways.</source>
+        <translation>Das Bild hat waagerecht {across} und senkrecht {down} Pixel je Zoll: Es wurde in beiden Richtungen auf {dpi} umgerechnet.</translation>
+    </message>
+    <message>
+        <source>Page 1 shows no views that belong together. Page {page} of {pages}, which brings them together, was taken.</source>
+        <translation>Seite 1 zeigt keine Ansichten, die zusammengehören. Genommen wurde Seite {page} von {pages}, die sie zusammenbringt.</translation>
+    </message>
+    <message>
         <source>The scale is not known: the longest edge was made 100 mm. Set a length under Scale.</source>
         <translation>Der Maßstab ist nicht bekannt: Die längste Kante wurde 100 mm lang gemacht. Stellen Sie unter „Maßstab“ eine Länge ein.</translation>
     </message>
@@ -2151,6 +2159,10 @@
         <translation>Das Bild hat nur {width} × {height} Pixel. Exportieren Sie die Zeichnung mit 1920 × 1080 oder mehr.</translation>
     </message>
     <message>
+        <source>This is a FreeCAD document. Open it, then choose its TechDraw page as the drawing.</source>
+        <translation>Das ist ein FreeCAD-Dokument. Öffnen Sie es und wählen Sie dann seine TechDraw-Seite als Zeichnung.</translation>
+    </message>
+    <message>
         <source>{format} files are not read. Save the drawing as PDF, SVG, DXF or PNG.</source>
         <translation>{format}-Dateien werden nicht gelesen. Speichern Sie die Zeichnung als PDF, SVG, DXF oder PNG.</translation>
     </message>
@@ -2193,6 +2205,10 @@
     <message>
         <source>Only one view was found. A part follows from two views, or from one with diameters across its axis or with a thickness. Box the views in Correct Sheet if there are more.</source>
         <translation>Es wurde nur eine Ansicht gefunden. Ein Teil folgt aus zwei Ansichten, oder aus einer mit Durchmessern quer zur Achse oder mit einer Dicke. Umrahmen Sie die Ansichten mit „Blatt korrigieren“, wenn es mehr gibt.</translation>
+    </message>
+    <message>
+        <source>The sheet shows the part in a pictorial view alone. Views at right angles are needed, such as front, top and side.</source>
+        <translation>Das Blatt zeigt das Teil nur in einer perspektivischen Ansicht. Nötig sind rechtwinklige Ansichten wie Vorder-, Drauf- und Seitenansicht.</translation>
     </message>
     <message>
         <source>The views do not line up with each other. Box them in Correct Sheet and say which is which.</source>

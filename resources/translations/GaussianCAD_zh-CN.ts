@@ -1063,6 +1063,14 @@
         <translation>图纸上没有可读的比例：假定为 1:1。如果不是，请在“比例”中设置一个长度。</translation>
     </message>
     <message>
+        <source>The picture has {across} pixels an inch across and {down} down: it was resampled to {dpi} both ways.</source>
+        <translation>图片横向每英寸 {across} 像素，纵向 {down} 像素：已在两个方向重新采样为 {dpi}。</translation>
+    </message>
+    <message>
+        <source>Page 1 shows no views that belong together. Page {page} of {pages}, which brings them together, was taken.</source>
+        <translation>第 1 页没有彼此相属的视图。已采用把它们放在一起的第 {page} 页（共 {pages} 页）。</translation>
+    </message>
+    <message>
         <source>The scale is not known: the longest edge was made 100 mm. Set a length under Scale.</source>
         <translation>比例未知：最长的边取为 100 mm。请在“比例”中设置一个长度。</translation>
     </message>
@@ -1183,6 +1191,10 @@
         <translation>图片只有 {width} × {height} 像素。请以 1920 × 1080 或更多像素导出图纸。</translation>
     </message>
     <message>
+        <source>This is a FreeCAD document. Open it, then choose its TechDraw page as the drawing.</source>
+        <translation>这是 FreeCAD 文档。请打开它，然后选择其 TechDraw 页面作为图纸。</translation>
+    </message>
+    <message>
         <source>{format} files are not read. Save the drawing as PDF, SVG, DXF or PNG.</source>
         <translation>不读取 {format} 文件。请将图纸保存为 PDF、SVG、DXF 或 PNG。</translation>
     </message>
@@ -1225,6 +1237,10 @@
     <message>
         <source>Only one view was found. A part follows from two views, or from one with diameters across its axis or with a thickness. Box the views in Correct Sheet if there are more.</source>
         <translation>只找到一个视图。零件由两个视图得出，或由一个标有垂直于轴线的直径或厚度的视图得出。如果还有其他视图，请在“校正图纸”中框选。</translation>
+    </message>
+    <message>
+        <source>The sheet shows the part in a pictorial view alone. Views at right angles are needed, such as front, top and side.</source>
+        <translation>图纸仅以立体图表示零件。需要相互垂直的视图，例如主视图、俯视图和侧视图。</translation>
     </message>
     <message>
         <source>The views do not line up with each other. Box them in Correct Sheet and say which is which.</source>

@@ -21,6 +21,7 @@ from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.scale.find import WrittenSheet, read_texts
 from gaussiancad_core.sheet.special_views.finding import LayoutRequest
+from gaussiancad_core.sheet.special_views.pictorial_alone import as_pictorial
 from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
 from gaussiancad_core.sheet.view_search import STUB, arranged, lone_view, with_symbol
 from gaussiancad_core.sheet.working_scale import resampled, working_factor
@@ -82,7 +83,7 @@ def picture_views(
         if error.code == "one-view" and not given:
             alone = lone_view(sheet, separated, replace(request, captions=()))
         if alone is None:
-            raise
+            raise as_pictorial(error, separated) from error
         found = alone
     return PictureViews(*with_symbol(*found, symbol), written, problem)
 

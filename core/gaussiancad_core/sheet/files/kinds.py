@@ -85,6 +85,11 @@ def unsupported(head: bytes) -> tuple[str, str] | None:
     return None
 
 
+def is_freecad_document(head: bytes) -> bool:
+    """Whether a file is a document of FreeCAD: an archive that begins with its ``Document.xml``."""
+    return head.startswith(b"PK\x03\x04") and head[30:42] == b"Document.xml"
+
+
 def _as_text(head: bytes) -> str:
     if head.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return head.decode("utf-16", errors="replace")

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from gaussiancad_core.errors import UnreadableError
-from gaussiancad_core.sheet.files.kinds import HEAD_BYTES, unsupported
+from gaussiancad_core.sheet.files.kinds import HEAD_BYTES, is_freecad_document, unsupported
 
 
 def head_of(path: Path) -> bytes:
@@ -11,7 +11,7 @@ def head_of(path: Path) -> bytes:
 
     Raises:
         UnreadableError: ``file-missing``, ``not-a-file``, ``file-unreadable``, ``empty-file``,
-            ``format-not-supported``.
+            ``freecad-document``, ``format-not-supported``.
     """
     if path.is_dir():
         raise UnreadableError("not-a-file", "{path} is a folder: name a drawing file", path=path)
@@ -30,6 +30,13 @@ def head_of(path: Path) -> bytes:
         raise cannot_open(path, error) from error
     if not head:
         raise UnreadableError("empty-file", "{path} is empty: export the drawing again", path=path)
+    if is_freecad_document(head):
+        raise UnreadableError(
+            "freecad-document",
+            "{path} is a FreeCAD document, not a drawing: open it in FreeCAD and export its "
+            "TechDraw page as PDF or SVG, or reconstruct the page there",
+            path=path,
+        )
     known = unsupported(head)
     if known is not None:
         name, advice = known

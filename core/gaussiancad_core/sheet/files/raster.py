@@ -7,13 +7,15 @@ from pathlib import Path
 import cv2
 import numpy as np
 import numpy.typing as npt
-from PIL import Image, ImageOps, UnidentifiedImageError
+from PIL import ExifTags, Image, ImageOps, UnidentifiedImageError
 
 from gaussiancad_core.errors import UnreadableError
+from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.files.content import (
     MAX_PAGES,
     FileContent,
     Grey,
+    Note,
     check_pixels,
     page_missing,
     too_large,
@@ -37,6 +39,15 @@ _LEAST_SATURATION = 0.35
 
 _LEAST_PAPER = 64.0
 """Levels of light that paper has at least: what is darker is none, and its noise no colour."""
+
+_QUARTER_TURNS = (5, 6, 7, 8)
+"""EXIF's orientations of pictures that are stored on their side."""
+
+_SQUARE = 0.01
+"""Share by which a picture's resolutions across and down may differ: its pixels are square."""
+
+_MOST_UNEQUAL = 2.5
+"""Ratio of both at most, as of a fax in its coarse mode: 204 x 98 dpi."""
 
 _SCREEN_DPI = 96.0
 """Written by programs that know nothing of paper."""
@@ -64,8 +75,11 @@ def read_raster(path: Path, page: int) -> FileContent:
                 check_pixels(path, image.width, image.height)
                 _select_page(path, image, page)
                 check_pixels(path, image.width, image.height)
-                resolution = _resolution(image)
+                both = _resolutions(image)
                 grey, tint = _to_grey(image)
+                if both is not None and _is_unequal(*both):
+                    return _squared(path, (grey, tint), both, _pages_after(path, page))
+                resolution = _paper_resolution(both, max(grey.shape))
                 return FileContent(grey, resolution, tint=tint, pages=_pages_after(path, page))
     except UnidentifiedImageError as error:
         raise UnreadableError(
@@ -187,15 +201,65 @@ def _scaled(values: np.ndarray, sixteen_bits: bool) -> Grey:
     return np.clip(np.rint(levels), 0.0, 255.0).astype(np.uint8)
 
 
-def _resolution(image: Image.Image) -> float | None:
-    """Pixels per inch as the file says, unless that is a program's mere default."""
+def _resolutions(image: Image.Image) -> tuple[float, float] | None:
+    """Pixels per inch across and down of the upright picture, as the file says, where drawings are
+    scanned so; before it is loaded."""
+    turned = image.getexif().get(ExifTags.Base.Orientation) in _QUARTER_TURNS
     try:
         across, down = (float(value) for value in image.info["dpi"])
     except (KeyError, TypeError, ValueError, ZeroDivisionError):
         return None
-    if not (_MIN_DPI <= across <= _MAX_DPI and abs(across - down) <= 0.01 * across):
+    believable = all(_MIN_DPI <= own <= _MAX_DPI for own in (across, down))
+    if not believable:
         return None
-    paper = max(image.size) / across
-    if abs(across - _SCREEN_DPI) < 0.1 or not _MIN_PAPER <= paper <= _MAX_PAPER:
+    return (down, across) if turned else (across, down)
+
+
+def _paper_resolution(both: tuple[float, float] | None, longest: int) -> float | None:
+    """The one resolution of square pixels, unless that is a program's mere default.
+
+    Args:
+        both: pixels per inch across and down.
+        longest: side of the picture, px.
+    """
+    if both is None or abs(both[0] - both[1]) > _SQUARE * both[0]:
         return None
-    return (across + down) / 2.0
+    if abs(both[0] - _SCREEN_DPI) < 0.1 or not _MIN_PAPER <= longest / both[0] <= _MAX_PAPER:
+        return None
+    return sum(both) / 2.0
+
+
+def _is_unequal(across: float, down: float) -> bool:
+    """Whether pixels are as much higher or wider than the other way as those of faxes are."""
+    ratio = max(across, down) / min(across, down)
+    return 1.0 + _SQUARE < ratio <= _MOST_UNEQUAL
+
+
+def _squared(
+    path: Path, picture: tuple[Grey, Grey | None], both: tuple[float, float], pages: int
+) -> FileContent:
+    """A picture of unequal resolutions at the higher one in both directions.
+
+    Raises:
+        UnreadableError: ``image-too-large``.
+    """
+    grey, tint = picture
+    dpi = max(both)
+    height, width = grey.shape
+    size = (round(width * dpi / both[0]), round(height * dpi / both[1]))
+    check_pixels(path, *size)
+    message = Message(
+        "{name} has {across} x {down} dpi and was resampled to {dpi} both ways: places are told in "
+        "px of that",
+        name=path.name,
+        across=round(both[0]),
+        down=round(both[1]),
+        dpi=round(dpi),
+    )
+    return FileContent(
+        cv2.resize(grey, size, interpolation=cv2.INTER_CUBIC),
+        _paper_resolution((dpi, dpi), max(size)),
+        notes=(Note("pixels-made-square", message),),
+        tint=None if tint is None else cv2.resize(tint, size, interpolation=cv2.INTER_NEAREST),
+        pages=pages,
+    )

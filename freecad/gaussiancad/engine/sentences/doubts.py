@@ -325,6 +325,11 @@ WARNINGS = {
         "The file says the unit of its lengths, and no scale: the part was taken to be drawn in "
         "its own size. Set a length under Scale if it is not.",
     ),
+    "pixels-made-square": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The picture has {across} pixels an inch across and {down} down: it was resampled to {dpi} "
+        "both ways.",
+    ),
     "other-page-taken": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "Page 1 shows no views that belong together. Page {page} of {pages}, which brings them "

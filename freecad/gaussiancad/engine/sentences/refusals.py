@@ -72,6 +72,10 @@ FILES = {
         "The picture has only {width} × {height} pixels. Export the drawing with 1920 × 1080 or "
         "more.",
     ),
+    "freecad-document": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "This is a FreeCAD document. Open it, then choose its TechDraw page as the drawing.",
+    ),
     "format-not-supported": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "{format} files are not read. Save the drawing as PDF, SVG, DXF or PNG.",
@@ -110,6 +114,11 @@ VIEWS = {
         "GaussianCAD",
         "Only one view was found. A part follows from two views, or from one with diameters "
         "across its axis or with a thickness. Box the views in Correct Sheet if there are more.",
+    ),
+    "pictorial-alone": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The sheet shows the part in a pictorial view alone. Views at right angles are needed, "
+        "such as front, top and side.",
     ),
     "views-not-aligned": QT_TRANSLATE_NOOP(
         "GaussianCAD",

@@ -1,6 +1,11 @@
+import zipfile
+from pathlib import Path
+
 import pytest
 
-from gaussiancad_core.sheet.files.kinds import FileKind, detect, unsupported
+from gaussiancad_core.errors import UnreadableError
+from gaussiancad_core.sheet.files.kinds import FileKind, detect, is_freecad_document, unsupported
+from gaussiancad_core.sheet.files.opening import head_of
 
 SVG = '<?xml version="1.0"?>\n<!-- x -->\n<svg xmlns="http://www.w3.org/2000/svg"/>'
 
@@ -51,3 +56,20 @@ def test_formats_that_people_try() -> None:
     assert unsupported(b"%!PS-Adobe-3.0")[0] == "PostScript"
     assert unsupported(b"....ftypheic")[0] == "HEIC or AVIF"
     assert unsupported(b"\x89PNG\r\n\x1a\n") is None
+
+
+def test_a_freecad_document_is_no_other_archive(tmp_path: Path) -> None:
+    for names, is_one in (
+        (("Document.xml", "PartShape.brp"), True),
+        (("word/document.xml",), False),
+        (("PartShape.brp", "Document.xml"), False),
+    ):
+        path = tmp_path / "a.FCStd"
+        with zipfile.ZipFile(path, "w") as archive:
+            for name in names:
+                archive.writestr(name, "<Document/>")
+        head = path.read_bytes()
+        assert is_freecad_document(head) is is_one
+        with pytest.raises(UnreadableError) as caught:
+            head_of(path)
+        assert caught.value.code == ("freecad-document" if is_one else "format-not-supported")

@@ -23,10 +23,10 @@ def picture() -> Image.Image:
         ((200, 200), 200.0),
         ((300, 300), 300.0),
         ((150, 150), 150.0),
-        # Mere defaults, unequal, too small a sheet, too large a one, and none at all.
+        # Mere defaults, too unequal, too small a sheet, too large a one, and none at all.
         ((72, 72), None),
         ((96, 96), None),
-        ((200, 100), None),
+        ((300, 100), None),
         ((600, 600), None),
         ((1, 1), None),
         (None, None),
@@ -132,3 +132,24 @@ def test_black_ink_on_yellowed_paper_has_no_colour(tmp_path: Path, picture: Imag
     yellowed = np.asarray(picture)[..., None] * paper
     Image.fromarray(yellowed.astype(np.uint8)).save(tmp_path / "a.png")
     assert read_raster(tmp_path / "a.png", 1).tint is None
+
+
+@pytest.mark.parametrize("dpi", [(204, 98), (204, 391), (98, 204), (200, 100)])
+@pytest.mark.parametrize("turned", [False, True])
+def test_unequal_pixels_are_made_square(tmp_path: Path, dpi: tuple[int, int], turned: bool) -> None:
+    """A square of two inches is drawn, as a scanner of such pixels sees it."""
+    across, down = dpi
+    grey = np.full((5 * down, 5 * across), 255, np.uint8)
+    grey[down : 3 * down, across : 3 * across] = 0
+    path = tmp_path / "a.tif"
+    # The sixth of EXIF's orientations is a quarter turn.
+    orientation = {"tiffinfo": {274: 6}, "compression": "tiff_lzw"} if turned else {}
+    Image.fromarray(grey).save(path, dpi=dpi, **orientation)
+    read = read_raster(path, 1)
+    most = max(dpi)
+    assert read.grey.shape == (5 * most, 5 * most)
+    assert read.pixels_per_inch == pytest.approx(most, abs=0.02)
+    assert [note.code for note in read.notes] == ["pixels-made-square"]
+    rows, columns = np.nonzero(read.grey < 128)
+    assert np.ptp(rows) + 1 == pytest.approx(2 * most, abs=2)
+    assert np.ptp(columns) + 1 == pytest.approx(2 * most, abs=2)
