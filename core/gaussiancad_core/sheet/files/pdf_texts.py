@@ -37,24 +37,29 @@ _OFF_LINE = 0.25
 _SAME_DIRECTION = 1e-2
 """Radians."""
 
-_SIGN_FONT = re.compile(r"(?:^|\+)(?:AIGDT|AMGDT|AMGDTANS|GDT)(?:\b|$)", re.IGNORECASE)
-"""Fonts of Autodesk for the signs of ISO 1101 and ISO 129-1."""
-
-_SIGNS = str.maketrans(
-    {
-        "n": "\u00d8",  # diameter
-        "P": "\u00d8",
-        "v": "\u2334",  # counterbore
-        "X": "\u2334",
-        "w": "\u2335",  # countersink
-        "Y": "\u2335",
-        "x": "\u21a7",  # depth
-        "Z": "\u21a7",
-        "o": "\u25a1",  # square
-        "Q": "\u25a1",
-    }
+_SIGN_FONTS = (
+    (
+        # Of Autodesk for the signs of ISO 1101 and ISO 129-1: the letter, and the one with the
+        # number of its glyph.
+        re.compile(r"(?:^|\+)(?:AIGDT|AMGDT|AMGDTANS|GDT)(?:\b|$)", re.IGNORECASE),
+        {
+            "nP": "\u00d8",  # diameter
+            "vX": "\u2334",  # counterbore
+            "wY": "\u2335",  # countersink
+            "xZ": "\u21a7",  # depth
+            "oQ": "\u25a1",  # square
+        },
+    ),
+    (
+        # Of KOMPAS, at the places of letters of both code pages and of symbols.
+        re.compile(r"(?:^|\+)Symbol[ _-]?type[ _-]?[AB]", re.IGNORECASE),
+        {
+            "\u00c7\u0417\uf0c7": "\u00d8",  # diameter
+            "\u00c5\u0415\uf0c5": "\u00b0",  # degree
+        },
+    ),
 )
-"""What stands for them: the letter, and the one with the number of its glyph."""
+"""Fonts of signs by their names, and the letters that stand for these."""
 
 
 @dataclass(frozen=True)
@@ -135,8 +140,7 @@ def text_piece(
     length = float(np.hypot(*along))
     if abs(along[0] * up[1] - along[1] * up[0]) <= 1e-9 * length * float(np.hypot(*up)):
         return None
-    if _SIGN_FONT.search(_font_name(item)):
-        text = text.translate(_SIGNS)
+    text = _with_signs(text, _font_name(item))
     # In the text's own plane letters stand upright, however they are slanted.
     upright = (mapped - own[:, 2]) @ np.linalg.inv(own[:, :2]).T
     reach = own[:, 2] @ (along / length) + upright[:, 0] * length
@@ -153,6 +157,15 @@ def text_piece(
         float(np.arctan2(along[1], along[0])),
         (float(x0), float(y0), float(x1), float(y1)),
     )
+
+
+def _with_signs(text: str, font: str) -> str:
+    """A text in a font, with the signs that letters stand for in it."""
+    for names, signs in _SIGN_FONTS:
+        if names.search(font):
+            letters = {ord(own): sign for own_letters, sign in signs.items() for own in own_letters}
+            return text.translate(letters)
+    return text
 
 
 def _characters(page: pdfium.PdfTextPage, item: raw.FPDF_PAGEOBJECT) -> str:

@@ -215,6 +215,29 @@ def test_slanted_letters_narrower_than_told_are_one_text(
     assert written(content) == ["48,5", "7"]
 
 
+@pytest.mark.parametrize(
+    ("font", "letter", "sign"),
+    [
+        (b"ABCDEF+AIGDT", b"n", "\u00d8"),
+        (b"AMGDT", b"X", "\u2334"),
+        (b"Symbol#20type#20A", b"\\307", "\u00d8"),
+        (b"ABCDEF+SymboltypeB", b"\\305", "\u00b0"),
+        (b"Helvetica", b"\\307", "\u00c7"),
+    ],
+)
+def test_letters_of_sign_fonts_are_signs(
+    pdf: type, save: Save, font: bytes, letter: bytes, sign: str
+) -> None:
+    signs = b"<< /Type /Font /Subtype /TrueType /BaseFont /%b /Encoding /WinAnsiEncoding >>" % font
+    plain = b"<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica >>"
+    page = b"/Resources << /Font << /S 5 0 R /T 6 0 R >> >>"
+    content = b"BT /S 10 Tf 100 700 Td (%b) Tj /T 10 Tf 8 0 Td (20) Tj ET " % letter
+    content += b"50 100 m 550 100 l S"
+    made = pdf(content, page=page, objects=(signs, plain)).to_bytes()
+    (text,) = read_pdf(save("a.pdf", made), 1).vectors.texts
+    assert text.text.replace(" ", "") == f"{sign}20"
+
+
 def test_numbers_on_each_other_are_two(written: Written) -> None:
     content = b"BT /T 10 Tf 100 700 Td (25) Tj ET BT /T 10 Tf 103 700 Td (36) Tj ET "
     content += b"50 100 m 550 100 l S"
