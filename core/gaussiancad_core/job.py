@@ -84,6 +84,7 @@ class Job:
             "projection": reading.projection.value if reading.projection else "auto",
             "views": {role.value: list(box) for role, box in reading.views},
             "lengths": {axis.name.lower(): length for axis, length in reading.lengths},
+            "unit": reading.unit.value if reading.unit else None,
             "mm_per_pixel": reading.mm_per_pixel,
             "colour": "#{:02x}{:02x}{:02x}".format(*reading.colour),
             "median_kernel": reading.median_kernel,

@@ -8,7 +8,7 @@ import numpy.typing as npt
 from gaussiancad_core.job import Job
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
-from gaussiancad_core.sheet.read import SheetImage, read_sheet
+from gaussiancad_core.sheet.read import SheetImage, in_unit, read_sheet
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,6 +42,8 @@ def open_image(job: Job, notes: RunNotes) -> SheetImage:
         UnreadableError, LimitError: as of :func:`.read_sheet`.
     """
     image = read_sheet(job.sheet, job.page)
+    if job.reading.unit is not None:
+        image = in_unit(image, job.reading.unit.millimetres)
     tell_image(image, notes)
     return image
 

@@ -23,7 +23,7 @@ from gaussiancad_core.sheet.labels.evidence import NO_LABELS, SheetLabels
 from gaussiancad_core.sheet.layout import Layout, may_be_views
 from gaussiancad_core.sheet.notes.finding import SheetNote, notes_of
 from gaussiancad_core.sheet.notes.sections import NamedSection, named_sections
-from gaussiancad_core.sheet.options import Box, ReadingOptions
+from gaussiancad_core.sheet.options import Box, FileUnit, ReadingOptions
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
 from gaussiancad_core.sheet.scale.dimensions import file_lines
@@ -32,6 +32,7 @@ from gaussiancad_core.sheet.scale.find import (
     SheetScale,
     find_scale,
 )
+from gaussiancad_core.sheet.scale.numbers import Unit
 from gaussiancad_core.sheet.scale.units import file_unit
 from gaussiancad_core.sheet.sheet_views import SheetViews, sheet_views
 from gaussiancad_core.sheet.special_views.beside import sections_beside
@@ -240,7 +241,8 @@ def _sheet_scale(
     found, drawn = read
     if _is_given(job.reading, drawn) and job.result is ResultKind.SURFACE:
         return None
-    scale = find_scale(image, clean, found.separated.marks, drawn, found.written)
+    unit = _number_unit(job.reading.unit)
+    scale = find_scale(image, clean, found.separated.marks, drawn, found.written, told=unit)
     notes.tell(dimensions=scale.dimensions)
     for note in scale.contradictions:
         notes.doubt(note.code, note.message)
@@ -252,6 +254,11 @@ def _notes(image: SheetImage, scale: SheetScale | None) -> tuple[SheetNote, ...]
     if scale is None:
         return ()
     return notes_of(scale.texts, scale.unit, bare_point_is_inch=file_unit(image.vectors) is None)
+
+
+def _number_unit(told: FileUnit | None) -> Unit | None:
+    """The unit that numbers are in as the user says; None of units that no dimension is in."""
+    return next((own for own in Unit if told is not None and own.value == told.value), None)
 
 
 def _is_given(reading: ReadingOptions, drawn: Sequence[ReadView]) -> bool:

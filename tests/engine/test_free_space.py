@@ -17,7 +17,7 @@ from gaussiancad_core.events import Silence
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.pipeline import reconstruct
-from gaussiancad_core.sheet.options import ReadingOptions
+from gaussiancad_core.sheet.options import FileUnit, ReadingOptions
 
 _MM = 4
 _INCH = 1
@@ -132,6 +132,27 @@ def test_a_plate_without_a_thickness_asks_for_one_and_takes_it(run: Run) -> None
     assert caught.value.code == "one-view"
     _, extents, _ = run(doc, ReadingOptions(lengths=((Axis.Y, 3.0),)))
     assert extents == pytest.approx([60.0, 3.0, 40.0], abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("unit", "stated", "factor"),
+    [
+        (FileUnit.CENTIMETRE, 0, 10.0),
+        (FileUnit.FOOT, 0, 304.8),
+        (FileUnit.MILLIMETRE, 0, 1.0),
+        # What the file states stands.
+        (FileUnit.INCH, _MM, 1.0),
+    ],
+)
+def test_a_file_without_a_unit_is_told_one(
+    run: Run, unit: FileUnit, stated: int, factor: float
+) -> None:
+    doc, model = _drawing(stated)
+    _plate(model)
+    report, extents, _ = run(doc, ReadingOptions(lengths=((Axis.Y, 3.0),), unit=unit))
+    assert extents == pytest.approx([60.0 * factor, 3.0, 40.0 * factor], rel=1e-5)
+    assert report["scale_source"] == "sheet"
+    assert "paper-size-unknown" not in _codes(report["warnings"])
 
 
 def test_a_plate_is_told_its_width_and_its_thickness(run: Run) -> None:

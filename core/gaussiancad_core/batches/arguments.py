@@ -13,6 +13,8 @@ def job_arguments(job: Job) -> list[str]:
         arguments += ["--view", f"{role}={','.join(str(value) for value in box)}"]
     for axis, length in settings["lengths"].items():
         arguments += ["--length", f"{axis}={length}"]
+    if settings["unit"]:
+        arguments += ["--unit", settings["unit"]]
     if settings["mm_per_pixel"]:
         arguments += ["--mm-per-pixel", str(settings["mm_per_pixel"])]
     arguments += ["--median", str(settings["median_kernel"])]

@@ -14,7 +14,7 @@ from gaussiancad_core.errors import ExitCode, UsageError
 from gaussiancad_core.events import PROTOCOL, Listener
 from gaussiancad_core.job import Job, corrections_beside
 from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind
-from gaussiancad_core.sheet.options import MEDIAN_KERNEL, Finder, ReadingOptions
+from gaussiancad_core.sheet.options import MEDIAN_KERNEL, FileUnit, Finder, ReadingOptions
 
 if TYPE_CHECKING:
     from gaussiancad_core.report import Report
@@ -72,6 +72,12 @@ def add_reading_options(parser: argparse.ArgumentParser) -> None:
         default=[],
         metavar="ROLE=X0,Y0,X1,Y1",
         help="name a view by a box around it in px; repeat for each",
+    )
+    parser.add_argument(
+        "--unit",
+        type=partial(values.choice, FileUnit),
+        metavar="|".join(member.value for member in FileUnit),
+        help="of a file that does not say its own, and of its numbers (mm, in)",
     )
     scale = parser.add_mutually_exclusive_group()
     scale.add_argument(
@@ -152,6 +158,7 @@ def reading_of(options: argparse.Namespace) -> ReadingOptions:
         views=tuple(options.view),
         lengths=lengths,
         mm_per_pixel=options.mm_per_pixel,
+        unit=options.unit,
         median_kernel=options.median,
         finder=options.finder,
     )

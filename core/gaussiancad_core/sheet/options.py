@@ -20,6 +20,24 @@ class Finder(Enum):
     HOUGH = "hough"
 
 
+class FileUnit(Enum):
+    """What a length of a file, or a number on it, may be in."""
+
+    MILLIMETRE = "mm"
+    CENTIMETRE = "cm"
+    METRE = "m"
+    INCH = "in"
+    FOOT = "ft"
+
+    @property
+    def millimetres(self) -> float:
+        """Length of one."""
+        return _MILLIMETRES[self.value]
+
+
+_MILLIMETRES = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "ft": 304.8}
+
+
 @dataclass(frozen=True)
 class ReadingOptions:
     """What a user can say about a sheet.
@@ -31,6 +49,8 @@ class ReadingOptions:
             a view shows tells the scale, the one along that which no view shows how thick the part
             is.
         mm_per_pixel: scale of the sheet, or None.
+        unit: of a file that does not say its own, and of numbers that do not name theirs; None to
+            tell it by these.
         colour: RGB of the part.
         open_holes: open the through holes that the hidden lines prove; the paper's masks are only
             filled contours.
@@ -42,6 +62,7 @@ class ReadingOptions:
     views: tuple[tuple[Role, Box], ...] = ()
     lengths: tuple[tuple[Axis, float], ...] = ()
     mm_per_pixel: float | None = None
+    unit: FileUnit | None = None
     colour: tuple[int, int, int] = (120, 160, 210)
     open_holes: bool = True
     median_kernel: int = MEDIAN_KERNEL

@@ -14,6 +14,7 @@ from gaussiancad_core.sheet.files.duplicates import distinct_strokes
 from gaussiancad_core.sheet.files.isolation import read_isolated
 from gaussiancad_core.sheet.files.kinds import VECTOR_SUFFIXES, detect
 from gaussiancad_core.sheet.files.opening import cannot_open, head_of
+from gaussiancad_core.sheet.files.sizing import MM_PER_INCH, UNIT_UNKNOWN
 from gaussiancad_core.sheet.files.vectors import VectorDrawing
 from gaussiancad_core.sheet.working_scale import resampled, working_factor
 
@@ -91,6 +92,24 @@ def read_sheet(path: Path, page: int = 1) -> SheetImage:
         brought_together=content.brought_together,
     )
     return _at_working_scale(image) if content.vectors is None else image
+
+
+def in_unit(image: SheetImage, unit_mm: float) -> SheetImage:
+    """A sheet whose file does not say its unit, once that is known; any other as it is.
+
+    Args:
+        image: as read.
+        unit_mm: mm to the unit of its lengths.
+    """
+    drawing = image.vectors
+    if drawing is None or drawing.unit_px is None:
+        return image
+    return replace(
+        image,
+        pixels_per_inch=drawing.unit_px * MM_PER_INCH / unit_mm,
+        vectors=replace(drawing, unit_px=None, unit_mm=None if drawing.has_paper else unit_mm),
+        notes=tuple(note for note in image.notes if note.code != UNIT_UNKNOWN),
+    )
 
 
 def _without_duplicates(drawing: VectorDrawing | None) -> VectorDrawing | None:

@@ -49,9 +49,9 @@ def test_a_table_has_options_for_each_sheet(folder: Path) -> None:
     )
     first, second = _collected([str(table)], "--length", "y=30", "--result", "solid")
     assert first.path == folder / "a.pdf" and second.path == folder / "sub" / "c.dxf"
-    assert (first.job.reading.length, first.job.page) == ((Axis.X, 80.0), 2)
+    assert (first.job.reading.lengths, first.job.page) == (((Axis.X, 80.0),), 2)
     assert first.job.result is ResultKind.SOLID and second.job.result is ResultKind.SURFACE
-    assert second.job.reading.length is None and second.job.reading.mm_per_pixel == 0.5
+    assert second.job.reading.lengths == () and second.job.reading.mm_per_pixel == 0.5
 
 
 @pytest.mark.parametrize(

@@ -116,10 +116,13 @@ def read_dxf(path: Path, page: int) -> FileContent:
     check_pixels(path, *size)
     vectors = placed_drawing(content.found, sheet, sizing)
     unit_mm = None if inches_per_unit is None else inches_per_unit / MILLIMETRE
-    vectors = replace(
-        vectors, has_paper=paper is not None, unit_mm=unit_mm if content.is_model else None
-    )
     dpi = sizing.pixels_per_inch
+    vectors = replace(
+        vectors,
+        has_paper=paper is not None,
+        unit_mm=unit_mm if content.is_model else None,
+        unit_px=None if dpi else sizing.scale,
+    )
     notes = (*left_out(path, content.found.unread), *notes_on(path, sizing))
     picture = paint(vectors, *size)
     return FileContent(

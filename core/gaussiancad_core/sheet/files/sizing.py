@@ -19,8 +19,13 @@ _SMALLEST, _LARGEST = 2.0, 104.0
 _FREE_SIDE = 3000.0
 """px: longest side of a drawing that is no paper."""
 
-MILLIMETRE = 1.0 / 25.4
+MM_PER_INCH = 25.4
+
+MILLIMETRE = 1.0 / MM_PER_INCH
 """Inches."""
+
+UNIT_UNKNOWN = "paper-size-unknown"
+"""Code of the note that a file does not say its unit."""
 
 
 @dataclass(frozen=True)
@@ -93,7 +98,7 @@ def notes_on(path: Path, sizing: Sizing) -> tuple[Note, ...]:
 def _no_paper_size(path: Path) -> Note:
     """That a file does not say how large its paper is."""
     message = Message(
-        "{name} does not say how large its paper is: tell --length or --mm-per-pixel",
+        "{name} does not say how large its paper is: tell --unit, --length or --mm-per-pixel",
         name=path.name,
     )
-    return Note("paper-size-unknown", message)
+    return Note(UNIT_UNKNOWN, message)

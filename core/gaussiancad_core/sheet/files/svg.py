@@ -105,7 +105,9 @@ def _read_tree(path: Path, safe: SafeSvg) -> FileContent:
         )
     grey = render_svg(tostring(safe.root, encoding="unicode"), width, height, scale)
     shown = tuple(stroke for stroke in strokes if shown_share(stroke, grey) >= _SHOWN)
-    vectors = VectorDrawing(shown, tuple(texts), not safe.pictures)
+    vectors = VectorDrawing(
+        shown, tuple(texts), not safe.pictures, unit_px=None if sizing.pixels_per_inch else scale
+    )
     notes = (*_notes(path, safe), *notes_on(path, sizing))
     return FileContent(grey, sizing.pixels_per_inch, vectors if shown or texts else None, notes)
 

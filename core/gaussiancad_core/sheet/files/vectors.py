@@ -242,6 +242,7 @@ class VectorDrawing:
             system: the sheet is then no more than what is drawn, with a margin.
         unit_mm: mm to the unit that the file says its lengths are in; None where it does not, or
             where they are the paper's.
+        unit_px: px to the unit of a file that does not say which that is.
     """
 
     strokes: tuple[VectorStroke, ...]
@@ -249,6 +250,7 @@ class VectorDrawing:
     complete: bool = True
     has_paper: bool = True
     unit_mm: float | None = None
+    unit_px: float | None = None
 
 
 def bounds(curves: list[Curve]) -> Box | None:

@@ -158,6 +158,8 @@ def find_scale(
     marks: Sequence[Mark],
     drawn: Sequence[ReadView],
     written: WrittenSheet | None = None,
+    *,
+    told: Unit | None = None,
 ) -> SheetScale:
     """Find the scale of a sheet.
 
@@ -167,6 +169,7 @@ def find_scale(
         marks: annotations found on it.
         drawn: its views.
         written: what was read on it; None where nobody read it yet.
+        told: unit of numbers that do not name theirs, as the user says.
     """
     written = written or read_texts(image, sheet, marks)
     texts, notes = written.texts, written.notes
@@ -175,23 +178,24 @@ def find_scale(
     lines = _lines(image, sheet, texts, (marks, drawn))
     dimensions = _dimensions(texts, marks, lines, bare_point_is_inch=in_file is None)
     units = Units(
+        told,
         noted_unit(texts),
         in_file,
         fitting_unit(dimensions, paper_scale if in_file or not assumed else None),
     )
     unit = units.taken or usual_unit(dimensions)
     found = agree(dimensions, unit, None if assumed else paper_scale)
-    told = tuple(_as_stored(own, sheet.turn) for own in found.dimensions)
-    found = replace(found, dimensions=told)
+    stored = tuple(_as_stored(own, sheet.turn) for own in found.dimensions)
+    found = replace(found, dimensions=stored)
     plain = SheetScale(
         None,
         ScaleSource.DEFAULT,
-        told,
+        stored,
         notes,
         units.contradictions,
         texts=texts,
         unit=unit,
-        unit_noted=units.noted is unit,
+        unit_noted=unit in (units.told, units.noted),
     )
     if found.mm_per_pixel is not None:
         apart = _disagreement(found)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
 
-MM_PER_INCH = 25.4
+from gaussiancad_core.sheet.files.sizing import MM_PER_INCH
 
 
 class Unit(Enum):

@@ -19,18 +19,23 @@ class Units:
     """What tells the unit of numbers that do not name theirs.
 
     Attributes:
+        told: by the user.
         noted: by a note.
         in_file: by the file, of the lengths that it draws.
         fitting: in which the numbers say the lengths that are drawn.
     """
 
+    told: Unit | None
     noted: Unit | None
     in_file: Unit | None
     fitting: Unit | None
 
     @property
     def taken(self) -> Unit | None:
-        """What is drawn and what is written tell it together before a note does."""
+        """What the user says; else what is drawn and what is written tell it together before a
+        note does."""
+        if self.told is not None:
+            return self.told
         if self.in_file is not None and self.fitting is not None:
             return self.fitting
         return self.noted or self.fitting or self.in_file

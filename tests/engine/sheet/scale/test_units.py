@@ -30,9 +30,15 @@ MM, INCH = Unit.MILLIMETRE, Unit.INCH
 def test_what_is_drawn_and_written_goes_before_a_note(
     noted: Unit | None, in_file: Unit | None, fitting: Unit | None, taken: Unit | None, doubts: int
 ) -> None:
-    units = Units(noted, in_file, fitting)
+    units = Units(None, noted, in_file, fitting)
     assert units.taken is taken
     assert [own.code for own in units.contradictions] == doubts * ["unit-contradicts-note"]
+
+
+def test_what_the_user_says_goes_before_all() -> None:
+    units = Units(INCH, MM, MM, MM)
+    assert units.taken is INCH
+    assert [own.code for own in units.contradictions] == ["unit-contradicts-note"]
 
 
 @pytest.mark.parametrize(
