@@ -4,10 +4,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from gaussiancad_core.files.opening import head_of
 from gaussiancad_core.finished import sha256
 from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind
 from gaussiancad_core.outputs import check_writable
-from gaussiancad_core.sheet.files.opening import head_of
 from gaussiancad_core.sheet.options import ReadingOptions
 
 _CORRECTIONS = ".corrections.json"

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.files.vectors import CircularArc
 from gaussiancad_core.job import Job
 from gaussiancad_core.label_doubts import tell_doubtful_labels, weighed_views
 from gaussiancad_core.messages import Message
@@ -16,7 +17,6 @@ from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.files.vectors import CircularArc
 from gaussiancad_core.sheet.graph.heads import arrowheads
 from gaussiancad_core.sheet.graph.tangent_edges import without_tangent_edges
 from gaussiancad_core.sheet.labels.evidence import NO_LABELS, SheetLabels

@@ -8,10 +8,10 @@ from pathlib import Path
 from gaussiancad_core.cli import values
 from gaussiancad_core.errors import ExitCode, UnreadableError, UsageError
 from gaussiancad_core.events import Listener
+from gaussiancad_core.files.opening import head_of
 from gaussiancad_core.job import corrections_beside
 from gaussiancad_core.readings.opening import open_typed
 from gaussiancad_core.readings.operations import Corrections
-from gaussiancad_core.sheet.files.opening import head_of
 
 _REPORTS = (".csv", ".json")
 """How the names of a batch's reports end."""

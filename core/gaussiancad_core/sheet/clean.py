@@ -12,13 +12,13 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.files.paper import STROKE_REACH, enlarged, even_paper, smaller
+from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.sheet.dash_gaps import dash_gap
 from gaussiancad_core.sheet.deskew import Turn, file_directions, find_turn, grown_lines
-from gaussiancad_core.sheet.files.vectors import VectorDrawing
 from gaussiancad_core.sheet.growth import GrowthRules, grow_straight
 from gaussiancad_core.sheet.options import MEDIAN_KERNEL
 from gaussiancad_core.sheet.pale_strokes import mean_stroke_width, with_pale
-from gaussiancad_core.sheet.paper import STROKE_REACH, enlarged, even_paper, smaller
 from gaussiancad_core.sheet.ridges import ridge_points
 
 _SHORTEST_DASH = 7.0

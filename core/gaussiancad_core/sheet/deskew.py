@@ -11,8 +11,8 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.sheet.files.vectors import Line as StraightLine
-from gaussiancad_core.sheet.files.vectors import VectorDrawing
+from gaussiancad_core.files.vectors import Line as StraightLine
+from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.growth import Grown
 from gaussiancad_core.sheet.options import Box

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from gaussiancad_core.sheet.files.vectors import CircularArc, Curve, EllipticArc, Line
+from gaussiancad_core.files.vectors import CircularArc, Curve, EllipticArc, Line
 from gaussiancad_core.views import Arc, Ellipse, Linetype, Segment, Stroke
 
 

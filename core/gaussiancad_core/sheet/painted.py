@@ -6,9 +6,9 @@ from dataclasses import replace
 import numpy as np
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.files.painting import paint
+from gaussiancad_core.files.vectors import Chain, VectorDrawing, VectorStroke
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
-from gaussiancad_core.sheet.files.painting import paint
-from gaussiancad_core.sheet.files.vectors import Chain, VectorDrawing, VectorStroke
 from gaussiancad_core.sheet.masks import find_outline
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.precision import StrokesSource

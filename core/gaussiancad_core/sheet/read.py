@@ -8,14 +8,14 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.files.content import MAX_PIXELS, MIN_SIDE, MOST_WORKED_ON, Note
+from gaussiancad_core.files.duplicates import distinct_strokes
+from gaussiancad_core.files.isolation import read_isolated
+from gaussiancad_core.files.kinds import VECTOR_SUFFIXES, detect
+from gaussiancad_core.files.opening import cannot_open, head_of
+from gaussiancad_core.files.sizing import MM_PER_INCH, UNIT_UNKNOWN
+from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.messages import Message
-from gaussiancad_core.sheet.files.content import MAX_PIXELS, MIN_SIDE, MOST_WORKED_ON, Note
-from gaussiancad_core.sheet.files.duplicates import distinct_strokes
-from gaussiancad_core.sheet.files.isolation import read_isolated
-from gaussiancad_core.sheet.files.kinds import VECTOR_SUFFIXES, detect
-from gaussiancad_core.sheet.files.opening import cannot_open, head_of
-from gaussiancad_core.sheet.files.sizing import MM_PER_INCH, UNIT_UNKNOWN
-from gaussiancad_core.sheet.files.vectors import VectorDrawing
 from gaussiancad_core.sheet.working_scale import resampled, working_factor
 
 __all__ = ["MAX_PIXELS", "MIN_SIDE", "SHEET_SUFFIXES", "SheetImage", "read_sheet"]

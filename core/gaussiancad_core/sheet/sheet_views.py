@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.files.vectors import VectorDrawing
 from gaussiancad_core.sheet.graph.views import GraphViews, graph_views
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box, Finder

@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.sheet.paper import PICTURE_REACH, smaller
+from gaussiancad_core.files.paper import PICTURE_REACH, smaller
 
 Runs = tuple[npt.NDArray[np.intp], npt.NDArray[np.intp], npt.NDArray[np.intp]]
 """(n,) each: row, first and last column."""

@@ -8,6 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from gaussiancad_core.files.vectors import Line as StraightLine
+from gaussiancad_core.files.vectors import VectorDrawing, VectorStroke
 from gaussiancad_core.sheet.deskew import (
     LARGEST_SKEW,
     Turn,
@@ -15,8 +17,6 @@ from gaussiancad_core.sheet.deskew import (
     find_turn,
     grown_lines,
 )
-from gaussiancad_core.sheet.files.vectors import Line as StraightLine
-from gaussiancad_core.sheet.files.vectors import VectorDrawing, VectorStroke
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.growth import Grown, grow_shapes
 from gaussiancad_core.sheet.ridges import ridge_points

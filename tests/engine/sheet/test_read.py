@@ -6,7 +6,7 @@ from PIL import Image
 
 import gaussiancad_core.sheet.read as reading
 from gaussiancad_core.errors import UnreadableError
-from gaussiancad_core.sheet.files.vectors import CircularArc
+from gaussiancad_core.files.vectors import CircularArc
 from gaussiancad_core.sheet.read import read_sheet
 
 

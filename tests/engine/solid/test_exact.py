@@ -33,13 +33,13 @@ from gaussiancad_core.drawing.brep import (
     subshapes,
     volume,
 )
+from gaussiancad_core.files.fitting import circle_through
 from gaussiancad_core.modes import Status
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
 from gaussiancad_core.reasoning.labelling import Effort, Labelling, Others, Search
 from gaussiancad_core.reasoning.work import Deadline
 from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.samples.modelling import box, cut, cylinder, fuse
-from gaussiancad_core.sheet.files.fitting import circle_through
 from gaussiancad_core.solid import candidates, exact
 from gaussiancad_core.solid.build import BuiltSolid, build_solid
 from gaussiancad_core.solid.exact import ExactResult, exact_solid

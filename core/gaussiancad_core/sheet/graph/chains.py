@@ -2,7 +2,7 @@
 
 Many programs plot curves as short chords, and cut straight edges where something touches them.
 Lines that go on in each other, where nothing else meets them, are a chain: it becomes the arcs that
-a plotter drew as chords (:mod:`gaussiancad_core.sheet.files.plotted`), and one line where it is
+a plotter drew as chords (:mod:`gaussiancad_core.files.plotted`), and one line where it is
 straight.
 """
 
@@ -11,9 +11,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from gaussiancad_core.sheet.files.curves import to_point
-from gaussiancad_core.sheet.files.plotted import lines_and_arcs
-from gaussiancad_core.sheet.files.vectors import Curve, Line, VectorStroke
+from gaussiancad_core.files.curves import to_point
+from gaussiancad_core.files.plotted import lines_and_arcs
+from gaussiancad_core.files.vectors import Curve, Line, VectorStroke
 from gaussiancad_core.sheet.graph.touching import Floats
 
 _SAME = 0.02

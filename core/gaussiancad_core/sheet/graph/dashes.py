@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.sheet.files.vectors import CircularArc, Line, VectorStroke
+from gaussiancad_core.files.vectors import CircularArc, Line, VectorStroke
 from gaussiancad_core.sheet.graph.touching import Flags, Floats, Ints, Touches
 
 _GAP = 3.0

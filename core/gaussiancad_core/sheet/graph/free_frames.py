@@ -18,7 +18,7 @@ from enum import Enum
 
 import numpy as np
 
-from gaussiancad_core.sheet.files.vectors import VectorText
+from gaussiancad_core.files.vectors import VectorText
 from gaussiancad_core.sheet.graph.groups import CLOSED, EVEN, Groups, grouped, within
 from gaussiancad_core.sheet.graph.touching import Flags, Floats, Ints, Touches
 

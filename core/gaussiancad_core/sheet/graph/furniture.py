@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gaussiancad_core.sheet.files.vectors import Line, StrokeKind, VectorStroke, VectorText
+from gaussiancad_core.files.vectors import Line, StrokeKind, VectorStroke, VectorText
 from gaussiancad_core.sheet.graph.free_frames import Spanning, free_frames
 from gaussiancad_core.sheet.graph.groups import CLOSED, EVEN, Groups, grouped
 from gaussiancad_core.sheet.graph.touching import Flags, Floats, Ints, Touches

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import ConvexHull, QhullError, cKDTree
 
-from gaussiancad_core.sheet.files.vectors import Chain, Line, StrokeKind, VectorStroke
+from gaussiancad_core.files.vectors import Chain, Line, StrokeKind, VectorStroke
 
 _SHORTEST, _LONGEST = 4.0, 80.0
 """px of a head along its axis: 0.5 to 10 mm at 200 dpi."""

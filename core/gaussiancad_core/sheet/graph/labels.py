@@ -7,7 +7,7 @@ from enum import Enum
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.sheet.files.vectors import (
+from gaussiancad_core.files.vectors import (
     Line,
     StrokeKind,
     StrokeRole,

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gaussiancad_core.sheet.files.vectors import Colour, StrokeKind, StrokeRole, VectorStroke
+from gaussiancad_core.files.vectors import Colour, StrokeKind, StrokeRole, VectorStroke
 from gaussiancad_core.sheet.graph.touching import Flags, Ints, Touches
 
 _ALIKE = 1.1

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gaussiancad_core.sheet.files.vectors import Line, VectorStroke
+from gaussiancad_core.files.vectors import Line, VectorStroke
 from gaussiancad_core.sheet.graph.touching import Flags, Touches
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind

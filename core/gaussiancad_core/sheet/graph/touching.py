@@ -8,7 +8,7 @@ import numpy.typing as npt
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from gaussiancad_core.sheet.files.vectors import Curve, Line, bounds
+from gaussiancad_core.files.vectors import Curve, Line, bounds
 
 Floats = npt.NDArray[np.float64]
 Ints = npt.NDArray[np.int64]

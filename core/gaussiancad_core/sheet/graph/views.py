@@ -8,17 +8,17 @@ import numpy as np
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
-from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
-from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
-from gaussiancad_core.sheet.files.painting import paint
-from gaussiancad_core.sheet.files.vectors import (
+from gaussiancad_core.files.painting import paint
+from gaussiancad_core.files.vectors import (
     Line,
     StrokeKind,
     VectorDrawing,
     VectorStroke,
     bounds,
 )
+from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
+from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
+from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
 from gaussiancad_core.sheet.graph.chains import with_whole_edges
 from gaussiancad_core.sheet.graph.labels import Label, LabelledDrawing, labelled
 from gaussiancad_core.sheet.labels.evidence import meets

@@ -12,9 +12,9 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.files.vectors import Line, StrokeKind, VectorStroke
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.files.vectors import Line, StrokeKind, VectorStroke
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.scale.texts import SheetText
 

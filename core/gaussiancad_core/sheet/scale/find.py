@@ -5,11 +5,11 @@ from dataclasses import dataclass, replace
 from enum import Enum
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.files.content import Note
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.files.content import Note
 from gaussiancad_core.sheet.graph.heads import arrowheads, without_heads
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.read import SheetImage

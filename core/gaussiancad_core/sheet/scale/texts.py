@@ -8,10 +8,10 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.files.vectors import VectorText
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.clean import CleanSheet, Ink
 from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.files.vectors import VectorText
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.scale.numbers import parse_dimension
 from gaussiancad_core.sheet.scale.ocr import ReadText, read_text

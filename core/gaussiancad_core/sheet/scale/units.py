@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import isclose, log
 
+from gaussiancad_core.files.content import Note
+from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.messages import Message
-from gaussiancad_core.sheet.files.content import Note
-from gaussiancad_core.sheet.files.vectors import VectorDrawing
 from gaussiancad_core.sheet.scale.numbers import Unit, parse_unit
 from gaussiancad_core.sheet.scale.texts import SheetText
 

@@ -7,8 +7,8 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.sheet.files.fitting import circle_through
-from gaussiancad_core.sheet.files.vectors import (
+from gaussiancad_core.files.fitting import circle_through
+from gaussiancad_core.files.vectors import (
     FULL_TURN,
     Chain,
     CircularArc,

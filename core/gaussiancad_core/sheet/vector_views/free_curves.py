@@ -5,8 +5,8 @@ from itertools import pairwise
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.sheet.files.fitting import circle_through
-from gaussiancad_core.sheet.files.vectors import Chain
+from gaussiancad_core.files.fitting import circle_through
+from gaussiancad_core.files.vectors import Chain
 from gaussiancad_core.views import Arc, Linetype, Segment
 
 Floats = npt.NDArray[np.float64]

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.sheet.files.vectors import CircularArc, Curve, Line
+from gaussiancad_core.files.vectors import CircularArc, Curve, Line
 
 _COARSEST, _EXACTLY = 0.3, 0.005
 """px between the ends of rounded strokes that meet, at most, and of exact ones: farther ones may be

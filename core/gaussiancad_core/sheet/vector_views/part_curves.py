@@ -8,10 +8,8 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import cKDTree
 
-from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.files.curves import affine_arc, to_point
-from gaussiancad_core.sheet.files.vectors import (
+from gaussiancad_core.files.curves import affine_arc, to_point
+from gaussiancad_core.files.vectors import (
     Chain,
     CircularArc,
     Curve,
@@ -21,6 +19,8 @@ from gaussiancad_core.sheet.files.vectors import (
     StrokeRole,
     VectorStroke,
 )
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.deskew import Turn
 
 Mask = npt.NDArray[np.uint8]
 

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.ellipses import WholeEllipse
-from gaussiancad_core.sheet.files.vectors import (
+from gaussiancad_core.files.vectors import (
     CircularArc,
     EllipticArc,
     Line,

@@ -6,13 +6,13 @@ import cv2
 import numpy as np
 
 from gaussiancad_core.axes import Role
-from gaussiancad_core.sheet.clean import CleanSheet
-from gaussiancad_core.sheet.files.vectors import (
+from gaussiancad_core.files.vectors import (
     Curve,
     VectorDrawing,
     VectorStroke,
     bounds,
 )
+from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.vector_views.missed_ends import missed_px

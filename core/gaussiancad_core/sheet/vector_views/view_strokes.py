@@ -12,7 +12,7 @@ from itertools import pairwise
 import numpy as np
 
 from gaussiancad_core.ellipses import WholeEllipse
-from gaussiancad_core.sheet.files.vectors import Chain, StrokeRole, VectorStroke
+from gaussiancad_core.files.vectors import Chain, StrokeRole, VectorStroke
 from gaussiancad_core.sheet.geometry import Geometry, Line
 from gaussiancad_core.sheet.linetypes import classify
 from gaussiancad_core.sheet.runs import Piece, Rhythm, Run, learn_rhythm

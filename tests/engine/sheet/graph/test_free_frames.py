@@ -5,7 +5,7 @@ from math import tau
 
 import pytest
 
-from gaussiancad_core.sheet.files.vectors import (
+from gaussiancad_core.files.vectors import (
     CircularArc,
     Line,
     StrokeKind,

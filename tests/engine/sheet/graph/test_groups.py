@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.sheet.files.vectors import Line
+from gaussiancad_core.files.vectors import Line
 from gaussiancad_core.sheet.graph.groups import EVEN, grouped, within
 from gaussiancad_core.sheet.graph.touching import touching
 

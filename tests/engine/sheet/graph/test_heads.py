@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.sheet.files.vectors import Chain, Line, StrokeKind, VectorStroke
+from gaussiancad_core.files.vectors import Chain, Line, StrokeKind, VectorStroke
 from gaussiancad_core.sheet.graph.heads import arrowheads
 
 _PLACE = st.tuples(st.floats(100.0, 900.0), st.floats(100.0, 900.0))

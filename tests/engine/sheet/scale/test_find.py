@@ -14,10 +14,10 @@ import pytest
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.sheet import Sheet, draw_sheet
 from gaussiancad_core.drawing.style import parse_style
+from gaussiancad_core.files.vectors import VectorDrawing, VectorText
 from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
-from gaussiancad_core.sheet.files.vectors import VectorDrawing, VectorText
 from gaussiancad_core.sheet.picture_views import picture_views
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views

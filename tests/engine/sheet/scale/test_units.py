@@ -2,7 +2,7 @@
 
 import pytest
 
-from gaussiancad_core.sheet.files.vectors import VectorDrawing
+from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.sheet.scale.numbers import Unit
 from gaussiancad_core.sheet.scale.texts import SheetText
 from gaussiancad_core.sheet.scale.units import Units, file_unit, noted_unit, other_size

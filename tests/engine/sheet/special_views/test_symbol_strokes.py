@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.axes import Projection
-from gaussiancad_core.sheet.files.vectors import (
+from gaussiancad_core.files.vectors import (
     FULL_TURN,
     Chain,
     CircularArc,

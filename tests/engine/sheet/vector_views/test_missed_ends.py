@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gaussiancad_core.sheet.files.vectors import CircularArc, Line
+from gaussiancad_core.files.vectors import CircularArc, Line
 from gaussiancad_core.sheet.vector_views.missed_ends import missed_px
 
 CORNERS = np.array([(0, 0), (90, 0), (90, 40), (60, 70), (60, 110), (20, 110), (20, 60), (0, 40)])

@@ -2,7 +2,7 @@
 
 import pytest
 
-from gaussiancad_core.sheet.files.vectors import Line, StrokeRole, VectorStroke
+from gaussiancad_core.files.vectors import Line, StrokeRole, VectorStroke
 from gaussiancad_core.sheet.vector_views.view_strokes import strokes_of, tracks_and_dashes
 from gaussiancad_core.views import Linetype
 

@@ -1,0 +1,97 @@
+"""Exact curves under the maps that files apply: ellipses from circles, drawings onto the sheet."""
+
+from itertools import pairwise
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.files.vectors import (
+    FULL_TURN,
+    Chain,
+    CircularArc,
+    Curve,
+    EllipticArc,
+    Line,
+    Point,
+)
+
+Vector = npt.NDArray[np.float64]
+"""(2,)"""
+
+FLATNESS = 0.02
+"""px by which a chain may leave the curve that it follows."""
+
+STRAIGHT = 5e-3
+"""px by which a curve that is a line may leave it."""
+
+SMALLEST_SWEEP = np.radians(2.0)
+"""Under this turn, the centre of an arc is too uncertain."""
+
+_ROUND = 1e-4
+"""Share of the radius by which the axes of a circle may differ: files round what is in them."""
+
+
+def to_point(value: Vector) -> Point:
+    """A (2,) array as a tuple."""
+    return float(value[0]), float(value[1])
+
+
+def affine_arc(centre: Vector, u: Vector, v: Vector, start: float, sweep: float) -> Curve:
+    """The arc ``centre + u cos t + v sin t``, ``t`` from ``start`` on, over a signed ``sweep``.
+
+    Any affine image of a circle has this form.  It comes back as a circular arc where it is one,
+    as a line where it is seen edge-on, and as an elliptic arc otherwise.
+    """
+    axes, sizes, turn = np.linalg.svd(np.stack([u, v], axis=1))
+    if np.linalg.det(axes) < 0.0:
+        axes[:, 1] *= -1.0
+        turn[1] *= -1.0
+    sweep = float(np.clip(sweep, -FULL_TURN, FULL_TURN))
+    low = start if sweep >= 0.0 else start + sweep
+    handed = float(np.sign(np.linalg.det(turn)))
+    if handed < 0.0:
+        low = start + max(sweep, 0.0)
+    first = turn @ np.array([np.cos(low), np.sin(low)])
+    angle = float(np.arctan2(first[1], first[0]))
+    sweep = abs(sweep)
+    if sizes[1] <= 1e-9 * sizes[0]:
+        reach = np.cos(angle + np.linspace(0.0, sweep, 257)) * sizes[0]
+        ends = [centre + axes[:, 0] * value for value in (reach.min(), reach.max())]
+        return Line(to_point(ends[0]), to_point(ends[1]))
+    if sizes[0] - sizes[1] <= _ROUND * sizes[0]:
+        tilt = float(np.arctan2(axes[1, 0], axes[0, 0]))
+        radius = float(sizes.mean())
+        return CircularArc(to_point(centre), radius, wrapped(angle + tilt), sweep)
+    major = to_point(axes[:, 0] * sizes[0])
+    return EllipticArc(to_point(centre), major, float(sizes[1] / sizes[0]), wrapped(angle), sweep)
+
+
+def wrapped(angle: float) -> float:
+    """An angle in [0, 2 pi)."""
+    turned = float(np.mod(angle, FULL_TURN))
+    return turned if FULL_TURN - turned > 1e-12 else 0.0
+
+
+def polygon_curves(points: npt.NDArray[np.float64]) -> list[Curve]:
+    """A line for each piece of (n, 2) points that is longer than nothing."""
+    return [
+        Line(to_point(a), to_point(b)) for a, b in pairwise(points) if np.hypot(*(b - a)) > 1e-9
+    ]
+
+
+def placed(curve: Curve, scale: float, left: float, top: float) -> Curve:
+    """A curve of a drawing whose y points up, in px: the point (left, top) becomes the origin."""
+
+    def at(point: Point) -> Point:
+        return (point[0] - left) * scale, (top - point[1]) * scale
+
+    if isinstance(curve, Line):
+        return Line(at(curve.start), at(curve.end))
+    if isinstance(curve, CircularArc):
+        start = wrapped(-(curve.start_angle + curve.sweep))
+        return CircularArc(at(curve.centre), curve.radius * scale, start, curve.sweep)
+    if isinstance(curve, EllipticArc):
+        major = curve.major[0] * scale, -curve.major[1] * scale
+        start = wrapped(-(curve.start + curve.sweep))
+        return EllipticArc(at(curve.centre), major, curve.ratio, start, curve.sweep)
+    return Chain(tuple(at(point) for point in curve.points))

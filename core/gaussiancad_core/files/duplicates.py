@@ -1,0 +1,84 @@
+"""Strokes that a file draws twice over: one of them tells all.
+
+Exports, merged layers and copies pasted in place leave the same curve twice.  Chords that are drawn
+twice have four ends where two should meet, so that nothing goes on in anything.
+"""
+
+from collections.abc import Hashable, Sequence
+
+import numpy as np
+import numpy.typing as npt
+from scipy.spatial import cKDTree
+
+from gaussiancad_core.files.vectors import Chain, Curve, EllipticArc, VectorStroke
+
+_SAME = 0.02
+"""px within which curves are one: chains follow what they stand for as closely."""
+
+
+_PLACES = 5
+"""Points that tell ellipses apart, as five determine a conic, and most chains."""
+
+
+def distinct_strokes(strokes: Sequence[VectorStroke]) -> tuple[VectorStroke, ...]:
+    """The strokes without those that are drawn along another of the same pen, whichever way; of
+    several the widest stays, else the first.
+
+    Args:
+        strokes: of a page; px.
+    """
+    groups: dict[Hashable, list[int]] = {}
+    for index, own in enumerate(strokes):
+        groups.setdefault(_pen(own), []).append(index)
+    left_out: set[int] = set()
+    for group in groups.values():
+        group.sort(key=lambda index: -(strokes[index].width or 0.0))
+        left_out.update(group[number] for number in _repeated([strokes[own] for own in group]))
+    return tuple(own for index, own in enumerate(strokes) if index not in left_out)
+
+
+def _pen(own: VectorStroke) -> Hashable:
+    """What strokes have in common one of which may stand for the other."""
+    return type(own.curve), own.kind, own.role, own.layer, own.colour, own.dashes
+
+
+def _repeated(strokes: Sequence[VectorStroke]) -> list[int]:
+    """Numbers of strokes that lie along an earlier one; all of them have curves of one type."""
+    if len(strokes) < 2:
+        return []
+    curves = [own.curve for own in strokes]
+    there = np.array([_places(own) for own in curves])
+    back = there[:, ::-1].reshape(len(there), -1)
+    there = there.reshape(len(there), -1)
+    tree = cKDTree(there)
+    left_out: set[int] = set()
+    for index, own in enumerate(curves):
+        if index in left_out:
+            continue
+        for way, turned in ((there[index], False), (back[index], True)):
+            near = tree.query_ball_point(way, _SAME, p=np.inf)
+            left_out.update(
+                other
+                for other in near
+                if other > index and _is_along(own, curves[other], turned=turned)
+            )
+    return sorted(left_out)
+
+
+def _places(curve: Curve) -> npt.NDArray[np.float64]:
+    """(n, 2) px: points from a curve's start to its end, as many of all that have its type.  Those
+    of a line, an arc or an ellipse tell it from others."""
+    if isinstance(curve, Chain):
+        return curve.at(np.linspace(0.0, 1.0, _PLACES))
+    return curve.spread(_PLACES) if isinstance(curve, EllipticArc) else curve.sample(np.inf)
+
+
+def _is_along(own: Curve, other: Curve, *, turned: bool) -> bool:
+    """Whether curves whose places are the same are one, the other one drawn backwards or not:
+    chains may bend in any way between their places."""
+    if not isinstance(own, Chain) or not isinstance(other, Chain):
+        return True
+    if turned:
+        other = Chain(other.points[::-1])
+    shares = np.union1d(own.shares, other.shares)
+    return bool(np.abs(own.at(shares) - other.at(shares)).max() <= _SAME)

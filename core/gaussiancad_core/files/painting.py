@@ -1,0 +1,179 @@
+"""Vectors to pixels: curves are written as SVG and drawn by resvg, a strip of the sheet at a time.
+
+A strip bounds the memory: resvg paints in four bytes a pixel and hands the picture over as PNG.
+"""
+
+from collections.abc import Iterable
+from html import escape
+from io import BytesIO
+from typing import Any
+
+import numpy as np
+import resvg_py
+from PIL import Image
+
+from gaussiancad_core.files.content import PAPER_LEVEL, Grey
+from gaussiancad_core.files.fonts import known_font
+from gaussiancad_core.files.vectors import (
+    Chain,
+    CircularArc,
+    Curve,
+    Line,
+    StrokeKind,
+    StrokeRole,
+    VectorDrawing,
+    VectorStroke,
+    VectorText,
+)
+
+_STRIP_PIXELS = 24_000_000
+
+_DEFAULT_WIDTH = 2.0
+"""px, of edges whose width the file does not say: a quarter of a millimetre at 200 dpi."""
+
+_THINNEST = 1.4
+"""px: thinner lines fade to grey.  Other lines than edges are as thin if the file does not say."""
+
+_SAGITTA = 5e-3
+"""px by which chords leave their circle."""
+
+_MOST_SAMPLES = 5000
+"""Points at which a stroke is looked for in the picture."""
+
+_PARTS = (StrokeKind.GEOMETRY, StrokeKind.BLOCK)
+
+_FINEST_DASH = 2.0
+"""px: dashes and gaps that are shorter run together, and are drawn longer."""
+
+
+def render_svg(body: str, width: int, height: int, scale: float = 1.0) -> Grey:
+    """(height, width) grey picture of SVG elements on white paper.
+
+    Args:
+        body: elements, in user units, the origin at the sheet's upper left corner.
+        width, height: px.
+        scale: px per user unit.
+
+    Raises:
+        ValueError: resvg cannot draw them.
+    """
+    sheet = np.empty((height, width), dtype=np.uint8)
+    rows = max(1, _STRIP_PIXELS // width)
+    for top in range(0, height, rows):
+        strip = sheet[top : top + rows]
+        box = f"0 {top / scale!r} {width / scale!r} {len(strip) / scale!r}"
+        text = (
+            '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" '
+            f'width="{width}" height="{len(strip)}" viewBox="{box}" preserveAspectRatio="none">'
+            f"{body}</svg>"
+        )
+        picture = resvg_py.svg_to_bytes(svg_string=text, background="#ffffff", **_font_options())
+        with Image.open(BytesIO(bytes(picture)), formats=("PNG",)) as image:
+            strip[:] = np.asarray(image.convert("L"))
+    return sheet
+
+
+def _font_options() -> dict[str, Any]:
+    """Texts are drawn in one known font, whatever they ask for, and not at all without it."""
+    font = known_font()
+    if font is None:
+        return {"skip_system_fonts": True}
+    file, family = font
+    families = ("font_family", "serif_family", "sans_serif_family", "monospace_family")
+    return {"skip_system_fonts": True, "font_files": [file], **dict.fromkeys(families, family)}
+
+
+def paint(drawing: VectorDrawing, width: int, height: int) -> Grey:
+    """(height, width) grey picture of a drawing, black on white."""
+    parts = ['<g fill="none" stroke="#000" stroke-linecap="round" stroke-linejoin="round">']
+    parts += [_element(stroke) for stroke in drawing.strokes]
+    parts.append('</g><g font-family="sans-serif">')
+    parts += [_text(text) for text in drawing.texts]
+    parts.append("</g>")
+    return render_svg("".join(parts), width, height)
+
+
+def _element(stroke: VectorStroke) -> str:
+    path = f'<path d="{_path(stroke.curve)}"'
+    if stroke.kind is StrokeKind.FILL:
+        return f'{path} fill="#000" stroke="none"/>'
+    edge = stroke.role in (StrokeRole.VISIBLE, StrokeRole.UNKNOWN)
+    default = _DEFAULT_WIDTH if edge and stroke.kind in _PARTS else _THINNEST
+    width = default if stroke.width is None else max(stroke.width, _THINNEST)
+    text = f'{path} stroke-width="{width:.3f}"'
+    if stroke.dashes:
+        lengths = " ".join(f"{value:.3f}" for value in _legible(stroke.dashes, width))
+        text += f' stroke-linecap="butt" stroke-dasharray="{lengths}"'
+    return text + "/>"
+
+
+def _legible(dashes: tuple[float, ...], width: float) -> tuple[float, ...]:
+    """Dashes stretched so far that the gaps show, with dots as long as the line is wide."""
+    gaps = [gap for gap in dashes[1::2] if gap > 0.0]
+    least = width + _FINEST_DASH
+    factor = max(1.0, least / min(gaps)) if gaps else 1.0
+    return tuple(max(value * factor, width) for value in dashes)
+
+
+def _path(curve: Curve) -> str:
+    """A curve in chords: resvg's own arcs lie a tenth of a pixel beside the circle."""
+    if isinstance(curve, Line):
+        return _polygon((curve.start, curve.end))
+    if isinstance(curve, Chain):
+        points, closed = curve.points, curve.points[0] == curve.points[-1]
+    else:
+        radius = curve.radius if isinstance(curve, CircularArc) else float(np.hypot(*curve.major))
+        points, closed = curve.sample(np.sqrt(8.0 * radius * _SAGITTA)), curve.is_full
+    return _polygon(points[:-1]) + "Z" if closed else _polygon(points)
+
+
+def _polygon(points: Iterable[tuple[float, float]]) -> str:
+    return "M" + "L".join(f"{x:.5f} {y:.5f}" for x, y in points)
+
+
+def _text(text: VectorText) -> str:
+    """Text squeezed into its box; a turned one is as long as the box's diagonal at most."""
+    x0, y0, x1, y1 = text.box
+    centre = ((x0 + x1) / 2.0, (y0 + y1) / 2.0)
+    length, height = unturned_size(text)
+    return (
+        f'<text transform="translate({centre[0]:.3f} {centre[1]:.3f}) '
+        f'rotate({np.degrees(text.angle):.4f})" x="0" y="{0.36 * height:.3f}" '
+        f'text-anchor="middle" font-size="{height:.3f}" textLength="{length:.3f}" '
+        f'lengthAdjust="spacingAndGlyphs">{escape(_printable(text.text))}</text>'
+    )
+
+
+def unturned_size(text: VectorText) -> tuple[float, float]:
+    """Length and height in px of a line of text before it was turned into its box."""
+    width, height = text.box[2] - text.box[0], text.box[3] - text.box[1]
+    c, s = abs(np.cos(text.angle)), abs(np.sin(text.angle))
+    across = c * c - s * s
+    if abs(across) < 0.2:
+        # Near 45 degrees the box tells only the sum of both.
+        total = (width + height) / (c + s)
+        share = 1.0 / (1.0 + 0.6 * max(len(text.text), 1))
+        return float(total * (1.0 - share)), float(total * share)
+    return (
+        float(max((width * c - height * s) / across, 1.0)),
+        float(max((height * c - width * s) / across, 1.0)),
+    )
+
+
+def _printable(text: str) -> str:
+    """Without the control characters that XML does not allow."""
+    return "".join(char for char in text if char >= " " and char not in "\ufffe\uffff")
+
+
+def shown_share(stroke: VectorStroke, grey: Grey) -> float:
+    """Share of the points along a stroke at which the picture shows anything.
+
+    Points off the sheet count as blank, those in the gaps of dashes too.
+    """
+    points = stroke.curve.sample(max(1.0, stroke.curve.length / _MOST_SAMPLES))
+    points = points[np.isfinite(points).all(axis=1)]
+    cells = np.floor(np.clip(points, -1.0, max(grey.shape) + 1.0)).astype(int)
+    height, width = grey.shape
+    inside = ((cells >= 0) & (cells < [width, height])).all(axis=1)
+    columns, rows = cells[inside].T
+    return float((grey[rows, columns] < PAPER_LEVEL).sum()) / max(len(points), 1)

@@ -1,0 +1,286 @@
+"""The content of a PDF page: stroked paths as exact curves, text with boxes.
+
+Forms (reused parts of a page) are walked through with their matrices.  Lengths and dashes are in
+the coordinates in which a path was drawn, so they are mapped like its points.
+"""
+
+import ctypes
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+import pypdfium2 as pdfium
+from pypdfium2 import raw
+
+from gaussiancad_core.files.beziers import curves_from_path
+from gaussiancad_core.files.content import MAX_ELEMENTS, PAPER_LEVEL, too_many_elements
+from gaussiancad_core.files.curves import to_point
+from gaussiancad_core.files.file_grid import Strokes, WrittenPath, line_ends, with_steps
+from gaussiancad_core.files.linetypes import role_by_dashes, role_by_name
+from gaussiancad_core.files.pdf_texts import (
+    Origins,
+    TextPiece,
+    address,
+    joined_texts,
+    letter_origins,
+    text_piece,
+)
+from gaussiancad_core.files.vectors import (
+    Chain,
+    Colour,
+    Curve,
+    StrokeKind,
+    StrokeRole,
+    VectorStroke,
+    VectorText,
+)
+
+Affine = npt.NDArray[np.float64]
+"""(2, 3)"""
+
+Pieces = list[npt.NDArray[np.float64]]
+"""(2, 2) the ends of lines and (4, 2) Bézier curves."""
+
+_DEEPEST = 24
+"""Forms in forms."""
+
+_MAX_SEGMENTS = 4 * MAX_ELEMENTS
+
+
+@dataclass(frozen=True)
+class PageMap:
+    """Where a page's content goes.
+
+    Attributes:
+        to_pixels: (2, 3) from points of the page to px of the sheet.
+        path: of the file, for messages.
+    """
+
+    to_pixels: Affine
+    path: Path
+
+
+@dataclass(frozen=True)
+class PageContent:
+    """Strokes and texts of a page in px, and whether that is all it shows."""
+
+    strokes: tuple[VectorStroke, ...]
+    texts: tuple[VectorText, ...]
+    complete: bool
+
+
+@dataclass
+class _Walk:
+    """What was found so far."""
+
+    page: pdfium.PdfPage
+    text_page: pdfium.PdfTextPage
+    letters: Origins
+    path: Path
+    paths: list[WrittenPath] = field(default_factory=list)
+    texts: list[TextPiece] = field(default_factory=list)
+    complete: bool = True
+    objects: int = 0
+    segments: int = 0
+
+    def count(self, objects: int, segments: int) -> None:
+        """Note work done.
+
+        Raises:
+            LimitError: ``too-many-elements``.
+        """
+        self.objects += objects
+        self.segments += segments
+        if self.objects > MAX_ELEMENTS or self.segments > _MAX_SEGMENTS:
+            raise too_many_elements(self.path)
+
+
+def page_objects(page: pdfium.PdfPage, target: PageMap) -> PageContent:
+    """Everything on a page that has exact geometry.
+
+    Raises:
+        LimitError: ``too-many-elements``.
+    """
+    text_page = page.get_textpage()
+    try:
+        letters = letter_origins(text_page, target.to_pixels)
+        walk = _Walk(page, text_page, letters, target.path)
+        count = raw.FPDFPage_CountObjects(page)
+        walk.count(count, 0)
+        objects = (raw.FPDFPage_GetObject(page, index) for index in range(count))
+        _take_all(walk, objects, target.to_pixels, 0)
+    finally:
+        text_page.close()
+    return PageContent(with_steps(walk.paths), tuple(joined_texts(walk.texts)), walk.complete)
+
+
+def _take_all(
+    walk: _Walk, objects: Iterator[raw.FPDF_PAGEOBJECT], outer: Affine, depth: int
+) -> None:
+    for item in objects:
+        kind = raw.FPDFPageObj_GetType(item)
+        if kind == raw.FPDF_PAGEOBJ_PATH:
+            _take_path(walk, item, outer)
+        elif kind == raw.FPDF_PAGEOBJ_TEXT:
+            letters = walk.letters.get(address(item))
+            piece = text_piece(
+                walk.text_page, item, outer, _composed(outer, _matrix(item)), letters
+            )
+            walk.texts += [piece] if piece else []
+        elif kind == raw.FPDF_PAGEOBJ_FORM:
+            if depth < _DEEPEST:
+                count = raw.FPDFFormObj_CountObjects(item)
+                walk.count(count, 0)
+                parts = (raw.FPDFFormObj_GetObject(item, index) for index in range(count))
+                _take_all(walk, parts, _composed(outer, _matrix(item)), depth + 1)
+        else:
+            walk.complete = False
+
+
+def _matrix(item: raw.FPDF_PAGEOBJECT) -> Affine:
+    found = raw.FS_MATRIX()
+    if not raw.FPDFPageObj_GetMatrix(item, found):
+        return np.eye(2, 3)
+    return np.array([[found.a, found.c, found.e], [found.b, found.d, found.f]])
+
+
+def _composed(outer: Affine, inner: Affine) -> Affine:
+    """The map that applies ``inner`` first."""
+    linear = outer[:, :2] @ inner
+    linear[:, 2] += outer[:, 2]
+    return linear
+
+
+def _take_path(walk: _Walk, item: raw.FPDF_PAGEOBJECT, outer: Affine) -> None:
+    fill, stroked = ctypes.c_int(), ctypes.c_int()
+    if not raw.FPDFPath_GetDrawMode(item, fill, stroked) or not (fill.value or stroked.value):
+        return
+    matrix = _composed(outer, _matrix(item))
+    subpaths = _subpaths(walk, item)
+    scale = float(np.sqrt(abs(np.linalg.det(matrix[:, :2]))))
+    drawn = [[piece @ matrix[:, :2].T + matrix[:, 2] for piece in own] for own in subpaths]
+    strokes = _stroked(item, drawn, scale) if stroked.value else _filled(item, drawn)
+    # Areas are filled with letters and arrow heads, which are often put on the sheet as they are.
+    ends = line_ends(piece for own in subpaths for piece in own if stroked.value)
+    walk.paths.append(WrittenPath(strokes, ends, matrix))
+
+
+def _filled(item: raw.FPDF_PAGEOBJECT, subpaths: list[Pieces]) -> Strokes:
+    if _is_paper(item):
+        return lambda _: []
+    colour, layer = _colour(item, raw.FPDFPageObj_GetFillColor), _layer(item)
+    found = [
+        VectorStroke(curve, None, (), StrokeRole.UNKNOWN, layer, StrokeKind.FILL, colour)
+        for curve in map(_outline, subpaths)
+        if curve is not None
+    ]
+    return lambda _: found
+
+
+def _stroked(item: raw.FPDF_PAGEOBJECT, subpaths: list[Pieces], scale: float) -> Strokes:
+    dashes = tuple(length * scale for length in _dashes(item))
+    width = ctypes.c_float()
+    raw.FPDFPageObj_GetStrokeWidth(item, width)
+    layer = _layer(item)
+    role = role_by_dashes(dashes) if dashes else role_by_name(layer) or StrokeRole.UNKNOWN
+    colour = _colour(item, raw.FPDFPageObj_GetStrokeColor)
+    return lambda step: [
+        VectorStroke(curve, width.value * scale, dashes, role, layer, colour=colour)
+        for pieces in subpaths
+        for curve in curves_from_path(pieces, step)
+    ]
+
+
+def _is_paper(item: raw.FPDF_PAGEOBJECT) -> bool:
+    """Whether an area is filled with white: it only covers what lies under it."""
+    colour = _colour(item, raw.FPDFPageObj_GetFillColor)
+    return colour is not None and min(colour) >= PAPER_LEVEL
+
+
+def _colour(item: raw.FPDF_PAGEOBJECT, getter: Callable[..., int]) -> Colour | None:
+    """What one of PDFium's functions tells of an object's colours."""
+    red, green, blue, alpha = (ctypes.c_uint() for _ in range(4))
+    if not getter(item, red, green, blue, alpha):
+        return None
+    return red.value, green.value, blue.value
+
+
+def _subpaths(walk: _Walk, item: raw.FPDF_PAGEOBJECT) -> list[Pieces]:
+    """Runs of pieces that join, in the coordinates in which the path was drawn."""
+    count = raw.FPDFPath_CountSegments(item)
+    walk.count(0, count)
+    subpaths: list[Pieces] = []
+    start = here = np.zeros(2)
+    controls: list[npt.NDArray[np.float64]] = []
+    x, y = ctypes.c_float(), ctypes.c_float()
+    for index in range(count):
+        segment = raw.FPDFPath_GetPathSegment(item, index)
+        raw.FPDFPathSegment_GetPoint(segment, x, y)
+        point = np.array((x.value, y.value))
+        kind = raw.FPDFPathSegment_GetType(segment)
+        if kind == raw.FPDF_SEGMENT_MOVETO:
+            subpaths.append([])
+            start = here = point
+        elif kind == raw.FPDF_SEGMENT_LINETO:
+            subpaths = subpaths or [[]]
+            subpaths[-1].append(np.array([here, point]))
+            here = point
+        elif kind == raw.FPDF_SEGMENT_BEZIERTO:
+            subpaths = subpaths or [[]]
+            controls.append(point)
+            if len(controls) == 3:
+                subpaths[-1].append(np.array([here, *controls]))
+                here, controls = point, []
+        if raw.FPDFPathSegment_GetClose(segment) and subpaths:
+            if np.hypot(*(here - start)) > 1e-6:
+                subpaths[-1].append(np.array([here, start]))
+            here = start
+    return [pieces for pieces in subpaths if pieces]
+
+
+def _outline(pieces: Pieces) -> Curve | None:
+    """The closed chain around a filled area."""
+    curves = curves_from_path(pieces, None)
+    parts = [curve.points if isinstance(curve, Chain) else curve.sample(np.inf) for curve in curves]
+    points = [to_point(point) for part in parts for point in part[1:]]
+    if not points:
+        return None
+    first = to_point(pieces[0][0])
+    # Filling closes what the path leaves open.
+    ring = (first, *points) if points[-1] == first else (first, *points, first)
+    return Chain(ring) if len(ring) > 3 else None
+
+
+def _dashes(item: raw.FPDF_PAGEOBJECT) -> tuple[float, ...]:
+    count = raw.FPDFPageObj_GetDashCount(item)
+    if count <= 0:
+        return ()
+    values = (ctypes.c_float * count)()
+    raw.FPDFPageObj_GetDashArray(item, values, count)
+    lengths = tuple(float(value) for value in values)
+    if len(lengths) % 2:
+        # PDF 32000-1, 8.4.3.6: the array is gone through cyclically.
+        lengths += lengths
+    return lengths if sum(lengths[1::2]) > 0.0 else ()
+
+
+def _layer(item: raw.FPDF_PAGEOBJECT) -> str:
+    """Name of the optional content group around an object: the layer of a CAD system."""
+    for index in range(max(raw.FPDFPageObj_CountMarks(item), 0)):
+        mark = raw.FPDFPageObj_GetMark(item, index)
+        if _mark_text(raw.FPDFPageObjMark_GetName, mark) == "OC":
+            return _mark_text(raw.FPDFPageObjMark_GetParamStringValue, mark, b"Name")
+    return ""
+
+
+def _mark_text(getter: Callable[..., int], *arguments: object) -> str:
+    """What one of PDFium's functions writes as UTF-16, asked first how long it is."""
+    length = ctypes.c_ulong()
+    if not getter(*arguments, None, 0, length) or length.value < 4:
+        return ""
+    buffer = ctypes.create_string_buffer(length.value)
+    as_pointer = ctypes.cast(buffer, ctypes.POINTER(ctypes.c_ushort))
+    getter(*arguments, as_pointer, length.value, length)
+    return buffer.raw[: length.value].decode("utf-16-le", errors="replace").rstrip("\0")

@@ -1,0 +1,193 @@
+"""SVG files: drawn by resvg at 200 dpi of the drawing's size, and the exact curves of its shapes.
+
+A size in px, or none but a view box, is taken as CSS does, 96 px an inch; what that is on paper is
+then not known.
+"""
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from xml.etree.ElementTree import Element, tostring
+
+import numpy as np
+
+from gaussiancad_core.errors import UnreadableError
+from gaussiancad_core.files.content import (
+    VECTOR_DPI,
+    FileContent,
+    Note,
+    check_pixels,
+    page_missing,
+)
+from gaussiancad_core.files.painting import render_svg, shown_share
+from gaussiancad_core.files.sizing import Sizing, notes_on, paper_dpi, size_without_unit
+from gaussiancad_core.files.svg_safety import SafeSvg, load_svg
+from gaussiancad_core.files.svg_shapes import svg_strokes, svg_texts
+from gaussiancad_core.files.vectors import VectorDrawing, bounds
+from gaussiancad_core.messages import Message
+
+_CSS_DPI = 96.0
+
+_PHYSICAL = {
+    "mm": _CSS_DPI / 25.4,
+    "cm": _CSS_DPI / 2.54,
+    "in": _CSS_DPI,
+    "pt": _CSS_DPI / 72.0,
+    "pc": _CSS_DPI / 6.0,
+    "q": _CSS_DPI / 101.6,
+}
+"""CSS px."""
+
+_RELATIVE = {"": 1.0, "px": 1.0, "em": 16.0, "ex": 8.0}
+
+_LENGTH = re.compile(r"\s*([+]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([a-zA-Z]*)\s*$")
+
+_SHOWN = 0.3
+"""Share of a stroke that must show: the gaps of dashes do not, clipped and covered strokes not at
+all."""
+
+
+@dataclass(frozen=True)
+class _Size:
+    """Width and height in CSS px, and whether the file gives them in units of paper."""
+
+    width: float
+    height: float
+    physical: bool
+
+
+def read_svg(path: Path, page: int) -> FileContent:
+    """Read an SVG file, plain or compressed.
+
+    Raises:
+        UnreadableError: ``damaged-svg``, ``svg-entities``, ``external-content``,
+            ``empty-drawing``, ``page-missing``, ``image-too-large``, ``image-too-small``.
+        LimitError: ``too-many-elements``, ``drawing-file-too-large``.
+    """
+    if page != 1:
+        raise page_missing(path, 1, page)
+    safe = load_svg(path)
+    try:
+        return _read_tree(path, safe)
+    except UnreadableError:
+        raise
+    except (ValueError, TypeError, KeyError, IndexError, AttributeError, ArithmeticError) as error:
+        # What svgelements and resvg raise on values that no drawing has.
+        raise UnreadableError(
+            "damaged-svg",
+            "{path} cannot be drawn ({reason}): export the drawing again",
+            path=path,
+            reason=error,
+        ) from error
+
+
+def _read_tree(path: Path, safe: SafeSvg) -> FileContent:
+    size = _size(safe.root) or _size_of_content(path, safe)
+    if size.physical:
+        inches = size.width / _CSS_DPI, size.height / _CSS_DPI
+        check_pixels(path, *(side * VECTOR_DPI for side in inches))
+        dpi = paper_dpi(*inches)
+        sizing = Sizing(dpi / _CSS_DPI, dpi, on_paper=True)
+    else:
+        sizing = size_without_unit(size.width, size.height, (1.0 / _CSS_DPI,))
+    scale = sizing.scale
+    pixels = size.width * scale, size.height * scale
+    check_pixels(path, *pixels)
+    width, height = (int(np.ceil(side - 1e-3)) for side in pixels)
+    _set_size(safe.root, size)
+    strokes = svg_strokes(safe.root, scale)
+    texts = svg_texts(safe.root, scale)
+    if safe.external and not (strokes or texts or safe.pictures):
+        raise UnreadableError(
+            "external-content",
+            "{path} only refers to other files, which are never opened: embed the drawing in it",
+            path=path,
+        )
+    grey = render_svg(tostring(safe.root, encoding="unicode"), width, height, scale)
+    shown = tuple(stroke for stroke in strokes if shown_share(stroke, grey) >= _SHOWN)
+    vectors = VectorDrawing(
+        shown, tuple(texts), not safe.pictures, unit_px=None if sizing.pixels_per_inch else scale
+    )
+    notes = (*_notes(path, safe), *notes_on(path, sizing))
+    return FileContent(grey, sizing.pixels_per_inch, vectors if shown or texts else None, notes)
+
+
+def _notes(path: Path, safe: SafeSvg) -> tuple[Note, ...]:
+    notes = []
+    if safe.external:
+        notes.append(
+            Note(
+                "external-left-out",
+                Message(
+                    "{name} refers to {count} other file(s), which are never opened: what they "
+                    "hold is missing",
+                    name=path.name,
+                    count=safe.external,
+                ),
+            )
+        )
+    return tuple(notes)
+
+
+def _length(text: str | None) -> tuple[float, bool] | None:
+    """CSS px, and whether the unit is one of paper; None if not given, or in per cent."""
+    match = _LENGTH.match(text or "")
+    if not match:
+        return None
+    value, unit = float(match[1]), match[2].lower()
+    if unit in _PHYSICAL:
+        pixels = value * _PHYSICAL[unit]
+    elif unit in _RELATIVE:
+        pixels = value * _RELATIVE[unit]
+    else:
+        return None
+    return (pixels, unit in _PHYSICAL) if 0.0 < pixels < 1e9 else None
+
+
+def _view_box(root: Element) -> tuple[float, float] | None:
+    """Width and height of the root's view box."""
+    try:
+        _, _, width, height = (
+            float(part) for part in (root.get("viewBox") or "").replace(",", " ").split()
+        )
+    except ValueError:
+        return None
+    return (width, height) if 0.0 < width < 1e9 and 0.0 < height < 1e9 else None
+
+
+def _size(root: Element) -> _Size | None:
+    """The drawing's size; None if the file does not give it."""
+    width, height = _length(root.get("width")), _length(root.get("height"))
+    box = _view_box(root)
+    if width and height:
+        return _Size(width[0], height[0], width[1] and height[1])
+    if box is None:
+        return None
+    if width:
+        return _Size(width[0], width[0] * box[1] / box[0], width[1])
+    if height:
+        return _Size(height[0] * box[0] / box[1], height[0], height[1])
+    return _Size(box[0], box[1], physical=False)
+
+
+def _size_of_content(path: Path, safe: SafeSvg) -> _Size:
+    """The size that holds all shapes, with as much space after them as before."""
+    _set_size(safe.root, _Size(1e6, 1e6, physical=False))
+    box = bounds([stroke.curve for stroke in svg_strokes(safe.root, 1.0)])
+    if box is None or box[2] <= 0.0 or box[3] <= 0.0:
+        raise UnreadableError(
+            "empty-drawing",
+            "{path} has no lines and no size: export the drawing again",
+            path=path,
+        )
+    return _Size(box[2] + max(box[0], 0.0), box[3] + max(box[1], 0.0), physical=False)
+
+
+def _set_size(root: Element, size: _Size) -> None:
+    """State the size in CSS px, which means the same at the root and inside another drawing."""
+    root.set("width", repr(float(size.width)))
+    root.set("height", repr(float(size.height)))
+    for name in ("x", "y"):
+        root.attrib.pop(name, None)
+    # The sheet ends where the drawing does; a clip would cost more time than all of its lines.
+    root.set("overflow", "visible")

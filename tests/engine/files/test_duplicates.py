@@ -1,0 +1,115 @@
+"""What is drawn twice is taken once."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gaussiancad_core.files.duplicates import distinct_strokes
+from gaussiancad_core.files.vectors import (
+    FULL_TURN,
+    Chain,
+    CircularArc,
+    Curve,
+    EllipticArc,
+    Line,
+    StrokeKind,
+    StrokeRole,
+    VectorStroke,
+)
+
+CURVES: list[Curve] = [
+    Line((10.0, 10.0), (200.0, 40.0)),
+    CircularArc((100.0, 100.0), 30.0, 0.3, 1.7),
+    CircularArc((100.0, 100.0), 30.0, 0.0, FULL_TURN),
+    EllipticArc((150.0, 90.0), (40.0, 10.0), 0.5, 0.2, 2.0),
+    Chain(((0.0, 0.0), (5.0, 9.0), (20.0, 12.0), (31.0, 40.0))),
+]
+
+
+@pytest.mark.parametrize("curve", CURVES)
+def test_a_curve_that_is_drawn_again_is_one(curve: Curve) -> None:
+    own = VectorStroke(curve, 2.0, layer="A")
+    assert distinct_strokes([own, own, own]) == (own,)
+    wider = replace(own, width=3.0)
+    assert distinct_strokes([own, wider]) == (wider,)
+
+
+def test_a_line_that_is_drawn_back_is_one() -> None:
+    there = VectorStroke(Line((10.0, 10.0), (200.0, 40.0)), None)
+    back = VectorStroke(Line((200.004, 40.0), (10.0, 9.996)), None)
+    assert distinct_strokes([there, back]) == (there,)
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        {"layer": "B"},
+        {"role": StrokeRole.HIDDEN},
+        {"kind": StrokeKind.DIMENSION},
+        {"colour": (255, 0, 0)},
+        {"dashes": (5.0, 3.0)},
+        {"curve": Line((10.0, 10.1), (200.0, 40.0))},
+        {"curve": Line((10.0, 10.0), (150.0, 32.1))},
+    ],
+)
+def test_what_differs_stays(other: dict[str, object]) -> None:
+    own = VectorStroke(CURVES[0], 2.0, layer="A")
+    pair = own, replace(own, **other)
+    assert distinct_strokes(pair) == pair
+
+
+def test_arcs_with_the_same_ends_are_told_apart_by_their_way() -> None:
+    centre = (50.0, 50.0)
+    upper, lower = (CircularArc(centre, 20.0, start, np.pi) for start in (0.0, np.pi))
+    pair = tuple(VectorStroke(own, None) for own in (upper, lower))
+    assert distinct_strokes(pair) == pair
+
+
+@pytest.mark.parametrize("waves", [1, 2, 4, 8])
+def test_free_curves_with_the_same_ends_middle_and_length_are_told_apart(waves: int) -> None:
+    x = np.linspace(0.0, 200.0, 161)
+    y = 20.0 * np.sin(waves * FULL_TURN * x / 200.0)
+    pair = tuple(
+        VectorStroke(Chain(tuple(zip(x.tolist(), (100.0 + own).tolist(), strict=True))), None)
+        for own in (y, -y)
+    )
+    assert distinct_strokes(pair) == pair
+
+
+def test_a_free_curve_that_is_drawn_back_is_one() -> None:
+    points = ((0.0, 0.0), (5.0, 9.0), (20.0, 12.0), (31.0, 40.0))
+    there, back = (VectorStroke(Chain(own), None) for own in (points, points[::-1]))
+    assert distinct_strokes([there, back]) == (there,)
+
+
+def test_ellipses_with_the_same_ends_and_middle_are_told_apart() -> None:
+    pair = tuple(
+        VectorStroke(EllipticArc((150.0, 90.0), (40.0, 0.0), own, 0.0, FULL_TURN), None)
+        for own in (0.5, 0.6)
+    )
+    assert distinct_strokes(pair) == pair
+    tilts = (0.9, 0.3), (0.9, -0.3)
+    pair = tuple(
+        VectorStroke(EllipticArc((150.0, 90.0), (40.0 * a, 40.0 * b), 0.5, 0.0, FULL_TURN), None)
+        for a, b in tilts
+    )
+    assert distinct_strokes(pair) == pair
+
+
+@given(
+    st.lists(
+        st.tuples(*[st.integers(0, 9)] * 4).filter(lambda own: own[:2] != own[2:]), max_size=20
+    )
+)
+def test_each_line_is_there_once_in_the_files_order(ends: list[tuple[int, int, int, int]]) -> None:
+    strokes = [VectorStroke(Line((a, b), (c, d)), None) for a, b, c, d in ends]
+    seen, first = set(), []
+    for own, (a, b, c, d) in zip(strokes, ends, strict=True):
+        key = frozenset(((a, b), (c, d)))
+        if key not in seen:
+            seen.add(key)
+            first.append(own)
+    assert distinct_strokes(strokes) == tuple(first)

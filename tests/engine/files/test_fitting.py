@@ -1,0 +1,54 @@
+import numpy as np
+import pytest
+
+from gaussiancad_core.files.fitting import circle_through, curve_along
+from gaussiancad_core.files.vectors import Chain, CircularArc, EllipticArc, Line
+
+
+def _ellipse(a: float, b: float, tilt: float, t: np.ndarray) -> np.ndarray:
+    local = np.stack([a * np.cos(t), b * np.sin(t)], 1)
+    c, s = np.cos(tilt), np.sin(tilt)
+    return local @ np.array([[c, s], [-s, c]]) + (500, 400)
+
+
+@pytest.mark.parametrize("sweep", [0.2, -1.0, 3.0, 2 * np.pi])
+def test_points_on_a_circle(sweep: float) -> None:
+    t = np.linspace(0.5, 0.5 + sweep, 60)
+    curve = curve_along(_ellipse(300, 300, 0, t))
+    assert isinstance(curve, CircularArc)
+    assert np.allclose(curve.centre, (500, 400), atol=1e-6)
+    assert curve.radius == pytest.approx(300)
+    assert curve.sweep == pytest.approx(abs(sweep))
+
+
+def test_points_on_an_ellipse() -> None:
+    curve = curve_along(_ellipse(300, 120, 0.4, np.linspace(0.2, 2.8, 80)))
+    assert isinstance(curve, EllipticArc)
+    assert np.allclose(curve.centre, (500, 400), atol=1e-5)
+    assert np.hypot(*curve.major) == pytest.approx(300)
+    assert curve.ratio == pytest.approx(0.4)
+    assert curve.sweep == pytest.approx(2.6)
+
+
+def test_points_on_a_line() -> None:
+    t = np.linspace(0, 1, 20)[:, None]
+    assert curve_along(t * (300.0, 100.0)) == Line((0.0, 0.0), (300.0, 100.0))
+    assert curve_along(np.array([(0.0, 0.0), (1.0, 2.0)])) == Line((0.0, 0.0), (1.0, 2.0))
+
+
+def test_polygons_and_waves_are_neither() -> None:
+    hexagon = _ellipse(100, 100, 0, np.linspace(0, 2 * np.pi, 7))
+    assert isinstance(curve_along(hexagon), Chain)
+    x = np.linspace(0, 500, 100)
+    assert isinstance(curve_along(np.stack([x, 30 * np.sin(x / 50)], 1)), Chain)
+    hyperbola = np.stack([x + 10, 1000 / (x + 10)], 1)
+    assert isinstance(curve_along(hyperbola), Chain)
+
+
+def test_circle_through_scattered_points() -> None:
+    rng = np.random.default_rng(1)
+    t = rng.uniform(0, 2 * np.pi, 500)
+    points = np.stack([np.cos(t), np.sin(t)], 1) * (50 + rng.normal(0, 0.1, 500))[:, None]
+    centre, radius = circle_through(points + np.array([1e4, 2e4]))
+    assert np.allclose(centre, (1e4, 2e4), atol=0.03)
+    assert radius == pytest.approx(50, abs=0.03)

@@ -1,0 +1,99 @@
+from collections.abc import Callable
+from io import BytesIO
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from gaussiancad_core.errors import LimitError, UnreadableError
+from gaussiancad_core.files.answer import outcome_of
+from gaussiancad_core.files.child import main
+from gaussiancad_core.files.isolation import read_isolated
+from gaussiancad_core.files.kinds import FileKind
+from gaussiancad_core.files.pdf import read_pdf
+
+
+def test_the_child_reads_the_same(pdf: type, pdf_circle: Callable, save: Callable) -> None:
+    path = save("图 a sheet.pdf", pdf(pdf_circle(300, 500, 120)).to_bytes())
+    read, direct = read_isolated(FileKind.PDF, path, 1), read_pdf(path, 1)
+    assert np.array_equal(read.grey, direct.grey)
+    assert read.vectors == direct.vectors
+    assert read.pixels_per_inch == direct.pixels_per_inch
+
+
+def test_pictures_are_read_in_the_child_too(save: Callable) -> None:
+    levels = np.arange(120 * 160, dtype=np.uint32).reshape(120, 160) % 251
+    picture = Image.fromarray(levels.astype(np.uint8))
+    file = BytesIO()
+    picture.save(file, "PNG", dpi=(300, 300))
+    read = read_isolated(FileKind.RASTER, save("a.png", file.getvalue()), 1)
+    assert np.array_equal(read.grey, np.asarray(picture))
+
+
+def test_errors_come_back_with_the_name_that_was_given(
+    save: Callable, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    save("bad.svg", "<svg")
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(UnreadableError) as caught:
+        read_isolated(FileKind.SVG, Path("bad.svg"), 1)
+    assert caught.value.code == "damaged-svg"
+    assert caught.value.message.startswith("bad.svg ")
+    assert caught.value.message.args["path"] == "bad.svg"
+
+
+def test_defects_of_parsers_are_told_in_one_line(
+    save: Callable, monkeypatch: pytest.MonkeyPatch, capfdbinary: pytest.CaptureFixture[bytes]
+) -> None:
+    def fail(*_: object) -> None:
+        raise KeyError("two\nlines")
+
+    path = save("a.svg", "<svg/>")
+    monkeypatch.setattr("gaussiancad_core.files.svg.read_svg", fail)
+    main(FileKind.SVG, path, 1)
+    error = outcome_of(capfdbinary.readouterr().out)
+    assert isinstance(error, UnreadableError) and error.code == "damaged-svg"
+    assert "\n" not in error.message
+    assert "KeyError" in error.message
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        b"",
+        b"\x80\x04N.",
+        b"null\n",
+        b'{"shape": [9, 9]}\n',
+        b'{"error": "SystemExit", "code": "", "message": ""}\n',
+        b'{"shape": [1, 1], "pixels_per_inch": null, "vectors": {"": ["os.system", "x"]}, '
+        b'"notes": []}\n0',
+    ],
+)
+def test_what_is_no_answer_is_refused(answer: bytes) -> None:
+    with pytest.raises(ValueError, match=r".*"):
+        outcome_of(answer)
+
+
+def test_time_is_bounded(pdf: type, save: Callable) -> None:
+    path = save("a.pdf", pdf(b"0 0 m 9 9 l S").to_bytes())
+    with pytest.raises(LimitError) as caught:
+        read_isolated(FileKind.PDF, path, 1, time_limit=0.01)
+    assert caught.value.code == "reading-takes-too-long"
+
+
+def test_crashes_and_memory_are_bounded(
+    pdf: type, pdf_stream: Callable, save: Callable, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Forms that show forms that show forms: PDFium expands them while it loads the page."""
+    entries = b"/Type /XObject /Subtype /Form /BBox [0 0 500 500] "
+    nested = tuple(
+        pdf_stream(b"/F Do " * 10, entries + b"/Resources << /XObject << /F %d 0 R >> >>" % number)
+        for number in range(6, 20)
+    )
+    last = pdf_stream(b"0 0 m 100 100 l S", entries)
+    page = b"/Resources << /XObject << /F 5 0 R >> >>"
+    path = save("bomb.pdf", pdf(b"/F Do", page=page, objects=(*nested, last)).to_bytes())
+    with pytest.raises((LimitError, UnreadableError)) as caught:
+        read_isolated(FileKind.PDF, path, 1, time_limit=4.0)
+    assert caught.value.code in ("reading-takes-too-long", "damaged-pdf", "out-of-memory")
