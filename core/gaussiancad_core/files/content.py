@@ -15,6 +15,9 @@ MAX_PIXELS = 150_000_000
 MOST_WORKED_ON = 24_000_000
 """Pixels that are worked on, within 2 GB of memory: A3 at 350 dpi."""
 
+LONGEST_TEXT = 1000
+"""Letters of a text that are read, and lines of a paragraph: more say nothing of a drawing."""
+
 MIN_SIDE = 64
 """Shortest side in px under which three views cannot be told from each other."""
 

@@ -5,6 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from ezdxf.entities import MText, Text
 from ezdxf.enums import TextEntityAlignment
+from ezdxf.tools.text import plain_text
+
+from gaussiancad_core.files.content import LONGEST_TEXT
 
 _LETTER = 0.75
 """Mean width of a letter over its height, in the stroke fonts of CAD systems."""
@@ -40,7 +43,7 @@ def placed_text(text: Text) -> list[PlacedText]:
     Raises:
         ValueError: its place or size is no finite number.
     """
-    content = text.plain_text().strip()
+    content = plain_text(text.dxf.text[:LONGEST_TEXT]).strip()
     align, first, second = text.get_placement()
     height = float(text.dxf.height)
     length = _LETTER * height * len(content) * float(text.dxf.get("width", 1.0))
@@ -60,7 +63,7 @@ def placed_paragraph(text: MText) -> list[PlacedText]:
     Raises:
         ValueError: its place or size is no finite number.
     """
-    lines = [line.strip() for line in text.plain_text(split=True)]
+    lines = [line.strip()[:LONGEST_TEXT] for line in text.plain_text(split=True)[:LONGEST_TEXT]]
     height = float(text.dxf.char_height)
     attachment = int(text.dxf.get("attachment_point", 1)) - 1
     anchor = ((attachment % 3) / 2.0, 1.0 - (attachment // 3) / 2.0)

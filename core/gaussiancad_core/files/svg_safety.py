@@ -21,6 +21,7 @@ from PIL import Image
 
 from gaussiancad_core.errors import LimitError, UnreadableError
 from gaussiancad_core.files.content import (
+    LONGEST_TEXT,
     MAX_ELEMENTS,
     MAX_PIXELS,
     too_large,
@@ -173,6 +174,9 @@ def _clean_tree(path: Path, safe: SafeSvg) -> None:
             _clean_attributes(safe, element)
             if element.tag == SVG + "style" and element.text:
                 element.text = _clean_css(safe, element.text)
+            else:
+                element.text = element.text and element.text[:LONGEST_TEXT]
+            element.tail = element.tail and element.tail[:LONGEST_TEXT]
     for level in list(_levels(safe.root)):
         for element in level:
             for index, child in reversed(list(enumerate(element))):

@@ -9,7 +9,7 @@ from ezdxf.enums import TextEntityAlignment
 from ezdxf.math import OCS
 
 from gaussiancad_core.errors import GaussianCadError, LimitError, UnreadableError
-from gaussiancad_core.files.content import FileContent
+from gaussiancad_core.files.content import LONGEST_TEXT, FileContent
 from gaussiancad_core.files.dxf import read_dxf
 from gaussiancad_core.files.vectors import (
     Chain,
@@ -142,6 +142,16 @@ def test_splines_that_are_arcs_lines_and_ellipses(read: Read) -> None:
     assert np.allclose(ellipse.centre, _px((180, 40))[0], atol=1e-3)
     assert ellipse.ratio == pytest.approx(0.5, abs=1e-6)
     assert isinstance(free, Chain)
+
+
+def test_of_a_text_without_end_its_beginning_is_read(read: Read) -> None:
+    doc = _a4()
+    doc.modelspace().add_line((10, 10), (90, 60))
+    doc.modelspace().add_text("M" * 1_000_000)
+    doc.modelspace().add_mtext("M\\P" * 100_000)
+    texts = read(doc).vectors.texts
+    assert max(len(text.text) for text in texts) == LONGEST_TEXT
+    assert len(texts) == LONGEST_TEXT + 1
 
 
 def test_blocks_are_taken_apart(read: Read) -> None:

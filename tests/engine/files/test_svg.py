@@ -7,6 +7,7 @@ import pytest
 from PIL import Image
 
 from gaussiancad_core.errors import GaussianCadError, LimitError, UnreadableError
+from gaussiancad_core.files.content import LONGEST_TEXT
 from gaussiancad_core.files.svg import read_svg
 from gaussiancad_core.files.vectors import (
     Chain,
@@ -257,6 +258,14 @@ def test_text_has_a_box_and_is_drawn(save: Save) -> None:
     dark = np.argwhere(read.grey[: int(150 * MM)] < 128)
     inside = (dark[:, 0] > y0) & (dark[:, 0] < y1) & (dark[:, 1] > x0) & (dark[:, 1] < x1)
     assert inside.mean() > 0.7
+
+
+def test_of_a_text_without_end_its_beginning_is_read(save: Save) -> None:
+    long = "M" * 1_000_000
+    body = f'<text x="5" y="9">{long}</text><rect x="20" y="20" width="50" height="30"/>'
+    content = read_svg(save("text.svg", _svg(body)), 1)
+    assert content.vectors is not None
+    assert {len(text.text) for text in content.vectors.texts} == {LONGEST_TEXT}
 
 
 def test_loops_of_reuse_end(save: Save) -> None:
