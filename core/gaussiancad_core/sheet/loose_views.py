@@ -82,8 +82,8 @@ def arrange_loosely(
 def _without_a_line(
     clusters: list[Box], given: dict[Role, Box], projection: Projection | None, ink: Ink
 ) -> Layout | None:
-    """The layout around the front view that has the most others; None where none has any."""
-    best: Layout | None = None
+    """The layout around a front view to which all other drawings belong that are as large as views;
+    None where there is none."""
     for front in may_be_views(clusters):
         if given and given.get(Role.FRONT) != front:
             continue
@@ -93,9 +93,9 @@ def _without_a_line(
         rest = tuple(box for box in clusters if box != front)
         alone = Layout({Role.FRONT: front}, taken, source, alternatives, rest)
         layout = with_loose_views(alone, ink)
-        if len(layout.boxes) > (len(best.boxes) if best is not None else 1):
-            best = layout
-    return best
+        if len(layout.boxes) > 1 and not may_be_views(layout.left_out):
+            return layout
+    return None
 
 
 def _best(

@@ -81,6 +81,14 @@ def test_two_views_that_stand_anywhere_belong_together() -> None:
     assert roles(ink, *views) == {Role.FRONT: views[0], Role.TOP: views[1]}
 
 
+def test_where_nothing_is_in_line_all_drawings_belong_together_or_none() -> None:
+    ink = sheet()
+    views = front(ink), drawn(ink, (700, 40), (WIDE, DEEP), ACROSS, AWAY)
+    other = drawn(ink, (700, 600), (150, 90), (40,), ())
+    with pytest.raises(NoModelError):
+        roles(ink, *views, other)
+
+
 def test_two_drawings_of_other_parts_do_not() -> None:
     ink = sheet()
     views = front(ink), drawn(ink, (700, 40), (WIDE + 30, DEEP), (120,), AWAY)
