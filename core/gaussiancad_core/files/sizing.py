@@ -11,6 +11,7 @@ from math import sqrt
 from pathlib import Path
 
 from gaussiancad_core.files.content import MAX_PIXELS, MOST_WORKED_ON, VECTOR_DPI, Note
+from gaussiancad_core.lengths import MM_PER_INCH
 from gaussiancad_core.messages import Message
 
 _SMALLEST, _LARGEST = 2.0, 104.0
@@ -18,8 +19,6 @@ _SMALLEST, _LARGEST = 2.0, 104.0
 
 _FREE_SIDE = 3000.0
 """px: longest side of a drawing that is no paper."""
-
-MM_PER_INCH = 25.4
 
 MILLIMETRE = 1.0 / MM_PER_INCH
 """Inches."""

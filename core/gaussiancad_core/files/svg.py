@@ -24,12 +24,13 @@ from gaussiancad_core.files.sizing import Sizing, notes_on, paper_dpi, size_with
 from gaussiancad_core.files.svg_safety import SafeSvg, load_svg
 from gaussiancad_core.files.svg_shapes import svg_strokes, svg_texts
 from gaussiancad_core.files.vectors import VectorDrawing, bounds
+from gaussiancad_core.lengths import MM_PER_INCH
 from gaussiancad_core.messages import Message
 
 _CSS_DPI = 96.0
 
 _PHYSICAL = {
-    "mm": _CSS_DPI / 25.4,
+    "mm": _CSS_DPI / MM_PER_INCH,
     "cm": _CSS_DPI / 2.54,
     "in": _CSS_DPI,
     "pt": _CSS_DPI / 72.0,

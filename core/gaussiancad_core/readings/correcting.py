@@ -11,6 +11,7 @@ import numpy as np
 from msgspec.structs import replace as changed
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.lengths import MM_PER_INCH
 from gaussiancad_core.projection_choice import opposite
 from gaussiancad_core.readings.anchors import box_of, matching, overlap, points_of
 from gaussiancad_core.readings.operations import (
@@ -45,8 +46,6 @@ from gaussiancad_core.readings.schema import (
     ViewRole,
 )
 from gaussiancad_core.readings.told_features import with_note, with_section
-
-_MM_PER_INCH = 25.4
 
 _PERSONAL = re.compile(r"p[0-9]{1,9}").fullmatch
 """Ids of strokes that a person drew."""
@@ -287,7 +286,7 @@ def _is_unseen(reading: SheetReading, axis: str) -> bool:
 def _with_unit(reading: SheetReading, operation: UnitOperation) -> SheetReading:
     if reading.unit.value == operation.value:
         return changed(reading, unit=ReadUnit(value=operation.value, source=GIVEN))
-    factor = _MM_PER_INCH if operation.value == "in" else 1.0 / _MM_PER_INCH
+    factor = MM_PER_INCH if operation.value == "in" else 1.0 / MM_PER_INCH
     scale = reading.scale
     if scale.source == "dimension" and scale.mm_per_px is not None:
         scale = changed(scale, mm_per_px=factor * scale.mm_per_px)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from gaussiancad_core.axes import Axis, Projection, Role
+from gaussiancad_core.lengths import MM_PER_INCH
 
 Box = tuple[float, float, float, float]
 """x0, y0, x1, y1 in px of the sheet, y down."""
@@ -35,7 +36,7 @@ class FileUnit(Enum):
         return _MILLIMETRES[self.value]
 
 
-_MILLIMETRES = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "ft": 304.8}
+_MILLIMETRES = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": MM_PER_INCH, "ft": 12.0 * MM_PER_INCH}
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,9 @@ from gaussiancad_core.files.duplicates import distinct_strokes
 from gaussiancad_core.files.isolation import read_isolated
 from gaussiancad_core.files.kinds import VECTOR_SUFFIXES, detect
 from gaussiancad_core.files.opening import cannot_open, head_of
-from gaussiancad_core.files.sizing import MM_PER_INCH, UNIT_UNKNOWN
+from gaussiancad_core.files.sizing import UNIT_UNKNOWN
 from gaussiancad_core.files.vectors import VectorDrawing
+from gaussiancad_core.lengths import MM_PER_INCH
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.working_scale import resampled, working_factor
 

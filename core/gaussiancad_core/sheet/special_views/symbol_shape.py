@@ -15,6 +15,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.axes import Projection
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.lengths import MM_PER_INCH
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.geometry import Circle
 
@@ -93,7 +94,7 @@ def largest_symbol(size: tuple[int, int], pixels_per_inch: float | None) -> floa
     """
     if pixels_per_inch is None:
         return LARGEST_SHARE * max(size)
-    return LARGEST_MM / 25.4 * pixels_per_inch
+    return LARGEST_MM / MM_PER_INCH * pixels_per_inch
 
 
 def is_around(outer: Circle, inner: Circle) -> bool:
