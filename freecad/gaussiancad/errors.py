@@ -13,6 +13,7 @@ class ErrorCode(Enum):
     NOTHING_TO_COMPARE = "nothing-to-compare"
     SOLUTIONS_GONE = "solutions-gone"
     SHEET_MISSING = "sheet-missing"
+    NO_VIEWS = "no-views"
     OUTPUT_IS_LINK = "output-is-link"
     NAME_NO_TEXT = "name-no-text"
     DOCUMENT_NOT_WRITTEN = "document-not-written"

@@ -102,9 +102,48 @@ def place_view(
         (centre[0], centre[1], centre[2]),
         _floats(frame.right),
         _floats(frame.up),
-        _floats((-frame.look[0], -frame.look[1], -frame.look[2])),
+        _floats(_reversed(frame.look)),
         (crop[2] - crop[0]) * mm_per_pixel,
         (crop[3] - crop[1]) * mm_per_pixel,
+    )
+
+
+def plane_corner(role: str, size: Triple) -> tuple[float, float]:
+    """Least coordinates of the part in a view's plane, mm: along its right and along its up.
+
+    Args:
+        role: one of :data:`FRAMES`.
+        size: (x, y, z) extent of the part in mm.
+    """
+    frame = FRAMES[role]
+    return _lowest(frame.right, size), _lowest(frame.up, size)
+
+
+def place_plane(role: str, drawn: Iterable[str], size: Triple) -> PlanePlacement:
+    """The plane of a view through the origin, as wide as the part; its coordinates are the part's.
+
+    Of two views that look against each other the one that sees the far end of the axis stands
+    there, so that they do not lie over each other.
+
+    Args:
+        role: one of :data:`FRAMES`.
+        drawn: roles of all views.
+        size: (x, y, z) extent of the part in mm.
+
+    Returns:
+        The plane, its ``centre`` where its two coordinates are 0.
+    """
+    frame = FRAMES[role]
+    away = _reversed(frame.look)
+    faces_both = any(FRAMES[own].look == away for own in drawn)
+    depth = _highest(away, size) if faces_both else 0.0
+    return PlanePlacement(
+        (depth * away[0], depth * away[1], depth * away[2]),
+        _floats(frame.right),
+        _floats(frame.up),
+        _floats(away),
+        size[_axis(frame.right)],
+        size[_axis(frame.up)],
     )
 
 
@@ -121,6 +160,10 @@ def _lowest(direction: tuple[int, int, int], size: Triple) -> float:
 def _highest(direction: tuple[int, int, int], size: Triple) -> float:
     axis = _axis(direction)
     return size[axis] if direction[axis] > 0 else 0.0
+
+
+def _reversed(direction: tuple[int, int, int]) -> tuple[int, int, int]:
+    return (-direction[0], -direction[1], -direction[2])
 
 
 def _floats(direction: tuple[int, int, int]) -> Triple:
