@@ -2,6 +2,7 @@
 
 TOOLBAR = (
     "GaussianCAD_Correct",
+    "GaussianCAD_LinesToSketches",
     "GaussianCAD_Reconstruct",
     "GaussianCAD_Solutions",
     "GaussianCAD_Compare",
@@ -12,6 +13,7 @@ MENU = (*TOOLBAR[:-1], "GaussianCAD_FailedSheets", TOOLBAR[-1], "GaussianCAD_Ins
 
 OF_A_RECONSTRUCTION = (
     "GaussianCAD_Correct",
+    "GaussianCAD_LinesToSketches",
     "GaussianCAD_Solutions",
     "GaussianCAD_RunAgain",
     "GaussianCAD_Report",

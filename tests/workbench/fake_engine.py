@@ -36,6 +36,7 @@ BEHAVIOURS = (
     "broken",  # not installed
     "liar",  # exit 0 without a file
     "half",  # exit 0 with a damaged surface
+    "no-views",  # a sheet is read, and has no views
     "running",  # a batch: another one runs in its folder
     "batch-waits",  # a batch: waits after its second sheet until it is stopped
     "batch-dies",  # a batch: killed after its first sheet
@@ -242,6 +243,30 @@ def reconstruct(arguments: list[str]) -> int:
     return 0
 
 
+READING = Path(__file__).parent / "data" / "reading.json"
+
+
+def read(arguments: list[str]) -> int:
+    """What ``gaussiancad read`` does."""
+    behaviour = os.environ.get("GAUSSIANCAD_FAKE", "ok")
+    output = Path(arguments[arguments.index("--output") + 1])
+    watch_stdin(deaf=False)
+    send("hello", protocol=1, versions={"gaussiancad": "0.0"})
+    for index, name in enumerate(("read", "views", "lines", "masks"), start=1):
+        send("stage", name=name, index=index, of=4)
+        while behaviour == "slow" and index == 2:
+            time.sleep(0.05)
+    output.mkdir(parents=True, exist_ok=True)
+    values = json.loads(READING.read_text(encoding="utf-8"))
+    if behaviour == "no-views":
+        values["views"] = []
+    path = output / READING.name
+    path.write_text(json.dumps(values), encoding="utf-8")
+    send("reading", path=str(path))
+    send("result", path=str(path), refused=0)
+    return 0
+
+
 def batch(arguments: list[str]) -> int:
     """What ``gaussiancad batch`` does."""
     behaviour = os.environ.get("GAUSSIANCAD_FAKE", "ok")
@@ -333,7 +358,7 @@ def main() -> int:
     if command == "doctor":
         sys.stdout.write("gaussiancad 0.0 (fake)\ntorch: missing: pip install torch\n")
         return 0
-    commands = {"reconstruct": reconstruct, "compare": compare, "batch": batch}
+    commands = {"reconstruct": reconstruct, "compare": compare, "batch": batch, "read": read}
     return commands[command](arguments)
 
 

@@ -10,6 +10,7 @@ def register() -> None:
     from freecad.gaussiancad.commands.correct import CorrectCommand
     from freecad.gaussiancad.commands.failed_sheets import FailedSheetsCommand
     from freecad.gaussiancad.commands.install_engine import InstallEngineCommand
+    from freecad.gaussiancad.commands.lines_to_sketches import LinesToSketchesCommand
     from freecad.gaussiancad.commands.reconstruct import ReconstructCommand
     from freecad.gaussiancad.commands.report import ReportCommand
     from freecad.gaussiancad.commands.run_again import RunAgainCommand
@@ -19,6 +20,7 @@ def register() -> None:
     for command in (
         ReconstructCommand,
         CorrectCommand,
+        LinesToSketchesCommand,
         SolutionsCommand,
         CompareCommand,
         FailedSheetsCommand,

@@ -14,6 +14,9 @@ VECTOR_SUFFIXES = ("pdf", "svg", "svgz", "dxf")
 SHEET_SUFFIXES = ("png", "jpg", "jpeg", "tif", "tiff", "bmp", "webp", *VECTOR_SUFFIXES)
 """Files that the engine reads."""
 
+PAGED_SUFFIXES = (".pdf", ".tif", ".tiff", ".dxf")
+"""Ends of the names of files that may have pages."""
+
 
 class Projection(Enum):
     """How the views are arranged on the sheet."""

@@ -236,9 +236,7 @@ def _placed(
         )
 
 
-def _on_plane(
-    own: _Found, kinds: tuple[str, ...], unit: float, at: Point
-) -> tuple[Shape, ...]:
+def _on_plane(own: _Found, kinds: tuple[str, ...], unit: float, at: Point) -> tuple[Shape, ...]:
     corner = own.box[0], own.box[3]
     return tuple(
         as_circle(on_plane(shape, corner, unit, at)) for kind, shape in own.strokes if kind in kinds

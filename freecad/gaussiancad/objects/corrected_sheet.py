@@ -108,6 +108,25 @@ def hand_over(group: FreeCAD.DocumentObject, folder: Path) -> tuple[Path, Path |
     return reading, corrections
 
 
+def kept_corrections(group: FreeCAD.DocumentObject, sheet: Path, folder: Path) -> Path | None:
+    """Write what a document has corrected on its own copy of a drawing, for a run.
+
+    Args:
+        group: of the drawing.
+        sheet: its path; what was corrected on a file lies beside it already.
+        folder: receives the file.
+
+    Returns:
+        The file; None where the drawing is no copy, or nothing was corrected.
+    """
+    operations = corrections_of(group)
+    if not operations or str(sheet) != getattr(group, "Sheet", "") or beside(sheet, 1).exists():
+        return None
+    corrections = folder / "corrections.json"
+    write_corrections(corrections, hashlib.sha256(sheet.read_bytes()).hexdigest(), operations)
+    return corrections
+
+
 def take_solution(group: FreeCAD.DocumentObject, folder: Path) -> None:
     """Change the part, and what is known of it, in place.
 

@@ -32,13 +32,13 @@ _SHORTEST_MM = 1e-5
 _SAME_PX = 1e-3
 """Distance of ends that are one: readings have places to 1e-4 px."""
 
-_MOST_JOINED = 1000
-"""Lines of a sketch whose ends are joined: FreeCAD's solver takes under a second for these, and
-far longer for more."""
+_MOST_JOINED = 300
+"""Lines of a sketch whose ends are joined: FreeCAD's solver takes under half a second for these,
+and eight times as long for twice as many, each time the sketch is computed."""
 
 
 def add_sketches(
-    document: FreeCAD.Document, reading: Path, name: str = ""
+    document: FreeCAD.Document, reading: str | Path, name: str = ""
 ) -> FreeCAD.DocumentObject:
     """Add the lines of a ``reading.json`` to a document, in one undo step.
 

@@ -10,7 +10,7 @@ import FreeCADGui
 from freecad.gaussiancad.canvas.serving import Program
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.engine.environment import clean_environment
-from freecad.gaussiancad.engine.job import MODULE_ARGUMENTS, SHEET_SUFFIXES
+from freecad.gaussiancad.engine.job import MODULE_ARGUMENTS
 from freecad.gaussiancad.engine.locate import SearchPlaces, find_engine
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.language import translate
@@ -22,9 +22,8 @@ from freecad.gaussiancad.objects.corrected_sheet import (
     take_reading,
     take_solution,
 )
-from freecad.gaussiancad.objects.document_sheets import export_sheet, first_sheet_object
-from freecad.gaussiancad.objects.known_sheets import page_of, reconstruction_among, sheet_of
 from freecad.gaussiancad.objects.reconstruction_features import find_part
+from freecad.gaussiancad.panels.chosen_sheet import ask_sheet, sheet_among
 from freecad.gaussiancad.panels.full_run import full_job
 from freecad.gaussiancad.panels.jobs import job_list
 from freecad.gaussiancad.panels.solutions import open_solutions
@@ -51,23 +50,18 @@ def open_canvas(selected: Sequence[FreeCAD.DocumentObject]) -> "CanvasDock | Non
         The dock; None where no drawing was chosen, there is no engine, or the corrections beside
         the drawing are damaged, which is told.
     """
-    path, page = _sheet_of(selected)
-    source = None if path else first_sheet_object(list(selected))
-    if source is not None:
-        folder = Path(FreeCAD.getUserAppDataDir()) / "GaussianCAD" / "sheets"
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-            path = str(export_sheet(source, folder).path)
-        except (WorkbenchError, OSError) as error:
-            _complain(str(error))
-            return None
-    if path:
-        return open_sheet(Path(path), page)
-    path = _asked(FreeCADGui.getMainWindow())
-    if path and FreeCAD.ActiveDocument is not None and FreeCAD.ActiveDocument.Objects:
+    try:
+        chosen = sheet_among(selected)
+    except (WorkbenchError, OSError) as error:
+        _complain(str(error))
+        return None
+    if chosen is not None:
+        return open_sheet(*chosen)
+    path = ask_sheet(FreeCADGui.getMainWindow())
+    if path is not None and FreeCAD.ActiveDocument is not None and FreeCAD.ActiveDocument.Objects:
         # Another drawing's part would lie over what is there.
-        FreeCAD.newDocument(Path(path).stem)
-    return open_sheet(Path(path), page) if path else None
+        FreeCAD.newDocument(path.stem)
+    return open_sheet(path) if path is not None else None
 
 
 def open_sheet(path: Path, page: int = 1) -> "CanvasDock | None":
@@ -242,17 +236,3 @@ def _show(document: FreeCAD.Document) -> None:
 
 def _complain(text: str) -> None:
     QtWidgets.QMessageBox.warning(FreeCADGui.getMainWindow(), "GaussianCAD", text)
-
-
-def _sheet_of(selected: Sequence[FreeCAD.DocumentObject]) -> tuple[str, int]:
-    group = reconstruction_among(selected)
-    path = sheet_of(group) if group is not None else None
-    return ("", 1) if path is None else (str(path), page_of(group))
-
-
-def _asked(parent: QtWidgets.QWidget) -> str:
-    title = translate("GaussianCAD", "Choose a Drawing")
-    drawings = translate("GaussianCAD", "Drawings")
-    patterns = " ".join(f"*.{suffix} *.{suffix.upper()}" for suffix in SHEET_SUFFIXES)
-    path, _ = QtWidgets.QFileDialog.getOpenFileName(parent, title, "", f"{drawings} ({patterns})")
-    return path

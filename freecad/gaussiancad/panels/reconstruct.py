@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui
 
 from freecad.gaussiancad.engine.events import Event, EventKind
-from freecad.gaussiancad.engine.job import SHEET_SUFFIXES, ReconstructJob
+from freecad.gaussiancad.engine.job import PAGED_SUFFIXES, SHEET_SUFFIXES, ReconstructJob
 from freecad.gaussiancad.engine.process import RunResult
 from freecad.gaussiancad.engine.report import Status
 from freecad.gaussiancad.engine.summary import report_lines, verdict_text
@@ -25,6 +25,7 @@ from freecad.gaussiancad.objects.solutions import SolutionSet, has_choice
 from freecad.gaussiancad.panels.correct import open_canvas, open_sheet
 from freecad.gaussiancad.panels.document_source import DocumentSource
 from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts, Success
+from freecad.gaussiancad.panels.fitted_view import show_all
 from freecad.gaussiancad.panels.messages import show_error
 from freecad.gaussiancad.panels.settings_form import SettingsForm
 from freecad.gaussiancad.panels.sheet_preview import SheetPreview
@@ -39,8 +40,6 @@ _ALIKE = 1.3
 
 _NO_MODEL = 4
 """The engine's exit code where a drawing was read and no model follows from it."""
-
-_PAGED_SUFFIXES = (".pdf", ".tif", ".tiff", ".dxf")
 
 
 def _correct_text() -> str:
@@ -192,7 +191,7 @@ class ReconstructPanel(EnginePanel):
         """Fit the 3D view, unless a part of about that size was there already."""
         length = part_length(group)
         if not 1.0 / _ALIKE < length / max(self._shown_mm, 1e-9) < _ALIKE:
-            _show_all(group.Document)
+            show_all(group.Document)
         self._shown_mm = length
 
     def _leave(self) -> None:
@@ -239,7 +238,7 @@ class ReconstructPanel(EnginePanel):
             # What is shown is of another drawing.
             self.run_view.forget()
         self.preview.show_file(path.strip())
-        self.settings.show_page(path.strip().lower().endswith(_PAGED_SUFFIXES))
+        self.settings.show_page(path.strip().lower().endswith(PAGED_SUFFIXES))
 
     def _browse_sheet(self) -> str:
         title = translate("GaussianCAD", "Choose a Drawing")
@@ -273,16 +272,3 @@ def run_again(group: FreeCAD.DocumentObject) -> None:
         show_error(translate("GaussianCAD", "Run Again"), error.message)
         return
     panel.start()
-
-
-def _show_all(document: FreeCAD.Document) -> None:
-    """Fit the document's 3D view; a window that shows something else stays as it is."""
-    view = FreeCADGui.getDocument(document.Name).ActiveView
-    if not hasattr(view, "fitAll"):
-        return
-    # An animated turn would overtake the fit (FreeCAD 1.1).
-    animated = view.isAnimationEnabled()
-    view.setAnimationEnabled(False)
-    view.viewIsometric()
-    view.fitAll()
-    view.setAnimationEnabled(animated)
