@@ -2650,6 +2650,38 @@
         <source>There is no view at this place</source>
         <translation>An dieser Stelle ist keine Ansicht</translation>
     </message>
+    <message>
+        <source>Lines to Sketches</source>
+        <translation>Linien zu Skizzen</translation>
+    </message>
+    <message>
+        <source>Lines {name}</source>
+        <translation>Linien {name}</translation>
+    </message>
+    <message>
+        <source>Make Sketches</source>
+        <translation>Skizzen machen</translation>
+    </message>
+    <message>
+        <source>Sketches: {sketches}, of {lines} lines.</source>
+        <translation>Skizzen: {sketches}, aus {lines} Linien.</translation>
+    </message>
+    <message>
+        <source>What is in doubt is below.</source>
+        <translation>Was unsicher ist, steht unten.</translation>
+    </message>
+    <message>
+        <source>The size is not known: the longest extent of the part was made 100 mm. Tell a length in Correct Sheet (key M).</source>
+        <translation>Die Größe ist nicht bekannt: Die längste Ausdehnung des Bauteils wurde 100 mm. Geben Sie unter „Blatt korrigieren“ eine Länge an (Taste M).</translation>
+    </message>
+    <message>
+        <source>It is not known where a section looks: it stands beside the front view.</source>
+        <translation>Es ist nicht bekannt, wohin ein Schnitt blickt: Er steht neben der Vorderansicht.</translation>
+    </message>
+    <message>
+        <source>What was read of the drawing, {path}, cannot be used ({reason}). Read the drawing again; if that does not help, choose GaussianCAD &gt; Check Engine.</source>
+        <translation>Was auf der Zeichnung gelesen wurde, {path}, ist nicht brauchbar ({reason}). Lesen Sie die Zeichnung noch einmal; hilft das nicht, wählen Sie GaussianCAD &gt; Engine prüfen.</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>
@@ -2795,6 +2827,17 @@
     <message>
         <source>Downloads and installs the engine into an environment of its own</source>
         <translation>Lädt und installiert die Engine in eine eigene Umgebung</translation>
+    </message>
+</context>
+<context>
+    <name>GaussianCAD_LinesToSketches</name>
+    <message>
+        <source>Lines to Sketches…</source>
+        <translation>Linien zu Skizzen…</translation>
+    </message>
+    <message>
+        <source>Makes a sketch on its plane of the lines of each view, to model from by hand</source>
+        <translation>Macht aus den Linien jeder Ansicht eine Skizze auf ihrer Ebene, um von Hand zu modellieren</translation>
     </message>
 </context>
 <context>

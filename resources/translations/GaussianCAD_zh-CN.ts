@@ -2650,6 +2650,38 @@
         <source>There is no view at this place</source>
         <translation>此处没有视图</translation>
     </message>
+    <message>
+        <source>Lines to Sketches</source>
+        <translation>图线转为草图</translation>
+    </message>
+    <message>
+        <source>Lines {name}</source>
+        <translation>图线 {name}</translation>
+    </message>
+    <message>
+        <source>Make Sketches</source>
+        <translation>生成草图</translation>
+    </message>
+    <message>
+        <source>Sketches: {sketches}, of {lines} lines.</source>
+        <translation>草图：{sketches} 个，图线：{lines} 条。</translation>
+    </message>
+    <message>
+        <source>What is in doubt is below.</source>
+        <translation>存疑之处见下方。</translation>
+    </message>
+    <message>
+        <source>The size is not known: the longest extent of the part was made 100 mm. Tell a length in Correct Sheet (key M).</source>
+        <translation>尺寸未知：零件的最长尺寸取为 100 mm。请在“校正图纸”中给出一个长度（M 键）。</translation>
+    </message>
+    <message>
+        <source>It is not known where a section looks: it stands beside the front view.</source>
+        <translation>剖视图的投射方向未知：它放在主视图旁边。</translation>
+    </message>
+    <message>
+        <source>What was read of the drawing, {path}, cannot be used ({reason}). Read the drawing again; if that does not help, choose GaussianCAD &gt; Check Engine.</source>
+        <translation>从图纸读取的内容 {path} 无法使用（{reason}）。请重新读取图纸；若仍无效，请选择 GaussianCAD &gt; 检查引擎。</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>
@@ -2795,6 +2827,17 @@
     <message>
         <source>Downloads and installs the engine into an environment of its own</source>
         <translation>将引擎下载并安装到独立的环境中</translation>
+    </message>
+</context>
+<context>
+    <name>GaussianCAD_LinesToSketches</name>
+    <message>
+        <source>Lines to Sketches…</source>
+        <translation>图线转为草图…</translation>
+    </message>
+    <message>
+        <source>Makes a sketch on its plane of the lines of each view, to model from by hand</source>
+        <translation>把每个视图的图线做成位于其平面上的草图，供手工建模使用</translation>
     </message>
 </context>
 <context>
