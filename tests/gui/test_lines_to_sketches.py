@@ -101,5 +101,6 @@ class Sketches(WindowCase):
         self.picture("sketches-finished")
         log = widget(QtWidgets.QPlainTextEdit, "log").toPlainText()
         self.assertIn("The size is not known", log)
+        self.assertEqual(log.count("100 mm"), 1)
         box = group.Group[0].Shape.BoundBox
         self.assertAlmostEqual(box.XLength, 100.0, places=3)

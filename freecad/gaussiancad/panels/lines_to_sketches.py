@@ -6,6 +6,7 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui
 
+from freecad.gaussiancad.engine.events import Event, EventKind
 from freecad.gaussiancad.engine.job import PAGED_SUFFIXES
 from freecad.gaussiancad.engine.process import RunResult
 from freecad.gaussiancad.engine.read_job import READING_FILE, ReadJob
@@ -105,6 +106,11 @@ class SketchesPanel(EnginePanel):
         add_cleaned(document, sheet, self._sheet.stem)
         show_all(document)
         return Success(told_count(sheet), sheet.doubts)
+
+    def take_event(self, event: Event) -> None:
+        """Show an event; warnings are in the reading, and told with the sketches."""
+        if event.kind is not EventKind.WARNING:
+            super().take_event(event)
 
     def set_editable(self, editable: bool) -> None:
         """Let the user choose another page, or not."""
