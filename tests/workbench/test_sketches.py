@@ -1,5 +1,6 @@
 """The cleaned lines of a reading as sketches: planes, arcs, construction, size, undo."""
 
+import hashlib
 import json
 from itertools import pairwise
 from math import cos, pi, radians, sin
@@ -8,11 +9,12 @@ from typing import Any
 
 import FreeCAD
 from fake_part import SIZE
-from support import FAKE_ENGINE, FolderCase
+from support import FAKE_ENGINE, FolderCase, draw_sheet
 
 from freecad.gaussiancad.engine.read_job import ReadJob
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.objects.cleaned_lines import read_cleaned
+from freecad.gaussiancad.objects.corrected_sheet import kept_corrections, open_in
 from freecad.gaussiancad.objects.meeting_ends import meeting_ends
 from freecad.gaussiancad.objects.sketches import add_sketches
 from freecad.gaussiancad.sketching import sketch_drawing
@@ -269,6 +271,21 @@ class Sketches(FolderCase):
         ]
         (sketch,) = self.made().values()
         self.assertEqual((len(sketch.Geometry), len(sketch.Constraints)), (800, 0))
+
+
+class Kept(FolderCase):
+    def test_corrections_of_a_documents_own_copy_go_to_the_engine(self) -> None:
+        document = FreeCAD.newDocument("Kept")
+        self.addCleanup(FreeCAD.closeDocument, "Kept")
+        sheet = draw_sheet(self.folder / "bracket.png")
+        group = open_in(document, sheet, 1)
+        copy = Path(group.Sheet)
+        self.assertIsNone(kept_corrections(group, copy, self.folder))
+        group.Corrections = json.dumps([{"op": "unit", "to": "in"}])
+        self.assertIsNone(kept_corrections(group, sheet, self.folder))
+        told = json.loads(kept_corrections(group, copy, self.folder).read_text(encoding="utf-8"))
+        self.assertEqual(told["ops"], [{"op": "unit", "to": "in"}])
+        self.assertEqual(told["sheet_sha256"], hashlib.sha256(sheet.read_bytes()).hexdigest())
 
 
 class Script(FolderCase):
