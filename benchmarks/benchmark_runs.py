@@ -153,7 +153,7 @@ def run_task(task: RunTask) -> Iterator[Row]:
     with tempfile.TemporaryDirectory(dir=scratch) as name:
         folder = Path(name)
         sheet = make_sheet(task.part, truth.shape, task.kind, folder, task.folder)
-        told = ReadingOptions(projection=task.part.projection, length=truth.length)
+        told = ReadingOptions(projection=task.part.projection, lengths=(truth.length,))
         yield {"stage": SOLVE}
         made = {}
         models: Row = {method.value: {} for method in task.run.value}
@@ -254,7 +254,7 @@ def _made(
 def _outline_models(run: Run, sheet: Path, told: ReadingOptions) -> Iterator[tuple[Method, Made]]:
     """The hull and the swept outlines of the views, which nobody checks."""
     started = time.perf_counter()
-    drawing = read_input(sheet, told.length, projection=told.projection)
+    drawing = read_input(sheet, told.lengths[0], projection=told.projection)
     reading = time.perf_counter() - started
     for method in run.value:
         started = time.perf_counter()

@@ -214,7 +214,7 @@ def read_input(
     Raises:
         GaussianCadError: the sheet cannot be read.
     """
-    options = ReadingOptions(projection=projection, length=length)
+    options = ReadingOptions(projection=projection, lengths=() if length is None else (length,))
     image = read_sheet(path) if vectors else picture_of(path)
     clean, lines = lines_of(image, options)
     drawn = lines.drawn

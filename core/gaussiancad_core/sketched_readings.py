@@ -87,10 +87,11 @@ def weigh(readings: Sequence[ReadViews]) -> Weighed:
     # Whether a search that was not ended finds less for the other one, nobody knows.
     most = sketches[1 - best].at_least
     unusual = is_unusual(readings[best].drawn.roles)
-    clear = most > (1.0 + (_CLEAR_UNUSUAL if unusual else _CLEAR)) * least
-    clear &= least <= _TELLING * sum(
+    telling = least <= _TELLING * sum(
         own.length for strokes in readings[best].drawn.strokes.values() for own in strokes
     )
-    other = sketches[1 - best].energy
-    likelier = best if other > (1.0 + (_CLEAR_UNUSUAL if unusual else _LIKELIER)) * least else 0
+    clear = telling and most > (1.0 + (_CLEAR_UNUSUAL if unusual else _CLEAR)) * least
+    # A search that was not ended tells no unusual reading.
+    better = telling and not unusual and sketches[1 - best].energy > (1.0 + _LIKELIER) * least
+    likelier = best if clear or better else 0
     return Weighed(sketches, likelier, clear, clear and most > (1.0 + _PLAIN) * least)

@@ -24,10 +24,11 @@ USUAL, UNUSUAL = (Role.FRONT, Role.TOP), (Role.FRONT, Role.BOTTOM)
         ((110.0, 199.0), (USUAL, USUAL), 0, False),
         ((199.0, 110.0), (USUAL, USUAL), 1, False),
         # What hardly fits is no better for fitting a little less badly.
-        ((180.0, 130.0), (USUAL, USUAL), 1, False),
+        ((180.0, 130.0), (USUAL, USUAL), 0, False),
         # A view from below in place of one from above must explain more.
         ((120.0, 100.0), (USUAL, UNUSUAL), 0, False),
         ((140.0, 100.0), (USUAL, UNUSUAL), 1, True),
+        ((199.0, 100.0), (USUAL, UNUSUAL), 0, False),
         ((100.0, 120.0), (USUAL, UNUSUAL), 0, True),
         # Nothing is told where a reading has no sketch.
         ((None, 100.0), (USUAL, USUAL), 1, False),

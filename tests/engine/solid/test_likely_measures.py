@@ -31,7 +31,7 @@ def likely(monkeypatch: pytest.MonkeyPatch):  # noqa: ANN201
 
     def arrange(other: ExactResult, moved: float = 0.1) -> None:
         monkeypatch.setattr(exact, "find_supports", lambda views: SimpleNamespace(moved=moved))
-        monkeypatch.setattr(exact, "_found", lambda views, *_: other if views.likely else None)
+        monkeypatch.setattr(exact, "_found", lambda views, *_: (other, None))
 
     return arrange
 
