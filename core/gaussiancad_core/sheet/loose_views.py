@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.sheet.layout import Layout, arrange_clusters, may_be_views
+from gaussiancad_core.sheet.layout import Layout, arrange_clusters, is_unusual, may_be_views
 from gaussiancad_core.sheet.options import Box
 
 Ink = npt.NDArray[np.bool_]
@@ -76,7 +76,13 @@ def arrange_loosely(
         if layout is None:
             raise
         return layout
-    return layout if len(given) > 1 else with_loose_views(layout, ink)
+    if len(given) > 1:
+        return layout
+    found = with_loose_views(layout, ink)
+    if projection is not None or given or not is_unusual(found.boxes):
+        return found
+    turned = with_loose_views(arrange_clusters(clusters, given, layout.projection.other), ink)
+    return replace(turned, source=layout.source, alternatives=(layout.projection,))
 
 
 def _without_a_line(

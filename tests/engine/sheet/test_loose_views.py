@@ -53,6 +53,16 @@ def test_a_side_view_that_was_dragged_up_is_one(projection: Projection) -> None:
     assert len(found) == 3
 
 
+def test_a_loose_view_below_is_the_top_view_in_first_angle() -> None:
+    ink = sheet()
+    views = front(ink), drawn(ink, (600, 300), (DEEP, HIGH), AWAY, UP)
+    below = drawn(ink, (180, 600), (WIDE, DEEP), ACROSS, AWAY)
+    found = arrange_loosely([*views, below], {}, None, ink)
+    assert found.boxes == {Role.FRONT: views[0], Role.LEFT: views[1], Role.TOP: below}
+    assert (found.projection, found.source) == (Projection.FIRST, "default")
+    assert found.alternatives == (Projection.THIRD,)
+
+
 def test_a_drawing_as_high_with_its_lines_elsewhere_is_none() -> None:
     ink = sheet()
     views = front(ink), drawn(ink, (100, 150), (WIDE, DEEP), ACROSS, AWAY)
