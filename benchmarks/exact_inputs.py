@@ -25,7 +25,7 @@ from gaussiancad_core.exact_stage import find_exact
 from gaussiancad_core.ink_stage import compared_with_ink
 from gaussiancad_core.projected_reading import Reading, drawn_views
 from gaussiancad_core.reasoning.drawn_views import DrawnViews, exact_views
-from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import RegisteredSheet, register_views
@@ -99,7 +99,7 @@ class Input:
         masks: the same with the through holes that the hidden lines prove.
         source: whether the strokes were fitted to pixels or are those of a file.
         registered: the views on shared axes, where they come from a sheet.
-        sheet: that, upright.
+        sheet: that, as stored and upright.
         measures: what its dimensions say.
     """
 
@@ -108,7 +108,7 @@ class Input:
     masks: ViewSet | None = None
     source: str = ""
     registered: RegisteredSheet | None = None
-    sheet: CleanSheet | None = None
+    sheet: OpenedSheet | None = None
     measures: tuple[Measure, ...] = ()
 
     def solved(self) -> ExactResult:
@@ -216,17 +216,17 @@ def read_input(
     """
     options = ReadingOptions(projection=projection, lengths=() if length is None else (length,))
     image = read_sheet(path) if vectors else picture_of(path)
-    clean, lines = lines_of(image, options)
+    sheet, lines = lines_of(image, options)
     drawn = lines.drawn
     registered = register_views(drawn, options)
     plain = register_views(drawn, replace(options, open_holes=False))
-    measures = trusted(registered, find_scale(image, clean, lines.marks, drawn))
+    measures = trusted(registered, find_scale(sheet, lines.marks, drawn))
     return Input(
         drawn_views(registered, measures),
         plain.views,
         registered.views,
         source=registered.source.value,
         registered=registered,
-        sheet=clean,
+        sheet=sheet,
         measures=measures,
     )

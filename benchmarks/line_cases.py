@@ -99,7 +99,7 @@ def _read(sheet: Path) -> LineCase:
         try:
             opened = open_sheet(job, notes)
             lines = sheet_lines(job, opened, notes)
-            found = registered_lines(job, lines, opened.clean.turn, notes)
+            found = registered_lines(job, lines, opened.turn, notes)
             own, other = (each and _lines(each) for each in (found.own, found.other))
         except GaussianCadError as error:
             refused = error.code

@@ -20,7 +20,8 @@ from gaussiancad_core.drawing.sheet import draw_sheet
 from gaussiancad_core.drawing.style import PRESETS
 from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
-from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
+from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
 from gaussiancad_core.sheet.sheet_views import sheet_views
@@ -102,8 +103,9 @@ def main(folder: Path) -> None:
     """Write both pictures into ``folder``."""
     drawn = draw_sheet(sample(PART).build(), ROLES, Projection.THIRD, STYLE, title="Boss plate")
     grey = cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)
-    sheet = upright_sheet(clean_sheet(grey))
-    seen = sheet_views(SheetImage(folder, grey, ""), sheet, projection=Projection.THIRD)
+    opened = OpenedSheet(SheetImage(folder, grey, ""))
+    sheet = opened.clean
+    seen = sheet_views(opened, projection=Projection.THIRD)
     separated = seen.separated
     views = read_views(separated.part, seen.layout)
     top = next(view for view in views if view.role is Role.TOP)

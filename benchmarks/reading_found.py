@@ -20,8 +20,8 @@ from gaussiancad_core.projection_choice import both_readings
 from gaussiancad_core.reading_stage import SheetLines, read_lines
 from gaussiancad_core.report import Report
 from gaussiancad_core.run_notes import RunNotes
-from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.read import SheetImage, read_sheet
@@ -63,8 +63,8 @@ def read(path: Path, reading: ReadingOptions, direct: bool = True) -> Found:
         GaussianCadError: it cannot be read.
     """
     image = read_sheet(path) if direct else picture_of(path)
-    clean, lines = lines_of(image, reading)
-    return found_of(lines, replace(clean.turn, scale=image.reduction), reading)
+    sheet, lines = lines_of(image, reading)
+    return found_of(lines, sheet.turn, reading)
 
 
 def picture_of(path: Path) -> SheetImage:
@@ -75,13 +75,13 @@ def picture_of(path: Path) -> SheetImage:
         return read_sheet(picture)
 
 
-def lines_of(image: SheetImage, reading: ReadingOptions) -> tuple[CleanSheet, SheetLines]:
-    """The ink of a sheet upright, and the engine's views and lines; nobody asks for the scale.
+def lines_of(image: SheetImage, reading: ReadingOptions) -> tuple[OpenedSheet, SheetLines]:
+    """A sheet upright, and the engine's views and lines; nobody asks for the scale.
 
     Raises:
         GaussianCadError: it has no views that belong together.
     """
-    clean = upright_sheet(clean_sheet(image.grey, reading.median_kernel))
+    sheet = OpenedSheet(image, reading.median_kernel)
     job = Job(
         image.path,
         image.path.parent,
@@ -89,7 +89,7 @@ def lines_of(image: SheetImage, reading: ReadingOptions) -> tuple[CleanSheet, Sh
         result=ResultKind.SURFACE,
     )
     notes = RunNotes(Report(image.sha256, job.settings()), Progress(Silence(), len(STAGES)))
-    return clean, read_lines(job, image, clean, notes)
+    return sheet, read_lines(job, sheet, notes)
 
 
 def found_of(lines: SheetLines, turn: Turn, reading: ReadingOptions) -> Found:

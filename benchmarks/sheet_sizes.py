@@ -62,7 +62,7 @@ def read(connection: Connection, path: Path) -> None:
     """Read a sheet; send seconds of the stages, MB before and at most, and strokes."""
     import cv2
 
-    from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
+    from gaussiancad_core.sheet.opened import OpenedSheet
     from gaussiancad_core.sheet.options import ReadingOptions
     from gaussiancad_core.sheet.read import read_sheet
     from gaussiancad_core.sheet.reading import read_views, register_views
@@ -73,9 +73,10 @@ def read(connection: Connection, path: Path) -> None:
     before = peak_memory_mb()
     image = read_sheet(path)
     marks.append(time.perf_counter())
-    clean = upright_sheet(clean_sheet(image.grey))
+    sheet = OpenedSheet(image)
+    _ = sheet.clean
     marks.append(time.perf_counter())
-    seen = sheet_views(image, clean)
+    seen = sheet_views(sheet)
     marks.append(time.perf_counter())
     drawn = read_views(seen.separated.part, seen.layout)
     marks.append(time.perf_counter())

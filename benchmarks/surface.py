@@ -14,7 +14,7 @@ mean of both ways.  ``carved`` is the status of the solid whose depths carved th
 import argparse
 import tempfile
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
@@ -38,6 +38,7 @@ from gaussiancad_core.projected_reading import Reading
 from gaussiancad_core.samples import SAMPLES
 from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.sheet.clean import clean_sheet
+from gaussiancad_core.sheet.colouring import coloured
 from gaussiancad_core.sheet.layout import find_layout
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.read import read_sheet
@@ -163,7 +164,8 @@ def registered_of(part: Part) -> RegisteredSheet:
         write_image(sheet.image, path)
         clean = clean_sheet(read_sheet(path).grey)
     layout = find_layout(clean.ink, {}, Projection.THIRD)
-    return register_views(read_views(clean, layout), ReadingOptions())
+    found = register_views(read_views(clean, layout), ReadingOptions())
+    return replace(found, views=coloured(found.views, ReadingOptions().colour))
 
 
 def truth_of(part: Part, size: tuple[float, float, float]) -> TriangleMesh:

@@ -2,7 +2,7 @@
 
 from gaussiancad_core.modes import Status
 from gaussiancad_core.projected_reading import APART_PX
-from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.solid.exact import ExactResult
@@ -11,7 +11,7 @@ from gaussiancad_core.verification.ink_offsets import ink_offsets
 
 
 def compared_with_ink(
-    result: ExactResult, registered: RegisteredSheet, sheet: CleanSheet
+    result: ExactResult, registered: RegisteredSheet, sheet: OpenedSheet
 ) -> ExactResult:
     """The same, in doubt if the ink runs beside a line of the solid.
 
@@ -20,7 +20,7 @@ def compared_with_ink(
     Args:
         result: the solid of the sheet.
         registered: its views.
-        sheet: upright.
+        sheet: as stored and upright.
     """
     if result.status is not Status.VERIFIED:
         return result
@@ -32,7 +32,7 @@ def compared_with_ink(
             view.role,
             result.verification.lines[view.role],
             registered.placements[view.role],
-            sheet,
+            sheet.clean,
         )
     ]
     worst = max(found, key=lambda own: own.offset, default=None)

@@ -18,13 +18,13 @@ from gaussiancad_core.finished import REPORT_FILE, finished_report
 from gaussiancad_core.job import Job
 from gaussiancad_core.messages import Message
 from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
-from gaussiancad_core.opened_sheet import OpenedSheet, open_image, tell_image, with_ink
+from gaussiancad_core.opened_sheet import open_image, tell_image
 from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
 from gaussiancad_core.page_choice import naming_pages, page_instead, tell_page
 from gaussiancad_core.report import Report, ViewReport
 from gaussiancad_core.run_notes import RunNotes
-from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import RegisteredSheet
 
@@ -136,25 +136,25 @@ class _Run:
         if isinstance(read, Report):
             return read
         sheet, lines = read
-        clean = sheet.clean
+        turn = sheet.turn
         self._write_reading(lines, sheet)
-        found = registered_lines(self.job, lines, clean.turn, self.notes)
+        found = registered_lines(self.job, lines, turn, self.notes)
         exact = None
         if "solid" in stages_of(self.job.result, self.job.recipe):
             with self.notes.stage("solid"):
-                found, exact = self._find_solid(found, clean)
+                found, exact = self._find_solid(found, sheet)
         own = exact.reading if exact else found.own
         tell_symbol(self.notes, found, own.projection)
         asked = exact is not None and self.job.result is not ResultKind.SURFACE
         solid = exact if asked and exact.result.shape is not None else None
         if solid:
             self._publish(solid, self._status(solid))
-        models = self._make_models(own.registered, exact, solid, clean.turn)
+        models = self._make_models(own.registered, exact, solid, turn)
         with self.notes.stage("check"):
-            checked = self._check(own.registered, models, solid, clean.turn)
+            checked = self._check(own.registered, models, solid, turn)
             conflict = exact.result.conflict if asked else None
             beside = found.marks, found.special
-            overlay = overlay_picture(checked, own.registered, clean, beside, conflict)
+            overlay = overlay_picture(checked, own.registered, sheet.clean, beside, conflict)
             self._write_pictures(overlay, preview_picture(checked, self.job.reading.colour))
         with self.notes.stage("write"):
             if models:
@@ -178,8 +178,8 @@ class _Run:
             self._image = kept.image if kept is not None else open_image(self.job, self.notes)
             if self.job.resume and (earlier := self._earlier()):
                 return earlier
-            sheet = kept or with_ink(self.job, self._image)
-        self._turn = sheet.clean.turn
+            sheet = kept or OpenedSheet(self._image, self.job.reading.median_kernel)
+            self._turn = sheet.turn
         return sheet, sheet_lines(self.job, sheet, self.notes)
 
     def _read_instead(self, error: NoModelError) -> "tuple[OpenedSheet, SheetLines] | Report":
@@ -247,13 +247,13 @@ class _Run:
     def _write_reading(self, lines: "SheetLines", sheet: OpenedSheet) -> None:
         from gaussiancad_core.readings.writing import READING_FILE, sheet_reading, write_reading
 
-        reading = sheet_reading(self.notes.report, lines, sheet.clean.turn, sheet.size)
+        reading = sheet_reading(self.notes.report, lines, sheet.turn, sheet.size)
         write_reading(reading, self.folder.staging)
         self.folder.publish()
         self._send("reading", READING_FILE)
 
     def _find_solid(
-        self, found: "SheetFindings", clean: CleanSheet
+        self, found: "SheetFindings", sheet: OpenedSheet
     ) -> "tuple[SheetFindings, ExactModel | None]":
         """The exact solid, or what stands for it, and what it says about the projection."""
         from gaussiancad_core.exact_stage import (
@@ -275,11 +275,11 @@ class _Run:
         if exact is None or surface_alone:
             return found, exact
         found = replace(found, contradicted=exact.contradicted)
-        checked = compared_with_ink(exact.result, exact.reading.registered, clean)
+        checked = compared_with_ink(exact.result, exact.reading.registered, sheet)
         exact = replace(exact, result=checked)
         for code, message in exact.result.reasons:
             self.notes.doubt(code, message)
-        self.notes.report = with_solid_facts(self.notes.report, exact, clean.turn)
+        self.notes.report = with_solid_facts(self.notes.report, exact, sheet.turn)
         if self.job.result is ResultKind.SOLID and exact.result.shape is None:
             code, message = exact.result.reasons[0]
             raise (LimitError if code in OPEN_ENDED else NoModelError)(code, message)
@@ -374,11 +374,12 @@ class _Run:
     def _with_whole_outlines(
         self, registered: RegisteredSheet, exact: "ExactModel | None"
     ) -> RegisteredSheet:
-        """The views with masks of the exact solid where the ink encloses less, or more."""
+        """The views in colour, their masks the exact solid's where the ink encloses others."""
+        from gaussiancad_core.sheet.colouring import coloured
         from gaussiancad_core.solid_outlines import with_solid_outlines
 
         result = exact.result if exact else None
-        outlined = with_solid_outlines(registered.views, result, self.job.reading.colour)
+        outlined = with_solid_outlines(registered.views, result)
         if outlined.closed:
             names = " and ".join(role.value for role in outlined.closed)
             self.notes.warn(
@@ -389,7 +390,7 @@ class _Run:
                     views=names,
                 ),
             )
-        return replace(registered, views=outlined.views)
+        return replace(registered, views=coloured(outlined.views, self.job.reading.colour))
 
     def _train(self, hull: "TriangleMesh", views: "ViewSet") -> "TrainingResult":
         from gaussiancad_core import surface_stage

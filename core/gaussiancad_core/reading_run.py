@@ -10,7 +10,7 @@ from gaussiancad_core.drawing.files import write_whole
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.events import Listener, Progress, Silence
 from gaussiancad_core.job import Job
-from gaussiancad_core.opened_sheet import OpenedSheet, open_sheet
+from gaussiancad_core.opened_sheet import open_sheet
 from gaussiancad_core.outputs import os_error
 from gaussiancad_core.page_choice import naming_pages
 from gaussiancad_core.reading_stage import SheetLines, boxed_views, read_lines
@@ -27,6 +27,7 @@ from gaussiancad_core.readings.writing import READING_FILE, refusal, sheet_readi
 from gaussiancad_core.registering_stage import registered_lines
 from gaussiancad_core.report import Report
 from gaussiancad_core.run_notes import RunNotes
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.reading import ReadView
 from gaussiancad_core.verification.preview import png_bytes
@@ -73,12 +74,12 @@ def read_sheet_lines(
     lines, refused = None, []
     try:
         lines = sheet_lines(job, sheet, notes)
-        registered_lines(job, lines, sheet.clean.turn, notes)
+        registered_lines(job, lines, sheet.turn, notes)
     except NoModelError as error:
         message = naming_pages(error, sheet.image).message
-        refused.append(refusal(error.code, message.moved(sheet.clean.turn.box_to_stored)))
+        refused.append(refusal(error.code, message.moved(sheet.turn.box_to_stored)))
     if lines is None:
-        lines = partial_lines(job, sheet.image, sheet.clean)
+        lines = partial_lines(job, sheet)
     return lines, _reading(lines, sheet, notes, refused)
 
 
@@ -97,7 +98,7 @@ def sheet_lines(job: Job, sheet: OpenedSheet, notes: RunNotes) -> SheetLines:
     ink = sheet_ink(job, sheet)
     reading = given_reading(job, sheet.image.sha256, read, notes, ink)
     if reading is None:
-        return read_lines(job, sheet.image, sheet.clean, notes)
+        return read_lines(job, sheet, notes)
     return taken_lines(job, sheet, reading, notes, reread_in(job, sheet))
 
 
@@ -107,7 +108,7 @@ def reread_in(job: Job, sheet: OpenedSheet) -> Reread:
     def reread(views: tuple[tuple[Role, Box], ...]) -> tuple[ReadView, ...]:
         alone = RunNotes(Report("", job.settings()), Progress(Silence(), len(STAGES)))
         named = replace(_alone(job), reading=replace(job.reading, views=views))
-        return boxed_views(named, sheet.image, sheet.clean, alone)
+        return boxed_views(named, sheet, alone)
 
     return reread
 
@@ -117,7 +118,7 @@ def sheet_ink(job: Job, sheet: OpenedSheet) -> Ink:
     reread = reread_in(job, sheet)
 
     def fill(own: SheetReading) -> SheetReading:
-        return with_read_views(own, reread, sheet.clean.turn)
+        return with_read_views(own, reread, sheet.turn)
 
     return Ink(fill, tracer(sheet))
 
@@ -129,4 +130,4 @@ def _alone(job: Job) -> Job:
 def _reading(
     lines: SheetLines, sheet: OpenedSheet, notes: RunNotes, refused: list[Problem]
 ) -> SheetReading:
-    return sheet_reading(notes.report, lines, sheet.clean.turn, sheet.size, refused)
+    return sheet_reading(notes.report, lines, sheet.turn, sheet.size, refused)

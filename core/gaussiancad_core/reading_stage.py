@@ -15,7 +15,6 @@ from gaussiancad_core.projection_choice import opposite
 from gaussiancad_core.report import NoteReport, Unused, ViewReport
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
-from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.graph.heads import arrowheads
 from gaussiancad_core.sheet.graph.tangent_edges import without_tangent_edges
@@ -23,6 +22,7 @@ from gaussiancad_core.sheet.labels.evidence import NO_LABELS, SheetLabels
 from gaussiancad_core.sheet.layout import Layout, may_be_views
 from gaussiancad_core.sheet.notes.finding import SheetNote, notes_of
 from gaussiancad_core.sheet.notes.sections import NamedSection, named_sections
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import Box, FileUnit, ReadingOptions
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
@@ -81,27 +81,27 @@ class SheetLines:
     unseen: Unseen | None = None
 
 
-def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) -> SheetLines:
+def read_lines(job: Job, sheet: OpenedSheet, notes: RunNotes) -> SheetLines:
     """Views and lines of a sheet.
 
     Args:
         job: with what the user says of the sheet.
-        image: as stored.
-        clean: the same, upright, its ink told from its paper.
+        sheet: as stored and upright.
         notes: told what is found.
 
     Raises:
         NoModelError: the sheet has no views that belong together.
     """
-    reading = in_worked_px(job.reading, clean.turn)
+    turn = sheet.turn
+    reading = in_worked_px(job.reading, turn)
     with notes.stage("views"):
-        found = _views(image, clean, reading, notes)
-        tell_marks(notes, found.separated.marks, clean.turn)
+        found = _views(sheet, reading, notes)
+        tell_marks(notes, found.separated.marks, turn)
     with notes.stage("lines"):
-        found, drawn, hatched = _strokes_in(image, clean, found, reading, notes)
+        found, drawn, hatched = _strokes_in(sheet, found, reading, notes)
         layout, separated = found.layout, found.separated
-        scale = _sheet_scale(job, image, clean, (found, drawn), notes)
-        sections = _sections(image, scale, layout, clean.turn) if scale is not None else ()
+        scale = _sheet_scale(job, sheet, (found, drawn), notes)
+        sections = _sections(sheet.image, scale, layout, turn) if scale is not None else ()
         layout, drawn = _by_arrows(layout, drawn, sections)
 
         def read(own: Layout) -> tuple[ReadView, ...]:
@@ -109,30 +109,27 @@ def read_lines(job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes) 
             return weighed_views(more, separated.labels)
 
         layout, beside = sections_beside(layout, sections, hatched, read)
-        said = _notes(image, scale)
-        tell_layout(notes, layout, clean.turn, frame_guessed=found.frame_guessed)
+        said = _notes(sheet.image, scale)
+        tell_layout(notes, layout, turn, frame_guessed=found.frame_guessed)
         options = tell_scale(reading, scale, drawn, notes)
-        tell_notes(notes, said, clean.turn)
+        tell_notes(notes, said, turn)
         unseen = told_unseen(drawn, scale, said, options, notes)
     told = separated.marks, scale, options, said, sections
     return SheetLines(layout, drawn, *told, beside=beside, labels=separated.labels, unseen=unseen)
 
 
-def boxed_views(
-    job: Job, image: SheetImage, clean: CleanSheet, notes: RunNotes
-) -> tuple[ReadView, ...]:
+def boxed_views(job: Job, sheet: OpenedSheet, notes: RunNotes) -> tuple[ReadView, ...]:
     """The views that a job names by boxes, with their strokes; nothing else is read.
 
     Args, Raises: as of :func:`read_lines`.
     """
-    reading = in_worked_px(job.reading, clean.turn)
-    found = _views(image, clean, reading, notes)
-    return _strokes_in(image, clean, found, reading, notes)[1]
+    reading = in_worked_px(job.reading, sheet.turn)
+    found = _views(sheet, reading, notes)
+    return _strokes_in(sheet, found, reading, notes)[1]
 
 
 def _strokes_in(
-    image: SheetImage,
-    clean: CleanSheet,
+    sheet: OpenedSheet,
     found: SheetViews,
     reading: ReadingOptions,
     notes: RunNotes,
@@ -141,7 +138,7 @@ def _strokes_in(
     separated, layout = found.separated, found.layout
     drawn = read_views(separated.part, layout, notes.progress, reading.finder, found.vectors)
     if found.vectors is not None:
-        beside = _arcs(image, clean.turn)
+        beside = _arcs(sheet.image, sheet.turn)
     else:
         beside = arcs_of(separated.told) if separated.told is not None else []
     drawn, threads = without_threads(drawn, beside)
@@ -232,8 +229,7 @@ def in_worked_px(reading: ReadingOptions, turn: Turn) -> ReadingOptions:
 
 def _sheet_scale(
     job: Job,
-    image: SheetImage,
-    clean: CleanSheet,
+    sheet: OpenedSheet,
     read: tuple[SheetViews, tuple[ReadView, ...]],
     notes: RunNotes,
 ) -> SheetScale | None:
@@ -242,7 +238,7 @@ def _sheet_scale(
     if _is_given(job.reading, drawn) and job.result is ResultKind.SURFACE:
         return None
     unit = _number_unit(job.reading.unit)
-    scale = find_scale(image, clean, found.separated.marks, drawn, found.written, told=unit)
+    scale = find_scale(sheet, found.separated.marks, drawn, found.written, told=unit)
     notes.tell(dimensions=scale.dimensions)
     for note in scale.contradictions:
         notes.doubt(note.code, note.message)
@@ -280,15 +276,13 @@ def tell_scale(
     return replace(reading, mm_per_pixel=scale.mm_per_pixel)
 
 
-def _views(
-    image: SheetImage, clean: CleanSheet, reading: ReadingOptions, notes: RunNotes
-) -> SheetViews:
+def _views(sheet: OpenedSheet, reading: ReadingOptions, notes: RunNotes) -> SheetViews:
     """The part's ink and its views, with what is in doubt about them told."""
-    given = {role: clean.turn.box_to_upright(box) for role, box in reading.views}
-    found = sheet_views(image, clean, given, reading.projection, reading.finder)
+    given = {role: sheet.turn.box_to_upright(box) for role, box in reading.views}
+    found = sheet_views(sheet, given, reading.projection, reading.finder)
     if found.labels_problem is not None:
         notes.warn("labels-missing", found.labels_problem)
-    tell_doubtful_labels(notes, found.separated.labels, found.layout.boxes, clean.turn)
+    tell_doubtful_labels(notes, found.separated.labels, found.layout.boxes, sheet.turn)
     _tell_doubtful(notes, found.other_pens)
     return found
 

@@ -13,7 +13,7 @@ from gaussiancad_core.errors import GaussianCadError, UsageError
 from gaussiancad_core.events import Listener, Progress, Silence
 from gaussiancad_core.job import Job
 from gaussiancad_core.modes import ResultKind
-from gaussiancad_core.opened_sheet import OpenedSheet, open_sheet, tell_image
+from gaussiancad_core.opened_sheet import open_sheet, tell_image
 from gaussiancad_core.outputs import os_error
 from gaussiancad_core.reading_run import (
     READING_FILE,
@@ -28,6 +28,7 @@ from gaussiancad_core.readings.operations import Corrections
 from gaussiancad_core.readings.schema import Box, Point, SheetReading
 from gaussiancad_core.report import Report
 from gaussiancad_core.run_notes import RunNotes
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.read import SheetImage, read_sheet
 from gaussiancad_core.verification.preview import png_bytes
 

@@ -15,9 +15,8 @@ from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.brep import tessellate
 from gaussiancad_core.meshes import make_mesh
 from gaussiancad_core.reliefs import CHORD, DEFLECTION, first_surface
-from gaussiancad_core.sheet.registration import colourised
 from gaussiancad_core.verification.rays import RayCaster
-from gaussiancad_core.views import View, ViewSet
+from gaussiancad_core.views import ViewSet
 
 if TYPE_CHECKING:
     from gaussiancad_core.solid.exact import ExactResult
@@ -42,16 +41,13 @@ class OutlinedViews:
     closed: tuple[Role, ...] = ()
 
 
-def with_solid_outlines(
-    views: ViewSet, result: "ExactResult | None", colour: tuple[int, int, int]
-) -> OutlinedViews:
+def with_solid_outlines(views: ViewSet, result: "ExactResult | None") -> OutlinedViews:
     """The views, whose masks are an exact solid's where the two are not alike.
 
     Args:
         views: of the sheet.
         result: their exact solid, if there is one; only one whose lines are all the sheet's, and
             that has all of them, knows outlines better than the ink.
-        colour: RGB of the part in the views.
     """
     verification = result.verification if result is not None else None
     if verification is None or not verification.explains:
@@ -65,7 +61,7 @@ def with_solid_outlines(
         if _alike(view.mask, shadow):
             outlined.append(view)
         else:
-            outlined.append(_filled(view, shadow, colour))
+            outlined.append(replace(view, mask=shadow))
             closed.append(view.role)
     return OutlinedViews(replace(views, views=tuple(outlined)), tuple(closed))
 
@@ -73,7 +69,3 @@ def with_solid_outlines(
 def _alike(mask: npt.NDArray[np.bool_], shadow: npt.NDArray[np.bool_]) -> bool:
     different = cv2.morphologyEx((mask ^ shadow).astype(np.uint8), cv2.MORPH_OPEN, _SPOT)
     return bool(different.sum() <= _DIFFERENT * shadow.sum())
-
-
-def _filled(view: View, shadow: npt.NDArray[np.bool_], colour: tuple[int, int, int]) -> View:
-    return colourised(replace(view, mask=shadow), colour)

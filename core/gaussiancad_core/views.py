@@ -169,7 +169,7 @@ class View:
         box: (x0, y0, x1, y1) sheet pixels between the centre lines of the outermost strokes.
         strokes: in millimetres of the view's plane (right, up).
         mask: (h, w) bool, True where the part covers the plane; row 0 is the upper edge.
-        colour: (h, w, 3) uint8 RGB, the colourised view on white.
+        colour: (h, w, 3) uint8 RGB, the part on white; blank of views that nobody coloured.
         origin: (right, up) in mm of the upper left corner of the mask's first pixel.
         mm_per_pixel: size of a mask pixel; the same in all views of a set.
     """

@@ -14,7 +14,7 @@ from gaussiancad_core.exact_stage import find_exact
 from gaussiancad_core.ink_stage import compared_with_ink
 from gaussiancad_core.modes import Status
 from gaussiancad_core.projected_reading import Reading
-from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.read import read_sheet
@@ -23,7 +23,7 @@ from gaussiancad_core.sheet.sheet_views import sheet_views
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.views import Arc
 
-Read = tuple[ExactResult, RegisteredSheet, CleanSheet]
+Read = tuple[ExactResult, RegisteredSheet, OpenedSheet]
 
 _LENGTH = 80.0
 
@@ -37,12 +37,11 @@ def read(
     roles = (Role.FRONT, Role.TOP, Role.RIGHT)
     sheet = draw_sheet(sample_solid("l-bracket"), roles, Projection.THIRD, parse_style("clean"), 0)
     write_image(sheet.image, path, 95, sheet.dpi)
-    image = read_sheet(path)
-    clean = upright_sheet(clean_sheet(image.grey))
-    seen = sheet_views(image, clean, projection=Projection.THIRD)
+    opened = OpenedSheet(read_sheet(path))
+    seen = sheet_views(opened, projection=Projection.THIRD)
     options = ReadingOptions(projection=Projection.THIRD, lengths=((Axis.X, _LENGTH),))
     registered = register_views(read_views(seen.separated.part, seen.layout), options)
-    return find_exact(Reading(registered, Projection.THIRD), None).result, registered, clean
+    return find_exact(Reading(registered, Projection.THIRD), None).result, registered, opened
 
 
 def _with_radii(result: ExactResult, mm: float) -> ExactResult:
@@ -58,16 +57,16 @@ def _with_radii(result: ExactResult, mm: float) -> ExactResult:
 
 
 def test_a_solid_on_its_ink_stays_verified(read: Read) -> None:
-    result, registered, clean = read
+    result, registered, opened = read
     assert result.status is Status.VERIFIED
-    assert compared_with_ink(result, registered, clean) is result
+    assert compared_with_ink(result, registered, opened) is result
 
 
 @pytest.mark.parametrize("more", [-0.6, 0.6])
 def test_an_arc_beside_its_ink_is_doubted(read: Read, more: float) -> None:
-    result, registered, clean = read
+    result, registered, opened = read
     mm = more * registered.mm_per_pixel
-    doubted = compared_with_ink(_with_radii(result, mm), registered, clean)
+    doubted = compared_with_ink(_with_radii(result, mm), registered, opened)
     assert doubted.status is Status.APPROXIMATE
     ((code, message),) = doubted.reasons
     assert code == "lines-apart"
@@ -76,7 +75,7 @@ def test_an_arc_beside_its_ink_is_doubted(read: Read, more: float) -> None:
 
 
 def test_lines_of_a_file_are_not_asked(read: Read) -> None:
-    result, registered, clean = read
+    result, registered, opened = read
     drawn = tuple(replace(view, source=StrokesSource.VECTOR) for view in registered.drawn)
     moved = _with_radii(result, 0.6 * registered.mm_per_pixel)
-    assert compared_with_ink(moved, replace(registered, drawn=drawn), clean) is moved
+    assert compared_with_ink(moved, replace(registered, drawn=drawn), opened) is moved

@@ -3,38 +3,37 @@
 from gaussiancad_core.axes import Projection
 from gaussiancad_core.job import Job
 from gaussiancad_core.reading_stage import SheetLines, in_worked_px
-from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.file_strokes import stroke_along
 from gaussiancad_core.sheet.graph.chains import with_whole_edges
 from gaussiancad_core.sheet.graph.labels import Label, labelled
 from gaussiancad_core.sheet.layout import Layout, find_clusters, may_be_views
-from gaussiancad_core.sheet.read import SheetImage
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.views import Linetype, Stroke
 
 
-def partial_lines(job: Job, image: SheetImage, clean: CleanSheet) -> SheetLines:
+def partial_lines(job: Job, sheet: OpenedSheet) -> SheetLines:
     """The lines of a sheet without views.
 
     Args:
         job: with what the user says of the sheet.
-        image: as stored.
-        clean: the same, upright.
+        sheet: as stored and upright.
     """
-    options = in_worked_px(job.reading, clean.turn)
+    options = in_worked_px(job.reading, sheet.turn)
     projection = options.projection or Projection.THIRD
     source = "given" if options.projection else "default"
     alternatives = () if options.projection else (projection.other,)
-    boxes = tuple(may_be_views(find_clusters(clean.ink)))
+    boxes = tuple(may_be_views(find_clusters(sheet.clean.ink)))
     layout = Layout({}, projection, source, alternatives, boxes)
-    return SheetLines(layout, (), (), None, options, loose=_file_strokes(image, clean))
+    return SheetLines(layout, (), (), None, options, loose=_file_strokes(sheet))
 
 
-def _file_strokes(image: SheetImage, clean: CleanSheet) -> tuple[Stroke, ...]:
+def _file_strokes(sheet: OpenedSheet) -> tuple[Stroke, ...]:
     """The lines of the part, where the file tells them."""
-    height, width = clean.ink.shape
-    if image.vectors is None or clean.turn.angle:
+    height, width = sheet.shape
+    drawing = sheet.image.vectors
+    if drawing is None or sheet.turn.angle:
         return ()
-    found = labelled(image.vectors, (width, height))
+    found = labelled(drawing, (width, height))
     if found is None:
         return ()
     strokes = [

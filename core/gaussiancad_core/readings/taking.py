@@ -15,7 +15,6 @@ from gaussiancad_core.job import Job
 from gaussiancad_core.label_doubts import DOUBTFUL, tell_doubtful_labels
 from gaussiancad_core.messages import filled
 from gaussiancad_core.one_view_stage import told_unseen
-from gaussiancad_core.opened_sheet import OpenedSheet
 from gaussiancad_core.reading_stage import (
     SheetLines,
     in_worked_px,
@@ -50,6 +49,7 @@ from gaussiancad_core.sheet.notes.callouts import Callout
 from gaussiancad_core.sheet.notes.finding import SheetNote
 from gaussiancad_core.sheet.notes.sections import NamedSection, Trace
 from gaussiancad_core.sheet.notes.titles import Title, TitleKind
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.painted import painted, view_by_strokes, visible_bounds
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import ReadView, Ring

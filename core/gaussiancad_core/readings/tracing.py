@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from gaussiancad_core.opened_sheet import OpenedSheet
 from gaussiancad_core.readings.schema import Box, Point
 from gaussiancad_core.readings.shapes import shape_of
 from gaussiancad_core.sheet.file_strokes import stroke_along
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.strokes import classify_strokes
 from gaussiancad_core.sheet.view_shapes import find_shapes, view_pens, view_rhythm
 from gaussiancad_core.views import Stroke
@@ -40,7 +40,7 @@ def tracer(sheet: OpenedSheet) -> Callable[[Point, Box], Mapping[str, Any] | Non
         return tuple(_of_file(sheet, box)) or _of_ink(sheet, box)
 
     def traced(at: Point, box: Box) -> Mapping[str, Any] | None:
-        turn = sheet.clean.turn
+        turn = sheet.turn
         ((x, y),) = turn.to_upright(np.array([at])).tolist()
         found = _nearest(strokes_in(box), (x, y), _REACH_PX / turn.scale)
         return None if found is None else shape_of(found, turn)
@@ -69,7 +69,7 @@ def _of_ink(sheet: OpenedSheet, box: Box) -> tuple[Stroke, ...]:
 
 def _of_file(sheet: OpenedSheet, box: Box) -> list[Stroke]:
     """The lines of the file that meet a box; none of a sheet that lies turned."""
-    vectors, turn = sheet.image.vectors, sheet.clean.turn
+    vectors, turn = sheet.image.vectors, sheet.turn
     if vectors is None or turn.angle:
         return []
     x0, y0, x1, y1 = turn.box_to_upright(box)

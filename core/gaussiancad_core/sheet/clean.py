@@ -12,10 +12,11 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.files.painting import paint
 from gaussiancad_core.files.paper import STROKE_REACH, enlarged, even_paper, smaller
 from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.sheet.dash_gaps import dash_gap
-from gaussiancad_core.sheet.deskew import Turn, file_directions, find_turn, grown_lines
+from gaussiancad_core.sheet.deskew import Turn, find_turn, grown_lines
 from gaussiancad_core.sheet.growth import GrowthRules, grow_straight
 from gaussiancad_core.sheet.options import MEDIAN_KERNEL
 from gaussiancad_core.sheet.pale_strokes import mean_stroke_width, with_pale
@@ -42,6 +43,9 @@ _LINE_PX = 24
 
 _LEAST_LINES = 0.1
 """Share of the strokes' length that lines have at least."""
+
+_INK = 0.3
+"""Share of a pixel that painted strokes cover from which it is ink, about as in pictures."""
 
 _NOISE = 4.0
 """Standard deviations of the paper's own darkness under which there is no ink.
@@ -113,21 +117,31 @@ def clean_sheet(grey: npt.NDArray[np.uint8], median_kernel: int = MEDIAN_KERNEL)
     return CleanSheet(ink, weight, mean_stroke_width(ink, weight), unturned)
 
 
-def upright_sheet(sheet: CleanSheet, drawing: VectorDrawing | None = None) -> CleanSheet:
+def painted_sheet(drawing: VectorDrawing, shape: tuple[int, int], turn: Turn) -> CleanSheet:
+    """The ink of strokes alone, as if nothing else were drawn on the sheet.
+
+    Args:
+        drawing: in px of the upright sheet.
+        shape: height and width of the sheet, px.
+        turn: of the sheet.
+    """
+    weight = (1.0 - paint(drawing, shape[1], shape[0]) / np.float32(255.0)).astype(np.float32)
+    ink = weight > _INK
+    width = mean_stroke_width(ink, weight) if ink.any() else 0.0
+    return CleanSheet(ink, weight, width, turn)
+
+
+def upright_sheet(sheet: CleanSheet, turn: Turn | None = None) -> CleanSheet:
     """The sheet turned so that its lines are level, with the gaps of its dashes.
 
     Args:
         sheet: as stored.
-        drawing: of its file, where that has lines; they tell how it lies where they are all there
-            is on it.
+        turn: how it lies; None where its lines have to tell that.
 
     Raises:
         NoModelError: ``not-a-line-drawing``, the ink is many pieces and hardly any is a line.
     """
-    if drawing is not None and drawing.complete and drawing.strokes:
-        turn = find_turn(*file_directions(drawing), sheet.ink.shape)
-    else:
-        turn = _seen_turn(sheet)
+    turn = turn or _seen_turn(sheet)
     if turn.angle:
         ink = turn.upright(sheet.ink.astype(np.float32)) > 0.5
         sheet = replace(sheet, ink=ink, weight=turn.upright(sheet.weight), turn=turn)

@@ -1,14 +1,12 @@
 """Views by their strokes alone: the sheet as if nothing else were drawn on it."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
 
 import numpy as np
 
 from gaussiancad_core.axes import Role
-from gaussiancad_core.files.painting import paint
 from gaussiancad_core.files.vectors import Chain, VectorDrawing, VectorStroke
-from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
+from gaussiancad_core.sheet.clean import CleanSheet, painted_sheet
 from gaussiancad_core.sheet.masks import find_outline
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.precision import StrokesSource
@@ -27,9 +25,7 @@ def painted(strokes: Iterable[Stroke], clean: CleanSheet) -> CleanSheet:
         for own in strokes
         if own.linetype is Linetype.VISIBLE
     )
-    height, width = clean.ink.shape
-    part = clean_sheet(paint(VectorDrawing(chains, ()), width, height), 0)
-    return replace(part, turn=clean.turn, dash_gap=clean.dash_gap)
+    return painted_sheet(VectorDrawing(chains, ()), clean.ink.shape, clean.turn)
 
 
 def view_by_strokes(

@@ -10,13 +10,13 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.annotations.marks import values_at
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
-from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.labels.network import InkLabels, ink_labels, labels_problem
 from gaussiancad_core.sheet.labels.plain import plain_labels
 from gaussiancad_core.sheet.labels.separation import separate_by_labels
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.notes.captions import captions_of
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.scale.find import WrittenSheet, read_texts
@@ -45,8 +45,7 @@ class PictureViews:
 
 
 def picture_views(
-    image: SheetImage,
-    sheet: CleanSheet,
+    sheet: OpenedSheet,
     given: dict[Role, Box],
     projection: Projection | None,
     symbol: ProjectionSymbol | None = None,
@@ -54,8 +53,7 @@ def picture_views(
     """Label a picture's ink and find its views.
 
     Args:
-        image: as stored.
-        sheet: the same, upright.
+        sheet: as stored and upright.
         given: boxes that the user named, in px of the upright sheet.
         projection: as told by the user, or nothing: then captions tell it, or the sheet's symbol.
         symbol: of the sheet, where it was looked for and found.
@@ -65,10 +63,11 @@ def picture_views(
         UsageError: a given box holds no ink.
     """
     problem = labels_problem()
-    labels = _labels(image, sheet) if problem is None else plain_labels(sheet)
-    seen = replace(sheet, hidden_odds=labels.hidden_odds()) if problem is None else sheet
-    separated = separate_by_labels(seen, labels, _upright_tint(image.tint, sheet.turn))
-    written = read_texts(image, sheet, separated.marks)
+    clean = sheet.clean
+    labels = _labels(sheet.image, sheet.turn) if problem is None else plain_labels(clean)
+    seen = replace(clean, hidden_odds=labels.hidden_odds()) if problem is None else clean
+    separated = separate_by_labels(seen, labels, _upright_tint(sheet.image.tint, sheet.turn))
+    written = read_texts(sheet, separated.marks)
     told = symbol.projection if symbol else projection
     request = LayoutRequest(
         given,
@@ -88,9 +87,9 @@ def picture_views(
     return PictureViews(*with_symbol(*found, symbol), written, problem)
 
 
-def _labels(image: SheetImage, sheet: CleanSheet) -> InkLabels:
+def _labels(image: SheetImage, turn: Turn) -> InkLabels:
     """The labels of a sheet's pixels; the picture of a file is labelled at working scale."""
-    grey = _upright(image.grey, sheet.turn)
+    grey = _upright(image.grey, turn)
     factor = working_factor(grey) if image.vectors is not None else 1.0
     if factor == 1.0:
         return ink_labels(grey)

@@ -22,7 +22,6 @@ from gaussiancad_core.sheet.registration import (
     AxisExtents,
     Placement,
     axis_extents,
-    colourised,
     make_view,
     placement,
     scaled,
@@ -241,14 +240,14 @@ def register_views(
     for view in drawn:
         holes = _through_holes(view, drawn) if options.open_holes else ()
         opened += len(holes)
-        plain = make_view(
+        own = make_view(
             placements[view.role],
             strokes[view.role],
             view.outline.without(holes),
             view.outline,
             scale / view.outline.supersampling,
         )
-        views.append(colourised(plain, options.colour))
+        views.append(own)
     told = _scaling(shared.extents, options)
     found = ViewSet(tuple(views), size)
     return RegisteredSheet(

@@ -8,12 +8,11 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
-from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.graph.views import GraphViews, graph_views
 from gaussiancad_core.sheet.layout import Layout
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import Box, Finder
 from gaussiancad_core.sheet.picture_views import picture_views
-from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.scale.find import WrittenSheet
 from gaussiancad_core.sheet.special_views.naming import inside
 from gaussiancad_core.sheet.special_views.symbol import find_symbol
@@ -45,8 +44,7 @@ class SheetViews:
 
 
 def sheet_views(
-    image: SheetImage,
-    sheet: CleanSheet,
+    sheet: OpenedSheet,
     given: Mapping[Role, Box] | None = None,
     projection: Projection | None = None,
     finder: Finder = Finder.RIDGES,
@@ -57,8 +55,7 @@ def sheet_views(
     read from the picture.
 
     Args:
-        image: as stored.
-        sheet: the same, upright.
+        sheet: as stored and upright.
         given: boxes that the user named, in px of the upright sheet.
         projection: as told by the user, or nothing: then the sheet is asked.
         finder: only ridges take the lines of a file.
@@ -68,24 +65,23 @@ def sheet_views(
         UsageError: a given box holds no ink.
     """
     boxes = dict(given or {})
-    drawing = image.vectors if finder is Finder.RIDGES else None
-    symbol = find_symbol(image, sheet) if projection is None else None
+    drawing = sheet.image.vectors if finder is Finder.RIDGES else None
+    symbol = find_symbol(sheet) if projection is None else None
     told = projection, symbol
     try:
-        return _found(image, sheet, boxes, told, drawing)
+        return _found(sheet, boxes, told, drawing)
     except NoModelError:
         # A box alone fixes one view; what is found without it stands where it is that view there.
         if len(boxes) != 1:
             raise
-        found = _holding(image, sheet, boxes, told, drawing)
+        found = _holding(sheet, boxes, told, drawing)
         if found is None:
             raise
         return found
 
 
 def _holding(
-    image: SheetImage,
-    sheet: CleanSheet,
+    sheet: OpenedSheet,
     given: dict[Role, Box],
     told: tuple[Projection | None, ProjectionSymbol | None],
     drawing: VectorDrawing | None,
@@ -93,7 +89,7 @@ def _holding(
     """What is found without the only given box, if that is one of its views and has its name there,
     or is the only one."""
     try:
-        found = _found(image, sheet, {}, told, drawing)
+        found = _found(sheet, {}, told, drawing)
     except NoModelError:
         return None
     ((role, given_box),) = given.items()
@@ -112,8 +108,7 @@ def _is_middle_in(box: Box, around: Box) -> bool:
 
 
 def _found(
-    image: SheetImage,
-    sheet: CleanSheet,
+    sheet: OpenedSheet,
     boxes: dict[Role, Box],
     told: tuple[Projection | None, ProjectionSymbol | None],
     drawing: VectorDrawing | None,
@@ -129,16 +124,16 @@ def _found(
             # A picture of it shows no more.
             return _of_pens(by_pens)
     if drawing is not None and not drawing.complete and projection is None and symbol is None:
-        symbol = find_symbol(image, sheet, pictured=True)
+        symbol = find_symbol(sheet, pictured=True)
     try:
-        seen = picture_views(image, sheet, boxes, projection, symbol)
+        seen = picture_views(sheet, boxes, projection, symbol)
     except NoModelError:
         if by_pens is None:
             raise
         return _of_pens(by_pens)
     if by_pens is not None and _is_one(by_pens.layout, seen.layout):
         return _of_pens(by_pens)
-    vectors = VectorSheet(drawing, sheet) if drawing is not None else None
+    vectors = VectorSheet(drawing, sheet.clean) if drawing is not None else None
     return SheetViews(seen.separated, seen.layout, vectors, seen.written, seen.problem)
 
 

@@ -9,8 +9,8 @@ from dataclasses import replace
 from gaussiancad_core.axes import mutually_orthogonal
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
-from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.layout import Layout
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.registration import axis_extents
 from gaussiancad_core.sheet.special_views.finding import LayoutRequest, find_named_layout
@@ -40,7 +40,7 @@ def with_symbol(
 
 
 def arranged(
-    sheet: CleanSheet, separated: SeparatedSheet, request: LayoutRequest
+    sheet: OpenedSheet, separated: SeparatedSheet, request: LayoutRequest
 ) -> tuple[SeparatedSheet, Layout]:
     """The views, without what sticks out of them where that alone makes them belong together."""
     given = request.given
@@ -65,7 +65,7 @@ def arranged(
 
 
 def lone_view(
-    sheet: CleanSheet, separated: SeparatedSheet, request: LayoutRequest
+    sheet: OpenedSheet, separated: SeparatedSheet, request: LayoutRequest
 ) -> tuple[SeparatedSheet, Layout] | None:
     """The only view of a sheet; None where it has more, or none."""
     try:

@@ -13,8 +13,9 @@ from gaussiancad_core.drawing.raster import rasterise
 from gaussiancad_core.drawing.sheet import compose_sheet, part_lines
 from gaussiancad_core.drawing.style import PRESETS, SheetStyle
 from gaussiancad_core.samples.classed import PartClass, classed_part
-from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
+from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.geometry import Line
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.pen import Pen, fit_pen
 from gaussiancad_core.sheet.picture_views import picture_views
 from gaussiancad_core.sheet.read import SheetImage
@@ -163,7 +164,7 @@ def test_a_line_that_was_seen_in_an_arc_has_no_fillet_of_its_own() -> None:
     drawn = compose_sheet(lines, Projection.THIRD, PRESETS["clean"], 4004, title=title)
     grey = drawn.image.mean(axis=2) if drawn.image.ndim == 3 else drawn.image
     image = SheetImage(Path("sheet.png"), grey.astype(np.uint8), "")
-    seen = picture_views(image, upright_sheet(clean_sheet(image.grey)), {}, Projection.THIRD)
+    seen = picture_views(OpenedSheet(image), {}, Projection.THIRD)
     views = {view.role: view.strokes for view in read_views(seen.separated.part, seen.layout)}
     arcs = [stroke for stroke in views[Role.TOP] if isinstance(stroke, Arc)]
     assert [arc.radius for arc in arcs] == pytest.approx([15.09, 15.09], abs=0.15)

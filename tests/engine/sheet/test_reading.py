@@ -8,6 +8,7 @@ import pytest
 from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
+from gaussiancad_core.sheet.colouring import coloured
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.reading import read_views, register_views
@@ -74,8 +75,8 @@ def test_strokes_lie_on_the_part_in_millimetres(read) -> None:  # noqa: ANN001
 
 
 def test_colour_is_inside_the_mask_only(read) -> None:  # noqa: ANN001
-    views = register_views(read("l-bracket").views, ReadingOptions(colour=(10, 200, 30))).views
-    for view in views.views:
+    views = register_views(read("l-bracket").views, ReadingOptions()).views
+    for view in coloured(views, (10, 200, 30)).views:
         assert (view.colour[~view.mask] == 255).all()
         inside = view.colour[view.mask]
         assert (inside == (10, 200, 30)).all(axis=1).mean() > 0.8

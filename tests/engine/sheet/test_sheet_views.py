@@ -8,7 +8,7 @@ import pytest
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.errors import NoModelError, UsageError
-from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.sheet_views import SheetViews, sheet_views
@@ -23,7 +23,7 @@ def _found(boxes: list[tuple[int, ...]], given: dict[Role, Box]) -> SheetViews:
         cv2.rectangle(grey, (x0, y0), (x1, y1), 0, 3)
         cv2.circle(grey, ((x0 + x1) // 2, (y0 + y1) // 2), 60, 0, 3)
     image = SheetImage(Path("sheet.png"), grey, "")
-    return sheet_views(image, upright_sheet(clean_sheet(grey)), given)
+    return sheet_views(OpenedSheet(image), given)
 
 
 @pytest.mark.parametrize("role", [Role.FRONT, Role.TOP, Role.RIGHT])

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,9 +11,10 @@ from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet import view_search
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
-from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
 from gaussiancad_core.sheet.layout import Layout
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.special_views.finding import LayoutRequest
 from gaussiancad_core.sheet.view_search import arranged
 
@@ -33,8 +35,8 @@ def test_slivers_beside_a_large_figure_are_no_views(sketch) -> None:  # noqa: AN
     drawn = sketch(900, 600).lines((90, 140), (420, 140), (420, 460), (90, 460), (90, 140))
     for top, bottom in ((180, 240), (300, 400)):
         drawn.lines((700, top), (714, top), (714, bottom), (700, bottom), (700, top))
-    sheet = clean_sheet(drawn.grey)
-    separated = SeparatedSheet(sheet, ())
+    sheet = _opened(drawn.grey)
+    separated = SeparatedSheet(sheet.clean, ())
     with pytest.raises(NoModelError, match="largest figure") as caught:
         arranged(sheet, separated, LayoutRequest({}, None))
     assert caught.value.code == "views-not-aligned"
@@ -68,13 +70,17 @@ def test_what_sticks_out_is_cut_where_views_are_missing(
     _answer(monkeypatch, lambda request: cut if request.figures else plain, left)
     sheet = _blank()
     request = LayoutRequest({}, Projection.THIRD)
-    assert arranged(sheet, SeparatedSheet(sheet, ()), request)[1].boxes == found
+    assert arranged(sheet, SeparatedSheet(sheet.clean, ()), request)[1].boxes == found
 
 
-def _blank() -> CleanSheet:
+def _opened(grey: np.ndarray) -> OpenedSheet:
+    return OpenedSheet(SheetImage(Path("sheet.png"), grey, ""), 0)
+
+
+def _blank() -> OpenedSheet:
     grey = np.full((200, 300), 255, np.uint8)
     grey[100, 20:280] = grey[20:180, 100] = 0
-    return clean_sheet(grey, 0)
+    return _opened(grey)
 
 
 def _answer(
@@ -85,7 +91,7 @@ def _answer(
     """Let the search find these views, without looking at the sheet."""
 
     def find(
-        sheet: CleanSheet, separated: SeparatedSheet, request: LayoutRequest
+        sheet: OpenedSheet, separated: SeparatedSheet, request: LayoutRequest
     ) -> tuple[SeparatedSheet, Layout]:
         layout = Layout(boxes(request), Projection.THIRD, "default", (), ())
         rest = () if request.figures else left

@@ -8,7 +8,6 @@ import numpy as np
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.errors import NoModelError
-from gaussiancad_core.files.painting import paint
 from gaussiancad_core.files.vectors import (
     Line,
     StrokeKind,
@@ -18,11 +17,12 @@ from gaussiancad_core.files.vectors import (
 )
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
-from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet
+from gaussiancad_core.sheet.clean import painted_sheet
 from gaussiancad_core.sheet.graph.chains import with_whole_edges
 from gaussiancad_core.sheet.graph.labels import Label, LabelledDrawing, labelled
 from gaussiancad_core.sheet.labels.evidence import meets
 from gaussiancad_core.sheet.layout import Layout
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.special_views.finding import LayoutRequest
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
@@ -67,7 +67,7 @@ class GraphViews:
 
 def graph_views(
     drawing: VectorDrawing,
-    sheet: CleanSheet,
+    sheet: OpenedSheet,
     given: dict[Role, Box],
     projection: Projection | None,
     symbol: ProjectionSymbol | None = None,
@@ -77,7 +77,7 @@ def graph_views(
 
     Args:
         drawing: of the file, in px of the sheet as stored.
-        sheet: upright, which it has to be as stored.
+        sheet: which has to be upright as stored.
         given: boxes that the user named, in px.
         projection: as told by the user, or nothing: then the sheet's symbol tells it.
         symbol: of the sheet, where it was looked for and found.
@@ -85,7 +85,7 @@ def graph_views(
     Raises:
         UsageError: a given box holds no stroke.
     """
-    height, width = sheet.ink.shape
+    height, width = sheet.shape
     found = labelled(drawing, (width, height)) if not sheet.turn.angle else None
     if found is None:
         return None
@@ -126,21 +126,19 @@ def _is_all(found: LabelledDrawing, drawing: VectorDrawing, views: tuple[Box, ..
     return drawing.complete and inside and not fills
 
 
-def _part(found: LabelledDrawing, sheet: CleanSheet) -> tuple[SeparatedSheet, VectorSheet]:
+def _part(found: LabelledDrawing, sheet: OpenedSheet) -> tuple[SeparatedSheet, VectorSheet]:
     """The sheet with the part's strokes alone, and these."""
-    height, width = sheet.ink.shape
     drawing = VectorDrawing(
         (*with_whole_edges(found.of(Label.VISIBLE)), *found.of(Label.HIDDEN)), ()
     )
-    drawn = clean_sheet(paint(drawing, width, height), 0)
-    part = replace(drawn, turn=sheet.turn, dash_gap=sheet.dash_gap)
+    part = painted_sheet(drawing, sheet.shape, sheet.turn)
     marks = [
         mark
         for stroke, label in zip(found.strokes, found.labels, strict=True)
         if label in _MARKS and (mark := _mark(stroke, _MARKS[label])) is not None
     ]
     hatched = _hatched(found.of(Label.HATCH), part.ink)
-    return SeparatedSheet(part, tuple(marks), hatched), VectorSheet(drawing, part)
+    return SeparatedSheet(part, tuple(marks), hatched), VectorSheet(drawing)
 
 
 def _mark(stroke: VectorStroke, kind: AnnotationKind) -> Mark | None:

@@ -8,9 +8,9 @@ from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.files.content import Note
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.annotations.marks import Mark
-from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.graph.heads import arrowheads, without_heads
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView
@@ -153,8 +153,7 @@ class _Lines:
 
 
 def find_scale(
-    image: SheetImage,
-    sheet: CleanSheet,
+    sheet: OpenedSheet,
     marks: Sequence[Mark],
     drawn: Sequence[ReadView],
     written: WrittenSheet | None = None,
@@ -164,18 +163,18 @@ def find_scale(
     """Find the scale of a sheet.
 
     Args:
-        image: as read from its file.
-        sheet: the same, upright, with all of its ink.
+        sheet: as stored and upright.
         marks: annotations found on it.
         drawn: its views.
         written: what was read on it; None where nobody read it yet.
         told: unit of numbers that do not name theirs, as the user says.
     """
-    written = written or read_texts(image, sheet, marks)
+    image = sheet.image
+    written = written or read_texts(sheet, marks)
     texts, notes = written.texts, written.notes
     paper_scale, assumed = _paper_scale(image, texts)
     in_file = file_unit(image.vectors)
-    lines = _lines(image, sheet, texts, (marks, drawn))
+    lines = _lines(sheet, texts, (marks, drawn))
     dimensions = _dimensions(texts, marks, lines, bare_point_is_inch=in_file is None)
     units = Units(
         told,
@@ -223,11 +222,12 @@ def _as_stored(own: ReadDimension, turn: Turn) -> ReadDimension:
     return replace(own, box=turn.box_to_stored(own.box), mm_per_pixel=scale)
 
 
-def read_texts(image: SheetImage, sheet: CleanSheet, marks: Sequence[Mark]) -> WrittenSheet:
+def read_texts(sheet: OpenedSheet, marks: Sequence[Mark]) -> WrittenSheet:
     """The texts of a sheet: its file's, or else those that its marks show in its pixels."""
-    if _has_texts(image):
-        fields = fields_of(marks, sheet.ink.size)
-        return WrittenSheet(file_texts(image.vectors.texts, sheet.turn, fields))
+    if _has_texts(sheet.image):
+        height, width = sheet.shape
+        fields = fields_of(marks, height * width)
+        return WrittenSheet(file_texts(sheet.image.vectors.texts, sheet.turn, fields))
     if not any(mark.kind is AnnotationKind.TEXT for mark in marks):
         return WrittenSheet()
     problem = ocr_problem()
@@ -236,7 +236,7 @@ def read_texts(image: SheetImage, sheet: CleanSheet, marks: Sequence[Mark]) -> W
             "the dimensions on the sheet were not read, as OCR is {reason}", reason=problem
         )
         return WrittenSheet(notes=(Note("dimensions-not-read", message),))
-    return WrittenSheet(pixel_texts(sheet, marks))
+    return WrittenSheet(pixel_texts(sheet.clean, marks))
 
 
 def _has_texts(image: SheetImage) -> bool:
@@ -264,8 +264,7 @@ def _ratios(texts: Sequence[SheetText], field: bool) -> set[float]:
 
 
 def _lines(
-    image: SheetImage,
-    sheet: CleanSheet,
+    sheet: OpenedSheet,
     texts: Sequence[SheetText],
     found: tuple[Sequence[Mark], Sequence[ReadView]],
 ) -> _Lines:
@@ -273,11 +272,12 @@ def _lines(
     rules = mark_rules(marks)
     pairs: tuple[ArrowPair, ...] = ()
     leaders = leaders_of(marks)
-    if image.vectors is not None:
-        heads = arrowheads(image.vectors.strokes)
-        own = file_rules(without_heads(image.vectors.strokes, heads), sheet.turn)
+    drawing = sheet.image.vectors
+    if drawing is not None:
+        heads = arrowheads(drawing.strokes)
+        own = file_rules(without_heads(drawing.strokes, heads), sheet.turn)
         pairs = arrow_pairs(heads, own, texts, sheet.turn)
-        leaders += pointed_lines(heads, file_lines(image.vectors.strokes, sheet.turn), sheet.turn)
+        leaders += pointed_lines(heads, file_lines(drawing.strokes, sheet.turn), sheet.turn)
         # Marks of a file are its strokes, too, those of heads among them.
         rules = own if heads else rules + own
     rules = sorted(rules, key=lambda rule: rule.low - rule.high)[:_MOST_RULES]

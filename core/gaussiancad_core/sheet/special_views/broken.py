@@ -6,6 +6,7 @@ along the part.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import permutations
 
 import numpy as np
 import numpy.typing as npt
@@ -85,6 +86,14 @@ def find_breaks(ink: Mask, clusters: Sequence[Box], stroke_width: float) -> list
                         )
                     )
     return found
+
+
+def may_be_broken(clusters: Sequence[Box]) -> bool:
+    """Whether any two of some boxes stand to each other as the halves of a broken view do."""
+    return any(
+        _face(one, other) or _face(_swapped(one), _swapped(other))
+        for one, other in permutations(clusters, 2)
+    )
 
 
 def _swapped(box: Box) -> Box:

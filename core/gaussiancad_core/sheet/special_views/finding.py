@@ -21,9 +21,10 @@ from gaussiancad_core.sheet.layout import (
 )
 from gaussiancad_core.sheet.loose_views import arrange_loosely
 from gaussiancad_core.sheet.notes.captions import Caption, captioned, told_projection
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.silhouettes import beside, without_stickouts
-from gaussiancad_core.sheet.special_views.broken import Break, find_breaks
+from gaussiancad_core.sheet.special_views.broken import Break, find_breaks, may_be_broken
 from gaussiancad_core.sheet.special_views.halves import Half, completed, find_halves
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 from gaussiancad_core.sheet.special_views.naming import details, inside, merged, special_kind
@@ -55,7 +56,7 @@ class LayoutRequest:
 
 
 def find_named_layout(
-    sheet: CleanSheet, separated: SeparatedSheet, request: LayoutRequest
+    sheet: OpenedSheet, separated: SeparatedSheet, request: LayoutRequest
 ) -> tuple[SeparatedSheet, Layout]:
     """Find the principal views, and name what is none of them.
 
@@ -64,7 +65,7 @@ def find_named_layout(
     are one view.  A half view is completed by its mirror image where there is room for it.
 
     Args:
-        sheet: upright, with all that is on it.
+        sheet: with all that is on it.
         separated: the same without annotations.
         request: what the user said.
 
@@ -78,9 +79,11 @@ def find_named_layout(
     clusters = view_clusters(separated.part.ink, request.stub_width, has_paper=separated.has_paper)
     if request.figures:
         separated, clusters = _figures(separated, clusters)
-    breaks = find_breaks(sheet.ink, clusters, sheet.stroke_width)
+    breaks: list[Break] = []
+    if may_be_broken(clusters):
+        breaks = find_breaks(sheet.clean.ink, clusters, sheet.clean.stroke_width)
     for broken in breaks:
-        separated = _restored(sheet, separated, broken)
+        separated = _restored(sheet.clean, separated, broken)
         clusters = [box for box in clusters if box not in broken.halves] + [broken.box]
     separated, clusters, halves = _completed(separated, clusters)
     cut = _sections(separated, clusters)

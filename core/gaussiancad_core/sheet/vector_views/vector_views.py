@@ -1,5 +1,6 @@
 """Strokes of views from a file's curves, for those views whose ink they explain."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -38,15 +39,16 @@ _MOST_CHORDS = 4000
 
 @dataclass(frozen=True, eq=False)
 class VectorSheet:
-    """The exact lines of a sheet, and the sheet before annotations were taken off.
+    """The exact lines of a sheet.
 
     Attributes:
         drawing: in px of the sheet as stored.
-        whole: the upright sheet.
+        whole: the upright sheet with all of its ink, by which lines of the part are told from
+            others; None where the drawing has no others.
     """
 
     drawing: VectorDrawing
-    whole: CleanSheet
+    whole: CleanSheet | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,23 +77,37 @@ def vector_views(
         part: the upright sheet without annotations.
         layout: its views.
     """
+    if vectors.whole is None:
+        return _of_strokes(vectors.drawing.strokes, part.stroke_width, layout)[1]
     masks = InkMasks.of(vectors.whole, part)
     curves, others = part_curves(vectors.drawing.strokes, vectors.whole.turn, masks)
-    margin = _MARGIN + part.stroke_width / 2.0
+    of_view, found = _of_strokes(curves, part.stroke_width, layout)
+    return {
+        role: read
+        for role, read in found.items()
+        if _explains(read[0], _Known(of_view[role], others, masks), layout.boxes[role], part)
+    }
+
+
+def _of_strokes(
+    curves: Sequence[VectorStroke], stroke_width: float, layout: Layout
+) -> tuple[dict[Role, list[VectorStroke]], dict[Role, tuple[tuple[Stroke, ...], float]]]:
+    """The curves of each view of a layout, and the strokes that they are, with px of their grid;
+    no strokes where there are too many for a drawing."""
+    margin = _MARGIN + stroke_width / 2.0
     of_view = {
         role: [stroke for stroke in curves if _lies_in(stroke.curve, box, margin)]
         for role, box in layout.boxes.items()
     }
     usable = [role for role, own in of_view.items() if 0 < len(own) <= _MOST_CURVES]
     missed = missed_px([own.curve for own in curves])
-    tracks, dashes = tracks_and_dashes([of_view[role] for role in usable], part.stroke_width)
+    tracks, dashes = tracks_and_dashes([of_view[role] for role in usable], stroke_width)
     found = {}
     for role, own in zip(usable, tracks, strict=True):
         strokes = strokes_of(own, of_view[role], dashes)
-        known = _Known(of_view[role], others, masks)
-        if _explains(strokes, known, layout.boxes[role], part):
+        if any(stroke.linetype is Linetype.VISIBLE for stroke in strokes):
             found[role] = strokes, max(missed, *(own.step for own in of_view[role]))
-    return found
+    return of_view, found
 
 
 def _lies_in(curve: Curve, box: Box, margin: float) -> bool:
@@ -107,9 +123,6 @@ def _explains(strokes: tuple[Stroke, ...], known: _Known, box: Box, part: CleanS
 
     What the file draws and is not the part's need not be explained.
     """
-    solid = [stroke for stroke in strokes if stroke.linetype is Linetype.VISIBLE]
-    if not solid:
-        return False
     widths = [stroke.width for stroke in known.curves if stroke.width is not None]
     width = int(np.ceil(max([part.stroke_width, *widths]))) + 3
     x0, y0 = (max(0, int(value - _MARGIN)) for value in box[:2])

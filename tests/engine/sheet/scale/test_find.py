@@ -17,7 +17,7 @@ from gaussiancad_core.drawing.style import parse_style
 from gaussiancad_core.files.vectors import VectorDrawing, VectorText
 from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.annotations.marks import Mark
-from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.picture_views import picture_views
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
@@ -42,14 +42,13 @@ class Case:
 
     drawn: Sheet
     grey: Grey
-    clean: CleanSheet
     marks: tuple[Mark, ...]
     views: tuple[ReadView, ...]
 
     def scale(self, **image: object) -> SheetScale:
         """The scale of the sheet as an image of given properties."""
         read = SheetImage(Path("sheet.png"), self.grey, "", **image)
-        return find_scale(read, self.clean, self.marks, self.views)
+        return find_scale(OpenedSheet(read), self.marks, self.views)
 
     @property
     def texts(self) -> tuple[VectorText, ...]:
@@ -68,11 +67,10 @@ def case(part: str, style: str) -> Case:
     look = parse_style(STYLES[style])
     drawn = draw_sheet(sample(part).build(), roles, Projection.THIRD, look)
     grey = cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)
-    clean = upright_sheet(clean_sheet(grey))
     image = SheetImage(Path("sheet.png"), grey, "")
-    found = picture_views(image, clean, {}, Projection.THIRD)
+    found = picture_views(OpenedSheet(image), {}, Projection.THIRD)
     views = read_views(found.separated.part, found.layout)
-    return Case(drawn, grey, clean, found.separated.marks, views)
+    return Case(drawn, grey, found.separated.marks, views)
 
 
 def dimension_texts(sheet: Sheet) -> list[str]:

@@ -13,8 +13,9 @@ from gaussiancad_core.drawing.sheet import PartLines, Sheet, compose_sheet, part
 from gaussiancad_core.drawing.style import SectionKind, parse_style
 from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
-from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
+from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.layout import Layout
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.picture_views import picture_views
 from gaussiancad_core.sheet.read import SheetImage
 
@@ -52,10 +53,9 @@ def _found(part: str, style: str, roles: str, projection: str) -> Found:
     look = parse_style(f"{style},width=1440,height=900")
     drawn = compose_sheet(_lines(part, roles), Projection(projection), look)
     grey = cv2.cvtColor(drawn.image, cv2.COLOR_RGB2GRAY)
-    clean = upright_sheet(clean_sheet(grey))
-    image = SheetImage(Path("sheet.png"), grey, "")
-    seen = picture_views(image, clean, {}, Projection(projection))
-    return Found(drawn, clean, seen.separated, seen.layout)
+    sheet = OpenedSheet(SheetImage(Path("sheet.png"), grey, ""))
+    seen = picture_views(sheet, {}, Projection(projection))
+    return Found(drawn, sheet.clean, seen.separated, seen.layout)
 
 
 @pytest.fixture(scope="session")

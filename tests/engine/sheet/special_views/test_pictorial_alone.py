@@ -10,7 +10,7 @@ from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.sheet import part_lines
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.samples import sample
-from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.sheet_views import sheet_views
 from gaussiancad_core.views import Linetype
@@ -19,7 +19,7 @@ from gaussiancad_core.views import Linetype
 def _refusal(grey: np.ndarray) -> NoModelError:
     image = SheetImage(Path("sheet.png"), grey, "")
     with pytest.raises(NoModelError) as caught:
-        sheet_views(image, upright_sheet(clean_sheet(grey)))
+        sheet_views(OpenedSheet(image))
     return caught.value
 
 

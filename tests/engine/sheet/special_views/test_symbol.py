@@ -16,6 +16,7 @@ from gaussiancad_core.drawing.sheet import PartLines, compose_sheet, part_lines
 from gaussiancad_core.drawing.style import SheetStyle, parse_style
 from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.sheet_views import SheetViews, sheet_views
 from gaussiancad_core.sheet.special_views.symbol_pixels import pixel_symbol
@@ -43,7 +44,7 @@ def _symbol(sheet: CleanSheet) -> ProjectionSymbol | None:
 def _views(projection: Projection, told: Projection | None) -> SheetViews:
     grey = _grey(projection, "dimensioned")
     image = SheetImage(Path("sheet.png"), grey, "")
-    return sheet_views(image, upright_sheet(clean_sheet(grey)), {}, told)
+    return sheet_views(OpenedSheet(image), {}, told)
 
 
 @pytest.mark.parametrize("projection", Projection)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.axes import Projection
-from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.picture_views import picture_views
 from gaussiancad_core.sheet.precision import StrokesSource
@@ -25,9 +25,9 @@ def read(path, change=lambda grey: grey) -> tuple[ReadView, ...]:  # noqa: ANN00
     """The views of a file, its picture changed before it is looked at."""
     stored = read_sheet(path)
     image = replace(stored, grey=change(stored.grey))
-    clean = upright_sheet(clean_sheet(image.grey))
-    seen = picture_views(image, clean, {}, Projection.THIRD)
-    vectors = VectorSheet(image.vectors, clean)
+    sheet = OpenedSheet(image)
+    seen = picture_views(sheet, {}, Projection.THIRD)
+    vectors = VectorSheet(image.vectors, sheet.clean)
     return read_views(seen.separated.part, seen.layout, vectors=vectors)
 
 

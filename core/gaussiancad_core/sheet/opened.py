@@ -1,0 +1,77 @@
+"""A sheet as it was stored, and upright: how it lies, and its ink where anybody asks for it.
+
+The strokes of a file tell how it lies, and what it shows, without a look at their picture.
+"""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
+from gaussiancad_core.sheet.deskew import Turn, file_directions, find_turn
+from gaussiancad_core.sheet.options import MEDIAN_KERNEL
+from gaussiancad_core.sheet.read import SheetImage
+
+
+@dataclass(frozen=True, eq=False)
+class OpenedSheet:
+    """A sheet as it was stored and upright.
+
+    Attributes:
+        image: as stored.
+        median_kernel: side in px of the filter that takes specks off its ink; 0 for none.
+    """
+
+    image: SheetImage
+    median_kernel: int = MEDIAN_KERNEL
+
+    @cached_property
+    def turn(self) -> Turn:
+        """By which it is turned to be upright, and px of the sheet as stored per px of it.
+
+        The strokes of a file tell it where they are all there is on the sheet.
+
+        Raises:
+            NoModelError: as of :attr:`clean`, which is asked where no strokes tell it.
+        """
+        return self._by_strokes or self.clean.turn
+
+    @cached_property
+    def clean(self) -> CleanSheet:
+        """The ink of the upright sheet, told from its paper.
+
+        Raises:
+            NoModelError: there is no ink, or too much of it for a line drawing.
+        """
+        ink = clean_sheet(self.image.grey, self.median_kernel)
+        found = upright_sheet(ink, self._by_strokes)
+        return replace(found, turn=self._scaled(found.turn))
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Height and width of the upright sheet, px."""
+        height, width = self.image.grey.shape
+        return height, width
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height of the sheet as stored, px."""
+        height, width = self.image.grey.shape
+        return round(width * self.image.reduction), round(height * self.image.reduction)
+
+    @property
+    def picture(self) -> tuple[npt.NDArray[np.uint8], float]:
+        """(h, w) uint8, and px of the sheet as stored per px of it."""
+        return self.image.grey, self.image.reduction
+
+    @cached_property
+    def _by_strokes(self) -> Turn | None:
+        drawing = self.image.vectors
+        if drawing is None or not drawing.complete or not drawing.strokes:
+            return None
+        return self._scaled(find_turn(*file_directions(drawing), self.shape))
+
+    def _scaled(self, turn: Turn) -> Turn:
+        return replace(turn, scale=self.image.reduction)
