@@ -39,6 +39,8 @@ _TITLE = 0.3
 """Distance from a view to its title at most, in the sheet's shorter side."""
 
 Point = npt.NDArray[np.float64]
+Ends = npt.NDArray[np.float64]
+"""(n, 2, 2) ends of lines, px."""
 
 
 @dataclass(frozen=True)
@@ -106,6 +108,7 @@ def named_sections(
     boxes = [*named.values(), *others]
     found = []
     taken: set[str] = set()
+    ends = np.array(lines, dtype=float).reshape(-1, 2, 2)
     titled = [(text, title) for text in texts if (title := parse_title(text.text)) is not None]
     sections = [own for own in titled if own[1].kind is TitleKind.SECTION]
     labels = {title.label for _, title in sections}
@@ -116,7 +119,7 @@ def named_sections(
         if box is None:
             continue
         taken.add(title.label)
-        trace = _trace(title.label, _letters(title.label, labels, texts), heads, lines, turn)
+        trace = _trace(title.label, _letters(title.label, labels, texts), heads, ends, turn)
         found.append(_placed(NamedSection(title, box, trace), named))
     return tuple(found)
 
@@ -151,7 +154,7 @@ def _trace(
     label: str,
     letters: Sequence[Box],
     heads: Sequence[Head],
-    lines: Sequence[Leader],
+    lines: Ends,
     turn: Turn,
 ) -> Trace | None:
     arrows = []
@@ -187,18 +190,14 @@ def _trace(
     return Trace(label, ends, way, stepped_path(ends, way, lines))
 
 
-def _square_at(point: Point, way: Point, lines: Sequence[Leader]) -> float | None:
+def _square_at(point: Point, way: Point, lines: Ends) -> float | None:
     """Px along a direction from a point to the line square to it that the point stands on; None
     where there is none. A tip may end at the edge of a wide line."""
-    across = np.array([-way[1], way[0]])
-    found = []
-    for start, end in lines:
-        ahead = [float((own - point) @ way) for own in (start, end)]
-        beside = sorted(float((own - point) @ across) for own in (start, end))
-        level = max(map(abs, ahead)) <= _ON_LINE and beside[1] - beside[0] > 2.0 * _ON_LINE
-        if level and beside[0] <= _ON_LINE and beside[1] >= -_ON_LINE:
-            found.append(sum(ahead) / 2.0)
-    return min(found, key=abs, default=None)
+    ahead = (lines - point) @ way
+    beside = np.sort((lines - point) @ np.array([-way[1], way[0]]), axis=1)
+    level = (np.abs(ahead).max(axis=1) <= _ON_LINE) & (np.ptp(beside, axis=1) > 2.0 * _ON_LINE)
+    found = ahead[level & (beside[:, 0] <= _ON_LINE) & (beside[:, 1] >= -_ON_LINE)].mean(axis=1)
+    return min(found.tolist(), key=abs, default=None)
 
 
 def _steps(pair: tuple[tuple[Point, Point], tuple[Point, Point]]) -> float:

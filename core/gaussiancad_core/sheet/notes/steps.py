@@ -6,7 +6,7 @@ from math import hypot
 import numpy as np
 import numpy.typing as npt
 
-from gaussiancad_core.sheet.scale.leaders import Leader
+from gaussiancad_core.sheet.scale.leaders import Lines
 
 _BESIDE = 3.0
 """px between lines that run along each other."""
@@ -23,9 +23,7 @@ _MOST = 12
 Place = tuple[float, float]
 
 
-def stepped_path(
-    ends: tuple[Place, Place], way: Place, lines: Sequence[Leader]
-) -> tuple[Place, ...]:
+def stepped_path(ends: tuple[Place, Place], way: Place, lines: Lines) -> tuple[Place, ...]:
     """The corners of a cutting line; nothing where its steps are not found.
 
     Args:
@@ -62,7 +60,7 @@ Spans = npt.NDArray[np.float64]
 """(n, 3): where a line lies, from where and to where it runs."""
 
 
-def _sorted(lines: Sequence[Leader], along: np.ndarray, across: np.ndarray) -> tuple[Spans, Spans]:
+def _sorted(lines: Lines, along: np.ndarray, across: np.ndarray) -> tuple[Spans, Spans]:
     """Lines that run along a cutting line, and those that run square to it."""
     flat, steep = [], []
     for start, end in lines:

@@ -17,6 +17,8 @@ from gaussiancad_core.views import Arc
 Points = npt.NDArray[np.float64]
 Leader = tuple[Points, Points]
 """(2,) px each of the two ends of its slanted line."""
+Lines = Sequence[Leader] | Points
+"""Lines by their ends, (n, 2, 2) px."""
 
 _NARROW = frozenset(
     {
@@ -53,7 +55,7 @@ def leaders_of(marks: Iterable[Mark]) -> list[Leader]:
     ]
 
 
-def pointed_lines(heads: Iterable[Head], lines: Sequence[Leader], turn: Turn) -> list[Leader]:
+def pointed_lines(heads: Iterable[Head], lines: Lines, turn: Turn) -> list[Leader]:
     """Lines that end in an arrowhead, in whatever direction, each from its far end to the tip.
 
     Args:
@@ -61,9 +63,7 @@ def pointed_lines(heads: Iterable[Head], lines: Sequence[Leader], turn: Turn) ->
         lines: px of the upright sheet.
         turn: of the sheet.
     """
-    if not lines:
-        return []
-    ends = np.array(lines)
+    ends = np.array(lines, dtype=float).reshape(-1, 2, 2)
     ways = ends[:, 1] - ends[:, 0]
     ways = ways / np.maximum(np.hypot(*ways.T), 1e-9)[:, None]
     found = []
