@@ -76,7 +76,8 @@ class SheetFit:
 
     Attributes:
         views: by role; those that are seen from elsewhere are left out.
-        count: of the principal views that were read.
+        count: of the principal views that were read; sections are not asked, as the part has not
+            their lines.
         mm_per_px: of those that are right.
     """
 
@@ -87,7 +88,7 @@ class SheetFit:
     @property
     def right(self) -> bool:
         """Whether there are views, and all have their roles."""
-        return self.count > 1 and len(self.views) == self.count
+        return self.count > 0 and len(self.views) == self.count
 
     def strokes(self) -> tuple[float, float]:
         """The least precision and recall of visible lines."""
@@ -99,7 +100,9 @@ def fit_of(reading: SheetReading, part: TopoDS_Shape) -> SheetFit:
     """How a reading lies on the true part."""
     sides = _sides(moved_to_origin(part))
     views = {
-        Role(view.role.value): view for view in reading.views if view.used and _is_principal(view)
+        Role(view.role.value): view
+        for view in reading.views
+        if view.used and _is_principal(view) and not view.hatch
     }
     read = {role: _read(reading, view) for role, view in views.items()}
     best: tuple[float, SheetFit] = (-1.0, SheetFit({}, len(views), None))
