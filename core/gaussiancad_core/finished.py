@@ -10,9 +10,6 @@ from gaussiancad_core import __version__
 from gaussiancad_core.modes import Status
 from gaussiancad_core.versions import ENGINE_PACKAGES, installed_versions
 
-REPORT_FILE = "report.json"
-"""Of a run; it is put in place last."""
-
 
 def file_facts(entries: Iterable[Path]) -> dict[str, dict[str, Any]]:
     """Size in bytes and SHA-256 of files, and of all files in folders, by their path from where the

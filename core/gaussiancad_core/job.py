@@ -1,11 +1,13 @@
 """What a ``reconstruct`` run is asked to do."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from gaussiancad_core.files.opening import head_of
 from gaussiancad_core.finished import sha256
+from gaussiancad_core.foreign_files import check_no_foreign
 from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind
 from gaussiancad_core.outputs import check_writable
 from gaussiancad_core.sheet.options import ReadingOptions
@@ -39,6 +41,7 @@ class Job:
         resume: keep the results of an earlier run of the same job, or go on with its training.
         given: a ``reading.json`` that is taken instead of reading the sheet.
         corrections: a ``corrections.json`` that is applied to what was read.
+        overwrite: whether files that no run made are replaced.
         transforms: whether the cameras are written for nerfstudio, too.
         scale_down: the edges of the images that are trained on are divided by this.
     """
@@ -57,16 +60,22 @@ class Job:
     transforms: bool = False
     given: Path | None = None
     corrections: Path | None = None
+    overwrite: bool = False
 
-    def check(self) -> None:
+    def check(self, names: Iterable[str] = ()) -> None:
         """Tell what is wrong with the paths before anything is loaded.
+
+        Args:
+            names: of the files that will be written.
 
         Raises:
             UnreadableError: the sheet is missing, empty, or of a kind that is not read.
-            UsageError: ``output-not-writable``.
+            UsageError: ``output-not-writable``, ``foreign-files``.
         """
         head_of(self.sheet)
         check_writable(self.output)
+        if not self.overwrite:
+            check_no_foreign(self.output, names)
 
     def settings(self) -> dict[str, Any]:
         """What determines the result beside the sheet, as JSON values."""

@@ -71,8 +71,13 @@ def boxes_of(message: str) -> tuple[Box, ...]:
 
 
 def on_one_line(message: str) -> Message:
-    """The same without line breaks."""
-    return filled(" ".join(message.split()), args_of(message), boxes_of(message))
+    """The same without line breaks, and with an escape for what else does not print."""
+    plain = "".join(own if own.isprintable() else _escape(own) for own in " ".join(message.split()))
+    return filled(plain, args_of(message), boxes_of(message))
+
+
+def _escape(character: str) -> str:
+    return character.encode("unicode_escape").decode("ascii")
 
 
 def told(code: str, message: str) -> dict[str, Any]:

@@ -9,9 +9,11 @@ is to go on from it.
 """
 
 import errno
+import json
 import os
 import shutil
 import tempfile
+from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -26,12 +28,22 @@ STAGING_PREFIX = ".gaussiancad-"
 _LOCK = "lock"
 """File in a staging folder that is locked as long as its process lives."""
 
+PUBLISHED_FILE = f"{STAGING_PREFIX}published.json"
+"""Names of what went ahead of a report that is not there yet."""
+
 CHECKPOINT_FILE = f"{STAGING_PREFIX}checkpoint.npz"
 """State of a training that was not finished."""
+
+REPORT_FILE = "report.json"
+"""Of a run; it is put in place last."""
+
+READ_FILES = ("reading.json", "reading.png", "sheet.png", "lines.dxf", "lines.svg")
+"""What a ``read`` run writes."""
 
 RUN_FILES = (
     "reading.json",
     "solid.step",
+    "construction.json",
     "alternatives",
     "surface.stl",
     "surface.ply",
@@ -105,6 +117,7 @@ class OutputFolder:
         try:
             self.checkpoint.unlink(missing_ok=True)
             self._put_in_place()
+            (self.path / PUBLISHED_FILE).unlink(missing_ok=True)
             self._remove_staging()
         except OSError as error:
             raise _folder_error(self.path, error) from error
@@ -119,6 +132,7 @@ class OutputFolder:
             # On the disk before it has its name, so that no name stands for half a file.
             for path in (entry, *(entry.rglob("*") if entry.is_dir() else ())):
                 sync(path)
+        self._tell_published(entry.name for entry in staged)
         for entry in staged:
             target = self.path / entry.name
             if target.is_dir():
@@ -126,6 +140,13 @@ class OutputFolder:
             entry.replace(target)
             self._ahead.add(entry.name)
         sync(self.path)
+
+    def _tell_published(self, names: Iterable[str]) -> None:
+        """Note what this run puts in place, for a later one that finds no report."""
+        note = json.dumps({"names": sorted({*self._ahead, *names})})
+        path = self.staging / PUBLISHED_FILE
+        path.write_text(note, encoding="utf-8")
+        path.replace(self.path / PUBLISHED_FILE)
 
     def clear(self) -> None:
         """Remove what is in the staging folder."""

@@ -14,12 +14,12 @@ from gaussiancad_core.errors import (
     is_out_of_memory,
 )
 from gaussiancad_core.events import Listener, Progress, cancellation_behind
-from gaussiancad_core.finished import REPORT_FILE, finished_report
+from gaussiancad_core.finished import finished_report
 from gaussiancad_core.job import Job
 from gaussiancad_core.messages import Message
 from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
 from gaussiancad_core.opened_sheet import open_image, tell_image
-from gaussiancad_core.outputs import RUN_FILES, OutputFolder, os_error
+from gaussiancad_core.outputs import REPORT_FILE, RUN_FILES, OutputFolder, os_error
 from gaussiancad_core.page_choice import naming_pages, page_instead, tell_page
 from gaussiancad_core.report import Report, ViewReport
 from gaussiancad_core.run_notes import RunNotes
@@ -81,7 +81,7 @@ def reconstruct(job: Job, listener: Listener, kept: OpenedSheet | None = None) -
 
     Raises:
         GaussianCadError: the run failed; for :class:`NoModelError` and :class:`LimitError` the
-            report is written all the same.
+            report is written all the same, and where the run met what nobody foresaw.
     """
     folder = OutputFolder(job.output, RUN_FILES, REPORT_FILE)
     run = _Run(job, folder, Progress(listener, len(stages_of(job.result, job.recipe))))
@@ -96,20 +96,27 @@ def reconstruct(job: Job, listener: Listener, kept: OpenedSheet | None = None) -
     except (NoModelError, LimitError) as error:
         run.write_failure(error)
         raise
+    except GaussianCadError:
+        raise
     except OSError as error:
-        if isinstance(error, GaussianCadError):
-            raise
         raise os_error(job.output, error) from error
     except Exception as error:
-        if not is_out_of_memory(error):
-            raise
-        failure = LimitError(
-            "out-of-memory", "the memory does not suffice: use --preset draft or a smaller sheet"
-        )
+        failure = _failure(error, job)
         run.write_failure(failure)
         raise failure from error
     finally:
         folder.discard(keep_checkpoint=job.resume)
+
+
+def _failure(error: Exception, job: Job) -> GaussianCadError:
+    """What is told of an error that no stage foresaw."""
+    if is_out_of_memory(error):
+        return LimitError(
+            "out-of-memory", "the memory does not suffice: use --preset draft or a smaller sheet"
+        )
+    from gaussiancad_core.unforeseen import unforeseen
+
+    return unforeseen(error, [job.sheet])
 
 
 class _Run:

@@ -145,7 +145,7 @@ class Desk:
     def _solve(self, request: Request) -> dict[str, Any]:
         """A run with its report; corrections are those of the request alone."""
         from gaussiancad_core.cli.libraries import silence_opencascade
-        from gaussiancad_core.finished import REPORT_FILE
+        from gaussiancad_core.outputs import REPORT_FILE
         from gaussiancad_core.pipeline import reconstruct
 
         silence_opencascade()

@@ -6,7 +6,14 @@ from pathlib import Path
 import pytest
 
 from gaussiancad_core.errors import UsageError
-from gaussiancad_core.outputs import RUN_FILES, STAGING_PREFIX, OutputFolder, check_writable
+from gaussiancad_core.foreign_files import check_no_foreign
+from gaussiancad_core.outputs import (
+    PUBLISHED_FILE,
+    RUN_FILES,
+    STAGING_PREFIX,
+    OutputFolder,
+    check_writable,
+)
 
 
 def _folder(path: Path) -> OutputFolder:
@@ -42,7 +49,12 @@ def test_what_goes_ahead_sweeps_away_an_earlier_run_and_stays(tmp_path: Path) ->
     (folder.staging / "pictures" / "1.png").write_text("new")
     folder.publish()
     assert folder.ahead
-    assert {p.name for p in tmp_path.iterdir()} == {"mine.txt", "pictures", folder.staging.name}
+    assert {p.name for p in tmp_path.iterdir()} == {
+        "mine.txt",
+        "pictures",
+        folder.staging.name,
+        PUBLISHED_FILE,
+    }
     (folder.staging / "model.stl").write_text("new")
     (folder.staging / "report.json").write_text("{}")
     folder.commit()
@@ -61,7 +73,9 @@ def test_what_went_ahead_outlives_a_run_that_stops(tmp_path: Path) -> None:
     folder.publish()
     (folder.staging / "report.json").write_text("half")
     folder.discard()
-    assert [p.name for p in (tmp_path / "out").iterdir()] == ["model.stl"]
+    assert {p.name for p in (tmp_path / "out").iterdir()} == {"model.stl", PUBLISHED_FILE}
+    # The next run knows whose it is.
+    check_no_foreign(tmp_path / "out", ["model.stl"])
 
 
 @pytest.mark.parametrize("below", ["file", "file/below", "file/far/below"])

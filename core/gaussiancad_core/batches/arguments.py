@@ -19,5 +19,9 @@ def job_arguments(job: Job) -> list[str]:
         arguments += ["--mm-per-pixel", str(settings["mm_per_pixel"])]
     arguments += ["--median", str(settings["median_kernel"])]
     arguments += ["--device", job.device.value, "--scale-down", str(job.scale_down)]
-    switches = {"--resume": job.resume, "--transforms": job.transforms}
+    switches = {
+        "--resume": job.resume,
+        "--transforms": job.transforms,
+        "--overwrite": job.overwrite,
+    }
     return [*arguments, *(name for name, wanted in switches.items() if wanted)]

@@ -21,9 +21,9 @@ from gaussiancad_core.batches.page import PAGE_FILE, page_bytes
 from gaussiancad_core.batches.table import REPORT_FILE, BatchRow, table_bytes
 from gaussiancad_core.drawing.files import write_whole
 from gaussiancad_core.errors import CancelledError, ExitCode, LimitError, UsageError
-from gaussiancad_core.finished import REPORT_FILE as SHEET_REPORT
 from gaussiancad_core.finished import finished_report, sha256
 from gaussiancad_core.modes import Status
+from gaussiancad_core.outputs import REPORT_FILE as SHEET_REPORT
 from gaussiancad_core.outputs import os_error
 from gaussiancad_core.processes.supervisor import Ended, ProcessLimits, Supervisor
 from gaussiancad_core.sheet_names import folder_names

@@ -4,15 +4,21 @@ Each subcommand has a module of its own that adds its parser and runs it; heavy 
 imported once a command runs.
 """
 
+import errno
+import os
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 
 from gaussiancad_core.cli.libraries import prepare_environment
 from gaussiancad_core.cli.parser import build_parser
 from gaussiancad_core.errors import (
     CancelledError,
+    EngineError,
     ExitCode,
     GaussianCadError,
+    LimitError,
+    UsageError,
     is_out_of_memory,
 )
 from gaussiancad_core.events import (
@@ -22,7 +28,7 @@ from gaussiancad_core.events import (
     cancel_on_stdin,
     open_event_stream,
 )
-from gaussiancad_core.messages import Message, on_one_line, told
+from gaussiancad_core.messages import on_one_line, told
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -37,34 +43,78 @@ def main(arguments: Sequence[str] | None = None) -> int:
             listener = open_event_stream()
             if not options.serves:
                 cancel_on_stdin()
-        return int(options.run(options, listener))
-    except GaussianCadError as error:
-        return _tell(listener, error.code, error.message, error.exit_code)
-    except (SystemError, ImportError) as error:
-        # A compiled function or a module that is interrupted says only that it failed.
-        cancelled = cancellation.raised
-        if cancelled is not None:
-            return _tell(listener, cancelled.code, cancelled.message, cancelled.exit_code)
-        if isinstance(error, SystemError):
-            raise
-        message = Message(
-            "the engine is incomplete ({reason}): run `gaussiancad doctor`", reason=error
-        )
-        return _tell(listener, "engine-incomplete", message, ExitCode.ENGINE)
-    except KeyboardInterrupt:
-        return _tell(listener, "cancelled", "stopped by SIGINT", CancelledError.exit_code)
-    except Exception as error:
-        if not is_out_of_memory(error):
-            raise
-        message = "the memory does not suffice: use --preset draft or a smaller file"
-        return _tell(listener, "out-of-memory", message, ExitCode.LIMIT)
+        code = int(options.run(options, listener))
+        # What is still to be printed may find no reader, or no room.
+        sys.stdout.flush()
+    except BrokenPipeError:
+        # Who reads has read enough, as `head` does.
+        _drop_output()
+        return int(ExitCode.DONE)
+    except (Exception, KeyboardInterrupt) as error:
+        found = _meaning(error, cancellation, options.arguments)
+        line = on_one_line(found.message)
+        print(f"gaussiancad: {line} [{found.code}]", file=sys.stderr, flush=True)
+        listener.send("error", **told(found.code, line), exit_code=int(found.exit_code))
+        return int(found.exit_code)
     finally:
         cancellation.end()
+    return code
 
 
-def _tell(listener: Listener, code: str, message: str, exit_code: ExitCode) -> int:
-    """One line on stderr, one event, and the exit code."""
-    line = on_one_line(message)
-    print(f"gaussiancad: {line} [{code}]", file=sys.stderr, flush=True)
-    listener.send("error", **told(code, line), exit_code=int(exit_code))
-    return int(exit_code)
+def _meaning(
+    error: BaseException, cancellation: Cancellation, arguments: Sequence[str]
+) -> GaussianCadError:
+    """What a person is told of an error that ended a command."""
+    known = error if isinstance(error, GaussianCadError) else None
+    if isinstance(error, SystemError | ImportError):
+        # A compiled function or a module that is interrupted says only that it failed.
+        known = cancellation.raised
+    if known is not None:
+        return known
+    if isinstance(error, KeyboardInterrupt):
+        return CancelledError("cancelled", "stopped by SIGINT")
+    if isinstance(error, ImportError):
+        return EngineError(
+            "engine-incomplete",
+            "the engine is incomplete ({reason}): run `gaussiancad doctor`",
+            reason=error,
+        )
+    if is_out_of_memory(error):
+        return LimitError(
+            "out-of-memory", "the memory does not suffice: use --preset draft or a smaller file"
+        )
+    if isinstance(error, OSError) and (known := _of_system(error)) is not None:
+        return known
+    from gaussiancad_core.unforeseen import unforeseen
+
+    return unforeseen(error, [Path(own) for own in arguments if _is_file(own)])
+
+
+def _of_system(error: OSError) -> GaussianCadError | None:
+    """What is told where the system refused a file; nothing where it named none."""
+    if error.errno in (errno.ENOSPC, errno.EDQUOT):
+        _drop_output()
+        return LimitError(
+            "disk-full", "no space is left where the output is written: free some, then retry"
+        )
+    if error.filename is None or error.strerror is None:
+        return None
+    return UsageError(
+        "path-not-usable",
+        "{path} cannot be used ({reason}): choose another name or folder",
+        path=error.filename,
+        reason=error.strerror,
+    )
+
+
+def _is_file(name: str) -> bool:
+    try:
+        return Path(name).is_file()
+    except (OSError, ValueError):
+        return False
+
+
+def _drop_output() -> None:
+    """Let what is left to be printed go nowhere: at its end Python prints it."""
+    with open(os.devnull, "wb") as nowhere:
+        os.dup2(nowhere.fileno(), sys.stdout.fileno())

@@ -75,10 +75,16 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
     """Reconstruct the sheets, some at a time."""
     greet(listener)
     from gaussiancad_core.batches.inputs import collect_sheets
+    from gaussiancad_core.batches.manifest import MANIFEST_FILE
+    from gaussiancad_core.batches.page import PAGE_FILE
     from gaussiancad_core.batches.running import BatchSettings, run_batch
     from gaussiancad_core.batches.table import REPORT_FILE
+    from gaussiancad_core.foreign_files import check_no_foreign
     from gaussiancad_core.processes.supervisor import ProcessLimits
 
+    made_before = (options.output / MANIFEST_FILE).is_file()
+    if not options.overwrite and not made_before:
+        check_no_foreign(options.output, (REPORT_FILE, PAGE_FILE))
     job = job_of(options, Path(), options.output)
     sheets = collect_sheets(options.sheets, job, lambda own: _job_with(options, own))
     limits = ProcessLimits(int(options.memory * 2**30), options.seconds)

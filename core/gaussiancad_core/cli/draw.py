@@ -8,6 +8,7 @@ from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.cli import values
 from gaussiancad_core.errors import ExitCode
 from gaussiancad_core.events import Listener
+from gaussiancad_core.messages import on_one_line
 
 
 def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -50,5 +51,6 @@ def run(options: argparse.Namespace, _listener: Listener) -> ExitCode:
         parse_style(options.style),
         seed=options.seed,
     )
-    print(f"{options.sheet}: {len(drawn.views)} views, {drawn.mm_per_pixel:.6g} mm per px")
+    name = on_one_line(str(options.sheet))
+    print(f"{name}: {len(drawn.views)} views, {drawn.mm_per_pixel:.6g} mm per px")
     return ExitCode.DONE

@@ -6,6 +6,7 @@ from pathlib import Path
 from gaussiancad_core.cli.pages import add_page_option, run_pages
 from gaussiancad_core.cli.reconstruct import (
     add_events_option,
+    add_overwrite_option,
     add_reading_files,
     add_reading_options,
     greet,
@@ -14,6 +15,8 @@ from gaussiancad_core.cli.reconstruct import (
 from gaussiancad_core.errors import ExitCode
 from gaussiancad_core.events import Listener
 from gaussiancad_core.job import Job, corrections_beside
+from gaussiancad_core.messages import on_one_line
+from gaussiancad_core.outputs import READ_FILES
 
 
 def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -26,6 +29,7 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
     add_page_option(parser)
     add_reading_options(parser)
     add_reading_files(parser)
+    add_overwrite_option(parser)
     add_events_option(parser)
     parser.set_defaults(run=run)
 
@@ -44,8 +48,9 @@ def _run_page(options: argparse.Namespace, listener: Listener) -> ExitCode:
         page=options.page,
         given=options.reading,
         corrections=options.corrections or corrections_beside(options.sheet, options.page),
+        overwrite=options.overwrite,
     )
-    job.check()
+    job.check(READ_FILES)
 
     from gaussiancad_core.reading_run import READING_FILE, read_to_file
 
@@ -55,8 +60,8 @@ def _run_page(options: argparse.Namespace, listener: Listener) -> ExitCode:
     listener.send("result", path=str(path), refused=len(refused))
     if not options.events:
         views = ", ".join(view.role.value for view in reading.views if view.used) or "no view"
-        print(f"read: {path}")
+        print(f"read: {on_one_line(str(path))}")
         print(f"  {views}; {len(reading.strokes)} strokes")
         for problem in reading.problems:
-            print(f"  {problem.severity}: {problem.message} [{problem.code}]")
+            print(f"  {problem.severity}: {on_one_line(problem.message)} [{problem.code}]")
     return ExitCode.DONE

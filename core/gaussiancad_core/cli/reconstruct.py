@@ -13,7 +13,9 @@ from gaussiancad_core.cli.pages import add_page_option, run_pages
 from gaussiancad_core.errors import ExitCode, UsageError
 from gaussiancad_core.events import PROTOCOL, Listener
 from gaussiancad_core.job import Job, corrections_beside
+from gaussiancad_core.messages import on_one_line
 from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind
+from gaussiancad_core.outputs import REPORT_FILE, RUN_FILES
 from gaussiancad_core.sheet.options import MEDIAN_KERNEL, FileUnit, Finder, ReadingOptions
 
 if TYPE_CHECKING:
@@ -88,7 +90,7 @@ def add_reading_options(parser: argparse.ArgumentParser) -> None:
         help="the part's extent on x, y or z; y is the thickness of a plate in one view; repeat "
         "for a plate whose scale is not known",
     )
-    scale.add_argument("--mm-per-pixel", type=values.positive, metavar="S")
+    scale.add_argument("--mm-per-pixel", type=values.length, metavar="S")
     parser.add_argument(
         "--finder",
         type=partial(values.choice, Finder),
@@ -101,6 +103,15 @@ def add_reading_options(parser: argparse.ArgumentParser) -> None:
         choices=(0, 3, 5, 7),
         default=MEDIAN_KERNEL,
         help="side in px of the filter that tells noise from ink; 0 for none",
+    )
+
+
+def add_overwrite_option(parser: argparse.ArgumentParser) -> None:
+    """The option for who wants other files than those of earlier runs replaced."""
+    parser.add_argument(
+        "--overwrite",
+        action="store_true",
+        help="replace files of the same names in the output folder that no run made, too",
     )
 
 
@@ -133,6 +144,7 @@ def add_job_options(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="write cameras/transforms.json for nerfstudio, too",
     )
+    add_overwrite_option(parser)
     parser.add_argument(
         "--resume",
         action="store_true",
@@ -184,6 +196,7 @@ def job_of(options: argparse.Namespace, sheet: Path, output: Path) -> Job:
         resume=options.resume,
         scale_down=options.scale_down,
         transforms=options.transforms,
+        overwrite=options.overwrite,
     )
 
 
@@ -202,10 +215,9 @@ def _run_page(options: argparse.Namespace, listener: Listener) -> ExitCode:
         given=options.reading,
         corrections=options.corrections or corrections_beside(options.sheet, options.page),
     )
-    job.check()
+    job.check((*RUN_FILES, REPORT_FILE))
 
     from gaussiancad_core.cli.libraries import silence_opencascade
-    from gaussiancad_core.finished import REPORT_FILE
     from gaussiancad_core.pipeline import reconstruct
 
     silence_opencascade()
@@ -215,7 +227,8 @@ def _run_page(options: argparse.Namespace, listener: Listener) -> ExitCode:
     if not options.events:
         _print_summary(report, path)
         for warning in report.warnings:
-            print(f"gaussiancad: warning: {warning.message} [{warning.code}]", file=sys.stderr)
+            line = on_one_line(warning.message)
+            print(f"gaussiancad: warning: {line} [{warning.code}]", file=sys.stderr)
     return ExitCode.DONE
 
 
@@ -229,7 +242,7 @@ def greet(listener: Listener, **fields: str) -> None:
 
 
 def _print_summary(report: "Report", path: Path) -> None:
-    print(f"{report.status.value}: {path}")
+    print(f"{report.status.value}: {on_one_line(str(path))}")
     print(f"  {report.verdict}")
     for reason in report.reasons:
-        print(f"  {reason.message}")
+        print(f"  {on_one_line(reason.message)}")

@@ -4,6 +4,7 @@ import argparse
 import sys
 import threading
 from dataclasses import dataclass
+from pathlib import Path
 from queue import SimpleQueue
 from typing import Any
 
@@ -64,15 +65,23 @@ def run(_options: argparse.Namespace, listener: Listener) -> ExitCode:
         except GaussianCadError as error:
             answer = _refusal(error.code, error.message)
         except Exception as error:
-            if not is_out_of_memory(error):
-                raise
-            message = "the memory does not suffice: use a smaller file"
-            answer = _refusal("out-of-memory", message)
+            answer = _failed(error, Path(request.sheet))
         finally:
             # Who has the answer may end stdin: then nothing goes on any more.
             busy.clear()
         numbered.send("answer", **answer)
     return ExitCode.DONE
+
+
+def _failed(error: Exception, sheet: Path) -> dict[str, Any]:
+    """The answer where a request met what nobody foresaw: the next one may go well."""
+    if is_out_of_memory(error):
+        return _refusal("out-of-memory", "the memory does not suffice: use a smaller file")
+
+    from gaussiancad_core.unforeseen import unforeseen
+
+    found = unforeseen(error, [sheet])
+    return _refusal(found.code, found.message)
 
 
 def _refusal(code: str, message: str) -> dict[str, Any]:

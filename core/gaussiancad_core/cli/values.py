@@ -7,6 +7,7 @@ from enum import Enum
 from typing import TypeVar
 
 from gaussiancad_core.axes import Axis, Role
+from gaussiancad_core.lengths import LEAST_MM, LONGEST_MM
 from gaussiancad_core.sheet.options import Box
 
 Choice = TypeVar("Choice", bound=Enum)
@@ -39,7 +40,17 @@ def axis_length(text: str) -> tuple[Axis, float]:
     name, _, number = text.partition("=")
     if name.lower() not in ("x", "y", "z"):
         raise argparse.ArgumentTypeError(f"{text!r} is not x=MM, y=MM or z=MM")
-    return Axis[name.upper()], positive(number)
+    return Axis[name.upper()], length(number)
+
+
+def length(text: str) -> float:
+    """A length that something drawn can have, mm."""
+    value = positive(text)
+    if not LEAST_MM <= value <= LONGEST_MM:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not between {LEAST_MM:g} and {LONGEST_MM:g} mm"
+        )
+    return value
 
 
 def positive(text: str) -> float:

@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal
 import msgspec
 from msgspec import Meta, Struct
 
+from gaussiancad_core.lengths import LEAST_MM, LONGEST_MM
 from gaussiancad_core.sheet.labels.classes import Evidence
 from gaussiancad_core.sheet.notes.callouts import NoteKind
 
@@ -21,11 +22,11 @@ LINES = "lines"
 GIVEN = "given"
 """Source of what a person said."""
 
-LARGEST = 1e6
+LARGEST = LONGEST_MM
 """px from the sheet's corner up to which places are taken, and mm of lengths."""
 
 Number = Annotated[float, Meta(ge=-LARGEST, le=LARGEST)]
-Size = Annotated[float, Meta(gt=0.0, le=LARGEST)]
+Size = Annotated[float, Meta(ge=LEAST_MM, le=LARGEST)]
 Share = Annotated[float, Meta(ge=0.0, le=1.0)]
 Sweep = Annotated[float, Meta(gt=0.0, le=6.2831854)]
 Text = Annotated[str, Meta(max_length=1000)]

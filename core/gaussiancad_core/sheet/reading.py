@@ -7,6 +7,7 @@ import numpy as np
 
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.lengths import LONGEST_MM, SHORTEST_MM
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.dash_blocks import with_dash_blocks
 from gaussiancad_core.sheet.deskew import Turn
@@ -211,8 +212,8 @@ def register_views(
         unseen: of the axis that a view alone does not show.
 
     Raises:
-        NoModelError: ``open-outline`` if the outline of a view does not close; the views
-            contradict each other.
+        NoModelError: ``open-outline`` if the outline of a view does not close;
+            ``size-out-of-range``; the views contradict each other.
     """
     for view in drawn:
         _check_outline(view)
@@ -229,6 +230,7 @@ def register_views(
     extents = replace(extents, extents=along, residuals=shared.residuals)
     pixels = tuple(along[axis] for axis in Axis)
     size = tuple(extent * scale for extent in pixels)
+    _check_size(max(size))
     placements = {}
     strokes = {}
     for place, own, moved in zip(plain, shared.maps, shared.strokes, strict=True):
@@ -253,6 +255,18 @@ def register_views(
     return RegisteredSheet(
         found, placements, drawn, scale, extents, opened, told and told[0], unseen
     )
+
+
+def _check_size(longest: float) -> None:
+    if not SHORTEST_MM <= longest <= LONGEST_MM:
+        raise NoModelError(
+            "size-out-of-range",
+            "by its scale the part is {longest:.3g} mm long, and parts of {least:g} to {most:g} mm "
+            "are built: tell its true size with --length AXIS=MM",
+            longest=longest,
+            least=SHORTEST_MM,
+            most=LONGEST_MM,
+        )
 
 
 def _own_placement(view: ReadView) -> Placement:

@@ -140,6 +140,10 @@ VIEWS = {
         "The views differ by {percent} % in the part's extent along {axis} ({views}). Check that "
         "they show one part at one scale, or box them in Correct Sheet.",
     ),
+    "size-out-of-range": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "By its scale the part is {longest} mm long. Tell its true size with Tell a Length.",
+    ),
     "open-outline": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The outline of the view “{view}” is not closed. Draw what is missing of its visible "
@@ -213,6 +217,16 @@ LIMITS = {
     "engine-incomplete": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The engine is incomplete. Choose GaussianCAD > Check Engine to see what to do.",
+    ),
+    "unforeseen": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The engine met something that nobody foresaw ({kind}). This is a fault of ours: please "
+        "report it with the sheet.",
+    ),
+    "unforeseen:file": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The engine met something that nobody foresaw ({kind}). This is a fault of ours: please "
+        "report it with the file {path}.",
     ),
     "decimation-failed": QT_TRANSLATE_NOOP(
         "GaussianCAD", "The surface cannot be simplified to a closed one. Choose a finer quality."

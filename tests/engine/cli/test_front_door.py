@@ -1,0 +1,120 @@
+"""What a command does where its output, its files, or the engine itself are not as they should."""
+
+import hashlib
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from gaussiancad_core.cli import explain, main
+
+_SAMPLE = Path(__file__).parents[3] / "resources" / "samples" / "l-bracket.png"
+_LONG = "a" * 260
+
+
+def _started(*arguments: str, **options: object) -> subprocess.CompletedProcess[bytes]:
+    command = [sys.executable, "-m", "gaussiancad_core", *arguments]
+    return subprocess.run(command, stderr=subprocess.PIPE, check=False, **options)
+
+
+def test_what_nobody_foresaw_is_one_line_and_a_file_to_send(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    monkeypatch.setattr("tempfile.tempdir", None)
+
+    def broken(*_: object) -> None:
+        raise ZeroDivisionError("by a secret")
+
+    monkeypatch.setattr(explain, "_of_run", broken)
+    monkeypatch.setattr(explain, "_of_sheet", broken)
+    assert main(["explain", str(_SAMPLE)]) == 6
+    line = capsys.readouterr().err
+    assert line.count("\n") == 1 and "[unforeseen]" in line and "ZeroDivisionError" in line
+    told = Path(re.search(r"file (\S+) ", line).group(1)).read_text("utf-8")
+    assert "by a secret" in told and "in broken" in told
+    assert hashlib.sha256(_SAMPLE.read_bytes()).hexdigest() in told
+
+
+def test_a_reader_that_has_read_enough_is_no_error() -> None:
+    ours, theirs = os.pipe()
+    os.close(ours)
+    with open(theirs, "wb") as closed:
+        ended = _started("explain", str(_SAMPLE), stdout=closed)
+    assert (ended.returncode, ended.stderr) == (0, b"")
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="the system has no full device")
+def test_output_that_finds_no_room_is_told() -> None:
+    with open("/dev/full", "wb") as full:
+        ended = _started("explain", str(_SAMPLE), stdout=full)
+    assert ended.returncode == 5
+    assert ended.stderr.count(b"\n") == 1 and b"[disk-full]" in ended.stderr
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["reconstruct", "{sample}", "--output", _LONG],
+        ["reconstruct", _LONG + ".png", "--output", "{tmp}/o"],
+        ["read", "{sample}", "--output", "{tmp}/" + _LONG + "/below"],
+        ["compare", _LONG, _LONG],
+        ["explain", _LONG],
+        ["batch", _LONG, "--output", "{tmp}/o"],
+    ],
+)
+def test_a_name_that_is_too_long_is_told(
+    arguments: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    filled = [own.format(tmp=tmp_path, sample=_SAMPLE) for own in arguments]
+    assert main(filled) in (2, 3)
+    line = capsys.readouterr().err
+    assert line.count("\n") == 1 and "too long" in line
+
+
+def test_a_name_with_control_characters_prints_as_one_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["reconstruct", "a\nb\x1b[31m.png", "--output", str(tmp_path)]) == 3
+    line = capsys.readouterr().err
+    assert line.count("\n") == 1 and "\\x1b[31m" in line
+
+
+def test_files_of_the_user_are_not_written_over(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    mine = tmp_path / "lines.dxf"
+    mine.write_text("drawn in a week")
+    asked = ["read", str(_SAMPLE), "--output", str(tmp_path)]
+    assert main(asked) == 2
+    assert "[foreign-files]" in capsys.readouterr().err
+    assert [path.name for path in tmp_path.iterdir()] == ["lines.dxf"]
+    assert mine.read_text() == "drawn in a week"
+    assert main([*asked, "--overwrite"]) == 0
+    assert mine.read_text() != "drawn in a week"
+    # What a run made, the next one replaces.
+    assert main(asked) == 0
+
+
+def test_what_a_reconstruction_made_is_replaced_and_nothing_else(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = ["reconstruct", str(_SAMPLE), "--output", str(tmp_path), "--result", "solid"]
+    (tmp_path / "overlay.png").symlink_to(_SAMPLE)
+    assert main(asked) == 2
+    (tmp_path / "overlay.png").unlink()
+    assert main(asked) == 0
+    (tmp_path / "hull.stl").write_text("my own")
+    assert main(asked) == 2
+    (tmp_path / "hull.stl").unlink()
+    assert main(asked) == 0
+
+
+def test_a_page_that_is_read_into_the_folder_of_a_run_stays_known(tmp_path: Path) -> None:
+    asked = [str(_SAMPLE), "--output", str(tmp_path)]
+    assert main(["reconstruct", *asked, "--result", "solid"]) == 0
+    assert main(["read", *asked]) == 0
+    assert main(["reconstruct", *asked, "--result", "solid"]) == 0
