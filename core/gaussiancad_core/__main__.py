@@ -2,6 +2,6 @@
 
 import sys
 
-from gaussiancad_core.cli import main
+from gaussiancad_core.cli.starting import start
 
-sys.exit(main())
+sys.exit(start())

@@ -37,6 +37,19 @@ class Silence:
 
 
 @dataclass(frozen=True)
+class Both:
+    """Two listeners that hear the same."""
+
+    one: Listener
+    other: Listener
+
+    def send(self, event: str, **fields: Any) -> None:  # noqa: ANN401
+        """Hand the event on."""
+        self.one.send(event, **fields)
+        self.other.send(event, **fields)
+
+
+@dataclass(frozen=True)
 class JsonLines:
     """A listener that writes JSON lines.
 

@@ -122,6 +122,15 @@ class OutputFolder:
         except OSError as error:
             raise _folder_error(self.path, error) from error
 
+    def adopt_published(self) -> None:
+        """Take what a run that died had put in place ahead for what this one did: it stays."""
+        try:
+            note = json.loads((self.path / PUBLISHED_FILE).read_text(encoding="utf-8"))
+            names = {str(name) for name in note["names"]}
+        except (OSError, ValueError, LookupError, TypeError):
+            return
+        self._ahead |= {name for name in names & set(self._owned) if (self.path / name).exists()}
+
     def _put_in_place(self) -> None:
         (self.path / self._report).unlink(missing_ok=True)
         for name in self._owned:

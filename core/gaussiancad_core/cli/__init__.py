@@ -22,6 +22,7 @@ from gaussiancad_core.errors import (
     is_out_of_memory,
 )
 from gaussiancad_core.events import (
+    Both,
     Cancellation,
     Listener,
     Silence,
@@ -31,8 +32,13 @@ from gaussiancad_core.events import (
 from gaussiancad_core.messages import on_one_line, told
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command line and return its exit code."""
+def main(arguments: Sequence[str] | None = None, heard: Listener | None = None) -> int:
+    """Run the command line and return its exit code.
+
+    Args:
+        arguments: of the command; those of the process where none are given.
+        heard: told what whoever reads the events is told.
+    """
     options = build_parser().parse_args(arguments)
     options.arguments = list(sys.argv[1:] if arguments is None else arguments)
     prepare_environment()
@@ -43,6 +49,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             listener = open_event_stream()
             if not options.serves:
                 cancel_on_stdin()
+        if heard is not None:
+            listener = Both(listener, heard)
         code = int(options.run(options, listener))
         # What is still to be printed may find no reader, or no room.
         sys.stdout.flush()

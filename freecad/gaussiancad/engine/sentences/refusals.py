@@ -218,6 +218,19 @@ LIMITS = {
         "GaussianCAD",
         "The engine is incomplete. Choose GaussianCAD > Check Engine to see what to do.",
     ),
+    "engine-died": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "A library ended the engine. This is a fault of ours: please report it with the sheet.",
+    ),
+    "killed": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The system ended the engine, as it does where the memory does not suffice. Choose a "
+        "coarser quality, or a smaller sheet.",
+    ),
+    "foreign-files": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "{folder} holds files that GaussianCAD did not make: {names}. Choose another folder.",
+    ),
     "unforeseen": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The engine met something that nobody foresaw ({kind}). This is a fault of ours: please "

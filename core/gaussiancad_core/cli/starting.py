@@ -1,0 +1,86 @@
+"""How the ``gaussiancad`` command starts: what uses the geometry kernel runs in a child that may
+die, and what it leaves then is told."""
+
+import os
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+from gaussiancad_core.cli import main
+from gaussiancad_core.cli.parser import build_parser
+from gaussiancad_core.errors import EngineError, GaussianCadError, LimitError
+from gaussiancad_core.events import Listener, Silence, open_event_stream
+from gaussiancad_core.job import Job
+from gaussiancad_core.messages import on_one_line, told
+from gaussiancad_core.processes.watched import Watched, watch
+
+_OF_THE_KERNEL = frozenset({"reconstruct", "compare", "draw"})
+"""Commands that use it."""
+
+
+def start() -> int:
+    """Run the command line of this process and return its exit code."""
+    arguments = sys.argv[1:]
+    if os.name != "posix" or not arguments or arguments[0] not in _OF_THE_KERNEL:
+        return main(arguments)
+    if {"-h", "--help"} & set(arguments):
+        return main(arguments)
+    ended = watch(arguments)
+    return _told(ended, arguments) if ended.exit_code < 0 else ended.exit_code
+
+
+def _told(ended: Watched, arguments: list[str]) -> int:
+    """Tell that a signal ended the engine, and leave a report where a run was to."""
+    options = build_parser().parse_args(arguments)
+    listener: Listener = open_event_stream() if options.events else Silence()
+    error = _failure(ended)
+    if arguments[0] == "reconstruct":
+        from gaussiancad_core.cli.reconstruct import job_of
+
+        if options.page != "all":
+            _report(job_of(options, options.sheet, options.output), error, ended.stage)
+    line = on_one_line(error.message)
+    print(f"gaussiancad: {line} [{error.code}]", file=sys.stderr, flush=True)
+    listener.send("error", **told(error.code, line), exit_code=int(error.exit_code))
+    return int(error.exit_code)
+
+
+def _failure(ended: Watched) -> GaussianCadError:
+    stage = ended.stage or "start"
+    if ended.signal == "SIGKILL":
+        return LimitError(
+            "killed",
+            "the system ended the engine in the stage {stage}, as it does where the memory does "
+            "not suffice: use --preset draft or a smaller sheet",
+            stage=stage,
+        )
+    return EngineError(
+        "engine-died",
+        "a library ended the engine in the stage {stage} ({signal}): this is a fault of ours, "
+        "please report it with the sheet; what was finished before lies in the output folder",
+        stage=stage,
+        signal=ended.signal,
+    )
+
+
+def _report(job: Job, error: GaussianCadError, stage: str) -> None:
+    """The report of a run whose process died; what it had put in place stays."""
+    from gaussiancad_core.modes import Status
+    from gaussiancad_core.outputs import REPORT_FILE, RUN_FILES, OutputFolder
+    from gaussiancad_core.report import Report
+
+    if not Path(job.output).is_dir():
+        return
+    try:
+        folder = OutputFolder(job.output, RUN_FILES, REPORT_FILE)
+    except GaussianCadError:
+        return
+    try:
+        folder.adopt_published()
+        report = Report("", job.settings(), status=Status.FAILED, stage=stage)
+        report = report.doubted(error.code, error.message)
+        report = replace(report, files=folder.facts())
+        report.write(folder.staging / REPORT_FILE)
+        folder.commit()
+    finally:
+        folder.discard(keep_checkpoint=job.resume)
