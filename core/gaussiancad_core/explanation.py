@@ -22,6 +22,10 @@ _SOURCES = {
     "mixed": "from the sheet's numbers and the drawing",
 }
 
+_SIZE_UNKNOWN = (
+    "Size unknown: tell it with --length AXIS=MM, or between two points in the window."
+)
+
 _MODELS = {
     "as-drawn": "the lines as they are drawn",
     "sketch": "slabs that explain the lines best, none of which has to hold",
@@ -52,11 +56,26 @@ def verdict(report: Values) -> str:
     if status == "failed":
         return f"No model. {_first_reason(report)}"
     certain = "Shape verified." if status == "verified" else "Shape not certain."
+    if not is_size_known(report):
+        return f"{certain} {_SIZE_UNKNOWN}"
     measures = report.get("measures")
     if measures is None:
         return certain
     bound = f"{measures['uncertainty_mm']:.2g}"
     return f"{certain} Measures to \u00b1{bound} mm ({_SOURCES[measures['source']]})."
+
+
+def is_size_known(report: Values) -> bool:
+    """Whether the sheet, its file or a person tells how large the part is.
+
+    That a drawing on paper shows it full scale is nothing that anybody told.
+    """
+    if report.get("scale_source") == "default":
+        return False
+    return not any(
+        own["code"] == "full-scale-assumed" and own.get("args", {}).get("case") != "file"
+        for own in report.get("warnings", ())
+    )
 
 
 def explained(report: Values) -> list[str]:

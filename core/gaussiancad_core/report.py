@@ -11,7 +11,7 @@ import psutil
 
 from gaussiancad_core import __version__
 from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.explanation import explained, verdict
+from gaussiancad_core.explanation import explained, is_size_known, verdict
 from gaussiancad_core.messages import told
 from gaussiancad_core.modes import Status
 from gaussiancad_core.sheet.scale.estimate import ReadDimension
@@ -385,6 +385,11 @@ class Report:
         if remark in self.reasons:
             return self
         return replace(self, reasons=(*self.reasons, remark))
+
+    @property
+    def size_known(self) -> bool:
+        """Whether anything tells how large the part is."""
+        return is_size_known(self._values())
 
     @property
     def verdict(self) -> str:

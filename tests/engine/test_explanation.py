@@ -142,6 +142,25 @@ def test_the_verdict_speaks_of_shape_and_measures(
     )
 
 
+@pytest.mark.parametrize(
+    ("scale", "warnings", "known"),
+    [
+        ("default", [], False),
+        ("sheet", [{"code": "full-scale-assumed", "message": "", "args": {}}], False),
+        ("sheet", [{"code": "full-scale-assumed", "message": "", "args": {"case": "file"}}], True),
+        ("sheet", [], True),
+        ("dimension", [{"code": "views-disagree", "message": ""}], True),
+    ],
+)
+def test_what_nobody_knows_the_size_of_has_no_measures(
+    scale: str, warnings: list[dict], known: bool
+) -> None:
+    measures = {"uncertainty_mm": 0.0812, "source": "drawing"}
+    told = {"status": "verified", "scale_source": scale, "warnings": warnings}
+    line = verdict({**_REPORT, **told, "measures": measures})
+    assert line.startswith("Shape verified. Measures" if known else "Shape verified. Size unknown")
+
+
 def test_a_failure_says_why() -> None:
     failed = {**_REPORT, "status": "failed", "measures": None}
     assert verdict(failed) == "No model. The solid does not show a line."

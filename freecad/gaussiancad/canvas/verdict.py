@@ -9,6 +9,7 @@ from freecad.gaussiancad.canvas.rows import Line
 from freecad.gaussiancad.canvas.saying import Circle
 from freecad.gaussiancad.canvas.scene import Mark
 from freecad.gaussiancad.canvas.sheet import Box
+from freecad.gaussiancad.engine.report import is_size_known
 from freecad.gaussiancad.engine.wording import alternative, worded
 from freecad.gaussiancad.language import translate
 
@@ -138,7 +139,7 @@ def _assumed(own: dict, help_with: Help, holes: list[Circle]) -> Line:
 
 
 def _measures(report: dict) -> str:
-    if report.get("scale_source") == "default":
+    if not is_size_known(report):
         return translate("GaussianCAD", "The size is not known: tell a length")
     bound = (report.get("measures") or {}).get("uncertainty_mm")
     if not isinstance(bound, (int, float)):

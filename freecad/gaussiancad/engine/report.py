@@ -113,6 +113,11 @@ class Report:
         """Whether the solid is the stack of slabs that explains the lines best."""
         return self.group("solid").get("source") == "sketch"
 
+    @property
+    def is_size_known(self) -> bool:
+        """Whether anything tells how large the part is."""
+        return is_size_known(self.values)
+
     def word(self, key: str) -> str:
         """A top-level field as text, empty if it is missing."""
         value = self.values.get(key)
@@ -122,6 +127,17 @@ class Report:
         """A top-level object, empty if it is missing or null."""
         value = self.values.get(key)
         return value if isinstance(value, dict) else {}
+
+
+def is_size_known(values: dict[str, Any]) -> bool:
+    """Whether anything tells how large the part of a report's JSON is: that a drawing on paper
+    shows it full scale is nothing that anybody told."""
+    if values.get("scale_source") == "default":
+        return False
+    return not any(
+        own.get("code") == "full-scale-assumed" and own.get("args", {}).get("case") != "file"
+        for own in values.get("warnings", ())
+    )
 
 
 def read_report(path: Path) -> Report:

@@ -26,6 +26,8 @@ def verdict_text(report: Report) -> str:
 
 def measures_text(report: Report) -> str:
     """How well the measures are known; empty if that is not told."""
+    if report.status is not Status.FAILED and not report.is_size_known:
+        return translate("GaussianCAD", "The size is not known: tell a length") + "."
     measures = report.group("measures")
     bound = measures.get("uncertainty_mm")
     if not isinstance(bound, int | float):
