@@ -29,11 +29,11 @@ from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import RegisteredSheet, register_views
-from gaussiancad_core.sheet.scale.estimate import Measure
-from gaussiancad_core.sheet.scale.find import find_scale
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.told_measures import trusted
 from gaussiancad_core.views import ViewSet
+from gaussiancad_core.writing.agreement import Measure
+from gaussiancad_core.writing.scale import find_scale
 
 ROLES = (Role.FRONT, Role.TOP, Role.RIGHT)
 

@@ -24,7 +24,7 @@ from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
-from gaussiancad_core.sheet.sheet_views import sheet_views
+from gaussiancad_core.sheet_views import sheet_views
 from gaussiancad_core.views import Linetype, Segment, Stroke
 
 Image = npt.NDArray[np.uint8]

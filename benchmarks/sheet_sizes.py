@@ -66,7 +66,7 @@ def read(connection: Connection, path: Path) -> None:
     from gaussiancad_core.sheet.options import ReadingOptions
     from gaussiancad_core.sheet.read import read_sheet
     from gaussiancad_core.sheet.reading import read_views, register_views
-    from gaussiancad_core.sheet.sheet_views import sheet_views
+    from gaussiancad_core.sheet_views import sheet_views
 
     cv2.setNumThreads(1)
     marks = [time.perf_counter()]

@@ -22,9 +22,7 @@ _SOURCES = {
     "mixed": "from the sheet's numbers and the drawing",
 }
 
-_SIZE_UNKNOWN = (
-    "Size unknown: tell it with --length AXIS=MM, or between two points in the window."
-)
+_SIZE_UNKNOWN = "Size unknown: tell it with --length AXIS=MM, or between two points in the window."
 
 _MODELS = {
     "as-drawn": "the lines as they are drawn",

@@ -9,12 +9,12 @@ import numpy as np
 from gaussiancad_core.axes import Role
 from gaussiancad_core.holes import HoleStep, NotedHole
 from gaussiancad_core.messages import Message
-from gaussiancad_core.sheet.notes.callouts import NoteKind
-from gaussiancad_core.sheet.notes.finding import SheetNote
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.reading import RegisteredSheet
-from gaussiancad_core.sheet.scale.estimate import ReadDimension
 from gaussiancad_core.views import Arc, Linetype
+from gaussiancad_core.writing.agreement import ReadDimension
+from gaussiancad_core.writing.callouts import NoteKind
+from gaussiancad_core.writing.notes import SheetNote
 
 _SAME = 0.02
 """Share by which a circle's diameter may differ from the one in a note."""

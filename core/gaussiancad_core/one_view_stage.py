@@ -14,14 +14,14 @@ from gaussiancad_core.axes import Axis
 from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.messages import Message
 from gaussiancad_core.run_notes import RunNotes
-from gaussiancad_core.sheet.notes.callouts import NoteKind
-from gaussiancad_core.sheet.notes.finding import SheetNote
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.reading import ReadView
-from gaussiancad_core.sheet.scale.dimensions import Span
-from gaussiancad_core.sheet.scale.find import SheetScale
-from gaussiancad_core.sheet.scale.numbers import Sign
 from gaussiancad_core.unseen import Unseen
+from gaussiancad_core.writing.callouts import NoteKind
+from gaussiancad_core.writing.dimensions import Span
+from gaussiancad_core.writing.notes import SheetNote
+from gaussiancad_core.writing.numbers import Sign
+from gaussiancad_core.writing.scale import SheetScale
 
 _ALIKE = 0.97
 """Share of a view that its mirror image has, if it is a turned part's: of its lines, or, of a half

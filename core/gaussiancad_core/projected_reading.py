@@ -11,8 +11,8 @@ from gaussiancad_core.reasoning.drawn_views import DrawnViews, views_as_read
 from gaussiancad_core.sections_stage import SectionBeside
 from gaussiancad_core.sheet.precision import tolerance_px
 from gaussiancad_core.sheet.reading import RegisteredSheet
-from gaussiancad_core.sheet.scale.estimate import Measure
 from gaussiancad_core.told_measures import told_numbers
+from gaussiancad_core.writing.agreement import Measure
 
 _ROUGH_PX = 1.0
 """Tolerance of strokes that were read from a picture."""

@@ -20,28 +20,28 @@ from gaussiancad_core.sheet.graph.heads import arrowheads
 from gaussiancad_core.sheet.graph.tangent_edges import without_tangent_edges
 from gaussiancad_core.sheet.labels.evidence import NO_LABELS, SheetLabels
 from gaussiancad_core.sheet.layout import Layout, may_be_views
-from gaussiancad_core.sheet.notes.finding import SheetNote, notes_of
-from gaussiancad_core.sheet.notes.sections import NamedSection, named_sections
 from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import Box, FileUnit, ReadingOptions
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import ReadView, read_views
-from gaussiancad_core.sheet.scale.dimensions import file_lines
-from gaussiancad_core.sheet.scale.find import (
-    ScaleSource,
-    SheetScale,
-    find_scale,
-)
-from gaussiancad_core.sheet.scale.numbers import Unit
-from gaussiancad_core.sheet.scale.units import file_unit
-from gaussiancad_core.sheet.sheet_views import SheetViews, sheet_views
 from gaussiancad_core.sheet.special_views.beside import sections_beside
 from gaussiancad_core.sheet.special_views.hatched_areas import to_middles, with_hatched_areas
 from gaussiancad_core.sheet.special_views.kinds import SECTIONS
 from gaussiancad_core.sheet.special_views.telling import UNUSED, tellings, why_unused
 from gaussiancad_core.sheet.special_views.threads import arcs_of, without_threads
+from gaussiancad_core.sheet_views import SheetViews, sheet_views
 from gaussiancad_core.unseen import Unseen
 from gaussiancad_core.views import Arc, Linetype, Segment, Stroke
+from gaussiancad_core.writing.dimensions import file_lines
+from gaussiancad_core.writing.notes import SheetNote, notes_of
+from gaussiancad_core.writing.numbers import Unit
+from gaussiancad_core.writing.scale import (
+    ScaleSource,
+    SheetScale,
+    find_scale,
+)
+from gaussiancad_core.writing.sections import NamedSection, named_sections
+from gaussiancad_core.writing.units import file_unit
 
 _MOST_PLACES = 5
 """Boxes that one message names at most."""
@@ -108,7 +108,8 @@ def read_lines(job: Job, sheet: OpenedSheet, notes: RunNotes) -> SheetLines:
             more = read_views(separated.part, own, finder=reading.finder, vectors=found.vectors)
             return weighed_views(more, separated.labels)
 
-        layout, beside = sections_beside(layout, sections, hatched, read)
+        looks = [(own.box, own.looks) for own in sections]
+        layout, beside = sections_beside(layout, looks, hatched, read)
         said = _notes(sheet.image, scale)
         tell_layout(notes, layout, turn, frame_guessed=found.frame_guessed)
         options = tell_scale(reading, scale, drawn, notes)

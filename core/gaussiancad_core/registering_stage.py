@@ -16,12 +16,12 @@ from gaussiancad_core.section_reports import section_reports
 from gaussiancad_core.sections_stage import cuts_of, sections_of
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.notes.sections import NamedSection
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.reading import RegisteredSheet, register_views
-from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale
 from gaussiancad_core.sheet.special_views.kinds import SpecialView
 from gaussiancad_core.told_measures import contradicts, trusted
+from gaussiancad_core.writing.scale import ScaleSource, SheetScale
+from gaussiancad_core.writing.sections import NamedSection
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,10 +14,10 @@ from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.explanation import explained, is_size_known, verdict
 from gaussiancad_core.messages import told
 from gaussiancad_core.modes import Status
-from gaussiancad_core.sheet.scale.estimate import ReadDimension
 from gaussiancad_core.sheet.special_views.kinds import SpecialView
 from gaussiancad_core.verification.agreement import Agreement
 from gaussiancad_core.versions import ENGINE_PACKAGES, installed_versions
+from gaussiancad_core.writing.agreement import ReadDimension
 
 SCHEMA = 2
 

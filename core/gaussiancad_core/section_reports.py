@@ -10,8 +10,8 @@ from gaussiancad_core.messages import Message
 from gaussiancad_core.projected_reading import Reading
 from gaussiancad_core.report import Assumption, PlaneReport, SectionReport
 from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.notes.sections import NamedSection
 from gaussiancad_core.sheet.special_views.beside import overlap
+from gaussiancad_core.writing.sections import NamedSection
 
 if TYPE_CHECKING:
     from gaussiancad_core.solid.verify import Verification

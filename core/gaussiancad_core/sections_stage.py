@@ -10,7 +10,6 @@ import shapely
 
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.cuts import Cut, Opening, SectionRole
-from gaussiancad_core.sheet.notes.sections import NamedSection, Trace
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.reading import ReadView, RegisteredSheet
 from gaussiancad_core.sheet.registration import (
@@ -20,6 +19,7 @@ from gaussiancad_core.sheet.registration import (
 )
 from gaussiancad_core.sheet.special_views.beside import overlap
 from gaussiancad_core.views import Arc, Stroke
+from gaussiancad_core.writing.sections import NamedSection, Trace
 
 _FAR = 1e5
 """mm beyond every part."""

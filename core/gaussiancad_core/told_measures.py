@@ -14,10 +14,10 @@ from gaussiancad_core.reasoning.planes import plane_points, role_plane
 from gaussiancad_core.reasoning.told import Told, ToldLength, ToldNumbers, ToldRadius
 from gaussiancad_core.sheet.reading import RegisteredSheet
 from gaussiancad_core.sheet.registration import Placement
-from gaussiancad_core.sheet.scale.dimensions import Span
-from gaussiancad_core.sheet.scale.estimate import Measure
-from gaussiancad_core.sheet.scale.find import SheetScale
 from gaussiancad_core.unseen import Unseen
+from gaussiancad_core.writing.agreement import Measure
+from gaussiancad_core.writing.dimensions import Span
+from gaussiancad_core.writing.scale import SheetScale
 
 _BEYOND_PX = 4.0
 """px by which what a dimension measures may reach beyond its view."""

@@ -19,7 +19,7 @@ from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import RegisteredSheet, read_views, register_views
-from gaussiancad_core.sheet.sheet_views import sheet_views
+from gaussiancad_core.sheet_views import sheet_views
 from gaussiancad_core.solid.exact import ExactResult
 from gaussiancad_core.views import Arc
 

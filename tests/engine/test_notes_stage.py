@@ -7,11 +7,11 @@ import pytest
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.holes import HoleStep, NotedHole
 from gaussiancad_core.notes_stage import hole_notes
-from gaussiancad_core.sheet.notes.callouts import Callout, NoteKind
-from gaussiancad_core.sheet.notes.finding import SheetNote
 from gaussiancad_core.sheet.reading import ReadView
 from gaussiancad_core.unseen import Unseen
 from gaussiancad_core.views import Arc, Linetype
+from gaussiancad_core.writing.callouts import Callout, NoteKind
+from gaussiancad_core.writing.notes import SheetNote
 
 _BOX = (0.0, 0.0, 40.0, 5.0)
 _CROSS = Arc((250.0, 100.0), 8.0, 0.0, 6.283, Linetype.VISIBLE)

@@ -12,16 +12,16 @@ from gaussiancad_core.one_view_stage import shown_extents, told_unseen
 from gaussiancad_core.report import Report
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.masks import Outline
-from gaussiancad_core.sheet.notes.callouts import Callout, NoteKind
-from gaussiancad_core.sheet.notes.finding import SheetNote
 from gaussiancad_core.sheet.options import ReadingOptions
 from gaussiancad_core.sheet.reading import ReadView
-from gaussiancad_core.sheet.scale.dimensions import Span
-from gaussiancad_core.sheet.scale.estimate import ReadDimension
-from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale
-from gaussiancad_core.sheet.scale.numbers import Sign
 from gaussiancad_core.unseen import Unseen
 from gaussiancad_core.views import Linetype, Segment
+from gaussiancad_core.writing.agreement import ReadDimension
+from gaussiancad_core.writing.callouts import Callout, NoteKind
+from gaussiancad_core.writing.dimensions import Span
+from gaussiancad_core.writing.notes import SheetNote
+from gaussiancad_core.writing.numbers import Sign
+from gaussiancad_core.writing.scale import ScaleSource, SheetScale
 
 _BOX = (100.0, 50.0, 300.0, 150.0)
 _KNOWN = ReadingOptions(mm_per_pixel=0.5)

@@ -8,11 +8,11 @@ import pytest
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.reasoning.told import ToldLength, ToldRadius
 from gaussiancad_core.sheet.registration import Placement
-from gaussiancad_core.sheet.scale.dimensions import Span
-from gaussiancad_core.sheet.scale.estimate import Measure
-from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale
 from gaussiancad_core.told_measures import contradicts, told_numbers, trusted
 from gaussiancad_core.views import Arc, Linetype
+from gaussiancad_core.writing.agreement import Measure
+from gaussiancad_core.writing.dimensions import Span
+from gaussiancad_core.writing.scale import ScaleSource, SheetScale
 
 PIXEL = 0.5
 SHEET = SimpleNamespace(

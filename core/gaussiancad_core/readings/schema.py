@@ -12,7 +12,7 @@ from msgspec import Meta, Struct
 
 from gaussiancad_core.lengths import LEAST_MM, LONGEST_MM
 from gaussiancad_core.sheet.labels.classes import Evidence
-from gaussiancad_core.sheet.notes.callouts import NoteKind
+from gaussiancad_core.writing.callouts import NoteKind
 
 SCHEMA = "gaussiancad-reading/1"
 

@@ -45,20 +45,20 @@ from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.labels.evidence import SheetLabels
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.masks import supersampling_for
-from gaussiancad_core.sheet.notes.callouts import Callout
-from gaussiancad_core.sheet.notes.finding import SheetNote
-from gaussiancad_core.sheet.notes.sections import NamedSection, Trace
-from gaussiancad_core.sheet.notes.titles import Title, TitleKind
 from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.painted import painted, view_by_strokes, visible_bounds
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import ReadView, Ring
-from gaussiancad_core.sheet.scale.dimensions import Span
-from gaussiancad_core.sheet.scale.estimate import Measure, ReadDimension
-from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale
-from gaussiancad_core.sheet.scale.numbers import Sign, Unit
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 from gaussiancad_core.views import Arc, Linetype, Stroke
+from gaussiancad_core.writing.agreement import Measure, ReadDimension
+from gaussiancad_core.writing.callouts import Callout
+from gaussiancad_core.writing.dimensions import Span
+from gaussiancad_core.writing.notes import SheetNote
+from gaussiancad_core.writing.numbers import Sign, Unit
+from gaussiancad_core.writing.scale import ScaleSource, SheetScale
+from gaussiancad_core.writing.sections import NamedSection, Trace
+from gaussiancad_core.writing.titles import Title, TitleKind
 
 _CARRIED = (
     "other-pen-lines",

@@ -15,7 +15,7 @@ from gaussiancad_core.readings.schema import (
     SectionEntry,
     SheetReading,
 )
-from gaussiancad_core.sheet.notes.callouts import NoteKind
+from gaussiancad_core.writing.callouts import NoteKind
 
 _ROLES = {role.value: role for role in Role}
 

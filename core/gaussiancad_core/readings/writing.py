@@ -42,14 +42,14 @@ from gaussiancad_core.readings.shapes import stored_box, stored_points, stored_r
 from gaussiancad_core.report import Report
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.notes.finding import SheetNote
-from gaussiancad_core.sheet.notes.sections import NamedSection, Trace
 from gaussiancad_core.sheet.reading import ReadView
-from gaussiancad_core.sheet.scale.dimensions import Span
-from gaussiancad_core.sheet.scale.estimate import ReadDimension
-from gaussiancad_core.sheet.scale.find import ScaleSource, SheetScale
 from gaussiancad_core.sheet.special_views.kinds import SpecialKind, SpecialView
 from gaussiancad_core.views import Stroke
+from gaussiancad_core.writing.agreement import ReadDimension
+from gaussiancad_core.writing.dimensions import Span
+from gaussiancad_core.writing.notes import SheetNote
+from gaussiancad_core.writing.scale import ScaleSource, SheetScale
+from gaussiancad_core.writing.sections import NamedSection, Trace
 
 READING_FILE = "reading.json"
 

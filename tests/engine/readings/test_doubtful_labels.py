@@ -11,8 +11,8 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
+from gaussiancad_core import picture_views
 from gaussiancad_core.cli import main
-from gaussiancad_core.sheet import picture_views
 from gaussiancad_core.sheet.labels.classes import InkClass
 from gaussiancad_core.sheet.labels.network import InkLabels, ink_labels
 

@@ -12,12 +12,12 @@ from gaussiancad_core.drawing.degrade import finished
 from gaussiancad_core.drawing.raster import rasterise
 from gaussiancad_core.drawing.sheet import compose_sheet, part_lines
 from gaussiancad_core.drawing.style import PRESETS, SheetStyle
+from gaussiancad_core.picture_views import picture_views
 from gaussiancad_core.samples.classed import PartClass, classed_part
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.geometry import Line
 from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.pen import Pen, fit_pen
-from gaussiancad_core.sheet.picture_views import picture_views
 from gaussiancad_core.sheet.read import SheetImage
 from gaussiancad_core.sheet.reading import read_views
 from gaussiancad_core.sheet.strokes import classify_strokes

@@ -28,8 +28,8 @@ from gaussiancad_core.sheet.labels.relations import related
 from gaussiancad_core.sheet.labels.rhythm import rhythm_odds
 from gaussiancad_core.sheet.labels.words import written_lines
 from gaussiancad_core.sheet.ridges import ridge_points
+from gaussiancad_core.sheet.rules import rule_of
 from gaussiancad_core.sheet.runs import ink_field
-from gaussiancad_core.sheet.scale.dimensions import rule_of
 
 _BLOT = 1.4
 """Widths of a line within which another one shares its ink."""

@@ -6,7 +6,6 @@ from dataclasses import replace
 from gaussiancad_core.axes import Axis, Role
 from gaussiancad_core.sheet.annotations.marks import Mask
 from gaussiancad_core.sheet.layout import Layout, alignment_tolerance
-from gaussiancad_core.sheet.notes.sections import NamedSection
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.reading import ReadView
 from gaussiancad_core.sheet.special_views.hatched_areas import cut_open
@@ -17,7 +16,10 @@ Read = Callable[[Layout], tuple[ReadView, ...]]
 
 
 def sections_beside(
-    layout: Layout, named: Sequence[NamedSection], hatched: Mask | None, read: Read
+    layout: Layout,
+    named: Sequence[tuple[Box, Role | None]],
+    hatched: Mask | None,
+    read: Read,
 ) -> tuple[Layout, tuple[ReadView, ...]]:
     """The sections of a sheet that stand for no view, and the layout with these as used.
 
@@ -26,7 +28,7 @@ def sections_beside(
 
     Args:
         layout: of the views.
-        named: sections with titles and cutting lines.
+        named: boxes of sections with titles, and the role that the arrows of each tell, if any.
         hatched: (h, w) of the upright sheet; None where nothing is.
         read: strokes.
     """
@@ -37,8 +39,8 @@ def sections_beside(
     for own in layout.special:
         role = None
         if own.kind in SECTIONS and not own.used:
-            section = next((each for each in named if overlap(each.box, own.box)), None)
-            role = _role_of(own.box, section, layout)
+            looks = next((looks for box, looks in named if overlap(box, own.box)), None)
+            role = _role_of(own.box, looks, layout)
         if role is None:
             special.append(own)
             continue
@@ -48,7 +50,7 @@ def sections_beside(
     return replace(layout, special=tuple(special)), tuple(found)
 
 
-def _role_of(box: Box, section: NamedSection | None, layout: Layout) -> Role | None:
+def _role_of(box: Box, looks: Role | None, layout: Layout) -> Role | None:
     extents = _extents(layout)
     wide, high = box[2] - box[0], box[3] - box[1]
     fitting = [
@@ -57,8 +59,8 @@ def _role_of(box: Box, section: NamedSection | None, layout: Layout) -> Role | N
         if _same(extents.get(role.frame.right_axis[0]), wide)
         and _same(extents.get(role.frame.up_axis[0]), high)
     ]
-    if section is not None and section.looks is not None:
-        return section.looks if section.looks in fitting else None
+    if looks is not None:
+        return looks if looks in fitting else None
     if len({role.frame.look_axis[0] for role in fitting}) != 1:
         return None
     return next((role for role in fitting if role in layout.boxes), fitting[0])

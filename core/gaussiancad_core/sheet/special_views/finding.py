@@ -11,6 +11,7 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.annotations.erase import masked
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
+from gaussiancad_core.sheet.captioned_views import Caption, captioned, told_projection
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.layout import (
     Layout,
@@ -20,7 +21,6 @@ from gaussiancad_core.sheet.layout import (
     view_clusters,
 )
 from gaussiancad_core.sheet.loose_views import arrange_loosely
-from gaussiancad_core.sheet.notes.captions import Caption, captioned, told_projection
 from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.silhouettes import beside, without_stickouts

@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from gaussiancad_core import picture_views
 from gaussiancad_core.cli import main
 from gaussiancad_core.messages import Message
-from gaussiancad_core.sheet import picture_views
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.labels.classes import InkClass
 from gaussiancad_core.sheet.labels.plain import plain_labels

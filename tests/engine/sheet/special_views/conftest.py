@@ -11,12 +11,12 @@ import pytest
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.drawing.sheet import PartLines, Sheet, compose_sheet, part_lines
 from gaussiancad_core.drawing.style import SectionKind, parse_style
+from gaussiancad_core.picture_views import picture_views
 from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.opened import OpenedSheet
-from gaussiancad_core.sheet.picture_views import picture_views
 from gaussiancad_core.sheet.read import SheetImage
 
 

@@ -12,7 +12,7 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.read import SheetImage
-from gaussiancad_core.sheet.sheet_views import sheet_views
+from gaussiancad_core.sheet_views import sheet_views
 from gaussiancad_core.views import Linetype
 
 

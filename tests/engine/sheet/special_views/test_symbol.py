@@ -18,9 +18,9 @@ from gaussiancad_core.samples import sample
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.read import SheetImage
-from gaussiancad_core.sheet.sheet_views import SheetViews, sheet_views
 from gaussiancad_core.sheet.special_views.symbol_pixels import pixel_symbol
 from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol, largest_symbol
+from gaussiancad_core.sheet_views import SheetViews, sheet_views
 
 
 @cache

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.axes import Projection
+from gaussiancad_core.picture_views import picture_views
 from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import ReadingOptions
-from gaussiancad_core.sheet.picture_views import picture_views
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.sheet.reading import ReadView, read_views, register_views

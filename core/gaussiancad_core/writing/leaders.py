@@ -1,0 +1,158 @@
+"""Which circle or arc a text on a leader belongs to (ISO 128-22)."""
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.sheet.annotations.marks import Mark
+from gaussiancad_core.sheet.deskew import Turn
+from gaussiancad_core.sheet.graph.heads import Head
+from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.rules import rule_of
+from gaussiancad_core.views import Arc
+from gaussiancad_core.writing.texts import SheetText
+
+Points = npt.NDArray[np.float64]
+Leader = tuple[Points, Points]
+"""(2,) px each of the two ends of its slanted line."""
+Lines = Sequence[Leader] | Points
+"""Lines by their ends, (n, 2, 2) px."""
+
+_NARROW = frozenset(
+    {
+        AnnotationKind.EXTENSION,
+        AnnotationKind.DIMENSION,
+        AnnotationKind.LEADER,
+        AnnotationKind.SYMBOL,
+    }
+)
+"""What narrow lines are taken for: a leader may look like a part of a symbol."""
+
+_NEAR = 1.2
+"""Distance from a text to the line that leads away from it at most, in its height."""
+
+_TOUCH = 4.0
+"""px by which a leader's tip may miss its circle, and its shelf its slanted line."""
+
+_PARALLEL = 0.05
+"""Sine of the angle between a head and its line at most."""
+
+_ALIGNED = 2.0
+"""px by which pieces of a leader may be out of line."""
+
+_BESIDE = 0.15
+"""Distance at which a leader passes its circle's centre at most, in radii."""
+
+
+def leaders_of(marks: Iterable[Mark]) -> list[Leader]:
+    """The slanted narrow lines among the marks of a sheet."""
+    return [
+        (np.array(mark.line[0]), np.array(mark.line[1]))
+        for mark in marks
+        if mark.kind in _NARROW and mark.line is not None and rule_of(*mark.line) is None
+    ]
+
+
+def pointed_lines(heads: Iterable[Head], lines: Lines, turn: Turn) -> list[Leader]:
+    """Lines that end in an arrowhead, in whatever direction, each from its far end to the tip.
+
+    Args:
+        heads: px of the sheet as stored.
+        lines: px of the upright sheet.
+        turn: of the sheet.
+    """
+    ends = np.array(lines, dtype=float).reshape(-1, 2, 2)
+    ways = ends[:, 1] - ends[:, 0]
+    ways = ways / np.maximum(np.hypot(*ways.T), 1e-9)[:, None]
+    found = []
+    for head in heads:
+        base = np.subtract(head.tip, np.multiply(head.length, head.way))
+        tip, back = turn.to_upright(np.array([head.tip, base]))
+        way = (tip - back) / np.hypot(*(tip - back))
+        parallel = np.abs(ways @ np.array([-way[1], way[0]])) <= _PARALLEL
+        for at in (0, 1):
+            near = np.minimum(*(np.hypot(*(ends[:, at] - own).T) for own in (tip, back)))
+            far = ends[:, 1 - at]
+            away = (back - far) @ way > 0.0
+            found += [(start, tip) for start in far[parallel & away & (near <= _TOUCH)]]
+    return found
+
+
+def shelves_of(marks: Iterable[Mark]) -> list[Leader]:
+    """The level narrow lines among the marks of a sheet, under the texts of leaders."""
+    found = []
+    for mark in marks:
+        if mark.kind in _NARROW and mark.line is not None:
+            rule = rule_of(*mark.line)
+            if rule is not None and rule.level:
+                found.append((np.array(mark.line[0]), np.array(mark.line[1])))
+    return found
+
+
+def circles_at(
+    text: SheetText, leaders: Sequence[Leader], shelves: Sequence[Leader], arcs: Sequence[Arc]
+) -> tuple[Arc, ...]:
+    """The circles and arcs that a text's leader may point at, the likeliest first; one of each
+    radius.
+
+    Args:
+        text: level.
+        leaders: slanted lines of the sheet.
+        shelves: level lines of the sheet.
+        arcs: of the views, px of the upright sheet.
+    """
+    if not text.level:
+        return ()
+    near = _NEAR * (text.box[3] - text.box[1])
+    starts = [end for shelf in shelves if _beside(shelf, text.box, near) for end in shelf]
+    ends = np.array([end for piece in leaders for end in piece]).reshape(-1, 2)
+    missed: dict[float, tuple[float, Arc]] = {}
+    for leader in leaders:
+        for start, tip in (leader, leader[::-1]):
+            if _distance(text.box, start) <= near or any(
+                np.hypot(*(start - end)) <= _TOUCH for end in starts
+            ):
+                # Edges that a leader crosses cut it into pieces.
+                tips = [tip, *_beyond(start, tip, ends)]
+                for miss, arc in (hit for end in tips for hit in _pointed_at(start, end, arcs)):
+                    if arc.radius not in missed or miss < missed[arc.radius][0]:
+                        missed[arc.radius] = miss, arc
+    return tuple(arc for _, arc in sorted(missed.values(), key=lambda hit: hit[0]))
+
+
+def _beyond(start: Points, tip: Points, points: Points) -> Points:
+    """(m, 2) those of some points that lie on the line from a start, beyond its tip."""
+    length = float(np.hypot(*(tip - start)))
+    way, offsets = (tip - start) / length, points - start
+    beside = np.abs(way[0] * offsets[:, 1] - way[1] * offsets[:, 0])
+    return points[(offsets @ way > length) & (beside <= _ALIGNED)]
+
+
+def _beside(shelf: Leader, box: Box, near: float) -> bool:
+    """Whether a level line runs along a text, or starts beside it."""
+    left, right = sorted(float(end[0]) for end in shelf)
+    level = float(shelf[0][1])
+    below = box[1] - 0.2 * near <= level <= box[3] + near
+    return below and left <= box[2] + near and right >= box[0] - near
+
+
+def _distance(box: Box, point: Points) -> float:
+    """px from a box to a point."""
+    dx = max(box[0] - point[0], point[0] - box[2], 0.0)
+    dy = max(box[1] - point[1], point[1] - box[3], 0.0)
+    return float(np.hypot(dx, dy))
+
+
+def _pointed_at(start: Points, tip: Points, arcs: Sequence[Arc]) -> list[tuple[float, Arc]]:
+    """How far the tip misses each circle towards whose centre a leader runs."""
+    way = (tip - start) / np.hypot(*(tip - start))
+    found = []
+    for arc in arcs:
+        offset = np.array(arc.centre) - tip
+        miss = abs(float(np.hypot(*offset)) - arc.radius)
+        beside = abs(float(way[0] * offset[1] - way[1] * offset[0]))
+        if miss <= _TOUCH and beside <= _BESIDE * arc.radius + 2.0:
+            found.append((miss, arc))
+    return found

@@ -1,0 +1,78 @@
+"""Dimensions that count from a common zero, each at the end of its own line (ISO 129-1)."""
+
+import re
+from collections.abc import Sequence
+
+from gaussiancad_core.sheet.options import Box
+from gaussiancad_core.sheet.rules import Rule
+from gaussiancad_core.writing.texts import SheetText
+
+_ZERO = re.compile(r"[0O](?:[.,]0+)?")
+
+_APART = 1.5
+"""Gap between a text and its line at most, in its height."""
+
+_BESIDE = 0.5
+"""Distance of a text's middle from its line at most, in its height."""
+
+_ALIGNED = 1.0
+"""Distance between the starts, or ends, of texts in a row at most, in their height."""
+
+
+def is_zero(text: SheetText) -> bool:
+    """Whether a text may be the zero that others count from."""
+    return not text.field and _ZERO.fullmatch(text.text) is not None
+
+
+def ordinate_length(
+    text: SheetText, zeros: Sequence[SheetText], rules: Sequence[Rule]
+) -> float | None:
+    """px from the line of a zero to that of a text in a row with it; nothing if there is none.
+
+    Args:
+        text: of a dimension.
+        zeros: the texts of the sheet that are zeros.
+        rules: its narrow lines.
+    """
+    own = _line_at_end(text.box, text.level, rules)
+    if own is None:
+        return None
+    for zero in zeros:
+        # A lone zero looks the same whichever way it is read.
+        if _in_row(text.box, zero.box, text.level):
+            start = _line_at_end(zero.box, text.level, rules)
+            if start is not None and start is not own:
+                return abs(own.at - start.at)
+    return None
+
+
+def _along(box: Box, level: bool) -> tuple[float, float]:
+    return (box[0], box[2]) if level else (box[1], box[3])
+
+
+def _across(box: Box, level: bool) -> tuple[float, float]:
+    return _along(box, not level)
+
+
+def _in_row(one: Box, two: Box, level: bool) -> bool:
+    """Whether two texts start or end together, below each other."""
+    reach = _ALIGNED * (_across(one, level)[1] - _across(one, level)[0])
+    (low, high), (start, end) = _along(one, level), _along(two, level)
+    return min(abs(low - start), abs(high - end)) <= reach
+
+
+def _line_at_end(box: Box, level: bool, rules: Sequence[Rule]) -> Rule | None:
+    """The line that runs towards an end of a text, in line with it; the nearest."""
+    (low, high), (top, bottom) = _along(box, level), _across(box, level)
+    height, middle = bottom - top, 0.5 * (top + bottom)
+    near = [
+        rule
+        for rule in rules
+        if rule.level is level
+        and abs(rule.at - middle) <= _BESIDE * height
+        and (
+            -0.2 * height <= rule.low - high <= _APART * height
+            or -0.2 * height <= low - rule.high <= _APART * height
+        )
+    ]
+    return min(near, key=lambda rule: abs(rule.at - middle), default=None)

@@ -1,0 +1,115 @@
+"""Cutting lines in steps: from one end along lines at right angles to the other (ISO 128-3)."""
+
+from collections.abc import Sequence
+from math import hypot
+
+import numpy as np
+import numpy.typing as npt
+
+from gaussiancad_core.writing.leaders import Lines
+
+_BESIDE = 3.0
+"""px between lines that run along each other."""
+
+_GAP = 60.0
+"""px between dashes of a line at most."""
+
+_LEAN = 0.02
+"""Sine of the angle between a line and the direction that it is taken to have."""
+
+_MOST = 12
+"""Steps of a cutting line at most."""
+
+Place = tuple[float, float]
+
+
+def stepped_path(ends: tuple[Place, Place], way: Place, lines: Lines) -> tuple[Place, ...]:
+    """The corners of a cutting line; nothing where its steps are not found.
+
+    Args:
+        ends: of the line, px.
+        way: of its arrows, of length 1: the line runs square to it, and in steps along it.
+        lines: straight ones of the sheet, px, dashes as well.
+    """
+    along = np.array([-way[1], way[0]])
+    across = np.array(way)
+    start, goal = (np.array([own @ along, own @ across]) for own in map(np.array, ends))
+    turned = start[0] > goal[0]
+    if turned:
+        start, goal = goal, start
+    flat, steep = _sorted(lines, along, across)
+    corners = [start]
+    at, level = float(start[0]), float(start[1])
+    for _ in range(_MOST):
+        reach = _led(flat, level, at)
+        if abs(level - goal[1]) <= _BESIDE and reach >= goal[0] - _GAP:
+            corners.append(goal)
+            path = [own[0] * along + own[1] * across for own in corners]
+            path = path[::-1] if turned else path
+            return tuple((float(x), float(y)) for x, y in path)
+        step = _step(steep, flat, level, (at, min(reach, float(goal[0]))))
+        if step is None:
+            return ()
+        at, new = step
+        corners += [np.array([at, level]), np.array([at, new])]
+        level = new
+    return ()
+
+
+Spans = npt.NDArray[np.float64]
+"""(n, 3): where a line lies, from where and to where it runs."""
+
+
+def _sorted(lines: Lines, along: np.ndarray, across: np.ndarray) -> tuple[Spans, Spans]:
+    """Lines that run along a cutting line, and those that run square to it."""
+    flat, steep = [], []
+    for start, end in lines:
+        (a, b), (c, d) = ((own @ along, own @ across) for own in (start, end))
+        length = hypot(c - a, d - b)
+        if abs(d - b) <= _LEAN * length:
+            flat.append(((b + d) / 2.0, *sorted((a, c))))
+        elif abs(c - a) <= _LEAN * length:
+            steep.append(((a + c) / 2.0, *sorted((b, d))))
+    return _joined(flat), _joined(steep)
+
+
+def _joined(pieces: Sequence[tuple[float, float, float]]) -> Spans:
+    """Dashes of one line as one: gaps are no longer than the longer dash beside them."""
+    found: list[list[float]] = []
+    for at, low, high in sorted(pieces, key=lambda own: own[1]):
+        for own in found:
+            gap = min(_GAP, max(own[3], high - low))
+            if abs(own[0] - at) <= _BESIDE and low <= own[2] + gap:
+                own[2], own[3] = max(own[2], high), max(own[3], high - low)
+                break
+        else:
+            found.append([at, low, high, high - low])
+    return np.array(found).reshape(-1, 4)[:, :3]
+
+
+def _led(spans: Spans, level: float, start: float) -> float:
+    """How far dashes at a level lead from a place on."""
+    own = spans[np.abs(spans[:, 0] - level) <= _BESIDE]
+    reach = start
+    for _, low, high in own[np.argsort(own[:, 1])].tolist():
+        if low <= reach + _GAP and high > reach:
+            reach = high
+    return reach
+
+
+def _step(
+    steep: Spans, flat: Spans, level: float, between: tuple[float, float]
+) -> tuple[float, float] | None:
+    """The last place of a level at which a line leads to another level that goes on, and that."""
+    found = []
+    for at, low, high in steep.tolist():
+        if not between[0] + _BESIDE < at <= between[1] + _GAP:
+            continue
+        for near, far in ((low, high), (high, low)):
+            if abs(near - level) <= _GAP and abs(far - level) > _BESIDE:
+                levels = flat[(flat[:, 1] <= at + _GAP) & (flat[:, 2] > at + _BESIDE)][:, 0]
+                levels = levels[np.abs(levels - far) <= _GAP]
+                levels = levels[np.abs(levels - level) > _BESIDE]
+                if len(levels):
+                    found.append((at, float(levels[np.argmin(np.abs(levels - far))])))
+    return max(found, default=None)

@@ -1,0 +1,164 @@
+"""How thick notes say that a plate is."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gaussiancad_core.writing.numbers import Unit
+from gaussiancad_core.writing.thickness import Thickness, take_thickness
+
+MM, INCH = Unit.MILLIMETRE, Unit.INCH
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "unit"),
+    [
+        ("t=3", 3.0, None),
+        ("t 3", 3.0, None),
+        ("t = 3 mm", 3.0, MM),
+        ("t=3\u00b10.1", 3.0, None),
+        ("S235JR, t=3", 3.0, None),
+        ("s=3", 3.0, None),
+        ("s 3", 3.0, None),
+        ("s3", 3.0, None),
+        ("T=3", 3.0, None),
+        ("S = 3 mm", 3.0, MM),
+        ("3 mm thick", 3.0, MM),
+        ("3mm THK", 3.0, MM),
+        ("3-mm-thick", 3.0, MM),
+        ("PLATE 3 THK", 3.0, None),
+        ("THK 3", 3.0, None),
+        ("THK. 3", 3.0, None),
+        ("THK: 0,5 mm", 0.5, MM),
+        ('.0625" thick', 0.0625, INCH),
+        ('0.0625" THK', 0.0625, INCH),
+        ("0.0625\u201d THK", 0.0625, INCH),
+        ("1/16 in. thick", 0.0625, INCH),
+        ("1/16 in thick", 0.0625, INCH),
+        ("THK .25 in", 0.25, INCH),
+        ("thickness 2 in, steel", 2.0, INCH),
+        ("THICKNESS 2 IN. MAX", 2.0, INCH),
+        ("THK 1/4", 0.25, INCH),
+        ("THK .25", 0.25, INCH),
+        ("t=3 in 2 places", 3.0, None),
+        ('1 1/2" THICK', 1.5, INCH),
+        (".25 inch thick steel", 0.25, INCH),
+        ("thickness 3", 3.0, None),
+        ("Thickness: 3 mm", 3.0, MM),
+        ("MATERIAL: STEEL, THICKNESS = 3", 3.0, None),
+        ("Dicke 3", 3.0, None),
+        ("Blech 3 mm dick", 3.0, MM),
+        ("Blechdicke 1,5", 1.5, None),
+        ("St\u00e4rke 3", 3.0, None),
+        ("Sta\u0308rke 3", 3.0, None),
+        ("Materialst\u00e4rke: 3 mm", 3.0, MM),
+        ("\u539a3", 3.0, None),
+        ("\u539a 3", 3.0, None),
+        ("3\u539a", 3.0, None),
+        ("\u677f\u539a3", 3.0, None),
+        ("\u677f\u539a\uff1a3 mm", 3.0, MM),
+        ("\u539a\u5ea6 3\u6beb\u7c73", 3.0, MM),
+        ("\u03b4=3", 3.0, None),
+        ("\u0442\u043e\u043b\u0449\u0438\u043d\u0430 3", 3.0, None),
+        ("\u0422\u043e\u043b\u0449\u0438\u043d\u0430 3 \u043c\u043c", 3.0, MM),
+        ("\u00e9p. 3", 3.0, None),
+        ("\u00e9paisseur : 3 mm", 3.0, MM),
+        ("EP 3", 3.0, None),
+        ("spessore 3", 3.0, None),
+        ("espesor 3", 3.0, None),
+    ],
+)
+def test_a_note_tells_how_thick_a_plate_is(text: str, value: float, unit: Unit | None) -> None:
+    assert take_thickness(text)[0] == Thickness(value, unit)
+
+
+def test_a_bare_point_is_one_of_the_unit_of_the_file() -> None:
+    assert take_thickness("THK .25", bare_point_is_inch=False)[0] == Thickness(0.25)
+
+
+@pytest.mark.parametrize(
+    ("text", "rest"),
+    [
+        ("t=3", ""),
+        ("t=3\u00b10.1 mm", ""),
+        ("ALL FILLETS R3, PLATE 5 THK", "ALL FILLETS R3"),
+        ("M6 THRU 5 mm THK PLATE", "M6 THRU"),
+        ("BLECH 3 mm dick; C45", "C45"),
+        ("R2, t=3\u00b10.1 mm, M6", "R2, M6"),
+        ("t=3 in 2 places", "in 2 places"),
+        ("t=3, s=4", "s=4"),
+    ],
+)
+def test_what_a_note_says_besides_is_kept(text: str, rest: str) -> None:
+    found, besides = take_thickness(text)
+    assert found is not None and besides == rest
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "3",
+        "T3",
+        "S3",
+        "S235",
+        "S355",
+        "S=1:2",
+        "HARDEN AT T = 850 C",
+        "T=850\u00b110\u00b0C",
+        "T = 850 +10/-5 C",
+        "T=25\u00b0C",
+        "T = 0.5 s",
+        "t=3 cm",
+        "thickness 5 \u00b5m",
+        "M3",
+        "\u00d83",
+        "3 mm",
+        "t",
+        "thick",
+        "t=0",
+        "1/0 thick",
+        "3 deep",
+        "at 3",
+        "parts 3",
+        "SECTION S-S",
+        "wall thickness 2",
+        "Wandst\u00e4rke 2",
+        "\u58c1\u539a2",
+        "coating 0.02 mm thick",
+        "Schichtdicke 0,02",
+        "plating 5 \u00b5m thick",
+        "1:3 thick",
+        "thickener 3",
+        "step 3",
+    ],
+)
+def test_other_notes_tell_none(text: str) -> None:
+    assert take_thickness(text) == (None, text)
+
+
+@pytest.mark.parametrize("text", ["T6", "s3", "t 3", "S235", "t: 3"])
+def test_a_field_of_the_title_block_needs_more_than_a_letter(text: str) -> None:
+    assert take_thickness(text, field=True)[0] is None
+
+
+@pytest.mark.parametrize("text", ["t=3", "S = 3", "THK 3", "Dicke: 3", "3 mm thick", "\u539a3"])
+def test_words_and_equal_signs_tell_in_a_field(text: str) -> None:
+    found, _ = take_thickness(text, field=True)
+    assert found is not None and found.value == 3.0
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["t=" + "9" * 400, "THICKNESS 1/" + "9" * 5000, "t=1" + "0" * 400 + "/2", "t=." + "9" * 400],
+)
+def test_endless_numbers_are_none(text: str) -> None:
+    assert take_thickness(text)[0] is None
+
+
+@given(st.text(max_size=60), st.booleans())
+def test_no_text_is_too_much(text: str, field: bool) -> None:
+    found, _ = take_thickness(text, field=field)
+    assert found is None or 0.0 < found.value < math.inf
