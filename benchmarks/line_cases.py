@@ -21,6 +21,7 @@ from gaussiancad_core.modes import ResultKind
 from gaussiancad_core.opened_sheet import open_sheet
 from gaussiancad_core.projected_reading import Reading
 from gaussiancad_core.reading_run import STAGES, sheet_lines
+from gaussiancad_core.reading_stage import with_unseen
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
 from gaussiancad_core.reasoning.told import ToldNumbers
 from gaussiancad_core.registering_stage import registered_lines
@@ -98,7 +99,7 @@ def _read(sheet: Path) -> LineCase:
         notes = RunNotes(Report("", job.settings()), Progress(Silence(), len(STAGES)))
         try:
             opened = open_sheet(job, notes)
-            lines = sheet_lines(job, opened, notes)
+            lines = with_unseen(sheet_lines(job, opened, notes), notes)
             found = registered_lines(job, lines, opened.turn, notes)
             own, other = (each and _lines(each) for each in (found.own, found.other))
         except GaussianCadError as error:

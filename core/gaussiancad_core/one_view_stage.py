@@ -69,7 +69,8 @@ def told_unseen(
         run: told what is assumed.
 
     Raises:
-        NoModelError: ``one-view`` where nothing tells it.
+        NoModelError: ``one-view`` where nothing tells it, with the axis; its case is ``scale``
+            where the thickness is known, and the size of what the view shows is not.
     """
     if len(drawn) != 1:
         return None
@@ -83,6 +84,15 @@ def told_unseen(
     if thickness is not None and _is_scaled(axis, options):
         run.doubt("second-view-assumed", _PLATE)
         return Unseen(axis, thickness)
+    if thickness is not None:
+        raise NoModelError(
+            "one-view",
+            "the sheet has one view and a thickness, and nothing tells its scale: tell --length "
+            "AXIS=MM along an axis that the view shows, or --mm-per-pixel",
+            boxes=[view.box],
+            axis=axis.name.lower(),
+            case="scale",
+        )
     raise NoModelError(
         "one-view",
         "only one view was found, at {places} px, and neither diameters across an axis nor a "

@@ -178,6 +178,7 @@ class _Run:
             NoModelError: the page has no views that belong together.
         """
         from gaussiancad_core.reading_run import sheet_lines
+        from gaussiancad_core.reading_stage import with_unseen
 
         with self.notes.stage("read"):
             if kept is not None:
@@ -187,7 +188,7 @@ class _Run:
                 return earlier
             sheet = kept or OpenedSheet(self._image, self.job.reading.median_kernel)
             self._turn = sheet.turn
-        return sheet, sheet_lines(self.job, sheet, self.notes)
+        return sheet, with_unseen(sheet_lines(self.job, sheet, self.notes), self.notes)
 
     def _read_instead(self, error: NoModelError) -> "tuple[OpenedSheet, SheetLines] | Report":
         """The same of the page that brings together what the first page shows apart.

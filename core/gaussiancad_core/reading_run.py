@@ -13,7 +13,7 @@ from gaussiancad_core.job import Job
 from gaussiancad_core.opened_sheet import open_sheet
 from gaussiancad_core.outputs import os_error
 from gaussiancad_core.page_choice import naming_pages
-from gaussiancad_core.reading_stage import SheetLines, boxed_views, read_lines
+from gaussiancad_core.reading_stage import SheetLines, boxed_views, read_lines, with_unseen
 from gaussiancad_core.readings.cleaned_lines import DXF_FILE, SVG_FILE, lines_dxf, lines_svg
 from gaussiancad_core.readings.correcting import Ink
 from gaussiancad_core.readings.filling import Reread, with_read_views
@@ -74,6 +74,7 @@ def read_sheet_lines(
     lines, refused = None, []
     try:
         lines = sheet_lines(job, sheet, notes)
+        lines = with_unseen(lines, notes)
         registered_lines(job, lines, sheet.turn, notes)
     except NoModelError as error:
         message = naming_pages(error, sheet.image).message

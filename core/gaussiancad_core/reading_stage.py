@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
+from gaussiancad_core.errors import UsageError
 from gaussiancad_core.files.vectors import CircularArc
 from gaussiancad_core.job import Job
 from gaussiancad_core.label_doubts import tell_doubtful_labels, weighed_views
@@ -65,7 +66,8 @@ class SheetLines:
         loose: lines of the part that belong to no view, where none was found.
         beside: sections that stand beside plain views of their directions.
         labels: what the lines of the sheet were taken for; nothing where no labels told it.
-        unseen: what is known of the axis that the only view does not show; None of several views.
+        unseen: what is known of the axis that the only view does not show; None of several views,
+            and until :func:`with_unseen` asks.
     """
 
     layout: Layout
@@ -114,9 +116,22 @@ def read_lines(job: Job, sheet: OpenedSheet, notes: RunNotes) -> SheetLines:
         tell_layout(notes, layout, turn, frame_guessed=found.frame_guessed)
         options = tell_scale(reading, scale, drawn, notes)
         tell_notes(notes, said, turn)
-        unseen = told_unseen(drawn, scale, said, options, notes)
     told = separated.marks, scale, options, said, sections
-    return SheetLines(layout, drawn, *told, beside=beside, labels=separated.labels, unseen=unseen)
+    return SheetLines(layout, drawn, *told, beside=beside, labels=separated.labels)
+
+
+def with_unseen(lines: SheetLines, notes: RunNotes) -> SheetLines:
+    """The same with what is known of the axis that the only view does not show.
+
+    Args:
+        lines: of the sheet.
+        notes: told what is assumed.
+
+    Raises:
+        NoModelError: ``one-view`` where nothing tells it.
+    """
+    unseen = told_unseen(lines.drawn, lines.scale, lines.notes, lines.options, notes)
+    return replace(lines, unseen=unseen)
 
 
 def boxed_views(job: Job, sheet: OpenedSheet, notes: RunNotes) -> tuple[ReadView, ...]:
@@ -267,7 +282,18 @@ def _is_given(reading: ReadingOptions, drawn: Sequence[ReadView]) -> bool:
 def tell_scale(
     reading: ReadingOptions, scale: SheetScale | None, drawn: Sequence[ReadView], notes: RunNotes
 ) -> ReadingOptions:
-    """What the user said, with the scale that the sheet tells where they said none."""
+    """What the user said, with the scale that the sheet tells where they said none.
+
+    Raises:
+        UsageError: the user says it in two ways.
+    """
+    told = reading.scaling_length(shown_extents(drawn))
+    if reading.mm_per_pixel is not None and told is not None:
+        raise UsageError(
+            "wrong-usage",
+            "--mm-per-pixel and --length along {axis} both tell the scale: leave one out",
+            axis=told[0].name.lower(),
+        )
     if scale is None or _is_given(reading, drawn):
         notes.tell(scale_source=ScaleSource.GIVEN.value)
         return reading

@@ -104,19 +104,21 @@ def test_the_outline_of_a_half_section_is_alike() -> None:
 
 
 @pytest.mark.parametrize(
-    ("options", "notes"),
+    ("options", "notes", "case"),
     [
-        (_KNOWN, ()),
-        (ReadingOptions(), (_thick(3.0),)),
-        (ReadingOptions(lengths=((Axis.Y, 3.0),)), ()),
+        (_KNOWN, (), None),
+        (ReadingOptions(), (_thick(3.0),), "scale"),
+        (ReadingOptions(lengths=((Axis.Y, 3.0),)), (), "scale"),
     ],
 )
 def test_without_a_thickness_or_a_scale_one_view_is_no_part(
-    options: ReadingOptions, notes: tuple[SheetNote, ...]
+    options: ReadingOptions, notes: tuple[SheetNote, ...], case: str | None
 ) -> None:
     with pytest.raises(NoModelError) as raised:
         told_unseen((_view(*_SIDES),), _scale(), notes, options, _notes())
     assert raised.value.code == "one-view"
+    args = raised.value.message.args
+    assert (args["axis"], args.get("case")) == ("y", case)
 
 
 def test_of_two_views_nothing_is_asked() -> None:

@@ -81,8 +81,7 @@ def add_reading_options(parser: argparse.ArgumentParser) -> None:
         metavar="|".join(member.value for member in FileUnit),
         help="of a file that does not say its own, and of its numbers (mm, in)",
     )
-    scale = parser.add_mutually_exclusive_group()
-    scale.add_argument(
+    parser.add_argument(
         "--length",
         type=values.axis_length,
         action="append",
@@ -90,7 +89,7 @@ def add_reading_options(parser: argparse.ArgumentParser) -> None:
         help="the part's extent on x, y or z; y is the thickness of a plate in one view; repeat "
         "for a plate whose scale is not known",
     )
-    scale.add_argument("--mm-per-pixel", type=values.length, metavar="S")
+    parser.add_argument("--mm-per-pixel", type=values.length, metavar="S")
     parser.add_argument(
         "--finder",
         type=partial(values.choice, Finder),

@@ -252,31 +252,44 @@ def _told(known: DimensionEntry, operation: DimensionOperation) -> DimensionEntr
 
 
 def _with_scale(reading: SheetReading, operation: ScaleOperation) -> SheetReading | None:
-    if operation.mm_per_px is not None:
-        return changed(reading, scale=ReadScale(source=GIVEN, mm_per_px=operation.mm_per_px))
-    if operation.length_mm is None:
-        return None
-    if operation.axis is not None:
+    own = _told_scale(reading, operation)
+    return None if own is None else changed(reading, scale=own)
+
+
+def _told_scale(reading: SheetReading, operation: ScaleOperation) -> ReadScale | None:
+    before = reading.scale
+    if operation.axis is not None and operation.mm_per_px is None:
+        if operation.length_mm is None:
+            return None
         # An extent that the only view does not show tells no scale: that stays.
-        known = reading.scale if _is_unseen(reading, operation.axis) else ReadScale(source=GIVEN)
-        own = changed(known, axis=operation.axis, length_mm=operation.length_mm, points=None)
-        return changed(reading, scale=own)
-    if operation.points is None:
+        known = before if is_unseen(reading, operation.axis) else ReadScale(source=GIVEN)
+        return changed(known, axis=operation.axis, length_mm=operation.length_mm, points=None)
+    per_px = operation.mm_per_px or _between_points(operation)
+    if per_px is None:
         return None
-    (x0, y0), (x1, y1) = operation.points
-    apart = hypot(x1 - x0, y1 - y0)
-    if apart < 1.0:
-        return None
-    own = ReadScale(
+    if before.axis is not None and is_unseen(reading, before.axis):
+        # Nor does a scale tell that extent, which is the one length that is kept.
+        return changed(before, source=GIVEN, mm_per_px=per_px)
+    if operation.mm_per_px is not None:
+        return ReadScale(source=GIVEN, mm_per_px=per_px)
+    return ReadScale(
         source=GIVEN,
-        mm_per_px=operation.length_mm / apart,
+        mm_per_px=per_px,
         length_mm=operation.length_mm,
         points=operation.points,
     )
-    return changed(reading, scale=own)
 
 
-def _is_unseen(reading: SheetReading, axis: str) -> bool:
+def _between_points(operation: ScaleOperation) -> float | None:
+    """mm a px by the length between two points; None where they are one, or nothing is told."""
+    if operation.points is None or operation.length_mm is None:
+        return None
+    (x0, y0), (x1, y1) = operation.points
+    apart = hypot(x1 - x0, y1 - y0)
+    return operation.length_mm / apart if apart >= 1.0 else None
+
+
+def is_unseen(reading: SheetReading, axis: str) -> bool:
     """Whether the reading has one view, which looks along an axis."""
     known = {role.value: role for role in Role}
     roles = [known[own.role.value] for own in reading.views if own.role.value in known]

@@ -14,7 +14,6 @@ from gaussiancad_core.errors import NoModelError, UsageError
 from gaussiancad_core.job import Job
 from gaussiancad_core.label_doubts import DOUBTFUL, tell_doubtful_labels
 from gaussiancad_core.messages import filled
-from gaussiancad_core.one_view_stage import told_unseen
 from gaussiancad_core.reading_stage import (
     SheetLines,
     in_worked_px,
@@ -24,6 +23,7 @@ from gaussiancad_core.reading_stage import (
     tell_scale,
 )
 from gaussiancad_core.readings.certainty import entry_labels
+from gaussiancad_core.readings.correcting import is_unseen
 from gaussiancad_core.readings.filling import Reread
 from gaussiancad_core.readings.schema import (
     DRAWN,
@@ -105,7 +105,7 @@ def taken_lines(
 
     Raises:
         UsageError: ``reading-of-another-sheet``, ``role-repeated``; a box holds nothing to read.
-        NoModelError: ``no-views``, ``one-view``, ``empty-view``.
+        NoModelError: ``no-views``, ``empty-view``.
     """
     image, clean = sheet.image, sheet.clean
     if reading.sheet.sha256 != image.sha256 or reading.sheet.page != job.page:
@@ -138,11 +138,10 @@ def taken_lines(
         tell_notes(notes, found, turn)
         sections = tuple(_section(own, turn) for own in reading.sections)
         beside = _beside(reading, clean)
-        unseen = told_unseen(drawn, scale, found, options, notes)
         labels = entry_labels(reading.strokes, turn, clean.stroke_width)
         _tell_labels(notes, reading, labels, layout, turn)
     told = marks, scale, options, found, sections
-    return SheetLines(layout, drawn, *told, beside=beside, labels=labels, unseen=unseen)
+    return SheetLines(layout, drawn, *told, beside=beside, labels=labels)
 
 
 def _tell_labels(
@@ -158,12 +157,16 @@ def _tell_labels(
 
 
 def _told_axis(job: Job, reading: SheetReading) -> Job:
-    """The job with the length that the reading was told, unless the user tells another scale."""
+    """The job with the length that the reading was told, unless the user tells another scale;
+    one that no view shows tells none, and is taken beside it."""
     own, scale = job.reading, reading.scale
-    if own.lengths or own.mm_per_pixel or scale.axis is None or scale.length_mm is None:
+    if scale.axis is None or scale.length_mm is None:
         return job
-    length = Axis[scale.axis.upper()], scale.length_mm
-    return replace(job, reading=replace(own, lengths=(length,)))
+    axis = Axis[scale.axis.upper()]
+    is_told = own.lengths or own.mm_per_pixel
+    if own.length_along(axis) or (is_told and not is_unseen(reading, scale.axis)):
+        return job
+    return replace(job, reading=replace(own, lengths=(*own.lengths, (axis, scale.length_mm))))
 
 
 def _principal(reading: SheetReading) -> dict[Role, ViewEntry]:

@@ -9,7 +9,7 @@ import numpy as np
 from gaussiancad_core import __version__
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.messages import told
+from gaussiancad_core.messages import args_of, told
 from gaussiancad_core.one_view_stage import shown_extents
 from gaussiancad_core.reading_stage import SheetLines
 from gaussiancad_core.readings.certainty import (
@@ -157,7 +157,11 @@ def sheet_reading(
 
 def refusal(code: str, message: str) -> Problem:
     """Why no part follows from a sheet."""
-    return Problem(**told(code, message), severity="refused", offers=_offers(code) or _NO_VIEWS)
+    offers = _offers(code) or _NO_VIEWS
+    if code == "one-view" and "axis" in args_of(message):
+        # A length along an axis that no view shows is the thickness.
+        offers = ("scale", *offers)
+    return Problem(**told(code, message), severity="refused", offers=offers)
 
 
 def write_reading(reading: SheetReading, folder: Path) -> None:

@@ -28,7 +28,6 @@ def _line(capsys: pytest.CaptureFixture[str]) -> str:
         ["reconstruct", "a.png", "--output", "o", "--length", "w=3"],
         ["reconstruct", "a.png", "--output", "o", "--length", "x=-3"],
         ["reconstruct", "a.png", "--output", "o", "--mm-per-pixel", "nan"],
-        ["reconstruct", "a.png", "--output", "o", "--length", "x=3", "--mm-per-pixel", "1"],
         ["reconstruct", "a.png", "--output", "o", "--colour", "red"],
         ["reconstruct", "a.png", "--output", "o", "--seed", "-1"],
         ["reconstruct", "a.png", "--output", "o", "--page", "0"],

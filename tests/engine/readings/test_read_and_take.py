@@ -94,14 +94,57 @@ def test_reading_never_fails_for_geometry(tmp_path: Path) -> None:
     from PIL import Image, ImageDraw
 
     picture = Image.new("L", (600, 400), 255)
-    ImageDraw.Draw(picture).rectangle((100, 100, 300, 250), outline=0, width=3)
-    picture.save(tmp_path / "one.png")
+    for box in ((60, 60, 260, 160), (360, 210, 540, 360)):
+        ImageDraw.Draw(picture).rectangle(box, outline=0, width=3)
+    picture.save(tmp_path / "apart.png")
     output = tmp_path / "out"
-    assert main(["read", str(tmp_path / "one.png"), "--output", str(output)]) == 0
+    assert main(["read", str(tmp_path / "apart.png"), "--output", str(output)]) == 0
     values = _json(output / "reading.json")
     (refused,) = [own for own in values["problems"] if own["severity"] == "refused"]
     assert refused["offers"] and values["strokes"] == []
-    assert [own["role"] for own in values["views"]] == ["ignore"]
+    assert [own["role"] for own in values["views"]] == ["ignore", "ignore"]
+
+
+def test_a_plate_in_one_view_is_read_and_told_its_thickness_and_scale(tmp_path: Path) -> None:
+    from PIL import Image, ImageDraw
+
+    picture = Image.new("L", (600, 400), 255)
+    ImageDraw.Draw(picture).rectangle((100, 100, 300, 250), outline=0, width=3)
+    path, output = tmp_path / "one.png", tmp_path / "out"
+    picture.save(path)
+
+    def refused() -> list[dict[str, Any]]:
+        assert main(["read", str(path), "--output", str(output)]) == 0
+        values = _json(output / "reading.json")
+        assert [own["role"] for own in values["views"]] == ["front"]
+        assert len(values["strokes"]) == 4
+        return [own for own in values["problems"] if own["severity"] == "refused"]
+
+    (problem,) = refused()
+    assert (problem["code"], problem["offers"]) == ("one-view", ["scale", "view"])
+    assert problem["args"]["axis"] == "y" and "case" not in problem["args"]
+    thickness = {"op": "scale", "axis": "y", "length_mm": 5}
+    _correct(path, [thickness])
+    (problem,) = refused()
+    assert problem["args"] == {"axis": "y", "case": "scale"}
+    width = {"op": "scale", "points": [[100, 100], [300, 100]], "length_mm": 80}
+    for told in ([thickness, width], [width, thickness]):
+        _correct(path, told)
+        assert refused() == []
+    extents = _made(path, tmp_path / "made")["bounding_box_mm"]
+    assert extents == pytest.approx([80, 5, 60], rel=0.02)
+
+
+def test_a_scale_is_told_in_one_way(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    from PIL import Image, ImageDraw
+
+    picture = Image.new("L", (600, 400), 255)
+    ImageDraw.Draw(picture).rectangle((100, 100, 300, 250), outline=0, width=3)
+    picture.save(tmp_path / "one.png")
+    words = ["read", str(tmp_path / "one.png"), "--output", str(tmp_path), "--mm-per-pixel", "0.4"]
+    assert main([*words, "--length", "y=5"]) == 0
+    assert main([*words, "--length", "x=80"]) == 2
+    assert "[wrong-usage]" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(
