@@ -2682,6 +2682,26 @@
         <source>What was read of the drawing, {path}, cannot be used ({reason}). Read the drawing again; if that does not help, choose GaussianCAD &gt; Check Engine.</source>
         <translation>Was auf der Zeichnung gelesen wurde, {path}, ist nicht brauchbar ({reason}). Lesen Sie die Zeichnung noch einmal; hilft das nicht, wählen Sie GaussianCAD &gt; Engine prüfen.</translation>
     </message>
+    <message>
+        <source>Only one view was found. How thick is the part?</source>
+        <translation>Es wurde nur eine Ansicht gefunden. Wie dick ist das Teil?</translation>
+    </message>
+    <message>
+        <source>How thick is the part, in mm?</source>
+        <translation>Wie dick ist das Teil, in mm?</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>How Thick Is the Part?</source>
+        <translation>Wie dick ist das Teil?</translation>
+    </message>
+    <message>
+        <source>The drawing has one view and a thickness, and nothing tells its scale. Tell a length that the view shows, under Scale or in Correct Sheet.</source>
+        <translation>Die Zeichnung hat eine Ansicht und eine Dicke, und nichts sagt ihren Maßstab. Geben Sie eine Länge an, die die Ansicht zeigt, unter „Maßstab“ oder mit „Blatt korrigieren“.</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>

@@ -2682,6 +2682,26 @@
         <source>What was read of the drawing, {path}, cannot be used ({reason}). Read the drawing again; if that does not help, choose GaussianCAD &gt; Check Engine.</source>
         <translation>从图纸读取的内容 {path} 无法使用（{reason}）。请重新读取图纸；若仍无效，请选择 GaussianCAD &gt; 检查引擎。</translation>
     </message>
+    <message>
+        <source>Only one view was found. How thick is the part?</source>
+        <translation>只找到一个视图。零件有多厚？</translation>
+    </message>
+    <message>
+        <source>How thick is the part, in mm?</source>
+        <translation>零件有多厚（单位 mm）？</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>厚度</translation>
+    </message>
+    <message>
+        <source>How Thick Is the Part?</source>
+        <translation>零件有多厚？</translation>
+    </message>
+    <message>
+        <source>The drawing has one view and a thickness, and nothing tells its scale. Tell a length that the view shows, under Scale or in Correct Sheet.</source>
+        <translation>图纸只有一个视图和一个厚度，没有任何内容说明其比例。请在“比例”下或“校正图纸”中指定视图所示的一个长度。</translation>
+    </message>
 </context>
 <context>
     <name>GaussianCADPreferences</name>

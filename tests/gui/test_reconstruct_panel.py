@@ -268,6 +268,29 @@ class Panel(WindowCase):
         self.assertEqual(dock.canvas.desk.path, self.sheet)
         self.assertEqual(widget(QtWidgets.QPushButton, "followUp").text(), "Correct Sheet…")
 
+    def test_of_one_view_the_panel_asks_how_thick_the_part_is(self) -> None:
+        self.behave("plate")
+        self.choose_sheet(self.sheet)
+        again = widget(QtWidgets.QPushButton, "runWithThickness")
+        self.assertFalse(again.isVisible())
+        self.finish()
+        self.assertEqual((self.boxes(), self.document.Objects), ([], []))
+        self.assertTrue(again.isVisible())
+        self.assertEqual(widget(QtWidgets.QPushButton, "followUp").text(), "Correct Sheet…")
+        widget(QtWidgets.QDoubleSpinBox, "thickness").setValue(7.5)
+        self.picture("panel-how-thick")
+        again.click()
+        self.assertFalse(again.isEnabled())
+        self.wait_for(again.isEnabled)
+        self.assertEqual(self.boxes(), [])
+        group = self.document.getObject("Reconstruction")
+        self.assertEqual(texts_of(group, "Settings")["thickness"], "y = 7.5")
+        # It holds for this drawing, and goes with it.
+        self.finish()
+        self.assertEqual(self.boxes(), [])
+        self.choose_sheet(self.folder / "other.png")
+        self.assertFalse(again.isVisible())
+
     def test_without_an_engine_the_box_says_what_to_do(self) -> None:
         self.set_variable("GAUSSIANCAD_PYTHON", str(self.folder / "no python"))
         self.choose_sheet(self.sheet)

@@ -32,6 +32,7 @@ BEHAVIOURS = (
     "dies-late",  # tells its solid, then is killed
     "deaf",  # runs until it is killed
     "refuse",  # exit 4 with a report
+    "plate",  # the same, and asks for the thickness, until it is told
     "dies",  # killed in the middle
     "broken",  # not installed
     "liar",  # exit 0 without a file
@@ -197,6 +198,8 @@ def reconstruct(arguments: list[str]) -> int:
         reason = {"code": "one-view", "message": "only one view was found: draw at least two"}
         (output / "report.json").write_text(json.dumps(report(str(sheet), "failed", [reason])))
         return refuse(reason["code"], reason["message"], 4)
+    if behaviour == "plate" and not any(own.startswith("y=") for own in arguments):
+        return refuse("one-view", "one view, and no thickness", 4, {"axis": "y"})
     if behaviour != "liar":
         write_models(output, behaviour)
         reasons = {
@@ -277,9 +280,9 @@ def batch(arguments: list[str]) -> int:
     return FakeBatch(arguments, send).run(behaviour)
 
 
-def refuse(code: str, message: str, exit_code: int) -> int:
+def refuse(code: str, message: str, exit_code: int, args: dict[str, object] | None = None) -> int:
     """Tell of an error."""
-    send("error", code=code, message=message)
+    send("error", code=code, message=message, **({"args": args} if args else {}))
     sys.stderr.write(f"gaussiancad: {message} [{code}]\n")
     return exit_code
 

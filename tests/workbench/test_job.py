@@ -41,6 +41,20 @@ class Arguments(unittest.TestCase):
         self.assertEqual(Scale(ScaleKind.MM_PER_PIXEL, 0.1).arguments(), ["--mm-per-pixel", "0.1"])
         self.assertEqual(Scale(ScaleKind.LENGTH_X, 1 / 3).arguments()[1], "x=0.3333333333")
 
+    def test_a_thickness_is_a_length_beside_the_scale(self) -> None:
+        thick = Scale(ScaleKind.LENGTH_Y, 5.0)
+        for scale, told in (
+            (Scale(), "--length y=5"),
+            (Scale(ScaleKind.LENGTH_Y, 8.0), "--length y=5"),
+            (Scale(ScaleKind.LENGTH_X, 80.0), "--length x=80 --length y=5"),
+            (Scale(ScaleKind.MM_PER_PIXEL, 0.1), "--mm-per-pixel 0.1 --length y=5"),
+        ):
+            job = ReconstructJob("a", "b", scale=scale, thickness=thick)
+            self.assertTrue(" ".join(job.options()).endswith(f"--scale-down 1 {told}"))
+            again = ReconstructJob.kept("a", "b", job.settings())
+            self.assertEqual(again.options(), job.options())
+        self.assertNotIn("thickness", ReconstructJob("a", "b").settings())
+
     def test_settings_are_texts_for_every_option(self) -> None:
         settings = ReconstructJob("a", "b", scale=Scale(ScaleKind.LENGTH_Z, 3.0)).settings()
         self.assertEqual(settings["scale"], "z = 3")

@@ -60,6 +60,13 @@ class Asking(QtCore.QObject):
         if length is not None:
             self._desk.say(saying.apart(points, length))
 
+    def ask_thickness(self, axis: str) -> None:
+        """How thick the part is along the axis that its only view does not show."""
+        asked = translate("GaussianCAD", "How thick is the part, in mm?")
+        thickness = self._number(translate("GaussianCAD", "Thickness"), asked, 10.0)
+        if thickness is not None:
+            self._desk.say(saying.thick(axis, thickness))
+
     def ask_value(self, number: Number) -> None:
         """What a dimension gives."""
         asked = translate("GaussianCAD", "What \u201c{0}\u201d gives, in mm:").format(number.text)

@@ -9,6 +9,11 @@ from math import hypot
 from freecad.gaussiancad.canvas.sheet import Note, Plane, Sheet, Stroke, View, shape_in, tuples
 
 _MM_PER_INCH = 25.4
+_LOOKS_ALONG = {
+    **dict.fromkeys(("front", "rear"), "y"),
+    **dict.fromkeys(("top", "bottom"), "z"),
+    **dict.fromkeys(("left", "right"), "x"),
+}
 _OPPOSITE = {"top": "bottom", "bottom": "top", "left": "right", "right": "left"}
 
 
@@ -83,11 +88,19 @@ def _note(sheet: Sheet, own: dict, _: int) -> Sheet:
 
 
 def _scale(sheet: Sheet, own: dict, _: int) -> Sheet:
+    if own.get("axis") and own["axis"] == _unseen_axis(sheet):
+        return sheet
     value = own.get("mm_per_px")
     if value is None and own.get("points"):
         (x0, y0), (x1, y1) = own["points"]
         value = own["length_mm"] / max(hypot(x1 - x0, y1 - y0), 1e-9)
     return replace(sheet, mm_per_px=value)
+
+
+def _unseen_axis(sheet: Sheet) -> str:
+    """The axis along which the only view looks; empty where there are several."""
+    roles = [own.role for own in sheet.views if own.role in _LOOKS_ALONG]
+    return _LOOKS_ALONG[roles[0]] if len(roles) == 1 else ""
 
 
 def _unit(sheet: Sheet, own: dict, _: int) -> Sheet:

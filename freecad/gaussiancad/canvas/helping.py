@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from freecad.gaussiancad.canvas import saying
+from freecad.gaussiancad.canvas.asking import Asking
 from freecad.gaussiancad.canvas.desk import Desk
 from freecad.gaussiancad.canvas.gaps import OPEN, closing_lines
 from freecad.gaussiancad.canvas.kinds import ROLES
@@ -23,6 +24,7 @@ _USUAL = {
     "dimensions-not-read": "scale",
     "projection-assumed": "projection",
     "told-lengths-disagree": "scale",
+    "one-view:scale": "scale",
 }
 """What helps with a warning that came up after the sheet was read."""
 
@@ -33,16 +35,16 @@ class Helping:
     Args:
         desk: where the sheet is, and what a button says is said.
         take_tool: gives the mouse a tool.
-        ask_depths: asks how deep the holes of circles are.
+        asking: asks how deep holes are, and how thick the part is.
     """
 
     def __init__(
         self,
         desk: Desk,
         take_tool: Callable[[str], None],
-        ask_depths: Callable[[list[Circle]], None],
+        asking: Asking,
     ) -> None:
-        self._desk, self._take, self._ask_depths = desk, take_tool, ask_depths
+        self._desk, self._take, self._asking = desk, take_tool, asking
         self._more: dict[str, Buttons] = {}
 
     def add(self, code: str, text: str, called: Callable[[], None]) -> None:
@@ -51,7 +53,12 @@ class Helping:
 
     def with_row(self, row: Row) -> Buttons:
         """Buttons for what may help with a problem."""
-        return self._buttons(row.code, row.offers)
+        if not row.unseen_axis:
+            return self._buttons(row.code, row.offers)
+        text = translate("GaussianCAD", "How Thick Is the Part?")
+        answer = text, lambda: self._asking.ask_thickness(row.unseen_axis)
+        rest = tuple(own for own in row.offers if own != "scale")
+        return (answer, *self._buttons(row.code, rest))
 
     def with_report(self) -> Help:
         """Buttons for what a report says; its reasons may be problems of what was read."""
@@ -59,7 +66,7 @@ class Helping:
         problems = self._desk.sheet.problems if self._desk.sheet is not None else ()
         offers.update({own.code: self.with_row(own) for own in problems})
         offers.update(self._more)
-        return Help(self._go_through, self._ask_depths, offers, self._mend)
+        return Help(self._go_through, self._asking.ask_depths, offers, self._mend)
 
     def _buttons(self, code: str, offers: tuple[str, ...]) -> Buttons:
         """The tool of each correction that is offered."""

@@ -71,6 +71,11 @@ def apart(points: tuple[Point, Point], length: float) -> list[dict]:
     return [{"op": "scale", "points": [list(own) for own in points], "length_mm": length}]
 
 
+def thick(axis: str, thickness: float) -> list[dict]:
+    """The part is so many mm thick along an axis that no view shows."""
+    return [{"op": "scale", "axis": axis, "length_mm": thickness}]
+
+
 def given(number: Number, value_mm: float) -> list[dict]:
     """A dimension gives so many mm."""
     return [{"op": "dimension", "id": number.id, "value_mm": value_mm}]

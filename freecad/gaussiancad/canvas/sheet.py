@@ -5,7 +5,8 @@ The reading is what the engine's file holds, px of the sheet as stored, y down.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from itertools import pairwise
 from math import atan2, cos, hypot, pi, sin
 
@@ -157,13 +158,21 @@ class Note:
 @dataclass(frozen=True)
 class Row:
     """A problem: how grave, what it is, in the user's words, its code, its place if it has one, and
-    which corrections may help, by their ``op``."""
+    which corrections may help, by their ``op``, and the values in the message."""
 
     severity: str
     message: str
     code: str
     box: Box | None = None
     offers: tuple[str, ...] = ()
+    args: Mapping[str, object] = field(default_factory=dict)
+
+    @property
+    def unseen_axis(self) -> str:
+        """The axis along which the only view does not tell the part's thickness, if it is that
+        which is missing; else empty."""
+        is_thickness = self.code == "one-view" and not self.args.get("case")
+        return str(self.args.get("axis", "")) if is_thickness else ""
 
     @property
     def pinned(self) -> bool:
@@ -251,6 +260,7 @@ def sheet_of(reading: dict) -> Sheet:
                 own["code"],
                 next(map(tuple, own.get("at", ())), None),
                 tuple(own.get("offers", ())),
+                dict(own.get("args", {})),
             )
             for own in reading.get("problems", ())
         ),

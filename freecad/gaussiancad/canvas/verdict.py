@@ -40,7 +40,7 @@ class Help:
     Attributes:
         go_through: says that the holes of circles go through.
         ask_depths: asks how deep the holes of circles are.
-        offers: buttons, by the code of a reason or a warning.
+        offers: buttons, by the code of a reason or a warning, or by ``code:case``.
         mend: buttons for a line that part and sheet do not share, an entry of the report.
     """
 
@@ -86,7 +86,9 @@ def verdict_line(status: str, measures: str = "") -> Line:
 def _remark(severity: str, own: dict, offers: Mapping[str, Buttons]) -> Line:
     text = worded(own["code"], own["message"], own.get("args"))
     box: Box | None = next(map(tuple, own.get("at", ())), None)
-    return Line(f"{SIGNS[severity]} {text}", box, offers.get(own["code"], ()))
+    case = f"{own['code']}:{own.get('args', {}).get('case')}"
+    buttons = offers.get(case, offers.get(own["code"], ()))
+    return Line(f"{SIGNS[severity]} {text}", box, buttons)
 
 
 def marks_of(report: dict) -> list[Mark]:

@@ -71,7 +71,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         self._left_out: list[Line] = []
         self._menu = SelectionMenu(self.board)
         self._asking = Asking(self.board, self.desk, self)
-        self._helping = Helping(self.desk, self.board.take_tool, self._asking.ask_depths)
+        self._helping = Helping(self.desk, self.board.take_tool, self._asking)
         self._listen()
         self.pages = Pages(self.desk.thumbnail, lambda: not self.busy, self)
         self.pages.chosen.connect(self.page_asked)

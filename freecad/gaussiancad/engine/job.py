@@ -79,6 +79,12 @@ class Scale:
             return ["--mm-per-pixel", f"{self.value:.10g}"]
         return ["--length", f"{self.kind.value}={self.value:.10g}"]
 
+    def text(self) -> str:
+        """The same for people and for the document."""
+        if self.kind is ScaleKind.UNKNOWN:
+            return self.kind.value
+        return f"{self.kind.value} = {self.value:.10g}"
+
 
 @dataclass(frozen=True)
 class ReconstructJob:
@@ -94,6 +100,8 @@ class ReconstructJob:
         scale_down: the edges of the images that train the Gaussians are divided by this.
         reading, corrections: files that say what is on the sheet, or empty; of one sheet, so that
             no batch takes them.
+        thickness: a length along the axis that the only view of the sheet does not show; unknown
+            of all other sheets.
     """
 
     sheet: str
@@ -109,6 +117,7 @@ class ReconstructJob:
     scale_down: int = 1
     reading: str = ""
     corrections: str = ""
+    thickness: Scale = Scale()
 
     @classmethod
     def told(cls, sheet: str, output: str, settings: Mapping[str, Any]) -> "ReconstructJob":
@@ -124,12 +133,11 @@ class ReconstructJob:
         """
         usual = cls(sheet, output)
         lengths, mm_per_pixel = settings.get("lengths"), settings.get("mm_per_pixel")
-        scale = usual.scale
-        if isinstance(lengths, Mapping) and lengths:
-            axis, length = next(iter(lengths.items()))
-            scale = Scale(ScaleKind(axis), float(length))
-        elif mm_per_pixel is not None:
-            scale = Scale(ScaleKind.MM_PER_PIXEL, float(mm_per_pixel))
+        given = lengths.items() if isinstance(lengths, Mapping) else ()
+        known = [Scale(ScaleKind(axis), float(length)) for axis, length in given]
+        if mm_per_pixel is not None:
+            known.insert(0, Scale(ScaleKind.MM_PER_PIXEL, float(mm_per_pixel)))
+        scale, thickness, *_ = [*known, usual.scale, usual.thickness]
         return replace(
             usual,
             projection=Projection(settings.get("projection", usual.projection)),
@@ -141,6 +149,7 @@ class ReconstructJob:
             page=int(settings.get("page", usual.page)),
             seed=int(settings.get("seed", usual.seed)),
             scale_down=int(settings.get("scale_down", usual.scale_down)),
+            thickness=thickness,
         )
 
     @classmethod
@@ -153,11 +162,13 @@ class ReconstructJob:
             settings: one text a setting.
         """
         told: dict[str, Any] = dict(settings)
-        kind, _, value = told.pop("scale", "").partition(" = ")
-        if kind == ScaleKind.MM_PER_PIXEL.value:
-            told["mm_per_pixel"] = value
-        elif value:
-            told["lengths"] = {kind: value}
+        told["lengths"] = {}
+        for name in ("scale", "thickness"):
+            kind, _, value = told.pop(name, "").partition(" = ")
+            if kind == ScaleKind.MM_PER_PIXEL.value:
+                told["mm_per_pixel"] = value
+            elif value:
+                told["lengths"][kind] = value
         told["scale_down"] = told.pop("scale-down", cls.scale_down)
         try:
             return cls.told(sheet, output, told)
@@ -189,22 +200,20 @@ class ReconstructJob:
             *("--page", str(self.page)),
             *("--seed", str(self.seed)),
             *("--scale-down", str(self.scale_down)),
-            *self.scale.arguments(),
+            *(self.scale.arguments() if self.scale.kind is not self.thickness.kind else ()),
+            *self.thickness.arguments(),
         ]
 
     def settings(self) -> dict[str, str]:
         """The same for people and for the document: one text a setting."""
-        scale = (
-            self.scale.kind.value
-            if self.scale.kind is ScaleKind.UNKNOWN
-            else f"{self.scale.kind.value} = {self.scale.value:.10g}"
-        )
+        thick = self.thickness.kind is not ScaleKind.UNKNOWN
         return {
             "projection": self.projection.value,
             "preset": self.preset.value,
             "result": self.outcome.value,
             "recipe": self.recipe.value,
-            "scale": scale,
+            "scale": self.scale.text(),
+            **({"thickness": self.thickness.text()} if thick else {}),
             "colour": self.colour,
             "page": str(self.page),
             "seed": str(self.seed),

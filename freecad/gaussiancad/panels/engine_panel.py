@@ -118,6 +118,14 @@ class EnginePanel(ABC):
         """
         return ""
 
+    def ask(self, result: RunResult) -> bool:
+        """Ask in the panel for what a run lacked, in place of a message box.
+
+        Returns:
+            Whether there is something to ask.
+        """
+        return False
+
     def way_out(self, result: RunResult) -> tuple[str, Callable[[], None]] | None:
         """What may help after a run that did not succeed: a button's text and what it does."""
         return None
@@ -211,12 +219,21 @@ class EnginePanel(ABC):
             self.run_view.end(f"{stopped.rstrip('.')}. {left}" if left else stopped, whole=False)
         self._forget_run()
         if complaint:
-            box = show_error(self._texts.title, complaint)
-            if (offered := self.way_out(result)) is not None:
-                text, called = offered
-                button = box.addButton(text, QtWidgets.QMessageBox.ButtonRole.ActionRole)
-                button.clicked.connect(lambda _=False: called())
-                self.run_view.offer(text, called)
+            self._help(result, complaint)
+
+    def _help(self, result: RunResult, complaint: str) -> None:
+        """Say what went wrong, with what may help."""
+        offered = self.way_out(result)
+        if offered is not None:
+            self.run_view.offer(*offered)
+        if self.ask(result):
+            self.run_view.take_log(complaint)
+            return
+        box = show_error(self._texts.title, complaint)
+        if offered is not None:
+            text, called = offered
+            button = box.addButton(text, QtWidgets.QMessageBox.ButtonRole.ActionRole)
+            button.clicked.connect(lambda _=False: called())
 
     def _outcome(self, result: RunResult) -> tuple[Success | None, str]:
         """The success, or None and what to complain about; nothing if the user cancelled."""

@@ -3,13 +3,14 @@
 import tempfile
 import traceback
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import FreeCAD
 import FreeCADGui
 
 from freecad.gaussiancad.engine.events import Event, EventKind
-from freecad.gaussiancad.engine.job import PAGED_SUFFIXES, SHEET_SUFFIXES, ReconstructJob
+from freecad.gaussiancad.engine.job import PAGED_SUFFIXES, SHEET_SUFFIXES, ReconstructJob, Scale
 from freecad.gaussiancad.engine.process import RunResult
 from freecad.gaussiancad.engine.report import Status
 from freecad.gaussiancad.engine.summary import report_lines, verdict_text
@@ -30,6 +31,7 @@ from freecad.gaussiancad.panels.messages import show_error
 from freecad.gaussiancad.panels.settings_form import SettingsForm
 from freecad.gaussiancad.panels.sheet_preview import SheetPreview
 from freecad.gaussiancad.panels.solutions import open_solutions
+from freecad.gaussiancad.panels.thickness_question import ThicknessQuestion
 from freecad.gaussiancad.panels.widgets import PathField
 from freecad.gaussiancad.preferences import read_preferences
 from freecad.gaussiancad.qt import QtWidgets
@@ -63,6 +65,8 @@ class ReconstructPanel(EnginePanel):
         self.preview = SheetPreview(self.sheet.line.setText)
         self.settings = SettingsForm(starting_choices(read_preferences()))
         self.source = DocumentSource(self.take_source)
+        self.question = ThicknessQuestion(self.start)
+        self.run_view.add_question(self.question)
         self._exports: tempfile.TemporaryDirectory[str] | None = None
         self._scaled_sheet = ""
         self.form = [self._drawing_box(), self.settings, self.run_view]
@@ -108,7 +112,9 @@ class ReconstructPanel(EnginePanel):
             )
             raise WorkbenchError(ErrorCode.SHEET_MISSING, text.format(name=group.Label))
         self.sheet.line.setText(str(sheet))
-        self.settings.take_job(ReconstructJob.kept(str(sheet), "", texts_of(group, "Settings")))
+        job = ReconstructJob.kept(str(sheet), "", texts_of(group, "Settings"))
+        self.settings.take_job(job)
+        self.question.take(job.thickness)
 
     def prepare(self, scratch: Path) -> list[str]:
         """Turn the settings into a job; remember the document that is active now."""
@@ -118,7 +124,8 @@ class ReconstructPanel(EnginePanel):
         document = FreeCAD.ActiveDocument
         self._document_name = document.Name if document is not None else ""
         self._early = None
-        self._job = self.settings.job(sheet, str(folder))
+        job = self.settings.job(sheet, str(folder))
+        self._job = replace(job, thickness=self.question.thickness)
         known = group_of(document, Path(sheet), self._job.page) if document is not None else None
         self._shown_mm = 0.0 if known is None else part_length(known)
         remember(self.settings.choices, read_preferences())
@@ -146,6 +153,7 @@ class ReconstructPanel(EnginePanel):
         self.settings.setEnabled(editable)
         self.preview.setAcceptDrops(editable)
         self.source.setEnabled(editable)
+        self.question.setEnabled(editable)
 
     def take_event(self, event: Event) -> None:
         """Show an event; a preview replaces the picture of the sheet, a solid becomes the part."""
@@ -161,6 +169,10 @@ class ReconstructPanel(EnginePanel):
         if leave(early, reason):
             return translate("GaussianCAD", "The part stays in the document.")
         return ""
+
+    def ask(self, result: RunResult) -> bool:
+        """How thick the part is, where the drawing has one view alone and does not tell."""
+        return self.question.ask(result)
 
     def way_out(self, result: RunResult) -> tuple[str, Callable[[], None]] | None:
         """The canvas, where no model follows from the drawing as it was read."""
@@ -237,6 +249,7 @@ class ReconstructPanel(EnginePanel):
         if not self.running:
             # What is shown is of another drawing.
             self.run_view.forget()
+        self.question.take(Scale())
         self.preview.show_file(path.strip())
         self.settings.show_page(path.strip().lower().endswith(PAGED_SUFFIXES))
 

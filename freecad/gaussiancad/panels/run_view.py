@@ -120,6 +120,11 @@ class RunView(QtWidgets.QWidget):
         self.follow_up.setText(text)
         self.follow_up.show()
 
+    def add_question(self, question: QtWidgets.QWidget) -> None:
+        """Put a question about the outcome between the headline and the bars."""
+        layout = self.layout()
+        layout.insertWidget(layout.indexOf(self.follow_up), question)
+
     def say(self, headline: str) -> None:
         """Show a line at once, before the window is busy."""
         self.stage.setText(headline)

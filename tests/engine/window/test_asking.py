@@ -132,6 +132,28 @@ def test_gaps_are_closed_with_a_button(window: SheetWindow) -> None:
     assert set(own["line"]) == {corners[0], corners[3]}
 
 
+def test_how_thick_a_plate_is_is_asked_for_with_a_button(
+    window: SheetWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    _answer(monkeypatch, 5.0)
+    offers, place = ("scale", "view"), {"axis": "y", "places": ""}
+    problem = Row("refused", "one view", "one-view", None, offers, place)
+    window.desk._read = replace(window.desk._read, problems=(problem,), mm_per_px=0.5)
+    window.desk.changed.emit()
+    verdict, row, *_ = window.problems.lines
+    assert verdict.buttons == ()
+    assert [text for text, _ in row.buttons] == ["How Thick Is the Part?", "Box a View"]
+    row.buttons[0][1]()
+    assert window.operations == [{"op": "scale", "axis": "y", "length_mm": 5.0}]
+    assert window.sheet.mm_per_px == 0.5
+    # The run that follows may lack the scale: another question.
+    why = {"code": "one-view", "message": "no scale", "args": {"axis": "y", "case": "scale"}}
+    window.desk.solved.emit({"status": "failed", "reasons": [why]}, "")
+    ((_, tell),) = window.problems.lines[1].buttons
+    tell()
+    assert window.board.tool == "scale"
+
+
 def test_other_help_is_offered_with_what_a_report_says(window: SheetWindow) -> None:
     called = []
     window.add_help("ambiguous", "Choose", lambda: called.append("ambiguous"))

@@ -115,6 +115,11 @@ VIEWS = {
         "Only one view was found. A part follows from two views, or from one with diameters "
         "across its axis or with a thickness. Box the views in Correct Sheet if there are more.",
     ),
+    "one-view:scale": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The drawing has one view and a thickness, and nothing tells its scale. Tell a length "
+        "that the view shows, under Scale or in Correct Sheet.",
+    ),
     "pictorial-alone": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The sheet shows the part in a pictorial view alone. Views at right angles are needed, "
