@@ -55,7 +55,7 @@ def verdict(report: Values) -> str:
         return f"No model. {_first_reason(report)}"
     certain = "Shape verified." if status == "verified" else "Shape not certain."
     if not is_size_known(report):
-        return f"{certain} {_SIZE_UNKNOWN}"
+        return f"{_SIZE_UNKNOWN} {certain}"
     measures = report.get("measures")
     if measures is None:
         return certain

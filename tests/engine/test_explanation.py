@@ -158,7 +158,7 @@ def test_what_nobody_knows_the_size_of_has_no_measures(
     measures = {"uncertainty_mm": 0.0812, "source": "drawing"}
     told = {"status": "verified", "scale_source": scale, "warnings": warnings}
     line = verdict({**_REPORT, **told, "measures": measures})
-    assert line.startswith("Shape verified. Measures" if known else "Shape verified. Size unknown")
+    assert line.startswith("Shape verified. Measures" if known else "Size unknown")
 
 
 def test_a_failure_says_why() -> None:

@@ -12,6 +12,7 @@ from pathlib import Path
 
 from gaussiancad_core.cli.libraries import prepare_environment
 from gaussiancad_core.cli.parser import build_parser
+from gaussiancad_core.cli.terminal import terminal
 from gaussiancad_core.errors import (
     CancelledError,
     EngineError,
@@ -49,6 +50,8 @@ def main(arguments: Sequence[str] | None = None, heard: Listener | None = None) 
             listener = open_event_stream()
             if not options.serves:
                 cancel_on_stdin()
+        elif (shown := terminal(verbose=options.verbose)) is not None:
+            listener = shown
         if heard is not None:
             listener = Both(listener, heard)
         code = int(options.run(options, listener))
@@ -61,8 +64,9 @@ def main(arguments: Sequence[str] | None = None, heard: Listener | None = None) 
     except (Exception, KeyboardInterrupt) as error:
         found = _meaning(error, cancellation, options.arguments)
         line = on_one_line(found.message)
-        print(f"gaussiancad: {line} [{found.code}]", file=sys.stderr, flush=True)
+        # A line of progress ends first.
         listener.send("error", **told(found.code, line), exit_code=int(found.exit_code))
+        print(f"gaussiancad: {line} [{found.code}]", file=sys.stderr, flush=True)
         return int(found.exit_code)
     finally:
         cancellation.end()

@@ -35,7 +35,7 @@ def build_parser() -> argparse.ArgumentParser:
         description="From a three-view engineering drawing to a measured 3D model.",
     )
     parser.add_argument("--version", action="version", version=f"gaussiancad {__version__}")
-    parser.set_defaults(events=False, serves=False)
+    parser.set_defaults(events=False, serves=False, verbose=False)
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
     for module in (reconstruct, read, correct, explain, compare, draw, batch, serve, doctor):
         module.add_command(commands)

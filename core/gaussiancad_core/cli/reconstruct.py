@@ -5,11 +5,11 @@ import sys
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from gaussiancad_core.axes import Projection
 from gaussiancad_core.cli import values
 from gaussiancad_core.cli.pages import add_page_option, run_pages
+from gaussiancad_core.cli.terminal import summary
 from gaussiancad_core.errors import ExitCode, UsageError
 from gaussiancad_core.events import PROTOCOL, Listener
 from gaussiancad_core.job import Job, corrections_beside
@@ -17,9 +17,6 @@ from gaussiancad_core.messages import on_one_line
 from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind
 from gaussiancad_core.outputs import REPORT_FILE, RUN_FILES
 from gaussiancad_core.sheet.options import MEDIAN_KERNEL, FileUnit, Finder, ReadingOptions
-
-if TYPE_CHECKING:
-    from gaussiancad_core.report import Report
 
 
 def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -56,6 +53,9 @@ def add_events_option(parser: argparse.ArgumentParser) -> None:
     """The option for who starts the engine as a process."""
     parser.add_argument(
         "--events", action="store_true", help="JSON lines on stdout; cancel on stdin stops the run"
+    )
+    parser.add_argument(
+        "-v", "--verbose", action="store_true", help="tell each stage with its seconds, on stderr"
     )
 
 
@@ -224,7 +224,7 @@ def _run_page(options: argparse.Namespace, listener: Listener) -> ExitCode:
     path = (options.output / REPORT_FILE).resolve()
     listener.send("result", path=str(path), status=report.status.value)
     if not options.events:
-        _print_summary(report, path)
+        print("\n".join(summary(report, path, job.sheet)))
         for warning in report.warnings:
             line = on_one_line(warning.message)
             print(f"gaussiancad: warning: {line} [{warning.code}]", file=sys.stderr)
@@ -238,10 +238,3 @@ def greet(listener: Listener, **fields: str) -> None:
 
     versions = {"gaussiancad": __version__, **installed_versions(ENGINE_PACKAGES)}
     listener.send("hello", protocol=PROTOCOL, versions=versions, **fields)
-
-
-def _print_summary(report: "Report", path: Path) -> None:
-    print(f"{report.status.value}: {on_one_line(str(path))}")
-    print(f"  {report.verdict}")
-    for reason in report.reasons:
-        print(f"  {on_one_line(reason.message)}")
