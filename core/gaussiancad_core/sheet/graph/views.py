@@ -19,6 +19,7 @@ from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
 from gaussiancad_core.sheet.clean import painted_sheet
 from gaussiancad_core.sheet.graph.chains import with_whole_edges
+from gaussiancad_core.sheet.graph.drawn_letters import drawn_lines_of_writing
 from gaussiancad_core.sheet.graph.labels import Label, LabelledDrawing, labelled
 from gaussiancad_core.sheet.labels.evidence import meets
 from gaussiancad_core.sheet.layout import Layout
@@ -90,7 +91,9 @@ def graph_views(
     if found is None:
         return None
     separated, vectors = _part(found, sheet)
-    separated = replace(separated, has_paper=drawing.has_paper)
+    written = () if drawing.texts else _writing(found, (width, height))
+    marks = (*separated.marks, *written)
+    separated = replace(separated, marks=marks, has_paper=drawing.has_paper)
     told = symbol.projection if symbol else projection
     request = LayoutRequest(given, told, STUB * separated.part.stroke_width)
     try:
@@ -139,6 +142,13 @@ def _part(found: LabelledDrawing, sheet: OpenedSheet) -> tuple[SeparatedSheet, V
     ]
     hatched = _hatched(found.of(Label.HATCH), part.ink)
     return SeparatedSheet(part, tuple(marks), hatched), VectorSheet(drawing)
+
+
+def _writing(found: LabelledDrawing, size: tuple[int, int]) -> tuple[Mark, ...]:
+    """The lines of writing of a file that has no texts as such: plotters drew theirs."""
+    annotations = np.array([label is Label.DIMENSION for label in found.labels], dtype=bool)
+    lines = drawn_lines_of_writing(found.touches, annotations, size)
+    return tuple(Mark(AnnotationKind.TEXT, box) for box in lines)
 
 
 def _mark(stroke: VectorStroke, kind: AnnotationKind) -> Mark | None:

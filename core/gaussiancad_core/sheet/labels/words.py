@@ -27,45 +27,52 @@ _MOST = 2500
 """Letters that are looked at, the largest first."""
 
 
-def written_lines(letters: Sequence[Box]) -> list[Box]:
+def written_lines(letters: Sequence[Box], pitch: float = 0.0) -> list[Box]:
     """The boxes of lines of writing.
 
     What stands in no level line may stand in one that runs up the sheet.
 
     Args:
         letters: boxes of letters, signs and points, px.
+        pitch: distance of two letters' middles, in the height of the larger one, up to which they
+            may stand in one line whatever gap is between them: where all letters have the same
+            space, narrow ones stand apart.
     """
-    return [_around(np.array([letters[k] for k in own])) for own in written_groups(letters)]
+    groups = written_groups(letters, pitch)
+    return [_around(np.array([letters[k] for k in own])) for own in groups]
 
 
-def written_groups(letters: Sequence[Box]) -> list[list[int]]:
+def written_groups(letters: Sequence[Box], pitch: float = 0.0) -> list[list[int]]:
     """For each line of writing the numbers of its letters; some stand alone.
 
     Args:
         letters: as for :func:`written_lines`.
+        pitch: as there.
     """
     if not letters:
         return []
     boxes = np.array(letters, dtype=np.float64)
     sizes = (boxes[:, 2:] - boxes[:, :2]).max(axis=1)
     looked = np.argsort(-sizes, kind="stable")[:_MOST]
-    level = _groups(boxes[looked])
+    level = _groups(boxes[looked], pitch)
     alone = np.bincount(level)[level] == 1
     turned = looked[alone]
-    ways = ((looked[~alone], level[~alone]), (turned, _groups(_turned(boxes[turned]))))
+    ways = ((looked[~alone], level[~alone]), (turned, _groups(_turned(boxes[turned]), pitch)))
     return [
         numbers[groups == own].tolist() for numbers, groups in ways for own in np.unique(groups)
     ]
 
 
-def _groups(boxes: Floats) -> npt.NDArray[np.int32]:
+def _groups(boxes: Floats, pitch: float) -> npt.NDArray[np.int32]:
     """(n,) the number of the level line that each box stands in."""
     x0, y0, x1, y1 = boxes.T
     heights, widths = y1 - y0, x1 - x0
     gap = np.maximum(x0[:, None], x0) - np.minimum(x1[:, None], x1)
     common = np.minimum(y1[:, None], y1) - np.maximum(y0[:, None], y0)
     smaller, larger = np.minimum(heights[:, None], heights), np.maximum(heights[:, None], heights)
+    middles = (x0 + x1) / 2.0
     near = gap <= _SPACE * larger
+    near |= np.abs(middles[:, None] - middles) <= pitch * larger
     letters = (common >= _COMMON * smaller) & (larger <= _SAME * smaller)
     # A point is flat and low; beside it, a letter of any height.
     size = np.maximum(heights, widths)
