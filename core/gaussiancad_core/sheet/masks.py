@@ -24,7 +24,7 @@ _BARE_PX, _BARE_SHARE = 10.0, 0.02
 """How far ink may reach beyond the filled outline: strokes drawn too long, and marks left over."""
 
 _LEAST_COVERED = 0.1
-"""Share of its box that a view covers at least."""
+"""Share of its box that a view covers at least where it encloses nothing that reaches all sides."""
 
 
 @dataclass(frozen=True)
@@ -131,7 +131,8 @@ def find_outline(
         inside = cv2.distanceTransform(filled, cv2.DIST_L2, 5) - 0.5
         outside = cv2.distanceTransform(1 - filled, cv2.DIST_L2, 5) - 0.5
         depth = np.where(filled > 0, inside, -outside) - half
-        if float((depth > 0).sum()) >= _LEAST_COVERED * max(area, 1.0):
+        covers = float((depth > 0).sum()) >= _LEAST_COVERED * max(area, 1.0)
+        if covers or _encloses_all(filled & (closed == 0), (x0, y0), factor, half, box):
             regions = _regions(closed, filled, half)
             found = Outline(depth.astype(np.float32), regions, factor, (float(x0), float(y0)))
             if _is_filled(found, half, box):
@@ -176,6 +177,34 @@ def _is_filled(outline: Outline, half: float, box: tuple[float, float, float, fl
         return False
     grown = half / outline.supersampling * np.array([-1.0, -1.0, 1.0, 1.0])
     off = np.abs(np.add(inner.box, grown) - box).reshape(2, 2)
+    sides = np.subtract(box[2:], box[:2])
+    return bool((off <= np.maximum(_BARE_PX, _BARE_SHARE * sides)).all())
+
+
+def _encloses_all(
+    blank: npt.NDArray[np.uint8],
+    corner: tuple[int, int],
+    factor: int,
+    half: float,
+    box: tuple[float, float, float, float],
+) -> bool:
+    """Whether what is blank within lines reaches all sides of a view: a thin profile that is bent
+    covers little of its box.
+
+    Args:
+        blank: (h, w) 0 or 1.
+        corner: sheet px of its upper left corner.
+        factor: mask px per sheet px.
+        half: of the outline's width, mask px.
+        box: of the view, sheet px.
+    """
+    x, y, width, height = cv2.boundingRect(blank)
+    if not width:
+        return False
+    reach = 2.0 * half
+    low = np.array([x - reach, y - reach]) / factor + corner
+    high = np.array([x + width + reach, y + height + reach]) / factor + corner
+    off = np.maximum(low - box[:2], box[2:] - high)
     sides = np.subtract(box[2:], box[:2])
     return bool((off <= np.maximum(_BARE_PX, _BARE_SHARE * sides)).all())
 

@@ -58,3 +58,15 @@ def test_an_outline_whose_lines_end_short_of_a_corner_is_closed(
     assert outline is not None
     assert outline.mask.sum() / 4 == pytest.approx(300 * 200, rel=0.01)
     assert outline.box == pytest.approx((100.5, 80.5, 400.5, 280.5), abs=0.6)
+
+
+def test_a_thin_profile_is_closed_however_little_of_its_box_it_covers(sketch: Sketch) -> None:
+    """As a bent sheet of metal seen from its side."""
+    outer = [(100, 80), (400, 80), (400, 280)]
+    inner = [(392, 280), (392, 88), (100, 88), (100, 80)]
+    drawn = sketch(500, 360).lines(*outer, *inner)
+    outline = find_outline(clean_sheet(drawn.grey), BOX, 3)
+    assert outline is not None
+    assert outline.mask.sum() / 9 == pytest.approx(300 * 8 + 192 * 8, rel=0.05)
+    gap = sketch(500, 360).lines(*outer, (370, 280)).lines((340, 88), (100, 88), (100, 80))
+    assert find_outline(clean_sheet(gap.grey), BOX, 3) is None

@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 
 import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from gaussiancad_core.files.vectors import CircularArc, Line, VectorStroke
@@ -23,6 +25,19 @@ _MOST = 0.7
 
 _FEWEST = 4
 """Strokes of such a pen at least."""
+
+_LINKS = 3
+"""Pieces of a chain line at least."""
+
+_SHORT = 0.6
+"""Length of a short piece in that of the longer one beside it, at most (ISO 128-2: a fiftieth to a
+half)."""
+
+_LEAST_SHORT, _MOST_SHORT = 0.35, 0.85
+"""Share of the inner pieces of a chain line that are short."""
+
+_AT_ONCE = 2
+"""Short pieces between two long ones at most."""
 
 _NEAREST = 8
 """Ends that are looked at for the next dash."""
@@ -54,8 +69,57 @@ def dashes(
     return found
 
 
+def chain_pieces(strokes: Sequence[VectorStroke], touches: Touches, chosen: Flags) -> Flags:
+    """(n,) which of some strokes are pieces of chain lines: long and short ones by turns, as centre
+    lines are drawn (ISO 128-2, 04 and 05).
+
+    Args:
+        strokes: of the sheet.
+        touches: of these.
+        chosen: (n,) those that may be pieces.
+    """
+    found = np.zeros(len(strokes), dtype=bool)
+    lines = np.array([own.is_solid and isinstance(own.curve, Line) for own in strokes], dtype=bool)
+    own = np.flatnonzero(chosen & lines)
+    if len(own) < _LINKS:
+        return found
+    ends = touches.ends[own]
+    lengths = np.array([strokes[index].curve.length for index in own])
+    nearest, on = _next_pieces(ends, lengths)
+    first = np.argmax(on, axis=1)
+    linked = on.any(axis=1)
+    pieces = np.arange(len(on)) // 2
+    pairs = pieces[linked], nearest[linked, first[linked]] // 2
+    size = (len(own), len(own))
+    graph = coo_matrix((np.ones(len(pairs[0])), pairs), size)
+    _, runs = connected_components(graph, directed=False)
+    for run in np.unique(runs[pairs[0]]):
+        members = np.flatnonzero(runs == run)
+        way = ends[members[0], 1] - ends[members[0], 0]
+        along = members[np.argsort(ends[members].mean(axis=1) @ way)]
+        if _is_chain(lengths[along]):
+            found[own[along]] = True
+    return found
+
+
+def _is_chain(lengths: Floats) -> bool:
+    """Whether pieces of so many px along a line are long and short by turns: the first and the last
+    may be cut, as the dashes of a hidden line may."""
+    if len(lengths) < _LINKS:
+        return False
+    longest = np.maximum(lengths[:-2], lengths[2:])
+    short = lengths[1:-1] <= _SHORT * longest
+    share = float(short.mean())
+    return share >= _LEAST_SHORT and (share <= _MOST_SHORT or len(short) <= _AT_ONCE)
+
+
 def _go_on(ends: Floats, lengths: Floats) -> Flags:
     """(n,) which pieces with (n, 2, 2) ends go on, after a gap, in another one."""
+    return _next_pieces(ends, lengths)[1].any(axis=1).reshape(-1, 2).any(axis=1)
+
+
+def _next_pieces(ends: Floats, lengths: Floats) -> tuple[Ints, Flags]:
+    """For each end of pieces the nearest ends, (2 n, k), and in which of these it goes on."""
     way = (ends[:, 1] - ends[:, 0]) / np.maximum(lengths, 1e-12)[:, None]
     places = ends.reshape(-1, 2)
     outward = np.stack([-way, way], axis=1).reshape(-1, 2)
@@ -74,4 +138,4 @@ def _go_on(ends: Floats, lengths: Floats) -> Flags:
         & (gaps <= _GAP * longer)
         & (beside <= _ALONG * ahead + _SLACK)
     )
-    return on.any(axis=1).reshape(-1, 2).any(axis=1)
+    return nearest, on

@@ -14,7 +14,7 @@ from gaussiancad_core.files.vectors import (
     VectorDrawing,
     VectorStroke,
 )
-from gaussiancad_core.sheet.graph.dashes import dashes
+from gaussiancad_core.sheet.graph.dashes import chain_pieces, dashes
 from gaussiancad_core.sheet.graph.furniture import furniture
 from gaussiancad_core.sheet.graph.heads import arrowheads
 from gaussiancad_core.sheet.graph.pens import (
@@ -143,7 +143,9 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
     if edges.sum() < _LEAST:
         return None
     inside = _inside(touches, edges)
-    dashed = inside & dashes(lines, touches, numbers, ~framed & ~edges)
+    rest = ~framed & ~edges
+    chained = chain_pieces(lines, touches, rest)
+    dashed = inside & dashes(lines, touches, numbers, rest & ~chained)
     hatched = _hatching(lines, touches, edges, inside & candidates, centres)
     labels = [Label.OTHER] * len(lines)
     for index, stroke in enumerate(lines):
@@ -155,7 +157,7 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
             labels[index] = Label.HATCH
         elif edges[index]:
             labels[index] = Label.VISIBLE
-        elif stroke.role is StrokeRole.CENTRE:
+        elif stroke.role is StrokeRole.CENTRE or chained[index]:
             labels[index] = Label.CENTRE
         elif dashed[index] or (stroke.role is StrokeRole.HIDDEN and inside[index]):
             labels[index] = Label.HIDDEN

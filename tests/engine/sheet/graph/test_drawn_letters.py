@@ -10,13 +10,13 @@ import pytest
 from gaussiancad_core.axes import Projection
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.files.vectors import Line, VectorStroke
-from gaussiancad_core.sheet.clean import clean_sheet, upright_sheet
 from gaussiancad_core.sheet.graph.drawn_letters import drawn_lines_of_writing
 from gaussiancad_core.sheet.graph.touching import touching
 from gaussiancad_core.sheet.graph.views import graph_views
+from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.read import read_sheet
-from gaussiancad_core.sheet.scale.find import ScaleSource, find_scale
-from gaussiancad_core.sheet.scale.ocr import ocr_problem
+from gaussiancad_core.writing.ocr import ocr_problem
+from gaussiancad_core.writing.scale import ScaleSource, find_scale
 
 Point = tuple[float, float]
 Chain = list[Point]
@@ -122,11 +122,11 @@ def _sheet(path: Path, more: str = "") -> Path:
 @needs_ocr
 def test_plotted_dimensions_give_the_scale(tmp_path: Path) -> None:
     image = read_sheet(_sheet(tmp_path / "plotted.svg"))
-    clean = upright_sheet(clean_sheet(image.grey))
+    sheet = OpenedSheet(image)
     assert image.vectors is not None and not image.vectors.texts
-    views = graph_views(image.vectors, clean, {}, Projection.THIRD)
+    views = graph_views(image.vectors, sheet, {}, Projection.THIRD)
     assert views is not None and len(views.layout.boxes) == 3
-    found = find_scale(image, clean, views.separated.marks, ())
+    found = find_scale(sheet, views.separated.marks, ())
     assert sorted(own.text for own in found.dimensions if own.used) == ["100.0", "140.0"]
     assert found.source is ScaleSource.DIMENSION
     assert image.pixels_per_inch is not None
@@ -136,8 +136,8 @@ def test_plotted_dimensions_give_the_scale(tmp_path: Path) -> None:
 def test_a_file_with_texts_is_taken_at_its_word(tmp_path: Path) -> None:
     note = '<text x="20" y="140" font-size="5">STEEL</text>'
     image = read_sheet(_sheet(tmp_path / "noted.svg", note))
-    clean = upright_sheet(clean_sheet(image.grey))
+    sheet = OpenedSheet(image)
     assert image.vectors is not None and image.vectors.texts
-    views = graph_views(image.vectors, clean, {}, Projection.THIRD)
+    views = graph_views(image.vectors, sheet, {}, Projection.THIRD)
     assert views is not None
     assert all(mark.kind is not AnnotationKind.TEXT for mark in views.separated.marks)

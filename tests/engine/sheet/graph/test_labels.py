@@ -242,3 +242,20 @@ def test_a_hexagon_in_line_with_a_view_is_no_pictorial() -> None:
     found = labelled(VectorDrawing((*hexagon, *aside), ()), _SIZE)
     assert found is not None
     assert len(found.pictorials) == 1
+
+
+def _pieces(y: float, *ends: tuple[float, float]) -> list[VectorStroke]:
+    """Level pieces of a line, a stroke each."""
+    return _lines(*((x0, y, x1, y) for x0, x1 in ends), width=_THIN)
+
+
+def test_long_and_short_pieces_by_turns_are_a_centre_line_and_even_ones_a_hidden_line() -> None:
+    outline = _box(300, 200, 300, 200)
+    chain = _pieces(250, (290, 340), (350, 360), (370, 420), (430, 440), (450, 500), (510, 520))
+    phantom = _pieces(300, (310, 350), (356, 362), (368, 374), (380, 420), (426, 432), (438, 444))
+    ends = (302, 306), *((x, x + 20) for x in range(316, 580, 30)), (586, 592)
+    dashes = _pieces(350, *ends)
+    labels = _labels(outline + chain + phantom + dashes)
+    parts = len(chain) + len(phantom)
+    assert labels[4 : 4 + parts] == [Label.CENTRE] * parts
+    assert labels[4 + parts :] == [Label.HIDDEN] * len(dashes)
