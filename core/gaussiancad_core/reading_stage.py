@@ -17,7 +17,6 @@ from gaussiancad_core.report import NoteReport, Unused, ViewReport
 from gaussiancad_core.run_notes import RunNotes
 from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
 from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.graph.heads import arrowheads
 from gaussiancad_core.sheet.graph.tangent_edges import without_tangent_edges
 from gaussiancad_core.sheet.labels.evidence import NO_LABELS, SheetLabels
 from gaussiancad_core.sheet.layout import Layout, may_be_views
@@ -103,7 +102,7 @@ def read_lines(job: Job, sheet: OpenedSheet, notes: RunNotes) -> SheetLines:
         found, drawn, hatched = _strokes_in(sheet, found, reading, notes)
         layout, separated = found.layout, found.separated
         scale = _sheet_scale(job, sheet, (found, drawn), notes)
-        sections = _sections(sheet.image, scale, layout, turn) if scale is not None else ()
+        sections = _sections(sheet, scale, layout) if scale is not None else ()
         layout, drawn = _by_arrows(layout, drawn, sections)
 
         def read(own: Layout) -> tuple[ReadView, ...]:
@@ -168,17 +167,16 @@ def _strokes_in(
     return found, with_hatched_areas(drawn, layout, hatched), hatched
 
 
-def _sections(
-    image: SheetImage, scale: SheetScale, layout: Layout, turn: Turn
-) -> tuple[NamedSection, ...]:
-    strokes = image.vectors.strokes if image.vectors is not None else ()
+def _sections(sheet: OpenedSheet, scale: SheetScale, layout: Layout) -> tuple[NamedSection, ...]:
+    drawing = sheet.image.vectors
+    strokes = drawing.strokes if drawing is not None else ()
     others = [*(own.box for own in layout.special), *layout.left_out]
     return named_sections(
         scale.texts,
-        arrowheads(strokes),
-        file_lines(strokes, turn),
+        sheet.heads,
+        file_lines(strokes, sheet.turn),
         (layout.boxes, others, [own.box for own in layout.special if own.kind in SECTIONS]),
-        turn,
+        sheet.turn,
     )
 
 

@@ -33,7 +33,7 @@ def _file_strokes(sheet: OpenedSheet) -> tuple[Stroke, ...]:
     drawing = sheet.image.vectors
     if drawing is None or sheet.turn.angle:
         return ()
-    found = labelled(drawing, (width, height))
+    found = labelled(drawing, (width, height), sheet.heads)
     if found is None:
         return ()
     strokes = [

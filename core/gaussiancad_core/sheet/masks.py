@@ -44,14 +44,9 @@ class Region:
     @property
     def box(self) -> tuple[float, float, float, float]:
         """(x0, y0, x1, y1) extent in px of the outline's mask."""
-        ys, xs = np.nonzero(self.mask)
-        x, y = self.corner
-        return (
-            float(x + xs.min()),
-            float(y + ys.min()),
-            float(x + xs.max() + 1),
-            float(y + ys.max() + 1),
-        )
+        x, y, width, height = cv2.boundingRect(self.mask.astype(np.uint8))
+        x, y = x + self.corner[0], y + self.corner[1]
+        return float(x), float(y), float(x + width), float(y + height)
 
 
 @dataclass(frozen=True)
@@ -79,15 +74,10 @@ class Outline:
     @property
     def box(self) -> tuple[float, float, float, float]:
         """(x0, y0, x1, y1) extent of the filled outline in sheet px."""
-        ys, xs = np.nonzero(self.mask)
-        x, y = self.offset
+        x, y, width, height = cv2.boundingRect(self.mask.astype(np.uint8))
         scale = 1.0 / self.supersampling
-        return (
-            float(x + xs.min() * scale),
-            float(y + ys.min() * scale),
-            float(x + (xs.max() + 1) * scale),
-            float(y + (ys.max() + 1) * scale),
-        )
+        left, top = self.offset[0] + x * scale, self.offset[1] + y * scale
+        return float(left), float(top), float(left + width * scale), float(top + height * scale)
 
     def without(self, regions: tuple[Region, ...]) -> npt.NDArray[np.float32]:
         """(h, w) float32 depth inside the material when some regions are holes."""

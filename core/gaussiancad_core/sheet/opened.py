@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.deskew import Turn, file_directions, find_turn
+from gaussiancad_core.sheet.graph.heads import Head, arrowheads
 from gaussiancad_core.sheet.options import MEDIAN_KERNEL
 from gaussiancad_core.sheet.read import SheetImage
 
@@ -48,6 +49,12 @@ class OpenedSheet:
         ink = clean_sheet(self.image.grey, self.median_kernel)
         found = upright_sheet(ink, self._by_strokes)
         return replace(found, turn=self._scaled(found.turn))
+
+    @cached_property
+    def heads(self) -> tuple[Head, ...]:
+        """The arrowheads that its file draws, px of the sheet as stored."""
+        drawing = self.image.vectors
+        return arrowheads(drawing.strokes) if drawing is not None else ()
 
     @property
     def shape(self) -> tuple[int, int]:

@@ -9,7 +9,7 @@ from gaussiancad_core.files.content import Note
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.deskew import Turn
-from gaussiancad_core.sheet.graph.heads import arrowheads, without_heads
+from gaussiancad_core.sheet.graph.heads import without_heads
 from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.read import SheetImage
@@ -273,7 +273,7 @@ def _lines(
     leaders = leaders_of(marks)
     drawing = sheet.image.vectors
     if drawing is not None:
-        heads = arrowheads(drawing.strokes)
+        heads = sheet.heads
         own = file_rules(without_heads(drawing.strokes, heads), sheet.turn)
         pairs = arrow_pairs(heads, own, texts, sheet.turn)
         leaders += pointed_lines(heads, file_lines(drawing.strokes, sheet.turn), sheet.turn)

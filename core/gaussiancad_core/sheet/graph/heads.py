@@ -118,18 +118,14 @@ def _filled(strokes: Iterable[VectorStroke]) -> Iterator[Point]:
 
 def _three(hull: Point, near: float) -> Point | None:
     """The three corners of a convex outline, if it has no more."""
-    first = max(combinations(range(len(hull)), 2), key=lambda own: _apart(hull, *own))
-    low, high = hull[first[0]], hull[first[1]]
+    apart = np.hypot(*(hull[:, None] - hull[None]).transpose(2, 0, 1))
+    low, high = hull[list(np.unravel_index(int(np.argmax(apart)), apart.shape))]
     along = (high - low) / np.hypot(*(high - low))
     off = np.abs((hull - low) @ np.array([-along[1], along[0]]))
     third = hull[int(np.argmax(off))]
     corners = np.array([low, high, third])
     left = np.min(np.hypot(*(hull[:, None] - corners[None]).transpose(2, 0, 1)), axis=1)
     return corners if left.max() <= near else None
-
-
-def _apart(points: Point, first: int, last: int) -> float:
-    return float(np.hypot(*(points[first] - points[last])))
 
 
 def _drawn(strokes: Iterable[VectorStroke]) -> Iterator[Point]:

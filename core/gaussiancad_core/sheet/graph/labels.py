@@ -16,7 +16,7 @@ from gaussiancad_core.files.vectors import (
 )
 from gaussiancad_core.sheet.graph.dashes import chain_pieces, dashes
 from gaussiancad_core.sheet.graph.furniture import furniture
-from gaussiancad_core.sheet.graph.heads import arrowheads
+from gaussiancad_core.sheet.graph.heads import Head, arrowheads
 from gaussiancad_core.sheet.graph.pens import (
     PenEvidence,
     evidence,
@@ -112,12 +112,15 @@ class LabelledDrawing:
         )
 
 
-def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing | None:
+def labelled(
+    drawing: VectorDrawing, size: tuple[int, int], heads: Sequence[Head] | None = None
+) -> LabelledDrawing | None:
     """Tell what the strokes of a drawing stand for; nothing where no pen closes outlines.
 
     Args:
         drawing: of the sheet.
         size: its width and height in px.
+        heads: the arrowheads of the drawing, where they are known.
     """
     strokes = tuple(s for s in drawing.strokes if s.curve.length >= _SHORTEST)
     lines = tuple(s for s in strokes if s.kind is not StrokeKind.FILL)
@@ -163,7 +166,8 @@ def labelled(drawing: VectorDrawing, size: tuple[int, int]) -> LabelledDrawing |
             labels[index] = Label.HIDDEN
         elif stroke.is_solid:
             labels[index] = Label.DIMENSION
-    tips = [head.tip for head in arrowheads(drawing.strokes)]
+    heads = arrowheads(drawing.strokes) if heads is None else heads
+    tips = [head.tip for head in heads]
     doubtful = _doubtful(lines, touches, labels, edges & ~hatched)
     doubtful = tuple(own for own in doubtful if not _is_pointed(touches.ends[own], tips))
     order = sorted(found, key=lambda own: -own.weight)

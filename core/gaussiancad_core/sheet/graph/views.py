@@ -87,7 +87,7 @@ def graph_views(
         UsageError: a given box holds no stroke.
     """
     height, width = sheet.shape
-    found = labelled(drawing, (width, height)) if not sheet.turn.angle else None
+    found = labelled(drawing, (width, height), sheet.heads) if not sheet.turn.angle else None
     if found is None:
         return None
     separated, vectors = _part(found, sheet)

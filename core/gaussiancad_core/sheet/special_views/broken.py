@@ -35,6 +35,10 @@ _ALIKE = 0.85
 _LEAST_SWING_PX = 5.0
 """px by which a break line swings at least."""
 
+_EDGE_PX, _EDGE = 6, 0.7
+"""px about the side of a box in which a straight edge along it lies, and share of the side that it
+takes at least."""
+
 _TURNS = 0.2
 """Way that a break line goes each way at least, in its swing: an edge goes one way only."""
 
@@ -88,12 +92,26 @@ def find_breaks(ink: Mask, clusters: Sequence[Box], stroke_width: float) -> list
     return found
 
 
-def may_be_broken(clusters: Sequence[Box]) -> bool:
-    """Whether any two of some boxes stand to each other as the halves of a broken view do."""
+def may_be_broken(ink: Mask, clusters: Sequence[Box]) -> bool:
+    """Whether any two of some boxes stand to each other as the halves of a broken view do, and end
+    there in no straight edge.
+
+    Args:
+        ink: (h, w) bool, of the part.
+        clusters: boxes of what may be halves.
+    """
     return any(
-        _face(one, other) or _face(_swapped(one), _swapped(other))
-        for one, other in permutations(clusters, 2)
+        _face(one, other) and not _is_edge(own, one, 2) and not _is_edge(own, other, 0)
+        for own, boxes in ((ink, clusters), (ink.T, [_swapped(box) for box in clusters]))
+        for one, other in permutations(boxes, 2)
     )
+
+
+def _is_edge(ink: Mask, box: Box, side: int) -> bool:
+    """Whether a straight edge runs along most of the left (0) or right (2) side of a box."""
+    at = int(box[side])
+    columns = ink[int(box[1]) : int(box[3]), max(at - _EDGE_PX, 0) : at + _EDGE_PX]
+    return bool(columns.size) and float(columns.mean(axis=0).max()) > _EDGE
 
 
 def _swapped(box: Box) -> Box:

@@ -80,7 +80,7 @@ def find_named_layout(
     if request.figures:
         separated, clusters = _figures(separated, clusters)
     breaks: list[Break] = []
-    if may_be_broken(clusters):
+    if may_be_broken(separated.part.ink, clusters):
         breaks = find_breaks(sheet.clean.ink, clusters, sheet.clean.stroke_width)
     for broken in breaks:
         separated = _restored(sheet.clean, separated, broken)
