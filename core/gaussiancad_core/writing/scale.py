@@ -222,20 +222,23 @@ def _as_stored(own: ReadDimension, turn: Turn) -> ReadDimension:
 
 
 def read_texts(sheet: OpenedSheet, marks: Sequence[Mark]) -> WrittenSheet:
-    """The texts of a sheet: its file's, or else those that its marks show in its pixels."""
+    """The texts of a sheet: its file's, and those that its marks show in its pixels where these are
+    more than the numbers among the file's."""
+    own: tuple[SheetText, ...] = ()
     if _has_texts(sheet.image):
         height, width = sheet.shape
         fields = fields_of(marks, height * width)
-        return WrittenSheet(file_texts(sheet.image.vectors.texts, sheet.turn, fields))
-    if not any(mark.kind is AnnotationKind.TEXT for mark in marks):
-        return WrittenSheet()
+        own = file_texts(sheet.image.vectors.texts, sheet.turn, fields)
+    shown = sum(mark.kind is AnnotationKind.TEXT for mark in marks)
+    if shown <= sum(parse_dimension(text.text) is not None for text in own):
+        return WrittenSheet(own)
     problem = ocr_problem()
     if problem is not None:
         message = Message(
             "the dimensions on the sheet were not read, as OCR is {reason}", reason=problem
         )
-        return WrittenSheet(notes=(Note("dimensions-not-read", message),))
-    return WrittenSheet(pixel_texts(sheet.clean, marks))
+        return WrittenSheet(own, (Note("dimensions-not-read", message),))
+    return WrittenSheet((*own, *pixel_texts(sheet.clean, marks)))
 
 
 def _has_texts(image: SheetImage) -> bool:

@@ -1,10 +1,16 @@
-"""Writing that a file draws stroke by stroke, as plotters do, and has no texts for.
+"""Writing that a file draws, stroke by stroke as plotters do or as filled shapes, and has no texts
+for.
 
-A letter is some strokes that touch each other and nothing else, small beside the sheet.  So are
-other small signs: what each says, if anything, is for those who read it.
+A letter is some strokes that touch each other and nothing else, small beside the sheet, or a small
+shape that is no arrowhead.  So are other small signs: what each says, if anything, is for those who
+read it.
 """
 
+from collections.abc import Iterable, Sequence
+
+from gaussiancad_core.files.vectors import StrokeKind, VectorStroke, bounds
 from gaussiancad_core.sheet.graph.groups import grouped
+from gaussiancad_core.sheet.graph.heads import Head
 from gaussiancad_core.sheet.graph.touching import Flags, Touches
 from gaussiancad_core.sheet.labels.words import written_lines
 from gaussiancad_core.sheet.options import Box
@@ -18,7 +24,7 @@ as wide as high, and all have the same space."""
 
 
 def drawn_lines_of_writing(
-    touches: Touches, annotations: Flags, size: tuple[int, int]
+    touches: Touches, annotations: Flags, size: tuple[int, int], filled: Iterable[Box] = ()
 ) -> list[Box]:
     """The boxes of lines of writing, px.
 
@@ -26,11 +32,28 @@ def drawn_lines_of_writing(
         touches: of all strokes.
         annotations: (n,) which strokes are no edges, frames or hatching.
         size: width and height of the sheet in px.
+        filled: boxes of filled shapes that may be letters.
     """
-    if not annotations.any():
-        return []
-    groups = grouped(touches, annotations)
-    free = groups.sums(touches.met_by(~annotations).any(axis=1)) == 0
-    small = groups.sizes.max(axis=1) <= _TALLEST * max(size)
-    letters = groups.boxes[small & free]
-    return written_lines([(x0, y0, x1, y1) for x0, y0, x1, y1 in letters], _PITCH)
+    tallest = _TALLEST * max(size)
+    letters = [box for box in filled if max(box[2] - box[0], box[3] - box[1]) <= tallest]
+    if annotations.any():
+        groups = grouped(touches, annotations)
+        free = groups.sums(touches.met_by(~annotations).any(axis=1)) == 0
+        small = groups.sizes.max(axis=1) <= tallest
+        letters += [(x0, y0, x1, y1) for x0, y0, x1, y1 in groups.boxes[small & free].tolist()]
+    return written_lines(letters, _PITCH)
+
+
+def filled_shapes(strokes: Iterable[VectorStroke], heads: Sequence[Head]) -> list[Box]:
+    """The boxes of the filled shapes of a drawing that are no arrowheads, px."""
+    tips = {(round(x), round(y)) for x, y in (head.tip for head in heads)}
+    boxes = (bounds([own.curve]) for own in strokes if own.kind is StrokeKind.FILL)
+    return [box for box in boxes if box is not None and not _has_tip(box, tips)]
+
+
+def _has_tip(box: Box, tips: set[tuple[int, int]]) -> bool:
+    """Whether the tip of a head lies at a corner or a side of a box."""
+    x0, y0, x1, y1 = (round(value) for value in box)
+    return any((x, y) in tips for x in range(x0, x1 + 1) for y in (y0, y1)) or any(
+        (x, y) in tips for x in (x0, x1) for y in range(y0, y1 + 1)
+    )

@@ -19,7 +19,7 @@ from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
 from gaussiancad_core.sheet.clean import painted_sheet
 from gaussiancad_core.sheet.graph.chains import with_whole_edges
-from gaussiancad_core.sheet.graph.drawn_letters import drawn_lines_of_writing
+from gaussiancad_core.sheet.graph.drawn_letters import drawn_lines_of_writing, filled_shapes
 from gaussiancad_core.sheet.graph.labels import Label, LabelledDrawing, labelled
 from gaussiancad_core.sheet.labels.evidence import meets
 from gaussiancad_core.sheet.layout import Layout
@@ -91,8 +91,7 @@ def graph_views(
     if found is None:
         return None
     separated, vectors = _part(found, sheet)
-    written = () if drawing.texts else _writing(found, (width, height))
-    marks = (*separated.marks, *written)
+    marks = (*separated.marks, *_writing(found, drawing, sheet))
     separated = replace(separated, marks=marks, has_paper=drawing.has_paper)
     told = symbol.projection if symbol else projection
     request = LayoutRequest(given, told, STUB * separated.part.stroke_width)
@@ -144,11 +143,18 @@ def _part(found: LabelledDrawing, sheet: OpenedSheet) -> tuple[SeparatedSheet, V
     return SeparatedSheet(part, tuple(marks), hatched), VectorSheet(drawing)
 
 
-def _writing(found: LabelledDrawing, size: tuple[int, int]) -> tuple[Mark, ...]:
-    """The lines of writing of a file that has no texts as such: plotters drew theirs."""
+def _writing(
+    found: LabelledDrawing, drawing: VectorDrawing, sheet: OpenedSheet
+) -> tuple[Mark, ...]:
+    """The lines of writing that a file draws and has no texts for."""
+    height, width = sheet.shape
     annotations = np.array([label is Label.DIMENSION for label in found.labels], dtype=bool)
-    lines = drawn_lines_of_writing(found.touches, annotations, size)
-    return tuple(Mark(AnnotationKind.TEXT, box) for box in lines)
+    filled = filled_shapes(drawing.strokes, sheet.heads)
+    lines = drawn_lines_of_writing(found.touches, annotations, (width, height), filled)
+    known = [text.box for text in drawing.texts]
+    return tuple(
+        Mark(AnnotationKind.TEXT, box) for box in lines if not any(meets(box, own) for own in known)
+    )
 
 
 def _mark(stroke: VectorStroke, kind: AnnotationKind) -> Mark | None:
