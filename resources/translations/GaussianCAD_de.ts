@@ -2295,6 +2295,30 @@
         <translation>Die Engine ist unvollständig. Wählen Sie GaussianCAD &gt; Engine prüfen, um zu sehen, was zu tun ist.</translation>
     </message>
     <message>
+        <source>The engine met something that nobody foresaw ({kind}). This is a fault of ours: please report it with the sheet.</source>
+        <translation>Die Engine ist auf etwas gestoßen, das niemand vorhergesehen hat ({kind}). Das ist unser Fehler: Bitte melden Sie ihn zusammen mit dem Blatt.</translation>
+    </message>
+    <message>
+        <source>The engine met something that nobody foresaw ({kind}). This is a fault of ours: please report it with the file {path}.</source>
+        <translation>Die Engine ist auf etwas gestoßen, das niemand vorhergesehen hat ({kind}). Das ist unser Fehler: Bitte melden Sie ihn zusammen mit der Datei {path}.</translation>
+    </message>
+    <message>
+        <source>A library ended the engine. This is a fault of ours: please report it with the sheet.</source>
+        <translation>Eine Bibliothek hat die Engine beendet. Das ist unser Fehler: Bitte melden Sie ihn zusammen mit dem Blatt.</translation>
+    </message>
+    <message>
+        <source>The system ended the engine, as it does where the memory does not suffice. Choose a coarser quality, or a smaller sheet.</source>
+        <translation>Das System hat die Engine beendet, wie es bei zu wenig Arbeitsspeicher geschieht. Wählen Sie eine gröbere Qualität oder ein kleineres Blatt.</translation>
+    </message>
+    <message>
+        <source>{folder} holds files that GaussianCAD did not make: {names}. Choose another folder.</source>
+        <translation>{folder} enthält Dateien, die nicht von GaussianCAD sind: {names}. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>By its scale the part is {longest} mm long. Tell its true size with Tell a Length.</source>
+        <translation>Nach seinem Maßstab ist das Teil {longest} mm lang. Geben Sie mit „Länge angeben“ die wahre Größe an.</translation>
+    </message>
+    <message>
         <source>The surface cannot be simplified to a closed one. Choose a finer quality.</source>
         <translation>Die Oberfläche lässt sich nicht zu einer geschlossenen vereinfachen. Wählen Sie eine feinere Qualität.</translation>
     </message>

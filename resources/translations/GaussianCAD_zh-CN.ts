@@ -1327,6 +1327,30 @@
         <translation>引擎不完整。请选择 GaussianCAD &gt; 检查引擎 查看处理办法。</translation>
     </message>
     <message>
+        <source>The engine met something that nobody foresaw ({kind}). This is a fault of ours: please report it with the sheet.</source>
+        <translation>引擎遇到了未预见的情况（{kind}）。这是我们的错误：请连同图纸一起报告。</translation>
+    </message>
+    <message>
+        <source>The engine met something that nobody foresaw ({kind}). This is a fault of ours: please report it with the file {path}.</source>
+        <translation>引擎遇到了未预见的情况（{kind}）。这是我们的错误：请连同文件 {path} 一起报告。</translation>
+    </message>
+    <message>
+        <source>A library ended the engine. This is a fault of ours: please report it with the sheet.</source>
+        <translation>某个库终止了引擎。这是我们的错误：请连同图纸一起报告。</translation>
+    </message>
+    <message>
+        <source>The system ended the engine, as it does where the memory does not suffice. Choose a coarser quality, or a smaller sheet.</source>
+        <translation>系统终止了引擎，通常是因为内存不足。请选择较低的质量或较小的图纸。</translation>
+    </message>
+    <message>
+        <source>{folder} holds files that GaussianCAD did not make: {names}. Choose another folder.</source>
+        <translation>{folder} 中有并非由 GaussianCAD 生成的文件：{names}。请选择其他文件夹。</translation>
+    </message>
+    <message>
+        <source>By its scale the part is {longest} mm long. Tell its true size with Tell a Length.</source>
+        <translation>按比例该零件长 {longest} mm。请用“指定长度”给出真实尺寸。</translation>
+    </message>
+    <message>
         <source>The surface cannot be simplified to a closed one. Choose a finer quality.</source>
         <translation>该表面无法简化为封闭表面。请选择更精细的质量。</translation>
     </message>
