@@ -23,7 +23,10 @@ class Pane(QtWidgets.QGraphicsView):
         self._drawing = SheetScene(self)
         self.setScene(self._drawing)
         self.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-        self.setTransformationAnchor(QtWidgets.QGraphicsView.ViewportAnchor.AnchorUnderMouse)
+        # Qt would zoom at where it last saw the mouse move, which is told to this class alone.
+        self.setTransformationAnchor(QtWidgets.QGraphicsView.ViewportAnchor.NoAnchor)
+        self.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setVerticalScrollBarPolicy(QtCore.Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFocusPolicy(QtCore.Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self._panned: QtCore.QPoint | None = None
@@ -41,6 +44,10 @@ class Pane(QtWidgets.QGraphicsView):
     def show_picture(self, path: str, size: tuple[int, int] | None) -> None:
         """Show the picture of a sheet that is ``size`` px large as stored."""
         self._drawing.show_picture(path, size)
+        # Room around the sheet lets any place of it stand anywhere in the window.
+        area = self._drawing.sceneRect()
+        wide, high = area.width(), area.height()
+        self.setSceneRect(area.adjusted(-wide, -high, wide, high))
 
     def show_marks(self, marks: Iterable[Mark]) -> None:
         """Show places of problems and disagreements."""
@@ -52,7 +59,7 @@ class Pane(QtWidgets.QGraphicsView):
 
     def fit(self) -> None:
         """Show the whole sheet."""
-        self.fitInView(self.sceneRect(), QtCore.Qt.AspectRatioMode.KeepAspectRatio)
+        self.fitInView(self._drawing.sceneRect(), QtCore.Qt.AspectRatioMode.KeepAspectRatio)
 
     def show_box(self, box: Box) -> None:
         """Show a box of the sheet, as large as it can be."""
@@ -96,10 +103,14 @@ class Pane(QtWidgets.QGraphicsView):
         event.accept()
 
     def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
-        """Zoom at the cursor."""
+        """Zoom: the place under the cursor stays there."""
         factor = _ZOOM if event.angleDelta().y() > 0 else 1.0 / _ZOOM
         if factor * self.zoom <= _MOST_ZOOM:
+            cursor = pos_of(event)
+            before = self.mapToScene(cursor)
             self.scale(factor, factor)
+            moved = self.mapToScene(cursor) - before
+            self.translate(moved.x(), moved.y())
         event.accept()
 
     def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
@@ -126,7 +137,7 @@ class Pane(QtWidgets.QGraphicsView):
         event.accept()
 
 
-def pos_of(event: QtGui.QMouseEvent) -> QtCore.QPoint:
+def pos_of(event: QtGui.QMouseEvent | QtGui.QWheelEvent) -> QtCore.QPoint:
     """Where the mouse is, px of the widget: Qt 6 and Qt 5 tell it differently."""
     return event.position().toPoint() if hasattr(event, "position") else event.pos()
 

@@ -24,6 +24,7 @@ from freecad.gaussiancad.objects.corrected_sheet import (
 )
 from freecad.gaussiancad.objects.reconstruction_features import find_part
 from freecad.gaussiancad.panels.chosen_sheet import ask_sheet, sheet_among
+from freecad.gaussiancad.panels.fitted_view import show_all
 from freecad.gaussiancad.panels.full_run import full_job
 from freecad.gaussiancad.panels.jobs import job_list
 from freecad.gaussiancad.panels.solutions import open_solutions
@@ -198,7 +199,7 @@ class CanvasDock(QtWidgets.QDockWidget):
         length = find_part(group).Shape.BoundBox.DiagonalLength
         if not 1.0 / _ALIKE < length / max(self._shown_mm, 1e-9) < _ALIKE:
             self._shown_mm = length
-            _show(group.Document)
+            show_all(group.Document)
 
 
 class _Observer:
@@ -225,13 +226,6 @@ class _Observer:
     def _is_its(self, own: FreeCAD.DocumentObject) -> bool:
         keeper = self._dock.keeper
         return own.Name == keeper.group and own.Document.Name == keeper.document
-
-
-def _show(document: FreeCAD.Document) -> None:
-    view = FreeCADGui.getDocument(document.Name).ActiveView
-    if hasattr(view, "fitAll"):
-        view.viewIsometric()
-        view.fitAll()
 
 
 def _complain(text: str) -> None:

@@ -499,3 +499,23 @@ def test_a_pale_sheet_is_white_in_a_dark_window(window: SheetWindow) -> None:
     window.board.setPalette(palette)
     at = window.board.mapFromScene(400.0, 400.0)
     assert window.board.grab().toImage().pixelColor(at).lightness() > 250
+
+
+@pytest.mark.parametrize("place", [(120.0, 90.0), (500.0, 400.0)])
+def test_the_wheel_zooms_at_the_cursor(window: SheetWindow, place: Place) -> None:
+    board = window.board
+    at = board.mapFromScene(*place)
+    for _ in range(4):
+        turned = QtGui.QWheelEvent(
+            QtCore.QPointF(at),
+            QtCore.QPointF(board.viewport().mapToGlobal(at)),
+            QtCore.QPoint(),
+            QtCore.QPoint(0, 120),
+            QtCore.Qt.MouseButton.NoButton,
+            _NONE,
+            QtCore.Qt.ScrollPhase.NoScrollPhase,
+            False,
+        )
+        QtWidgets.QApplication.sendEvent(board.viewport(), turned)
+    assert board.zoom > 2.0
+    assert board.place(at) == pytest.approx(place, abs=2.0)
