@@ -1,0 +1,84 @@
+"""A command whose process dies is told, with the stage that it was in, and leaves a report."""
+
+import json
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import psutil
+import pytest
+
+from gaussiancad_core.processes.watched import watch
+
+_SAMPLE = Path(__file__).parents[3] / "resources" / "samples" / "l-bracket.png"
+_PATIENCE_S = 60.0
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="processes die otherwise there")
+
+
+def _engine_of(started: subprocess.Popen[bytes]) -> psutil.Process:
+    """The process that does the work."""
+    end = time.monotonic() + _PATIENCE_S
+    while time.monotonic() < end:
+        for child in psutil.Process(started.pid).children():
+            if "gaussiancad_core.processes.watched" in child.cmdline():
+                return child
+        time.sleep(0.02)
+    raise AssertionError("no engine was started")
+
+
+@pytest.mark.parametrize(
+    ("number", "code", "said"),
+    [
+        (signal.SIGSEGV, 6, "engine-died"),
+        (signal.SIGABRT, 6, "engine-died"),
+        (signal.SIGKILL, 5, "killed"),
+    ],
+)
+def test_a_process_that_dies_is_told_with_its_stage(
+    tmp_path: Path, number: signal.Signals, code: int, said: str
+) -> None:
+    command = [sys.executable, "-m", "gaussiancad_core", "reconstruct", str(_SAMPLE)]
+    started = subprocess.Popen(
+        [*command, "--output", str(tmp_path)], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    )
+    engine = _engine_of(started)
+    # What was read is put in place as soon as it is known.
+    while not (tmp_path / "reading.json").exists():
+        time.sleep(0.05)
+    engine.send_signal(number)
+    _, errors = started.communicate(timeout=_PATIENCE_S)
+    assert started.returncode == code
+    assert errors.count(b"\n") == 1 and f"[{said}]".encode() in errors
+    report = json.loads((tmp_path / "report.json").read_text("utf-8"))
+    assert report["status"] == "failed" and report["stage"]
+    assert [own["code"] for own in report["reasons"]] == [said]
+    # What was finished stays, nothing half is left, and the next run finds nothing foreign.
+    assert {"reading.json", "report.json"} <= {path.name for path in tmp_path.iterdir()}
+    assert not list(tmp_path.glob(".gaussiancad-*"))
+    again = [*command, "--output", str(tmp_path), "--result", "solid"]
+    assert subprocess.run(again, capture_output=True, check=False).returncode == 0
+
+
+def test_a_signal_that_ends_the_command_reaches_the_engine(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "gaussiancad_core", "reconstruct", str(_SAMPLE)]
+    started = subprocess.Popen(
+        [*command, "--output", str(tmp_path)], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    )
+    engine = _engine_of(started)
+    while not any(tmp_path.iterdir()):
+        time.sleep(0.05)
+    started.terminate()
+    _, errors = started.communicate(timeout=_PATIENCE_S)
+    assert started.returncode == 130 and b"[cancelled]" in errors
+    assert not engine.is_running()
+
+
+def test_what_a_command_prints_and_its_exit_code_are_its_own(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    ended = watch(["compare", "missing.step", "missing.stl"])
+    assert (ended.exit_code, ended.signal, ended.stage) == (3, "", "")
+    assert "[file-missing]" in capfd.readouterr().err
