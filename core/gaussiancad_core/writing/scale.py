@@ -52,7 +52,13 @@ from gaussiancad_core.writing.numbers import (
 )
 from gaussiancad_core.writing.ocr import ocr_problem
 from gaussiancad_core.writing.ordinates import is_zero, ordinate_length
-from gaussiancad_core.writing.texts import SheetText, fields_of, file_texts, pixel_texts
+from gaussiancad_core.writing.texts import (
+    SheetText,
+    fields_of,
+    file_texts,
+    framed,
+    pixel_texts,
+)
 from gaussiancad_core.writing.units import Units, file_unit, noted_unit, other_size
 
 _MOST_RULES = 5000
@@ -229,6 +235,7 @@ def read_texts(sheet: OpenedSheet, marks: Sequence[Mark]) -> WrittenSheet:
         height, width = sheet.shape
         fields = fields_of(marks, height * width)
         own = file_texts(sheet.image.vectors.texts, sheet.turn, fields)
+        own = framed(own, marks, sheet.shape)
     shown = sum(mark.kind is AnnotationKind.TEXT for mark in marks)
     if shown <= sum(parse_dimension(text.text) is not None for text in own):
         return WrittenSheet(own)
@@ -238,7 +245,7 @@ def read_texts(sheet: OpenedSheet, marks: Sequence[Mark]) -> WrittenSheet:
             "the dimensions on the sheet were not read, as OCR is {reason}", reason=problem
         )
         return WrittenSheet(own, (Note("dimensions-not-read", message),))
-    return WrittenSheet((*own, *pixel_texts(sheet.clean, marks)))
+    return WrittenSheet((*own, *framed(pixel_texts(sheet.clean, marks), marks, sheet.shape)))
 
 
 def _has_texts(image: SheetImage) -> bool:

@@ -1,7 +1,7 @@
 """The texts of a sheet: from its file where that has them, else read from its pixels."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -39,6 +39,10 @@ _BELOW = 0.3
 
 _INK = 0.3
 """Share of full ink from which a pixel counts as inked."""
+
+_ALONG_SHEET = 0.6
+"""Share of the sheet's side that a line of its frame takes at least: lines of the title block are
+shorter."""
 
 _LARGEST_FIELD = 0.025
 """Share of the sheet that a field of the title block has at most; others are its border's."""
@@ -96,6 +100,40 @@ def fields_of(marks: Iterable[Mark], pixels: int) -> list[Box]:
     return [
         box for box in boxes if (box[2] - box[0]) * (box[3] - box[1]) <= _LARGEST_FIELD * pixels
     ]
+
+
+def framed(
+    texts: Iterable[SheetText], marks: Iterable[Mark], shape: tuple[int, int]
+) -> tuple[SheetText, ...]:
+    """The texts, those in the margin of the sheet as fields: there stand the letters and numbers of
+    its zones (ISO 5457).
+
+    Args:
+        texts: of the sheet.
+        marks: found on it.
+        shape: height and width of the sheet in px.
+    """
+    within = _inner_frame(marks, shape)
+    return tuple(own if _holds(within, own.box) else replace(own, field=True) for own in texts)
+
+
+def _inner_frame(marks: Iterable[Mark], shape: tuple[int, int]) -> Box:
+    """The area within the innermost lines of a frame; the whole sheet where there is none."""
+    found = [0.0, 0.0, float(shape[1]), float(shape[0])]
+    for mark in marks:
+        if mark.kind is not AnnotationKind.FRAME or mark.line is None:
+            continue
+        ends = np.array(mark.line)
+        for across in (0, 1):
+            long = float(np.ptp(ends[:, 1 - across])) >= _ALONG_SHEET * shape[across]
+            if long and float(np.ptp(ends[:, across])) <= _SLANT * shape[across]:
+                at, size = float(ends[:, across].mean()), shape[1 - across]
+                if at < size / 2.0:
+                    found[across] = max(found[across], at)
+                else:
+                    found[across + 2] = min(found[across + 2], at)
+    x0, y0, x1, y1 = found
+    return x0, y0, x1, y1
 
 
 def _holds(field: Box, box: Box) -> bool:
