@@ -25,7 +25,10 @@ def start() -> int:
         return main(arguments)
     if {"-h", "--help"} & set(arguments):
         return main(arguments)
-    ended = watch(arguments)
+    try:
+        ended = watch(arguments)
+    except OSError:
+        return main(arguments)
     return _told(ended, arguments) if ended.exit_code < 0 else ended.exit_code
 
 

@@ -1,9 +1,9 @@
 """A ``gaussiancad`` command in a process of its own, and what is left where that process dies.
 
 The geometry kernel and other compiled libraries may end the process that they run in.  So a command
-that uses them runs in a child, which writes the stages that it enters to a pipe; who started it
-lives on to tell what happened.  ``python -m gaussiancad_core.processes.watched FD ARGUMENTS...``
-is the child.
+that uses them runs in a child, which writes the stage that it is in to a file without a name; who
+started it lives on to tell what happened.  ``python -m gaussiancad_core.processes.watched FD
+ARGUMENTS...`` is the child.
 """
 
 import os
@@ -12,6 +12,7 @@ import subprocess
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
+from tempfile import TemporaryFile
 from types import FrameType
 from typing import Any
 
@@ -20,8 +21,8 @@ from gaussiancad_core.processes.child import limit_itself
 _UNLIMITED = 1 << 50
 """Bytes of a file: what is written is bounded by the disk alone."""
 
-_MOST_NOTES = 1 << 16
-"""Bytes of stages' names that are looked at."""
+_LONGEST_NAME = 64
+"""Bytes of a stage's name."""
 
 
 @dataclass(frozen=True)
@@ -51,11 +52,23 @@ def watch(arguments: Sequence[str]) -> Watched:
     """Run a command in a child to its end; it reads and prints what this process would.
 
     The signals that end this process are handed on: the child tells how far it came.
+
+    Raises:
+        OSError: nothing was started, as there is no room for the stage's name, or no process left.
     """
-    told, telling = os.pipe()
     python = [sys.executable, *(["-I"] if sys.flags.isolated else []), "-m", __name__]
-    child = subprocess.Popen([*python, str(telling), *arguments], pass_fds=(telling,))
-    os.close(telling)
+    with TemporaryFile() as note:
+        # The room is taken now: later there may be none.
+        note.write(b" " * _LONGEST_NAME)
+        note.flush()
+        own = note.fileno()
+        child = subprocess.Popen([*python, str(own), *arguments], pass_fds=(own,))
+        code = _ended(child)
+        return Watched(code, os.pread(own, _LONGEST_NAME, 0).decode("utf-8", "replace").strip())
+
+
+def _ended(child: "subprocess.Popen[bytes]") -> int:
+    """The exit code of a child, which gets the signals that are to end this process."""
 
     def hand_on(number: int, _frame: FrameType | None) -> None:
         child.send_signal(number)
@@ -64,20 +77,17 @@ def watch(arguments: Sequence[str]) -> Watched:
     # Ctrl-C reaches the child by itself.
     before[signal.SIGINT] = signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
-        code = child.wait()
+        return child.wait()
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
-    with open(told, "rb") as notes:
-        stages = notes.read(_MOST_NOTES).decode("utf-8", "replace").split()
-    return Watched(code, stages[-1] if stages else "")
 
 
 class StageNotes:
-    """A listener that writes the names of stages to a pipe.
+    """A listener that writes the name of the stage to the start of a file.
 
     Args:
-        descriptor: of the pipe.
+        descriptor: of the file.
     """
 
     def __init__(self, descriptor: int) -> None:
@@ -86,7 +96,8 @@ class StageNotes:
     def send(self, event: str, **fields: Any) -> None:  # noqa: ANN401
         """Take one event."""
         if event == "stage":
-            os.write(self._descriptor, f"{fields['name']}\n".encode())
+            name = str(fields["name"]).encode()[:_LONGEST_NAME]
+            os.pwrite(self._descriptor, name.ljust(_LONGEST_NAME), 0)
 
 
 if __name__ == "__main__":
