@@ -14,6 +14,7 @@ from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import Box, Finder
 from gaussiancad_core.sheet.special_views.naming import inside
+from gaussiancad_core.sheet.special_views.projection_note import noted_projection
 from gaussiancad_core.sheet.special_views.symbol import find_symbol
 from gaussiancad_core.sheet.special_views.symbol_shape import ProjectionSymbol
 from gaussiancad_core.sheet.vector_views.vector_views import VectorSheet
@@ -66,7 +67,7 @@ def sheet_views(
     """
     boxes = dict(given or {})
     drawing = sheet.image.vectors if finder is Finder.RIDGES else None
-    symbol = find_symbol(sheet) if projection is None else None
+    symbol = None if projection is not None else find_symbol(sheet) or noted_projection(sheet)
     told = projection, symbol
     try:
         return _found(sheet, boxes, told, drawing)

@@ -89,6 +89,23 @@ class Settings(WindowCase):
         self.assertIs(again.scale.mode, ScaleKind.UNKNOWN)
         self.assertEqual(again.page.value(), 1)
 
+    def test_what_a_sheet_tells_of_its_projection_is_of_that_sheet_alone(self) -> None:
+        form = SettingsForm(starting_choices(read_preferences()))
+        usual = form.projection.mode
+        form.tell_projection(Projection.FIRST)
+        self.assertIs(form.job("", "").projection, Projection.FIRST)
+        self.assertIs(form.choices.projection, usual)
+        form.forget_projection()
+        self.assertIs(form.projection.mode, usual)
+
+    def test_what_a_person_chose_stands_whatever_a_sheet_tells(self) -> None:
+        form = SettingsForm(starting_choices(read_preferences()))
+        form.projection.choose(Projection.THIRD)
+        form.projection.activated.emit(form.projection.currentIndex())
+        form.tell_projection(Projection.FIRST)
+        self.assertIs(form.projection.mode, Projection.THIRD)
+        self.assertIs(form.choices.projection, Projection.THIRD)
+
     def test_a_changed_preference_counts_more_than_what_was_chosen_before(self) -> None:
         group = FreeCAD.ParamGet(GROUP)
         chosen = form_choices(Outcome.SURFACE, Projection.FIRST, "#405060")

@@ -9,6 +9,7 @@ import FreeCAD
 import Part
 from support import FolderCase, draw_sheet
 
+from freecad.gaussiancad.engine.job import Projection
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.objects.document_sheets import (
     export_sheet,
@@ -49,12 +50,7 @@ class Pages(DocumentCase):
         """A page with a front view at (90, 70) and a top view at (90, 140) mm."""
         part = self.document.addObject("Part::Feature", "Bracket")
         part.Shape = bracket()
-        page = self.document.addObject("TechDraw::DrawPage", "Page")
-        template = self.document.addObject("TechDraw::DrawSVGTemplate", "Template")
-        blank = self.folder / "A4.svg"
-        blank.write_text(BLANK, encoding="utf-8")
-        template.Template = str(blank)
-        page.Template = template
+        page = self.blank_page()
         for name, direction, y in (("Front", (0, -1, 0), 70), ("Top", (0, 0, 1), 140)):
             view = self.document.addObject("TechDraw::DrawViewPart", name)
             page.addView(view)
@@ -65,6 +61,15 @@ class Pages(DocumentCase):
             view.X, view.Y = 90, y
         self.document.recompute()
         self.wait_for_edges()
+        return page
+
+    def blank_page(self) -> FreeCAD.DocumentObject:
+        page = self.document.addObject("TechDraw::DrawPage", "Page")
+        template = self.document.addObject("TechDraw::DrawSVGTemplate", "Template")
+        blank = self.folder / "A4.svg"
+        blank.write_text(BLANK, encoding="utf-8")
+        template.Template = str(blank)
+        page.Template = template
         return page
 
     def wait_for_edges(self) -> None:
@@ -121,6 +126,73 @@ class Pages(DocumentCase):
         self.document.recompute()
         self.wait_for_edges()
         self.assertIsNone(export_sheet(page, self.folder).mm_per_pixel)
+
+    def texts(self, file: Path) -> list[ElementTree.Element]:
+        return list(ElementTree.parse(file).getroot().iter(SVG + "text"))
+
+    def test_a_page_tells_its_scale_and_unit_in_the_file(self) -> None:
+        exported = export_sheet(self.add_page(), self.folder)
+        told = [text.text for text in self.texts(exported.path)]
+        self.assertEqual(told, ["DIMENSIONS IN MM", "SCALE 1.5 : 1"])
+        # Views that stand by themselves may be placed anyhow.
+        self.assertIsNone(exported.projection)
+
+    def test_a_projection_group_tells_how_it_is_projected(self) -> None:
+        part = self.document.addObject("Part::Feature", "Bracket")
+        part.Shape = bracket()
+        page = self.blank_page()
+        group = self.document.addObject("TechDraw::DrawProjGroup", "Group")
+        page.addView(group)
+        group.Source = [part]
+        group.addProjection("Front")
+        group.Anchor.Direction, group.Anchor.XDirection = (0, -1, 0), (1, 0, 0)
+        group.addProjection("Top")
+        group.ScaleType, group.Scale = "Custom", 0.5
+        group.X, group.Y = 120, 100
+        for kind, projection in (
+            ("First Angle", Projection.FIRST),
+            ("Third Angle", Projection.THIRD),
+        ):
+            group.ProjectionType = kind
+            for item in group.Views:
+                item.touch()
+            self.document.recompute()
+            end = time.monotonic() + PATIENCE_SECONDS
+            while not all(view.getVisibleEdges() for view in group.Views):
+                self.assertLess(time.monotonic(), end, "TechDraw drew nothing")
+                time.sleep(0.05)
+            exported = export_sheet(page, self.folder)
+            self.assertIs(exported.projection, projection)
+            self.assertAlmostEqual(exported.mm_per_pixel, 25.4 / 200 * 2)
+            told = [text.text for text in self.texts(exported.path)]
+            self.assertIn("SCALE 1 : 2", told)
+            self.assertIn(f"{projection.value.upper()} ANGLE PROJECTION", told)
+
+    def test_dimensions_have_their_number_lines_and_a_pen_of_their_own(self) -> None:
+        page = self.add_page()
+        front = self.document.Front
+        edges = [front.getEdgeByIndex(index) for index in range(4)]
+        level = next(i for i, own in enumerate(edges) if abs(own.BoundBox.YLength) < 1e-6)
+        dimension = self.document.addObject("TechDraw::DrawViewDimension", "Width")
+        dimension.Type = "DistanceX"
+        dimension.References2D = [(front, f"Edge{level}")]
+        page.addView(dimension)
+        dimension.X, dimension.Y = 0, 40
+        self.document.recompute()
+        exported = export_sheet(page, self.folder)
+        box = edges[level].BoundBox
+        (text,) = (own for own in self.texts(exported.path) if own.text.isdigit())
+        self.assertEqual(float(text.text), round(box.XLength, 4))
+        self.assertEqual(float(text.get("x")), 90.0)
+        root = ElementTree.parse(exported.path).getroot()
+        pieces = [own for own in root.iter(SVG + "path") if own.get("class") == "dimension"]
+        lines = [numbers(own.get("d")) for own in pieces if own.get("stroke") != "none"]
+        # Edges by their index are those of the part; the page's are 1.5 times as long.
+        # The dimension line stands 40 mm above the view's centre at (90, 210 - 70).
+        (told,) = (own for own in lines if own[1] == own[3])
+        self.assertEqual(told, [90 + 1.5 * box.XMin, 100.0, 90 + 1.5 * box.XMax, 100.0])
+        self.assertEqual(len(lines), 3)
+        self.assertEqual(len(pieces), 5)
 
     def test_an_empty_page_is_told(self) -> None:
         page = self.document.addObject("TechDraw::DrawPage", "Page")

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import FreeCAD
 
+from freecad.gaussiancad.engine.job import Projection
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.proxies import GroupProxy
@@ -26,10 +27,12 @@ class ExportedSheet:
     Attributes:
         path: of the file.
         mm_per_pixel: of the part, or None if the object does not tell.
+        projection: of its views, or None if the object does not tell.
     """
 
     path: Path
     mm_per_pixel: float | None = None
+    projection: Projection | None = None
 
 
 def sheet_objects(document: FreeCAD.Document | None) -> list[FreeCAD.DocumentObject]:
@@ -73,7 +76,7 @@ def export_sheet(source: FreeCAD.DocumentObject, folder: Path) -> ExportedSheet:
         from freecad.gaussiancad.objects.techdraw_sheet import export_page
 
         exported = export_page(source, folder)
-        return ExportedSheet(exported.path, exported.mm_per_pixel)
+        return ExportedSheet(exported.path, exported.mm_per_pixel, exported.projection)
     image = Path(source.ImageFile)
     if not source.ImageFile or not image.is_file():
         text = translate(

@@ -1,7 +1,9 @@
-"""A TechDraw page as a sheet for the engine: its views' edges, visible and hidden, as an SVG file.
+"""A TechDraw page as a sheet for the engine: an SVG file of its views' edges, visible and hidden,
+its dimensions, and notes of its scale, unit and projection.
 
 TechDraw's own exports draw hidden edges as the user's preferences say, solid ones too, and its SVG
-export needs a window.  The edges themselves say which they are, and need none.
+export needs a window.  The edges themselves say which they are, and need none.  The notes stand in
+the file, so that whoever reads it knows what the document says.
 """
 
 from collections.abc import Iterator
@@ -12,9 +14,11 @@ from xml.sax.saxutils import quoteattr
 import FreeCAD
 import Part
 
+from freecad.gaussiancad.engine.job import Projection
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.edge_paths import edge_path
+from freecad.gaussiancad.objects.techdraw_dimensions import dimension_elements, text_element
 
 PIXELS_PER_MM = 200.0 / 25.4
 """The engine draws SVG files at 200 dpi of their paper."""
@@ -27,6 +31,15 @@ _SAME = 3
 
 _VIEW = "TechDraw::DrawViewPart"
 
+_GROUP = "TechDraw::DrawProjGroup"
+_DIMENSION = "TechDraw::DrawViewDimension"
+
+_NOTE_X, _NOTE_Y, _NOTE_STEP = 12.0, 4.0, 5.0
+"""mm from the left edge and the nearer border to the first note, and from one note to the next."""
+
+_ROOM = 22.0
+"""mm of the page's lower border that the notes need; with less room they stand at the top."""
+
 _NOT_VIEWS = ("TechDraw::DrawViewSection", "TechDraw::DrawViewDetail")
 """Kinds of part views that show something else than the part from one side."""
 
@@ -38,10 +51,12 @@ class PageExport:
     Attributes:
         path: of the SVG file.
         mm_per_pixel: of the part, at the engine's resolution; None if the views' scales differ.
+        projection: of the projection group that has the views; None where none has.
     """
 
     path: Path
     mm_per_pixel: float | None
+    projection: Projection | None = None
 
 
 @dataclass(frozen=True)
@@ -54,7 +69,7 @@ class _PlacedView:
 
 
 def export_page(page: FreeCAD.DocumentObject, folder: Path) -> PageExport:
-    """Write the views of a page into an SVG file of the page's size.
+    """Write views, dimensions and notes of a page into an SVG file of the page's size.
 
     Args:
         page: a ``TechDraw::DrawPage``.
@@ -72,6 +87,11 @@ def export_page(page: FreeCAD.DocumentObject, folder: Path) -> PageExport:
             "The page {name} shows no views of a part. Recompute it, or choose another one.",
         )
         raise WorkbenchError(ErrorCode.SHEET_MISSING, text.format(name=page.Label))
+    scales = {round(_scale(page, placed.view), 9) for placed in views}
+    scale = scales.pop() if len(scales) == 1 else 0.0
+    projection = _projection(page, views)
+    drawn += _dimensions(page, views, height)
+    drawn += _notes(scale, projection, _note_places(views, height))
     path = folder / f"{_file_name(page.Label)}.svg"
     head = (
         '<?xml version="1.0" encoding="UTF-8"?>\n'
@@ -80,9 +100,8 @@ def export_page(page: FreeCAD.DocumentObject, folder: Path) -> PageExport:
         '<g fill="none" stroke="black" stroke-linecap="round">\n'
     )
     path.write_text(head + "\n".join(drawn) + "\n</g></svg>\n", encoding="utf-8")
-    scales = {round(_scale(page, placed.view), 9) for placed in views}
-    scale = scales.pop() if len(scales) == 1 else 0.0
-    return PageExport(path, 1.0 / (PIXELS_PER_MM * scale) if scale > 0.0 else None)
+    mm_per_pixel = 1.0 / (PIXELS_PER_MM * scale) if scale > 0.0 else None
+    return PageExport(path, mm_per_pixel, projection)
 
 
 def _page_size(page: FreeCAD.DocumentObject) -> tuple[float, float]:
@@ -96,7 +115,7 @@ def _page_size(page: FreeCAD.DocumentObject) -> tuple[float, float]:
 def _placed_views(page: FreeCAD.DocumentObject) -> Iterator[_PlacedView]:
     """The views of parts, those in projection groups too."""
     for view in page.Views:
-        if view.isDerivedFrom("TechDraw::DrawProjGroup"):
+        if view.isDerivedFrom(_GROUP):
             for item in view.Views:
                 x, y = _number(view.X) + _number(item.X), _number(view.Y) + _number(item.Y)
                 yield _PlacedView(item, x, y)
@@ -117,6 +136,60 @@ def _view_paths(placed: _PlacedView, page_height: float) -> Iterator[str]:
             if data and key not in seen:
                 seen.add(key)
                 yield f'<path {style} d="{data}"><title>{name[1:-1]}</title></path>'
+
+
+def _projection(page: FreeCAD.DocumentObject, views: list[_PlacedView]) -> Projection | None:
+    """How the one group that has all views is projected; None where views stand by themselves, or
+    in several groups."""
+    groups = [view for view in page.Views if view.isDerivedFrom(_GROUP)]
+    if len(groups) != 1 or len(views) != len(groups[0].Views):
+        return None
+    kind = groups[0].ProjectionType
+    if kind == "Default":
+        kind = getattr(page, "ProjectionType", kind)
+    if kind == "Default":
+        general = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/TechDraw/General")
+        kind = "Third" if general.GetInt("ProjectionAngle", 0) == 1 else "First"
+    return Projection.THIRD if kind.lower().startswith("third") else Projection.FIRST
+
+
+def _dimensions(
+    page: FreeCAD.DocumentObject, views: list[_PlacedView], page_height: float
+) -> list[str]:
+    """The page's dimensions of those views."""
+    origins = {placed.view.Name: (placed.x, page_height - placed.y) for placed in views}
+    found = []
+    for dimension in page.Views:
+        if dimension.isDerivedFrom(_DIMENSION) and dimension.References2D:
+            origin = origins.get(dimension.References2D[0][0].Name)
+            if origin is not None:
+                found += dimension_elements(dimension, origin)
+    return found
+
+
+def _note_places(views: list[_PlacedView], page_height: float) -> Iterator[tuple[float, float]]:
+    """Where notes stand, one under the other at the page's border: x and y in mm, y down."""
+    lowest = max(
+        page_height - placed.y + edge.BoundBox.YMax
+        for placed in views
+        for edge in placed.view.getVisibleEdges()
+    )
+    is_free = lowest < page_height - _ROOM
+    first = page_height - _NOTE_Y - 2 * _NOTE_STEP if is_free else 2 * _NOTE_Y
+    return ((_NOTE_X, first + number * _NOTE_STEP) for number in range(3))
+
+
+def _notes(
+    scale: float, projection: Projection | None, places: Iterator[tuple[float, float]]
+) -> list[str]:
+    """What the document says of the whole page, in words that the engine reads."""
+    notes = ["DIMENSIONS IN MM"]
+    if scale > 0.0:
+        sides = (scale, 1.0) if scale >= 1.0 else (1.0, 1.0 / scale)
+        notes.append(f"SCALE {sides[0]:.9g} : {sides[1]:.9g}")
+    if projection is not None:
+        notes.append(f"{projection.value.upper()} ANGLE PROJECTION")
+    return [text_element(note, place) for note, place in zip(notes, places, strict=False)]
 
 
 def _key(edge: Part.Edge) -> tuple[float, ...]:

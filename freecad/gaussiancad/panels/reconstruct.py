@@ -96,6 +96,8 @@ class ReconstructPanel(EnginePanel):
         if exported.mm_per_pixel is not None:
             self.settings.tell_mm_per_pixel(exported.mm_per_pixel)
             self._scaled_sheet = str(exported.path)
+        if exported.projection is not None:
+            self.settings.tell_projection(exported.projection)
 
     def take_group(self, group: FreeCAD.DocumentObject) -> None:
         """Take the drawing and the settings of a reconstruction of the document.
@@ -246,6 +248,7 @@ class ReconstructPanel(EnginePanel):
             # The scale was that of another drawing.
             self._scaled_sheet = ""
             self.settings.forget_scale()
+        self.settings.forget_projection()
         if not self.running:
             # What is shown is of another drawing.
             self.run_view.forget()

@@ -2,7 +2,14 @@
 
 import FreeCADGui
 
-from freecad.gaussiancad.engine.job import Outcome, Recipe, ReconstructJob, Scale, ScaleKind
+from freecad.gaussiancad.engine.job import (
+    Outcome,
+    Projection,
+    Recipe,
+    ReconstructJob,
+    Scale,
+    ScaleKind,
+)
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.panels.more_settings import MoreSettings, narrow_rows
 from freecad.gaussiancad.panels.setting_boxes import (
@@ -32,6 +39,9 @@ class SettingsForm(QtWidgets.QWidget):
         super().__init__()
         self.setWindowTitle(translate("GaussianCAD", "Settings"))
         self.projection = projection_box(start.projection)
+        self._usual_projection: Projection | None = None
+        self._is_projection_chosen = False
+        self.projection.activated.connect(self._choose_projection)
         self.preset = preset_box(start.preset)
         self.outcome = outcome_box(start.outcome)
         self.recipe = recipe_box(start.recipe)
@@ -69,7 +79,7 @@ class SettingsForm(QtWidgets.QWidget):
     def choices(self) -> Choices:
         """What the widgets say, without what belongs to one sheet."""
         return Choices(
-            self.projection.mode,
+            self._usual_projection or self.projection.mode,
             self.preset.mode,
             self.outcome.mode,
             self.recipe.mode,
@@ -119,6 +129,18 @@ class SettingsForm(QtWidgets.QWidget):
         self.scale.choose(ScaleKind.MM_PER_PIXEL)
         self.mm_per_pixel.setValue(value)
 
+    def tell_projection(self, value: Projection) -> None:
+        """Set the projection that a sheet tells, unless a person chose one in this panel."""
+        if not self._is_projection_chosen:
+            self._usual_projection = self._usual_projection or self.projection.mode
+            self.projection.choose(value)
+
+    def forget_projection(self) -> None:
+        """Take back the projection that another sheet told."""
+        if self._usual_projection is not None:
+            self.projection.choose(self._usual_projection)
+            self._usual_projection = None
+
     def forget_scale(self) -> None:
         """Take back a scale that is not known any more."""
         self.scale.choose(ScaleKind.UNKNOWN)
@@ -135,6 +157,11 @@ class SettingsForm(QtWidgets.QWidget):
         if kind is ScaleKind.MM_PER_PIXEL:
             return Scale(kind, self.mm_per_pixel.value())
         return Scale(kind, float(self.length.property("rawValue")))
+
+    def _choose_projection(self) -> None:
+        """A person chose, whatever a sheet tells."""
+        self._usual_projection = None
+        self._is_projection_chosen = True
 
     def _show_scale(self) -> None:
         kind = self.scale.mode
