@@ -707,7 +707,7 @@
         <translation>Maßstab</translation>
     </message>
     <message>
-        <source>The sheet is read…</source>
+        <source>The sheet is being read…</source>
         <translation>Das Blatt wird gelesen …</translation>
     </message>
     <message>
@@ -719,8 +719,8 @@
         <translation>Nichts trifft auf dieses Ende</translation>
     </message>
     <message>
-        <source>{0} correction(s) by hand</source>
-        <translation>{0} Korrektur(en) von Hand</translation>
+        <source>Corrections by hand: {0}</source>
+        <translation>Korrekturen von Hand: {0}</translation>
     </message>
     <message>
         <source>Box a View</source>
@@ -1211,8 +1211,8 @@
         <translation>{distance}: {length} mm</translation>
     </message>
     <message>
-        <source>Chamfer</source>
-        <translation>Chamfer</translation>
+        <source>Chamfer distance</source>
+        <translation>Chamfer-Abstand</translation>
     </message>
     <message>
         <source>Sum of the mean distances to the nearest point, both ways</source>

@@ -511,7 +511,7 @@
         <translation>按图纸现状得不出零件</translation>
     </message>
     <message>
-        <source>The sheet is read…</source>
+        <source>The sheet is being read…</source>
         <translation>正在读取图纸…</translation>
     </message>
     <message>
@@ -523,8 +523,8 @@
         <translation>此端点没有线相接</translation>
     </message>
     <message>
-        <source>{0} correction(s) by hand</source>
-        <translation>手工更正 {0} 处</translation>
+        <source>Corrections by hand: {0}</source>
+        <translation>手工更正：{0}</translation>
     </message>
     <message>
         <source>Box a View</source>
@@ -1947,7 +1947,7 @@
         <translation>结果面积的差异</translation>
     </message>
     <message>
-        <source>Chamfer</source>
+        <source>Chamfer distance</source>
         <translation>Chamfer 距离</translation>
     </message>
     <message>

@@ -103,6 +103,8 @@ def corrected(
             found = replace(found, reading=ink.fill(found.reading))
         if isinstance(operation, TraceOperation):
             own = _traced(found.reading, operation, ink.trace)
+        elif isinstance(operation, ProjectionOperation):
+            own = _with_projection(found.reading, operation, _named(operations[: number - 1]))
         else:
             own = _APPLIED[type(operation)](found.reading, operation)
         if own is None:
@@ -320,12 +322,25 @@ def _times(own: DimensionEntry, factor: float) -> DimensionEntry:
     return changed(own, **lengths)
 
 
-def _with_projection(reading: SheetReading, operation: ProjectionOperation) -> SheetReading:
-    """The same views under a projection: those beside the front are named anew."""
+def _named(operations: Sequence[Operation]) -> set[str]:
+    """Views of which a person said what they show."""
+    return {own.id for own in operations if isinstance(own, ViewOperation)}
+
+
+def _with_projection(
+    reading: SheetReading, operation: ProjectionOperation, named: set[str]
+) -> SheetReading:
+    """The same views under a projection: those beside the front are named anew, but for those that
+    a person named."""
     own = ReadProjection(value=operation.value, source=GIVEN)
     if reading.projection.value == operation.value:
         return changed(reading, projection=own)
-    views = tuple(changed(view, role=_opposite(view.role)) for view in reading.views)
+    views = tuple(
+        view
+        if view.id in named or view.source == GIVEN
+        else changed(view, role=_opposite(view.role))
+        for view in reading.views
+    )
     return changed(reading, projection=own, views=views)
 
 
@@ -360,7 +375,6 @@ _APPLIED: dict[type, Callable[[SheetReading, Operation], SheetReading | None]] =
     DimensionOperation: _with_dimension,
     ScaleOperation: _with_scale,
     UnitOperation: _with_unit,
-    ProjectionOperation: _with_projection,
     RegionOperation: _with_region,
     SectionOperation: with_section,
     NoteOperation: with_note,

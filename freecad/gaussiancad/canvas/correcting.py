@@ -45,7 +45,7 @@ def _view(sheet: Sheet, own: dict, _: int) -> Sheet:
     if box is None and known is None:
         return sheet
     cut = known is not None and known.cut
-    made = View(own["id"], own["role"], tuple(box) if box is not None else known.box, cut=cut)
+    made = View(own["id"], own["role"], tuple(box) if box is not None else known.box, cut=cut, given=True)
     rest = tuple(each for each in sheet.views if each.id != own["id"])
     return replace(sheet, views=(*rest, made))
 
@@ -115,7 +115,10 @@ def _unit(sheet: Sheet, own: dict, _: int) -> Sheet:
 def _projection(sheet: Sheet, own: dict, _: int) -> Sheet:
     if own["value"] == sheet.projection:
         return sheet
-    views = tuple(replace(each, role=_OPPOSITE.get(each.role, each.role)) for each in sheet.views)
+    views = tuple(
+        each if each.given else replace(each, role=_OPPOSITE.get(each.role, each.role))
+        for each in sheet.views
+    )
     return replace(sheet, projection=own["value"], views=views)
 
 

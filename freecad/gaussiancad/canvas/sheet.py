@@ -99,6 +99,7 @@ class View:
         box: around it.
         used: whether it stands for a view of the part.
         cut: whether it shows a section.
+        given: whether a person said what it is.
     """
 
     id: str
@@ -106,6 +107,7 @@ class View:
     box: Box
     used: bool = True
     cut: bool = False
+    given: bool = False
 
     @property
     def shown(self) -> bool:
@@ -250,6 +252,7 @@ def sheet_of(reading: dict) -> Sheet:
                 tuple(own["box"]),
                 own.get("used", True),
                 bool(own.get("hatch")),
+                own.get("source") == "given",
             )
             for own in reading.get("views", ())
         ),

@@ -114,7 +114,7 @@ class SheetWindow(QtWidgets.QMainWindow):
 
     def start(self) -> None:
         """Read the sheet."""
-        self.tell(translate("GaussianCAD", "The sheet is read\u2026"))
+        self.tell(translate("GaussianCAD", "The sheet is being read\u2026"))
         self.desk.start()
 
     def solve(self) -> None:
@@ -250,8 +250,8 @@ class SheetWindow(QtWidgets.QMainWindow):
             # What was read makes no part, and nothing was said yet: no run will tell it.
             lines.insert(0, verdict_line("failed"))
         lines += self._left_out
-        if report is None:
-            lines.append(Line(translate("GaussianCAD", "{0} correction(s) by hand").format(count)))
+        if report is None and count:
+            lines.append(Line(translate("GaussianCAD", "Corrections by hand: {0}").format(count)))
         self.problems.show_lines(lines)
 
     def _show_work(self) -> None:

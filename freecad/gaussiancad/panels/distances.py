@@ -181,7 +181,7 @@ def _rows() -> list[tuple[str, str, str]]:
     return [
         (
             "chamfer",
-            translate("GaussianCAD", "Chamfer"),
+            translate("GaussianCAD", "Chamfer distance"),
             translate("GaussianCAD", "Sum of the mean distances to the nearest point, both ways"),
         ),
         (

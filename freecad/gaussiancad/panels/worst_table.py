@@ -57,10 +57,11 @@ class WorstTable(QtWidgets.QTableWidget):
 
 
 def worst_rows(points: Sequence[WorstPoint]) -> list[tuple[str, str, str]]:
-    """Deviation in mm, what the result has there, and the place, as texts."""
+    """Surplus of the result in mm, negative where it lacks something, the same in words, and the
+    place, as texts."""
     return [
         (
-            f"{point.deviation:+.4g}",
+            f"{_surplus(point):+.4g}",
             _amount(point),
             ", ".join(f"{value:.4g}" for value in point.place),
         )
@@ -68,15 +69,20 @@ def worst_rows(points: Sequence[WorstPoint]) -> list[tuple[str, str, str]]:
     ]
 
 
+def _surplus(point: WorstPoint) -> float:
+    """mm that the result has too much; a place of the reference that lies outside is lacking."""
+    return point.deviation if point.of_result else -point.deviation
+
+
 def _amount(point: WorstPoint) -> str:
-    if point.of_result != (point.deviation > 0.0):
+    if _surplus(point) <= 0.0:
         too_little = translate("GaussianCAD", "too little")
         return too_little if point.of_result else translate("GaussianCAD", "nothing")
     return translate("GaussianCAD", "too much")
 
 
 def _meaning(point: WorstPoint) -> str:
-    if point.of_result != (point.deviation > 0.0):
+    if _surplus(point) <= 0.0:
         too_little = translate("GaussianCAD", "the result has too little")
         return too_little if point.of_result else translate("GaussianCAD", "material is missing")
     return translate("GaussianCAD", "the result has too much")

@@ -121,6 +121,15 @@ def test_another_projection_names_the_views_beside_the_front_anew() -> None:
     assert [view.role for view in again.views] == [view.role for view in _READING.views]
 
 
+def test_another_projection_leaves_what_a_person_named() -> None:
+    projection = {"op": "projection", "value": "first"}
+    named = {"op": "view", "id": "top", "role": "top"}
+    boxed = {"op": "view", "id": "lines-1", "role": "right", "box": [304, 14, 346, 56]}
+    found, _ = _with(named, boxed, projection)
+    roles = {view.id: view.role for view in found.views}
+    assert (roles["top"], roles["lines-1"]) == (ViewRole.TOP, ViewRole.RIGHT)
+
+
 def test_inches_make_all_lengths_longer_and_millimetres_make_them_what_they_were() -> None:
     found, _ = _with({"op": "unit", "value": "in"})
     (own,) = found.dimensions

@@ -210,6 +210,14 @@ def test_the_sheet_is_read_again_up_to_the_last_boxed_view() -> None:
     assert read_again([erase, box, named, erase]) == [erase, box]
 
 
+def test_another_projection_leaves_what_a_person_named() -> None:
+    views = (View("top", "top", (0, 0, 9, 9)), View("right", "right", (20, 20, 29, 29)))
+    named = {"op": "view", "id": "top", "role": "top"}
+    projection = {"op": "projection", "value": "first"}
+    after = corrected(Sheet((), views, (), "", None), [named, projection])
+    assert {own.id: own.role for own in after.views} == {"top": "top", "right": "left"}
+
+
 def test_an_arc_runs_through_its_middle() -> None:
     x, y, radius, first, sweep = arc_through((1.0, 0.0), (-1.0, 0.0), (0.0, -1.0))
     stroke = Stroke("s1", "front", "visible", ("arc", (x, y, radius, first, sweep)))
