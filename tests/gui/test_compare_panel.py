@@ -111,7 +111,7 @@ class Panel(WindowCase):
         graph = view.getSceneGraph()
         children, height = graph.getNumChildren(), view.getCameraNode().height.getValue()
         table = widget(QtWidgets.QTableWidget, "worst")
-        self.assertEqual([table.item(k, 0).text() for k in range(2)], ["+1", "-0.75"])
+        self.assertEqual([table.item(k, 0).text() for k in range(2)], ["-1", "-0.75"])
         self.assertEqual([table.item(k, 1).text() for k in range(2)], ["nothing", "too little"])
         self.assertEqual(table.item(1, 2).text(), "0, 0, 30")
         widget(QtWidgets.QTabWidget, "comparisonTabs").setCurrentIndex(1)

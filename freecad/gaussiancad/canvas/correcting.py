@@ -45,7 +45,8 @@ def _view(sheet: Sheet, own: dict, _: int) -> Sheet:
     if box is None and known is None:
         return sheet
     cut = known is not None and known.cut
-    made = View(own["id"], own["role"], tuple(box) if box is not None else known.box, cut=cut, given=True)
+    place = tuple(box) if box is not None else known.box
+    made = View(own["id"], own["role"], place, cut=cut, given=True)
     rest = tuple(each for each in sheet.views if each.id != own["id"])
     return replace(sheet, views=(*rest, made))
 

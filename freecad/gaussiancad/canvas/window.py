@@ -250,7 +250,7 @@ class SheetWindow(QtWidgets.QMainWindow):
             # What was read makes no part, and nothing was said yet: no run will tell it.
             lines.insert(0, verdict_line("failed"))
         lines += self._left_out
-        if report is None and count:
+        if report is None:
             lines.append(Line(translate("GaussianCAD", "Corrections by hand: {0}").format(count)))
         self.problems.show_lines(lines)
 
