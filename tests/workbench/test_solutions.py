@@ -119,6 +119,8 @@ class Solutions(FolderCase):
         self.solutions.keep(2)
         self.assertEqual(self.volumes(), [round(VOLUMES[2], 6), round(VOLUMES[1], 6)])
         self.assertFalse(used.Visibility)
+        # It is kept for what uses it, not to choose among it again.
+        self.assertFalse(has_choice(self.group))
         self.assertAlmostEqual(mirror.Shape.Volume, VOLUMES[1], places=6)
 
     def test_solutions_that_are_gone_cannot_be_kept(self) -> None:

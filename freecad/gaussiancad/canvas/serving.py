@@ -55,6 +55,10 @@ class Server(QtCore.QObject):
         self._number = 0
         self._rest = b""
         self._complaints: deque[str] = deque(maxlen=_LAST_LINES)
+        application = QtCore.QCoreApplication.instance()
+        if application is not None:
+            # Widgets go after this, and their processes under the feet of whoever hears them.
+            application.aboutToQuit.connect(self.stop)
 
     @property
     def busy(self) -> bool:
@@ -84,7 +88,12 @@ class Server(QtCore.QObject):
         self._waiting.clear()
         process, self._process, self._rest = self._process, None, b""
         if process is not None:
-            for signal in (process.finished, process.errorOccurred, process.readyRead):
+            for signal in (
+                process.finished,
+                process.errorOccurred,
+                process.readyRead,
+                process.readyReadStandardError,
+            ):
                 signal.disconnect()
             process.kill()
             process.waitForFinished(1000)

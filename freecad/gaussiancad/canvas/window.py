@@ -67,6 +67,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         self.board = Board(self)
         self.problems = Rows(self)
         self._report: dict | None = None
+        self._settled: set[str] = set()
         self._pictured = False
         self._left_out: list[Line] = []
         self._menu = SelectionMenu(self.board)
@@ -237,7 +238,8 @@ class SheetWindow(QtWidgets.QMainWindow):
         problems = sheet.problems if sheet is not None else ()
         doubts = doubt_lines(sheet, self.desk.say) if sheet is not None else []
         if report is not None:
-            lines = verdict_lines(report, helping.with_report(), doubts)
+            reasons = [own for own in report.get("reasons", ()) if own["code"] not in self._settled]
+            lines = verdict_lines({**report, "reasons": reasons}, helping.with_report(), doubts)
         else:
             rows = [
                 Line(f"{SIGNS[own.severity]} {own.message}", own.box, helping.with_row(own))
@@ -266,6 +268,13 @@ class SheetWindow(QtWidgets.QMainWindow):
     def _show_stage(self, name: str) -> None:
         if self.busy:
             self.statusBar().showMessage(f"{stage_name(name)}\u2026")
+
+    def settle(self, code: str, settled: bool) -> None:
+        """Leave out what a report says under a code, as a person has answered it, or not."""
+        before = set(self._settled)
+        (self._settled.add if settled else self._settled.discard)(code)
+        if before != self._settled:
+            self._show_rows()
 
     def _trace(self, at: tuple) -> None:
         def done(shape: tuple[str, tuple] | None) -> None:

@@ -29,6 +29,7 @@ from freecad.gaussiancad.objects.loading import PartSource, load_alternatives, r
 from freecad.gaussiancad.objects.properties import Access, PropertySpec, add_properties
 from freecad.gaussiancad.objects.reconstruction import new_reconstruction, show_solution
 from freecad.gaussiancad.objects.reconstruction_features import (
+    CHOICE,
     add_empty_part,
     find_part,
     put_alternatives,
@@ -128,7 +129,8 @@ def kept_corrections(group: FreeCAD.DocumentObject, sheet: Path, folder: Path) -
 
 
 def take_solution(group: FreeCAD.DocumentObject, folder: Path) -> None:
-    """Change the part, and what is known of it, in place.
+    """Change the part, and what is known of it, in place; a solution that a person kept stays as
+    long as the corrections do.
 
     Args:
         group: of the drawing.
@@ -137,12 +139,18 @@ def take_solution(group: FreeCAD.DocumentObject, folder: Path) -> None:
     Raises:
         WorkbenchError: what the run left cannot be read.
     """
+    corrections = _hash(getattr(group, CORRECTIONS))
+    if getattr(group, CHOICE, "") and getattr(group, SOLVED) == corrections:
+        # The same question again, which a person has answered.
+        return
+    if hasattr(group, CHOICE):
+        setattr(group, CHOICE, "")
     report = read_report(folder / "report.json")
     shape = read_shape(folder / PartSource.SOLID.value)
     if find_part(group) is None:
         add_empty_part(group)
     show_solution(group, shape, report)
-    setattr(group, SOLVED, _hash(getattr(group, CORRECTIONS)))
+    setattr(group, SOLVED, corrections)
     group.Document.recompute()
 
 

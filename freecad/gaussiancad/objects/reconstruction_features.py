@@ -20,6 +20,9 @@ from freecad.gaussiancad.objects.reconstruction_properties import (
 )
 from freecad.gaussiancad.objects.sheet_views import fill_image_plane
 
+CHOICE = "Choice"
+"""The property that says which of several solutions a person kept; empty where none."""
+
 ALTERNATIVE = "Alternative"
 """How the names of the alternatives begin."""
 

@@ -13,7 +13,7 @@ import Part
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
 from freecad.gaussiancad.objects.properties import PropertySpec, add_properties
-from freecad.gaussiancad.objects.reconstruction_features import ALTERNATIVE, find_part
+from freecad.gaussiancad.objects.reconstruction_features import ALTERNATIVE, CHOICE, find_part
 from freecad.gaussiancad.objects.transaction import transaction
 
 _SAME = 1e-7
@@ -123,8 +123,9 @@ class SolutionSet:
 
 
 def has_choice(group: FreeCAD.DocumentObject) -> bool:
-    """Whether an object is a reconstruction with more than one solution."""
-    return hasattr(group, "ReportJson") and len(_features(group)) > 1
+    """Whether an object is a reconstruction with more than one solution, none of them kept."""
+    known = hasattr(group, "ReportJson") and not getattr(group, CHOICE, "")
+    return known and len(_features(group)) > 1
 
 
 def group_with_choice(document: FreeCAD.Document | None) -> FreeCAD.DocumentObject | None:
@@ -143,10 +144,10 @@ def _features(group: FreeCAD.DocumentObject) -> list[FreeCAD.DocumentObject]:
 
 def _note_choice(group: FreeCAD.DocumentObject, choice: str) -> None:
     tip = QT_TRANSLATE_NOOP("App::Property", "Which of the solutions was kept by hand")
-    if hasattr(group, "Choice"):
-        group.Choice = choice
+    if hasattr(group, CHOICE):
+        setattr(group, CHOICE, choice)
     else:
-        add_properties(group, [PropertySpec("String", "Choice", "Report", tip, choice)])
+        add_properties(group, [PropertySpec("String", CHOICE, "Report", tip, choice)])
 
 
 def _beyond(one: Part.Shape, other: Part.Shape) -> Region:

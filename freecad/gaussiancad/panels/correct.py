@@ -22,7 +22,7 @@ from freecad.gaussiancad.objects.corrected_sheet import (
     take_reading,
     take_solution,
 )
-from freecad.gaussiancad.objects.reconstruction_features import find_part
+from freecad.gaussiancad.objects.reconstruction_features import CHOICE, find_part
 from freecad.gaussiancad.panels.chosen_sheet import ask_sheet, sheet_among
 from freecad.gaussiancad.panels.fitted_view import show_all
 from freecad.gaussiancad.panels.full_run import full_job
@@ -181,6 +181,12 @@ class CanvasDock(QtWidgets.QDockWidget):
             self.keeper.copy()
             self.canvas.desk.refresh()
 
+    def settle_choice(self) -> None:
+        """Ask no more which solid is meant where a person kept one."""
+        group = self.keeper.find()
+        if group is not None:
+            self.canvas.settle("ambiguous", bool(getattr(group, CHOICE, "")))
+
     def _keep_reading(self) -> None:
         group = self.keeper.find()
         if group is not None and not group.Reading:
@@ -196,6 +202,7 @@ class CanvasDock(QtWidgets.QDockWidget):
         except WorkbenchError as error:
             self.canvas.tell(str(error))
             return
+        self.settle_choice()
         length = find_part(group).Shape.BoundBox.DiagonalLength
         if not 1.0 / _ALIKE < length / max(self._shown_mm, 1e-9) < _ALIKE:
             self._shown_mm = length
@@ -212,6 +219,13 @@ class _Observer:
         """Corrections were said, taken back or said again."""
         if name == CORRECTIONS and self._is_its(changed):
             QtCore.QTimer.singleShot(0, self._dock.follow)
+        elif name == CHOICE and self._is_its(changed):
+            QtCore.QTimer.singleShot(0, self._dock.settle_choice)
+
+    def slotRemoveDynamicProperty(self, changed: FreeCAD.DocumentObject, name: str) -> None:
+        """Keeping a solution was undone."""
+        if name == CHOICE and self._is_its(changed):
+            QtCore.QTimer.singleShot(0, self._dock.settle_choice)
 
     def slotDeletedObject(self, deleted: FreeCAD.DocumentObject) -> None:
         """An object goes; without its group the canvas is of no use."""
