@@ -85,7 +85,7 @@ def lines_of(image: SheetImage, reading: ReadingOptions) -> tuple[OpenedSheet, S
     job = Job(
         image.path,
         image.path.parent,
-        replace(reading, mm_per_pixel=1.0),
+        replace(reading, mm_per_pixel=1.0, lengths=()),
         result=ResultKind.SURFACE,
     )
     notes = RunNotes(Report(image.sha256, job.settings()), Progress(Silence(), len(STAGES)))

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import cv2
 import numpy as np
+import psutil
 import pytest
 import trimesh
 
@@ -29,7 +30,7 @@ from gaussiancad_core.events import Silence
 from gaussiancad_core.job import Job
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.modes import Preset, ResultKind
-from gaussiancad_core.outputs import STAGING_PREFIX
+from gaussiancad_core.outputs import PUBLISHED_FILE, STAGING_PREFIX
 from gaussiancad_core.pipeline import STAGES, reconstruct, stages_of
 from gaussiancad_core.samples import SAMPLES
 from gaussiancad_core.sheet.options import ReadingOptions
@@ -253,7 +254,7 @@ def test_a_failed_run_says_so_and_leaves_no_model(tmp_path: Path) -> None:
     cv2.imwrite(str(tmp_path / "one.png"), image)
     output = tmp_path / "out"
     output.mkdir()
-    (output / "surface.stl").write_text("of an earlier run")
+    _left_by_a_run(output, "surface.stl")
     done = subprocess.run(
         _command(tmp_path / "one.png", output), capture_output=True, encoding="utf-8", check=False
     )
@@ -310,6 +311,14 @@ def test_a_limit_after_the_solid_leaves_the_solid_and_says_so(
     assert report["solid"]["faces"] == 10 and report["surface"] is None
 
 
+def _left_by_a_run(output: Path, *names: str) -> None:
+    """Files of an earlier run, and its report."""
+    for name in names:
+        (output / name).write_text("of an earlier run")
+    report = {"engine": {}, "files": {name: {} for name in names}}
+    (output / "report.json").write_text(json.dumps(report))
+
+
 def _started(sheet: Path, output: Path, stage: str) -> subprocess.Popen:
     """A run that has reached a stage."""
     process = subprocess.Popen(
@@ -347,8 +356,8 @@ def test_a_cancelled_run_leaves_nothing(sheet: Path, tmp_path: Path, way: str) -
 def test_a_run_that_is_cancelled_later_leaves_its_solid_and_nothing_of_an_earlier_run(
     sheet: Path, tmp_path: Path
 ) -> None:
-    for name in ("report.json", "surface.stl", "mine.txt"):
-        (tmp_path / name).write_text("of an earlier run")
+    _left_by_a_run(tmp_path, "surface.stl")
+    (tmp_path / "mine.txt").write_text("of nobody else")
     process = _started(sheet, tmp_path, "gaussians")
     process.stdin.write("cancel\n")
     process.stdin.flush()
@@ -357,17 +366,20 @@ def test_a_run_that_is_cancelled_later_leaves_its_solid_and_nothing_of_an_earlie
     assert (
         "gaussians (7 of 10): only the reading and the solid were written" in events[-1]["message"]
     )
-    assert {path.name for path in tmp_path.iterdir()} == {"mine.txt", "reading.json", "solid.step"}
+    left = {path.name for path in tmp_path.iterdir()}
+    assert left == {"mine.txt", "reading.json", "solid.step", PUBLISHED_FILE}
     state = soundness(read_solid(tmp_path / "solid.step"))
     assert state.valid and state.closed
 
 
 def test_a_killed_run_leaves_no_half_file_and_is_swept(sheet: Path, tmp_path: Path) -> None:
     output = tmp_path / "out"
-    whole = {"reading.json", "solid.step"}
+    whole = {"reading.json", "solid.step", PUBLISHED_FILE}
     process = _started(sheet, output, "gaussians")
+    engines = psutil.Process(process.pid).children()
     process.kill()
     process.wait()
+    psutil.wait_procs(engines)
     (left,) = {path.name for path in output.iterdir()} - whole
     assert left.startswith(STAGING_PREFIX)
     again = _started(sheet, output, "views")

@@ -10,6 +10,7 @@ from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.graph.heads import without_heads
+from gaussiancad_core.sheet.labels.evidence import meets
 from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.read import SheetImage
@@ -228,14 +229,15 @@ def _as_stored(own: ReadDimension, turn: Turn) -> ReadDimension:
 
 
 def read_texts(sheet: OpenedSheet, marks: Sequence[Mark]) -> WrittenSheet:
-    """The texts of a sheet: its file's, and those that its marks show in its pixels where these are
-    more than the numbers among the file's."""
+    """The texts of a sheet: its file's, and those that its marks show in its pixels where the file
+    has no texts, and these are more than the numbers among the file's."""
     own: tuple[SheetText, ...] = ()
     if _has_texts(sheet.image):
         height, width = sheet.shape
         fields = fields_of(marks, height * width)
         own = file_texts(sheet.image.vectors.texts, sheet.turn, fields)
         own = framed(own, marks, sheet.shape)
+    marks = [mark for mark in marks if not _is_known(mark, own)]
     shown = sum(mark.kind is AnnotationKind.TEXT for mark in marks)
     if shown <= sum(parse_dimension(text.text) is not None for text in own):
         return WrittenSheet(own)
@@ -246,6 +248,11 @@ def read_texts(sheet: OpenedSheet, marks: Sequence[Mark]) -> WrittenSheet:
         )
         return WrittenSheet(own, (Note("dimensions-not-read", message),))
     return WrittenSheet((*own, *framed(pixel_texts(sheet.clean, marks), marks, sheet.shape)))
+
+
+def _is_known(mark: Mark, texts: Sequence[SheetText]) -> bool:
+    """Whether a mark shows a text that the file has."""
+    return mark.kind is AnnotationKind.TEXT and any(meets(mark.box, own.box) for own in texts)
 
 
 def _has_texts(image: SheetImage) -> bool:

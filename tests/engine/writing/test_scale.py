@@ -12,6 +12,7 @@ import numpy.typing as npt
 import pytest
 
 from gaussiancad_core.axes import Projection, Role
+from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.drawing.sheet import Sheet, draw_sheet
 from gaussiancad_core.drawing.style import parse_style
 from gaussiancad_core.files.vectors import VectorDrawing, VectorText
@@ -48,7 +49,11 @@ class Case:
     def scale(self, **image: object) -> SheetScale:
         """The scale of the sheet as an image of given properties."""
         read = SheetImage(Path("sheet.png"), self.grey, "", **image)
-        return find_scale(OpenedSheet(read), self.marks, self.views)
+        marks = self.marks
+        if read.vectors is not None:
+            # What such a file does not have as a text is not on its sheet.
+            marks = tuple(own for own in marks if own.kind is not AnnotationKind.TEXT)
+        return find_scale(OpenedSheet(read), marks, self.views)
 
     @property
     def texts(self) -> tuple[VectorText, ...]:
