@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from gaussiancad_core.axes import Projection
-from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.files.vectors import Line, VectorStroke
 from gaussiancad_core.sheet.graph.drawn_letters import drawn_lines_of_writing
 from gaussiancad_core.sheet.graph.touching import touching
@@ -16,7 +15,7 @@ from gaussiancad_core.sheet.graph.views import graph_views
 from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.read import read_sheet
 from gaussiancad_core.writing.ocr import ocr_problem
-from gaussiancad_core.writing.scale import ScaleSource, find_scale
+from gaussiancad_core.writing.scale import ScaleSource, find_scale, read_texts
 
 Point = tuple[float, float]
 Chain = list[Point]
@@ -133,11 +132,21 @@ def test_plotted_dimensions_give_the_scale(tmp_path: Path) -> None:
     assert found.mm_per_pixel == pytest.approx(2.0 * 25.4 / image.pixels_per_inch, rel=1e-3)
 
 
-def test_a_file_with_texts_is_taken_at_its_word(tmp_path: Path) -> None:
-    note = '<text x="20" y="140" font-size="5">STEEL</text>'
-    image = read_sheet(_sheet(tmp_path / "noted.svg", note))
+@needs_ocr
+@pytest.mark.parametrize("numbers", [False, True])
+def test_drawn_numbers_are_read_unless_the_file_has_as_many_as_texts(
+    tmp_path: Path, numbers: bool
+) -> None:
+    words = ["STEEL", *(["7", "8", "9", "11", "12", "13"] if numbers else [])]
+    notes = [
+        f'<text x="{20 + 25 * index}" y="140" font-size="5">{own}</text>'
+        for index, own in enumerate(words)
+    ]
+    image = read_sheet(_sheet(tmp_path / "noted.svg", "".join(notes)))
     sheet = OpenedSheet(image)
     assert image.vectors is not None and image.vectors.texts
     views = graph_views(image.vectors, sheet, {}, Projection.THIRD)
     assert views is not None
-    assert all(mark.kind is not AnnotationKind.TEXT for mark in views.separated.marks)
+    read = {own.text for own in read_texts(sheet, views.separated.marks).texts}
+    assert set(words) <= read
+    assert ("100.0" in read) is not numbers
