@@ -7,6 +7,7 @@ GAUSSIANCAD_TESTS names a pattern of test files, such as ``test_job*``.
 FreeCAD imports this file instead of running it, and would run it a second time after an error.
 """
 
+import faulthandler
 import os
 import sys
 import unittest
@@ -32,6 +33,8 @@ def make_importable() -> None:
 def run(folder: str) -> int:
     """Run the tests of a folder; the report goes to file descriptor 2, past FreeCAD's own."""
     make_importable()
+    # A crash tells the line of Python that it came from, which FreeCAD's own trace does not.
+    faulthandler.enable(2, all_threads=False)
     pattern = os.environ.get("GAUSSIANCAD_TESTS", "test_*") + ".py"
     suite = unittest.TestLoader().discover(str(TESTS / folder), pattern, str(TESTS / folder))
     with open(2, "w", encoding="utf-8", closefd=False) as stream:

@@ -13,7 +13,6 @@ import json
 import os
 import shutil
 import tempfile
-from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -132,6 +131,8 @@ class OutputFolder:
         self._ahead |= {name for name in names & set(self._owned) if (self.path / name).exists()}
 
     def _put_in_place(self) -> None:
+        # First, so that whenever the run is killed a later one knows whose files are here.
+        self._tell_published()
         (self.path / self._report).unlink(missing_ok=True)
         for name in self._owned:
             if name not in self._ahead and not (self.staging / name).exists():
@@ -141,7 +142,6 @@ class OutputFolder:
             # On the disk before it has its name, so that no name stands for half a file.
             for path in (entry, *(entry.rglob("*") if entry.is_dir() else ())):
                 sync(path)
-        self._tell_published(entry.name for entry in staged)
         for entry in staged:
             target = self.path / entry.name
             if target.is_dir():
@@ -150,9 +150,12 @@ class OutputFolder:
             self._ahead.add(entry.name)
         sync(self.path)
 
-    def _tell_published(self, names: Iterable[str]) -> None:
-        """Note what this run puts in place, for a later one that finds no report."""
-        note = json.dumps({"names": sorted({*self._ahead, *names})})
+    def _tell_published(self) -> None:
+        """Note what lies here of this run and an earlier one, for a later one that finds no
+        report."""
+        left = (name for name in self._owned if (self.path / name).exists())
+        names = {*self._ahead, *left, *(entry.name for entry in self._staged())}
+        note = json.dumps({"names": sorted(names)})
         path = self.staging / PUBLISHED_FILE
         path.write_text(note, encoding="utf-8")
         path.replace(self.path / PUBLISHED_FILE)

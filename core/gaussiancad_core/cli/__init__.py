@@ -6,8 +6,10 @@ imported once a command runs.
 
 import errno
 import os
+import select
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from pathlib import Path
 
 from gaussiancad_core.cli.libraries import prepare_environment
@@ -31,6 +33,17 @@ from gaussiancad_core.events import (
     open_event_stream,
 )
 from gaussiancad_core.messages import on_one_line, told
+
+_REFUSED = {
+    errno.ENAMETOOLONG,
+    errno.EACCES,
+    errno.EPERM,
+    errno.EROFS,
+    errno.ENOTDIR,
+    errno.EISDIR,
+    errno.ELOOP,
+}
+"""What the system says of a file or folder that a person named as it cannot be."""
 
 
 def main(arguments: Sequence[str] | None = None, heard: Listener | None = None) -> int:
@@ -57,11 +70,11 @@ def main(arguments: Sequence[str] | None = None, heard: Listener | None = None) 
         code = int(options.run(options, listener))
         # What is still to be printed may find no reader, or no room.
         sys.stdout.flush()
-    except BrokenPipeError:
-        # Who reads has read enough, as `head` does.
-        _drop_output()
-        return int(ExitCode.DONE)
     except (Exception, KeyboardInterrupt) as error:
+        if isinstance(error, BrokenPipeError) and not _is_read():
+            # Who reads has read enough, as `head` does.
+            _drop_output()
+            return int(ExitCode.DONE)
         found = _meaning(error, cancellation, options.arguments)
         line = on_one_line(found.message)
         # A line of progress ends first.
@@ -109,7 +122,7 @@ def _of_system(error: OSError) -> GaussianCadError | None:
         return LimitError(
             "disk-full", "no space is left where the output is written: free some, then retry"
         )
-    if error.filename is None or error.strerror is None:
+    if error.filename is None or error.errno not in _REFUSED:
         return None
     return UsageError(
         "path-not-usable",
@@ -117,6 +130,19 @@ def _of_system(error: OSError) -> GaussianCadError | None:
         path=error.filename,
         reason=error.strerror,
     )
+
+
+def _is_read() -> bool:
+    """Whether what is printed has a reader, as far as the system tells."""
+    if not hasattr(select, "poll"):
+        return False
+    output = select.poll()
+    try:
+        output.register(sys.stdout.fileno(), 0)
+    except ValueError:
+        # It is no file of the system.
+        return True
+    return not any(what & select.POLLERR for _, what in output.poll(0))
 
 
 def _is_file(name: str) -> bool:
@@ -128,5 +154,5 @@ def _is_file(name: str) -> bool:
 
 def _drop_output() -> None:
     """Let what is left to be printed go nowhere: at its end Python prints it."""
-    with open(os.devnull, "wb") as nowhere:
+    with open(os.devnull, "wb") as nowhere, suppress(ValueError):
         os.dup2(nowhere.fileno(), sys.stdout.fileno())

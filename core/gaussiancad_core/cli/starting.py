@@ -8,7 +8,7 @@ from pathlib import Path
 
 from gaussiancad_core.cli import main
 from gaussiancad_core.cli.parser import build_parser
-from gaussiancad_core.errors import EngineError, GaussianCadError, LimitError
+from gaussiancad_core.errors import CancelledError, EngineError, GaussianCadError, LimitError
 from gaussiancad_core.events import Listener, Silence, open_event_stream
 from gaussiancad_core.job import Job
 from gaussiancad_core.messages import on_one_line, told
@@ -50,6 +50,9 @@ def _told(ended: Watched, arguments: list[str]) -> int:
 
 def _failure(ended: Watched) -> GaussianCadError:
     stage = ended.stage or "start"
+    if ended.signal in ("SIGTERM", "SIGINT"):
+        # It came before the child could tell how far it was.
+        return CancelledError("cancelled", "cancelled by {signal}", signal=ended.signal)
     if ended.signal == "SIGKILL":
         return LimitError(
             "killed",

@@ -4,13 +4,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 
+import numpy as np
+
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.files.content import Note
 from gaussiancad_core.messages import Message
 from gaussiancad_core.sheet.annotations.marks import Mark
 from gaussiancad_core.sheet.deskew import Turn
 from gaussiancad_core.sheet.graph.heads import without_heads
-from gaussiancad_core.sheet.labels.evidence import meets
+from gaussiancad_core.sheet.labels.evidence import meets_any
 from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.read import SheetImage
@@ -237,7 +239,12 @@ def read_texts(sheet: OpenedSheet, marks: Sequence[Mark]) -> WrittenSheet:
         fields = fields_of(marks, height * width)
         own = file_texts(sheet.image.vectors.texts, sheet.turn, fields)
         own = framed(own, marks, sheet.shape)
-    marks = [mark for mark in marks if not _is_known(mark, own)]
+    known = np.array([text.box for text in own])
+    marks = [
+        mark
+        for mark in marks
+        if mark.kind is not AnnotationKind.TEXT or not meets_any(mark.box, known)
+    ]
     shown = sum(mark.kind is AnnotationKind.TEXT for mark in marks)
     if shown <= sum(parse_dimension(text.text) is not None for text in own):
         return WrittenSheet(own)
@@ -248,11 +255,6 @@ def read_texts(sheet: OpenedSheet, marks: Sequence[Mark]) -> WrittenSheet:
         )
         return WrittenSheet(own, (Note("dimensions-not-read", message),))
     return WrittenSheet((*own, *framed(pixel_texts(sheet.clean, marks), marks, sheet.shape)))
-
-
-def _is_known(mark: Mark, texts: Sequence[SheetText]) -> bool:
-    """Whether a mark shows a text that the file has."""
-    return mark.kind is AnnotationKind.TEXT and any(meets(mark.box, own.box) for own in texts)
 
 
 def _has_texts(image: SheetImage) -> bool:

@@ -47,6 +47,18 @@ def test_a_reader_that_has_read_enough_is_no_error() -> None:
     assert (ended.returncode, ended.stderr) == (0, b"")
 
 
+@pytest.mark.parametrize("error", [BrokenPipeError("to a child"), FileNotFoundError(2, "no", "x")])
+def test_a_pipe_or_a_file_of_our_own_that_is_gone_is_no_success(
+    error: OSError, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def broken(*_: object) -> None:
+        raise error
+
+    monkeypatch.setattr(explain, "_of_sheet", broken)
+    assert main(["explain", str(_SAMPLE)]) == 6
+    assert "[unforeseen]" in capsys.readouterr().err
+
+
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="the system has no full device")
 def test_output_that_finds_no_room_is_told() -> None:
     with open("/dev/full", "wb") as full:

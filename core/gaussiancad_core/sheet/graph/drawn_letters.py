@@ -32,10 +32,10 @@ def drawn_lines_of_writing(
         touches: of all strokes.
         annotations: (n,) which strokes are no edges, frames or hatching.
         size: width and height of the sheet in px.
-        filled: boxes of filled shapes that may be letters.
+        filled: boxes of filled letters.
     """
     tallest = _TALLEST * max(size)
-    letters = [box for box in filled if max(box[2] - box[0], box[3] - box[1]) <= tallest]
+    letters = list(filled)
     if annotations.any():
         groups = grouped(touches, annotations)
         free = groups.sums(touches.met_by(~annotations).any(axis=1)) == 0
@@ -44,11 +44,27 @@ def drawn_lines_of_writing(
     return written_lines(letters, _PITCH)
 
 
-def filled_shapes(strokes: Iterable[VectorStroke], heads: Sequence[Head]) -> list[Box]:
-    """The boxes of the filled shapes of a drawing that are no arrowheads, px."""
+def filled_letters(
+    strokes: Iterable[VectorStroke], heads: Sequence[Head], size: tuple[int, int]
+) -> list[Box]:
+    """The boxes of the filled shapes of a drawing that are as small as letters, and no arrowheads,
+    px.
+
+    Args:
+        strokes: of the drawing.
+        heads: its arrowheads.
+        size: width and height of the sheet in px.
+    """
+    tallest = _TALLEST * max(size)
     tips = {(round(x), round(y)) for x, y in (head.tip for head in heads)}
     boxes = (bounds([own.curve]) for own in strokes if own.kind is StrokeKind.FILL)
-    return [box for box in boxes if box is not None and not _has_tip(box, tips)]
+    return [
+        box
+        for box in boxes
+        if box is not None
+        and max(box[2] - box[0], box[3] - box[1]) <= tallest
+        and not _has_tip(box, tips)
+    ]
 
 
 def _has_tip(box: Box, tips: set[tuple[int, int]]) -> bool:

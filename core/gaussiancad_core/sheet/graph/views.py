@@ -19,9 +19,9 @@ from gaussiancad_core.sheet.annotations.marks import Mark, Mask, line_mark
 from gaussiancad_core.sheet.annotations.separated import SeparatedSheet
 from gaussiancad_core.sheet.clean import painted_sheet
 from gaussiancad_core.sheet.graph.chains import with_whole_edges
-from gaussiancad_core.sheet.graph.drawn_letters import drawn_lines_of_writing, filled_shapes
+from gaussiancad_core.sheet.graph.drawn_letters import drawn_lines_of_writing, filled_letters
 from gaussiancad_core.sheet.graph.labels import Label, LabelledDrawing, labelled
-from gaussiancad_core.sheet.labels.evidence import meets
+from gaussiancad_core.sheet.labels.evidence import meets, meets_any
 from gaussiancad_core.sheet.layout import Layout
 from gaussiancad_core.sheet.opened import OpenedSheet
 from gaussiancad_core.sheet.options import Box
@@ -149,12 +149,10 @@ def _writing(
     """The lines of writing that a file draws and has no texts for."""
     height, width = sheet.shape
     annotations = np.array([label is Label.DIMENSION for label in found.labels], dtype=bool)
-    filled = filled_shapes(drawing.strokes, sheet.heads)
+    filled = filled_letters(drawing.strokes, sheet.heads, (width, height))
     lines = drawn_lines_of_writing(found.touches, annotations, (width, height), filled)
-    known = [text.box for text in drawing.texts]
-    return tuple(
-        Mark(AnnotationKind.TEXT, box) for box in lines if not any(meets(box, own) for own in known)
-    )
+    known = np.array([text.box for text in drawing.texts])
+    return tuple(Mark(AnnotationKind.TEXT, box) for box in lines if not meets_any(box, known))
 
 
 def _mark(stroke: VectorStroke, kind: AnnotationKind) -> Mark | None:

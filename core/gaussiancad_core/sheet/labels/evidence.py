@@ -222,6 +222,15 @@ def meets(one: Box, other: Box) -> bool:
     return one[0] <= other[2] and other[0] <= one[2] and one[1] <= other[3] and other[1] <= one[3]
 
 
+def meets_any(box: Box, others: npt.NDArray[np.float64]) -> bool:
+    """Whether a box has a point in common with any of (n, 4) others."""
+    if not len(others):
+        return False
+    apart = (box[0] > others[:, 2]) | (others[:, 0] > box[2])
+    apart |= (box[1] > others[:, 3]) | (others[:, 1] > box[3])
+    return not bool(apart.all())
+
+
 def solver_weight(confidence: float) -> float:
     """What a stroke weighs whose label has a confidence: a doubtful one is given up first.
 
