@@ -16,9 +16,6 @@ ADDON = Path(__file__).resolve().parent.parent
 SCRIPT = str(ADDON / "tests" / "run_freecad.py")
 TIME_LIMIT_SECONDS = 1200
 
-PARTS = {"workbench": ("test_*",), "gui": ("test_[a-k]*", "test_[l-z]*")}
-"""Files of a suite that share a process: after many canvases PySide2 ended the next window."""
-
 CONSOLES = ("freecadcmd", "FreeCADCmd", "freecad-cmd")
 WINDOWS = ("freecad", "FreeCAD")
 SCREEN = ("xvfb-run", "-a", "-s", "-screen 0 1600x1000x24")
@@ -53,18 +50,12 @@ def environment(profile: Path) -> dict[str, str]:
 
 
 def run_suite(suite: str) -> int:
-    """Run a suite, part by part; return the worst exit status."""
-    named = os.environ.get("GAUSSIANCAD_TESTS")
-    return max(run_part(suite, files) != 0 for files in ((named,) if named else PARTS[suite]))
-
-
-def run_part(suite: str, files: str) -> int:
-    """Run some files of a suite in a fresh profile; return the exit status."""
+    """Run a suite in a fresh profile; return its exit status."""
     with tempfile.TemporaryDirectory(prefix="gaussiancad-profile-") as folder:
         profile = Path(folder)
         (profile / "Mod").mkdir()
         (profile / "Mod" / "GaussianCAD").symlink_to(ADDON, target_is_directory=True)
-        variables = {**environment(profile), "GAUSSIANCAD_TESTS": files}
+        variables = environment(profile)
         Path(variables["GAUSSIANCAD_ARTIFACTS"]).mkdir(parents=True, exist_ok=True)
         try:
             ended = subprocess.run(
