@@ -55,6 +55,10 @@ class Server(QtCore.QObject):
         self._number = 0
         self._rest = b""
         self._complaints: deque[str] = deque(maxlen=_LAST_LINES)
+        application = QtCore.QCoreApplication.instance()
+        if application is not None:
+            # Widgets go after this, and their processes under the feet of whoever hears them.
+            application.aboutToQuit.connect(self.stop)
 
     @property
     def busy(self) -> bool:
