@@ -1,6 +1,6 @@
 """*Check Engine…* in a real window."""
 
-from window import WindowCase, spin
+from window import WindowCase, open_windows, spin
 
 from freecad.gaussiancad.panels.check_engine import DIALOG_NAME
 from freecad.gaussiancad.qt import QtWidgets
@@ -13,8 +13,7 @@ class Dialog(WindowCase):
         return headline, dialog.findChild(QtWidgets.QPlainTextEdit, "text").toPlainText()
 
     def dialog(self) -> QtWidgets.QDialog:
-        tops = QtWidgets.QApplication.topLevelWidgets()
-        dialog = next(top for top in tops if top.objectName() == DIALOG_NAME and top.isVisible())
+        dialog = open_windows(DIALOG_NAME)[0]
         self.addCleanup(spin, 50)
         return dialog
 

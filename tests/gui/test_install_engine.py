@@ -5,7 +5,7 @@ import shutil
 from pathlib import Path
 
 import support
-from window import WindowCase, spin
+from window import WindowCase, open_windows, spin
 
 from freecad.gaussiancad.engine.locate import MARKER, SearchPlaces, find_engine
 from freecad.gaussiancad.engine.managed import engine_version
@@ -28,8 +28,7 @@ class Dialog(WindowCase):
         self.set_variable("GAUSSIANCAD_PYTHON", "/nowhere/python")
 
     def shown(self, name: str) -> QtWidgets.QDialog:
-        tops = QtWidgets.QApplication.topLevelWidgets()
-        return next(top for top in tops if top.objectName() == name and top.isVisible())
+        return open_windows(name)[0]
 
     def open(self) -> tuple[QtWidgets.QDialog, QtWidgets.QLabel, QtWidgets.QPushButton]:
         """From *Check Engine…*, where a user comes from."""
@@ -166,5 +165,4 @@ class Dialog(WindowCase):
 
 
 def dialog_is_open() -> bool:
-    tops = QtWidgets.QApplication.topLevelWidgets()
-    return any(top.objectName() == DIALOG_NAME and top.isVisible() for top in tops)
+    return bool(open_windows(DIALOG_NAME))

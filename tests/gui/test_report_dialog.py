@@ -2,7 +2,7 @@
 
 import FreeCAD
 from support import draw_sheet, run_fake
-from window import WindowCase, spin, widget
+from window import WindowCase, open_windows, spin, widget
 
 from freecad.gaussiancad.engine.job import ReconstructJob
 from freecad.gaussiancad.objects.loading import load_run
@@ -20,8 +20,7 @@ class Report(WindowCase):
         group = add_reconstruction(FreeCAD.newDocument("Test"), load_run(job, self.folder))
         self.assertTrue(group.ViewObject.Proxy.doubleClicked(group.ViewObject))
         spin(300)
-        tops = QtWidgets.QApplication.topLevelWidgets()
-        (dialog,) = (t for t in tops if t.objectName() == DIALOG_NAME and t.isVisible())
+        (dialog,) = open_windows(DIALOG_NAME)
         return dialog
 
     def test_a_double_click_shows_status_picture_and_figures(self) -> None:

@@ -5,7 +5,7 @@ from pathlib import Path
 import FreeCAD
 import FreeCADGui
 from support import draw_sheet
-from window import WindowCase, spin, widget
+from window import WindowCase, open_windows, spin, widget
 
 from freecad.gaussiancad.engine.job import Outcome, Recipe, ReconstructJob, Scale, ScaleKind
 from freecad.gaussiancad.objects.properties import texts_of
@@ -34,8 +34,7 @@ class SecondRun(WindowCase):
         spin(100)
 
     def report(self) -> QtWidgets.QDialog:
-        tops = QtWidgets.QApplication.topLevelWidgets()
-        return next(top for top in tops if top.objectName() == DIALOG_NAME and top.isVisible())
+        return open_windows(DIALOG_NAME)[0]
 
     def test_the_same_objects_change_in_one_step(self) -> None:
         self.behave("contradicts")

@@ -1,5 +1,6 @@
 """What the window tests share: waiting, finding widgets, message boxes, pictures."""
 
+import gc
 import os
 import time
 from collections.abc import Callable
@@ -30,6 +31,14 @@ def widget(kind: type, name: str) -> QtWidgets.QWidget:
     if found is None:
         raise LookupError(f"no {kind.__name__} {name}")
     return found
+
+
+def open_windows(name: str) -> list[QtWidgets.QWidget]:
+    """The windows of a name that can be seen."""
+    # PySide2 wraps every window here, and crashes where Python lets go of one of them meanwhile.
+    gc.collect()
+    tops = QtWidgets.QApplication.topLevelWidgets()
+    return [top for top in tops if top.objectName() == name and top.isVisible()]
 
 
 class WindowCase(FolderCase):
@@ -66,8 +75,7 @@ class WindowCase(FolderCase):
 
     def boxes(self) -> list[QtWidgets.QMessageBox]:
         """The addon's message boxes that are open."""
-        tops = QtWidgets.QApplication.topLevelWidgets()
-        return [box for box in tops if box.objectName() == BOX_NAME and box.isVisible()]
+        return open_windows(BOX_NAME)
 
     def wait_for(self, condition: Callable[[], object], seconds: float = PATIENCE_SECONDS) -> None:
         """Let the window live until the condition holds."""
