@@ -149,11 +149,11 @@ class Pages(DocumentCase):
         group.addProjection("Top")
         group.ScaleType, group.Scale = "Custom", 0.5
         group.X, group.Y = 120, 100
-        for kind, projection in (
-            ("First Angle", Projection.FIRST),
-            ("Third Angle", Projection.THIRD),
-        ):
-            group.ProjectionType = kind
+        kinds = group.getEnumerationsOfProperty("ProjectionType")
+        for projection in (Projection.FIRST, Projection.THIRD):
+            named = [kind for kind in kinds if kind.lower() == f"{projection.value} angle"]
+            self.assertEqual(len(named), 1, kinds)
+            group.ProjectionType = named[0]
             for item in group.Views:
                 item.touch()
             self.document.recompute()

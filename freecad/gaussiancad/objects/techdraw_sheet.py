@@ -144,10 +144,10 @@ def _projection(page: FreeCAD.DocumentObject, views: list[_PlacedView]) -> Proje
     groups = [view for view in page.Views if view.isDerivedFrom(_GROUP)]
     if len(groups) != 1 or len(views) != len(groups[0].Views):
         return None
-    kind = groups[0].ProjectionType
-    if kind == "Default":
+    kind = groups[0].ProjectionType  # FreeCAD's versions differ in its capitals
+    if kind.lower() == "default":
         kind = getattr(page, "ProjectionType", kind)
-    if kind == "Default":
+    if kind.lower() == "default":
         general = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/TechDraw/General")
         kind = "Third" if general.GetInt("ProjectionAngle", 0) == 1 else "First"
     return Projection.THIRD if kind.lower().startswith("third") else Projection.FIRST
