@@ -24,6 +24,11 @@ _SOURCES = {
 
 _SIZE_UNKNOWN = "Size unknown: tell it with --length AXIS=MM, or between two points in the window."
 
+_MEASURES_UNKNOWN = "How exact its measures are is not known: the views fit no one scale."
+
+_NO_ONE_SCALE = ("photographed-at-a-slant", "views-disagree")
+"""Reasons and warnings which say that no scale is that of all views."""
+
 _MODELS = {
     "as-drawn": "the lines as they are drawn",
     "sketch": "slabs that explain the lines best, none of which has to hold",
@@ -58,7 +63,8 @@ def verdict(report: Values) -> str:
         return f"{_SIZE_UNKNOWN} {certain}"
     measures = report.get("measures")
     if measures is None:
-        return certain
+        exact = "" if are_measures_told(report) else f" {_MEASURES_UNKNOWN}"
+        return f"{certain}{exact}"
     bound = f"{measures['uncertainty_mm']:.2g}"
     return f"{certain} Measures to \u00b1{bound} mm ({_SOURCES[measures['source']]})."
 
@@ -74,6 +80,15 @@ def is_size_known(report: Values) -> bool:
         own["code"] == "full-scale-assumed" and own.get("args", {}).get("case") != "file"
         for own in report.get("warnings", ())
     )
+
+
+def are_measures_told(report: Values) -> bool:
+    """Whether the views fit one scale, so that a bound of the measures can be stated.
+
+    They do not where the sheet was photographed at a slant, however well it was straightened.
+    """
+    remarks = (*report.get("reasons", ()), *report.get("warnings", ()))
+    return not any(own["code"] in _NO_ONE_SCALE for own in remarks)
 
 
 def explained(report: Values) -> list[str]:

@@ -11,7 +11,7 @@ import psutil
 
 from gaussiancad_core import __version__
 from gaussiancad_core.axes import Projection, Role
-from gaussiancad_core.explanation import explained, is_size_known, verdict
+from gaussiancad_core.explanation import are_measures_told, explained, is_size_known, verdict
 from gaussiancad_core.messages import told
 from gaussiancad_core.modes import Status
 from gaussiancad_core.sheet.special_views.kinds import SpecialView
@@ -390,6 +390,11 @@ class Report:
     def size_known(self) -> bool:
         """Whether anything tells how large the part is."""
         return is_size_known(self._values())
+
+    @property
+    def measures_told(self) -> bool:
+        """Whether a bound of the measures can be stated."""
+        return self.size_known and are_measures_told(self._values())
 
     @property
     def verdict(self) -> str:

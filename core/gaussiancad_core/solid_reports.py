@@ -45,7 +45,7 @@ def with_solid_facts(report: Report, model: ExactModel, turn: Turn) -> Report:
     report = replace(
         report,
         alternatives=_alternatives(model),
-        measures=_measures(result.measures) if result.measures and report.size_known else None,
+        measures=_measures(result.measures) if result.measures and report.measures_told else None,
         assumptions=(
             *(
                 Assumption("nothing-hidden", message, None, _INSIDE)

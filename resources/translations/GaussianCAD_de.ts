@@ -199,6 +199,22 @@
 <context>
     <name>GaussianCAD</name>
     <message>
+        <source>The sheet was photographed at a slant of about {degrees} degrees and was straightened by its lines. Check the part&apos;s measures.</source>
+        <translation>Das Blatt wurde um etwa {degrees} Grad schräg fotografiert und an seinen Linien entzerrt. Prüfen Sie die Maße des Teils.</translation>
+    </message>
+    <message>
+        <source>The sheet was photographed at a slant of about {degrees} degrees and was straightened by its lines. How wide it is for its height may be some per cent off: check the part&apos;s measures.</source>
+        <translation>Das Blatt wurde um etwa {degrees} Grad schräg fotografiert und an seinen Linien entzerrt. Das Verhältnis von Breite zu Höhe kann um einige Prozent falsch sein: Prüfen Sie die Maße des Teils.</translation>
+    </message>
+    <message>
+        <source>What surrounds the paper in the picture was left out.</source>
+        <translation>Was das Papier auf dem Bild umgibt, wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>How exact its measures are is not known: the views fit no one scale</source>
+        <translation>Wie genau die Maße sind, ist nicht bekannt: Die Ansichten passen zu keinem gemeinsamen Maßstab</translation>
+    </message>
+    <message>
         <source>The file has entities that cannot be read and were left out: {kinds}. What they show may be missing.</source>
         <translation>Die Datei hat Elemente, die nicht gelesen werden können und ausgelassen wurden: {kinds}. Was sie zeigen, kann fehlen.</translation>
     </message>

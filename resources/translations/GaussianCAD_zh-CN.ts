@@ -199,6 +199,22 @@
 <context>
     <name>GaussianCAD</name>
     <message>
+        <source>The sheet was photographed at a slant of about {degrees} degrees and was straightened by its lines. Check the part&apos;s measures.</source>
+        <translation>图纸是以约 {degrees} 度的倾斜角拍摄的,已按其线条校正。请检查零件的尺寸。</translation>
+    </message>
+    <message>
+        <source>The sheet was photographed at a slant of about {degrees} degrees and was straightened by its lines. How wide it is for its height may be some per cent off: check the part&apos;s measures.</source>
+        <translation>图纸是以约 {degrees} 度的倾斜角拍摄的,已按其线条校正。其宽高比可能有百分之几的误差:请检查零件的尺寸。</translation>
+    </message>
+    <message>
+        <source>What surrounds the paper in the picture was left out.</source>
+        <translation>图片中纸张周围的内容已被忽略。</translation>
+    </message>
+    <message>
+        <source>How exact its measures are is not known: the views fit no one scale</source>
+        <translation>尺寸的精度未知:各视图不符合同一比例</translation>
+    </message>
+    <message>
         <source>The file has entities that cannot be read and were left out: {kinds}. What they show may be missing.</source>
         <translation>文件中有无法读取的实体，已略去：{kinds}。它们所表示的内容可能缺失。</translation>
     </message>

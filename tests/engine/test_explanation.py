@@ -161,6 +161,22 @@ def test_what_nobody_knows_the_size_of_has_no_measures(
     assert line.startswith("Shape verified. Measures" if known else "Size unknown")
 
 
+@pytest.mark.parametrize(
+    ("reasons", "warnings"),
+    [(["photographed-at-a-slant"], []), ([], ["views-disagree"])],
+)
+def test_views_that_fit_no_one_scale_have_no_bound(reasons: list[str], warnings: list[str]) -> None:
+    told = {
+        "status": "approximate",
+        "scale_source": "dimension",
+        "measures": None,
+        "reasons": [{"code": code, "message": ""} for code in reasons],
+        "warnings": [{"code": code, "message": ""} for code in warnings],
+    }
+    line = verdict({**_REPORT, **told})
+    assert line.startswith("Shape not certain. How exact its measures are is not known")
+
+
 def test_a_failure_says_why() -> None:
     failed = {**_REPORT, "status": "failed", "measures": None}
     assert verdict(failed) == "No model. The solid does not show a line."

@@ -17,6 +17,7 @@ from gaussiancad_core.files.sizing import UNIT_UNKNOWN
 from gaussiancad_core.files.vectors import VectorDrawing
 from gaussiancad_core.lengths import MM_PER_INCH
 from gaussiancad_core.messages import Message
+from gaussiancad_core.sheet.photographs import straightened
 from gaussiancad_core.sheet.working_scale import resampled, working_factor
 
 __all__ = ["MAX_PIXELS", "MIN_SIDE", "SHEET_SUFFIXES", "SheetImage", "read_sheet"]
@@ -61,9 +62,10 @@ def read_sheet(path: Path, page: int = 1) -> SheetImage:
     """Read a sheet from a PNG, JPEG, TIFF, BMP, WebP, PDF, SVG or DXF file.
 
     EXIF rotation is applied, transparency becomes white paper, and light ink on dark paper is
-    inverted.  Pictures are resampled to the width of lines that is read
-    (:mod:`gaussiancad_core.sheet.working_scale`), to :data:`MOST_WORKED_ON` pixels at most; where
-    that takes detail off, a note says so.  Nothing outside the file is ever opened.
+    inverted; a photograph is straightened and its paper cut out
+    (:mod:`gaussiancad_core.sheet.photographs`).  Pictures are resampled to the width of lines that
+    is read (:mod:`gaussiancad_core.sheet.working_scale`), to :data:`MOST_WORKED_ON` pixels at most;
+    where that takes detail off, a note says so.  Nothing outside the file is ever opened.
 
     Args:
         path: the file; its content tells its kind, its name only where the content does not.
@@ -78,16 +80,20 @@ def read_sheet(path: Path, page: int = 1) -> SheetImage:
     sha256 = _sha256(path)
     content = read_isolated(kind, path, page)
     grey, tint = content.grey, content.tint
-    if np.median(grey) < 128:
+    made = straightened(grey, tint) if content.vectors is None else None
+    if made is not None:
+        grey, tint = made.grey, made.tint
+    elif np.median(grey) < 128:
         # The paper's colour is no pen's.
         grey, tint = 255 - grey, None
+    slanted = made is not None and made.slant > 0.0
     image = SheetImage(
         path,
         grey,
         sha256,
-        content.pixels_per_inch,
+        None if slanted else content.pixels_per_inch,
         _without_duplicates(content.vectors),
-        content.notes,
+        content.notes if made is None else (*content.notes, made.note),
         tint=tint,
         pages=content.pages,
         brought_together=content.brought_together,

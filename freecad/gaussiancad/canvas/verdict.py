@@ -9,7 +9,8 @@ from freecad.gaussiancad.canvas.rows import Line
 from freecad.gaussiancad.canvas.saying import Circle
 from freecad.gaussiancad.canvas.scene import Mark
 from freecad.gaussiancad.canvas.sheet import Box
-from freecad.gaussiancad.engine.report import is_size_known
+from freecad.gaussiancad.engine.report import are_measures_told, is_size_known
+from freecad.gaussiancad.engine.summary import measures_unknown
 from freecad.gaussiancad.engine.wording import alternative, worded
 from freecad.gaussiancad.language import translate
 
@@ -145,7 +146,8 @@ def _measures(report: dict) -> str:
         return translate("GaussianCAD", "The size is not known: tell a length")
     bound = (report.get("measures") or {}).get("uncertainty_mm")
     if not isinstance(bound, (int, float)):
-        return ""
+        exact = report["status"] == "failed" or are_measures_told(report)
+        return "" if exact else measures_unknown()
     return translate("GaussianCAD", "Measures to \u00b1{0} mm").format(f"{bound:.2g}")
 
 

@@ -15,6 +15,9 @@ from freecad.gaussiancad.engine.wording import worded
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import translate
 
+_NO_ONE_SCALE = ("photographed-at-a-slant", "views-disagree")
+"""Reasons and warnings which say that no scale is that of all views."""
+
 ViewBox = tuple[float, float, float, float]
 
 
@@ -138,6 +141,13 @@ def is_size_known(values: dict[str, Any]) -> bool:
         own.get("code") == "full-scale-assumed" and own.get("args", {}).get("case") != "file"
         for own in values.get("warnings", ())
     )
+
+
+def are_measures_told(values: dict[str, Any]) -> bool:
+    """Whether the views of a report's JSON fit one scale, so that a bound of the measures can be
+    stated."""
+    remarks = (*values.get("reasons", ()), *values.get("warnings", ()))
+    return not any(own.get("code") in _NO_ONE_SCALE for own in remarks)
 
 
 def read_report(path: Path) -> Report:

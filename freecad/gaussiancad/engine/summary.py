@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from freecad.gaussiancad.engine.report import Report, Status
+from freecad.gaussiancad.engine.report import Report, Status, are_measures_told
 from freecad.gaussiancad.engine.wording import role_name
 from freecad.gaussiancad.language import translate
 
@@ -31,7 +31,8 @@ def measures_text(report: Report) -> str:
     measures = report.group("measures")
     bound = measures.get("uncertainty_mm")
     if not isinstance(bound, int | float):
-        return ""
+        exact = report.status is Status.FAILED or are_measures_told(report.values)
+        return "" if exact else measures_unknown() + "."
     source = {
         "numbers": translate("GaussianCAD", "from the sheet's numbers"),
         "drawing": translate("GaussianCAD", "from the drawing"),
@@ -39,6 +40,13 @@ def measures_text(report: Report) -> str:
     }.get(str(measures.get("source")), "?")
     text = translate("GaussianCAD", "Measures to ±{bound} mm ({source}).")
     return text.format(bound=f"{bound:.2g}", source=source)
+
+
+def measures_unknown() -> str:
+    """That no bound is known, and why."""
+    return translate(
+        "GaussianCAD", "How exact its measures are is not known: the views fit no one scale"
+    )
 
 
 def _source_name(source: str) -> str:

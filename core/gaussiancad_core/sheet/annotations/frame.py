@@ -84,7 +84,8 @@ def find_frame(ink: Mask, turn: Turn) -> Frame | None:
         return None
     frame = spans[labels]
     walls = frame.astype(np.uint8)
-    corners = turn.to_upright(np.array([[0, 0], [width, 0], [width, height], [0, height]], float))
+    stored = turn.scale * np.array([[0, 0], [width, 0], [width, height], [0, height]])
+    corners = turn.to_upright(stored)
     cv2.polylines(walls, [np.rint(corners - 0.5).astype(np.int32)], True, 1, 5)
     _, areas, facts, _ = cv2.connectedComponentsWithStats(1 - walls, connectivity=4)
     sizes = facts[:, cv2.CC_STAT_AREA].copy()

@@ -3,6 +3,17 @@
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP
 
 REASONS = {
+    "photographed-at-a-slant": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The sheet was photographed at a slant of about {degrees} degrees and was straightened by "
+        "its lines. Check the part's measures.",
+    ),
+    "photographed-at-a-slant:width": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The sheet was photographed at a slant of about {degrees} degrees and was straightened by "
+        "its lines. How wide it is for its height may be some per cent off: check the part's "
+        "measures.",
+    ),
     "no-exact-solid": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "No exact solid was found. The model is a surface that fills what the outlines leave: "
@@ -280,6 +291,9 @@ ALTERNATIVES = {
 """What else may be, by the code of an assumption."""
 
 WARNINGS = {
+    "surroundings-left-out": QT_TRANSLATE_NOOP(
+        "GaussianCAD", "What surrounds the paper in the picture was left out."
+    ),
     "projection-assumed": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The lines fit both {taken} and {other}. Taken was {taken}; choose under Projection if it "

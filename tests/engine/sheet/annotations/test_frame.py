@@ -40,6 +40,16 @@ def _found(ink: Mask) -> Frame | None:
     return find_frame(ink, Turn(0.0, (ink.shape[1] / 2, ink.shape[0] / 2)))
 
 
+def test_a_sheet_read_at_another_scale_has_the_same_frame() -> None:
+    ink = _framed()
+    half = Turn(0.0, (ink.shape[1] / 2, ink.shape[0] / 2), 2.0)
+    frame, other = _found(ink), find_frame(ink, half)
+    assert frame is not None
+    assert other is not None
+    assert (frame.drawing_area == other.drawing_area).all()
+    assert frame.marks == other.marks
+
+
 def _boxes(frame: Frame, kind: AnnotationKind) -> list[tuple[float, float, float, float]]:
     return sorted(mark.box for mark in frame.marks if mark.kind is kind)
 
