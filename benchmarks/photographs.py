@@ -5,10 +5,10 @@ tilt, turn, focal length, distortion of its lens, light, blur, noise, JPEG.  Eac
 through ``gaussiancad reconstruct``; the solid is compared with the part in place, both with a
 longest edge of 1, as a photograph may tell no size.
 
-    .venv/bin/python benchmarks/photographs.py [--parts 1] [--first 0] [--keep DIR]
+    .venv/bin/python benchmarks/photographs.py [--parts 1] [--first 0] [--flat] [--keep DIR]
 
-``right`` has the part's faces and an IoU of .98 at least; ``close`` that IoU; a photograph is never
-``verified``.
+``--flat`` does the same without a camera.  ``right`` has the part's faces and an IoU of .98 at
+least; ``close`` that IoU; a photograph is never ``verified``.
 """
 
 import argparse
@@ -162,6 +162,7 @@ def main() -> None:
     )
     parser.add_argument("--parts", type=int, default=1, help="of each class")
     parser.add_argument("--first", type=int, default=0, help="seed of the first")
+    parser.add_argument("--flat", action="store_true", help="the sheets as they were drawn")
     parser.add_argument("--keep", type=Path, help="folder for photographs and results")
     options = parser.parse_args()
     counts: Counter[str] = Counter()
@@ -177,7 +178,8 @@ def main() -> None:
                 camera = camera_of(random)
                 grey = cv2.cvtColor(sheet.image, cv2.COLOR_RGB2GRAY)
                 path = root / f"{kind.value}-{seed}.jpg"
-                cv2.imwrite(str(path), photograph(grey, camera, random))
+                picture = grey if options.flat else photograph(grey, camera, random)
+                cv2.imwrite(str(path), picture)
                 folder = root / path.stem
                 word, iou = _run(path, folder, truth)
                 counts[word] += 1

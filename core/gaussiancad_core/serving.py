@@ -1,7 +1,8 @@
-"""An engine that stays: it keeps the sheet that it read, and answers one request after another."""
+"""An engine that stays: it keeps the sheets that it read, and answers one request after another."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -61,23 +62,35 @@ class Request(msgspec.Struct, frozen=True, kw_only=True):
     box: Box = (0.0, 0.0, 0.0, 0.0)
 
 
+_MOST_OPEN = 4
+"""Sheets that stay open: about 100 MB each."""
+
+
 @dataclass(frozen=True, eq=False)
 class _Kept:
-    """A sheet that is open, with what corrections ask of it."""
+    """A sheet that is open, with what corrections ask of it.
+
+    Attributes:
+        job: of the request that opened it.
+        stamp: time and size of its file.
+        sheet: as opened.
+        ink: what corrections ask.
+        read: how everything that is on it is read, with no one's corrections.
+    """
 
     job: Job
     stamp: tuple[int, int]
     sheet: OpenedSheet
     ink: Ink
+    read: Callable[[], SheetReading]
 
 
 class Desk:
-    """Answers requests; a sheet stays open until another one is asked for, or its file changes."""
+    """Answers requests; the sheets that were asked for last stay open while their files stay."""
 
     def __init__(self) -> None:
         self._listener: Listener = Silence()
-        self._kept: _Kept | None = None
-        self._read: SheetReading | None = None
+        self._kept: dict[tuple[Path, int], _Kept] = {}
 
     def answer(self, request: Request, listener: Listener) -> dict[str, Any]:
         """What is asked.
@@ -125,16 +138,13 @@ class Desk:
 
     def _do_read(self, request: Request) -> dict[str, Any]:
         """Everything that is on the sheet, with no one's corrections."""
-        kept = self._opened(request)
-        self._read = self._read or self._all_of(kept)
-        return self._written(request, self._read)
+        return self._written(request, self._opened(request).read())
 
     def _reread(self, request: Request) -> dict[str, Any]:
         """The same with corrections, the views read that they box."""
         kept = self._opened(request)
-        self._read = self._read or self._all_of(kept)
         told = open_typed(Path(request.corrections), Corrections, "corrections-not-read")
-        found = corrected(self._read, told.ops, kept.ink).reading
+        found = corrected(kept.read(), told.ops, kept.ink).reading
         return self._written(request, kept.ink.fill(found))
 
     def _trace(self, request: Request) -> dict[str, Any]:
@@ -167,18 +177,22 @@ class Desk:
         job.check()
         facts = job.sheet.stat()
         stamp = facts.st_mtime_ns, facts.st_size
-        kept = self._kept
-        if kept and (kept.job.sheet, kept.job.page, kept.stamp) == (job.sheet, job.page, stamp):
-            return kept
-        self._kept, self._read = None, None
-        sheet = open_sheet(job, self._notes(job))
-        self._kept = _Kept(job, stamp, sheet, sheet_ink(job, sheet))
-        return self._kept
+        key = job.sheet, job.page
+        kept = self._kept.pop(key, None)
+        if kept is None or kept.stamp != stamp:
+            while len(self._kept) >= _MOST_OPEN:
+                del self._kept[next(iter(self._kept))]
+            sheet = open_sheet(job, self._notes(job))
+            read = cache(partial(self._all_of, job, sheet))
+            kept = _Kept(job, stamp, sheet, sheet_ink(job, sheet), read)
+        # The last of the dictionary is the one that was asked for last.
+        self._kept[key] = kept
+        return kept
 
-    def _all_of(self, kept: _Kept) -> SheetReading:
-        notes = self._notes(kept.job)
-        tell_image(kept.sheet.image, notes)
-        return read_sheet_lines(kept.job, kept.sheet, notes)[1]
+    def _all_of(self, job: Job, sheet: OpenedSheet) -> SheetReading:
+        notes = self._notes(job)
+        tell_image(sheet.image, notes)
+        return read_sheet_lines(job, sheet, notes)[1]
 
     def _notes(self, job: Job) -> RunNotes:
         return RunNotes(Report("", job.settings()), Progress(self._listener, len(STAGES)))

@@ -199,6 +199,26 @@
 <context>
     <name>GaussianCAD</name>
     <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Breaks off making the part</source>
+        <translation>Bricht das Erzeugen des Teils ab</translation>
+    </message>
+    <message>
+        <source>Into</source>
+        <translation>In</translation>
+    </message>
+    <message>
+        <source>A new document</source>
+        <translation>Ein neues Dokument</translation>
+    </message>
+    <message>
+        <source>The document into which the part goes</source>
+        <translation>Das Dokument, in das das Teil kommt</translation>
+    </message>
+    <message>
         <source>The sheet was photographed at a slant of about {degrees} degrees and was straightened by its lines. Check the part&apos;s measures.</source>
         <translation>Das Blatt wurde um etwa {degrees} Grad schräg fotografiert und an seinen Linien entzerrt. Prüfen Sie die Maße des Teils.</translation>
     </message>
@@ -1143,8 +1163,8 @@
         <translation>Noch einmal</translation>
     </message>
     <message>
-        <source>Correct Sheet: {name}</source>
-        <translation>Blatt korrigieren: {name}</translation>
+        <source>{name} – Correct Sheet</source>
+        <translation>{name} – Blatt korrigieren</translation>
     </message>
     <message>
         <source>Mesh and Gaussians</source>
@@ -2619,7 +2639,7 @@
         <translation>Nächstes Blatt</translation>
     </message>
     <message>
-        <source>{0} of {1} sheets are not verified</source>
+        <source>{0} of these {1} sheets are not verified</source>
         <translation>{0} von {1} Blättern sind nicht bestätigt</translation>
     </message>
     <message>

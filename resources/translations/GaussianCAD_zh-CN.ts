@@ -199,6 +199,26 @@
 <context>
     <name>GaussianCAD</name>
     <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Breaks off making the part</source>
+        <translation>中止零件的生成</translation>
+    </message>
+    <message>
+        <source>Into</source>
+        <translation>放入</translation>
+    </message>
+    <message>
+        <source>A new document</source>
+        <translation>新文档</translation>
+    </message>
+    <message>
+        <source>The document into which the part goes</source>
+        <translation>零件将放入的文档</translation>
+    </message>
+    <message>
         <source>The sheet was photographed at a slant of about {degrees} degrees and was straightened by its lines. Check the part&apos;s measures.</source>
         <translation>图纸是以约 {degrees} 度的倾斜角拍摄的,已按其线条校正。请检查零件的尺寸。</translation>
     </message>
@@ -1875,8 +1895,8 @@
         <translation>截面</translation>
     </message>
     <message>
-        <source>Correct Sheet: {name}</source>
-        <translation>校正图纸：{name}</translation>
+        <source>{name} – Correct Sheet</source>
+        <translation>{name} – 校正图纸</translation>
     </message>
     <message>
         <source>Mesh and Gaussians</source>
@@ -2619,7 +2639,7 @@
         <translation>下一张图纸</translation>
     </message>
     <message>
-        <source>{0} of {1} sheets are not verified</source>
+        <source>{0} of these {1} sheets are not verified</source>
         <translation>{1} 张图纸中有 {0} 张未验证</translation>
     </message>
     <message>

@@ -10,7 +10,12 @@ from typing import Any
 
 import pytest
 
+from gaussiancad_core import opened_sheet, serving
+from gaussiancad_core.events import Silence
+from gaussiancad_core.job import Job
 from gaussiancad_core.readings.operations import CORRECTIONS_SCHEMA
+from gaussiancad_core.run_notes import RunNotes
+from gaussiancad_core.sheet.opened import OpenedSheet
 
 SAMPLES = Path(__file__).resolve().parents[2] / "resources" / "samples"
 
@@ -131,3 +136,31 @@ def test_a_request_that_goes_on_ends_with_its_window(engine: _Engine, tmp_path: 
             break
     engine.process.stdin.close()
     assert engine.process.wait(30) == 130
+
+
+def test_sheets_stay_open_side_by_side(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    opened: list[str] = []
+
+    def open_sheet(job: Job, notes: RunNotes) -> OpenedSheet:
+        opened.append(job.sheet.stem)
+        return opened_sheet.open_sheet(job, notes)
+
+    monkeypatch.setattr(serving, "open_sheet", open_sheet)
+    desk = serving.Desk()
+
+    def render(name: str) -> None:
+        sheet = tmp_path / f"{name}.png"
+        if not sheet.exists():
+            shutil.copy(SAMPLES / "l-bracket.png", sheet)
+        request = serving.Request(id=1, do="render", sheet=str(sheet), output=str(tmp_path))
+        desk.answer(request, Silence())
+
+    for name in "abab":
+        render(name)
+    assert opened == ["a", "b"]
+    for name in "cde":
+        render(name)
+    render("b")
+    assert opened == ["a", "b", "c", "d", "e"], "the one that was asked for longest ago was closed"
+    render("a")
+    assert opened[-1] == "a"

@@ -241,12 +241,48 @@ class Canvas(WindowCase):
     def test_an_engine_that_is_killed_is_told_and_starts_again(self) -> None:
         self.canvas.solve()
         self.assertTrue(self.canvas.busy)
-        self.canvas.desk._solver._process.kill()
+        self.canvas.engines.solver._process.kill()
         self.wait_for(lambda: not self.canvas.busy, 30.0)
         self.canvas.solve()
         self.wait_for(lambda: not self.canvas.busy, 120.0)
         spin(100)
         self.assertTrue(self.canvas.problems.lines[0].colour)
+
+    def test_canvases_share_their_engines(self) -> None:
+        FreeCAD.newDocument("Other")
+        second = correct.open_sheet(self.copy)
+        self.assertIs(second.canvas.engines, self.canvas.engines)
+
+    def test_opening_that_is_undone_and_redone_brings_all_back(self) -> None:
+        before = self.part.Shape.BoundBox.XLength
+        self.canvas.say_length(_LENGTH, 80.0)
+        self.settled()
+        told = self.part.Shape.BoundBox.XLength
+        self.assertGreater(abs(told - before), 1.0)
+        corrections = corrections_path(self.copy)
+        self.assertTrue(corrections.exists())
+        for _ in self.document.UndoNames[:]:
+            self.document.undo()
+            spin(100)
+        self.assertEqual(self.document.Objects, [])
+        self.assertFalse(self.dock.isVisible())
+        self.assertFalse(corrections.exists())
+        while self.document.RedoNames:
+            self.document.redo()
+            spin(100)
+        self.assertTrue(self.dock.isVisible())
+        self.assertEqual(len(self.canvas.operations), 1)
+        self.assertTrue(corrections.exists())
+        self.wait_for(lambda: abs(self.part.Shape.BoundBox.XLength - told) < 1e-6, 120.0)
+
+    def test_a_canvas_follows_its_document(self) -> None:
+        FreeCAD.newDocument("Other")
+        second = correct.open_sheet(self.copy)
+        spin(100)
+        for name, dock in ((self.document.Name, self.dock), ("Other", second)):
+            FreeCAD.setActiveDocument(name)
+            spin(200)
+            self.assertFalse(dock.visibleRegion().isEmpty())
 
     def test_a_closed_canvas_ends_its_engines(self) -> None:
         self.canvas.solve()

@@ -70,4 +70,4 @@ class Source(WindowCase):
             self.choose_sheet(path)
             self.assertFalse(preview.has_picture)
             self.assertIn(path.name, preview.text())
-            self.assertEqual(widget(QtWidgets.QSpinBox, "page").isVisible(), suffix != "svg")
+            self.assertEqual(widget(QtWidgets.QSpinBox, "page").isEnabled(), suffix != "svg")

@@ -15,6 +15,20 @@ GIVEN = os.environ.get("GAUSSIANCAD_PYTHON")
 
 @unittest.skipIf(engine() is None, "the engine is not installed")
 class RealRun(WindowCase):
+    def test_the_engine_shows_what_freecad_cannot(self) -> None:
+        self.set_variable("GAUSSIANCAD_PYTHON", GIVEN)
+        self.open_panel("GaussianCAD_Reconstruct")
+        path = self.folder / "plate.svg"
+        path.write_text(
+            "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' "
+            "viewBox='0 0 100 60'><rect x='20' y='10' width='60' height='40' fill='none' "
+            "stroke='black' stroke-width='.5'/></svg>"
+        )
+        self.choose_sheet(path)
+        preview = widget(QtWidgets.QLabel, "preview")
+        self.assertFalse(preview.has_picture)
+        self.wait_for(lambda: preview.has_picture)
+
     def test_from_a_sheet_to_a_part_while_the_window_lives(self) -> None:
         self.set_variable("GAUSSIANCAD_PYTHON", GIVEN)
         document = FreeCAD.newDocument("Real")

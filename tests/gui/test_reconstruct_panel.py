@@ -137,6 +137,28 @@ class Panel(WindowCase):
         self.wait_for(button.isEnabled)
         self.assertEqual((len(self.document.Objects), other.Objects), (7, []))
 
+    def test_a_part_goes_to_a_document_of_its_own_where_another_is(self) -> None:
+        self.document.addObject("Part::Box", "Box")
+        self.choose_sheet(self.sheet)
+        target = widget(QtWidgets.QComboBox, "target")
+        self.assertEqual(target.currentText(), "A new document")
+        self.finish()
+        (name,) = set(FreeCAD.listDocuments()) - {self.document.Name}
+        self.assertEqual(name, self.sheet.stem)
+        self.assertEqual(target.currentData(), name)
+        self.assertEqual(len(self.document.Objects), 1)
+        self.assertIsNotNone(FreeCAD.getDocument(name).getObject("Part"))
+
+    def test_a_person_says_into_which_document(self) -> None:
+        self.document.addObject("Part::Box", "Box")
+        self.choose_sheet(self.sheet)
+        target = widget(QtWidgets.QComboBox, "target")
+        target.setCurrentIndex(target.findData(self.document.Name))
+        target.activated.emit(target.currentIndex())
+        self.finish()
+        self.assertEqual(list(FreeCAD.listDocuments()), [self.document.Name])
+        self.assertIsNotNone(self.document.getObject("Part"))
+
     def wait_for_stage(self, text: str) -> None:
         stage = widget(QtWidgets.QLabel, "stage")
         self.wait_for(lambda: text in stage.text())

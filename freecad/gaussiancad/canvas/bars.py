@@ -89,6 +89,7 @@ class RunBar(QtWidgets.QToolBar):
 
     Args:
         solve: makes the part.
+        stop: breaks that off.
         set_live: takes whether the part follows every correction.
         parent: the window.
     """
@@ -96,6 +97,7 @@ class RunBar(QtWidgets.QToolBar):
     def __init__(
         self,
         solve: Callable[[], None],
+        stop: Callable[[], None],
         set_live: Callable[[bool], None],
         parent: QtWidgets.QWidget,
     ) -> None:
@@ -107,6 +109,13 @@ class RunBar(QtWidgets.QToolBar):
         live.toggled.connect(set_live)
         made = self.add(translate("GaussianCAD", "Solve"), solve)
         made.setToolTip(translate("GaussianCAD", "Makes the part (Enter)"))
+        self._stop = self.add(translate("GaussianCAD", "Stop"), stop)
+        self._stop.setToolTip(translate("GaussianCAD", "Breaks off making the part"))
+        self.show_work(False)
+
+    def show_work(self, solving: bool) -> None:
+        """Offer to break off while a part is made."""
+        self._stop.setEnabled(solving)
 
     def add_steps(self, undo: Callable[[], None], redo: Callable[[], None]) -> None:
         """Offer steps back and forth, with their keys; in FreeCAD these are the document's."""

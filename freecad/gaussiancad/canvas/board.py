@@ -71,6 +71,7 @@ class Board(Pane):
         self._hand = Hand()
         self._sheet: Sheet | None = None
         self._chosen: frozenset[str] = frozenset()
+        self._awaited: str | None = None
 
     @property
     def tool(self) -> str:
@@ -119,7 +120,13 @@ class Board(Pane):
         self.select({other.id for own in self.selected for other in self._sheet.like(own)})
 
     def give_kind(self, kind: str) -> None:
-        """Say that what is selected stands for a kind; of what is in doubt, that it does indeed."""
+        """Say that what is selected stands for a kind; of what is in doubt, that it does indeed.
+
+        Ink that is being traced becomes a stroke of that kind.
+        """
+        if self._awaited is not None:
+            self._awaited = kind
+            return
         meant = [own for own in self.selected if own.kind != kind or own.doubtful]
         self._say(saying.of_kind(meant, kind))
 
@@ -164,6 +171,16 @@ class Board(Pane):
         made = [own.id for own in self._sheet.strokes if own.given and own.shape == shape]
         self.select(set(made[-1:]))
         return True
+
+    def take_trace(self, shape: Shape | None, at: Point) -> bool:
+        """Take the stroke that was found at a place; whether there is one, in a view.
+
+        Args:
+            shape: of the ink there; None where there is none.
+            at: the place.
+        """
+        kind, self._awaited = self._awaited or "visible", None
+        return shape is not None and self.draw(shape, at, kind)
 
     def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         """Kinds, roles, tools, Del, Esc, Tab, Enter."""
@@ -265,6 +282,7 @@ class Board(Pane):
                     text = translate("GaussianCAD", "There is no view at this place")
                     self.asked_more.emit(text)
             case Traced(at):
+                self._awaited = "visible"
                 self.asked_trace.emit(at)
             case Measured(points):
                 self.asked_length.emit(points)

@@ -1,7 +1,8 @@
 """One sheet at work: what was read, what a person says, and the part that follows.
 
-Two engines stay: one keeps the sheet's ink and reads, one solves and is ended where what it solves
-is out of date.  Where the file has several pages, a third makes their pictures.
+The engines stay, and may be those of other sheets, too: one keeps the sheets' ink and reads, one
+solves and is ended where what it solves is out of date.  Where a file has several pages, a third
+makes their pictures.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from pathlib import Path
 
 from freecad.gaussiancad.canvas.correcting import corrected
 from freecad.gaussiancad.canvas.keeping import Keeper, read_again, write_corrections
-from freecad.gaussiancad.canvas.serving import Answer, Program, Server
+from freecad.gaussiancad.canvas.serving import Answer, Engines, Server
 from freecad.gaussiancad.canvas.sheet import Point, Sheet, shape_in, sheet_of
 from freecad.gaussiancad.engine.wording import worded
 from freecad.gaussiancad.qt import QtCore
@@ -35,7 +36,7 @@ class Desk(QtCore.QObject):
     Args:
         path: of the sheet.
         page: of a file with pages.
-        program: the engine.
+        engines: that read and solve.
         keeper: of the corrections.
         parent: its owner.
 
@@ -58,7 +59,7 @@ class Desk(QtCore.QObject):
     stage = QtCore.Signal(str)
 
     def __init__(
-        self, path: Path, page: int, program: Program, keeper: Keeper, parent: QtCore.QObject
+        self, path: Path, page: int, engines: Engines, keeper: Keeper, parent: QtCore.QObject
     ) -> None:
         super().__init__(parent)
         self.path, self.page, self.keeper = path, page, keeper
@@ -66,8 +67,8 @@ class Desk(QtCore.QObject):
         self._folder = tempfile.TemporaryDirectory(
             prefix="gaussiancad-", ignore_cleanup_errors=True
         )
-        self._reader, self._solver = Server(program, self), Server(program, self)
-        self._clerk = Server(program, self)
+        self._reader, self._solver = Server(engines.reader, self), Server(engines.solver, self)
+        self._clerk = Server(engines.clerk, self)
         for own in (self._reader, self._solver):
             own.changed.connect(self.working)
             own.stage.connect(self.stage)
@@ -148,6 +149,11 @@ class Desk(QtCore.QObject):
 
         self._solver.ask("solve", done, **self._asked(folder), **more)
 
+    def stop(self) -> None:
+        """Break off making the part."""
+        self._rest.stop()
+        self._solver_stops()
+
     def _handed_over(self, folder: Path) -> tuple[Path, Path | None]:
         """Write what was read, and what was said of it since, into a folder; no second file where
         nothing was said."""
@@ -180,11 +186,10 @@ class Desk(QtCore.QObject):
         self._clerk.ask("thumbnail", lambda answer: done(answer.get("picture", "")), **asked)
 
     def close(self) -> None:
-        """End both engines and remove what they wrote."""
+        """Leave the engines and remove what they wrote."""
         self._rest.stop()
-        self._reader.stop()
-        self._solver.stop()
-        self._clerk.stop()
+        for own in (self._reader, self._solver, self._clerk):
+            own.close()
         self._folder.cleanup()
 
     def _asked(self, folder: Path) -> dict[str, object]:

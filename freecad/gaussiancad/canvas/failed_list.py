@@ -76,7 +76,7 @@ class FailedList(QtWidgets.QWidget):
 
     def _tell(self) -> None:
         rest = sum(own.status != "verified" for own in self._sheets)
-        text = translate("GaussianCAD", "{0} of {1} sheets are not verified")
+        text = translate("GaussianCAD", "{0} of these {1} sheets are not verified")
         self._headline.setText(text.format(rest, len(self._sheets)))
         self.next_button.setEnabled(rest > 0)
 

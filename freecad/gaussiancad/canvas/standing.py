@@ -7,7 +7,7 @@ from pathlib import Path
 
 from freecad.gaussiancad.canvas.failed import FailedSheet
 from freecad.gaussiancad.canvas.failed_list import FailedList
-from freecad.gaussiancad.canvas.serving import Program
+from freecad.gaussiancad.canvas.serving import Engines, Program
 from freecad.gaussiancad.canvas.translator import load_language
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.qt import QtCore, QtWidgets
@@ -25,7 +25,7 @@ class Standing(QtWidgets.QMainWindow):
         self, failed: tuple[FailedSheet, ...] = (), program: Program | None = None
     ) -> None:
         super().__init__()
-        self._program = program
+        self._engines = Engines.of(program or Program())
         self.canvas: SheetWindow | None = None
         self.list = FailedList(failed, self) if failed else None
         if self.list is not None:
@@ -38,9 +38,9 @@ class Standing(QtWidgets.QMainWindow):
         self.resize(1280, 900)
 
     def open(self, path: Path, page: int = 1) -> None:
-        """Show a sheet in place of the one before, whose engines end."""
+        """Show a sheet in place of the one before, with the same engines."""
         try:
-            canvas = SheetWindow(path, page, program=self._program, parent=self)
+            canvas = SheetWindow(path, page, engines=self._engines, parent=self)
         except ValueError as error:
             QtWidgets.QMessageBox.warning(self, "GaussianCAD", str(error))
             return

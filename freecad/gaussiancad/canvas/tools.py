@@ -29,8 +29,8 @@ DRAWING = ("line", "arc", "circle", "pick")
 SQUARE = ("line", "plane")
 """Tools whose lines are level or upright, unless Alt frees them."""
 
-ONCE = ("view", "scale", "plane", "ignore-area")
-"""Tools that are put away when they have made something."""
+ONCE = ("scale", "plane")
+"""Tools that are put away when they have made something; all others stay until Esc."""
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ from freecad.gaussiancad.canvas.pages import Pages
 from freecad.gaussiancad.canvas.rows import Line, Rows
 from freecad.gaussiancad.canvas.scene import Mark
 from freecad.gaussiancad.canvas.selection_menu import SelectionMenu
-from freecad.gaussiancad.canvas.serving import Program
+from freecad.gaussiancad.canvas.serving import Engines, Program
 from freecad.gaussiancad.canvas.sheet import Box, Number, Point, Sheet
 from freecad.gaussiancad.canvas.verdict import SIGNS, marks_of, verdict_line, verdict_lines
 from freecad.gaussiancad.engine.wording import stage_name
@@ -39,7 +39,7 @@ class SheetWindow(QtWidgets.QMainWindow):
     Args:
         path: of the sheet.
         page: of a file with pages.
-        program: the engine.
+        engines: shared with other sheets; of its own where none are given.
         keeper: of the corrections; a file beside the sheet where none is given.
         parent: in FreeCAD the dock.
 
@@ -57,13 +57,14 @@ class SheetWindow(QtWidgets.QMainWindow):
         path: Path,
         page: int = 1,
         *,
-        program: Program | None = None,
+        engines: Engines | None = None,
         keeper: Keeper | None = None,
         parent: QtWidgets.QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self.keeper = keeper or Beside(path, page)
-        self.desk = Desk(path, page, program or Program(), self.keeper, self)
+        self.engines = engines or Engines.of(Program())
+        self.desk = Desk(path, page, self.engines, self.keeper, self)
         self.board = Board(self)
         self.problems = Rows(self)
         self._report: dict | None = None
@@ -89,7 +90,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         layout.addWidget(split)
         self.setCentralWidget(middle)
         self._tools = ToolBar(self.board, self.desk.say, self)
-        self._runs = RunBar(self.solve, self._set_live, self)
+        self._runs = RunBar(self.solve, self.stop, self._set_live, self)
         if self.keeper.own_steps:
             self._runs.add_steps(self.undo, self.redo)
         self.addToolBar(self._tools)
@@ -121,6 +122,10 @@ class SheetWindow(QtWidgets.QMainWindow):
     def solve(self) -> None:
         """Make the part, with what was said."""
         self.desk.solve()
+
+    def stop(self) -> None:
+        """Break off making the part; the one of before stays."""
+        self.desk.stop()
 
     def undo(self) -> None:
         """Take the last step back."""
@@ -161,7 +166,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         self.desk.say(saying.cut_along(view, line, in_view))
 
     def closeEvent(self, event: QtGui.QCloseEvent) -> None:
-        """End the engines with the window."""
+        """Leave the engines with the window."""
         self.desk.close()
         super().closeEvent(event)
 
@@ -257,6 +262,7 @@ class SheetWindow(QtWidgets.QMainWindow):
         self.problems.show_lines(lines)
 
     def _show_work(self) -> None:
+        self._runs.show_work(self.desk.solving)
         if self.desk.reading:
             text = translate("GaussianCAD", "Reading\u2026")
         elif self.desk.solving:
@@ -278,7 +284,7 @@ class SheetWindow(QtWidgets.QMainWindow):
 
     def _trace(self, at: tuple) -> None:
         def done(shape: tuple[str, tuple] | None) -> None:
-            if shape is None or not self.board.draw(shape, at):
+            if not self.board.take_trace(shape, at):
                 text = translate("GaussianCAD", "There is no line of a view at this place")
                 self.statusBar().showMessage(text)
 

@@ -94,7 +94,8 @@ def _filled(sentence: str, values: Mapping[str, object]) -> str:
 def _word(name: str, value: object) -> str:
     """A value for its place in a sentence: words of the engine in the user's language."""
     if isinstance(value, float):
-        return f"{value:.4g}"
+        # Of what is less than one, such as a distance in mm, two digits say enough.
+        return f"{value:.4g}" if abs(value) >= 1.0 else f"{value:.2g}"
     text = str(value)
     if name in ("view", "views"):
         return ", ".join(role_name(own) for own in _BETWEEN.split(text))

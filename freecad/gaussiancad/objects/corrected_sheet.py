@@ -24,7 +24,7 @@ from freecad.gaussiancad.engine.job import Outcome, ReconstructJob
 from freecad.gaussiancad.engine.report import read_report
 from freecad.gaussiancad.errors import ErrorCode, WorkbenchError
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP, translate
-from freecad.gaussiancad.objects.known_sheets import group_of
+from freecad.gaussiancad.objects.known_sheets import group_of, is_of
 from freecad.gaussiancad.objects.loading import PartSource, load_alternatives, read_shape
 from freecad.gaussiancad.objects.properties import Access, PropertySpec, add_properties
 from freecad.gaussiancad.objects.reconstruction import new_reconstruction, show_solution
@@ -185,14 +185,19 @@ class InDocument:
 
     def __init__(self, group: FreeCAD.DocumentObject, sheet: Path, page: int) -> None:
         self.document, self.group = group.Document.Name, group.Name
+        self._sheet, self._page = sheet, page
         self._beside = beside(sheet, page)
         self._sha256 = ""
 
     def find(self) -> FreeCAD.DocumentObject | None:
-        """The group, or None where it was removed or its document closed."""
+        """The group, or None where it was removed or its document closed; another drawing's may
+        have got its name."""
         if self.document not in FreeCAD.listDocuments():
             return None
-        return FreeCAD.getDocument(self.document).getObject(self.group)
+        found = FreeCAD.getDocument(self.document).getObject(self.group)
+        if found is None or not is_of(found, self._sheet, self._page):
+            return None
+        return found
 
     @property
     def operations(self) -> list[dict]:

@@ -29,6 +29,12 @@ def group_of(document: FreeCAD.Document, sheet: Path, page: int) -> FreeCAD.Docu
     return None
 
 
+def is_of(group: FreeCAD.DocumentObject, sheet: Path, page: int) -> bool:
+    """Whether an object is the group of a drawing; as of :func:`group_of`."""
+    known = hasattr(group, "SheetPath") and page_of(group) == page
+    return known and (_is_at(group, sheet) or _is_copy_of(group, sheet))
+
+
 def _is_at(group: FreeCAD.DocumentObject, sheet: Path) -> bool:
     return str(sheet.absolute()) in (group.SheetPath, getattr(group, "Sheet", ""))
 

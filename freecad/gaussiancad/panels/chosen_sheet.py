@@ -11,6 +11,9 @@ from freecad.gaussiancad.objects.document_sheets import export_sheet, first_shee
 from freecad.gaussiancad.objects.known_sheets import page_of, reconstruction_among, sheet_of
 from freecad.gaussiancad.qt import QtWidgets
 
+_LAST_FOLDER = "FileOpenSavePath"
+"""FreeCAD's parameter with the folder of the last file dialog."""
+
 
 def sheet_among(selected: Sequence[FreeCAD.DocumentObject]) -> tuple[Path, int] | None:
     """The drawing, and its page, of a reconstruction among some objects, or of a TechDraw page or a
@@ -31,10 +34,25 @@ def sheet_among(selected: Sequence[FreeCAD.DocumentObject]) -> tuple[Path, int] 
     return export_sheet(source, folder).path, 1
 
 
-def ask_sheet(parent: QtWidgets.QWidget) -> Path | None:
-    """Ask for the file of a drawing."""
-    title = translate("GaussianCAD", "Choose a Drawing")
+def ask_sheet(parent: QtWidgets.QWidget, start: str = "") -> Path | None:
+    """Ask for the file of a drawing, where FreeCAD's own dialogs were last.
+
+    Args:
+        parent: window of the dialog.
+        start: path of the drawing that was chosen before; empty where none was.
+    """
     drawings = translate("GaussianCAD", "Drawings")
+    everything = translate("GaussianCAD", "All files")
     patterns = " ".join(f"*.{suffix} *.{suffix.upper()}" for suffix in SHEET_SUFFIXES)
-    path, _ = QtWidgets.QFileDialog.getOpenFileName(parent, title, "", f"{drawings} ({patterns})")
-    return Path(path) if path else None
+    general = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/General")
+    path, _ = QtWidgets.QFileDialog.getOpenFileName(
+        parent,
+        translate("GaussianCAD", "Choose a Drawing"),
+        start or general.GetString(_LAST_FOLDER, ""),
+        f"{drawings} ({patterns});;{everything} (*)",
+        options=QtWidgets.QFileDialog.Option.HideNameFilterDetails,
+    )
+    if not path:
+        return None
+    general.SetString(_LAST_FOLDER, str(Path(path).parent))
+    return Path(path)

@@ -1,17 +1,13 @@
 """The canvas in FreeCAD: a dock beside the 3D view; corrections and part are the document's."""
 
-import os
 from collections.abc import Sequence
 from pathlib import Path
 
 import FreeCAD
 import FreeCADGui
 
-from freecad.gaussiancad.canvas.serving import Program
+from freecad.gaussiancad.canvas.serving import Engines
 from freecad.gaussiancad.canvas.window import SheetWindow
-from freecad.gaussiancad.engine.environment import clean_environment
-from freecad.gaussiancad.engine.job import MODULE_ARGUMENTS
-from freecad.gaussiancad.engine.locate import SearchPlaces, find_engine
 from freecad.gaussiancad.errors import WorkbenchError
 from freecad.gaussiancad.language import translate
 from freecad.gaussiancad.objects.corrected_sheet import (
@@ -24,11 +20,11 @@ from freecad.gaussiancad.objects.corrected_sheet import (
 )
 from freecad.gaussiancad.objects.reconstruction_features import CHOICE, find_part
 from freecad.gaussiancad.panels.chosen_sheet import ask_sheet, sheet_among
+from freecad.gaussiancad.panels.engine_program import engine_program
 from freecad.gaussiancad.panels.fitted_view import show_all
 from freecad.gaussiancad.panels.full_run import full_job
 from freecad.gaussiancad.panels.jobs import job_list
 from freecad.gaussiancad.panels.solutions import open_solutions
-from freecad.gaussiancad.preferences import read_preferences
 from freecad.gaussiancad.qt import QtCore, QtWidgets
 
 DOCK_NAME = "GaussianCADCanvas"
@@ -68,21 +64,21 @@ def open_canvas(selected: Sequence[FreeCAD.DocumentObject]) -> "CanvasDock | Non
 def open_sheet(path: Path, page: int = 1) -> "CanvasDock | None":
     """Open the canvas on a file, in the active document or a new one; as :func:`open_canvas`."""
     try:
-        preference = read_preferences().engine_python
-        engine = find_engine(SearchPlaces.of_this_machine(preference, os.environ))
+        program = engine_program()
         document = FreeCAD.ActiveDocument or FreeCAD.newDocument(path.stem)
         group = open_in(document, path, page)
     except (WorkbenchError, ValueError, OSError) as error:
         _complain(str(error))
         return None
-    program = Program((engine.python, *MODULE_ARGUMENTS), clean_environment(os.environ))
     main = FreeCADGui.getMainWindow()
     others = open_docks()
     for own in others:
         if own.keeper.find() is group:
-            own.raise_()
+            own.come_back()
             return own
-    dock = CanvasDock(path, page, program, InDocument(group, path, page), main)
+    shared = (own.canvas.engines for own in others if own.canvas.engines.program == program)
+    engines = next(shared, None) or Engines.of(program)
+    dock = CanvasDock(path, page, engines, InDocument(group, path, page), main)
     main.addDockWidget(QtCore.Qt.DockWidgetArea.RightDockWidgetArea, dock)
     for own in others:
         main.tabifyDockWidget(own, dock)
@@ -105,7 +101,7 @@ class CanvasDock(QtWidgets.QDockWidget):
     Args:
         path: of the drawing.
         page: of a file with pages.
-        program: the engine.
+        engines: those of other canvases, where there are any.
         keeper: of the corrections.
         main: FreeCAD's window.
     """
@@ -114,16 +110,17 @@ class CanvasDock(QtWidgets.QDockWidget):
         self,
         path: Path,
         page: int,
-        program: Program,
+        engines: Engines,
         keeper: InDocument,
         main: QtWidgets.QWidget,
     ) -> None:
-        title = translate("GaussianCAD", "Correct Sheet: {name}")
+        # The drawing's name first: of several tabs little more is seen.
+        title = translate("GaussianCAD", "{name} \u2013 Correct Sheet")
         super().__init__(title.format(name=path.name), main)
         self.setObjectName(DOCK_NAME)
         self.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)
         self.keeper = keeper
-        self.canvas = SheetWindow(path, page, program=program, keeper=keeper, parent=self)
+        self.canvas = SheetWindow(path, page, engines=engines, keeper=keeper, parent=self)
         self.canvas.setWindowFlags(QtCore.Qt.WindowType.Widget)
         self.setWidget(self.canvas)
         self.canvas.add_action(translate("GaussianCAD", "Mesh and Gaussians"), self.make_all)
@@ -144,7 +141,7 @@ class CanvasDock(QtWidgets.QDockWidget):
         return self._observer is not None
 
     def closeEvent(self, event: object) -> None:
-        """End the engines with the dock; the document keeps what was said."""
+        """Leave the engines with the dock; the document keeps what was said."""
         if self._observer is not None:
             FreeCAD.removeDocumentObserver(self._observer)
             self._observer = None
@@ -174,6 +171,23 @@ class CanvasDock(QtWidgets.QDockWidget):
             self.canvas.tell(str(error))
             return
         open_solutions(group)
+
+    def leave(self) -> None:
+        """Hide while the document does not have the drawing."""
+        if self.is_open and self.keeper.find() is None:
+            self.hide()
+
+    def come_back(self) -> None:
+        """Show the drawing that the document has again, with all that was said of it."""
+        if self.is_open and self.keeper.find() is not None:
+            self.show()
+            self.raise_()
+            self.follow()
+
+    def come_forward(self) -> None:
+        """Lie over the canvases of other documents."""
+        if self.is_open and self.isVisible():
+            self.raise_()
 
     def follow(self) -> None:
         """Show the corrections that the document has now, and make their part."""
@@ -228,9 +242,19 @@ class _Observer:
             QtCore.QTimer.singleShot(0, self._dock.settle_choice)
 
     def slotDeletedObject(self, deleted: FreeCAD.DocumentObject) -> None:
-        """An object goes; without its group the canvas is of no use."""
+        """An object goes; without its group the canvas is of no use, until that comes back."""
         if self._is_its(deleted):
-            QtCore.QTimer.singleShot(0, self._dock.close)
+            QtCore.QTimer.singleShot(0, self._dock.leave)
+
+    def slotCreatedObject(self, created: FreeCAD.DocumentObject) -> None:
+        """Opening the drawing was taken back, and is done again."""
+        if self._is_its(created):
+            QtCore.QTimer.singleShot(0, self._dock.come_back)
+
+    def slotActivateDocument(self, document: FreeCAD.Document) -> None:
+        """Another document is in front: its canvas is, too."""
+        if document.Name == self._dock.keeper.document:
+            QtCore.QTimer.singleShot(0, self._dock.come_forward)
 
     def slotDeletedDocument(self, document: FreeCAD.Document) -> None:
         """A document goes, and its canvas with it."""

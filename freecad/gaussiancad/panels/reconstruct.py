@@ -10,7 +10,7 @@ import FreeCAD
 import FreeCADGui
 
 from freecad.gaussiancad.engine.events import Event, EventKind
-from freecad.gaussiancad.engine.job import PAGED_SUFFIXES, SHEET_SUFFIXES, ReconstructJob, Scale
+from freecad.gaussiancad.engine.job import PAGED_SUFFIXES, ReconstructJob, Scale
 from freecad.gaussiancad.engine.process import RunResult
 from freecad.gaussiancad.engine.report import Status
 from freecad.gaussiancad.engine.summary import report_lines, verdict_text
@@ -23,14 +23,17 @@ from freecad.gaussiancad.objects.loading import load_run
 from freecad.gaussiancad.objects.properties import texts_of
 from freecad.gaussiancad.objects.reconstruction_features import part_length
 from freecad.gaussiancad.objects.solutions import SolutionSet, has_choice
+from freecad.gaussiancad.panels.chosen_sheet import ask_sheet
 from freecad.gaussiancad.panels.correct import open_canvas, open_sheet
 from freecad.gaussiancad.panels.document_source import DocumentSource
 from freecad.gaussiancad.panels.engine_panel import EnginePanel, PanelTexts, Success
 from freecad.gaussiancad.panels.fitted_view import show_all
 from freecad.gaussiancad.panels.messages import show_error
+from freecad.gaussiancad.panels.page_pictures import PagePictures
 from freecad.gaussiancad.panels.settings_form import SettingsForm
 from freecad.gaussiancad.panels.sheet_preview import SheetPreview
 from freecad.gaussiancad.panels.solutions import open_solutions
+from freecad.gaussiancad.panels.target_document import TargetDocument
 from freecad.gaussiancad.panels.thickness_question import ThicknessQuestion
 from freecad.gaussiancad.panels.widgets import PathField
 from freecad.gaussiancad.preferences import read_preferences
@@ -63,8 +66,11 @@ class ReconstructPanel(EnginePanel):
         self.sheet = PathField("sheet", self._browse_sheet)
         self.sheet.line.textChanged.connect(self._show_sheet)
         self.preview = SheetPreview(self.sheet.line.setText)
+        self._pictures = PagePictures(self._show_page)
         self.settings = SettingsForm(starting_choices(read_preferences()))
+        self.settings.page.valueChanged.connect(lambda _: self._show_preview())
         self.source = DocumentSource(self.take_source)
+        self.target = TargetDocument()
         self.question = ThicknessQuestion(self.start)
         self.run_view.add_question(self.question)
         self._exports: tempfile.TemporaryDirectory[str] | None = None
@@ -76,6 +82,7 @@ class ReconstructPanel(EnginePanel):
         self._shown_mm = 0.0
         self._early: EarlyPart | None = None
         self._source: tuple[str, FreeCAD.DocumentObject] | None = None
+        self._holder = ""
         selected = first_sheet_object(FreeCADGui.Selection.getSelection())
         if selected is not None:
             self.take_source(selected)
@@ -92,7 +99,8 @@ class ReconstructPanel(EnginePanel):
             self._complain(str(error))
             return
         self.sheet.line.setText(str(exported.path))
-        self._source = str(exported.path), source
+        self._source, self._holder = (str(exported.path), source), source.Document.Name
+        self._suggest_target()
         if exported.mm_per_pixel is not None:
             self.settings.tell_mm_per_pixel(exported.mm_per_pixel)
             self._scaled_sheet = str(exported.path)
@@ -119,15 +127,16 @@ class ReconstructPanel(EnginePanel):
         self.question.take(job.thickness)
 
     def prepare(self, scratch: Path) -> list[str]:
-        """Turn the settings into a job; remember the document that is active now."""
+        """Turn the settings into a job; remember the document into which the part goes."""
         sheet = self._checked_sheet()
         chosen = self.settings.output.path
         folder = Path(chosen).expanduser() / Path(sheet).stem if chosen else scratch / "run"
-        document = FreeCAD.ActiveDocument
-        self._document_name = document.Name if document is not None else ""
+        self._suggest_target()
+        self._document_name = self.target.name
         self._early = None
         job = self.settings.job(sheet, str(folder))
         self._job = replace(job, thickness=self.question.thickness)
+        document = FreeCAD.getDocument(self._document_name) if self._document_name else None
         known = group_of(document, Path(sheet), self._job.page) if document is not None else None
         self._shown_mm = 0.0 if known is None else part_length(known)
         remember(self.settings.choices, read_preferences())
@@ -142,6 +151,8 @@ class ReconstructPanel(EnginePanel):
         if run.overlay is not None:
             self.preview.show_file(str(run.overlay))
         self._show(group)
+        self._document_name = group.Document.Name
+        self.target.take(self._document_name)
         self._early = None
         if has_choice(group):
             self._offer_choice(group)
@@ -155,6 +166,7 @@ class ReconstructPanel(EnginePanel):
         self.settings.setEnabled(editable)
         self.preview.setAcceptDrops(editable)
         self.source.setEnabled(editable)
+        self.target.setEnabled(editable)
         self.question.setEnabled(editable)
 
     def take_event(self, event: Event) -> None:
@@ -210,6 +222,7 @@ class ReconstructPanel(EnginePanel):
 
     def _leave(self) -> None:
         super()._leave()
+        self._pictures.close()
         if self._exports is not None:
             self._exports.cleanup()
 
@@ -231,7 +244,7 @@ class ReconstructPanel(EnginePanel):
         """The document in which the run began, or a new one if there is none any more."""
         if self._document_name in FreeCAD.listDocuments():
             return FreeCAD.getDocument(self._document_name)
-        return FreeCAD.newDocument("Reconstruction")
+        return FreeCAD.newDocument(Path(self._job.sheet).stem)
 
     def _checked_sheet(self) -> str:
         path = self.sheet.path
@@ -253,18 +266,29 @@ class ReconstructPanel(EnginePanel):
             # What is shown is of another drawing.
             self.run_view.forget()
         self.question.take(Scale())
-        self.preview.show_file(path.strip())
+        self._suggest_target()
         self.settings.show_page(path.strip().lower().endswith(PAGED_SUFFIXES))
+        self._show_preview()
+
+    def _show_preview(self) -> None:
+        """The drawing; what FreeCAD cannot show, as soon as the engine has its picture."""
+        path = self.sheet.path
+        self._pictures.forget()
+        self.preview.show_file(path)
+        if not self.preview.has_picture and Path(path).is_file():
+            self._pictures.ask(path, self.settings.page.value())
+
+    def _show_page(self, picture: str) -> None:
+        if not self._closed and not self.running:
+            self.preview.show_file(picture)
+
+    def _suggest_target(self) -> None:
+        path = self.sheet.path
+        own = self._holder if self._source is not None and self._source[0] == path else ""
+        self.target.suggest(path, self.settings.page.value(), own)
 
     def _browse_sheet(self) -> str:
-        title = translate("GaussianCAD", "Choose a Drawing")
-        drawings = translate("GaussianCAD", "Drawings")
-        patterns = " ".join(f"*.{suffix} *.{suffix.upper()}" for suffix in SHEET_SUFFIXES)
-        everything = translate("GaussianCAD", "All files")
-        path, _ = QtWidgets.QFileDialog.getOpenFileName(
-            self.form[0], title, self.sheet.path, f"{drawings} ({patterns});;{everything} (*)"
-        )
-        return path
+        return str(ask_sheet(self.form[0], self.sheet.path) or "")
 
     def _drawing_box(self) -> QtWidgets.QWidget:
         box = QtWidgets.QWidget()
@@ -273,6 +297,7 @@ class ReconstructPanel(EnginePanel):
         layout.addWidget(self.sheet)
         layout.addWidget(self.source)
         layout.addWidget(self.preview)
+        layout.addWidget(self.target)
         return box
 
 

@@ -146,9 +146,9 @@ class SettingsForm(QtWidgets.QWidget):
         self.scale.choose(ScaleKind.UNKNOWN)
 
     def show_page(self, paged: bool) -> None:
-        """Offer the page's number for files that have pages only."""
-        self._page_label.setVisible(paged)
-        self.page.setVisible(paged)
+        """Offer the page's number for files that have pages only; its place stays."""
+        self._page_label.setEnabled(paged)
+        self.page.setEnabled(paged)
 
     def _scale(self) -> Scale:
         kind = self.scale.mode

@@ -10,7 +10,7 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 sys.path.insert(0, str(Path(__file__).resolve().parents[3]))
 
-from freecad.gaussiancad.canvas.serving import Program
+from freecad.gaussiancad.canvas.serving import Engines, Program
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.qt import QtGui, QtWidgets
 
@@ -61,7 +61,7 @@ def window(application: QtWidgets.QApplication, reading: dict, tmp_path: Path): 
     picture = QtGui.QImage(640, 480, QtGui.QImage.Format.Format_Grayscale8)
     picture.fill(255)
     assert picture.save(str(sheet))
-    own = SheetWindow(sheet, program=Program((str(tmp_path / "none"),)))
+    own = SheetWindow(sheet, engines=Engines.of(Program((str(tmp_path / "none"),))))
     own.resize(900, 900)
     own.show()
     own.desk.live = False

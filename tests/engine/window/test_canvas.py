@@ -20,7 +20,7 @@ from freecad.gaussiancad.canvas.keeping import (
     read_corrections,
     write_corrections,
 )
-from freecad.gaussiancad.canvas.serving import Program
+from freecad.gaussiancad.canvas.serving import Engines, Program
 from freecad.gaussiancad.canvas.sheet import Sheet, Stroke, View, arc_through, sheet_of
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
@@ -257,7 +257,7 @@ def test_an_engine_that_does_not_start_is_told(
 ) -> None:
     sheet = tmp_path / "sheet.png"
     sheet.write_bytes(b"a sheet")
-    own = SheetWindow(sheet, program=Program((str(tmp_path / "none"),)))
+    own = SheetWindow(sheet, engines=Engines.of(Program((str(tmp_path / "none"),))))
     own.start()
     for _ in range(200):
         if not own.busy:
@@ -338,8 +338,23 @@ def test_what_is_picked_from_the_ink_is_drawn(window: SheetWindow) -> None:
     _key(window, QtCore.Qt.Key.Key_P)
     _click(window, (250, 180))
     assert asked[0] == pytest.approx((250.0, 180.0), abs=1.5)
-    assert window.board.draw(("line", ((250.0, 100.0), (250.0, 250.0))), asked[0])
-    assert not window.board.draw(("line", ((0.0, 0.0), (5.0, 5.0))), (5.0, 5.0))
+    assert window.board.take_trace(("line", ((250.0, 100.0), (250.0, 250.0))), asked[0])
+    assert [own.kind for own in window.board.selected] == ["visible"]
+    assert not window.board.take_trace(("line", ((0.0, 0.0), (5.0, 5.0))), (5.0, 5.0))
+    assert not window.board.take_trace(None, (250.0, 180.0))
+
+
+def test_a_kind_told_while_ink_is_traced_is_the_strokes(window: SheetWindow) -> None:
+    asked = []
+    window.board.asked_trace.disconnect()
+    window.board.asked_trace.connect(asked.append)
+    _key(window, QtCore.Qt.Key.Key_P)
+    _click(window, (250, 180))
+    _key(window, QtCore.Qt.Key.Key_H)
+    assert window.operations == []
+    assert window.board.take_trace(("line", ((250.0, 100.0), (250.0, 250.0))), asked[0])
+    assert [own.kind for own in window.board.selected] == ["hidden"]
+    assert len(window.operations) == 1
 
 
 def test_problems_lead_to_their_place_and_to_a_tool(window: SheetWindow) -> None:

@@ -66,9 +66,9 @@ def test_every_tool_takes_clicks_or_a_drag() -> None:
     [
         ("line", Drawn, True),
         ("circle", Drawn, True),
-        ("view", Boxed, False),
+        ("view", Boxed, True),
         ("plane", Cut, False),
-        ("ignore-area", Said, False),
+        ("ignore-area", Said, True),
     ],
 )
 def test_a_drag_means_what_its_tool_makes(tool: str, kind: type, stays: bool) -> None:

@@ -1,27 +1,153 @@
-"""Engines end with the application, before Qt takes their processes away."""
+"""One engine for several sheets: each gets its own answers, and breaks off only what it asked."""
 
+import time
+from collections.abc import Callable
 from pathlib import Path
 
-from freecad.gaussiancad.canvas.serving import Program, Server
+import pytest
+
+from freecad.gaussiancad.canvas.serving import Engine, Program, Server
 from freecad.gaussiancad.qt import QtCore, QtWidgets
 
-_SILENT = """\
-import sys, time
-print("warming up", file=sys.stderr, flush=True)
-time.sleep(60)
+_ENGINE = """\
+import json, os, sys, time
+for line in sys.stdin:
+    asked = json.loads(line)
+    if asked["do"] == "die":
+        print("out of luck", file=sys.stderr, flush=True)
+        os._exit(3)
+    print(json.dumps({"event": "stage", "name": asked["do"]}), flush=True)
+    if asked["do"] == "hang":
+        time.sleep(60)
+    answer = {"event": "answer", "id": asked["id"], "process": os.getpid(), **asked}
+    print(json.dumps(answer), flush=True)
 """
 
+Waiting = Callable[[Callable[[], object]], None]
 
-def test_an_engine_ends_when_the_application_quits(tmp_path: Path) -> None:
-    application = QtWidgets.QApplication.instance() or QtWidgets.QApplication([])
+
+@pytest.fixture
+def application() -> QtWidgets.QApplication:
+    return QtWidgets.QApplication.instance() or QtWidgets.QApplication([])
+
+
+@pytest.fixture
+def wait(application: QtWidgets.QApplication) -> Waiting:
+    def until(condition: Callable[[], object]) -> None:
+        end = time.monotonic() + 20.0
+        while not condition():
+            assert time.monotonic() < end, "no answer came"
+            application.processEvents()
+            time.sleep(0.01)
+
+    return until
+
+
+@pytest.fixture
+def engine(tmp_path: Path, application: QtWidgets.QApplication) -> Engine:
     script = tmp_path / "engine.py"
-    script.write_text(_SILENT, encoding="utf-8")
+    script.write_text(_ENGINE, encoding="utf-8")
+    return Engine(Program(("python3", str(script))))
+
+
+@pytest.fixture
+def two(engine: Engine) -> tuple[Server, Server]:
+    """Two sheets that share the engine."""
     parent = QtCore.QObject()
-    server = Server(Program(("python3", str(script))), parent)
-    answers = []
+    servers = Server(engine, parent), Server(engine, parent)
+    yield servers
+    for own in servers:
+        own.close()
+
+
+def test_one_process_answers_both(two: tuple[Server, Server], wait: Waiting) -> None:
+    answers: list[dict] = []
+    stages: list[tuple[int, str]] = []
+    for number, server in enumerate(two):
+        server.stage.connect(lambda name, number=number: stages.append((number, name)))
+        server.ask("read", answers.append, sheet=str(number))
+    wait(lambda: len(answers) == 2)
+    assert [own["sheet"] for own in answers] == ["0", "1"]
+    assert len({own["process"] for own in answers}) == 1
+    assert stages == [(0, "read"), (1, "read")]
+    assert not any(own.busy for own in two)
+
+
+def test_breaking_off_takes_nothing_from_others(two: tuple[Server, Server], wait: Waiting) -> None:
+    first, second = two
+    answers: list[dict] = []
+    first.ask("hang", answers.append)
+    second.ask("read", answers.append)
+    first.stop()
+    assert not first.busy
+    assert second.busy
+    wait(lambda: answers)
+    assert [own["do"] for own in answers] == ["read"]
+
+
+def test_what_only_waits_is_dropped_without_an_end(
+    two: tuple[Server, Server], wait: Waiting
+) -> None:
+    first, second = two
+    answers: list[dict] = []
+    first.ask("read", answers.append)
+    wait(lambda: answers)
+    first.ask("read", answers.append)
+    second.ask("read", answers.append)
+    second.stop()
+    wait(lambda: not first.busy)
+    assert len(answers) == 2
+    assert answers[0]["process"] == answers[1]["process"]
+
+
+def test_one_that_dies_is_told_once_and_serves_the_others(
+    two: tuple[Server, Server], wait: Waiting
+) -> None:
+    first, second = two
+    told: list[dict] = []
+    answers: list[dict] = []
+    first.ask("die", told.append)
+    first.ask("read", told.append)
+    second.ask("read", answers.append)
+    wait(lambda: answers)
+    assert [own["error"]["code"] for own in told] == ["engine-broke-off"]
+    assert "out of luck" in told[0]["error"]["message"]
+    assert not first.busy
+
+
+def test_it_ends_with_the_last_sheet(
+    engine: Engine, two: tuple[Server, Server], wait: Waiting
+) -> None:
+    first, second = two
+    answers: list[dict] = []
+    first.ask("read", answers.append)
+    wait(lambda: answers)
+    first.close()
+    second.ask("read", answers.append)
+    wait(lambda: len(answers) == 2)
+    assert answers[0]["process"] == answers[1]["process"]
+    second.close()
+    assert engine._process is None
+
+
+def test_one_that_does_not_start_is_told(
+    tmp_path: Path, application: QtWidgets.QApplication, wait: Waiting
+) -> None:
+    parent = QtCore.QObject()
+    server = Server(Engine(Program((str(tmp_path / "none"),))), parent)
+    answers: list[dict] = []
     server.ask("read", answers.append)
-    assert server.busy
+    wait(lambda: answers)
+    assert answers[0]["error"]["code"] == "engine-broke-off"
+    server.close()
+
+
+def test_an_engine_ends_when_the_application_quits(
+    two: tuple[Server, Server], application: QtWidgets.QApplication
+) -> None:
+    answers: list[dict] = []
+    two[0].ask("hang", answers.append)
+    assert two[0].busy
     application.aboutToQuit.emit()
-    assert not server.busy and not answers
-    application.processEvents()
-    server.stop()
+    assert not two[0].busy
+    assert not answers
