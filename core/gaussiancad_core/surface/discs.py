@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.spatial import cKDTree
 
+from gaussiancad_core.hull import DEFAULT_CELLS
 from gaussiancad_core.splatting.gaussians import Gaussians
 
 Array = npt.NDArray[np.float64]
@@ -21,6 +22,9 @@ _OF_TWO = 0.7
 
 _SPACED = 8
 """Neighbours by which it is told how far discs are apart."""
+
+_BETWEEN = 0.1
+"""By how much the cosine of two faces is less than those of a disc that faces between them."""
 
 _ROUND = 90.0
 """Bend in degrees where neighbours face in many directions."""
@@ -41,6 +45,10 @@ class DiscSampling:
         crease: neighbouring discs whose normals differ by more, in degrees, meet in an edge.
         neighbours: discs around one that may meet it in an edge.
         edge_reach: how far a disc's edges are looked for, in standard deviations.
+        bevel: largest distance of a disc's centre from the planes of two faces between which it is
+            a bevel that the hull left along their edge, in cells of the hull's grid.
+        face: mean angle between neighbouring discs, in degrees, up to which they make a face that
+            can have such a bevel.
     """
 
     per_disc: int = 6
@@ -51,6 +59,8 @@ class DiscSampling:
     crease: float = 30.0
     neighbours: int = 16
     edge_reach: float = 2.0
+    bevel: float = 1.0
+    face: float = 10.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,6 +79,10 @@ class Discs:
 
     def __len__(self) -> int:
         return len(self.centres)
+
+    def chosen(self, kept: npt.NDArray[np.bool_]) -> "Discs":
+        """Those that (n,) flags keep."""
+        return Discs(self.centres[kept], self.normals[kept], self.axes[kept])
 
     @property
     def sigmas(self) -> Array:
@@ -145,7 +159,7 @@ def discs_of(gaussians: Gaussians, sampling: DiscSampling) -> Discs:
     lengths = np.exp(gaussians.log_scales.astype(np.float64))[rows, order]
     flat = (axes * lengths[:, :, None]).transpose(0, 2, 1)
     discs = Discs(gaussians.means[kept].astype(np.float64), normals[kept], flat[kept])
-    return _shared_out(_without_lone(discs, sampling), sampling)
+    return _shared_out(_without_bevels(_without_lone(discs, sampling), sampling), sampling)
 
 
 def _without_lone(discs: Discs, sampling: DiscSampling) -> Discs:
@@ -159,7 +173,31 @@ def _without_lone(discs: Discs, sampling: DiscSampling) -> Discs:
     _, near = cKDTree(discs.centres).query(discs.centres, k=_BESIDE + 1)
     cosines = np.einsum("nj,nkj->nk", discs.normals, discs.normals[near[:, 1:]])
     kept = (cosines > np.cos(np.radians(sampling.crease))).any(axis=1)
-    return Discs(discs.centres[kept], discs.normals[kept], discs.axes[kept])
+    return discs.chosen(kept)
+
+
+def _without_bevels(discs: Discs, sampling: DiscSampling) -> Discs:
+    """The discs but those whose place the planes of two faces on either side already take.
+
+    Along a hull's edges several bevelled discs may be neighbours.  They face between the two faces
+    that meet there and lie within a cell of the hull's grid on the planes of both.  Discs of a
+    small fillet do, too, but they lie among others that bend as much.
+    """
+    if len(discs) <= sampling.neighbours:
+        return discs
+    _, near = cKDTree(discs.centres).query(discs.centres, k=sampling.neighbours)
+    near = near[:, 1:]
+    normals = discs.normals[near]
+    cell = float(np.ptp(discs.centres, axis=0).max()) / DEFAULT_CELLS
+    above = ((discs.centres[:, None] - discs.centres[near]) * normals).sum(axis=2)
+    facing = np.einsum("nj,nkj->nk", discs.normals, normals)
+    through = np.abs(above) < sampling.bevel * cell
+    through &= facing < np.cos(np.radians(sampling.crease))
+    through &= (_bends(discs, near[:, :_BESIDE], sampling) < sampling.face)[near]
+    apart = np.einsum("nkj,nmj->nkm", normals, normals)
+    between = apart < np.minimum(facing[:, :, None], facing[:, None, :]) - _BETWEEN
+    kept = ~(between & through[:, :, None] & through[:, None, :]).any(axis=(1, 2))
+    return discs.chosen(kept)
 
 
 def _shared_out(discs: Discs, sampling: DiscSampling) -> Discs:
@@ -235,6 +273,15 @@ def _two_faces(around: Array, own: Array, others: Array) -> npt.NDArray[np.bool_
     alike = np.einsum("mkj,mj->mk", around, own) > _ALIKE
     alike |= np.einsum("mkj,mj->mk", around, others) > _ALIKE
     return alike.mean(axis=1) >= _OF_TWO
+
+
+def bends_of(discs: Discs, sampling: DiscSampling) -> Array:
+    """(n,) mean angle in degrees of each disc, of more than 8, to the discs beside it.
+
+    Those beyond an edge do not count.
+    """
+    _, near = cKDTree(discs.centres).query(discs.centres, k=_BESIDE + 1)
+    return _bends(discs, near[:, 1:], sampling)
 
 
 def _bends(discs: Discs, near: npt.NDArray[np.int64], sampling: DiscSampling) -> Array:

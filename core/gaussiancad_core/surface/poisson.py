@@ -8,6 +8,7 @@ from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.meshes import TriangleMesh, connected_pieces, joined, make_mesh
 from gaussiancad_core.splatting.gaussians import Gaussians
 from gaussiancad_core.surface.discs import DiscSampling, creases_of, discs_of
+from gaussiancad_core.surface.flatten import Flattening, flattened
 from gaussiancad_core.surface.points import OrientedPoints, disc_points
 from gaussiancad_core.surface.repair import made_manifold, simplified
 from gaussiancad_core.surface.sharpen import Sharpening, sharpened
@@ -29,6 +30,7 @@ class PoissonSettings:
         point_weight: how strongly the surface is held at the points (screening).
         smallest_piece: pieces below this share of the area are left out.
         sampling: of the points.
+        flattening: of plane faces; None leaves them as uneven as Poisson makes them.
         sharpening: of the edges; None leaves them as Poisson rounds them.
     """
 
@@ -36,6 +38,7 @@ class PoissonSettings:
     point_weight: float = 4.0
     smallest_piece: float = 0.01
     sampling: DiscSampling = field(default_factory=DiscSampling)
+    flattening: Flattening | None = field(default_factory=Flattening)
     sharpening: Sharpening | None = field(default_factory=Sharpening)
 
 
@@ -60,8 +63,10 @@ def gaussian_surface(gaussians: Gaussians, settings: PoissonSettings) -> Triangl
     creases = creases_of(discs, settings.sampling)
     points = disc_points(discs, creases, settings.sampling)
     surface = poisson_surface(points, settings)
+    cell = _SCALE * float(np.ptp(points.points, axis=0).max()) / 2**settings.depth
+    if settings.flattening is not None:
+        surface = flattened(surface, discs, cell, settings.sampling, settings.flattening)
     if settings.sharpening is not None:
-        cell = _SCALE * float(np.ptp(points.points, axis=0).max()) / 2**settings.depth
         reach = settings.sampling.edge_reach * float(discs.sigmas.mean())
         surface = sharpened(surface, creases, cell, reach, settings.sharpening)
     longest = float(np.ptp(surface.bounds, axis=0).max())

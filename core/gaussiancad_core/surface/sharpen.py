@@ -15,6 +15,7 @@ from scipy.spatial import cKDTree
 
 from gaussiancad_core.meshes import TriangleMesh
 from gaussiancad_core.surface.discs import Array, Creases
+from gaussiancad_core.surface.moving import vertex_normals, without_folds
 
 _NEAR = 8
 """Points of creases that a vertex may belong to."""
@@ -25,7 +26,7 @@ _ALIKE = 0.9
 _SPREAD = 0.2
 """Share of the reach along a crease over which the moves to its points are evened out."""
 
-_ALONG = 0.75
+_ALONG = 0.65
 """Sine of the most by which a vertex's normal may point along the crease: else it belongs to a
 third face at a corner."""
 
@@ -91,7 +92,7 @@ def sharpened(
     if len(flat) < _NEAR:
         return mesh
     tree = cKDTree(flat.points)
-    normals = _vertex_normals(mesh)
+    normals = vertex_normals(mesh)
     moved = mesh.vertices.copy()
     for _ in range(settings.rounds):
         distances, near = tree.query(
@@ -105,7 +106,7 @@ def sharpened(
         moved[rows] += _moves(
             moved[rows], normals[rows], wedges, (distances[rows], reach, cell), settings
         )
-    return _without_folds(mesh, moved)
+    return without_folds(mesh, moved)
 
 
 def _moves(
@@ -198,25 +199,3 @@ def _onto(wedges: _Wedges, places: Array, snap: float) -> tuple[Array, Array]:
     )
     beside = np.linalg.norm(points - line, axis=2) < snap
     return np.where(beside[..., None], line, points), np.linalg.norm(places - line, axis=2)
-
-
-def _vertex_normals(mesh: TriangleMesh) -> Array:
-    """(n, 3) unit vectors, the means of the triangles around by area."""
-    normals = np.zeros_like(mesh.vertices)
-    for corner in mesh.triangles.T:
-        np.add.at(normals, corner, mesh.area_vectors)
-    lengths = np.linalg.norm(normals, axis=1, keepdims=True)
-    return normals / np.where(lengths > 0.0, lengths, 1.0)
-
-
-def _without_folds(mesh: TriangleMesh, moved: Array) -> TriangleMesh:
-    """The mesh with moved vertices, but where triangles turned over with the old ones."""
-    # Each round takes more vertices back, and none folds among old ones alone: it ends.
-    while True:
-        found = TriangleMesh(moved, mesh.triangles)
-        folded = (found.area_vectors * mesh.area_vectors).sum(axis=1) < 0.0
-        if not folded.any():
-            return found
-        back = np.unique(mesh.triangles[folded])
-        moved = moved.copy()
-        moved[back] = mesh.vertices[back]

@@ -10,6 +10,7 @@ from gaussiancad_core.meshes import TriangleMesh, make_mesh
 from gaussiancad_core.splatting.gaussians import Gaussians, Start, gaussians_on, quaternions_to
 from gaussiancad_core.surface.discs import (
     Creases,
+    Discs,
     DiscSampling,
     creases_of,
     disc_normals,
@@ -99,3 +100,41 @@ def test_a_ball_and_few_discs_have_no_creases(
     names = bracket_gaussians.__dataclass_fields__
     few = Gaussians(*(getattr(bracket_gaussians, name)[:3] for name in names))
     assert len(creases_of(discs_of(few, SAMPLING), SAMPLING)) == 0
+
+
+def bevelled_box(bevel: float) -> TriangleMesh:
+    """A box of 20 x 12 x 16 mm whose upper edge along Y is cut by ``bevel`` mm on either face."""
+    corners = np.array([(0, 0), (20, 0), (20, 16 - bevel), (20 - bevel, 16), (0, 16)], float)
+    outline = np.column_stack([corners[:, 0], np.zeros(5), corners[:, 1]])
+    both = np.concatenate([outline, outline + np.array([0.0, 12.0, 0.0])])
+    hull = trimesh.convex.convex_hull(both)
+    return make_mesh(hull.vertices, hull.faces)
+
+
+def slanted(discs: Discs) -> np.ndarray:
+    """(n,) whether discs face as the bevel does."""
+    return (discs.normals[:, 0] > 0.5) & (discs.normals[:, 2] > 0.5)
+
+
+@pytest.mark.parametrize("bevel", [0.06, 0.12])
+def test_bevels_of_the_hulls_grid_carry_no_discs(bevel: float) -> None:
+    """Though several of them are neighbours."""
+    # A cell of the hull's grid is 0.125 mm here.
+    gaussians = gaussians_on(bevelled_box(bevel), Start(count=20_000))
+    starts = (gaussians.normals[:, 0] > 0.5) & (gaussians.normals[:, 2] > 0.5)
+    assert starts.sum() > 10
+    kept = discs_of(gaussians, SAMPLING)
+    assert not slanted(kept).any()
+    # Nothing else goes but a few at the corners.
+    assert len(kept) > len(gaussians) - starts.sum() - 20
+
+
+def test_chamfers_and_fillets_keep_their_discs(ball: TriangleMesh) -> None:
+    gaussians = gaussians_on(bevelled_box(1.0), Start(count=5_000))
+    starts = (gaussians.normals[:, 0] > 0.5) & (gaussians.normals[:, 2] > 0.5)
+    assert slanted(discs_of(gaussians, SAMPLING)).sum() == starts.sum()
+    # On a ball each lies between others near whose planes it is, but these make no flat faces.
+    round_ones = gaussians_on(ball, Start(count=500))
+    loose = replace(SAMPLING, crease=15.0, bevel=20.0)
+    assert len(discs_of(round_ones, replace(loose, face=5.0))) == 500
+    assert len(discs_of(round_ones, replace(loose, face=90.0))) < 100

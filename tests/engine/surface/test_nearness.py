@@ -35,7 +35,7 @@ def test_a_hull_with_the_outlines_of_the_masks_is_nearer_and_loses_no_edge(
 ) -> None:
     found = weighed(bracket_surface, bracket, views_of(bracket))
     assert found.nearer is Nearer.HULL
-    assert found.differences[Nearer.HULL] < 1e-3 < found.differences[Nearer.GAUSSIANS]
+    assert found.differences[Nearer.HULL] < found.differences[Nearer.GAUSSIANS] < 1e-3
     assert found.mesh is bracket_surface
     assert found.hull.watertight
     assert found.hull.volume == pytest.approx(bracket.volume, rel=1e-6)

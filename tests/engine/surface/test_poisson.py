@@ -1,5 +1,7 @@
 """Poisson surface: closed, close to the solid, the same every time."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import trimesh
@@ -37,15 +39,35 @@ def test_surface_lies_close_to_the_solid_both_ways(
     assert (there + back) * 5.0 / 20.0 < 0.01
 
 
-def test_more_points_bring_the_surface_nearer_and_leave_one_piece(
+def test_more_points_bring_an_uneven_surface_nearer_and_leave_one_piece(
     bracket: TriangleMesh, bracket_gaussians: Gaussians
 ) -> None:
     few, many = (
-        gaussian_surface(bracket_gaussians, settings) for settings in (PoissonSettings(), DENSE)
+        gaussian_surface(bracket_gaussians, replace(settings, flattening=None))
+        for settings in (PoissonSettings(), DENSE)
     )
     assert len(connected_pieces(few)) == len(connected_pieces(many)) == 1
     assert many.watertight
     assert _mean_distance(many, bracket) < _mean_distance(few, bracket)
+
+
+def test_the_gaussians_surface_is_flat_unless_asked_for_otherwise(
+    bracket: TriangleMesh, bracket_gaussians: Gaussians
+) -> None:
+    uneven = gaussian_surface(bracket_gaussians, replace(SETTINGS, flattening=None))
+    found = gaussian_surface(bracket_gaussians, SETTINGS)
+    assert found.watertight
+    assert len(found.triangles) < len(uneven.triangles)
+    assert _mean_distance(found, bracket) < 0.5 * _mean_distance(uneven, bracket)
+
+
+@pytest.mark.parametrize("preset", [PoissonSettings(), SETTINGS])
+def test_the_surface_hardly_stands_out_of_the_solids_box(
+    preset: PoissonSettings, bracket: TriangleMesh, bracket_gaussians: Gaussians
+) -> None:
+    """A ridge along one edge would shift and shrink all of it where boxes are made equal."""
+    found = gaussian_surface(bracket_gaussians, preset)
+    assert found.bounds == pytest.approx(bracket.bounds, abs=0.005 * 20.0)
 
 
 def _mean_distance(source: TriangleMesh, target: TriangleMesh) -> float:
