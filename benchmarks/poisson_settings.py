@@ -24,11 +24,8 @@ from functools import partial
 import numpy as np
 from disturbed_views import cases, solid_mesh, views_of
 from OCP.TopoDS import TopoDS_Shape
-from scipy.spatial import cKDTree
-from surface import BOX, POINTS, Part, measure_mesh
+from surface import Part, chamfer, chamfer_floor, measure_mesh
 
-from gaussiancad_core.comparison.normalise import moved_mesh, normalising_matrix
-from gaussiancad_core.comparison.sampling import random_streams, sample_surface
 from gaussiancad_core.drawing.brep import moved_to_origin
 from gaussiancad_core.hull import visual_hull
 from gaussiancad_core.meshes import TriangleMesh, connected_pieces
@@ -47,6 +44,7 @@ DEFAULT = PoissonSettings()
 VARIANTS = {
     "default": DEFAULT,
     "round": replace(DEFAULT, sharpening=None),
+    "uneven": replace(DEFAULT, flattening=None),
     "points-3": replace(DEFAULT, sampling=DiscSampling(per_disc=3)),
     "points-12": replace(DEFAULT, sampling=DiscSampling(per_disc=12)),
     "depth-7": replace(DEFAULT, depth=7),
@@ -161,17 +159,7 @@ def true_hull(shape: TopoDS_Shape, views: ViewSet) -> TriangleMesh:
 
 def chamfer_above_floor(surface: TriangleMesh, truth: TriangleMesh) -> float:
     """Chamfer distance, each mesh in its own box, less that of two samples of the truth."""
-    boxed = [moved_mesh(mesh, normalising_matrix(mesh, BOX)) for mesh in (surface, truth, truth)]
-    own, first, second = (
-        sample_surface(mesh, POINTS, stream)
-        for mesh, stream in zip(boxed, random_streams(0, 3), strict=True)
-    )
-    return _chamfer(own, first) - _chamfer(first, second)
-
-
-def _chamfer(first: np.ndarray, second: np.ndarray) -> float:
-    there, back = cKDTree(second).query(first)[0], cKDTree(first).query(second)[0]
-    return float(there.mean() + back.mean())
+    return chamfer(surface, truth) - chamfer_floor(truth)
 
 
 if __name__ == "__main__":

@@ -300,9 +300,8 @@ def run_recipes(options: argparse.Namespace) -> None:
         told = f"{seconds * 1e3:.0f} ms an iteration, "
         told += f"{spent[recipe]:.0f} s for {ended}"
         if trained.iterations == ended:
-            within = None if paper else hull
             before, after = (
-                measure_mesh(gaussian_surface(own, PoissonSettings(), within), mesh, sheet.size).p2s
+                measure_mesh(gaussian_surface(own, PoissonSettings()), mesh, sheet.size).p2s
                 for own in (start, trained.gaussians)
             )
             told += f"; {before:.4f} from the truth before, {after:.4f} after"

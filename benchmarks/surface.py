@@ -5,7 +5,10 @@ against the carved hull.
 Each part is drawn, read and reconstructed as ``gaussiancad reconstruct`` does it, and measured
 against its own solid in place, without registration.  Lengths are in units of a box whose longest
 edge is 5.  ``p2s`` is the mean distance between points of either surface and the other surface, the
-mean of both ways.  ``carved`` is the status of the solid whose depths carved the hull.
+mean of both ways.  ``CD`` is the Chamfer distance as ``gaussiancad compare`` measures it, but
+without registration: each in a box of its own, so that one ridge that stands out shifts and shrinks
+all; ``floor`` is that of two samples of the truth.  ``carved`` is the status of the solid whose
+depths carved the hull.
 
     .venv/bin/python benchmarks/surface.py [--preset standard] [--samples NAME ...]
     .venv/bin/python benchmarks/surface.py --classed N [--hulls]
@@ -14,16 +17,18 @@ mean of both ways.  ``carved`` is the status of the solid whose depths carved th
 import argparse
 import tempfile
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import astuple, dataclass, replace
 from functools import partial
 from pathlib import Path
 
 import numpy as np
 from OCP.TopoDS import TopoDS_Shape
+from scipy.spatial import cKDTree
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.carving import carved_hull
 from gaussiancad_core.comparison.distances import point_to_surface, volume_iou
+from gaussiancad_core.comparison.normalise import moved_mesh, normalising_matrix
 from gaussiancad_core.comparison.queries import SurfaceQueries
 from gaussiancad_core.comparison.sampling import random_streams, sample_surface
 from gaussiancad_core.drawing.brep import moved_to_origin, tessellate
@@ -56,10 +61,17 @@ LEVELS = 4
 
 @dataclass(frozen=True)
 class Measure:
-    """Volume IoU and point-to-surface distance of a surface against the truth."""
+    """A surface against the truth.
+
+    Attributes:
+        iou: of the volumes.
+        p2s: point-to-surface distance, in place.
+        chamfer: distance of samples, each surface in a box of its own.
+    """
 
     iou: float
     p2s: float
+    chamfer: float
 
 
 @dataclass(frozen=True)
@@ -93,24 +105,32 @@ def main() -> None:
     names = COLUMNS[:2] if options.hulls else COLUMNS
     print(f"preset {options.preset.value}, {POINTS} points, longest edge = {BOX:g}")
     print(f"{'':20}" + "".join(f"{name:>17}" for name in names))
-    print(f"{'part':20}" + f"{'IoU':>9}{'p2s':>8}" * len(names) + "  carved")
+    print(f"{'part':20}" + f"{'IoU':>9}{'p2s':>8}{'CD':>8}" * len(names) + "   floor  carved")
     rows = []
     for part in parts:
-        measured, source = measures(part, preset)
-        rows.append([value for measure in measured for value in (measure.iou, measure.p2s)])
+        measured, floor, source = measures(part, preset)
+        rows.append([value for measure in measured for value in astuple(measure)] + [floor])
         _print_row(part.name, rows[-1], source)
-    _print_row("median", list(np.median(rows, axis=0)))
     table = np.array(rows)
-    worst = np.stack([table[:, ::2].min(axis=0), table[:, 1::2].max(axis=0)], axis=1)
-    _print_row("worst", worst.ravel().tolist())
-    for column, name in enumerate(names[1:], start=1):
-        losses = table[:, 2 * column + 1] - table[:, 1]
-        print(f"{name}: p2s at most {losses.max():+.4f} against the hull's")
+    _print_row("median", np.median(table, axis=0).tolist())
+    worst = table.max(axis=0)
+    worst[:-1:3] = table[:, :-1:3].min(axis=0)
+    _print_row("worst", worst.tolist())
+    for column, name in enumerate(names):
+        losses = table[:, 3 * column + 1] - table[:, 1]
+        above = table[:, 3 * column + 2] - table[:, -1]
+        print(
+            f"{name}: p2s at most {losses.max():+.4f} against the hull's; "
+            f"CD above the floor {np.median(above):+.4f}, at most {above.max():+.4f}"
+        )
 
 
 def _print_row(name: str, row: list[float], source: str = "") -> None:
-    cells = "".join(f"{iou:9.4f}{p2s:8.4f}" for iou, p2s in zip(row[::2], row[1::2], strict=True))
-    print(f"{name:20}{cells}  {source}", flush=True)
+    cells = "".join(
+        f"{iou:9.4f}{p2s:8.4f}{chamfer:8.4f}"
+        for iou, p2s, chamfer in zip(row[:-1:3], row[1:-1:3], row[2:-1:3], strict=True)
+    )
+    print(f"{name:20}{cells}{row[-1]:8.4f}  {source}", flush=True)
 
 
 def _samples(names: list[str]) -> Iterator[Part]:
@@ -126,10 +146,11 @@ def _classed(count: int) -> Iterator[Part]:
             yield Part(f"{kind.value}-{seed}", partial(classed_part, kind, seed, seed % LEVELS))
 
 
-def measures(part: Part, preset: Preset | None) -> tuple[list[Measure], str]:
+def measures(part: Part, preset: Preset | None) -> tuple[list[Measure], float, str]:
     """The hull, the carved one, and the surface of the Gaussians before and after training.
 
-    Without a preset the hulls alone; beside them what carved the hull.
+    Without a preset the hulls alone; beside them the floor of the Chamfer distance, and what carved
+    the hull.
     """
     registered = registered_of(part)
     views = registered.views
@@ -152,7 +173,8 @@ def measures(part: Part, preset: Preset | None) -> tuple[list[Measure], str]:
         surfaces += [gaussian_surface(own, PoissonSettings()) for own in (start, trained.gaussians)]
     truth = truth_of(part, views.size)
     source = carved.source.value if carved.source else carved.refused or "-"
-    return [measure_mesh(surface, truth, views.size) for surface in surfaces], source
+    found = [measure_mesh(surface, truth, views.size) for surface in surfaces]
+    return found, chamfer_floor(truth), source
 
 
 def registered_of(part: Part) -> RegisteredSheet:
@@ -187,7 +209,34 @@ def measure_mesh(
         for mesh, stream in zip(scaled, streams, strict=False)
     ]
     iou = volume_iou(sides[0][0], sides[1][0], streams[2]).value
-    return Measure(float("nan") if iou is None else iou, point_to_surface(*sides))
+    p2s = point_to_surface(*sides)
+    return Measure(float("nan") if iou is None else iou, p2s, chamfer(surface, truth))
+
+
+def chamfer(surface: TriangleMesh, truth: TriangleMesh) -> float:
+    """Chamfer distance of two meshes, each in a box of its own."""
+    own, first, _ = _samples_in_box(surface, truth)
+    return _chamfer(own, first)
+
+
+def chamfer_floor(truth: TriangleMesh) -> float:
+    """Chamfer distance of two samples of one mesh in its box."""
+    _, first, second = _samples_in_box(truth, truth)
+    return _chamfer(first, second)
+
+
+def _samples_in_box(surface: TriangleMesh, truth: TriangleMesh) -> list[np.ndarray]:
+    """Three samples (n, 3): one of a surface, two of the truth."""
+    boxed = [moved_mesh(mesh, normalising_matrix(mesh, BOX)) for mesh in (surface, truth, truth)]
+    return [
+        sample_surface(mesh, POINTS, stream)
+        for mesh, stream in zip(boxed, random_streams(0, 3), strict=True)
+    ]
+
+
+def _chamfer(first: np.ndarray, second: np.ndarray) -> float:
+    there, back = cKDTree(second).query(first)[0], cKDTree(first).query(second)[0]
+    return float(there.mean() + back.mean())
 
 
 if __name__ == "__main__":
