@@ -36,7 +36,7 @@ _UNSETTLED = (
     ),
 )
 
-OPEN_ENDED = ("search-unfinished", "part-too-complex")
+OPEN_ENDED = ("search-unfinished",)
 """Codes of searches that a limit ended: there may be a solid."""
 
 _KEPT = 0.9

@@ -24,8 +24,7 @@ from gaussiancad_core.reading_run import (
     sheet_ink,
 )
 from gaussiancad_core.readings.correcting import Ink, corrected
-from gaussiancad_core.readings.opening import open_typed
-from gaussiancad_core.readings.operations import Corrections
+from gaussiancad_core.readings.opening import open_corrections
 from gaussiancad_core.readings.schema import Box, Point, SheetReading
 from gaussiancad_core.report import Report
 from gaussiancad_core.run_notes import RunNotes
@@ -143,7 +142,7 @@ class Desk:
     def _reread(self, request: Request) -> dict[str, Any]:
         """The same with corrections, the views read that they box."""
         kept = self._opened(request)
-        told = open_typed(Path(request.corrections), Corrections, "corrections-not-read")
+        told = open_corrections(Path(request.corrections))
         found = corrected(kept.read(), told.ops, kept.ink).reading
         return self._written(request, kept.ink.fill(found))
 

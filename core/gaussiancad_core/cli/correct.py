@@ -10,8 +10,7 @@ from gaussiancad_core.errors import ExitCode, UnreadableError, UsageError
 from gaussiancad_core.events import Listener
 from gaussiancad_core.files.opening import head_of
 from gaussiancad_core.job import corrections_beside
-from gaussiancad_core.readings.opening import open_typed
-from gaussiancad_core.readings.operations import Corrections
+from gaussiancad_core.readings.opening import open_corrections
 
 _REPORTS = (".csv", ".json")
 """How the names of a batch's reports end."""
@@ -47,7 +46,7 @@ def run(options: argparse.Namespace, listener: Listener) -> ExitCode:
         head_of(options.sheet)
         beside = corrections_beside(options.sheet, options.page)
         if beside is not None:
-            open_typed(beside, Corrections, "corrections-not-read")
+            open_corrections(beside)
     root = Path(__file__).resolve().parents[3]
     if find_spec("PySide6") is None or not (root / "freecad" / "gaussiancad").is_dir():
         raise UsageError(

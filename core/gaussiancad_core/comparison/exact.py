@@ -21,6 +21,7 @@ from gaussiancad_core.drawing.brep import (
     compound_of,
     faces_of,
     read_shape,
+    readable,
     soundness,
     subshapes,
     tessellate,
@@ -71,8 +72,13 @@ def read_exact(path: Path) -> tuple[TriangleMesh, ExactFacts]:
 
     Raises:
         UnreadableError: see :func:`gaussiancad_core.drawing.brep.read_shape`; ``not-a-solid`` where
-            there are no surfaces either.
+            there are no surfaces either; ``file-damaged`` where they cannot be measured.
     """
+    with readable(path):
+        return _read_exact(path)
+
+
+def _read_exact(path: Path) -> tuple[TriangleMesh, ExactFacts]:
     chosen = _comparable(path)
     shape = chosen.shape
     longest = float(np.ptp(bounding_box(shape), axis=0).max())

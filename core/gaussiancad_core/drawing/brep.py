@@ -8,6 +8,7 @@ file descriptor 1 while it reads and writes; who needs a clean stdout redirects 
 import io
 import re
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -76,7 +77,8 @@ def read_solid(path: Path) -> TopoDS_Shape:
         The solid, or a compound where the file holds several.
 
     Raises:
-        UnreadableError: as :func:`read_shape`; ``not-a-solid``, too, if there is no solid inside.
+        UnreadableError: as :func:`read_shape`; ``not-a-solid``, too, if there is no solid inside;
+            ``file-damaged`` if that has no extent.
     """
     solids = subshapes(read_shape(path), TopAbs_ShapeEnum.TopAbs_SOLID)
     if not solids:
@@ -85,7 +87,11 @@ def read_solid(path: Path) -> TopoDS_Shape:
             "{path} holds no solid, only surfaces or curves: export a closed solid",
             path=path,
         )
-    return solids[0] if len(solids) == 1 else compound_of(solids)
+    whole = solids[0] if len(solids) == 1 else compound_of(solids)
+    with readable(path):
+        # What has no extent cannot be drawn.
+        bounding_box(whole)
+    return whole
 
 
 def read_shape(path: Path) -> TopoDS_Shape:
@@ -125,6 +131,19 @@ def _read_bytes(path: Path) -> bytes:
     if not content.strip():
         raise UnreadableError("empty-file", "{path} is empty: export the solid again", path=path)
     return content
+
+
+@contextmanager
+def readable(path: Path) -> Iterator[None]:
+    """What the kernel does not do with the shape of a file is told as damage of the file.
+
+    Raises:
+        UnreadableError: ``file-damaged``.
+    """
+    try:
+        yield
+    except KERNEL_FAILURES as error:
+        raise _damaged(path) from error
 
 
 def _damaged(path: Path) -> UnreadableError:

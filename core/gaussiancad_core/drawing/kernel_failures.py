@@ -4,14 +4,14 @@ In Python its exceptions have no base class of their own: the class that is one 
 ``Standard_Failure``, catches none of the others.
 """
 
-import OCP.gp
-import OCP.Standard
-import OCP.StdFail
+from inspect import getmembers, isclass, ismodule
+
+from OCP import OCP
 
 KERNEL_FAILURES: tuple[type[Exception], ...] = tuple(
     each
-    for module in (OCP.Standard, OCP.StdFail, OCP.gp)
-    for each in vars(module).values()
-    if isinstance(each, type) and issubclass(each, Exception)
+    for _, module in getmembers(OCP, ismodule)
+    for _, each in getmembers(module, isclass)
+    if issubclass(each, Exception)
 )
 """All that an operation on shapes may end by, where it is not done."""

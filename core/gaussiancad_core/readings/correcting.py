@@ -13,7 +13,7 @@ from msgspec.structs import replace as changed
 from gaussiancad_core.axes import Role
 from gaussiancad_core.lengths import MM_PER_INCH
 from gaussiancad_core.projection_choice import opposite
-from gaussiancad_core.readings.anchors import box_of, matching, overlap, points_of
+from gaussiancad_core.readings.anchors import are_one, box_of, matching, points_of
 from gaussiancad_core.readings.operations import (
     DimensionOperation,
     DrawOperation,
@@ -221,7 +221,7 @@ def _drawn(reading: SheetReading, operation: DrawOperation) -> SheetReading | No
         return None
     # Drawn again over what was drawn before, it is no second line.
     twice = any(
-        stroke.view == own.view and stroke.kind is own.kind and overlap(own, stroke) > 0.999
+        stroke.view == own.view and stroke.kind is own.kind and are_one(own, stroke)
         for stroke in reading.strokes
         if stroke.source == GIVEN
     )

@@ -1,15 +1,23 @@
 """``reading.json`` and what a person wrote beside it -> checked data."""
 
+from collections import Counter
 from pathlib import Path
 from typing import TypeVar
 
 import msgspec
 
-from gaussiancad_core.errors import UnreadableError
+from gaussiancad_core.errors import LimitError, UnreadableError
+from gaussiancad_core.readings.operations import Corrections
 from gaussiancad_core.readings.schema import SheetReading
 
 _MOST_BYTES = 64 * 2**20
 """Of such a file: a sheet of 200,000 strokes has less."""
+
+_MOST_STROKES = 20_000
+"""Of a reading: views of a part have some hundred, and each is looked at beside the others."""
+
+_MOST_OPERATIONS = 2_000
+"""Of a person: each looks through the strokes."""
 
 Kind = TypeVar("Kind")
 
@@ -20,14 +28,46 @@ def open_reading(path: Path) -> SheetReading:
     Raises:
         UnreadableError: ``reading-not-read``: the file is missing, too large, or no reading; the
             message names the place.
+        LimitError: ``too-many-elements``: it has more strokes than are taken.
     """
     reading = open_typed(path, SheetReading, "reading-not-read")
+    if len(reading.strokes) > _MOST_STROKES:
+        raise LimitError(
+            "too-many-elements",
+            "{path} has {count:,} strokes, at most {most:,} are taken: read the views alone",
+            case="reading",
+            path=path,
+            count=len(reading.strokes),
+            most=_MOST_STROKES,
+        )
     for what, entries in (("views", reading.views), ("strokes", reading.strokes)):
-        names = [entry.id for entry in entries]
-        if len(set(names)) < len(names):
-            twice = next(name for name in names if names.count(name) > 1)
+        counts = Counter(entry.id for entry in entries)
+        twice = next((name for name, count in counts.items() if count > 1), None)
+        if twice is not None:
             raise _wrong(path, f"{what}: two have the id {twice!r}", "reading-not-read")
     return reading
+
+
+def open_corrections(path: Path) -> Corrections:
+    """A person's corrections from their file.
+
+    Raises:
+        UnreadableError: ``corrections-not-read``: the file is missing, too large, or of another
+            form; the message names the place.
+        LimitError: ``too-many-elements``: it has more corrections than are taken.
+    """
+    told = open_typed(path, Corrections, "corrections-not-read")
+    if len(told.ops) > _MOST_OPERATIONS:
+        raise LimitError(
+            "too-many-elements",
+            "{path} has {count:,} corrections, at most {most:,} are taken: remove those that no "
+            "longer matter",
+            case="corrections",
+            path=path,
+            count=len(told.ops),
+            most=_MOST_OPERATIONS,
+        )
+    return told
 
 
 def open_typed(path: Path, kind: type[Kind], code: str) -> Kind:
@@ -42,6 +82,8 @@ def open_typed(path: Path, kind: type[Kind], code: str) -> Kind:
         UnreadableError: it is missing, too large, or of another form; the message names the place.
     """
     try:
+        if path.exists() and not path.is_file():
+            raise _wrong(path, "it is a folder, a device or a pipe", code)
         if path.stat().st_size > _MOST_BYTES:
             raise _wrong(path, f"it has more than {_MOST_BYTES >> 20} MB", code)
         content = path.read_bytes()

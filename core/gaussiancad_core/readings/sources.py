@@ -6,8 +6,7 @@ from gaussiancad_core.errors import UsageError
 from gaussiancad_core.job import Job
 from gaussiancad_core.messages import Message
 from gaussiancad_core.readings.correcting import Corrected, Ink, corrected
-from gaussiancad_core.readings.opening import open_reading, open_typed
-from gaussiancad_core.readings.operations import Corrections
+from gaussiancad_core.readings.opening import open_corrections, open_reading
 from gaussiancad_core.readings.schema import SheetReading
 from gaussiancad_core.readings.told_scales import ToldLength, contradicting_lengths
 from gaussiancad_core.run_notes import RunNotes
@@ -40,7 +39,7 @@ def given_reading(
         _tell(Corrected(reading), notes)
         return reading
     path = job.corrections
-    told = open_typed(path, Corrections, "corrections-not-read")
+    told = open_corrections(path)
     if told.sheet_sha256 != sheet_sha256:
         raise UsageError(
             "corrections-of-another-sheet",

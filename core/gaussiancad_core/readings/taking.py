@@ -10,7 +10,7 @@ import numpy as np
 
 from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.errors import NoModelError, UsageError
+from gaussiancad_core.errors import NoModelError, UnreadableError, UsageError
 from gaussiancad_core.job import Job
 from gaussiancad_core.label_doubts import DOUBTFUL, tell_doubtful_labels
 from gaussiancad_core.messages import filled
@@ -22,6 +22,7 @@ from gaussiancad_core.reading_stage import (
     tell_notes,
     tell_scale,
 )
+from gaussiancad_core.readings.anchors import box_of
 from gaussiancad_core.readings.certainty import entry_labels
 from gaussiancad_core.readings.correcting import is_unseen
 from gaussiancad_core.readings.filling import Reread
@@ -70,8 +71,8 @@ _CARRIED = (
 )
 """Codes of what only reading itself can tell."""
 
-_STEP_PX = 0.5
-"""px between the points by which strokes are drawn."""
+_BEYOND = 1.0
+"""The sheet's longer side by which strokes may run beyond it."""
 
 _ROLES = {role.value: role for role in Role}
 
@@ -104,6 +105,7 @@ def taken_lines(
         reread: for views that the reading has no strokes of.
 
     Raises:
+        UnreadableError: ``reading-not-read``: a stroke runs far beyond the sheet.
         UsageError: ``reading-of-another-sheet``, ``role-repeated``; a box holds nothing to read.
         NoModelError: ``no-views``, ``empty-view``.
     """
@@ -115,6 +117,7 @@ def taken_lines(
             "`gaussiancad read`",
             sheet=image.path.name,
         )
+    _check_places(reading, sheet.size)
     turn = clean.turn
     with notes.stage("views"):
         marks = tuple(
@@ -142,6 +145,21 @@ def taken_lines(
         _tell_labels(notes, reading, labels, layout, turn)
     told = marks, scale, options, found, sections
     return SheetLines(layout, drawn, *told, beside=beside, labels=labels)
+
+
+def _check_places(reading: SheetReading, size: tuple[int, int]) -> None:
+    """Refuse strokes far from the sheet, which it cannot show: all is done along strokes by px."""
+    beyond = _BEYOND * max(size)
+    for stroke in reading.strokes:
+        box = box_of(stroke) if stroke.kind in DRAWN else None
+        if box is not None and (min(box) < -beyond or max(box) > max(size) + beyond):
+            raise UnreadableError(
+                "reading-not-read",
+                "{path} was not taken: {reason}; write it with `gaussiancad read`, or mend that "
+                "place",
+                path="the reading",
+                reason=f"the stroke {stroke.id} runs far beyond the sheet",
+            )
 
 
 def _tell_labels(

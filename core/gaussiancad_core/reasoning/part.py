@@ -38,8 +38,8 @@ from gaussiancad_core.reasoning.usual import Usual, usual_of
 from gaussiancad_core.reasoning.work import NEVER, Counted, Deadline
 from gaussiancad_core.views import Linetype
 
-_MOST_STROKES = 900
-"""Lines of a view, at most."""
+MOST_STROKES = 900
+"""Lines of a view, at most: all that is made of them looks at each beside the others."""
 
 _MOST_PIECES = 80_000
 """Pieces of all views, at most: a part of 120 faces has up to 40,000."""
@@ -106,7 +106,7 @@ def model_part(
         LimitError: ``part-too-complex``, or ``search-unfinished`` after the deadline.
     """
     strokes = max(len(own) for own in views.strokes.values())
-    if strokes > _MOST_STROKES:
+    if strokes > MOST_STROKES:
         raise _too_complex(f"a view has {strokes} lines")
     supports = find_supports(views)
     half_spaces = find_half_spaces(supports)

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Sequence
 
 import numpy as np
+import numpy.typing as npt
 
 from gaussiancad_core.axes import Role
 from gaussiancad_core.files.vectors import Chain, VectorDrawing, VectorStroke
@@ -12,7 +13,7 @@ from gaussiancad_core.sheet.options import Box
 from gaussiancad_core.sheet.precision import StrokesSource
 from gaussiancad_core.sheet.reading import ReadView
 from gaussiancad_core.sheet.registration import view_box
-from gaussiancad_core.views import Linetype, Stroke
+from gaussiancad_core.views import Linetype, Segment, Stroke
 
 _STEP_PX = 0.5
 """px between the points by which strokes are drawn."""
@@ -21,7 +22,7 @@ _STEP_PX = 0.5
 def painted(strokes: Iterable[Stroke], clean: CleanSheet) -> CleanSheet:
     """The sheet with the visible ones of some strokes alone, px of the upright sheet."""
     chains = tuple(
-        VectorStroke(Chain(tuple(map(tuple, own.sample(_STEP_PX).tolist()))), None)
+        VectorStroke(Chain(tuple(map(tuple, _run_of(own, _STEP_PX).tolist()))), None)
         for own in strokes
         if own.linetype is Linetype.VISIBLE
     )
@@ -55,7 +56,12 @@ def view_by_strokes(
 def visible_bounds(strokes: Sequence[Stroke]) -> Box:
     """The box around the visible strokes."""
     points = np.concatenate(
-        [own.sample(1.0) for own in strokes if own.linetype is Linetype.VISIBLE]
+        [_run_of(own, 1.0) for own in strokes if own.linetype is Linetype.VISIBLE]
     )
     (x0, y0), (x1, y1) = points.min(0).tolist(), points.max(0).tolist()
     return x0, y0, x1, y1
+
+
+def _run_of(own: Stroke, step: float) -> npt.NDArray[np.float64]:
+    """(n, 2) points that a stroke runs through: of a straight one its ends tell all."""
+    return np.array([own.start, own.end]) if isinstance(own, Segment) else own.sample(step)

@@ -41,6 +41,9 @@ from gaussiancad_core.sheet.view_shapes import find_shapes, view_pens, view_rhyt
 from gaussiancad_core.unseen import Unseen
 from gaussiancad_core.views import Linetype, Stroke, ViewSet
 
+_MOST_STROKES = 3000
+"""Of a view: each is looked at beside the others, and parts have some hundred."""
+
 _LEAST_PX = 0.5
 """px that a view is wide and high at least: less lies between the edges of one line."""
 
@@ -213,9 +216,10 @@ def register_views(
 
     Raises:
         NoModelError: ``open-outline`` if the outline of a view does not close;
-            ``size-out-of-range``; the views contradict each other.
+            ``part-too-complex``; ``size-out-of-range``; the views contradict each other.
     """
     for view in drawn:
+        _check_amount(view)
         _check_outline(view)
     hidden_axis = unseen.axis if unseen is not None else None
     extents = axis_extents({view.role: view.box for view in drawn}, hidden_axis)
@@ -255,6 +259,19 @@ def register_views(
     return RegisteredSheet(
         found, placements, drawn, scale, extents, opened, told and told[0], unseen
     )
+
+
+def _check_amount(view: ReadView) -> None:
+    if len(view.strokes) > _MOST_STROKES:
+        raise NoModelError(
+            "part-too-complex",
+            "the {view} view has {count:,} lines, more than the {most:,} that a part is made from: "
+            "draw less in one sheet",
+            boxes=[view.box],
+            view=view.role,
+            count=len(view.strokes),
+            most=_MOST_STROKES,
+        )
 
 
 def _check_size(longest: float) -> None:

@@ -3,7 +3,6 @@
 Strokes are in px of the view's plane.  Strokes that continue each other share their support.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -107,37 +106,60 @@ def supports_of(strokes: tuple[Stroke, ...], precision: Precision) -> SupportedS
     """What the strokes of a view lie on."""
     groups: list[list[int]] = []
     of: list[int | None] = []
-    firsts: dict[type, list[int]] = {Arc: [], Segment: []}
+    firsts = {Arc: _Firsts(len(strokes)), Segment: _Firsts(len(strokes))}
     for index, stroke in enumerate(strokes):
         if isinstance(stroke, Ellipse):
             of.append(None)
             continue
         number = len(groups)
-        if _along_axis(stroke, precision) is None:
-            known = firsts[type(stroke)]
-            others = [strokes[groups[own][0]] for own in known]
-            near = np.flatnonzero(_alike(stroke, others, precision)) if others else ()
-            number = known[int(near[0])] if len(near) else number
+        known = firsts[type(stroke)] if _along_axis(stroke, precision) is None else None
+        if known is not None and known.numbers:
+            near = np.flatnonzero(_alike(stroke, known.rows, precision))
+            number = known.numbers[int(near[0])] if len(near) else number
         if number == len(groups):
             groups.append([])
-            if _along_axis(stroke, precision) is None:
-                firsts[type(stroke)].append(number)
+            if known is not None:
+                known.add(number, stroke)
         groups[number].append(index)
         of.append(number)
     supports = tuple(_support([strokes[i] for i in own], precision) for own in groups)
     return SupportedStrokes(strokes, supports, tuple(of))
 
 
+class _Firsts:
+    """The first stroke of each group of one kind, as numbers.
+
+    Attributes:
+        numbers: of the groups.
+    """
+
+    def __init__(self, most: int) -> None:
+        self.numbers: list[int] = []
+        self._rows = np.empty((most, 4))
+
+    @property
+    def rows(self) -> npt.NDArray[np.float64]:
+        """(n, 4) of each arc its centre and radius, of each segment its ends."""
+        return self._rows[: len(self.numbers)]
+
+    def add(self, number: int, stroke: Arc | Segment) -> None:
+        """Take the first stroke of a group."""
+        is_arc = isinstance(stroke, Arc)
+        row = (*stroke.centre, stroke.radius, 0.0) if is_arc else (*stroke.start, *stroke.end)
+        self._rows[len(self.numbers)] = row
+        self.numbers.append(number)
+
+
 def _alike(
-    stroke: Arc | Segment, others: Sequence[Arc | Segment], precision: Precision
+    stroke: Arc | Segment, others: npt.NDArray[np.float64], precision: Precision
 ) -> npt.NDArray[np.bool_]:
-    """(n,) whether a stroke lies on one circle or one slanted line with others of its kind."""
+    """(n,) whether a stroke lies on one circle or one slanted line with others of its kind, given
+    as of :class:`_Firsts`."""
     apart = precision.limits.apart
     if isinstance(stroke, Arc):
-        numbers = np.array([(*other.centre, other.radius) for other in others])
-        away = numbers - (*stroke.centre, stroke.radius)
+        away = others[:, :3] - (*stroke.centre, stroke.radius)
         return (np.hypot(*away[:, :2].T) <= apart) & (np.abs(away[:, 2]) <= apart)
-    ends = np.array([(other.start, other.end) for other in others])
+    ends = others.reshape(-1, 2, 2)
     ways = ends[:, 1] - ends[:, 0]
     ways = ways / np.maximum(np.hypot(*ways.T), 1e-12)[:, None]
     own = np.array(_line(stroke).direction)

@@ -7,6 +7,7 @@ proof: rows of holes can lend each other their lines.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
@@ -40,6 +41,13 @@ class ViewEvidence:
     mask: npt.NDArray[np.bool_]
     mask_scale: float
     mask_offset: tuple[float, float]
+
+    @cached_property
+    def segments(self) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.bool_]]:
+        """(n, 2, 2) ends of the straight strokes, and (n,) whether they are hidden."""
+        straight = [own for own in self.strokes if isinstance(own, Segment)]
+        ends = np.array([(own.start, own.end) for own in straight]).reshape(-1, 2, 2)
+        return ends, np.array([own.linetype is Linetype.HIDDEN for own in straight], bool)
 
 
 Extent = dict[Axis, tuple[float, float]]
@@ -124,31 +132,20 @@ def _wall_samples(
 
     depth = placed(own, samples)
     position = float(placed(other, np.array([fraction]))[0])
-    across = np.full_like(depth, position)
-    xs, ys = (across, depth) if down_the_sheet else (depth, across)
+    level = np.full_like(depth, position)
+    xs, ys = (level, depth) if down_the_sheet else (depth, level)
     hidden = np.zeros(len(depth), bool)
     visible = np.zeros(len(depth), bool)
-    for stroke in view.strokes:
-        near = _near(stroke, depth, position, down_the_sheet, tolerance)
-        if stroke.linetype is Linetype.HIDDEN:
-            hidden |= near
-        else:
-            visible |= near
+    segments, are_hidden = view.segments
+    across = 0 if down_the_sheet else 1
+    near = (np.abs(segments[:, :, across] - position) <= tolerance).all(axis=1)
+    along = segments[near, :, 1 - across]
+    for low, high, is_hidden in zip(
+        along.min(axis=1), along.max(axis=1), are_hidden[near], strict=True
+    ):
+        walls = hidden if is_hidden else visible
+        walls |= (depth >= low - tolerance) & (depth <= high + tolerance)
     return _Walls(_material(view, xs, ys), hidden, visible)
-
-
-def _near(
-    stroke: Stroke, depth: npt.NDArray[np.float64], position: float, vertical: bool, slack: float
-) -> npt.NDArray[np.bool_]:
-    """Which samples lie on a straight stroke along the depth."""
-    if not isinstance(stroke, Segment):
-        return np.zeros(len(depth), bool)
-    across = (0, 1) if vertical else (1, 0)
-    ends = (stroke.start, stroke.end)
-    if any(abs(end[across[0]] - position) > slack for end in ends):
-        return np.zeros(len(depth), bool)
-    low, high = sorted(end[across[1]] for end in ends)
-    return (depth >= low - slack) & (depth <= high + slack)
 
 
 def _material(

@@ -5,6 +5,7 @@ are laid through the vertices that are known and along the circles that they tou
 put where the supports meet.
 """
 
+from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
@@ -84,9 +85,16 @@ def settled_strokes(own: SupportedStrokes, grid: Grid) -> tuple[Stroke, ...]:
     vertices = _vertices(own, grid.precision)
     supports = list(own.supports)
     places = [_place(vertex, own, grid, slanted=False) for vertex in vertices]
+    strokes_on: dict[int | None, list[Stroke]] = defaultdict(list)
+    for stroke, number in zip(own.strokes, own.of, strict=True):
+        strokes_on[number].append(stroke)
+    ends_on: dict[int, list[tuple[Vertex, Point | None]]] = defaultdict(list)
+    for vertex, place in zip(vertices, places, strict=True):
+        for number in set(vertex.supports):
+            ends_on[number].append((vertex, place))
     for number, support in enumerate(supports):
         if isinstance(support, Slant):
-            supports[number] = _relaid(number, own, vertices, places, grid)
+            supports[number] = _relaid(number, own, (strokes_on[number], ends_on[number]), grid)
     own = replace(own, supports=tuple(supports))
     ends: dict[tuple[int, int], Point] = {}
     for vertex, known in zip(vertices, places, strict=True):
@@ -271,21 +279,22 @@ def _foot(own: Round | Slant, place: Point) -> Point:
 def _relaid(
     number: int,
     own: SupportedStrokes,
-    vertices: Sequence[Vertex],
-    places: Sequence[Point | None],
+    on_it: tuple[Sequence[Stroke], Sequence[tuple[Vertex, Point | None]]],
     grid: Grid,
 ) -> Slant:
-    """A slanted line through the settled vertices at its ends, or along the circles there."""
+    """A slanted line through the settled vertices at its ends, or along the circles there.
+
+    Args:
+        number: of the line among the supports.
+        own: the strokes of the view, as they were supported before.
+        on_it: strokes of the line, and the vertices there with their settled places.
+        grid: coordinates for ends that nothing else tells.
+    """
     slant = own.supports[number]
-    strokes = [s for s, of in zip(own.strokes, own.of, strict=True) if of == number]
+    strokes, own_vertices = on_it
     raw = np.array([point for s in strokes for point in (end_points(s) or ())])
     along, _ = slant.line.coordinates(raw)
     first, last = raw[int(np.argmin(along))], raw[int(np.argmax(along))]
-    own_vertices = [
-        (vertex, place)
-        for vertex, place in zip(vertices, places, strict=True)
-        if number in vertex.supports
-    ]
     held = []
     for end in (first, last):
         vertex, place = min(

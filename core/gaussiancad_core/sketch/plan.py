@@ -13,16 +13,12 @@ from gaussiancad_core.sketch.levels import find_levels
 from gaussiancad_core.sketch.noted import NotedStep, floors, noted_steps
 from gaussiancad_core.sketch.places import Places
 from gaussiancad_core.sketch.plane_lines import PlaneLine, plane_lines
-from gaussiancad_core.sketch.regions import Regions, find_regions
+from gaussiancad_core.sketch.regions import MOST_CELLS, Regions, find_regions
 from gaussiancad_core.sketch.sights import Sights, sights_of
 from gaussiancad_core.sketch.turned import without_slopes
 from gaussiancad_core.sketch.turned_bores import without_bore_slopes
 from gaussiancad_core.sketch.turned_views import Slope, turning_centre
 from gaussiancad_core.sketch.undrawn import undrawn_divisions
-
-_MOST_CELLS = 200
-"""Regions of slabs from which nothing is chosen: of more nothing good was ever found in time, nor
-on a coarser grid."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,9 +104,10 @@ def _plan(
         return None
     ready = _made_ready(axis, lines, views, places)
     grid = places.grid
-    regions, levels = _divided(ready, views, (size, grid), draws_hidden=draws_hidden)
-    if not 0 < _cells(regions, levels) <= _MOST_CELLS:
+    divided = _divided(ready, views, (size, grid), draws_hidden=draws_hidden)
+    if divided is None or not 0 < _cells(*divided) <= MOST_CELLS:
         return None
+    regions, levels = divided
     sights = tuple(
         sights_of(
             (role, ready.lines[role], cuts.get(role)),
@@ -203,8 +200,8 @@ def _divided(
     measures: tuple[tuple[float, float, float], float],
     *,
     draws_hidden: bool,
-) -> tuple[Regions, tuple[float, ...]]:
-    """Regions across an axis, and levels along it.
+) -> tuple[Regions, tuple[float, ...]] | None:
+    """Regions across an axis, and levels along it; None where there are too many.
 
     Args:
         ready: the lines.
@@ -229,6 +226,8 @@ def _divided(
         circles_about(axis, common, views.holes, size, grid) if ready.middle is not None else ()
     )
     regions = find_regions(above, below, grid, widths, circles)
+    if regions is None:
+        return None
     across = [(along, list(ready.lines[role])) for role, along in beside]
     levels = find_levels(across, size[axis.value], grid)
     levels = tuple(sorted((*levels, *floors(views.holes, axis, levels, grid))))
@@ -236,7 +235,7 @@ def _divided(
         first, second = (size[k] for k in IN_PLANE[axis])
         undrawn = undrawn_divisions([*above, *below], common, (first, second), grid)
         divided = find_regions(above, below, grid, widths, undrawn) if undrawn else regions
-        if _cells(divided, levels) <= _MOST_CELLS:
+        if divided is not None and _cells(divided, levels) <= MOST_CELLS:
             regions = divided
     return regions, levels
 

@@ -13,6 +13,10 @@ from gaussiancad_core.sketch.tidy import tidied
 OUTSIDE = -1
 """What lies beyond the outline, in a border."""
 
+MOST_CELLS = 200
+"""Regions of slabs from which nothing is chosen: of more nothing good was ever found in time, nor
+on a coarser grid."""
+
 _ROUNDED = 1e-6
 """mm to which places are rounded where lines cross."""
 
@@ -99,8 +103,8 @@ def find_regions(
     grid: float,
     breaks: Collection[float] = (),
     undrawn: Sequence[PlaneLine] = (),
-) -> Regions:
-    """The regions that lines of a plane bound.
+) -> Regions | None:
+    """The regions that lines of a plane bound; None where there are more than ``MOST_CELLS``.
 
     Args:
         from_above: lines of views that look towards smaller coordinates.
@@ -111,6 +115,8 @@ def find_regions(
     """
     lines = tidied([*from_above, *from_below, *undrawn], grid)
     polygons = _polygons(lines, grid)
+    if len(polygons) > MOST_CELLS:
+        return None
     # Where broken edges meet is a mitre, which bounds nothing.
     mitre = _MITRE * max(breaks, default=0.0)
     longer = [own for own in (*from_above, *from_below) if own.length > mitre]
@@ -137,13 +143,16 @@ def is_disc(polygon: shapely.Polygon) -> bool:
 
 
 def _polygons(lines: Sequence[PlaneLine], grid: float) -> list[shapely.Polygon]:
-    """What lines bound; what is too narrow united with what is beside it."""
+    """What lines bound; what is too narrow united with what is beside it, unless there are more of
+    the others than anything is chosen from."""
     if not lines:
         return []
     noded = shapely.union_all([shapely.LineString(own.points) for own in lines], grid_size=_ROUNDED)
     found = list(shapely.get_parts(shapely.polygonize(shapely.get_parts(noded))))
     narrow = [2.0 * own.area / own.length < _SLIVER * grid for own in found]
     kept = [own for own, sliver in zip(found, narrow, strict=True) if not sliver]
+    if len(kept) > MOST_CELLS:
+        return kept
     slivers = [own for own, sliver in zip(found, narrow, strict=True) if sliver]
     for own in sorted(slivers, key=lambda sliver: -sliver.area):
         shared = [_common(own, other) for other in kept]

@@ -9,6 +9,7 @@ from OCP.TopoDS import TopoDS_Shape
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.reasoning.drawn_views import DrawnViews
+from gaussiancad_core.reasoning.part import MOST_STROKES
 from gaussiancad_core.reasoning.supports import PartSupports
 from gaussiancad_core.sketch.bodies import (
     Bore,
@@ -76,8 +77,11 @@ def sketch(views: DrawnViews, grid: float) -> Sketch | None:
         grid: mm of a step of the sheet's coordinates.
 
     Returns:
-        None where no view tells an outline, or none was chosen in time.
+        None where no view tells an outline, none was chosen in time, or a view has more lines than
+        anything follows from in time.
     """
+    if max(map(len, views.strokes.values())) > MOST_STROKES:
+        return None
     places = find_places(views, grid)
     best: Choice | None = None
     left, at_least = _EFFORT, inf

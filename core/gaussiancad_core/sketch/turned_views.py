@@ -149,8 +149,10 @@ def views_beside(
 
 
 def _outline(lines: Sequence[PlaneLine], grid: float) -> shapely.Polygon | None:
-    """What a view shows, without holes; None where it is in pieces."""
+    """What a view shows, without holes; None where it is in pieces, or in too many."""
     regions = find_regions([own for own in lines if own.is_visible], (), grid)
+    if regions is None:
+        return None
     whole = shapely.union_all(regions.polygons)
     return shapely.Polygon(whole.exterior) if whole.geom_type == "Polygon" else None
 

@@ -7,6 +7,7 @@ import trimesh
 from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeFace, BRepBuilderAPI_Transform
 from OCP.gp import gp_Pln, gp_Trsf, gp_Vec
 from OCP.TopAbs import TopAbs_ShapeEnum
+from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.axes import Axis
 from gaussiancad_core.drawing import brep
@@ -16,6 +17,7 @@ from gaussiancad_core.drawing.brep import (
     faces_of,
     moved_to_origin,
     read_solid,
+    readable,
     soundness,
     subshapes,
     tessellate,
@@ -182,3 +184,10 @@ def test_tessellation_is_watertight_and_within_the_deflection(
     assert 0.0 < excess < deflection * 2.0 * np.pi * 5 * 20
     wall = vertices[np.abs(np.hypot(vertices[:, 0] - 12, vertices[:, 1] - 10) - 5) < 1e-9]
     assert len(wall) > 8
+
+
+def test_what_the_kernel_cannot_measure_is_a_damaged_file(tmp_path: Path) -> None:
+    with pytest.raises(UnreadableError) as caught, readable(tmp_path / "void.step"):
+        bounding_box(TopoDS_Shape())
+    assert caught.value.code == "file-damaged"
+    assert "void.step" in caught.value.message

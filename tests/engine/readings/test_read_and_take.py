@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import os
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -168,6 +169,12 @@ def test_a_file_that_is_no_reading_is_told_by_its_place(
     assert said.count("\n") == 1 and "[reading-not-read]" in said and place in said.lower()
 
 
+def _repeat(strokes: list[dict[str, Any]], count: int) -> None:
+    """The strokes, and one of them that often, under new names."""
+    drawn = next(own for own in strokes if own["kind"] == "visible" and "line" in own)
+    strokes += [{**drawn, "id": f"again{number}"} for number in range(count)]
+
+
 @pytest.mark.parametrize(
     "case",
     [
@@ -176,6 +183,10 @@ def test_a_file_that_is_no_reading_is_told_by_its_place(
         (lambda own: own["views"].append(own["views"][0]), "reading-not-read", 3),
         (lambda own: own["strokes"][0]["line"][0].append(3.0), "reading-not-read", 3),
         (lambda own: own["strokes"][0].update(line=[[1e9, 0], [0, 0]]), "reading-not-read", 3),
+        (lambda own: own["strokes"][0].update(line=[[2e5, 0], [0, 0]]), "reading-not-read", 3),
+        (lambda own: own["strokes"].append(own["strokes"][-1]), "reading-not-read", 3),
+        (lambda own: _repeat(own["strokes"], 3_001), "part-too-complex", 4),
+        (lambda own: _repeat(own["strokes"], 20_001), "too-many-elements", 5),
         (
             lambda own: own.update(
                 strokes=[], views=[{**view, "box": [1, 1, 40, 40]} for view in own["views"]]
@@ -205,6 +216,24 @@ def test_a_reading_that_cannot_be_taken_says_why(
     words = ["reconstruct", str(sheet), "--output", output, "--reading", str(read)]
     assert main(words) == exit_code
     assert f"[{code}]" in capsys.readouterr().err
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes have no names here")
+def test_a_pipe_is_no_reading(
+    sheet: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    os.mkfifo(tmp_path / "pipe.json")
+    words = ["reconstruct", str(sheet), "--output", str(tmp_path / "o")]
+    assert main([*words, "--reading", str(tmp_path / "pipe.json")]) == 3
+    assert "[reading-not-read]" in capsys.readouterr().err
+
+
+def test_more_corrections_than_anybody_makes_are_a_limit(
+    sheet: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    _correct(sheet, [{"op": "unit", "value": "mm"}] * 2_001)
+    assert main(["read", str(sheet), "--output", str(tmp_path / "o")]) == 5
+    assert "[too-many-elements]" in capsys.readouterr().err
 
 
 def test_corrections_of_another_sheet_are_not_taken(

@@ -7,7 +7,7 @@ import pytest
 
 from gaussiancad_core.reasoning.curves import CircleCurve
 from gaussiancad_core.sketch.plane_lines import PlaneLine, arc_between, whole_circle
-from gaussiancad_core.sketch.regions import OUTSIDE, find_regions
+from gaussiancad_core.sketch.regions import MOST_CELLS, OUTSIDE, find_regions
 from gaussiancad_core.sketch.tidy import tidied
 
 
@@ -73,3 +73,12 @@ def test_borders_know_how_they_are_drawn() -> None:
     assert sum(own.visible for own in around) == pytest.approx(60.0, rel=1e-2)
     assert regions.is_round.sum() == 1
     assert regions.is_inner.sum() == 1
+
+
+def test_of_more_regions_than_are_chosen_from_none_are_told() -> None:
+    def grid(count: int) -> list[PlaneLine]:
+        inner = [20.0 * at / count for at in range(1, count)]
+        return [*_rectangle(0.0), *(_line((at, 0.0), (at, 10.0)) for at in inner)]
+
+    assert len(find_regions(grid(MOST_CELLS), [], 0.01).polygons) == MOST_CELLS
+    assert find_regions(grid(MOST_CELLS + 1), [], 0.01) is None
