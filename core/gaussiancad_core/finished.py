@@ -8,6 +8,7 @@ from typing import Any
 
 from gaussiancad_core import __version__
 from gaussiancad_core.modes import Status
+from gaussiancad_core.plain_files import check_plain, plain_bytes
 from gaussiancad_core.versions import ENGINE_PACKAGES, installed_versions
 
 
@@ -29,8 +30,9 @@ def sha256(path: Path) -> str:
     """SHA-256 of a file, in hexadecimal digits.
 
     Raises:
-        OSError: it cannot be read.
+        OSError: it cannot be read, or is no plain file.
     """
+    check_plain(path)
     with path.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
@@ -47,7 +49,7 @@ def finished_report(
         sheet_sha256: of the sheet.
     """
     try:
-        report = json.loads(path.read_text(encoding="utf-8"))
+        report = json.loads(plain_bytes(path))
         engine = report["engine"]
         same = (
             report["settings"] == settings
@@ -61,6 +63,6 @@ def finished_report(
                 for name, facts in report["files"].items()
             )
         )
-    except (OSError, ValueError, LookupError, TypeError, AttributeError):
+    except (OSError, ValueError, LookupError, TypeError, AttributeError, RecursionError):
         return None
     return report if same else None

@@ -19,6 +19,9 @@ is not the first: ``set.pdf.page-2.corrections.json``."""
 
 def corrections_beside(sheet: Path, page: int = 1) -> Path | None:
     """The corrections beside a sheet, if there are some."""
+    if not sheet.name:
+        # Such as the folder that one is in.
+        return None
     name = sheet.name if page == 1 else f"{sheet.name}.page-{page}"
     path = sheet.with_name(name + _CORRECTIONS)
     return path if path.is_file() else None

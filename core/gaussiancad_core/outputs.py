@@ -21,6 +21,7 @@ from filelock import FileLock, Timeout
 
 from gaussiancad_core.errors import GaussianCadError, LimitError, UsageError
 from gaussiancad_core.finished import file_facts
+from gaussiancad_core.plain_files import plain_bytes
 
 STAGING_PREFIX = ".gaussiancad-"
 
@@ -124,9 +125,9 @@ class OutputFolder:
     def adopt_published(self) -> None:
         """Take what a run that died had put in place ahead for what this one did: it stays."""
         try:
-            note = json.loads((self.path / PUBLISHED_FILE).read_text(encoding="utf-8"))
+            note = json.loads(plain_bytes(self.path / PUBLISHED_FILE))
             names = {str(name) for name in note["names"]}
-        except (OSError, ValueError, LookupError, TypeError):
+        except (OSError, ValueError, LookupError, TypeError, RecursionError):
             return
         self._ahead |= {name for name in names & set(self._owned) if (self.path / name).exists()}
 

@@ -275,7 +275,12 @@ def test_what_cannot_be_asked_is_one_line(
 
 @pytest.mark.parametrize(
     ("text", "code"),
-    [(None, "no-report"), ("{", "damaged-report"), ('{"schema": 1}', "old-report")],
+    [
+        (None, "no-report"),
+        ("{", "damaged-report"),
+        ("[" * 100_000, "damaged-report"),
+        ('{"schema": 1}', "old-report"),
+    ],
 )
 def test_a_folder_without_a_readable_report_is_one_line(
     text: str | None, code: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from gaussiancad_core.errors import UsageError
 from gaussiancad_core.job import Job, corrections_beside
+from gaussiancad_core.plain_files import check_plain
 
 SUFFIXES = frozenset(
     (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".webp", ".pdf", ".svg", ".svgz", ".dxf")
@@ -93,6 +94,7 @@ def _in_folder(folder: Path, output: Path) -> list[Path]:
 
 def _in_table(table: Path, job_of: JobOf) -> Iterator[BatchSheet]:
     try:
+        check_plain(table)
         with table.open(encoding="utf-8-sig", newline="") as file:
             rows = list(csv.DictReader(file, strict=True))
     except (OSError, UnicodeDecodeError, csv.Error) as error:

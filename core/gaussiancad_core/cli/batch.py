@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from gaussiancad_core.cli import values
 from gaussiancad_core.cli.reconstruct import add_events_option, add_job_options, greet, job_of
+from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode, UsageError
 from gaussiancad_core.events import Listener
 from gaussiancad_core.job import Job
@@ -39,7 +40,7 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
         metavar="SHEET|FOLDER|TABLE.csv",
         help="files, folders of drawings, patterns, tables with a column 'sheet' and options",
     )
-    parser.add_argument("--output", type=Path, required=True, metavar="DIR")
+    parser.add_argument("--output", type=named_path, required=True, metavar="DIR")
     parser.add_argument(
         "--workers",
         type=values.count,

@@ -4,9 +4,9 @@ import argparse
 import re
 import sys
 from functools import partial
-from pathlib import Path
 
 from gaussiancad_core.cli import values
+from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.comparison.options import (
     Alignment,
     CompareOptions,
@@ -30,9 +30,11 @@ _TOLD = re.compile(r"(gaussiancad: )?(?P<message>.*) \[(?P<code>[a-z0-9-]+)\]")
 def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add the subcommand."""
     parser = commands.add_parser("compare", help="measure a model against a reference")
-    parser.add_argument("result", type=Path, metavar="RESULT", help="STEP, BREP, STL, PLY or OBJ")
-    parser.add_argument("reference", type=Path, metavar="REFERENCE")
-    parser.add_argument("--output", type=Path, metavar="DIR")
+    parser.add_argument(
+        "result", type=named_path, metavar="RESULT", help="STEP, BREP, STL, PLY or OBJ"
+    )
+    parser.add_argument("reference", type=named_path, metavar="REFERENCE")
+    parser.add_argument("--output", type=named_path, metavar="DIR")
     parser.add_argument("--points", type=values.count, default=10_000, metavar="N")
     parser.add_argument("--seed", type=values.whole, default=0, metavar="N")
     parser.add_argument(

@@ -6,6 +6,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from gaussiancad_core.cli import values
+from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode, UnreadableError, UsageError
 from gaussiancad_core.events import Listener
 from gaussiancad_core.files.opening import head_of
@@ -23,7 +24,7 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
     )
     parser.add_argument(
         "sheet",
-        type=Path,
+        type=named_path,
         metavar="SHEET",
         help="or the report of a batch, report.csv or report.json: those of its sheets that are "
         "not verified, to step through",

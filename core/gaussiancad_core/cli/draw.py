@@ -2,10 +2,10 @@
 
 import argparse
 from functools import partial
-from pathlib import Path
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.cli import values
+from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode
 from gaussiancad_core.events import Listener
 from gaussiancad_core.messages import on_one_line
@@ -14,8 +14,10 @@ from gaussiancad_core.messages import on_one_line
 def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     """Add the subcommand."""
     parser = commands.add_parser("draw", help="draw a three-view sheet of a solid")
-    parser.add_argument("solid", type=Path, metavar="SOLID", help="STEP or BREP")
-    parser.add_argument("sheet", type=Path, metavar="SHEET", help="image to write, e.g. sheet.png")
+    parser.add_argument("solid", type=named_path, metavar="SOLID", help="STEP or BREP")
+    parser.add_argument(
+        "sheet", type=named_path, metavar="SHEET", help="image to write, e.g. sheet.png"
+    )
     parser.add_argument(
         "--views",
         type=values.roles,

@@ -6,8 +6,10 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
+from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode, UnreadableError, UsageError
 from gaussiancad_core.events import Listener
+from gaussiancad_core.plain_files import plain_bytes
 
 _SCHEMAS = (2, "gaussiancad-reading/1", "gaussiancad-construction/1")
 """Of the files that are read: the report, the reading, the construction."""
@@ -19,7 +21,10 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
         "explain", help="say what was tried for a sheet, and why its solid is not certain"
     )
     parser.add_argument(
-        "folder", metavar="DIR|SHEET", type=Path, help="output folder of a run, or a sheet to read"
+        "folder",
+        metavar="DIR|SHEET",
+        type=named_path,
+        help="output folder of a run, or a sheet to read",
     )
     place = parser.add_mutually_exclusive_group()
     place.add_argument("--at", metavar="X,Y", help="what is known of a place, px of the sheet")
@@ -98,12 +103,12 @@ def _reading(folder: Path) -> dict[str, Any]:
 def _values(path: Path) -> dict[str, Any]:
     """The JSON object of a file that a run wrote."""
     try:
-        values = json.loads(path.read_text(encoding="utf-8"))
+        values = json.loads(plain_bytes(path))
     except FileNotFoundError:
         raise UnreadableError(
             "no-report", "{path} does not exist: give the output folder of a run", path=path
         ) from None
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         raise UnreadableError(
             "damaged-report", "{path} cannot be read: {reason}", path=path, reason=error
         ) from error

@@ -1,7 +1,6 @@
 """``gaussiancad read``: what is understood of a sheet, as a file that a person can correct."""
 
 import argparse
-from pathlib import Path
 
 from gaussiancad_core.cli.pages import add_page_option, run_pages
 from gaussiancad_core.cli.reconstruct import (
@@ -12,6 +11,7 @@ from gaussiancad_core.cli.reconstruct import (
     greet,
     reading_of,
 )
+from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode
 from gaussiancad_core.events import Listener
 from gaussiancad_core.job import Job, corrections_beside
@@ -23,9 +23,12 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
     """Add the subcommand."""
     parser = commands.add_parser("read", help="read a sheet into a file that can be corrected")
     parser.add_argument(
-        "sheet", type=Path, metavar="SHEET", help="PNG, JPEG, TIFF, BMP, WebP, PDF, SVG or DXF"
+        "sheet",
+        type=named_path,
+        metavar="SHEET",
+        help="PNG, JPEG, TIFF, BMP, WebP, PDF, SVG or DXF",
     )
-    parser.add_argument("--output", type=Path, required=True, metavar="DIR")
+    parser.add_argument("--output", type=named_path, required=True, metavar="DIR")
     add_page_option(parser)
     add_reading_options(parser)
     add_reading_files(parser)

@@ -10,6 +10,7 @@ from gaussiancad_core.axes import Projection
 from gaussiancad_core.cli import values
 from gaussiancad_core.cli.pages import add_page_option, run_pages
 from gaussiancad_core.cli.terminal import summary
+from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode, UsageError
 from gaussiancad_core.events import PROTOCOL, Listener
 from gaussiancad_core.job import Job, corrections_beside
@@ -23,9 +24,12 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
     """Add the subcommand."""
     parser = commands.add_parser("reconstruct", help="make a model from a sheet")
     parser.add_argument(
-        "sheet", type=Path, metavar="SHEET", help="PNG, JPEG, TIFF, BMP, WebP, PDF, SVG or DXF"
+        "sheet",
+        type=named_path,
+        metavar="SHEET",
+        help="PNG, JPEG, TIFF, BMP, WebP, PDF, SVG or DXF",
     )
-    parser.add_argument("--output", type=Path, required=True, metavar="DIR")
+    parser.add_argument("--output", type=named_path, required=True, metavar="DIR")
     add_page_option(parser)
     add_job_options(parser)
     add_reading_files(parser)
@@ -37,13 +41,13 @@ def add_reading_files(parser: argparse.ArgumentParser) -> None:
     """The files that say what is on a sheet."""
     parser.add_argument(
         "--reading",
-        type=Path,
+        type=named_path,
         metavar="READING.json",
         help="what `gaussiancad read` wrote, taken instead of reading the sheet",
     )
     parser.add_argument(
         "--corrections",
-        type=Path,
+        type=named_path,
         metavar="FILE.json",
         help="a person's corrections; those in SHEET.corrections.json are taken anyway",
     )

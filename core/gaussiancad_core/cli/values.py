@@ -4,6 +4,7 @@ import argparse
 import math
 import re
 from enum import Enum
+from pathlib import Path
 from typing import TypeVar
 
 from gaussiancad_core.axes import Axis, Role
@@ -20,6 +21,13 @@ def choice(kind: type[Choice], text: str) -> Choice:
     except ValueError:
         names = ", ".join(str(member.value) for member in kind)
         raise argparse.ArgumentTypeError(f"{text!r} is none of {names}") from None
+
+
+def named_path(text: str) -> Path:
+    """A file or folder; an empty name is that of the folder one is in, and nobody means it."""
+    if not text:
+        raise argparse.ArgumentTypeError("a file or folder needs a name")
+    return Path(text)
 
 
 def view_box(text: str) -> tuple[Role, Box]:

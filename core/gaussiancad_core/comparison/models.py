@@ -11,6 +11,7 @@ import numpy as np
 from gaussiancad_core.comparison.bodies import untangled
 from gaussiancad_core.errors import UnreadableError
 from gaussiancad_core.meshes import TriangleMesh, make_mesh
+from gaussiancad_core.plain_files import plain_bytes
 
 _LARGEST_FILE = 2**30
 
@@ -212,6 +213,9 @@ def _parsed(path: Path, model_format: ModelFormat) -> TriangleMesh:
         )
     if not isinstance(mesh, trimesh.Trimesh) or not len(mesh.vertices):
         raise _not_a_model(path, model_format)
+    # Points of one coordinate or two are read as they are.
+    if mesh.vertices.shape[1:] != (3,) or mesh.faces.shape[1:] != (3,):
+        raise _not_a_model(path, model_format)
     if not len(mesh.faces):
         raise UnreadableError(
             "empty-model", "{path} holds no triangles: export the model with its faces", path=path
@@ -237,7 +241,7 @@ def _check_size(path: Path) -> None:
 
 def _read(path: Path) -> bytes:
     try:
-        content = path.read_bytes()
+        content = plain_bytes(path)
     except FileNotFoundError as error:
         raise UnreadableError(
             "file-missing", "{path} does not exist: check the path", path=path

@@ -27,6 +27,7 @@ from gaussiancad_core.comparison.page_tables import (
 )
 from gaussiancad_core.comparison.report import Comparison
 from gaussiancad_core.meshes import TriangleMesh
+from gaussiancad_core.plain_files import plain_bytes
 
 _POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
 
@@ -97,7 +98,7 @@ def overlay_beside(result: Path) -> tuple[str, bytes] | None:
     """``overlay.png`` in a result's folder, small enough for a page; None where there is none."""
     path = result.parent / "overlay.png"
     try:
-        content = path.read_bytes()
+        content = plain_bytes(path)
     except OSError:
         return None
     import cv2

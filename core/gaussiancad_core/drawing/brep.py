@@ -44,6 +44,7 @@ from OCP.TopoDS import TopoDS, TopoDS_Compound, TopoDS_Edge, TopoDS_Face, TopoDS
 from gaussiancad_core.drawing.files import write_whole
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.errors import EngineError, UnreadableError
+from gaussiancad_core.plain_files import plain_bytes
 
 _STEP_MAGIC = b"ISO-10303-21"
 _BREP_MAGIC = (b"DBRep_DrawableShape", b"CASCADE Topology")
@@ -115,7 +116,7 @@ def read_shape(path: Path) -> TopoDS_Shape:
 
 def _read_bytes(path: Path) -> bytes:
     try:
-        content = path.read_bytes()
+        content = plain_bytes(path)
     except FileNotFoundError as error:
         raise UnreadableError(
             "file-missing", "{path} does not exist: check the path", path=path

@@ -7,6 +7,7 @@ from typing import TypeVar
 import msgspec
 
 from gaussiancad_core.errors import LimitError, UnreadableError
+from gaussiancad_core.plain_files import check_plain
 from gaussiancad_core.readings.operations import Corrections
 from gaussiancad_core.readings.schema import SheetReading
 
@@ -82,8 +83,7 @@ def open_typed(path: Path, kind: type[Kind], code: str) -> Kind:
         UnreadableError: it is missing, too large, or of another form; the message names the place.
     """
     try:
-        if path.exists() and not path.is_file():
-            raise _wrong(path, "it is a folder, a device or a pipe", code)
+        check_plain(path)
         if path.stat().st_size > _MOST_BYTES:
             raise _wrong(path, f"it has more than {_MOST_BYTES >> 20} MB", code)
         content = path.read_bytes()

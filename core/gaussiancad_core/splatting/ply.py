@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from gaussiancad_core.drawing.files import write_whole
 from gaussiancad_core.errors import UnreadableError
+from gaussiancad_core.plain_files import plain_bytes
 from gaussiancad_core.splatting.gaussians import Gaussians, rotation_matrices
 
 SH_CONSTANT = 0.28209479177387814
@@ -71,7 +72,7 @@ def read_gaussians(path: Path) -> Gaussians:
         UnreadableError: ``gaussians-unreadable``, the file is missing, damaged or of another kind.
     """
     try:
-        content = path.read_bytes()
+        content = plain_bytes(path)
     except OSError as error:
         raise _unreadable(path, error.strerror or str(error)) from error
     end = content.find(b"end_header\n", 0, _LARGEST_HEADER)

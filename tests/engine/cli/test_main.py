@@ -32,6 +32,8 @@ def _line(capsys: pytest.CaptureFixture[str]) -> str:
         ["reconstruct", "a.png", "--output", "o", "--seed", "-1"],
         ["reconstruct", "a.png", "--output", "o", "--page", "0"],
         ["reconstruct", "a.png", "--output", "o", "--preset", "best"],
+        ["reconstruct", "", "--output", "o"],
+        ["read", "a.png", "--output", ""],
         ["draw", "a.step", "b.png", "--projection", "second"],
     ],
 )
@@ -54,6 +56,8 @@ def test_wrong_usage_is_one_line_and_exit_code_2(
         (["reconstruct", "{tmp}/text.png", "--output", "{tmp}/o", "--device", "cuda"], 6, "cuda-"),
         (["reconstruct", "{tmp}/empty.png", "--output", "{tmp}/o"], 3, "empty-file"),
         (["reconstruct", "{tmp}", "--output", "{tmp}/o"], 3, "not-a-file"),
+        (["reconstruct", ".", "--output", "{tmp}/o"], 3, "not-a-file"),
+        (["read", "/", "--output", "{tmp}/o"], 3, "not-a-file"),
         (["compare", "{tmp}/text.png", "missing.step"], 3, "model-format-unknown"),
         (["draw", "missing.step", "{tmp}/a.png"], 3, "file-missing"),
         (["draw", "missing.step", "{tmp}/a.png", "--style", "rough"], 2, "style-unknown"),

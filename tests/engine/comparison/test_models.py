@@ -1,5 +1,6 @@
 """Reading models, good and bad."""
 
+import os
 from pathlib import Path
 
 import numpy as np
@@ -74,6 +75,8 @@ def test_all_suffixes_are_known() -> None:
         ("part.ply", b"\x89PNG\r\n\x1a\n" + bytes(100), "not-a-model"),
         ("part.obj", b"\x00\x01\x02 nothing", "not-a-model"),
         ("part.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "not-a-model"),
+        ("part.obj", b"v 0\nv 1\nv 2\nf 1 2 3\n", "not-a-model"),
+        ("part.obj", b"v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n", "not-a-model"),
         ("part.obj", b"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "empty-model"),
         ("part.obj", b"v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", "not-a-model"),
         ("part.step", b"ISO-10303-21; HEADER; oops", "file-damaged"),
@@ -118,3 +121,12 @@ def test_a_point_cloud_is_told_apart(tmp_path: Path) -> None:
 
 def _bytes(content: str | bytes) -> bytes:
     return content.encode() if isinstance(content, str) else content
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes have no names here")
+@pytest.mark.parametrize("suffix", [".step", ".brep", ".stl", ".ply", ".obj"])
+def test_a_pipe_is_no_model(tmp_path: Path, suffix: str) -> None:
+    os.mkfifo(tmp_path / f"pipe{suffix}")
+    with pytest.raises(UnreadableError) as caught:
+        load_model(tmp_path / f"pipe{suffix}")
+    assert caught.value.code == "file-not-readable"
