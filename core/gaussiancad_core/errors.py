@@ -5,6 +5,7 @@ one sentence or two: what happened, where, and what to do; its values travel wit
 else that escapes the engine is a defect of the engine and ends in :attr:`ExitCode.ENGINE`.
 """
 
+import errno
 from enum import IntEnum
 
 from gaussiancad_core.messages import Message
@@ -84,10 +85,19 @@ _CV_NO_MEMORY = -4
 """OpenCV's ``StsNoMem``."""
 
 
+_NO_MEMORY = ("allocate memory", "bad_alloc", "failed to map segment")
+"""What libraries say where they get none: PyTorch, those of C++, and the system's loader."""
+
+
 def is_out_of_memory(error: BaseException) -> bool:
     """Whether an error, of Python or of a library, says that memory does not suffice."""
-    if isinstance(error, MemoryError):
+    if isinstance(error, MemoryError) or getattr(error, "errno", None) == errno.ENOMEM:
         return True
     if type(error).__module__.partition(".")[0] == "cv2":
         return getattr(error, "code", None) == _CV_NO_MEMORY
-    return isinstance(error, RuntimeError) and "allocate memory" in str(error)
+    of_library = isinstance(error, RuntimeError | ImportError | OSError) or (
+        type(error).__module__.startswith("onnxruntime.")
+    )
+    if isinstance(error, GaussianCadError) or not of_library:
+        return False
+    return any(words in str(error) for words in _NO_MEMORY)

@@ -129,8 +129,17 @@ _AGAIN_S = 5.0
 """s after which a run that is to stop and did not is stopped again."""
 
 
+def ending_signals() -> tuple[signal.Signals, ...]:
+    """Signals that ask this process to end, be it that its terminal is closed: unless whoever
+    started it wants it to outlive that."""
+    closed = getattr(signal, "SIGHUP", None)
+    if closed is None or signal.getsignal(closed) is signal.SIG_IGN:
+        return signal.SIGINT, signal.SIGTERM
+    return signal.SIGINT, signal.SIGTERM, closed
+
+
 class Cancellation:
-    """Lets SIGINT and SIGTERM raise :class:`CancelledError` in the main thread.
+    """Lets signals that end raise :class:`CancelledError` in the main thread.
 
     What is raised within a callback of a library is lost there, so that it is raised again until
     it arrived.
@@ -141,8 +150,8 @@ class Cancellation:
         self._is_due = True
         self.raised: CancelledError | None = None
         """What was raised, if anything was."""
-        for name in (signal.SIGINT, signal.SIGTERM):
-            signal.signal(name, self._handle)
+        for number in ending_signals():
+            signal.signal(number, self._handle)
 
     def end(self) -> None:
         """The run has ended, however it did: nothing is raised any more."""

@@ -1,11 +1,14 @@
 """Which errors say that memory does not suffice."""
 
+import errno
+
 import cv2
 import numpy as np
 import pytest
 import torch
+from onnxruntime.capi.onnxruntime_pybind11_state import RuntimeException
 
-from gaussiancad_core.errors import is_out_of_memory
+from gaussiancad_core.errors import UnreadableError, is_out_of_memory
 
 
 def _raised(make: object) -> BaseException:
@@ -20,9 +23,14 @@ def test_libraries_that_get_no_memory_are_known_by_what_they_raise() -> None:
     error = cv2.error("Insufficient memory")
     error.code = -4
     assert is_out_of_memory(error)
+    assert is_out_of_memory(OSError(errno.ENOMEM, "Cannot allocate memory"))
+    assert is_out_of_memory(ImportError("libx.so.9: failed to map segment from shared object"))
+    assert is_out_of_memory(RuntimeException("Status Message: std::bad_alloc"))
 
 
 def test_other_errors_are_others() -> None:
     assert not is_out_of_memory(_raised(lambda: cv2.resize(np.zeros((2, 2)), (0, 0))))
     assert not is_out_of_memory(RuntimeError("no kernel image"))
     assert not is_out_of_memory(ValueError("cannot allocate memory"))
+    assert not is_out_of_memory(UnreadableError("file-missing", "bad_alloc.png does not exist"))
+    assert not is_out_of_memory(ImportError("no module named torch"))

@@ -117,6 +117,10 @@ def test_a_sheet_is_shown_read_corrected_and_solved(engine: _Engine, tmp_path: P
 def test_what_cannot_be_is_answered_and_the_engine_stays(engine: _Engine, tmp_path: Path) -> None:
     engine.send("no json")
     assert engine.answer()["error"]["code"] == "unknown-request"
+    engine.process.stdin.flush()
+    engine.process.stdin.buffer.write(b'{"id": 1, "do": "\xff\xfe\x00"}\n')
+    engine.process.stdin.flush()
+    assert engine.answer()["error"]["code"] == "unknown-request"
     assert engine.ask("dance")["error"]["code"] == "unknown-request"
     engine.sheet = tmp_path / "gone.png"
     assert engine.ask("read", output=str(tmp_path))["error"]["code"] == "file-missing"

@@ -5,15 +5,14 @@ imported once a command runs.
 """
 
 import errno
-import os
 import select
 import sys
 from collections.abc import Sequence
-from contextlib import suppress
 from pathlib import Path
 
 from gaussiancad_core.cli.libraries import prepare_environment
 from gaussiancad_core.cli.parser import build_parser
+from gaussiancad_core.cli.streams import drop, say
 from gaussiancad_core.cli.terminal import terminal
 from gaussiancad_core.errors import (
     CancelledError,
@@ -73,13 +72,13 @@ def main(arguments: Sequence[str] | None = None, heard: Listener | None = None) 
     except (Exception, KeyboardInterrupt) as error:
         if isinstance(error, BrokenPipeError) and not _is_read():
             # Who reads has read enough, as `head` does.
-            _drop_output()
+            drop(sys.stdout)
             return int(ExitCode.DONE)
         found = _meaning(error, cancellation, options.arguments)
         line = on_one_line(found.message)
         # A line of progress ends first.
         listener.send("error", **told(found.code, line), exit_code=int(found.exit_code))
-        print(f"gaussiancad: {line} [{found.code}]", file=sys.stderr, flush=True)
+        say(f"gaussiancad: {line} [{found.code}]")
         return int(found.exit_code)
     finally:
         cancellation.end()
@@ -98,15 +97,15 @@ def _meaning(
         return known
     if isinstance(error, KeyboardInterrupt):
         return CancelledError("cancelled", "stopped by SIGINT")
+    if is_out_of_memory(error):
+        return LimitError(
+            "out-of-memory", "the memory does not suffice: use --preset draft or a smaller file"
+        )
     if isinstance(error, ImportError):
         return EngineError(
             "engine-incomplete",
             "the engine is incomplete ({reason}): run `gaussiancad doctor`",
             reason=error,
-        )
-    if is_out_of_memory(error):
-        return LimitError(
-            "out-of-memory", "the memory does not suffice: use --preset draft or a smaller file"
         )
     if isinstance(error, OSError) and (known := _of_system(error)) is not None:
         return known
@@ -118,7 +117,7 @@ def _meaning(
 def _of_system(error: OSError) -> GaussianCadError | None:
     """What is told where the system refused a file; nothing where it named none."""
     if error.errno in (errno.ENOSPC, errno.EDQUOT):
-        _drop_output()
+        drop(sys.stdout)
         return LimitError(
             "disk-full", "no space is left where the output is written: free some, then retry"
         )
@@ -150,9 +149,3 @@ def _is_file(name: str) -> bool:
         return Path(name).is_file()
     except (OSError, ValueError):
         return False
-
-
-def _drop_output() -> None:
-    """Let what is left to be printed go nowhere: at its end Python prints it."""
-    with open(os.devnull, "wb") as nowhere, suppress(ValueError):
-        os.dup2(nowhere.fileno(), sys.stdout.fileno())

@@ -1,11 +1,11 @@
 """``--page all``: each page of a file as a sheet of its own, in a folder ``page-N``."""
 
 import argparse
-import sys
 from collections.abc import Callable
 from typing import Any
 
 from gaussiancad_core.cli import values
+from gaussiancad_core.cli.streams import say
 from gaussiancad_core.errors import (
     ExitCode,
     GaussianCadError,
@@ -74,7 +74,7 @@ def run_pages(
         except OfOnePage as error:
             failed.append(error)
             line = on_one_line(error.message)
-            print(f"gaussiancad: page {number}: {line} [{error.code}]", file=sys.stderr, flush=True)
+            say(f"gaussiancad: page {number}: {line} [{error.code}]")
             listener.send("warning", **told(error.code, line), page=number)
     if len(failed) == count:
         raise failed[0]

@@ -15,6 +15,7 @@ from gaussiancad_core.cli import (
     reconstruct,
     serve,
 )
+from gaussiancad_core.cli.streams import say
 from gaussiancad_core.errors import ExitCode
 
 
@@ -23,9 +24,8 @@ class OneLineParser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Say what is wrong and how to see the usage, and exit with 2."""
-        self.exit(
-            int(ExitCode.USAGE), f"gaussiancad: {message}; see {self.prog} --help [wrong-usage]\n"
-        )
+        say(f"gaussiancad: {message}; see {self.prog} --help [wrong-usage]")
+        self.exit(int(ExitCode.USAGE))
 
 
 def build_parser() -> argparse.ArgumentParser:

@@ -1,7 +1,6 @@
 """``gaussiancad reconstruct``: one sheet to a model."""
 
 import argparse
-import sys
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -9,6 +8,7 @@ from pathlib import Path
 from gaussiancad_core.axes import Projection
 from gaussiancad_core.cli import values
 from gaussiancad_core.cli.pages import add_page_option, run_pages
+from gaussiancad_core.cli.streams import say
 from gaussiancad_core.cli.terminal import summary
 from gaussiancad_core.cli.values import named_path
 from gaussiancad_core.errors import ExitCode, UsageError
@@ -231,7 +231,7 @@ def _run_page(options: argparse.Namespace, listener: Listener) -> ExitCode:
         print("\n".join(summary(report, path, job.sheet)))
         for warning in report.warnings:
             line = on_one_line(warning.message)
-            print(f"gaussiancad: warning: {line} [{warning.code}]", file=sys.stderr)
+            say(f"gaussiancad: warning: {line} [{warning.code}]")
     return ExitCode.DONE
 
 

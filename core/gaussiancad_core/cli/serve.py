@@ -52,7 +52,8 @@ def run(_options: argparse.Namespace, listener: Listener) -> ExitCode:
     while (line := lines.get()) != _END:
         try:
             request = msgspec.json.decode(line, type=Request)
-        except msgspec.MsgspecError as error:
+        # Bytes that are no text are none of it either.
+        except (msgspec.MsgspecError, UnicodeError, RecursionError) as error:
             message = Message("this is no request: {reason}", reason=error)
             listener.send("answer", id=None, **_refusal("unknown-request", message))
             continue

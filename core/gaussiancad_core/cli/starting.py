@@ -3,11 +3,13 @@ die, and what it leaves then is told."""
 
 import os
 import sys
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
 from gaussiancad_core.cli import main
 from gaussiancad_core.cli.parser import build_parser
+from gaussiancad_core.cli.streams import drop, keep_streams, say
 from gaussiancad_core.errors import CancelledError, EngineError, GaussianCadError, LimitError
 from gaussiancad_core.events import Listener, Silence, open_event_stream
 from gaussiancad_core.job import Job
@@ -20,7 +22,19 @@ _OF_THE_KERNEL = frozenset({"reconstruct", "compare", "draw"})
 
 def start() -> int:
     """Run the command line of this process and return its exit code."""
-    arguments = sys.argv[1:]
+    keep_streams()
+    try:
+        return _started(sys.argv[1:])
+    finally:
+        # Python flushes it at its end, and takes a failure for one of the command.
+        with suppress(ValueError):
+            try:
+                sys.stderr.flush()
+            except OSError:
+                drop(sys.stderr)
+
+
+def _started(arguments: list[str]) -> int:
     if os.name != "posix" or not arguments or arguments[0] not in _OF_THE_KERNEL:
         return main(arguments)
     if {"-h", "--help"} & set(arguments):
@@ -43,14 +57,14 @@ def _told(ended: Watched, arguments: list[str]) -> int:
         if options.page != "all":
             _report(job_of(options, options.sheet, options.output), error, ended.stage)
     line = on_one_line(error.message)
-    print(f"gaussiancad: {line} [{error.code}]", file=sys.stderr, flush=True)
+    say(f"gaussiancad: {line} [{error.code}]")
     listener.send("error", **told(error.code, line), exit_code=int(error.exit_code))
     return int(error.exit_code)
 
 
 def _failure(ended: Watched) -> GaussianCadError:
     stage = ended.stage or "start"
-    if ended.signal in ("SIGTERM", "SIGINT"):
+    if ended.signal in ("SIGTERM", "SIGINT", "SIGHUP"):
         # It came before the child could tell how far it was.
         return CancelledError("cancelled", "cancelled by {signal}", signal=ended.signal)
     if ended.signal == "SIGKILL":

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO
 
+from gaussiancad_core.cli.streams import drop
 from gaussiancad_core.messages import on_one_line
 
 if TYPE_CHECKING:
@@ -75,8 +76,12 @@ class Terminal:
 
     def _print(self, text: str) -> None:
         erase = _ERASE if self.stream.isatty() else ""
-        self.stream.write(f"{erase}{text}")
-        self.stream.flush()
+        # What cannot be shown stops nothing.
+        try:
+            self.stream.write(f"{erase}{text}")
+            self.stream.flush()
+        except OSError:
+            drop(self.stream)
 
 
 def terminal(*, verbose: bool) -> Terminal | None:

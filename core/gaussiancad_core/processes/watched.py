@@ -16,6 +16,7 @@ from tempfile import TemporaryFile
 from types import FrameType
 from typing import Any
 
+from gaussiancad_core.events import ending_signals
 from gaussiancad_core.processes.child import limit_itself
 
 _UNLIMITED = 1 << 50
@@ -73,9 +74,8 @@ def _ended(child: "subprocess.Popen[bytes]") -> int:
     def hand_on(number: int, _frame: FrameType | None) -> None:
         child.send_signal(number)
 
-    before = {number: signal.signal(number, hand_on) for number in (signal.SIGTERM,)}
-    # Ctrl-C reaches the child by itself.
-    before[signal.SIGINT] = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    # Ctrl-C reaches the child by itself, too: it takes the first.
+    before = {number: signal.signal(number, hand_on) for number in ending_signals()}
     try:
         return child.wait()
     finally:
@@ -101,6 +101,8 @@ class StageNotes:
 
 
 if __name__ == "__main__":
+    # Until the command can tell how far it came, it ends at once, without a traceback.
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
     limit_itself(_UNLIMITED)
     # What this process starts needs no part of it.
     os.set_inheritable(int(sys.argv[1]), False)

@@ -59,6 +59,34 @@ def test_a_pipe_or_a_file_of_our_own_that_is_gone_is_no_success(
     assert "[unforeseen]" in capsys.readouterr().err
 
 
+@pytest.mark.skipif(os.name != "posix", reason="streams are closed by a shell")
+@pytest.mark.parametrize("closed", ["<&-", ">&-", "2>&-", "<&- >&- 2>&-"])
+@pytest.mark.parametrize("command", ["explain", "draw"])
+def test_streams_that_are_closed_change_no_exit_code(command: str, closed: str) -> None:
+    words = [sys.executable, "-m", "gaussiancad_core", command, "missing.step", "sheet.png"]
+    shell = ["sh", "-c", f'exec "$@" {closed}', "sh", *(words if command == "draw" else words[:-1])]
+    ended = subprocess.run(shell, stderr=subprocess.PIPE, check=False)
+    assert ended.returncode == 3
+    assert ended.stderr.count(b"\n") == ("2>&-" not in closed)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="streams are closed by a shell")
+def test_what_is_printed_on_closed_streams_goes_nowhere() -> None:
+    words = [sys.executable, "-m", "gaussiancad_core", "explain", str(_SAMPLE)]
+    shell = ["sh", "-c", 'exec "$@" <&- >&- 2>&-', "sh", *words]
+    assert subprocess.run(shell, check=False).returncode == 0
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="the system has no full device")
+@pytest.mark.parametrize("arguments", [("explain", "missing"), ("draw", "missing.step", "a.png")])
+def test_a_word_that_finds_no_room_leaves_the_exit_code(arguments: tuple[str, ...]) -> None:
+    command = [sys.executable, "-m", "gaussiancad_core"]
+    with open("/dev/full", "wb") as full:
+        told = subprocess.run([*command, *arguments], stderr=full, check=False)
+        usage = subprocess.run([*command, "nonsense"], stderr=full, check=False)
+    assert (told.returncode, usage.returncode) == (3, 2)
+
+
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="the system has no full device")
 def test_output_that_finds_no_room_is_told() -> None:
     with open("/dev/full", "wb") as full:

@@ -82,3 +82,16 @@ def test_what_a_command_prints_and_its_exit_code_are_its_own(
     ended = watch(["compare", "missing.step", "missing.stl"])
     assert (ended.exit_code, ended.signal, ended.stage) == (3, "", "")
     assert "[file-missing]" in capfd.readouterr().err
+
+
+@pytest.mark.parametrize("number", ["SIGINT", "SIGTERM", "SIGHUP"])
+def test_a_signal_to_the_command_alone_cancels_it(tmp_path: Path, number: str) -> None:
+    command = [sys.executable, "-m", "gaussiancad_core", "reconstruct", str(_SAMPLE)]
+    started = subprocess.Popen([*command, "--output", str(tmp_path)], stderr=subprocess.PIPE)
+    engine = _engine_of(started)
+    started.send_signal(getattr(signal, number))
+    _, told = started.communicate(timeout=_PATIENCE_S)
+    assert started.returncode == 130
+    lines = told.decode().splitlines()
+    assert len(lines) == 1 and "[cancelled]" in lines[0]
+    assert not engine.is_running()

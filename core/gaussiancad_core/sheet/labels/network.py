@@ -157,7 +157,8 @@ def _session() -> "InferenceSession":
     options = onnxruntime.SessionOptions()
     # One thread: the same result whatever the machine.
     options.intra_op_num_threads = 1
-    options.log_severity_level = 3
+    # What fails is raised; nothing is printed beside it.
+    options.log_severity_level = 4
     # Memory goes back when a sheet is labelled: a long-lived engine reads one now and then.
     options.enable_cpu_mem_arena = False
     with as_file(files(__package__).joinpath(_WEIGHTS)) as path:
