@@ -153,6 +153,11 @@ class Cancellation:
         for number in ending_signals():
             signal.signal(number, self._handle)
 
+    def begin(self) -> None:
+        """Let in the signals that whoever started this process held back until now."""
+        if hasattr(signal, "pthread_sigmask"):
+            signal.pthread_sigmask(signal.SIG_UNBLOCK, ending_signals())
+
     def end(self) -> None:
         """The run has ended, however it did: nothing is raised any more."""
         self._arrived.set()

@@ -15,7 +15,7 @@ from dataclasses import dataclass, fields, replace
 from functools import cached_property
 
 from gaussiancad_core.messages import Message
-from gaussiancad_core.modes import Status
+from gaussiancad_core.modes import SolidWay, Status
 from gaussiancad_core.projected_reading import Reading
 from gaussiancad_core.reasoning.labelling import Effort
 from gaussiancad_core.sketch.checking import checked
@@ -94,7 +94,12 @@ class ExactModel:
 
 
 def find_exact(
-    own: Reading, other: Reading | None, limits: Limits | None = None, *, by_symbol: bool = False
+    own: Reading,
+    other: Reading | None,
+    limits: Limits | None = None,
+    *,
+    by_symbol: bool = False,
+    way: SolidWay = SolidWay.ALL,
 ) -> ExactModel:
     """The exact solid of a sheet.
 
@@ -104,10 +109,11 @@ def find_exact(
         limits: of the search.
         by_symbol: whether the sheet's projection symbol tells the first: the other is tried only
             where lines contradict it, and taken only where they plainly do.
+        way: the sketch alone, or all ways.
     """
     limits = limits or Limits()
     readings = _Readings(own, other, by_symbol)
-    if own.is_alone:
+    if own.is_alone or way is SolidWay.SKETCH:
         # Cells take two views.
         failed = ExactResult(Status.FAILED, None, None, (), (UNBUILT,), {})
         return readings.sketched or ExactModel(own, failed, False)

@@ -8,7 +8,7 @@ from typing import Any
 from gaussiancad_core.files.opening import head_of
 from gaussiancad_core.finished import sha256
 from gaussiancad_core.foreign_files import check_no_foreign
-from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind
+from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind, SolidWay
 from gaussiancad_core.outputs import check_writable
 from gaussiancad_core.sheet.options import ReadingOptions
 
@@ -46,6 +46,7 @@ class Job:
         corrections: a ``corrections.json`` that is applied to what was read.
         overwrite: whether files that no run made are replaced.
         transforms: whether the cameras are written for nerfstudio, too.
+        way: in which an exact solid is looked for.
         scale_down: the edges of the images that are trained on are divided by this.
     """
 
@@ -64,6 +65,7 @@ class Job:
     given: Path | None = None
     corrections: Path | None = None
     overwrite: bool = False
+    way: SolidWay = SolidWay.ALL
 
     def check(self, names: Iterable[str] = ()) -> None:
         """Tell what is wrong with the paths before anything is loaded.

@@ -26,6 +26,20 @@ class ResultKind(Enum):
     SURFACE = "surface"
 
 
+class SolidWay(Enum):
+    """In which ways an exact solid is looked for; one in which a library breaks down is left out,
+    with all before it."""
+
+    ALL = "all"
+    SKETCH = "sketch"
+    NONE = "none"
+
+    @property
+    def less(self) -> "SolidWay":
+        """What is left without the first of them."""
+        return SolidWay.SKETCH if self is SolidWay.ALL else SolidWay.NONE
+
+
 class Device(Enum):
     """Where the Gaussians are trained."""
 

@@ -17,7 +17,7 @@ from gaussiancad_core.events import Listener, Progress, cancellation_behind
 from gaussiancad_core.finished import finished_report
 from gaussiancad_core.job import Job
 from gaussiancad_core.messages import Message
-from gaussiancad_core.modes import Device, Recipe, ResultKind, Status
+from gaussiancad_core.modes import Device, Recipe, ResultKind, SolidWay, Status
 from gaussiancad_core.opened_sheet import open_image, tell_image
 from gaussiancad_core.outputs import REPORT_FILE, RUN_FILES, OutputFolder, os_error
 from gaussiancad_core.page_choice import naming_pages, page_instead, tell_page
@@ -264,20 +264,13 @@ class _Run:
         self, found: "SheetFindings", sheet: OpenedSheet
     ) -> "tuple[SheetFindings, ExactModel | None]":
         """The exact solid, or what stands for it, and what it says about the projection."""
-        from gaussiancad_core.exact_stage import (
-            OPEN_ENDED,
-            find_exact,
-            find_for_hull,
-        )
+        from gaussiancad_core.exact_stage import OPEN_ENDED
         from gaussiancad_core.ink_stage import compared_with_ink
         from gaussiancad_core.registering_stage import tell_projection
         from gaussiancad_core.solid_reports import with_solid_facts
 
         surface_alone = self.job.result is ResultKind.SURFACE
-        if surface_alone:
-            exact = find_for_hull(found.own, found.other)
-        else:
-            exact = find_exact(found.own, found.other, by_symbol=found.symbol is not None)
+        exact = self._exact(found)
         if exact and (exact.decided or (found.other and not surface_alone)):
             tell_projection(self.notes, exact.reading.projection, inferred=exact.decided)
         if exact is None or surface_alone:
@@ -292,6 +285,39 @@ class _Run:
             code, message = exact.result.reasons[0]
             raise (LimitError if code in OPEN_ENDED else NoModelError)(code, message)
         return found, exact
+
+    def _exact(self, found: "SheetFindings") -> "ExactModel | None":
+        """The exact solid, looked for in the ways that the job has; one in which the kernel does
+        not do what is asked is left out, and told.
+
+        Raises:
+            Exception: what the kernel raised, where nothing else was asked for and no way is left.
+        """
+        from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
+        from gaussiancad_core.exact_stage import find_exact, find_for_hull
+
+        surface_alone, way = self.job.result is ResultKind.SURFACE, self.job.way
+        if way is not SolidWay.ALL:
+            self._tell_left_out()
+        while way is not SolidWay.NONE:
+            try:
+                if surface_alone:
+                    return find_for_hull(found.own, found.other)
+                by_symbol = found.symbol is not None
+                return find_exact(found.own, found.other, by_symbol=by_symbol, way=way)
+            except KERNEL_FAILURES:
+                way = SolidWay.NONE if surface_alone else way.less
+                if way is SolidWay.NONE and self.job.result is ResultKind.SOLID:
+                    raise
+                self._tell_left_out()
+        return None
+
+    def _tell_left_out(self) -> None:
+        self.notes.doubt(
+            "solid-way-left-out",
+            "a library broke down in one of the ways in which the solid is looked for: that way "
+            "was left out; this is a fault of ours, please report it with the sheet",
+        )
 
     def _publish(self, solid: "ExactModel", status: Status) -> None:
         """Put the solids under their names, and say so: nothing that follows changes them."""

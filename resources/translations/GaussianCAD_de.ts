@@ -199,6 +199,10 @@
 <context>
     <name>GaussianCAD</name>
     <message>
+        <source>A library broke down in one of the ways in which the solid is looked for. That way was left out: check the part. It is a fault of ours: please report it with the drawing.</source>
+        <translation>Eine Bibliothek ist bei einer der Arten zusammengebrochen, auf die der Festkörper gesucht wird. Diese Art wurde ausgelassen: Prüfen Sie das Teil. Das ist ein Fehler von uns: Bitte melden Sie ihn mit der Zeichnung.</translation>
+    </message>
+    <message>
         <source>Stop</source>
         <translation>Anhalten</translation>
     </message>

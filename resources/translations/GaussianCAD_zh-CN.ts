@@ -199,6 +199,10 @@
 <context>
     <name>GaussianCAD</name>
     <message>
+        <source>A library broke down in one of the ways in which the solid is looked for. That way was left out: check the part. It is a fault of ours: please report it with the drawing.</source>
+        <translation>在寻找实体的一种方法中,某个库发生了崩溃。该方法已被略过:请检查零件。这是我们的错误:请连同图纸一起报告。</translation>
+    </message>
+    <message>
         <source>Stop</source>
         <translation>停止</translation>
     </message>

@@ -14,8 +14,9 @@ import numpy as np
 import psutil
 import pytest
 import trimesh
+from OCP.Standard import Standard_NullObject
 
-from gaussiancad_core import surface_stage
+from gaussiancad_core import exact_stage, surface_stage
 from gaussiancad_core.axes import Axis, Projection, Role
 from gaussiancad_core.comparison.distances import point_to_surface, volume_iou
 from gaussiancad_core.comparison.models import load_model
@@ -25,13 +26,15 @@ from gaussiancad_core.drawing.brep import moved_to_origin, read_solid, soundness
 from gaussiancad_core.drawing.command import write_image
 from gaussiancad_core.drawing.sheet import draw_sheet
 from gaussiancad_core.drawing.style import parse_style
-from gaussiancad_core.errors import LimitError, NoModelError
+from gaussiancad_core.errors import EngineError, LimitError, NoModelError
 from gaussiancad_core.events import Silence
+from gaussiancad_core.exact_stage import ExactModel
 from gaussiancad_core.job import Job
 from gaussiancad_core.meshes import TriangleMesh
-from gaussiancad_core.modes import Preset, ResultKind
+from gaussiancad_core.modes import Preset, ResultKind, SolidWay, Status
 from gaussiancad_core.outputs import PUBLISHED_FILE, STAGING_PREFIX
 from gaussiancad_core.pipeline import STAGES, reconstruct, stages_of
+from gaussiancad_core.projected_reading import Reading
 from gaussiancad_core.samples import SAMPLES
 from gaussiancad_core.sheet.options import ReadingOptions
 
@@ -48,6 +51,8 @@ FILES = {
     "overlay.png",
     "preview.png",
 }
+
+_L_BRACKET = Path(__file__).parents[2] / "resources" / "samples" / "l-bracket.png"
 
 
 def _command(sheet: Path, output: Path, *options: str) -> list[str]:
@@ -397,3 +402,36 @@ def test_a_reader_that_goes_away_is_no_error_of_the_run(sheet: Path, tmp_path: P
     os.kill(process.pid, signal.SIGTERM)
     assert process.wait() == 130
     assert "Traceback" not in process.stderr.read()
+
+
+def test_a_way_in_which_the_kernel_breaks_down_is_left_out(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ways: list[SolidWay] = []
+
+    def find_exact(*readings: Reading, way: SolidWay, **more: bool) -> ExactModel:
+        ways.append(way)
+        if way is SolidWay.ALL:
+            raise Standard_NullObject("no shape")
+        return exact_stage_find_exact(*readings, way=way, **more)
+
+    exact_stage_find_exact = exact_stage.find_exact
+    monkeypatch.setattr(exact_stage, "find_exact", find_exact)
+    report = reconstruct(Job(_L_BRACKET, tmp_path, result=ResultKind.SOLID), Silence())
+    assert ways == [SolidWay.ALL, SolidWay.SKETCH]
+    assert report.status is Status.APPROXIMATE
+    assert report.reasons[0].code == "solid-way-left-out"
+    assert report.solid.valid
+
+
+def test_where_the_kernel_breaks_down_in_all_ways_nothing_is_made(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def find_exact(*_: Reading, **__: object) -> ExactModel:
+        raise Standard_NullObject("no shape")
+
+    monkeypatch.setattr(exact_stage, "find_exact", find_exact)
+    with pytest.raises(EngineError) as caught:
+        reconstruct(Job(_L_BRACKET, tmp_path, result=ResultKind.SOLID), Silence())
+    assert caught.value.code == "unforeseen"
+    assert json.loads((tmp_path / "report.json").read_text())["stage"] == "solid"

@@ -58,6 +58,7 @@ def main(arguments: Sequence[str] | None = None, heard: Listener | None = None) 
     listener: Listener = Silence()
     cancellation = Cancellation()
     try:
+        cancellation.begin()
         if options.events:
             listener = open_event_stream()
             if not options.serves:
@@ -65,7 +66,8 @@ def main(arguments: Sequence[str] | None = None, heard: Listener | None = None) 
         elif (shown := terminal(verbose=options.verbose)) is not None:
             listener = shown
         if heard is not None:
-            listener = Both(listener, heard)
+            # What is told of a process that dies is never behind what it said itself.
+            listener = Both(heard, listener)
         code = int(options.run(options, listener))
         # What is still to be printed may find no reader, or no room.
         sys.stdout.flush()

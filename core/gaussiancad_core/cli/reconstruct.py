@@ -15,9 +15,12 @@ from gaussiancad_core.errors import ExitCode, UsageError
 from gaussiancad_core.events import PROTOCOL, Listener
 from gaussiancad_core.job import Job, corrections_beside
 from gaussiancad_core.messages import on_one_line
-from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind
+from gaussiancad_core.modes import Device, Preset, Recipe, ResultKind, SolidWay
 from gaussiancad_core.outputs import REPORT_FILE, RUN_FILES
 from gaussiancad_core.sheet.options import MEDIAN_KERNEL, FileUnit, Finder, ReadingOptions
+
+SOLID_WAY = "--solid-way"
+"""The option that leaves out ways in which an exact solid is looked for."""
 
 
 def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -34,6 +37,13 @@ def add_command(commands: "argparse._SubParsersAction[argparse.ArgumentParser]")
     add_job_options(parser)
     add_reading_files(parser)
     add_events_option(parser)
+    # Of whoever starts the run again after a library has ended it.
+    parser.add_argument(
+        SOLID_WAY,
+        type=partial(values.choice, SolidWay),
+        default=SolidWay.ALL,
+        help=argparse.SUPPRESS,
+    )
     parser.set_defaults(run=run)
 
 
@@ -217,6 +227,7 @@ def _run_page(options: argparse.Namespace, listener: Listener) -> ExitCode:
         job_of(options, options.sheet, options.output),
         given=options.reading,
         corrections=options.corrections or corrections_beside(options.sheet, options.page),
+        way=options.solid_way,
     )
     job.check((*RUN_FILES, REPORT_FILE))
 

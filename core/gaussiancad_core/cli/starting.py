@@ -1,5 +1,9 @@
 """How the ``gaussiancad`` command starts: what uses the geometry kernel runs in a child that may
-die, and what it leaves then is told."""
+die.
+
+Where it dies while it looks for the solid, the run begins again without the way in which it did;
+what is left where no way remains is told.
+"""
 
 import os
 import sys
@@ -9,15 +13,20 @@ from pathlib import Path
 
 from gaussiancad_core.cli import main
 from gaussiancad_core.cli.parser import build_parser
+from gaussiancad_core.cli.reconstruct import SOLID_WAY
 from gaussiancad_core.cli.streams import drop, keep_streams, say
 from gaussiancad_core.errors import CancelledError, EngineError, GaussianCadError, LimitError
 from gaussiancad_core.events import Listener, Silence, open_event_stream
 from gaussiancad_core.job import Job
 from gaussiancad_core.messages import on_one_line, told
+from gaussiancad_core.modes import ResultKind, SolidWay
 from gaussiancad_core.processes.watched import Watched, watch
 
 _OF_THE_KERNEL = frozenset({"reconstruct", "compare", "draw"})
 """Commands that use it."""
+
+_BREAKDOWNS = frozenset({"SIGSEGV", "SIGABRT", "SIGBUS", "SIGFPE", "SIGILL"})
+"""Signals by which a library ends its process."""
 
 
 def start() -> int:
@@ -43,7 +52,27 @@ def _started(arguments: list[str]) -> int:
         ended = watch(arguments)
     except OSError:
         return main(arguments)
+    while (further := _without_way(ended, arguments)) is not None:
+        arguments = further
+        ended = watch(arguments)
     return _told(ended, arguments) if ended.exit_code < 0 else ended.exit_code
+
+
+def _without_way(ended: Watched, arguments: list[str]) -> list[str] | None:
+    """The arguments of the same run without the way of looking for the solid in which a library
+    ended it; None where it ended otherwise, or no way is left."""
+    if ended.signal not in _BREAKDOWNS or ended.stage != "solid":
+        return None
+    options = build_parser().parse_args(arguments)
+    if arguments[0] != "reconstruct" or options.page == "all":
+        return None
+    way = options.solid_way.less
+    if options.result is ResultKind.SURFACE:
+        way = SolidWay.NONE
+    nothing_else = way is SolidWay.NONE and options.result is ResultKind.SOLID
+    if options.solid_way is SolidWay.NONE or nothing_else:
+        return None
+    return [*arguments, SOLID_WAY, way.value]
 
 
 def _told(ended: Watched, arguments: list[str]) -> int:

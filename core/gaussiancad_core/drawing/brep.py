@@ -329,8 +329,8 @@ def edge_length(edge: TopoDS_Shape) -> float:
 
 
 def is_valid(shape: TopoDS_Shape) -> bool:
-    """Whether the kernel finds nothing wrong with a shape."""
-    return bool(BRepCheck_Analyzer(shape).IsValid())
+    """Whether the kernel finds nothing wrong with a shape; an empty one is none."""
+    return not shape.IsNull() and bool(BRepCheck_Analyzer(shape).IsValid())
 
 
 def soundness(shape: TopoDS_Shape) -> Soundness:

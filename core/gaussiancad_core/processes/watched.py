@@ -63,19 +63,33 @@ def watch(arguments: Sequence[str]) -> Watched:
         note.write(b" " * _LONGEST_NAME)
         note.flush()
         own = note.fileno()
-        child = subprocess.Popen([*python, str(own), *arguments], pass_fds=(own,))
-        code = _ended(child)
+        # The child hears none of them before it can tell how far it came: it lets them in itself.
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, ending_signals())
+        try:
+            child = subprocess.Popen([*python, str(own), *arguments], pass_fds=(own,))
+            handlers = _handing_on(child)
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
+        code = _ended(child, handlers)
         return Watched(code, os.pread(own, _LONGEST_NAME, 0).decode("utf-8", "replace").strip())
 
 
-def _ended(child: "subprocess.Popen[bytes]") -> int:
-    """The exit code of a child, which gets the signals that are to end this process."""
+_Handlers = dict[signal.Signals, Any]
+"""What a signal did before."""
+
+
+def _handing_on(child: "subprocess.Popen[bytes]") -> _Handlers:
+    """Hand the signals that are to end this process on to a child."""
 
     def hand_on(number: int, _frame: FrameType | None) -> None:
         child.send_signal(number)
 
     # Ctrl-C reaches the child by itself, too: it takes the first.
-    before = {number: signal.signal(number, hand_on) for number in ending_signals()}
+    return {number: signal.signal(number, hand_on) for number in ending_signals()}
+
+
+def _ended(child: "subprocess.Popen[bytes]", before: _Handlers) -> int:
+    """The exit code of a child; then signals do what they did before."""
     try:
         return child.wait()
     finally:

@@ -41,8 +41,12 @@ def test_a_process_that_dies_is_told_with_its_stage(
     tmp_path: Path, number: signal.Signals, code: int, said: str
 ) -> None:
     command = [sys.executable, "-m", "gaussiancad_core", "reconstruct", str(_SAMPLE)]
+    # The paper's recipe looks for no solid: there is one way only.
+    surface = ["--result", "surface", "--recipe", "paper"]
     started = subprocess.Popen(
-        [*command, "--output", str(tmp_path)], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+        [*command, "--output", str(tmp_path), *surface],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
     )
     engine = _engine_of(started)
     # What was read is put in place as soon as it is known.
@@ -60,6 +64,54 @@ def test_a_process_that_dies_is_told_with_its_stage(
     assert not list(tmp_path.glob(".gaussiancad-*"))
     again = [*command, "--output", str(tmp_path), "--result", "solid"]
     assert subprocess.run(again, capture_output=True, check=False).returncode == 0
+
+
+def _until_solid(started: subprocess.Popen[bytes]) -> None:
+    """Wait until the solid is looked for."""
+    for line in started.stdout:
+        event = json.loads(line)
+        if event["event"] == "stage" and event["name"] == "solid":
+            return
+    raise AssertionError("the run ended before")
+
+
+def _rest_of(started: subprocess.Popen[bytes]) -> int:
+    """The exit code; the end of stdin would end the run."""
+    started.stdout.read()
+    return started.wait(_PATIENCE_S)
+
+
+def test_a_way_in_which_a_library_ends_the_run_is_left_out(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "gaussiancad_core", "reconstruct", str(_SAMPLE)]
+    started = subprocess.Popen(
+        [*command, "--output", str(tmp_path), "--result", "solid", "--events"],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+    )
+    _until_solid(started)
+    _engine_of(started).send_signal(signal.SIGSEGV)
+    _until_solid(started)
+    assert _rest_of(started) == 0
+    report = json.loads((tmp_path / "report.json").read_text("utf-8"))
+    assert report["status"] == "approximate"
+    assert "solid-way-left-out" in [own["code"] for own in report["reasons"]]
+    assert report["solid"]["valid"]
+    assert not list(tmp_path.glob(".gaussiancad-*"))
+
+
+def test_where_no_way_is_left_the_run_ends(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "gaussiancad_core", "reconstruct", str(_SAMPLE)]
+    started = subprocess.Popen(
+        [*command, "--output", str(tmp_path), "--result", "solid", "--events"],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+    )
+    for _ in range(2):
+        _until_solid(started)
+        _engine_of(started).send_signal(signal.SIGSEGV)
+    assert _rest_of(started) == 6
+    report = json.loads((tmp_path / "report.json").read_text("utf-8"))
+    assert (report["status"], report["stage"]) == ("failed", "solid")
 
 
 def test_a_signal_that_ends_the_command_reaches_the_engine(tmp_path: Path) -> None:

@@ -3,6 +3,11 @@
 from freecad.gaussiancad.language import QT_TRANSLATE_NOOP
 
 REASONS = {
+    "solid-way-left-out": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "A library broke down in one of the ways in which the solid is looked for. That way was "
+        "left out: check the part. It is a fault of ours: please report it with the drawing.",
+    ),
     "photographed-at-a-slant": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The sheet was photographed at a slant of about {degrees} degrees and was straightened by "
