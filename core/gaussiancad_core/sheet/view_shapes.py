@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.ellipses import WholeEllipse
+from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.arc_ends import without_arc_ends
 from gaussiancad_core.sheet.clean import CleanSheet
 from gaussiancad_core.sheet.close_lines import with_close_lines
@@ -59,6 +60,9 @@ from gaussiancad_core.views import Linetype
 
 MIN_SAGITTA = 1.2
 """Height in px of the flattest arc that is told from a straight line, beyond half a stroke."""
+
+_MOST_LINES = 1500
+"""Straight lines of a view: each is looked at beside the others, and no solid follows from 900."""
 
 _PULLED = 0.5
 """px by which a fit to the ink may move a circle that the ridges gave."""
@@ -118,7 +122,11 @@ class ViewShapes:
 def find_shapes(
     sheet: CleanSheet, box: tuple[float, float, float, float], finder: Finder = Finder.RIDGES
 ) -> ViewShapes:
-    """Lines, circles and ellipses of the view inside a box of the sheet."""
+    """Lines, circles and ellipses of the view inside a box of the sheet.
+
+    Raises:
+        NoModelError: ``part-too-complex``: there are more lines than any part has.
+    """
     crop, offset = _crop(sheet, box)
     field = ink_field(crop)
     height, width = crop.ink.shape
@@ -160,8 +168,20 @@ def _candidates(sheet: CleanSheet, finder: Finder) -> tuple[list[Geometry], set[
     ellipses = [shape for shape in shapes if isinstance(shape, WholeEllipse)]
     circles = [_better_fit(sheet, shape) for shape in shapes if isinstance(shape, Circle)]
     straight = [shape for shape in shapes if isinstance(shape, Line)]
+    _check_amount(len(straight))
     lines, close = with_close_lines(sheet, straight)
     return [*ellipses, *circles, *lines], close
+
+
+def _check_amount(count: int) -> None:
+    if count > _MOST_LINES:
+        raise NoModelError(
+            "part-too-complex",
+            "a view of the picture has {count:,} lines, more than the {most:,} that a part is made "
+            "from: draw less in one sheet, or box the view alone",
+            count=count,
+            most=_MOST_LINES,
+        )
 
 
 def _better_fit(sheet: CleanSheet, circle: Circle) -> Circle:

@@ -5,6 +5,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from gaussiancad_core.errors import NoModelError
+from gaussiancad_core.sheet import view_shapes
 from gaussiancad_core.sheet.clean import clean_sheet
 from gaussiancad_core.sheet.geometry import Circle
 from gaussiancad_core.sheet.view_shapes import find_shapes
@@ -51,3 +53,18 @@ def test_a_chamfer_is_no_arc(sketch: Sketch, cut: float) -> None:
         (40, 20), (40, 260 - cut), (40 + cut, 260), (280, 260), width=WIDTH
     )
     assert not _circles(drawn)
+
+
+def test_more_lines_than_any_part_has_are_refused_before_they_are_looked_at(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    picture = np.full((120, 120), 255, np.uint8)
+    for at in (20, 50, 80):
+        picture[at : at + 3, 10:110] = 0
+    sheet = clean_sheet(picture)
+    monkeypatch.setattr(view_shapes, "_MOST_LINES", 3)
+    assert len(find_shapes(sheet, (0.0, 0.0, 120.0, 120.0)).shapes) == 3
+    monkeypatch.setattr(view_shapes, "_MOST_LINES", 2)
+    with pytest.raises(NoModelError) as caught:
+        find_shapes(sheet, (0.0, 0.0, 120.0, 120.0))
+    assert caught.value.code == "part-too-complex"
