@@ -39,13 +39,14 @@ class ToolBar(QtWidgets.QToolBar):
         for key, kind in KEYS.items():
             _add(kinds, f"{name_of(kind)}\t{key}", partial(board.give_kind, kind))
         self._add_menu(translate("GaussianCAD", "Kind"), kinds)
+        whole = QtWidgets.QMenu(self)
         first = "first", translate("GaussianCAD", "First angle")
         third = "third", translate("GaussianCAD", "Third angle")
-        self._projections = self._choice(
-            "projection", translate("GaussianCAD", "Projection"), (first, third)
-        )
+        projection, unit = translate("GaussianCAD", "Projection"), translate("GaussianCAD", "Unit")
         units = (("mm", "mm"), ("in", translate("GaussianCAD", "inch")))
-        self._units = self._choice("unit", translate("GaussianCAD", "Unit"), units)
+        self._projections = self._choice(whole, "projection", projection, (first, third))
+        self._units = self._choice(whole, "unit", unit, units)
+        self._add_menu(translate("GaussianCAD", "Sheet"), whole)
         self._add_layers()
 
     def show_choices(self, sheet: Sheet) -> None:
@@ -55,15 +56,14 @@ class ToolBar(QtWidgets.QToolBar):
                 action.setChecked(action.data() == value)
 
     def _choice(
-        self, name: str, title: str, values: tuple[tuple[str, str], ...]
+        self, place: QtWidgets.QMenu, name: str, title: str, values: tuple[tuple[str, str], ...]
     ) -> QtWidgets.QMenu:
-        """A button with a menu of values, of which one holds."""
-        menu = QtWidgets.QMenu(title, self)
+        """A menu in a menu, with values of which one holds."""
+        menu = place.addMenu(title)
         for value, text in values:
             action = _add(menu, text, lambda own=value: self._say(saying.set_to(name, own)))
             action.setData(value)
             action.setCheckable(True)
-        self._add_menu(title, menu)
         return menu
 
     def _add_layers(self) -> None:

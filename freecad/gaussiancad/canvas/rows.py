@@ -27,6 +27,10 @@ class Line:
     colour: str = ""
 
 
+_LEAST_PX = 60
+"""Height of a list of few rows."""
+
+
 class Rows(QtWidgets.QListWidget):
     """The list.
 
@@ -55,6 +59,7 @@ class Rows(QtWidgets.QListWidget):
         self._lines = []
         for own in lines:
             self.add(own)
+        self._fit()
 
     def add(self, line: Line) -> None:
         """Put a row at the end."""
@@ -85,6 +90,12 @@ class Rows(QtWidgets.QListWidget):
             if widget is not None:
                 height = widget.heightForWidth(max(self.viewport().width(), 200))
                 self.item(index).setSizeHint(QtCore.QSize(0, height))
+        self._fit()
+
+    def _fit(self) -> None:
+        """Take no more height than the rows need: the sheet gets the rest."""
+        rows = sum(self.item(index).sizeHint().height() for index in range(self.count()))
+        self.setMaximumHeight(max(_LEAST_PX, rows + 2 * self.frameWidth() + 2))
 
     def _show(self, item: QtWidgets.QListWidgetItem) -> None:
         self._ask(self._lines[self.row(item)])

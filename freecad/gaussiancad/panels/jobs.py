@@ -25,6 +25,9 @@ from freecad.gaussiancad.qt import QtCore, QtWidgets
 
 DOCK_NAME = "GaussianCADJobs"
 
+_HEIGHT = 140
+"""px of the list when it is opened: a few rows."""
+
 _GRACE_SECONDS = 1.0
 """Between the steps of stopping: a job that is cancelled is gone within two of them."""
 
@@ -210,5 +213,6 @@ def job_list() -> JobList:
     if found is None:
         found = JobList(main)
         main.addDockWidget(QtCore.Qt.DockWidgetArea.BottomDockWidgetArea, found)
+        main.resizeDocks([found], [_HEIGHT], QtCore.Qt.Orientation.Vertical)
     found.show()
     return found
