@@ -232,7 +232,7 @@ class Groups(DocumentCase):
         path = self.folder / "Führung – 支架.stl"
         path.write_text(fake_part.stl_text())
         request = CompareRequest(Source(self.scan), Source(path=str(path)))
-        self.assertEqual(request.reference.file(self.folder, "x"), path)
+        self.assertEqual(request.reference.file(self.folder), path)
         loaded = load_comparison(self.compare(), self.folder)
         group = add_comparison(self.document, loaded, request)
         self.assertEqual((group.Reference, group.ReferenceFile), (path.name, str(path)))
@@ -243,7 +243,7 @@ class Groups(DocumentCase):
         self.assertTrue(group.Stale)
         path.unlink()
         with self.assertRaises(WorkbenchError) as caught:
-            request.reference.file(self.folder, "x")
+            request.reference.file(self.folder)
         self.assertIs(caught.exception.code, ErrorCode.NOTHING_TO_COMPARE)
 
     def test_the_sheet_goes_along_for_the_page(self) -> None:
@@ -257,8 +257,8 @@ class Groups(DocumentCase):
         scratch = self.folder / "scratch"
         scratch.mkdir()
         job = prepare_comparison(self.request(), scratch)
-        self.assertEqual((scratch / "overlay.png").read_bytes(), b"a picture")
-        self.assertEqual(Path(job.result).parent, scratch)
+        self.assertEqual((scratch / "result" / "overlay.png").read_bytes(), b"a picture")
+        self.assertEqual(Path(job.result), scratch / "result" / "Scan.stl")
 
     def test_it_is_all_there_after_saving(self) -> None:
         loaded = load_comparison(self.compare(), self.folder)

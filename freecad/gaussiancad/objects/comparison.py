@@ -159,11 +159,12 @@ def prepare_comparison(request: CompareRequest, scratch: Path) -> CompareJob:
     Raises:
         WorkbenchError: there is no geometry.
     """
-    result = request.result.file(scratch, "result")
+    own = scratch / "result"
+    result = request.result.file(own)
     sheet = request.result.sheet()
-    if sheet is not None and result.parent == scratch:
-        shutil.copyfile(sheet, scratch / "overlay.png")
-    reference = request.reference.file(scratch, "reference")
+    if sheet is not None and result.parent == own:
+        shutil.copyfile(sheet, own / "overlay.png")
+    reference = request.reference.file(scratch / "reference")
     return CompareJob(str(result), str(reference), str(scratch / "comparison"))
 
 

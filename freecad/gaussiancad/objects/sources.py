@@ -1,5 +1,6 @@
 """What is compared: an object of the document or a model file, and whether it changed since."""
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,6 +12,11 @@ from freecad.gaussiancad.objects.comparable import export_geometry, global_shape
 
 MODEL_SUFFIXES = ("step", "stp", "brep", "brp", "stl", "ply", "obj")
 """Files that the engine compares."""
+
+_UNSAFE = re.compile(r"[^\w .()-]")
+"""What no file's name should have."""
+
+_LONGEST_STEM = 60
 
 
 @dataclass(frozen=True)
@@ -44,13 +50,15 @@ class Source:
             return _file_state(Path(self.path))
         return _feature_state(self.feature)
 
-    def file(self, folder: Path, stem: str) -> Path:
-        """A file with the geometry: the file itself, or one written into the folder.
+    def file(self, folder: Path) -> Path:
+        """A file with the geometry: the file itself, or one of the object's name in the folder.
 
         Raises:
             WorkbenchError: there is no geometry.
         """
         if self.feature is not None:
+            folder.mkdir(exist_ok=True)
+            stem = _UNSAFE.sub("_", self.label).strip(" .")[:_LONGEST_STEM] or self.feature.Name
             return export_geometry(self.feature, folder, stem)
         path = Path(self.path)
         if not path.is_file():

@@ -6,6 +6,7 @@ from pathlib import Path
 import FreeCAD
 
 from freecad.gaussiancad.language import translate
+from freecad.gaussiancad.objects.known_sheets import reconstruction_among
 from freecad.gaussiancad.objects.sources import MODEL_SUFFIXES, Source
 from freecad.gaussiancad.qt import QtCore, QtWidgets
 
@@ -25,7 +26,7 @@ class ModelBox(QtWidgets.QComboBox):
         self.setSizeAdjustPolicy(policy)
         self.setMinimumContentsLength(8)
         for feature in features:
-            self.addItem(feature.Label, ("object", feature.Name))
+            self.addItem(_name_of(feature), ("object", feature.Name))
         self.addItem(translate("GaussianCAD", "File…"), ("ask", ""))
         self._last = 0
         if not features:
@@ -70,3 +71,11 @@ class ModelBox(QtWidgets.QComboBox):
             self.choose_file(Path(path))
         else:
             self.setCurrentIndex(self._last if self.count() > 1 else -1)
+
+
+def _name_of(feature: FreeCAD.DocumentObject) -> str:
+    """What an object is called, with the drawing that it was made from."""
+    group = reconstruction_among([feature])
+    if group is None:
+        return feature.Label
+    return f"{feature.Label} \u2013 {Path(group.SheetPath).name}"
