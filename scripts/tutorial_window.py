@@ -27,7 +27,6 @@ def make_importable() -> None:
 
 make_importable()
 
-from freecad.gaussiancad.canvas.scene import frame_of  # noqa: E402
 from freecad.gaussiancad.panels import correct  # noqa: E402
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets  # noqa: E402
 
@@ -135,7 +134,7 @@ class Hand:
 
     def click_frame(self, corner: Point) -> None:
         """Click on the upper edge of the frame around a place."""
-        views = [frame_of(own) for own in self.dock.canvas.sheet.views]
+        views = [own.frame for own in self.dock.canvas.sheet.views]
         x0, y0, x1, _ = next(own for own in views if _holds(own, corner))
         self.drag(((x0 + x1) / 2.0, y0), ((x0 + x1) / 2.0, y0))
 
