@@ -3,7 +3,7 @@
 An 11 x 11 Gaussian window of standard deviation 1.5, blank beyond the border, as 3D Gaussian
 splatting uses it.  :func:`plain_ssim` is the reference in torch.  :func:`similarity_with` has its
 gradient worked out, which needs half of the blurs, and blurs along the rows and then along the
-columns: with OpenCV on a processor, where it is about ten times as fast, and in torch on a GPU.
+columns: compiled on a processor, see :mod:`ssim_kernels`, and in torch on a GPU.
 """
 
 from collections.abc import Callable
@@ -13,13 +13,13 @@ import cv2
 import numpy as np
 import numpy.typing as npt
 import torch
-from numba import njit
 from torch import Tensor
 
-WINDOW = 11
-SIGMA = 1.5
-_C1 = 0.01**2
-_C2 = 0.03**2
+from gaussiancad_core.splatting import ssim_kernels
+from gaussiancad_core.splatting.kernel_threads import KERNELS
+from gaussiancad_core.splatting.ssim_kernels import C1 as _C1
+from gaussiancad_core.splatting.ssim_kernels import C2 as _C2
+from gaussiancad_core.splatting.ssim_kernels import SIGMA, WINDOW
 
 Array = npt.NDArray[np.float32]
 
@@ -116,74 +116,41 @@ class FastSsim:
     """
 
     def __init__(self, targets: Tensor) -> None:
-        self._targets = np.ascontiguousarray(targets.detach().numpy(), dtype=np.float32)
-        self._mean = _blur(self._targets)
-        self._variance = _blur(self._targets * self._targets) - self._mean * self._mean
+        self._shape = targets.shape
+        images = targets.detach().reshape(-1, *targets.shape[-2:])
+        self._targets = np.ascontiguousarray(images.numpy(), dtype=np.float32)
+        self._mean = _blurred(self._targets)
+        self._variance = _blurred(self._targets * self._targets) - self._mean * self._mean
 
     def __call__(self, images: Tensor) -> Tensor:
         """Mean SSIM of (v, c, h, w) images with the targets; differentiable once."""
-        return _Similarity.apply(images, self._targets, self._mean, self._variance)
+        return _Similarity.apply(images, self)
+
+    def with_gradient(self, images: Tensor) -> tuple[float, Tensor]:
+        """Mean SSIM of (v, c, h, w) images with the targets, and its gradient to the images."""
+        own = np.ascontiguousarray(images.detach().numpy()).reshape(self._targets.shape)
+        gradient = np.zeros_like(own)
+        sums = np.empty(ssim_kernels.tile_count(own.shape))
+        fixed = self._targets, self._mean, self._variance
+        with KERNELS:
+            ssim_kernels.similarities(own, *fixed, gradient, sums)
+        return float(sums.sum()) / own.size, torch.from_numpy(gradient).view(self._shape)
 
 
 class _Similarity(torch.autograd.Function):
     @staticmethod
-    def forward(
-        ctx: Any,  # noqa: ANN401
-        images: Tensor,
-        targets: Array,
-        target_mean: Array,
-        target_variance: Array,
-    ) -> Tensor:
-        x = np.ascontiguousarray(images.detach().numpy())
-        mean, square, product = _blur(x), _blur(x * x), _blur(x * targets)
-        to_mean, to_square, to_product = (np.empty_like(x) for _ in range(3))
-        total = _similarity(
-            (mean.ravel(), square.ravel(), product.ravel()),
-            (target_mean.ravel(), target_variance.ravel()),
-            (to_mean.ravel(), to_square.ravel(), to_product.ravel()),
-        )
-        # The blur is symmetric: it is its own transpose.
-        gradient = _blur(to_mean)
-        gradient += 2.0 * x * _blur(to_square)
-        gradient += targets * _blur(to_product)
-        ctx.gradient = torch.from_numpy(gradient / np.float32(x.size))
-        return torch.tensor(total / x.size, dtype=torch.float32)
+    def forward(ctx: Any, images: Tensor, fixed: FastSsim) -> Tensor:  # noqa: ANN401
+        similarity, ctx.gradient = fixed.with_gradient(images)
+        return torch.tensor(similarity, dtype=torch.float32)
 
     @staticmethod
     def backward(ctx: Any, upstream: Tensor) -> tuple[Tensor | None, ...]:  # noqa: ANN401
-        return ctx.gradient * upstream, None, None, None
+        return ctx.gradient * upstream, None
 
 
-def _blur(stack: Array) -> Array:
-    blurred = np.empty_like(stack)
-    height, width = stack.shape[-2:]
-    for source, target in zip(
-        stack.reshape(-1, height, width), blurred.reshape(-1, height, width), strict=True
-    ):
-        cv2.GaussianBlur(source, (WINDOW, WINDOW), SIGMA, target, borderType=cv2.BORDER_CONSTANT)
-    return blurred
-
-
-@njit(fastmath=True, error_model="numpy", cache=True)
-def _similarity(own, fixed, gradients):  # noqa: ANN001, ANN202
-    """Sum of the SSIM over all pixels, and its gradients to the three blurred images."""
-    means, squares, products = own
-    target_means, target_variances = fixed
-    to_means, to_squares, to_products = gradients
-    c1, c2, two = np.float32(_C1), np.float32(_C2), np.float32(2.0)
-    total = 0.0
-    for i in range(means.size):
-        x, y = means[i], target_means[i]
-        variance = squares[i] - x * x
-        covariance = products[i] - x * y
-        a1, a2 = two * x * y + c1, two * covariance + c2
-        b1 = x * x + y * y + c1
-        b2 = variance + target_variances[i] + c2
-        value = a1 * a2 / (b1 * b2)
-        total += value
-        to_products[i] = two * a1 / (b1 * b2)
-        to_squares[i] = -value / b2
-        # The mean also enters through the variance and the covariance.
-        direct = two * y * a2 / (b1 * b2) - two * value * x / b1
-        to_means[i] = direct - two * x * to_squares[i] - y * to_products[i]
-    return total
+def _blurred(images: Array) -> Array:
+    """Each of (n, h, w) images, blurred; blank beyond the border."""
+    size = (WINDOW, WINDOW)
+    return np.stack(
+        [cv2.GaussianBlur(own, size, SIGMA, borderType=cv2.BORDER_CONSTANT) for own in images]
+    )

@@ -1,16 +1,8 @@
-"""The fast back end: compiled tile kernels behind torch's automatic differentiation.
+"""The fast back end: compiled tile kernels behind torch's automatic differentiation."""
 
-numba's own work queue runs the kernels: it comes with every numba, and unlike OpenMP its threads
-sleep between kernels instead of spinning, which costs torch its processor.  It serves one caller
-at a time, so that the kernels are behind a lock.
-"""
-
-import os
-import threading
 from dataclasses import dataclass
 from typing import Any
 
-import numba
 import numpy as np
 import numpy.typing as npt
 import torch
@@ -18,13 +10,9 @@ from torch import Tensor
 
 from gaussiancad_core.cameras import CameraModel
 from gaussiancad_core.splatting import projection_kernels, tile_kernels, tile_sorting
+from gaussiancad_core.splatting.kernel_threads import KERNELS
 from gaussiancad_core.splatting.projection import CameraBatch, half_field
 from gaussiancad_core.splatting.rasteriser import Optics, Parameters, Rendering
-
-if "NUMBA_THREADING_LAYER" not in os.environ:
-    numba.config.THREADING_LAYER = "workqueue"
-
-_KERNELS = threading.Lock()
 
 PARTS = 96
 """Runs of tiles that the threads share out; a number that many numbers of threads divide."""
@@ -110,7 +98,7 @@ class _Draw(torch.autograd.Function):
         scene = _scene((means, quaternions, log_scales), opacities, colours, cameras, optics)
         size = (cameras.height, cameras.width)
         moved = None if shifts is None else _array(shifts)
-        with _KERNELS:
+        with KERNELS:
             tiling, projected, images = _forward(scene, size, optics, moved)
         ctx.state = (scene, size, tiling, projected, images)
         return tuple(torch.from_numpy(image) for image in images)
@@ -118,7 +106,7 @@ class _Draw(torch.autograd.Function):
     @staticmethod
     def backward(ctx: Any, *upstream: Tensor) -> tuple[Tensor | None, ...]:  # noqa: ANN401
         arrays = tuple(np.ascontiguousarray(gradient.numpy()) for gradient in upstream)
-        with _KERNELS:
+        with KERNELS:
             gradients = _backward(ctx.state, arrays)
         found = [torch.from_numpy(gradient) for gradient in gradients]
         shifted = ctx.needs_input_grad[5]

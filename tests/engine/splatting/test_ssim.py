@@ -55,6 +55,32 @@ def test_a_processor_has_the_compiled_version() -> None:
     assert isinstance(similarity_with(images(0)[0]), FastSsim)
 
 
+WIDE = (100, 470)
+"""Images of several tiles, none of which ends at the border."""
+
+PLACES = {
+    "nowhere": (slice(0, 0), slice(0, 0)),
+    "at one pixel": (slice(50, 51), slice(300, 301)),
+    "within a tile": (slice(10, 30), slice(20, 200)),
+    "across tiles": (slice(30, 95), slice(210, 445)),
+    "at the border": (slice(90, 100), slice(460, 470)),
+    "everywhere": (slice(None), slice(None)),
+}
+
+
+@pytest.mark.parametrize("place", PLACES.values(), ids=PLACES.keys())
+def test_tiles_have_the_value_and_gradient_of_the_whole(place: tuple[slice, slice]) -> None:
+    target, other = images(3, *WIDE)
+    one = target.clone()
+    one[..., *place] = other[..., *place]
+    exact = one.double().requires_grad_()
+    plain = plain_ssim(exact, target.double())
+    plain.backward()
+    similarity, gradient = FastSsim(target).with_gradient(one)
+    assert similarity == pytest.approx(float(plain.detach()), abs=1e-6)
+    assert (gradient - exact.grad).abs().max() <= 1e-4 * exact.grad.abs().max() + 1e-12
+
+
 @pytest.mark.parametrize("version", [FastSsim, TorchSsim])
 @settings(max_examples=15, deadline=None)
 @given(seed=st.integers(0, 1000))
