@@ -285,8 +285,9 @@ def warm_up() -> None:
     """
     from gaussiancad_core.axes import Role
     from gaussiancad_core.cameras import orthographic_camera
+    from gaussiancad_core.splatting.losses import LossWeights, Targets, total_loss
     from gaussiancad_core.splatting.projection import batch_of
-    from gaussiancad_core.splatting.ssim import FastSsim
+    from gaussiancad_core.splatting.ssim import similarity_with
 
     batch = batch_of((orthographic_camera(Role.FRONT, (1.0, 1.0, 1.0), tile_sorting.TILE_WIDTH),))
     parameters = Parameters(
@@ -296,5 +297,6 @@ def warm_up() -> None:
         )
     )
     rendering = draw_tiles(parameters, batch, Optics())
-    similarity = FastSsim(torch.zeros_like(rendering.colours))(rendering.colours)
-    (similarity + rendering.alphas.mean() + rendering.depths.mean()).backward()
+    targets = Targets(torch.zeros_like(rendering.colours), torch.zeros_like(rendering.alphas))
+    loss = total_loss(rendering, targets, similarity_with(targets.colours), LossWeights())
+    (loss + rendering.depths.mean()).backward()

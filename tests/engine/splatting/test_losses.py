@@ -9,7 +9,9 @@ from gaussiancad_core.splatting.losses import (
     LossWeights,
     Targets,
     composed,
+    fast_compared,
     mask_entropy,
+    plain_compared,
     total_loss,
 )
 from gaussiancad_core.splatting.rasteriser import Rendering
@@ -51,3 +53,21 @@ def test_terms_add_up_with_their_weights(weights: LossWeights) -> None:
     absolute, entropy = 0.85, -np.log(0.25)
     expected = (1 - weights.ssim) * absolute + weights.ssim * 0.6 + weights.mask * entropy
     assert float(total) == pytest.approx(expected, rel=1e-6)
+
+
+def test_compiled_terms_and_their_gradients_are_those_of_torch() -> None:
+    random = torch.Generator().manual_seed(0)
+    colours, wanted, upstream = (torch.rand(2, 3, 9, 37, generator=random) for _ in range(3))
+    alphas, masks = (torch.rand(2, 9, 37, generator=random) for _ in range(2))
+    # Beyond the margins of the entropy, and where there is no distance either.
+    alphas[:, :2], alphas[:, 2:4], masks[:, 1:3] = 0.0, 1.0, 1.0
+    wanted[..., 2:4, :] = colours[..., 2:4, :]
+    targets = Targets(wanted, masks, (1.0, 0.5, 0.25))
+    found = []
+    for compared in (plain_compared, fast_compared):
+        leaves = colours.clone().requires_grad_(), alphas.clone().requires_grad_()
+        terms = compared(Rendering(*leaves, torch.zeros_like(alphas)), targets)
+        ((terms[0] * upstream).sum() + 700.0 * terms[1] + 20.0 * terms[2]).backward()
+        found.append([*(term.detach() for term in terms), *(leaf.grad for leaf in leaves)])
+    for plain, fast in zip(*found, strict=True):
+        torch.testing.assert_close(fast, plain, rtol=2e-6, atol=2e-6)
