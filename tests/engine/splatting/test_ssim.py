@@ -1,6 +1,7 @@
 """Structural similarity: known values, and the fast version against the plain one."""
 
 import cv2
+import numba
 import numpy as np
 import pytest
 import torch
@@ -56,7 +57,7 @@ def test_a_processor_has_the_compiled_version() -> None:
 
 
 WIDE = (100, 470)
-"""Images of several tiles, none of which ends at the border."""
+"""Height and width of images of several tiles, the last of which are cut."""
 
 PLACES = {
     "nowhere": (slice(0, 0), slice(0, 0)),
@@ -79,6 +80,20 @@ def test_tiles_have_the_value_and_gradient_of_the_whole(place: tuple[slice, slic
     similarity, gradient = FastSsim(target).with_gradient(one)
     assert similarity == pytest.approx(float(plain.detach()), abs=1e-6)
     assert (gradient - exact.grad).abs().max() <= 1e-4 * exact.grad.abs().max() + 1e-12
+
+
+def test_any_number_of_threads_gives_the_same_bits() -> None:
+    target, one = images(4, *WIDE)
+    before = numba.get_num_threads()
+    found = []
+    try:
+        for threads in (1, before):
+            numba.set_num_threads(threads)
+            found.append(FastSsim(target).with_gradient(one))
+    finally:
+        numba.set_num_threads(before)
+    assert found[0][0] == found[1][0]
+    assert torch.equal(found[0][1], found[1][1])
 
 
 @pytest.mark.parametrize("version", [FastSsim, TorchSsim])
