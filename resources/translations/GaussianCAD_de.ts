@@ -1787,6 +1787,10 @@
         <translation>Die Modelle lassen sich nicht vergleichen: Eines ist beschädigt. Exportieren Sie es neu.</translation>
     </message>
     <message>
+        <source>The model cannot be drawn: it is damaged. Export it again.</source>
+        <translation>Das Modell kann nicht gezeichnet werden: Es ist beschädigt. Exportieren Sie es noch einmal.</translation>
+    </message>
+    <message>
         <source>The file is no model. Choose a STEP, BREP, STL, PLY or OBJ file.</source>
         <translation>Die Datei ist kein Modell. Wählen Sie eine STEP-, BREP-, STL-, PLY- oder OBJ-Datei.</translation>
     </message>
@@ -1873,6 +1877,10 @@
     <message>
         <source>The drawing has too many lines for an exact solid. Draw fewer of them on one sheet.</source>
         <translation>Die Zeichnung hat zu viele Linien für einen exakten Festkörper. Zeichnen Sie weniger davon auf ein Blatt.</translation>
+    </message>
+    <message>
+        <source>The lines of the drawing are too many, or cross each other too often, to be told apart. Draw fewer of them on one sheet, or cut the views out of the picture.</source>
+        <translation>Die Linien der Zeichnung sind zu viele oder kreuzen sich zu oft, um sie auseinanderzuhalten. Zeichnen Sie weniger davon auf ein Blatt, oder schneiden Sie die Ansichten aus dem Bild aus.</translation>
     </message>
     <message>
         <source>The solid is not one valid closed body.</source>
@@ -2305,6 +2313,18 @@
     <message>
         <source>The drawing has more lines and other elements than can be read ({most}). Save only the views, or export it as PNG.</source>
         <translation>Die Zeichnung hat mehr Linien und andere Elemente, als gelesen werden können ({most}). Speichern Sie nur die Ansichten, oder exportieren Sie sie als PNG.</translation>
+    </message>
+    <message>
+        <source>The table has more lines than are taken ({most}). Make several tables of it.</source>
+        <translation>Die Tabelle hat mehr Zeilen, als angenommen werden ({most}). Teilen Sie sie in mehrere Tabellen auf.</translation>
+    </message>
+    <message>
+        <source>There are more corrections than are taken ({most}). Remove those that no longer matter.</source>
+        <translation>Es sind mehr Korrekturen, als angenommen werden ({most}). Entfernen Sie die, auf die es nicht mehr ankommt.</translation>
+    </message>
+    <message>
+        <source>The reading has more strokes than are taken ({most}). Read the views alone.</source>
+        <translation>Die Lesung hat mehr Striche, als angenommen werden ({most}). Lesen Sie nur die Ansichten.</translation>
     </message>
     <message>
         <source>The file has more than {most} MB. Save only the views, or export the drawing as PNG.</source>

@@ -819,6 +819,10 @@
         <translation>两个模型无法比较：其中一个已损坏。请重新导出。</translation>
     </message>
     <message>
+        <source>The model cannot be drawn: it is damaged. Export it again.</source>
+        <translation>无法绘制该模型：模型已损坏。请重新导出。</translation>
+    </message>
+    <message>
         <source>The file is no model. Choose a STEP, BREP, STL, PLY or OBJ file.</source>
         <translation>该文件不是模型。请选择 STEP、BREP、STL、PLY 或 OBJ 文件。</translation>
     </message>
@@ -905,6 +909,10 @@
     <message>
         <source>The drawing has too many lines for an exact solid. Draw fewer of them on one sheet.</source>
         <translation>图纸的线太多，无法得出精确实体。请在一张图纸上少画一些。</translation>
+    </message>
+    <message>
+        <source>The lines of the drawing are too many, or cross each other too often, to be told apart. Draw fewer of them on one sheet, or cut the views out of the picture.</source>
+        <translation>图纸的线太多，或相互交叉太频繁，无法区分。请在一张图纸上少画一些线，或从图片中裁出各视图。</translation>
     </message>
     <message>
         <source>The solid is not one valid closed body.</source>
@@ -1337,6 +1345,18 @@
     <message>
         <source>The drawing has more lines and other elements than can be read ({most}). Save only the views, or export it as PNG.</source>
         <translation>图纸的线和其他元素超过可读取的数量（{most}）。请只保存各视图，或导出为 PNG。</translation>
+    </message>
+    <message>
+        <source>The table has more lines than are taken ({most}). Make several tables of it.</source>
+        <translation>表格的行数超过可接受的数量（{most}）。请将其分成多个表格。</translation>
+    </message>
+    <message>
+        <source>There are more corrections than are taken ({most}). Remove those that no longer matter.</source>
+        <translation>修正超过可接受的数量（{most}）。请删除不再需要的修正。</translation>
+    </message>
+    <message>
+        <source>The reading has more strokes than are taken ({most}). Read the views alone.</source>
+        <translation>读取结果的笔画超过可接受的数量（{most}）。请只读取各视图。</translation>
     </message>
     <message>
         <source>The file has more than {most} MB. Save only the views, or export the drawing as PNG.</source>

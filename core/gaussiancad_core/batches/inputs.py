@@ -5,9 +5,10 @@ import glob
 import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from pathlib import Path
 
-from gaussiancad_core.errors import UsageError
+from gaussiancad_core.errors import LimitError, UsageError
 from gaussiancad_core.job import Job, corrections_beside
 from gaussiancad_core.plain_files import check_plain
 
@@ -18,6 +19,9 @@ SUFFIXES = frozenset(
 
 _SHEET = "sheet"
 """The column of a table that has the paths."""
+
+_MOST_ROWS = 50_000
+"""Lines of a table: that many sheets take days."""
 
 JobOf = Callable[[Sequence[str]], Job]
 """A job by options of the command line, beside those that all sheets have.
@@ -51,6 +55,7 @@ def collect_sheets(named: Iterable[str], job: Job, job_of: JobOf) -> list[BatchS
 
     Raises:
         UsageError: ``no-sheets``, ``table-unreadable``.
+        LimitError: ``too-many-elements``: a table has more lines than are taken.
     """
     found: dict[str, BatchSheet] = {}
     for name in named:
@@ -101,6 +106,17 @@ def _in_table(table: Path, job_of: JobOf) -> Iterator[BatchSheet]:
         raise UsageError(
             "table-unreadable", f"{table} cannot be read as a CSV table: {error}"
         ) from error
+    if len(rows) > _MOST_ROWS:
+        raise LimitError(
+            "too-many-elements",
+            "{path} has {count:,} lines, at most {most:,} are taken: make several tables of it",
+            case="table",
+            path=table,
+            count=len(rows),
+            most=_MOST_ROWS,
+        )
+    # Most lines ask for what others do.
+    job_with = lru_cache(maxsize=None)(job_of)
     for number, row in enumerate(rows, start=2):
         place = f"{table}, line {number}"
         if None in row or not row.get(_SHEET):
@@ -115,6 +131,6 @@ def _in_table(table: Path, job_of: JobOf) -> Iterator[BatchSheet]:
                 options += [f"--{column.replace('_', '-')}={value}"]
         path = table.parent / row[_SHEET]
         try:
-            yield BatchSheet(path, replace(job_of(options), sheet=path))
+            yield BatchSheet(path, replace(job_with(tuple(options)), sheet=path))
         except UsageError as error:
             raise UsageError(error.code, f"{place}: {error.message}") from error

@@ -15,7 +15,13 @@ from gaussiancad_core.cli import main
 from gaussiancad_core.cli.parser import build_parser
 from gaussiancad_core.cli.reconstruct import SOLID_WAY
 from gaussiancad_core.cli.streams import drop, keep_streams, say
-from gaussiancad_core.errors import CancelledError, EngineError, GaussianCadError, LimitError
+from gaussiancad_core.errors import (
+    CancelledError,
+    EngineError,
+    GaussianCadError,
+    LimitError,
+    UnreadableError,
+)
 from gaussiancad_core.events import Listener, Silence, open_event_stream
 from gaussiancad_core.job import Job
 from gaussiancad_core.messages import on_one_line, told
@@ -79,7 +85,7 @@ def _told(ended: Watched, arguments: list[str]) -> int:
     """Tell that a signal ended the engine, and leave a report where a run was to."""
     options = build_parser().parse_args(arguments)
     listener: Listener = open_event_stream() if options.events else Silence()
-    error = _failure(ended)
+    error = _failure(ended, options.solid if arguments[0] == "draw" else None)
     if arguments[0] == "reconstruct":
         from gaussiancad_core.cli.reconstruct import job_of
 
@@ -91,8 +97,23 @@ def _told(ended: Watched, arguments: list[str]) -> int:
     return int(error.exit_code)
 
 
-def _failure(ended: Watched) -> GaussianCadError:
+def _failure(ended: Watched, solid: Path | None = None) -> GaussianCadError:
+    """The error that a signal stands for.
+
+    Args:
+        ended: how the command ended.
+        solid: the file of a solid that anybody may have made, where the command is of one.
+    """
     stage = ended.stage or "start"
+    if solid is not None and ended.signal in _BREAKDOWNS:
+        return UnreadableError(
+            "damaged-model",
+            "{path} cannot be drawn (its process was ended by {signal}): it is damaged; export it "
+            "again",
+            case="draw",
+            path=solid,
+            signal=ended.signal,
+        )
     if ended.signal in ("SIGTERM", "SIGINT", "SIGHUP"):
         # It came before the child could tell how far it was.
         return CancelledError("cancelled", "cancelled by {signal}", signal=ended.signal)

@@ -49,6 +49,9 @@ from gaussiancad_core.plain_files import plain_bytes
 _STEP_MAGIC = b"ISO-10303-21"
 _BREP_MAGIC = (b"DBRep_DrawableShape", b"CASCADE Topology")
 _HEAD = 512
+_DEEPEST = 256
+"""Parentheses in parentheses of a STEP file: values hardly ever lie in a list of lists."""
+
 _PLAIN_NAME = re.compile(r"[A-Za-z0-9 ._-]+")
 
 
@@ -154,8 +157,11 @@ def _damaged(path: Path) -> UnreadableError:
 
 
 def _parse_step(path: Path, content: bytes) -> TopoDS_Shape:
-    # The reader crashes on files that end early or lack entities, so that is looked for first.
-    if b"END-ISO-10303-21" not in content or _lacks_entities(content):
+    # The reader crashes on files that end early, lack entities, or have lists in lists without end,
+    # so that is looked for first.
+    text = re.sub(rb"'[^']*'", b"", content)
+    ends = b"END-ISO-10303-21" in content
+    if not ends or _lacks_entities(text) or _depth(text) > _DEEPEST:
         raise _damaged(path)
     reader = STEPControl_Reader()
     try:
@@ -171,9 +177,16 @@ def _parse_step(path: Path, content: bytes) -> TopoDS_Shape:
     return shape
 
 
-def _lacks_entities(content: bytes) -> bool:
-    """Whether a STEP file refers to an entity that it does not define."""
-    text = re.sub(rb"'[^']*'", b"", content)
+def _depth(text: bytes) -> int:
+    """Parentheses in parentheses at most, of a text without strings."""
+    signs = np.frombuffer(text, dtype=np.uint8)
+    signs = signs[(signs == ord("(")) | (signs == ord(")"))]
+    depth = np.cumsum(np.concatenate([[0], np.where(signs == ord("("), 1, -1)]))
+    return int((depth - np.minimum.accumulate(depth)).max())
+
+
+def _lacks_entities(text: bytes) -> bool:
+    """Whether a STEP file, without its strings, refers to an entity that it does not define."""
     return not set(re.findall(rb"#\d+", text)) <= set(re.findall(rb"(#\d+)\s*=", text))
 
 

@@ -104,8 +104,8 @@ def read_raster(path: Path, page: int) -> FileContent:
 
 def _select_page(path: Path, image: Image.Image, page: int) -> None:
     """Seek to the page; how many there are is only counted if there is no such page."""
-    if page > MAX_PAGES:
-        raise too_many_pages(path, _count_pages(path))
+    if page > MAX_PAGES and (count := _count_pages(path)) > MAX_PAGES:
+        raise too_many_pages(path, count)
     try:
         if page < 1:
             raise EOFError

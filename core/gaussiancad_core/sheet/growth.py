@@ -15,10 +15,11 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.ellipses import WholeEllipse
+from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.arc_kernels import grow_arcs
 from gaussiancad_core.sheet.corner_fits import is_corner
 from gaussiancad_core.sheet.geometry import Circle, Geometry, Line
-from gaussiancad_core.sheet.line_kernels import grow_lines
+from gaussiancad_core.sheet.line_kernels import grow_lines, line_worth
 from gaussiancad_core.sheet.ovals import OvalRules, grow_ovals
 from gaussiancad_core.sheet.ridges import RidgePoints
 
@@ -50,6 +51,11 @@ one's."""
 
 _LONG = 24
 """Points of a line that certainly is one; what it explains starts no arc."""
+
+
+_MOST_LINES, _MOST_MEMBERS = 60_000, 15_000_000
+"""Lines that are grown, and points of all of them: large sheets grow 20,000 with 8 million.  Where
+lines cross everywhere each is grown again and again, with all points of the ones beside it."""
 
 
 _MIDDLE = 0.7
@@ -113,13 +119,20 @@ def grow_shapes(ridges: RidgePoints, rules: GrowthRules = GrowthRules()) -> list
     """Lines and circles that explain ridge points, those that explain most first.
 
     Shapes compete for points: of two that run along each other only the better one stays.
+
+    Raises:
+        NoModelError: ``part-too-complex``: there are more lines than any drawing has.
     """
     lines, arcs, _ = _lines_and_arcs(ridges, rules)
     return _chosen(lines + arcs, ridges, rules.shortest)
 
 
 def grow_all(ridges: RidgePoints, rules: GrowthRules = GrowthRules()) -> list[Grown]:
-    """Lines, circles and ellipses, as :func:`grow_shapes` gives lines and circles."""
+    """Lines, circles and ellipses, as :func:`grow_shapes` gives lines and circles.
+
+    Raises:
+        NoModelError: as there.
+    """
     lines, arcs, beside = _lines_and_arcs(ridges, rules)
     seeds = sorted(arcs, key=lambda grown: -len(grown.members))
     cosine = float(np.cos(np.radians(rules.turn_degrees)))
@@ -166,12 +179,23 @@ def _bows(line: Line, points: Floats, rules: GrowthRules) -> bool:
 
 
 def grow_straight(ridges: RidgePoints, rules: GrowthRules = GrowthRules()) -> list[Grown]:
-    """Lines alone, as :func:`grow_shapes` finds them before circles compete with them."""
+    """Lines alone, as :func:`grow_shapes` finds them before circles compete with them.
+
+    Raises:
+        NoModelError: as there.
+    """
     return _chosen(_all_lines(ridges, rules), ridges, rules.shortest)
 
 
 def _all_lines(ridges: RidgePoints, rules: GrowthRules) -> list[Grown]:
-    found = grow_lines(*_inputs(ridges, rules))
+    found = grow_lines(*_inputs(ridges, rules), (_MOST_LINES, _MOST_MEMBERS))
+    if len(found[0]) > _MOST_LINES or len(found[2]) > _MOST_MEMBERS:
+        raise NoModelError(
+            "part-too-complex",
+            "the lines of the sheet are too many, or cross each other too often, to be told apart: "
+            "draw less in one sheet, or cut the views out of the picture",
+            case="picture",
+        )
     return [Grown(_line(row), own) for row, own in _unpacked(found)]
 
 
@@ -189,7 +213,9 @@ def warm_up() -> None:
     """Compile the kernels, or load them from numba's cache, so that the first sheet is quick."""
     tables = (np.zeros((0, 2)), np.zeros((0, 2)), np.full((1, 1), -1, dtype=np.int32))
     limits, fit = (14.0, 0.8, 0.97), (5.0, 0.35, 0.32, 0.8)
-    grow_lines(tables, limits, fit)
+    most = (_MOST_LINES, _MOST_MEMBERS)
+    rows, splits, members = grow_lines(tables, limits, fit, most)
+    line_worth(tables[0], splits, members, rows, _BESIDE)
     grow_arcs(tables, limits, fit, np.zeros(0))
 
 
@@ -256,12 +282,11 @@ def _worth(shapes: Sequence[Grown], points: Floats) -> list[Floats]:
     lines = [k for k, own in enumerate(shapes) if isinstance(own.geometry, Line)]
     if lines:
         # All at once: there are thousands.
-        counts = [len(shapes[k].members) for k in lines]
+        splits = np.cumsum([0, *(len(shapes[k].members) for k in lines)])
         members = np.concatenate([shapes[k].members for k in lines])
         rows = np.array([(*shapes[k].geometry.point, *shapes[k].geometry.direction) for k in lines])
-        x, y, dx, dy = np.repeat(rows, counts, axis=0).T
-        across = (points[members, 1] - y) * dx - (points[members, 0] - x) * dy
-        own = np.split(_BONUS[Line] * _closeness(across), np.cumsum(counts)[:-1])
+        all_worth = _BONUS[Line] * line_worth(points, splits, members, rows, _BESIDE)
+        own = np.split(all_worth, splits[1:-1])
         for k, each in zip(lines, own, strict=True):
             worth[k] = each
     for k, grown in enumerate(shapes):

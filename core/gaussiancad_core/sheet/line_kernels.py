@@ -32,9 +32,12 @@ extension line, may be drawn half a pixel apart."""
 
 
 @njit(cache=True)
-def grow_lines(tables, limits, fit):  # noqa: ANN001, ANN201
+def grow_lines(tables, limits, fit, most):  # noqa: ANN001, ANN201
     """Lines from all points that no earlier line explains: rows (x, y, dx, dy), the members of row
-    k at ``splits[k]`` to ``splits[k + 1]``."""
+    k at ``splits[k]`` to ``splits[k + 1]``.
+
+    It ends early where there are more lines, or more members of all, than ``most`` has of each.
+    """
     points, tangents, _ = tables
     count = len(points)
     rows, splits = [np.zeros(4)], [0]
@@ -44,6 +47,8 @@ def grow_lines(tables, limits, fit):  # noqa: ANN001, ANN201
     scratch = scratch_of(count)
     own = scratch[1]
     for seed in range(count):
+        if len(rows) - 1 > most[0] or used > most[1]:
+            break
         if tried[seed]:
             continue
         tried[seed] = True
@@ -62,6 +67,20 @@ def grow_lines(tables, limits, fit):  # noqa: ANN001, ANN201
         rows.append(line)
         splits.append(used)
     return stacked(rows, 4), np.array(splits), members[:used]
+
+
+@njit(cache=True)
+def line_worth(points, splits, members, rows, reach):  # noqa: ANN001, ANN201
+    """What each member counts for its line, 1 on the centre line, falling to 0 ``reach`` px beside
+    it; lines as of :func:`grow_lines`."""
+    worth = np.empty(len(members))
+    for row in range(len(rows)):
+        x, y, dx, dy = rows[row]
+        for k in range(splits[row], splits[row + 1]):
+            i = members[k]
+            across = (points[i, 1] - y) * dx - (points[i, 0] - x) * dy
+            worth[k] = max(1.0 - (across / reach) ** 2, 0.0)
+    return worth
 
 
 @njit(cache=True)

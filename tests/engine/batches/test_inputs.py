@@ -9,7 +9,7 @@ from gaussiancad_core.batches.inputs import BatchSheet, collect_sheets
 from gaussiancad_core.cli.batch import _job_with
 from gaussiancad_core.cli.parser import build_parser
 from gaussiancad_core.cli.reconstruct import job_of
-from gaussiancad_core.errors import UsageError
+from gaussiancad_core.errors import LimitError, UsageError
 from gaussiancad_core.modes import ResultKind
 
 
@@ -76,3 +76,16 @@ def test_no_sheet_at_all_is_wrong_usage(tmp_path: Path) -> None:
     with pytest.raises(UsageError) as told:
         _collected([str(tmp_path), str(tmp_path / "*.png")])
     assert told.value.code == "no-sheets"
+
+
+def test_a_table_of_more_lines_than_are_taken_is_told(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("gaussiancad_core.batches.inputs._MOST_ROWS", 2)
+    table = folder / "table.csv"
+    table.write_text("sheet,page\n" + "a.pdf,2\nb.PNG,2\n")
+    assert [sheet.job.page for sheet in _collected([str(table)])] == [2, 2]
+    table.write_text("sheet\n" + "a.pdf\nb.PNG\na.pdf\n")
+    with pytest.raises(LimitError) as caught:
+        _collected([str(table)])
+    assert caught.value.code == "too-many-elements"

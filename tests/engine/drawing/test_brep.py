@@ -132,6 +132,28 @@ def test_a_step_file_that_lacks_lines_is_damaged(bored: object, tmp_path: Path) 
     assert caught.value.code == "file-damaged"
 
 
+@pytest.mark.parametrize("start", [b"", b")" * 1000])
+def test_a_step_file_of_lists_in_lists_is_damaged(
+    bored: object, tmp_path: Path, start: bytes
+) -> None:
+    path = tmp_path / "a.step"
+    write_step(bored, path)
+    lists = start + b"(" * 1000 + b")" * 1000
+    content = path.read_bytes().replace(b"ENDSEC;\nEND", b"#9999=X(" + lists + b");\nENDSEC;\nEND")
+    assert lists in content
+    path.write_bytes(content)
+    with pytest.raises(UnreadableError) as caught:
+        read_solid(path)
+    assert caught.value.code == "file-damaged"
+
+
+def test_parentheses_in_names_are_no_lists(bored: object, tmp_path: Path) -> None:
+    path = tmp_path / "a.step"
+    write_step(bored, path)
+    path.write_bytes(path.read_bytes().replace(b"'a'", b"'" + b"(" * 1000 + b"'"))
+    assert soundness(read_solid(path)).valid
+
+
 def test_a_surface_is_no_solid(tmp_path: Path) -> None:
     write_step(BRepBuilderAPI_MakeFace(gp_Pln(), 0.0, 1.0, 0.0, 1.0).Face(), tmp_path / "f.step")
     with pytest.raises(UnreadableError) as caught:

@@ -92,6 +92,10 @@ def test_many_pages_are_not_walked_through(
         with pytest.raises(UnreadableError) as caught:
             read_raster(tmp_path / "a.tif", page)
         assert caught.value.code == code
+    picture.save(tmp_path / "a.png")
+    with pytest.raises(UnreadableError) as caught:
+        read_raster(tmp_path / "a.png", 999_999)
+    assert caught.value.code == "page-missing"
 
 
 def test_truncated_headers_are_damage(save: Callable, tmp_path: Path) -> None:

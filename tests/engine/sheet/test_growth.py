@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet import growth
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.growth import Grown, GrowthRules, grow_shapes, warm_up
@@ -361,3 +362,28 @@ def test_a_line_between_flat_meetings_is_found(sketch: Sketch, off: float) -> No
     lines, _ = _shapes(drawn, 2.6)
     for end in (low, corner):
         assert [_away(line, end, high) < 0.8 for line in lines].count(True) == 1
+
+
+def test_more_lines_than_any_drawing_has_end_the_growth(
+    sketch: Sketch, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawn = sketch(160, 160)
+    for at in range(10, 150, 10):
+        drawn = drawn.line((10.0, float(at)), (150.0, float(at)), 3.0)
+    lines, _ = _shapes(drawn)
+    assert len(lines) == 14
+    for name, most in (("_MOST_LINES", 13), ("_MOST_MEMBERS", 1_000)):
+        with monkeypatch.context() as own:
+            own.setattr(growth, name, most)
+            with pytest.raises(NoModelError, match="too many") as told:
+                _shapes(drawn)
+            assert told.value.code == "part-too-complex"
+
+
+def test_members_of_lines_count_as_those_of_other_shapes(sketch: Sketch) -> None:
+    drawn = sketch(160, 160).line((10.0, 20.0), (150.0, 60.0), 3.0)
+    drawn = drawn.line((10.0, 60.0), (150.0, 20.0), 3.0)
+    ridges, shapes = _grown(drawn)
+    for shape, worth in zip(shapes, growth._worth(shapes, ridges.points), strict=True):
+        away = shape.geometry.distances(ridges.points[shape.members])
+        assert np.allclose(worth, growth._closeness(away))

@@ -1,14 +1,17 @@
 """Annotations taken off the ink, the part's own strokes left whole where they cross."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import cv2
 import numpy as np
+import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
 from gaussiancad_core.sheet.annotations.inked import InkedShape, points_along
 from gaussiancad_core.sheet.annotations.marks import Mask
 from gaussiancad_core.sheet.clean import CleanSheet
+from gaussiancad_core.sheet.geometry import Line
 
 Kinds = list[list[AnnotationKind | None]]
 """For each run of each shape what annotation it is, or nothing where it is the part's."""
@@ -18,6 +21,9 @@ _ARROW = 4.0
 
 _LARGEST_CRUMB = 0.04
 """Size of what may be left of an annotation, as a share of the sheet's longest side."""
+
+SHOWS = None, AnnotationKind.PICTURE
+"""What lines are that show a part."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,6 +41,22 @@ class Told:
     kinds: Kinds
     unexplained: Mask
     loose: Mask | None = None
+
+    @cached_property
+    def straight_runs(self) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
+        """The straight runs that show a part: (n,) directions in 0..pi, from the sheet's right
+        towards its bottom, and (n, 2, 2) px, their ends."""
+        # There may be thousands of them, and hundreds of boxes in which they are looked for.
+        angles, ends = [], []
+        for shape, own in zip(self.shapes, self.kinds, strict=True):
+            if not isinstance(shape.geometry, Line):
+                continue
+            way = shape.geometry.direction
+            for run, kind in zip(shape.runs, own, strict=True):
+                if kind in SHOWS:
+                    ends.append(points_along(shape.geometry, run.run, 1e9)[[0, -1]] + 0.5)
+                    angles.append(np.arctan2(way[1], way[0]) % np.pi)
+        return np.array(angles), np.array(ends).reshape(-1, 2, 2)
 
 
 def masked(sheet: CleanSheet, kept: Mask) -> CleanSheet:

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from gaussiancad_core.drawing.annotation import AnnotationKind
-from gaussiancad_core.sheet.annotations.erase import Told
+from gaussiancad_core.sheet.annotations.erase import SHOWS, Told
 from gaussiancad_core.sheet.annotations.inked import points_along
 from gaussiancad_core.sheet.geometry import Circle, Line
 from gaussiancad_core.sheet.options import Box
@@ -54,10 +54,6 @@ _MEETING = 4.0
 """Distance of a detail's strokes from its circle at their ends at most, in stroke widths."""
 
 
-_SHOWS = None, AnnotationKind.PICTURE
-"""What lines are that show a part."""
-
-
 @dataclass(frozen=True, eq=False)
 class Lines:
     """The straight lines of a drawing.
@@ -79,18 +75,11 @@ class Lines:
 
 def lines_in(told: Told, box: Box) -> Lines:
     """The straight lines in a box that show a part."""
-    ends, angles = [], []
-    for shape, own in zip(told.shapes, told.kinds, strict=True):
-        if not isinstance(shape.geometry, Line):
-            continue
-        way = shape.geometry.direction
-        for run, kind in zip(shape.runs, own, strict=True):
-            both = points_along(shape.geometry, run.run, 1e9)[[0, -1]] + 0.5
-            if kind in _SHOWS and _within(both, box):
-                ends.append(both)
-                angles.append(np.arctan2(way[1], way[0]) % np.pi)
-    stacked = np.array(ends).reshape(-1, 2, 2)
-    return Lines(np.array(angles), np.hypot(*(stacked[:, 1] - stacked[:, 0]).T), stacked)
+    angles, ends = told.straight_runs
+    low, high = _around(box)
+    own = ((ends >= low) & (ends <= high)).all(axis=(1, 2))
+    stacked = ends[own]
+    return Lines(angles[own], np.hypot(*(stacked[:, 1] - stacked[:, 0]).T), stacked)
 
 
 def special_kind(told: Told, box: Box) -> SpecialKind | None:
@@ -117,7 +106,7 @@ def _is_round_pictorial(told: Told, lines: Lines, box: Box) -> bool:
     for shape, own in zip(told.shapes, told.kinds, strict=True):
         if isinstance(shape.geometry, Line):
             continue
-        runs = [run for run, kind in zip(shape.runs, own, strict=True) if kind in _SHOWS]
+        runs = [run for run, kind in zip(shape.runs, own, strict=True) if kind in SHOWS]
         runs = [r for r in runs if _within(points_along(shape.geometry, r.run, 2.0) + 0.5, box)]
         length = sum(run.run.length for run in runs)
         round_one = isinstance(shape.geometry, Circle)
@@ -226,8 +215,13 @@ def inside(box: Box, other: Box) -> bool:
 
 
 def _within(points: Floats, box: Box) -> bool:
-    low, high = np.array(box[:2]) - _SLACK_PX, np.array(box[2:]) + _SLACK_PX
+    low, high = _around(box)
     return bool(((points >= low) & (points <= high)).all())
+
+
+def _around(box: Box) -> tuple[Floats, Floats]:
+    """The corners of a box with slack."""
+    return np.array(box[:2]) - _SLACK_PX, np.array(box[2:]) + _SLACK_PX
 
 
 def merged(boxes: Sequence[Box]) -> Box:

@@ -54,6 +54,10 @@ REFUSALS = {
     "damaged-model": QT_TRANSLATE_NOOP(
         "GaussianCAD", "The models cannot be compared: one is damaged. Export it again."
     ),
+    "damaged-model:draw": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The model cannot be drawn: it is damaged. Export it again.",
+    ),
     "model-format-unknown": QT_TRANSLATE_NOOP(
         "GaussianCAD", "The file is no model. Choose a STEP, BREP, STL, PLY or OBJ file."
     ),

@@ -78,6 +78,11 @@ REASONS = {
         "GaussianCAD",
         "The drawing has too many lines for an exact solid. Draw fewer of them on one sheet.",
     ),
+    "part-too-complex:picture": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The lines of the drawing are too many, or cross each other too often, to be told "
+        "apart. Draw fewer of them on one sheet, or cut the views out of the picture.",
+    ),
     "solid-unsound": QT_TRANSLATE_NOOP("GaussianCAD", "The solid is not one valid closed body."),
     "ambiguous": QT_TRANSLATE_NOOP(
         "GaussianCAD",

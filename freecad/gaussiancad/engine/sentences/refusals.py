@@ -198,6 +198,18 @@ LIMITS = {
         "The drawing has more lines and other elements than can be read ({most}). Save only the "
         "views, or export it as PNG.",
     ),
+    "too-many-elements:reading": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The reading has more strokes than are taken ({most}). Read the views alone.",
+    ),
+    "too-many-elements:corrections": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "There are more corrections than are taken ({most}). Remove those that no longer matter.",
+    ),
+    "too-many-elements:table": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The table has more lines than are taken ({most}). Make several tables of it.",
+    ),
     "drawing-file-too-large": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The file has more than {most} MB. Save only the views, or export the drawing as PNG.",
