@@ -24,6 +24,11 @@ WIDTH, HEIGHT = 1400, 860
 
 TIME_LIMIT_SECONDS = 540
 
+_OF_README = ("canvas.png", "film-strip.png")
+
+FRAME_WIDTH = 700
+"""px of a picture of the film strip."""
+
 _SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters>
   <FCParamGroup Name="Root">
@@ -86,6 +91,20 @@ def take_pictures(profile: Path, pictures: Path) -> int:
     return ended.returncode
 
 
+def film_strip(pictures: list[Path]) -> Image.Image:
+    """Pictures in rows of two, in the order of their names, from left to right."""
+    frames = [Image.open(path).convert("RGB") for path in pictures]
+    height = round(FRAME_WIDTH * frames[0].height / frames[0].width)
+    gap = 8
+    rows = (len(frames) + 1) // 2
+    strip = Image.new("RGB", (2 * FRAME_WIDTH + gap, rows * (height + gap) - gap), "white")
+    for number, frame in enumerate(frames):
+        row, column = divmod(number, 2)
+        small = frame.resize((FRAME_WIDTH, height), Image.Resampling.LANCZOS)
+        strip.paste(small, (column * (FRAME_WIDTH + gap), row * (height + gap)))
+    return strip
+
+
 def main() -> int:
     """Make the pictures and put them, small, into the documentation."""
     with tempfile.TemporaryDirectory(prefix="gaussiancad-tutorial-") as folder:
@@ -93,8 +112,11 @@ def main() -> int:
         profile.mkdir()
         pictures.mkdir()
         status = take_pictures(profile, pictures)
-        for path in sorted(pictures.glob("*.png")):
-            place = "images" if path.name == "canvas.png" else "tutorial"
+        strip = sorted(pictures.glob("film-*.png"))
+        if strip:
+            film_strip(strip).save(pictures / "film-strip.png")
+        for path in sorted(set(pictures.glob("*.png")) - set(strip)):
+            place = "images" if path.name in _OF_README else "tutorial"
             target = ADDON / "docs" / place / path.name
             Image.open(path).convert("RGB").save(target, optimize=True)
             print(f"{target.relative_to(ADDON)}: {target.stat().st_size // 1024} KB", flush=True)

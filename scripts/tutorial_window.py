@@ -164,6 +164,12 @@ class Hand:
         QtWidgets.QApplication.primaryScreen().grabWindow(0).save(str(PICTURES / f"{name}.png"))
         told(f"{name}:\n{self.rows()}")
 
+    def film(self, number: int) -> None:
+        """Take a picture of the film strip: the canvas beside the part, as they are now."""
+        spin(0.3)
+        path = PICTURES / f"film-{number}.png"
+        QtWidgets.QApplication.primaryScreen().grabWindow(0).save(str(path))
+
     def show_views(self) -> None:
         """The canvas shows all views, and the 3D view the part as large as it can."""
         views = [own.box for own in self.dock.canvas.sheet.views if own.shown]
@@ -246,13 +252,18 @@ def views_moved() -> None:
     """The third sheet: views are boxed, and a length is told."""
     hand = Hand("3-views-moved")
     hand.picture("3-before")
-    for corner, key in FRAMES:
+    hand.film(1)
+    for number, (corner, key) in enumerate(FRAMES):
         hand.click_frame(corner)
         hand.press(key)
         hand.settle()
+        if number == 0:
+            hand.film(2)
+    hand.film(3)
     hand.press(_KEYS.Key_Escape)
     hand.tell_length(LENGTH, LENGTH_MM)
     hand.picture("3-after")
+    hand.film(4)
     hand.close()
 
 
