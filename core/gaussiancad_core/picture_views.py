@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 
+import cv2
 import numpy as np
 import numpy.typing as npt
 
@@ -25,6 +26,9 @@ from gaussiancad_core.sheet.view_search import STUB, arranged, lone_view, with_s
 from gaussiancad_core.sheet.working_scale import resampled, working_factor
 from gaussiancad_core.writing.captions import captions_of
 from gaussiancad_core.writing.scale import WrittenSheet, read_texts
+
+_MOST_PIECES = 15_000
+"""Pieces of ink of a sheet: crowded screenshots and scans have 3,000, letters among them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,11 +63,13 @@ def picture_views(
         symbol: of the sheet, where it was looked for and found.
 
     Raises:
-        NoModelError: there are fewer than two views that belong together, and not one alone.
+        NoModelError: there are fewer than two views that belong together, and not one alone; or
+            ``part-too-complex``, there are more pieces of ink than any drawing has.
         UsageError: a given box holds no ink.
     """
     problem = labels_problem()
     clean = sheet.clean
+    _check_pieces(clean.ink)
     labels = _labels(sheet.image, sheet.turn) if problem is None else plain_labels(clean)
     seen = replace(clean, hidden_odds=labels.hidden_odds()) if problem is None else clean
     separated = separate_by_labels(seen, labels, _upright_tint(sheet.image.tint, sheet.turn))
@@ -85,6 +91,24 @@ def picture_views(
             raise as_pictorial(error, separated) from error
         found = alone
     return PictureViews(*with_symbol(*found, symbol), written, problem)
+
+
+def _check_pieces(ink: npt.NDArray[np.bool_]) -> None:
+    """Refuse before they are labelled, and each followed, more strokes than any drawing has.
+
+    Raises:
+        NoModelError: ``part-too-complex``.
+    """
+    count = cv2.connectedComponents(ink.astype(np.uint8), connectivity=8)[0] - 1
+    if count > _MOST_PIECES:
+        raise NoModelError(
+            "part-too-complex",
+            "the sheet has {count:,} separate strokes, at most {most:,} are followed: draw less in "
+            "one sheet, or cut the views out of it",
+            case="pieces",
+            count=count,
+            most=_MOST_PIECES,
+        )
 
 
 def _labels(image: SheetImage, turn: Turn) -> InkLabels:

@@ -1883,6 +1883,10 @@
         <translation>Die Linien der Zeichnung sind zu viele oder kreuzen sich zu oft, um sie auseinanderzuhalten. Zeichnen Sie weniger davon auf ein Blatt, oder schneiden Sie die Ansichten aus dem Bild aus.</translation>
     </message>
     <message>
+        <source>The drawing has more separate strokes than can be followed ({most}). Draw fewer of them on one sheet, or cut the views out of it.</source>
+        <translation>Die Zeichnung hat mehr einzelne Striche, als verfolgt werden können ({most}). Zeichnen Sie weniger davon auf ein Blatt, oder schneiden Sie die Ansichten aus.</translation>
+    </message>
+    <message>
         <source>The solid is not one valid closed body.</source>
         <translation>Der Festkörper ist nicht ein einziger gültiger, geschlossener Körper.</translation>
     </message>

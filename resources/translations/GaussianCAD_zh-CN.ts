@@ -915,6 +915,10 @@
         <translation>图纸的线太多，或相互交叉太频繁，无法区分。请在一张图纸上少画一些线，或从图片中裁出各视图。</translation>
     </message>
     <message>
+        <source>The drawing has more separate strokes than can be followed ({most}). Draw fewer of them on one sheet, or cut the views out of it.</source>
+        <translation>图纸的独立笔画超过可跟踪的数量（{most}）。请在一张图纸上少画一些，或裁出各视图。</translation>
+    </message>
+    <message>
         <source>The solid is not one valid closed body.</source>
         <translation>该实体不是一个有效的封闭体。</translation>
     </message>

@@ -83,6 +83,11 @@ REASONS = {
         "The lines of the drawing are too many, or cross each other too often, to be told "
         "apart. Draw fewer of them on one sheet, or cut the views out of the picture.",
     ),
+    "part-too-complex:pieces": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The drawing has more separate strokes than can be followed ({most}). Draw fewer of "
+        "them on one sheet, or cut the views out of it.",
+    ),
     "solid-unsound": QT_TRANSLATE_NOOP("GaussianCAD", "The solid is not one valid closed body."),
     "ambiguous": QT_TRANSLATE_NOOP(
         "GaussianCAD",
