@@ -3,6 +3,7 @@ import pytest
 
 from gaussiancad_core.axes import Projection, Role
 from gaussiancad_core.errors import NoModelError, UsageError
+from gaussiancad_core.sheet import layout
 from gaussiancad_core.sheet.layout import Box, find_clusters, find_layout
 
 
@@ -143,3 +144,16 @@ def test_a_line_beside_an_edge_is_no_side_of_the_view() -> None:
     ink[y0 + 5 : y1 - 5, x0 - 10] = True
     layout = find_layout(ink, {}, Projection.THIRD)
     assert _close(layout.boxes[Role.FRONT], FRONT)
+
+
+def test_boxes_are_united_until_none_overlaps_another() -> None:
+    lot = np.random.default_rng(0)
+    corners = lot.integers(0, 300, (300, 2)).astype(float)
+    sizes = lot.integers(1, 12, (300, 2))
+    boxes = [(x, y, x + w, y + h) for (x, y), (w, h) in zip(corners, sizes, strict=True)]
+    united = layout._merge_overlapping(boxes)
+    pairs = [(a, b) for a in united for b in united if a is not b]
+    assert not any(layout._overlap(a, b) for a, b in pairs)
+    assert all(any(layout._contains(own, box) for own in united) for box in boxes)
+    assert 10 < len(united) < 300
+    assert layout._merge_overlapping([]) == []
