@@ -30,7 +30,7 @@ from pathlib import Path
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from freecad.gaussiancad.canvas.serving import Program
+from freecad.gaussiancad.canvas.serving import Engines, Program
 from freecad.gaussiancad.canvas.window import SheetWindow
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
@@ -79,7 +79,7 @@ class Player:
         folder.mkdir(parents=True, exist_ok=True)
         copy = Path(shutil.copyfile(sheet, folder / sheet.name))
         program = Program((sys.executable, "-m", "gaussiancad_core"))
-        self.window = SheetWindow(copy, page, program=program)
+        self.window = SheetWindow(copy, page, engines=Engines.of(program))
         self.window.resize(*_SIZE)
         self.window.show()
         self.report: dict = {}
