@@ -14,12 +14,12 @@ from freecad.gaussiancad.remembered import LAST, Choices, remember, starting_cho
 NARROW = 300
 """px of a task panel that a person made small."""
 
-FEW = {"scale", "outcome"}
+FEW = {"page", "scale", "outcome"}
 MORE = {"projection", "preset", "recipe", "colour", "output"}
 
 
 def visible(form: QtWidgets.QWidget) -> set[str]:
-    names = FEW | MORE | {"page", "length", "mmPerPixel", "scaleDown"}
+    names = FEW | MORE | {"length", "mmPerPixel", "scaleDown"}
     return {name for name in names if form.findChild(QtWidgets.QWidget, name).isVisible()}
 
 
@@ -44,8 +44,10 @@ class Settings(WindowCase):
         spin(100)
         self.assertEqual(visible(form), FEW | MORE)
         self.assertEqual(visible(self.opened()), FEW | MORE)
+        page = widget(QtWidgets.QSpinBox, "page")
+        self.assertFalse(page.isEnabled())
         self.choose_sheet(self.folder / "drawing.pdf")
-        self.assertIn("page", visible(widget(SettingsForm, "")))
+        self.assertTrue(page.isEnabled())
         widget(QtWidgets.QToolButton, "moreSettings").click()
         self.assertEqual(visible(self.opened()), FEW)
 
