@@ -238,13 +238,17 @@ def lines_missing() -> None:
     """The second sheet: two hidden lines are drawn."""
     hand = Hand("2-lines-missing")
     hand.picture("2-before")
-    for start, end in HOLE:
+    hand.film(1)
+    for number, (start, end) in enumerate(HOLE, start=2):
         hand.press(_KEYS.Key_L)
         hand.drag(start, end)
+        hand.film(number)
         hand.press(_KEYS.Key_H)
     hand.press(_KEYS.Key_Escape)
     hand.settle()
     hand.picture("2-after")
+    hand.tell_length(LENGTH, LENGTH_MM)
+    hand.film(4)
     hand.close()
 
 
@@ -252,18 +256,13 @@ def views_moved() -> None:
     """The third sheet: views are boxed, and a length is told."""
     hand = Hand("3-views-moved")
     hand.picture("3-before")
-    hand.film(1)
-    for number, (corner, key) in enumerate(FRAMES):
+    for corner, key in FRAMES:
         hand.click_frame(corner)
         hand.press(key)
         hand.settle()
-        if number == 0:
-            hand.film(2)
-    hand.film(3)
     hand.press(_KEYS.Key_Escape)
     hand.tell_length(LENGTH, LENGTH_MM)
     hand.picture("3-after")
-    hand.film(4)
     hand.close()
 
 

@@ -30,6 +30,9 @@ class Line:
 _LEAST_PX = 60
 """Height of a list of few rows."""
 
+_SHARE = 0.45
+"""Share of the window that a list takes by itself."""
+
 
 class Rows(QtWidgets.QListWidget):
     """The list.
@@ -95,7 +98,16 @@ class Rows(QtWidgets.QListWidget):
     def _fit(self) -> None:
         """Take no more height than the rows need: the sheet gets the rest."""
         rows = sum(self.item(index).sizeHint().height() for index in range(self.count()))
-        self.setMaximumHeight(max(_LEAST_PX, rows + 2 * self.frameWidth() + 2))
+        most = max(_LEAST_PX, rows + 2 * self.frameWidth() + 2)
+        if most == self.maximumHeight():
+            return
+        self.setMaximumHeight(most)
+        # A splitter gives no room away by itself.
+        splitter = self.parentWidget()
+        if isinstance(splitter, QtWidgets.QSplitter) and sum(splitter.sizes()):
+            whole = sum(splitter.sizes())
+            own = min(most, round(_SHARE * whole))
+            splitter.setSizes([whole - own, own])
 
     def _show(self, item: QtWidgets.QListWidgetItem) -> None:
         self._ask(self._lines[self.row(item)])
