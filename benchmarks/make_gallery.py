@@ -23,7 +23,7 @@ from OCP.TopoDS import TopoDS_Shape
 from photographs import ROLES, Camera, photograph
 
 from gaussiancad_core.axes import Projection
-from gaussiancad_core.drawing.brep import read_solid
+from gaussiancad_core.drawing.brep import faces_of, read_solid
 from gaussiancad_core.drawing.sheet import draw_sheet
 from gaussiancad_core.drawing.style import parse_style
 from gaussiancad_core.samples.classed import PartClass, classed_part
@@ -61,9 +61,9 @@ EXHIBITS = (
     Exhibit(
         "photograph", partial(read_solid, SAMPLES / "boss-plate.step"), "dimensioned", 3, CAMERA
     ),
-    Exhibit("scan", partial(classed_part, PartClass.FILLETS, 3, 1), "workshop", 3),
+    Exhibit("scan", partial(read_solid, SAMPLES / "wedge-block.step"), "workshop", 4),
     Exhibit(
-        "section", partial(classed_part, PartClass.REVOLVED, 5, 0), "dimensioned,section=right", 5
+        "section", partial(read_solid, SAMPLES / "l-bracket.step"), "dimensioned,section=front", 4
     ),
     Exhibit("clean", partial(classed_part, PartClass.SLANTS, 2, 1), "ansi", 2),
 )
@@ -113,7 +113,9 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as temporary:
         for exhibit in EXHIBITS:
             sheet, solid, status = made(exhibit, Path(temporary))
-            print(f"{exhibit.name}: {status}", flush=True)
+            faces = len(faces_of(read_solid(Path(temporary) / exhibit.name / "solid.step")))
+            true_faces = len(faces_of(exhibit.part()))
+            print(f"{exhibit.name}: {status}, {faces} faces of {true_faces}", flush=True)
             rows.append(beside(sheet, solid))
     cv2.imwrite(str(options.folder / "gallery-photograph.png"), rows[0])
     cv2.imwrite(str(options.folder / "gallery.png"), np.vstack(rows[1:]))
