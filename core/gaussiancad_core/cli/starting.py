@@ -56,11 +56,11 @@ def _started(arguments: list[str]) -> int:
         return main(arguments)
     try:
         ended = watch(arguments)
+        while (further := _without_way(ended, arguments)) is not None:
+            arguments = further
+            ended = watch(arguments)
     except OSError:
         return main(arguments)
-    while (further := _without_way(ended, arguments)) is not None:
-        arguments = further
-        ended = watch(arguments)
     return _told(ended, arguments) if ended.exit_code < 0 else ended.exit_code
 
 
