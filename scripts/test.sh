@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.." || exit 1
 run() {
     case $1 in
     lint) .venv/bin/ruff check . && .venv/bin/ruff format --check . ;;
-    engine) .venv/bin/python -m pytest --quiet --numprocesses 2 --dist loadfile tests/engine ;;
+    engine) .venv/bin/python -m pytest --quiet --numprocesses 2 --dist loadfile --max-worker-restart 0 tests/engine ;;
     workbench | gui) python3 tests/run_freecad_suites.py "$1" ;;
     *) fail "there is no suite '$1'" ;;
     esac
