@@ -340,16 +340,20 @@ class Arrangement:
         for region, point, _ in self.trapezoids():
             yield region, point
 
-    def trapezoids(self) -> Iterator[tuple[int, Point, float]]:
-        """Regions but the outside, each with the middle and about the area of a trapezoid of it."""
+    def trapezoids(self, share: float = 0.5) -> Iterator[tuple[int, Point, float]]:
+        """Regions but the outside, each with a point and about the area of a trapezoid of it.
+
+        Args:
+            share: of its width and height at which the point lies; the middle by default.
+        """
         for slab, own in enumerate(self._slabs):
             start, end = self._borders[slab : slab + 2]
-            middle = (start + end) / 2.0
+            middle = start + share * (end - start)
             for place, (below, above) in enumerate(pairwise(own), 1):
                 region = self._region[self._offsets[slab] + place]
                 if region != OUTSIDE:
                     low, high = below.value(middle), above.value(middle)
-                    yield region, (middle, (low + high) / 2.0), (end - start) * (high - low)
+                    yield region, (middle, low + share * (high - low)), (end - start) * (high - low)
 
     def neighbours(self) -> set[tuple[int, int]]:
         """Pairs of regions with a line between them, each both ways."""

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import lru_cache
 from itertools import cycle, pairwise
 
 import cv2
@@ -129,7 +129,7 @@ def _grey(image: npt.NDArray[np.uint8]) -> Grey:
     return 255 - grey if np.median(grey) < 128 else grey
 
 
-@cache
+@lru_cache(maxsize=32)
 def _drawn(part: str, style: str, views: str, projection: str) -> Sheet:
     # Smaller than the styles' own sheet: quicker to read.
     look = replace(PRESETS[style], width=1280, height=720, margin=40.0, view_gap=60.0)
@@ -137,7 +137,7 @@ def _drawn(part: str, style: str, views: str, projection: str) -> Sheet:
     return draw_sheet(sample(part).build(), roles, Projection(projection), look)
 
 
-@cache
+@lru_cache(maxsize=16)
 def _read(part: str, style: str, views: str, projection: str) -> ReadCase:
     sheet = _drawn(part, style, views, projection)
     clean = clean_sheet(_grey(sheet.image))
@@ -148,7 +148,7 @@ def _read(part: str, style: str, views: str, projection: str) -> ReadCase:
 
 @pytest.fixture(scope="session")
 def draw() -> Callable[..., Sheet]:
-    """Draws a sample part, each sheet once a session."""
+    """Draws a sample part, the last ones kept."""
 
     def drawn(
         part: str, style: str = "clean", views: str = "front,top,right", projection: str = "third"
@@ -160,7 +160,7 @@ def draw() -> Callable[..., Sheet]:
 
 @pytest.fixture(scope="session")
 def read() -> Callable[..., ReadCase]:
-    """Draws a sample part and reads the sheet, each once a session."""
+    """Draws a sample part and reads the sheet, the last ones kept."""
 
     def case(
         part: str, style: str = "clean", views: str = "front,top,right", projection: str = "third"

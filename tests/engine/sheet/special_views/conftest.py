@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 import cv2
@@ -48,7 +48,7 @@ def _lines(part: str, roles: str) -> PartLines:
     return part_lines(sample(part).build(), named, picture=True, sections=cuts)
 
 
-@cache
+@lru_cache(maxsize=8)
 def _found(part: str, style: str, roles: str, projection: str) -> Found:
     look = parse_style(f"{style},width=1440,height=900")
     drawn = compose_sheet(_lines(part, roles), Projection(projection), look)
@@ -60,7 +60,7 @@ def _found(part: str, style: str, roles: str, projection: str) -> Found:
 
 @pytest.fixture(scope="session")
 def find() -> Callable[..., Found]:
-    """Draws a sample part in a style and finds the views, each once a session."""
+    """Draws a sample part in a style and finds the views, the last ones kept."""
 
     def found(
         part: str, style: str, roles: str = "front,top,right", projection: str = "third"

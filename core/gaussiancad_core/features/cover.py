@@ -1,0 +1,91 @@
+"""The fewest and simplest bodies that make up a solid: pads, less pockets.
+
+Each point in the solid is in a pad and in no pocket; each outside of it is in no pad, or in a
+pocket.  Which bodies are taken is a weighted covering problem, solved by CP-SAT.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+from ortools.sat.python import cp_model
+
+from gaussiancad_core.features.samples import Samples
+from gaussiancad_core.features.sweeps import Sweep, SweptPlane
+
+_OF_A_BODY = 3
+"""Edges that one body more weighs as much as."""
+
+_MOST_EFFORT = 4.0
+"""Deterministic seconds of the solver."""
+
+
+@dataclass(frozen=True, eq=False)
+class Choice:
+    """The bodies that are offered, and which points each of them covers.
+
+    Attributes:
+        sweeps: on offer.
+        covers: (sweeps, points) bool.
+    """
+
+    sweeps: tuple[Sweep, ...]
+    covers: npt.NDArray[np.bool_]
+
+
+def offered(sweeps: Sequence[Sweep], planes: Sequence[SweptPlane], samples: Samples) -> Choice:
+    """The bodies that may be part of a solid: no pocket takes away what is material.
+
+    Args:
+        sweeps: candidates.
+        planes: by the numbers that the sweeps carry.
+        samples: of the solid.
+    """
+    where = [plane.located(samples.points) for plane in planes]
+    kept, covers = [], []
+    for sweep in sweeps:
+        covered = sweep.covers(*where[sweep.plane])
+        if not covered.any():
+            continue
+        if sweep.adds or not bool((covered & samples.is_inside).any()):
+            kept.append(sweep)
+            covers.append(covered)
+    table = np.array(covers, dtype=bool).reshape(len(kept), len(samples.points))
+    return Choice(tuple(kept), table)
+
+
+def cheapest_cover(choice: Choice, samples: Samples) -> tuple[Sweep, ...] | None:
+    """The bodies whose outlines have the fewest edges; None where none of them make up the
+    solid."""
+    model = cp_model.CpModel()
+    taken = [model.new_bool_var("") for _ in choice.sweeps]
+    adds = np.array([sweep.adds for sweep in choice.sweeps], dtype=bool)
+    for covered, is_inside in _distinct(choice.covers, samples.is_inside):
+        pads = [taken[k] for k in np.flatnonzero(covered & adds)]
+        pockets = [taken[k] for k in np.flatnonzero(covered & ~adds)]
+        if is_inside:
+            if not pads:
+                return None
+            model.add_bool_or(pads)
+        else:
+            for pad in pads:
+                model.add_bool_or([~pad, *pockets])
+    weights = [_OF_A_BODY + sweep.edges for sweep in choice.sweeps]
+    model.minimize(sum(w * var for w, var in zip(weights, taken, strict=True)))
+    solver = cp_model.CpSolver()
+    solver.parameters.max_deterministic_time = _MOST_EFFORT
+    solver.parameters.num_workers = 1
+    if solver.solve(model) not in (cp_model.OPTIMAL, cp_model.FEASIBLE):
+        return None
+    return tuple(
+        sweep for sweep, var in zip(choice.sweeps, taken, strict=True) if solver.value(var)
+    )
+
+
+def _distinct(
+    covers: npt.NDArray[np.bool_], is_inside: npt.NDArray[np.bool_]
+) -> list[tuple[npt.NDArray[np.bool_], bool]]:
+    """The different columns: points that the same bodies cover say the same."""
+    columns = np.vstack([covers, is_inside[None]]).T
+    return [(column[:-1], bool(column[-1])) for column in np.unique(columns, axis=0)]

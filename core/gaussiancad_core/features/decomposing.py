@@ -1,0 +1,137 @@
+"""A solid without round holes and edge breaks as pads and pockets."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+from OCP.TopoDS import TopoDS_Shape
+
+from gaussiancad_core.drawing.brep import bounding_box, edges_of
+from gaussiancad_core.features.building import combined
+from gaussiancad_core.features.cover import cheapest_cover, offered
+from gaussiancad_core.features.difference import Difference, difference
+from gaussiancad_core.features.frames import MAIN_FRAMES, Frame, frame_across
+from gaussiancad_core.features.loops import OpenLoopError, loops_of
+from gaussiancad_core.features.model import Extrusion, Sketch, Turning
+from gaussiancad_core.features.prisms import prism_plane, prisms_of
+from gaussiancad_core.features.rays import Rays
+from gaussiancad_core.features.samples import joined
+from gaussiancad_core.features.solid_faces import Kind, SolidFace, solid_faces
+from gaussiancad_core.features.sweeps import Sweep, SweptPlane
+from gaussiancad_core.features.turned_bodies import in_sketch, turned_planes, turned_sweeps
+from gaussiancad_core.reasoning.planes import UNITS
+
+Points = npt.NDArray[np.float64]
+
+_ROUNDS = 4
+"""Times that a cover is looked for: each time the points at which the last one was wrong come
+with it."""
+
+
+@dataclass(frozen=True)
+class Decomposition:
+    """Bodies that make up a solid.
+
+    Attributes:
+        bodies: pads first.
+        difference: between them and the solid.
+    """
+
+    bodies: tuple[Extrusion | Turning, ...]
+    difference: Difference
+
+
+def decomposed(shape: TopoDS_Shape) -> Decomposition | None:
+    """Pads and pockets that make up a solid; None where there are none.
+
+    Args:
+        shape: one solid, mm.
+    """
+    faces = solid_faces(shape)
+    box = bounding_box(shape)
+    scale = UNITS / float((box[1] - box[0]).max())
+    rays = Rays(shape, 4.0 * float(np.abs(box).max() + 1.0))
+    edges = edges_of(shape)
+    planes: list[SweptPlane] = []
+    sweeps: list[Sweep] = []
+    samples = []
+    for frame in _frames(faces):
+        within = _box_in(frame, box)
+        found = prism_plane(edges, _levels(faces, frame), frame, within, scale, rays)
+        if found is not None:
+            sweeps += prisms_of(found[0], len(planes))
+            planes.append(found[0].plane)
+            samples.append(found[1])
+    for turned, seen in turned_planes(faces, box, scale, rays):
+        sweeps += turned_sweeps(turned, len(planes))
+        planes.append(turned.plane)
+        samples.append(seen)
+    if not planes:
+        return None
+    seen = joined(samples)
+    best = None
+    for _ in range(_ROUNDS):
+        chosen = cheapest_cover(offered(sweeps, planes, seen), seen)
+        if chosen is None:
+            return best
+        try:
+            bodies = tuple(_feature(sweep, planes) for sweep in _ordered(chosen))
+        except OpenLoopError:
+            return best
+        apart = difference(shape, combined(bodies))
+        best = Decomposition(bodies, apart)
+        if apart.is_none or not len(apart.points):
+            return best
+        seen = seen.with_others(apart.points, apart.is_inside)
+    return best
+
+
+def _frames(faces: Sequence[SolidFace]) -> list[Frame]:
+    """The planes that sketches may lie on: the main ones, and those that plane faces lie on
+    between walls across them."""
+    frames = list(MAIN_FRAMES)
+    names = {frame.name for frame in frames}
+    for face in faces:
+        if face.kind is Kind.PLANE:
+            frame = frame_across(tuple(face.direction.tolist()))
+            if (
+                frame.name not in names
+                and frame_across(tuple((-face.direction).tolist())).name not in names
+            ):
+                names.add(frame.name)
+                frames.append(frame)
+    return frames
+
+
+def _levels(faces: Sequence[SolidFace], frame: Frame) -> list[float]:
+    normal = np.array(frame.normal)
+    return [
+        float(face.point @ normal)
+        for face in faces
+        if face.kind is Kind.PLANE and abs(float(face.direction @ normal)) > 1.0 - 1e-9
+    ]
+
+
+def _box_in(frame: Frame, box: Points) -> tuple[Points, Points]:
+    corners = np.array(
+        [[box[i, 0], box[j, 1], box[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)]
+    )
+    seen = frame.project(corners)
+    return seen.min(axis=0), seen.max(axis=0)
+
+
+def _ordered(sweeps: Sequence[Sweep]) -> list[Sweep]:
+    return sorted(sweeps, key=lambda sweep: not sweep.adds)
+
+
+def _feature(sweep: Sweep, planes: Sequence[SweptPlane]) -> Extrusion | Turning:
+    plane = planes[sweep.plane]
+    loops = loops_of(plane.cells, sweep.cells, plane.scale)
+    if plane.axis is None:
+        low, high = sweep.ends
+        return Extrusion(Sketch(plane.frame, low, loops), high - low, sweep.adds)
+    x, y, height = plane.frame.project(np.array([plane.axis.point]))[0].tolist()
+    way = plane.frame.project(np.array([plane.axis.direction]))[0, :2].tolist()
+    sketch = Sketch(plane.frame, height, tuple(in_sketch(loop, plane) for loop in loops))
+    return Turning(sketch, (x, y), (way[0], way[1]), sweep.adds)

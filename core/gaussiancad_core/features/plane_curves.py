@@ -1,0 +1,181 @@
+"""The edges of a solid, seen along a direction: the straight lines and circles of a plane.
+
+Coordinates are units (see :mod:`..reasoning.planes`): a hundredth of the part's longest extent.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from math import atan2, hypot, pi
+
+import numpy as np
+import numpy.typing as npt
+from OCP.BRepAdaptor import BRepAdaptor_Curve
+from OCP.GeomAbs import GeomAbs_CurveType
+from OCP.TopoDS import TopoDS_Edge
+
+from gaussiancad_core.axes import Role
+from gaussiancad_core.features.frames import Frame
+from gaussiancad_core.reasoning.curves import (
+    TURN,
+    CircleCurve,
+    LineCurve,
+    PlaneCurve,
+    Point,
+    line_through,
+)
+from gaussiancad_core.reasoning.spans import Span, Support
+from gaussiancad_core.views import Linetype
+
+Points = npt.NDArray[np.float64]
+
+SAME = 5e-5
+"""Units within which two curves are one, and a point is on a curve."""
+
+_ALONG = 1e-6
+"""Sine of the angle up to which an edge runs along the direction of the view."""
+
+_AXIS_PARALLEL = 1e-6
+"""Component of a unit vector below which a line is taken for level or upright."""
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A piece of a curve.
+
+    Attributes:
+        curve: that it lies on; units.
+        low, high: parameters; of circles from 0 to 2 pi.
+    """
+
+    curve: PlaneCurve
+    low: float
+    high: float
+
+
+def stretches_along(edges: Iterable[TopoDS_Edge], frame: Frame, scale: float) -> list[Stretch]:
+    """What a view along a frame's normal shows of straight and circular edges.
+
+    Args:
+        edges: of a solid in mm; those that are neither straight nor circles seen face-on or
+            edge-on show nothing.
+        frame: its plane.
+        scale: units per mm.
+    """
+    found: list[Stretch] = []
+    for edge in edges:
+        found.extend(_stretches(BRepAdaptor_Curve(edge), frame, scale))
+    return found
+
+
+def supports_of(stretches: Iterable[Stretch]) -> list[Support]:
+    """Stretches by the curves that they lie on; curves within :data:`SAME` of each other are
+    one."""
+    found: list[tuple[PlaneCurve, list[Span]]] = []
+    for stretch in sorted(stretches, key=lambda one: -_length(one)):
+        for curve, spans in found:
+            if _is_same(curve, stretch):
+                spans.extend(_spans(curve, stretch))
+                break
+        else:
+            found.append((stretch.curve, list(_spans(stretch.curve, stretch))))
+    return [Support(curve, {Role.FRONT: tuple(spans)}) for curve, spans in found]
+
+
+def segment(start: Point, end: Point) -> Stretch | None:
+    """The straight stretch between two points; None where they are one."""
+    if hypot(end[0] - start[0], end[1] - start[1]) < SAME:
+        return None
+    curve = line_through(start, end, _AXIS_PARALLEL)
+    low, high = sorted((curve.parameter(start), curve.parameter(end)))
+    return Stretch(curve, low, high)
+
+
+def arc(centre: Point, radius: float, ends: tuple[Point, Point], middle: Point) -> list[Stretch]:
+    """The stretches, one or two, of the arc from end to end through a point; the whole circle
+    where both ends are one."""
+    circle = CircleCurve(centre, radius)
+    start, end, between = (circle.parameter(point) for point in (*ends, middle))
+    if hypot(ends[0][0] - ends[1][0], ends[0][1] - ends[1][1]) < SAME:
+        return [Stretch(circle, 0.0, TURN)]
+    if not _is_between(start, between, end):
+        start, end = end, start
+    if start < end:
+        return [Stretch(circle, start, end)]
+    pieces = [Stretch(circle, start, TURN), Stretch(circle, 0.0, end)]
+    return [piece for piece in pieces if _length(piece) > SAME]
+
+
+def _stretches(curve: BRepAdaptor_Curve, frame: Frame, scale: float) -> Iterator[Stretch]:
+    low, high = curve.FirstParameter(), curve.LastParameter()
+    places = [curve.Value(low + share * (high - low)) for share in (0.0, 0.5, 1.0)]
+    points = frame.project(np.array([[p.X(), p.Y(), p.Z()] for p in places])) * scale
+    start, middle, end = (tuple(point[:2].tolist()) for point in points)
+    if curve.GetType() == GeomAbs_CurveType.GeomAbs_Line:
+        if (made := segment(start, end)) is not None:
+            yield made
+        return
+    if curve.GetType() != GeomAbs_CurveType.GeomAbs_Circle:
+        return
+    circle = curve.Circle()
+    axis = circle.Axis().Direction()
+    lean = abs(float(np.array([axis.X(), axis.Y(), axis.Z()]) @ np.array(frame.normal)))
+    at = circle.Location()
+    centre = frame.project(np.array([[at.X(), at.Y(), at.Z()]]))[0, :2] * scale
+    if lean > 1.0 - _ALONG:
+        yield from arc(tuple(centre.tolist()), circle.Radius() * scale, (start, end), middle)
+    elif lean < _ALONG:
+        # Edge-on it is a straight stretch, between the extremes that the arc reaches.
+        span = np.linspace(low, high, 65)
+        seen = [curve.Value(float(t)) for t in span]
+        flat = frame.project(np.array([[p.X(), p.Y(), p.Z()] for p in seen]))[:, :2] * scale
+        along = flat @ _direction(flat)
+        ends = flat[int(along.argmin())], flat[int(along.argmax())]
+        if (made := segment(*(tuple(point.tolist()) for point in ends))) is not None:
+            yield made
+
+
+def _direction(points: Points) -> Points:
+    """(2,) unit vector along which points are spread."""
+    away = points - points[0]
+    farthest = away[int(np.hypot(*away.T).argmax())]
+    return farthest / max(float(np.hypot(*farthest)), 1e-12)
+
+
+def _is_between(start: float, angle: float, end: float) -> bool:
+    """Whether an angle is met on the way up from one to another."""
+    return (angle - start) % TURN <= (end - start) % TURN
+
+
+def _length(stretch: Stretch) -> float:
+    return (stretch.high - stretch.low) * stretch.curve.speed
+
+
+def _is_same(curve: PlaneCurve, stretch: Stretch) -> bool:
+    """Whether a stretch lies on a curve."""
+    other = stretch.curve
+    if isinstance(curve, CircleCurve):
+        return (
+            isinstance(other, CircleCurve)
+            and hypot(curve.centre[0] - other.centre[0], curve.centre[1] - other.centre[1]) < SAME
+            and abs(curve.radius - other.radius) < SAME
+        )
+    if not isinstance(other, LineCurve):
+        return False
+    return all(curve.distance(other.at(at)) < SAME for at in (stretch.low, stretch.high))
+
+
+def _spans(curve: PlaneCurve, stretch: Stretch) -> Iterator[Span]:
+    """A stretch by the parameters of the curve that it lies on."""
+    if isinstance(curve, CircleCurve):
+        low, high = stretch.low, stretch.high
+    else:
+        ends = (stretch.curve.at(at) for at in (stretch.low, stretch.high))
+        low, high = sorted(curve.parameter(point) for point in ends)
+    yield Span(low, high, Linetype.VISIBLE, 1.0)
+
+
+def angle_between(start: Point, end: Point, centre: Point) -> float:
+    """Radians, counter-clockwise from one point to another around a centre; 0 to 2 pi."""
+    angles = (atan2(point[1] - centre[1], point[0] - centre[0]) for point in (start, end))
+    first, second = angles
+    return (second - first) % (2.0 * pi)

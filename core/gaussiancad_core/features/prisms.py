@@ -1,0 +1,155 @@
+"""Prisms that a solid may be made of: along one direction, from level to level."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+import numpy.typing as npt
+from OCP.TopoDS import TopoDS_Edge
+
+from gaussiancad_core.features.cells import Cells, edge_count
+from gaussiancad_core.features.frames import Frame
+from gaussiancad_core.features.plane_curves import segment, stretches_along, supports_of
+from gaussiancad_core.features.rays import Rays
+from gaussiancad_core.features.samples import Samples
+from gaussiancad_core.features.sweeps import Sweep, SweptPlane, regions_of
+from gaussiancad_core.reasoning.arrangement import Arrangement
+
+Points = npt.NDArray[np.float64]
+
+_SAME_LEVEL = 1e-5
+"""mm within which two levels are one."""
+
+_WITHIN = 1e-4
+"""mm by which a stretch of material may miss the ends of a layer that it fills."""
+
+_MOST_STRETCHES = 400
+"""Stretches of curves in a plane, more of which take long to divide it."""
+
+
+@dataclass(frozen=True, eq=False)
+class PrismPlane:
+    """A plane across a direction, and the layers along it.
+
+    Attributes:
+        plane: with its cells.
+        levels: mm along the normal, ascending; layers lie between them.
+        fills: (places, layers) share of each layer that is material, at each place of the cells; NaN
+            where that is not known.
+    """
+
+    plane: SweptPlane
+    levels: tuple[float, ...]
+    fills: Points
+
+
+def prism_plane(
+    edges: Sequence[TopoDS_Edge],
+    levels: Sequence[float],
+    frame: Frame,
+    box: tuple[Points, Points],
+    scale: float,
+    rays: Rays,
+) -> tuple[PrismPlane, Samples] | None:
+    """The plane across a direction; None where more is seen in it than can be divided.
+
+    Args:
+        edges: that bound the cells.
+        levels: mm along the normal at which faces lie.
+        frame: the plane.
+        box: (3,) corners of the part, in the frame's coordinates, mm.
+        scale: units per mm.
+        rays: through the solid.
+
+    Returns:
+        The plane, and the points at which its cells were looked at.
+    """
+    low, high = box
+    stretches = stretches_along(edges, frame, scale)
+    corners = [
+        (float(a) * scale, float(b) * scale)
+        for a, b in ((low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1]))
+    ]
+    sides = [segment(*ends) for ends in pairwise([*corners, corners[0]])]
+    stretches += [side for side in sides if side is not None]
+    if len(stretches) > _MOST_STRETCHES:
+        return None
+    cells = Cells(Arrangement(supports_of(stretches)))
+    ordered = _distinct([float(low[2]), *levels, float(high[2])])
+    fills, samples = _looked_at(cells, ordered, frame, scale, rays)
+    return PrismPlane(SweptPlane(frame, cells, scale), tuple(ordered), fills), samples
+
+
+def prisms_of(own: PrismPlane, number: int) -> Iterator[Sweep]:
+    """The prisms of a plane: what is material in whole runs of layers, and what may be taken away.
+
+    Args:
+        own: the plane.
+        number: that the sweeps carry.
+    """
+    cells, layers = own.plane.cells, len(own.levels) - 1
+    inside = cells.by_cell(own.fills, np.fmin) > 1.0 - 1e-9
+    touched = cells.by_cell(own.fills, np.fmax) > 1e-9
+    seen: set[tuple[frozenset[int], int, int, bool]] = set()
+    for low in range(layers):
+        for high in range(low + 1, layers + 1):
+            full = inside[:, low:high].all(axis=1)
+            some = touched[:, low:high].any(axis=1)
+            for group, adds in regions_of(cells, full, some):
+                if _goes_on(group, low, high, inside if adds else ~touched):
+                    continue
+                key = group, low, high, adds
+                if key not in seen:
+                    seen.add(key)
+                    edges = edge_count(cells.border(group))
+                    ends = own.levels[low], own.levels[high]
+                    yield Sweep(number, group, ends, adds, edges)
+
+
+def _goes_on(group: frozenset[int], low: int, high: int, holds: npt.NDArray[np.bool_]) -> bool:
+    """Whether what holds of cells in some layers holds in the layer below or above, too."""
+    own = holds[sorted(group)]
+    if not own[:, low:high].all():
+        return False
+    below = low > 0 and bool(own[:, low - 1].all())
+    return below or (high < holds.shape[1] and bool(own[:, high].all()))
+
+
+def _looked_at(
+    cells: Cells, levels: Sequence[float], frame: Frame, scale: float, rays: Rays
+) -> tuple[Points, Samples]:
+    fills = np.zeros((len(cells.places), len(levels) - 1))
+    bases = frame.lift(cells.places / scale, 0.0)
+    points, is_inside = [], []
+    for number, base in enumerate(bases):
+        stretches = rays.inside(base, frame.normal)
+        if stretches is None:
+            fills[number] = np.nan
+            continue
+        for layer, (low, high) in enumerate(pairwise(levels)):
+            cut = np.clip(stretches, low, high)
+            cut = cut[cut[:, 1] - cut[:, 0] > _WITHIN]
+            filled = float((cut[:, 1] - cut[:, 0]).sum())
+            share = filled / (high - low)
+            fills[number, layer] = 1.0 if high - low - filled <= _WITHIN else share
+            for at, within in _heights(cut, low, high):
+                points.append(base + at * np.array(frame.normal))
+                is_inside.append(within)
+    return fills, Samples(np.array(points).reshape(-1, 3), np.array(is_inside, dtype=bool))
+
+
+def _heights(cut: Points, low: float, high: float) -> Iterator[tuple[float, bool]]:
+    """The middle of each stretch of a layer, material and void."""
+    ends = [low, *cut.ravel().tolist(), high]
+    for number, (start, end) in enumerate(pairwise(ends)):
+        if end - start > _WITHIN:
+            yield (start + end) / 2.0, bool(number % 2)
+
+
+def _distinct(values: Sequence[float]) -> list[float]:
+    found: list[float] = []
+    for value in sorted(values):
+        if not found or value - found[-1] > _SAME_LEVEL:
+            found.append(value)
+    return found

@@ -1,0 +1,271 @@
+"""Round holes of a solid: stacks of bores about one axis, as a drill, a counterbore and a
+countersink leave them."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from math import atan, degrees, tau
+
+import numpy as np
+import numpy.typing as npt
+from OCP.BRepTools import BRepTools
+
+from gaussiancad_core.features.rays import Rays
+from gaussiancad_core.features.solid_faces import Kind, SolidFace, cone_of
+
+Vector = npt.NDArray[np.float64]
+
+_SAME = 1e-4
+"""mm within which places are one."""
+
+_PARALLEL = 1e-6
+"""Sine of the angle between axes that are one."""
+
+_WHOLE = 1e-3
+"""Radians by which the faces of a bore may miss a whole turn."""
+
+_ROUND_ABOUT = 7
+"""Lines along an axis that are looked along, around it."""
+
+
+@dataclass(frozen=True)
+class Section:
+    """A piece of a bore between two places along its axis.
+
+    Attributes:
+        low, high: mm along the axis.
+        at_low, at_high: mm, its radius there; equal of a cylinder.
+    """
+
+    low: float
+    high: float
+    at_low: float
+    at_high: float
+
+    @property
+    def is_cylinder(self) -> bool:
+        """Whether its radius is the same all along."""
+        return abs(self.at_low - self.at_high) < _SAME
+
+    @property
+    def angle(self) -> float:
+        """Degrees between the sides of a cone."""
+        return 2.0 * degrees(atan(abs(self.at_high - self.at_low) / (self.high - self.low)))
+
+    def reversed(self) -> "Section":
+        """The same along the axis the other way."""
+        return Section(-self.high, -self.low, self.at_high, self.at_low)
+
+
+@dataclass(frozen=True, eq=False)
+class Bore:
+    """A round hole.
+
+    Attributes:
+        point: mm, the point of its axis that is nearest to the origin.
+        direction: unit vector along which it is drilled: its mouth is at the start.
+        sections: from the mouth on, along the direction.
+        is_through: whether there is no material beyond its end.
+        is_blind: whether it ends within the material.
+        faces: of the solid, that bound it.
+    """
+
+    point: Vector
+    direction: Vector
+    sections: tuple[Section, ...]
+    is_through: bool
+    is_blind: bool
+    faces: tuple[SolidFace, ...]
+
+
+def bores_of(faces: Sequence[SolidFace], rays: Rays) -> tuple[Bore, ...]:
+    """The round holes of a solid that a drill can make: none is wider inside than at its mouth.
+
+    Args:
+        faces: of the solid.
+        rays: through it.
+    """
+    found = []
+    for point, direction, own in _by_axis(faces):
+        for stack, bounding in _stacks(own, point, direction):
+            bore = _drilled(stack, bounding, point, direction, rays)
+            if bore is not None:
+                found.append(bore)
+    return tuple(found)
+
+
+def _by_axis(faces: Sequence[SolidFace]) -> Iterator[tuple[Vector, Vector, list[SolidFace]]]:
+    """Concave round faces by the axes that they have."""
+    axes: list[tuple[Vector, Vector, list[SolidFace]]] = []
+    for face in faces:
+        if face.kind not in (Kind.CYLINDER, Kind.CONE) or not face.is_concave:
+            continue
+        direction = face.direction * _way(face.direction)
+        point = face.point - direction * float(face.point @ direction)
+        for known, along, group in axes:
+            apart = float(np.linalg.norm(np.cross(along, direction)))
+            if apart < _PARALLEL and float(np.linalg.norm(known - point)) < _SAME:
+                group.append(face)
+                break
+        else:
+            axes.append((point, direction, [face]))
+    yield from axes
+
+
+def _way(direction: Vector) -> float:
+    """The sign by which an axis points to larger coordinates."""
+    largest = int(np.argmax(np.abs(direction)))
+    return 1.0 if direction[largest] > 0.0 else -1.0
+
+
+def _stacks(
+    faces: Sequence[SolidFace], point: Vector, direction: Vector
+) -> Iterator[tuple[list[Section], list[SolidFace]]]:
+    """Sections that go all around, in runs without gaps, ascending; with their faces."""
+    turns: list[tuple[Section, float, list[SolidFace]]] = []
+    for face in faces:
+        section = _section(face, point, direction)
+        for k, (other, turn, group) in enumerate(turns):
+            if _are_one(section, other):
+                turns[k] = (_joined(section, other), turn + face.turn, [*group, face])
+                break
+        else:
+            turns.append((section, face.turn, [face]))
+    whole = sorted(
+        (
+            (section, group)
+            for section, turn, group in turns
+            if turn > tau - _WHOLE and section.high - section.low > _SAME
+        ),
+        key=lambda entry: entry[0].low,
+    )
+    run: list[tuple[Section, list[SolidFace]]] = []
+    for entry in whole:
+        if run and abs(entry[0].low - run[-1][0].high) > _SAME:
+            yield [section for section, _ in run], [f for _, group in run for f in group]
+            run = []
+        run.append(entry)
+    if run:
+        yield [section for section, _ in run], [f for _, group in run for f in group]
+
+
+def _section(face: SolidFace, point: Vector, direction: Vector) -> Section:
+    _, _, bottom, top = BRepTools.UVBounds_s(face.face)
+    if face.kind is Kind.CONE:
+        ends = cone_of(face, (bottom, top))
+    else:
+        ends = tuple((face.point + at * face.direction, face.radius) for at in (bottom, top))
+    (low, at_low), (high, at_high) = sorted(
+        ((float((place - point) @ direction), radius) for place, radius in ends)
+    )
+    return Section(low, high, at_low, at_high)
+
+
+def _are_one(one: Section, other: Section) -> bool:
+    """Whether two sections are pieces of the same cylinder or cone."""
+    if one.is_cylinder and other.is_cylinder:
+        near = one.low < other.high + _SAME and other.low < one.high + _SAME
+        return near and abs(one.at_low - other.at_low) < _SAME
+    return all(
+        abs(a - b) < _SAME
+        for a, b in (
+            (one.low, other.low),
+            (one.high, other.high),
+            (one.at_low, other.at_low),
+            (one.at_high, other.at_high),
+        )
+    )
+
+
+def _joined(one: Section, other: Section) -> Section:
+    return Section(min(one.low, other.low), max(one.high, other.high), other.at_low, other.at_high)
+
+
+def _drilled(
+    stack: Sequence[Section],
+    faces: Sequence[SolidFace],
+    point: Vector,
+    direction: Vector,
+    rays: Rays,
+) -> Bore | None:
+    """A stack as what drills leave; None where none can."""
+    low, high = stack[0].low, stack[-1].high
+    closed_low = _is_material(stack[0].at_low, low, -1.0, point, direction, rays)
+    closed_high = _is_material(stack[-1].at_high, high, 1.0, point, direction, rays)
+    if closed_low and closed_high:
+        return None
+    # From the wider end where both are open.
+    from_high = closed_low or (not closed_high and stack[-1].at_high >= stack[0].at_low)
+    sections = [s.reversed() for s in reversed(stack)] if from_high else list(stack)
+    way = -direction if from_high else direction
+    is_blind = closed_low or closed_high
+    if not _is_drilled(sections, is_blind):
+        return None
+    end = sections[-1]
+    beyond = _is_free(end.at_high, end.high, point, way, rays)
+    return Bore(point, way, tuple(sections), beyond and not is_blind, is_blind, tuple(faces))
+
+
+def _is_drilled(sections: Sequence[Section], is_blind: bool) -> bool:
+    """Whether drills leave such a bore: from each mouth cylinders that get narrower, or one
+    countersink, down to the narrowest cylinder; at the end of a blind one perhaps a tip."""
+    radii = [min(section.at_low, section.at_high) for section in sections]
+    tip = is_blind and not sections[-1].is_cylinder and sections[-1].at_high < _SAME
+    body = list(sections[:-1] if tip else sections)
+    if tip and (not body or abs(body[-1].at_high - sections[-1].at_low) > _SAME):
+        return False
+    cylinders = [k for k, section in enumerate(body) if section.is_cylinder]
+    if not cylinders:
+        return False
+    narrow = min(cylinders, key=lambda k: radii[k])
+    core = body[narrow]
+    after = [section.reversed() for section in reversed(body[narrow + 1 :])]
+    if is_blind and after:
+        return False
+    return _is_mouth(body[:narrow], core) and _is_mouth(after, core)
+
+
+def _is_mouth(sections: Sequence[Section], core: Section) -> bool:
+    """Whether sections before the narrowest cylinder are steps, or one countersink."""
+    if len(sections) == 1 and not sections[0].is_cylinder:
+        return (
+            sections[0].at_low > core.at_low and abs(sections[0].at_high - core.at_low) < _SAME
+        )
+    radii = [*(section.at_low for section in sections), core.at_low]
+    narrows = all(after < before for before, after in pairwise(radii))
+    return narrows and all(section.is_cylinder for section in sections)
+
+
+def _is_material(
+    radius: float, at: float, way: float, point: Vector, direction: Vector, rays: Rays
+) -> bool:
+    """Whether material follows where a bore ends, at most places across it; a tip is closed."""
+    if radius < _SAME:
+        return True
+    hits = 0
+    for base in _around(point, direction, 0.61 * radius):
+        stretches = rays.inside(base, direction)
+        if stretches is None:
+            continue
+        place = at + way * 10.0 * _SAME
+        hits += bool(((stretches[:, 0] < place) & (stretches[:, 1] > place)).any())
+    return hits > _ROUND_ABOUT // 2
+
+
+def _is_free(radius: float, at: float, point: Vector, way: Vector, rays: Rays) -> bool:
+    """Whether a hole that goes on beyond its end meets no material."""
+    for base in _around(point, way, 0.97 * radius):
+        stretches = rays.inside(base, way)
+        if stretches is None or bool((stretches[:, 1] > at + 10.0 * _SAME).any()):
+            return False
+    return True
+
+
+def _around(point: Vector, direction: Vector, radius: float) -> Iterator[Vector]:
+    """Points around an axis, none of them level with another."""
+    level = np.eye(3)[int(np.argmin(np.abs(direction)))]
+    right = np.cross(level, direction)
+    right /= np.linalg.norm(right)
+    up = np.cross(direction, right)
+    for angle in 0.213 + tau * np.arange(_ROUND_ABOUT) / _ROUND_ABOUT:
+        yield point + radius * (np.cos(angle) * right + np.sin(angle) * up)

@@ -1,0 +1,240 @@
+"""Turned bodies that a solid may be made of: half planes that turn around an axis."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from math import tau
+
+import numpy as np
+import numpy.typing as npt
+from OCP.BRepTools import BRepTools
+
+from gaussiancad_core.features.cells import Cells, edge_count
+from gaussiancad_core.features.frames import frame_across
+from gaussiancad_core.features.loops import Edge, Loop
+from gaussiancad_core.features.plane_curves import Stretch, arc, segment, supports_of
+from gaussiancad_core.features.rays import Rays
+from gaussiancad_core.features.samples import Samples
+from gaussiancad_core.features.solid_faces import Kind, SolidFace, cone_of
+from gaussiancad_core.features.sweeps import Sweep, SweptPlane, TurnAxis, regions_of
+from gaussiancad_core.reasoning.arrangement import Arrangement
+from gaussiancad_core.reasoning.curves import Point
+
+Vector = npt.NDArray[np.float64]
+Points = npt.NDArray[np.float64]
+
+_SAME = 1e-4
+"""mm within which places are one."""
+
+_PARALLEL = 1e-6
+"""Sine of the angle between axes that are one."""
+
+_AROUND = 6
+"""Half planes around an axis that are looked at."""
+
+_MOST_AXES = 4
+"""Axes of a part around which bodies are looked for."""
+
+_MOST_STRETCHES = 200
+
+
+@dataclass(frozen=True, eq=False)
+class TurnedPlane:
+    """A half plane that turns.
+
+    Attributes:
+        plane: with its cells.
+        fills: (places, 1) share of the turn that is material, at each place of the cells.
+    """
+
+    plane: SweptPlane
+    fills: Points
+
+
+def turned_planes(
+    faces: Sequence[SolidFace], box: Points, scale: float, rays: Rays
+) -> Iterator[tuple[TurnedPlane, Samples]]:
+    """The half planes at the axes of a solid's round faces, with the points that were looked at.
+
+    Args:
+        faces: of the solid.
+        box: (2, 3) corners of the part, mm.
+        scale: units per mm.
+        rays: through the solid.
+    """
+    axes = sorted(_axes(faces), key=lambda axis: -len(axis[2]))
+    for point, direction, round_faces in axes[:_MOST_AXES]:
+        corners = np.array(np.meshgrid(*box.T)).reshape(3, -1).T - point
+        along = corners @ direction
+        far = np.linalg.norm(corners - along[:, None] * direction, axis=1)
+        limits = float(along.min()), float(along.max()), float(far.max())
+        levels = _levels(faces, point, direction)
+        stretches = _stretches(round_faces, levels, point, direction, limits, scale)
+        if len(stretches) > _MOST_STRETCHES:
+            continue
+        cells = Cells(Arrangement(supports_of(stretches)))
+        axis = TurnAxis(tuple(point.tolist()), tuple(direction.tolist()))
+        frame = frame_across(tuple(_across(direction).tolist()))
+        found = SweptPlane(frame, cells, scale, axis)
+        fills, samples = _looked_at(found, rays)
+        yield TurnedPlane(found, fills), samples
+
+
+def turned_sweeps(own: TurnedPlane, number: int) -> Iterator[Sweep]:
+    """The turned bodies of a half plane; see :func:`.prisms.prisms_of`."""
+    cells = own.plane.cells
+    full = cells.by_cell(own.fills, np.fmin)[:, 0] > 1.0 - 1e-9
+    touched = cells.by_cell(own.fills, np.fmax)[:, 0] > 1e-9
+    for group, adds in regions_of(cells, full, touched):
+        yield Sweep(number, group, (0.0, 0.0), adds, edge_count(cells.border(group)))
+
+
+def in_sketch(loop: Loop, plane: SweptPlane) -> Loop:
+    """An outline of a half plane in the coordinates of its frame; mm."""
+    assert plane.axis is not None
+    point, direction = np.array(plane.axis.point), np.array(plane.axis.direction)
+    away = np.cross(direction, np.array(plane.frame.normal))
+
+    def placed(place: Point) -> Point:
+        x, y, _ = plane.frame.project((point + place[0] * direction + place[1] * away)[None])[0]
+        return round(float(x), 9) + 0.0, round(float(y), 9) + 0.0
+
+    # Away from the axis is to the right of its direction, seen against the normal: the outline
+    # is mirrored, and runs the other way.
+    return tuple(
+        Edge(
+            placed(edge.end),
+            placed(edge.start),
+            None if edge.centre is None else placed(edge.centre),
+            edge.radius,
+            edge.is_ccw,
+        )
+        for edge in reversed(loop)
+    )
+
+
+def _across(direction: Vector) -> Vector:
+    """A direction at right angles to another; a main one where that is possible."""
+    level = np.eye(3)[int(np.argmin(np.abs(direction)))]
+    across = level - direction * float(level @ direction)
+    return across / np.linalg.norm(across)
+
+
+def _axes(faces: Sequence[SolidFace]) -> list[tuple[Vector, Vector, list[SolidFace]]]:
+    """The axes of round faces that no prism along a direction makes, with their faces."""
+    found: list[tuple[Vector, Vector, list[SolidFace]]] = []
+    for face in faces:
+        if face.kind not in (Kind.CYLINDER, Kind.CONE, Kind.TORUS):
+            continue
+        largest = int(np.argmax(np.abs(face.direction)))
+        direction = face.direction * np.sign(face.direction[largest])
+        point = face.point - direction * float(face.point @ direction)
+        for known, along, group in found:
+            apart = float(np.linalg.norm(np.cross(along, direction)))
+            if apart < _PARALLEL and float(np.linalg.norm(known - point)) < _SAME:
+                group.append(face)
+                break
+        else:
+            found.append((point, direction, [face]))
+    for face in faces:
+        if face.kind is Kind.SPHERE:
+            _add_sphere(found, face)
+    return [
+        axis
+        for axis in found
+        if len({round(face.radius, 4) for face in axis[2]}) > 1
+        or any(face.kind is not Kind.CYLINDER for face in axis[2])
+    ]
+
+
+def _add_sphere(axes: list[tuple[Vector, Vector, list[SolidFace]]], face: SolidFace) -> None:
+    """A sphere belongs to all axes through its centre; else to one of its own."""
+    found = False
+    for point, direction, group in axes:
+        away = face.point - point
+        off = away - direction * float(away @ direction)
+        if float(np.linalg.norm(off)) < _SAME:
+            group.append(face)
+            found = True
+    if not found:
+        direction = np.abs(face.direction)
+        point = face.point - direction * float(face.point @ direction)
+        axes.append((point, direction, [face]))
+
+
+def _levels(faces: Sequence[SolidFace], point: Vector, direction: Vector) -> list[float]:
+    return [
+        float((face.point - point) @ direction)
+        for face in faces
+        if face.kind is Kind.PLANE and abs(float(face.direction @ direction)) > 1.0 - 1e-9
+    ]
+
+
+def _stretches(
+    faces: Sequence[SolidFace],
+    levels: Sequence[float],
+    point: Vector,
+    direction: Vector,
+    limits: tuple[float, float, float],
+    scale: float,
+) -> list[Stretch]:
+    """The half plane's lines: what the round faces leave in it, the levels, and its border."""
+    low, high, far = limits
+    lines: list[tuple[Point, Point]] = [((at, 0.0), (at, far)) for at in levels]
+    lines += pairwise([(low, 0.0), (low, far), (high, far), (high, 0.0), (low, 0.0)])
+    found: list[Stretch] = []
+    for face in faces:
+        at = float((face.point - point) @ direction)
+        _, _, bottom, top = BRepTools.UVBounds_s(face.face)
+        if face.kind is Kind.CYLINDER:
+            way = float(face.direction @ direction)
+            lines.append(((at + way * bottom, face.radius), (at + way * top, face.radius)))
+        elif face.kind is Kind.CONE:
+            ends = cone_of(face, (bottom, top))
+            start, end = ((float((place - point) @ direction), radius) for place, radius in ends)
+            lines.append((start, end))
+        else:
+            found += _circle(face, at, scale)
+    made = (segment((a[0] * scale, a[1] * scale), (b[0] * scale, b[1] * scale)) for a, b in lines)
+    return [*(line for line in made if line is not None), *found]
+
+
+def _circle(face: SolidFace, at: float, scale: float) -> list[Stretch]:
+    """What a sphere or torus leaves in a half plane."""
+    if face.kind is Kind.SPHERE:
+        radius, centre = face.radius * scale, (at * scale, 0.0)
+        ends = (centre[0] + radius, 0.0), (centre[0] - radius, 0.0)
+        return arc(centre, radius, ends, (centre[0], radius))
+    radius, centre = face.minor * scale, (at * scale, face.radius * scale)
+    if radius > centre[1]:
+        return []
+    ends = (centre[0] + radius, centre[1]), (centre[0] + radius, centre[1])
+    return arc(centre, radius, ends, (centre[0] - radius, centre[1]))
+
+
+def _looked_at(plane: SweptPlane, rays: Rays) -> tuple[Points, Samples]:
+    assert plane.axis is not None
+    point, direction = np.array(plane.axis.point), np.array(plane.axis.direction)
+    level = np.eye(3)[int(np.argmin(np.abs(direction)))]
+    right = np.cross(level, direction)
+    right /= np.linalg.norm(right)
+    up = np.cross(direction, right)
+    places = plane.cells.places / plane.scale
+    fills = np.full((len(places), _AROUND), np.nan)
+    points, is_inside = [], []
+    for number, (at, radius) in enumerate(places):
+        for turn in range(_AROUND):
+            angle = 0.137 + tau * turn / _AROUND
+            base = point + radius * (np.cos(angle) * right + np.sin(angle) * up)
+            stretches = rays.inside(base, direction)
+            if stretches is None:
+                continue
+            within = bool(((stretches[:, 0] < at) & (stretches[:, 1] > at)).any())
+            fills[number, turn] = float(within)
+            points.append(base + at * direction)
+            is_inside.append(within)
+    known = np.isfinite(fills)
+    share = np.where(known, fills, 0.0).sum(axis=1) / np.maximum(known.sum(axis=1), 1)
+    share[~known.any(axis=1)] = np.nan
+    samples = Samples(np.array(points).reshape(-1, 3), np.array(is_inside, dtype=bool))
+    return share[:, None], samples
