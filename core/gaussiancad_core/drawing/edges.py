@@ -35,6 +35,7 @@ class EdgeFacts:
 
     Attributes:
         edge: the edge.
+        faces: on its sides.
         normals: (sides, k, 3) outward unit normals of the faces along the edge; NaN where a
             surface has none (a cone's apex).
         smooth: the normals of both sides agree all along.
@@ -43,6 +44,7 @@ class EdgeFacts:
     """
 
     edge: TopoDS_Edge
+    faces: tuple[TopoDS_Face, ...]
     normals: npt.NDArray[np.float64]
     smooth: bool
     curved: bool
@@ -79,7 +81,7 @@ def _facts(edge: TopoDS_Edge, faces: list[TopoDS_Face]) -> EdgeFacts:
     ]
     smooth = len(faces) == 2 and _parallel(normals[0], normals[1])
     seam = len(faces) == 2 and faces[0].IsSame(faces[1])
-    return EdgeFacts(edge, normals, smooth, not all(planes), seam)
+    return EdgeFacts(edge, tuple(faces), normals, smooth, not all(planes), seam)
 
 
 def raw_curve(edge: TopoDS_Edge) -> Geom_Curve:

@@ -58,7 +58,7 @@ def decomposed(shape: TopoDS_Shape) -> Decomposition | None:
     samples = []
     for frame in _frames(faces):
         within = _box_in(frame, box)
-        found = prism_plane(edges, _levels(faces, frame), frame, within, scale, rays)
+        found = prism_plane(edges, faces, frame, within, scale, rays)
         if found is not None:
             sweeps += prisms_of(found[0], len(planes))
             planes.append(found[0].plane)
@@ -102,15 +102,6 @@ def _frames(faces: Sequence[SolidFace]) -> list[Frame]:
                 names.add(frame.name)
                 frames.append(frame)
     return frames
-
-
-def _levels(faces: Sequence[SolidFace], frame: Frame) -> list[float]:
-    normal = np.array(frame.normal)
-    return [
-        float(face.point @ normal)
-        for face in faces
-        if face.kind is Kind.PLANE and abs(float(face.direction @ normal)) > 1.0 - 1e-9
-    ]
 
 
 def _box_in(frame: Frame, box: Points) -> tuple[Points, Points]:

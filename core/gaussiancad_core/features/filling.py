@@ -1,15 +1,68 @@
-"""A solid without some of its faces: the faces beside them are continued until they meet."""
+"""A solid without its round holes, or without other faces: the faces beside them are continued until
+they meet."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+
+import numpy as np
 
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Defeaturing
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Shape
 
-from gaussiancad_core.drawing.booleans import unified
-from gaussiancad_core.drawing.brep import is_valid, subshapes
+from gaussiancad_core.drawing.booleans import unified, without
+from gaussiancad_core.drawing.brep import is_valid, subshapes, volume
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
-from gaussiancad_core.features.solid_faces import SolidFace
+from gaussiancad_core.features.drilling import body_of_holes, holes_of
+from gaussiancad_core.features.model import Holes
+from gaussiancad_core.features.rays import Rays
+from gaussiancad_core.features.round_holes import Bore, bores_of
+from gaussiancad_core.features.solid_faces import SolidFace, solid_faces
+
+_EXACT = 1e-5
+"""Share of a solid's volume by which it may differ once its holes are drilled again."""
+
+
+def without_holes(solid: TopoDS_Shape, reach: float) -> tuple[TopoDS_Shape, tuple[Holes, ...]]:
+    """A solid without its round holes, and the holes.
+
+    Where holes meet, the kernel may close them wrongly all at once; they are closed one after the
+    other then.
+
+    Args:
+        solid: one solid.
+        reach: length of what goes through it.
+    """
+    bores = bores_of(solid_faces(solid), Rays(solid, reach))
+    filled, done = without_faces(solid, [bore.faces for bore in bores])
+    closed = [bores[k] for k in done]
+    if _is_as_drilled(filled, closed, solid, reach):
+        return filled, holes_of(closed)
+    current, closed, given_up = solid, [], 0
+    while True:
+        bores = bores_of(solid_faces(current), Rays(current, reach))
+        if given_up >= len(bores):
+            return current, holes_of(closed)
+        bore = bores[given_up]
+        smaller = _removed(current, bore.faces)
+        if smaller is not None and _is_as_drilled(smaller, [bore], current, reach):
+            current = smaller
+            closed.append(bore)
+        else:
+            given_up += 1
+
+
+def _is_as_drilled(
+    filled: TopoDS_Shape, bores: Iterable[Bore], solid: TopoDS_Shape, reach: float
+) -> bool:
+    """Whether a solid has the volume of another one once it is drilled."""
+    tools = [body_of_holes(holes, reach) for holes in holes_of(bores)]
+    if not tools:
+        return True
+    try:
+        drilled = volume(without(filled, tools))
+    except KERNEL_FAILURES:
+        return False
+    return bool(np.isclose(drilled, volume(solid), rtol=_EXACT))
 
 
 def without_faces(

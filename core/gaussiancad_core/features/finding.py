@@ -1,45 +1,85 @@
-"""The features of a solid: its holes are set aside, the rest is decomposed, and all of it is built
-again."""
+"""The features of a solid: its holes and edge breaks are set aside, the rest is decomposed, and all
+of it is built again."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 from OCP.TopoDS import TopoDS_Shape
 
 from gaussiancad_core.drawing.booleans import without
 from gaussiancad_core.drawing.brep import bounding_box
+from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
+from gaussiancad_core.features.blends import blends_of
 from gaussiancad_core.features.building import combined
 from gaussiancad_core.features.decomposing import decomposed
 from gaussiancad_core.features.difference import difference
-from gaussiancad_core.features.drilling import body_of_holes, holes_of
-from gaussiancad_core.features.filling import without_faces
-from gaussiancad_core.features.model import FeatureList
-from gaussiancad_core.features.rays import Rays
-from gaussiancad_core.features.round_holes import bores_of
+from gaussiancad_core.features.dressing import breaks_of, dressed
+from gaussiancad_core.features.drilling import body_of_holes
+from gaussiancad_core.features.filling import without_faces, without_holes
+from gaussiancad_core.features.model import EdgeBreak, FeatureList, Holes
 from gaussiancad_core.features.scaling import scaled, scaled_shape
 from gaussiancad_core.features.solid_faces import solid_faces
 from gaussiancad_core.reasoning.planes import UNITS
+
+
+@dataclass(frozen=True, eq=False)
+class _Stripped:
+    """A solid without what is put on last.
+
+    Attributes:
+        body: that is left; units.
+        breaks: of its edges.
+        holes: in it.
+        reach: units that a hole through it is long.
+    """
+
+    body: TopoDS_Shape
+    breaks: tuple[EdgeBreak, ...]
+    holes: tuple[Holes, ...]
+    reach: float
+
+    def finished(self, body: TopoDS_Shape) -> TopoDS_Shape | None:
+        """A body with all that is put on last; None where the kernel cannot."""
+        made = dressed(body, self.breaks) if self.breaks else body
+        if made is None or not self.holes:
+            return made
+        try:
+            return without(made, [body_of_holes(holes, self.reach) for holes in self.holes])
+        except KERNEL_FAILURES:
+            return None
 
 
 def features_of(shape: TopoDS_Shape) -> FeatureList:
     """The features that make up one solid, mm."""
     box = bounding_box(shape)
     factor = UNITS / float((box[1] - box[0]).max())
-    shape = scaled_shape(shape, factor)
-    reach = 4.0 * float(np.abs(box).max() * factor + 1.0)
-    faces = solid_faces(shape)
-    bores = bores_of(faces, Rays(shape, reach))
-    filled, done = without_faces(shape, [bore.faces for bore in bores])
-    holes = holes_of([bores[k] for k in done])
-    found = decomposed(filled)
-    if found is None:
-        return FeatureList(holes, False, "nothing")
-    body = combined(found.bodies)
+    solid = scaled_shape(shape, factor)
+    log = []
+    for stripped in _ways(solid):
+        found = decomposed(stripped.body)
+        log.append(f"{len(stripped.breaks)} breaks {len(stripped.holes)} holes")
+        if found is None:
+            log.append("nothing")
+            continue
+        made = stripped.finished(combined(found.bodies))
+        apart = difference(solid, made) if made is not None else None
+        log.append(f"{found.difference.share:.2g} {found.difference.faces}" + (f" all {apart.share:.2g} {apart.faces}" if apart else " undressable"))
+        if apart is not None and apart.is_none:
+            everything = (*found.bodies, *stripped.breaks, *stripped.holes)
+            return FeatureList(tuple(scaled(f, 1.0 / factor) for f in everything), True)
+    return FeatureList((), False, "; ".join(log))
+
+
+def _ways(solid: TopoDS_Shape) -> Iterator[_Stripped]:
+    """A solid without holes and edge breaks; then without holes alone; then as it is."""
+    reach = 4.0 * float(np.abs(bounding_box(solid)).max() + 1.0)
+    filled, holes = without_holes(solid, reach)
+    groups = blends_of(filled, solid_faces(filled))
+    undressed, kept = without_faces(filled, [[blend.face for blend in g] for g in groups])
+    if kept:
+        breaks = breaks_of([blend for k in kept for blend in groups[k]], undressed)
+        yield _Stripped(undressed, breaks, holes, reach)
+    yield _Stripped(filled, (), holes, reach)
     if holes:
-        body = without(body, [body_of_holes(own, reach) for own in holes])
-    apart = difference(shape, body)
-    features = tuple(scaled(own, 1.0 / factor) for own in (*found.bodies, *holes))
-    return FeatureList(
-        features,
-        apart.is_none,
-        f"{found.difference.share:.2g} {found.difference.faces}; {apart.share:.2g} {apart.faces}; "
-        f"{len(bores)} {len(done)}",
-    )
+        yield _Stripped(solid, (), (), reach)

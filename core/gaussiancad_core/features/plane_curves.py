@@ -9,12 +9,14 @@ from math import atan2, hypot, pi
 
 import numpy as np
 import numpy.typing as npt
-from OCP.BRepAdaptor import BRepAdaptor_Curve
+from OCP.BRepAdaptor import BRepAdaptor_Curve, BRepAdaptor_Surface
 from OCP.GeomAbs import GeomAbs_CurveType
-from OCP.TopoDS import TopoDS_Edge
+from OCP.TopoDS import TopoDS_Edge, TopoDS_Face
 
 from gaussiancad_core.axes import Role
+from gaussiancad_core.drawing.brep import edges_of
 from gaussiancad_core.features.frames import Frame
+from gaussiancad_core.features.solid_faces import Kind, SolidFace, u_range
 from gaussiancad_core.reasoning.curves import (
     TURN,
     CircleCurve,
@@ -33,6 +35,9 @@ SAME = 5e-5
 
 _ALONG = 1e-6
 """Sine of the angle up to which an edge runs along the direction of the view."""
+
+_ALONG_A_CURVE = 65
+"""Points of a curved edge that are looked at."""
 
 _AXIS_PARALLEL = 1e-6
 """Component of a unit vector below which a line is taken for level or upright."""
@@ -65,6 +70,49 @@ def stretches_along(edges: Iterable[TopoDS_Edge], frame: Frame, scale: float) ->
     for edge in edges:
         found.extend(_stretches(BRepAdaptor_Curve(edge), frame, scale))
     return found
+
+
+def stretches_of_walls(faces: Iterable[SolidFace], frame: Frame, scale: float) -> list[Stretch]:
+    """What a view along a frame's normal shows of faces that run along it: planes and cylinders,
+    edge-on, whatever their edges are.
+
+    Args:
+        faces: of a solid in mm.
+        frame: the view's plane.
+        scale: units per mm.
+    """
+    normal = np.array(frame.normal)
+    found: list[Stretch] = []
+    for face in faces:
+        lean = abs(float(face.direction @ normal))
+        if face.kind is Kind.PLANE and lean < _ALONG:
+            seen = frame.project(_edge_points(face.face))[:, :2] * scale
+            along = seen @ _direction(seen)
+            ends = (seen[int(along.argmin())], seen[int(along.argmax())])
+            made = segment(*((float(x), float(y)) for x, y in ends))
+            found += [] if made is None else [made]
+        elif face.kind is Kind.CYLINDER and lean > 1.0 - _ALONG:
+            low, high = u_range(face)
+            surface = BRepAdaptor_Surface(face.face)
+            places = [surface.Value(low + share * (high - low), 0.0) for share in (0.0, 0.5, 1.0)]
+            points = frame.project(np.array([[p.X(), p.Y(), p.Z()] for p in places])) * scale
+            start, middle, end = ((float(x), float(y)) for x, y, _ in points)
+            centre = frame.project(face.point[None])[0, :2] * scale
+            found += arc((float(centre[0]), float(centre[1])), face.radius * scale, (start, end), middle)
+    return found
+
+
+def _edge_points(face: TopoDS_Face) -> Points:
+    """(n, 3) points along the edges of a face, mm."""
+    found = []
+    for edge in edges_of(face):
+        curve = BRepAdaptor_Curve(edge)
+        low, high = curve.FirstParameter(), curve.LastParameter()
+        count = 2 if curve.GetType() == GeomAbs_CurveType.GeomAbs_Line else _ALONG_A_CURVE
+        for at in np.linspace(low, high, count):
+            point = curve.Value(float(at))
+            found.append((point.X(), point.Y(), point.Z()))
+    return np.array(found)
 
 
 def supports_of(stretches: Iterable[Stretch]) -> list[Support]:
@@ -125,7 +173,7 @@ def _stretches(curve: BRepAdaptor_Curve, frame: Frame, scale: float) -> Iterator
         yield from arc(tuple(centre.tolist()), circle.Radius() * scale, (start, end), middle)
     elif lean < _ALONG:
         # Edge-on it is a straight stretch, between the extremes that the arc reaches.
-        span = np.linspace(low, high, 65)
+        span = np.linspace(low, high, _ALONG_A_CURVE)
         seen = [curve.Value(float(t)) for t in span]
         flat = frame.project(np.array([[p.X(), p.Y(), p.Z()] for p in seen]))[:, :2] * scale
         along = flat @ _direction(flat)

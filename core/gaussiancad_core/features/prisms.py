@@ -10,9 +10,10 @@ from OCP.TopoDS import TopoDS_Edge
 
 from gaussiancad_core.features.cells import Cells, edge_count
 from gaussiancad_core.features.frames import Frame
-from gaussiancad_core.features.plane_curves import segment, stretches_along, supports_of
+from gaussiancad_core.features.plane_curves import segment, stretches_along, stretches_of_walls, supports_of
 from gaussiancad_core.features.rays import Rays
 from gaussiancad_core.features.samples import Samples
+from gaussiancad_core.features.solid_faces import Kind, SolidFace
 from gaussiancad_core.features.sweeps import Sweep, SweptPlane, regions_of
 from gaussiancad_core.reasoning.arrangement import Arrangement
 
@@ -20,6 +21,9 @@ Points = npt.NDArray[np.float64]
 
 _SAME_LEVEL = 1e-5
 """mm within which two levels are one."""
+
+_ACROSS = 1e-9
+"""1 less the cosine between a normal and the direction that its plane lies across."""
 
 _WITHIN = 1e-4
 """mm by which a stretch of material may miss the ends of a layer that it fills."""
@@ -46,7 +50,7 @@ class PrismPlane:
 
 def prism_plane(
     edges: Sequence[TopoDS_Edge],
-    levels: Sequence[float],
+    faces: Sequence[SolidFace],
     frame: Frame,
     box: tuple[Points, Points],
     scale: float,
@@ -55,8 +59,8 @@ def prism_plane(
     """The plane across a direction; None where more is seen in it than can be divided.
 
     Args:
-        edges: that bound the cells.
-        levels: mm along the normal at which faces lie.
+        edges: of the solid.
+        faces: of the solid.
         frame: the plane.
         box: (3,) corners of the part, in the frame's coordinates, mm.
         scale: units per mm.
@@ -66,7 +70,7 @@ def prism_plane(
         The plane, and the points at which its cells were looked at.
     """
     low, high = box
-    stretches = stretches_along(edges, frame, scale)
+    stretches = stretches_along(edges, frame, scale) + stretches_of_walls(faces, frame, scale)
     corners = [
         (float(a) * scale, float(b) * scale)
         for a, b in ((low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1]))
@@ -76,7 +80,7 @@ def prism_plane(
     if len(stretches) > _MOST_STRETCHES:
         return None
     cells = Cells(Arrangement(supports_of(stretches)))
-    ordered = _distinct([float(low[2]), *levels, float(high[2])])
+    ordered = _distinct([float(low[2]), *_levels(faces, frame), float(high[2])])
     fills, samples = _looked_at(cells, ordered, frame, scale, rays)
     return PrismPlane(SweptPlane(frame, cells, scale), tuple(ordered), fills), samples
 
@@ -105,6 +109,16 @@ def prisms_of(own: PrismPlane, number: int) -> Iterator[Sweep]:
                     edges = edge_count(cells.border(group))
                     ends = own.levels[low], own.levels[high]
                     yield Sweep(number, group, ends, adds, edges)
+
+
+def _levels(faces: Sequence[SolidFace], frame: Frame) -> list[float]:
+    """mm along the normal at which plane faces lie across it."""
+    normal = np.array(frame.normal)
+    return [
+        float(face.point @ normal)
+        for face in faces
+        if face.kind is Kind.PLANE and abs(float(face.direction @ normal)) > 1.0 - _ACROSS
+    ]
 
 
 def _goes_on(group: frozenset[int], low: int, high: int, holds: npt.NDArray[np.bool_]) -> bool:

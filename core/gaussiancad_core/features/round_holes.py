@@ -8,10 +8,9 @@ from math import atan, degrees, tau
 
 import numpy as np
 import numpy.typing as npt
-from OCP.BRepTools import BRepTools
 
 from gaussiancad_core.features.rays import Rays
-from gaussiancad_core.features.solid_faces import Kind, SolidFace, cone_of
+from gaussiancad_core.features.solid_faces import Kind, SolidFace, cone_of, v_range
 
 Vector = npt.NDArray[np.float64]
 
@@ -150,7 +149,7 @@ def _stacks(
 
 
 def _section(face: SolidFace, point: Vector, direction: Vector) -> Section:
-    _, _, bottom, top = BRepTools.UVBounds_s(face.face)
+    bottom, top = v_range(face)
     if face.kind is Kind.CONE:
         ends = cone_of(face, (bottom, top))
     else:

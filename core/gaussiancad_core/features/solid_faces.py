@@ -51,12 +51,14 @@ class SolidFace:
         minor: mm, of a torus.
         is_concave: whether the material lies around its axis or centre, as in a bore.
         turn: radians of a turn around its axis that the face's parameters cover.
+        place: a point of the surface, in the middle of the face's parameters.
     """
 
     face: TopoDS_Face
     kind: Kind
     point: Vector
     direction: Vector
+    place: Vector
     radius: float = 0.0
     minor: float = 0.0
     is_concave: bool = False
@@ -78,15 +80,15 @@ def _described(face: TopoDS_Face) -> SolidFace:
     place = surface.Value((low + high) / 2.0, (bottom + top) / 2.0)
     at = np.array([place.X(), place.Y(), place.Z()])
     if kind is Kind.PLANE:
-        return SolidFace(face, kind, at, outward)
+        return SolidFace(face, kind, at, outward, at)
     if kind is Kind.OTHER:
-        return SolidFace(face, kind, np.zeros(3), np.zeros(3))
+        return SolidFace(face, kind, np.zeros(3), np.zeros(3), at)
     point, direction = _axis_of(surface, kind)
     inward = point + direction * float((at - point) @ direction) - at
     if kind is Kind.SPHERE:
         inward = point - at
         return SolidFace(
-            face, kind, point, direction, surface.Sphere().Radius(), 0.0, inward @ outward > 0.0
+            face, kind, point, direction, at, surface.Sphere().Radius(), 0.0, inward @ outward > 0.0
         )
     if kind is Kind.TORUS:
         torus = surface.Torus()
@@ -95,10 +97,10 @@ def _described(face: TopoDS_Face) -> SolidFace:
         middle = point + flat * (torus.MajorRadius() / float(np.linalg.norm(flat)))
         concave = bool((middle - at) @ outward > 0.0)
         radii = torus.MajorRadius(), torus.MinorRadius()
-        return SolidFace(face, kind, point, direction, *radii, concave, high - low)
+        return SolidFace(face, kind, point, direction, at, *radii, concave, high - low)
     radius = surface.Cylinder().Radius() if kind is Kind.CYLINDER else 0.0
     return SolidFace(
-        face, kind, point, direction, radius, 0.0, bool(inward @ outward > 0.0), high - low
+        face, kind, point, direction, at, radius, 0.0, bool(inward @ outward > 0.0), high - low
     )
 
 
@@ -133,3 +135,15 @@ def cone_of(face: SolidFace, heights: tuple[float, float]) -> tuple[tuple[Vector
         )
         for at in heights
     )
+
+
+def v_range(face: SolidFace) -> tuple[float, float]:
+    """The face's parameters along the axis of its surface."""
+    _, _, bottom, top = BRepTools.UVBounds_s(face.face)
+    return float(bottom), float(top)
+
+
+def u_range(face: SolidFace) -> tuple[float, float]:
+    """The face's parameters around the axis of its surface, radians."""
+    low, high, _, _ = BRepTools.UVBounds_s(face.face)
+    return float(low), float(high)

@@ -7,7 +7,6 @@ from math import tau
 
 import numpy as np
 import numpy.typing as npt
-from OCP.BRepTools import BRepTools
 
 from gaussiancad_core.features.cells import Cells, edge_count
 from gaussiancad_core.features.frames import frame_across
@@ -15,7 +14,7 @@ from gaussiancad_core.features.loops import Edge, Loop
 from gaussiancad_core.features.plane_curves import Stretch, arc, segment, supports_of
 from gaussiancad_core.features.rays import Rays
 from gaussiancad_core.features.samples import Samples
-from gaussiancad_core.features.solid_faces import Kind, SolidFace, cone_of
+from gaussiancad_core.features.solid_faces import Kind, SolidFace, cone_of, v_range
 from gaussiancad_core.features.sweeps import Sweep, SweptPlane, TurnAxis, regions_of
 from gaussiancad_core.reasoning.arrangement import Arrangement
 from gaussiancad_core.reasoning.curves import Point
@@ -185,7 +184,7 @@ def _stretches(
     found: list[Stretch] = []
     for face in faces:
         at = float((face.point - point) @ direction)
-        _, _, bottom, top = BRepTools.UVBounds_s(face.face)
+        bottom, top = v_range(face)
         if face.kind is Kind.CYLINDER:
             way = float(face.direction @ direction)
             lines.append(((at + way * bottom, face.radius), (at + way * top, face.radius)))
