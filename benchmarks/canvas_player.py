@@ -72,14 +72,22 @@ class Player:
         folder: for the copy.
         page: of a file with pages.
         limit: s that the canvas may work on one thing.
+        engines: of another player that is open; new ones where none are given.
     """
 
-    def __init__(self, sheet: Path, folder: Path, page: int = 1, limit: float = 120.0) -> None:
+    def __init__(
+        self,
+        sheet: Path,
+        folder: Path,
+        page: int = 1,
+        limit: float = 120.0,
+        engines: Engines | None = None,
+    ) -> None:
         self.application = QtWidgets.QApplication.instance() or QtWidgets.QApplication([])
         folder.mkdir(parents=True, exist_ok=True)
         copy = Path(shutil.copyfile(sheet, folder / sheet.name))
         program = Program((sys.executable, "-m", "gaussiancad_core"))
-        self.window = SheetWindow(copy, page, engines=Engines.of(program))
+        self.window = SheetWindow(copy, page, engines=engines or Engines.of(program))
         self.window.resize(*_SIZE)
         self.window.show()
         self.report: dict = {}
