@@ -119,8 +119,14 @@ class Pane(QtWidgets.QGraphicsView):
             self._panned = pos_of(event)
         event.accept()
 
+    def leaveEvent(self, event: QtCore.QEvent) -> None:
+        """What was written at the mouse goes with it."""
+        self._drawing.point_at(None)
+        super().leaveEvent(event)
+
     def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
-        """Pan."""
+        """Pan; what is quiet is written where the mouse is."""
+        self._drawing.point_at(self.place(pos_of(event)))
         if self._panned is not None:
             moved = pos_of(event) - self._panned
             self._panned = pos_of(event)

@@ -15,7 +15,6 @@ from freecad.gaussiancad.canvas.kinds import (
     DOUBTFUL,
     DRAWN,
     MARK,
-    NUMBER,
     OTHER,
     PLANE,
     ROLES,
@@ -23,6 +22,7 @@ from freecad.gaussiancad.canvas.kinds import (
     VIEW,
     name_of,
 )
+from freecad.gaussiancad.canvas.labels import Label, labels_of
 from freecad.gaussiancad.canvas.sheet import Box, Point, Sheet, Stroke, View
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
@@ -55,6 +55,8 @@ class SheetScene(QtWidgets.QGraphicsScene):
         self._hidden: set[str] = set()
         self._paper: QtWidgets.QGraphicsRectItem | None = None
         self._bare = False
+        self._quiet: dict[Label, QtWidgets.QGraphicsSimpleTextItem] = {}
+        self._pointed: Point | None = None
 
     def show_picture(self, path: str, size: tuple[int, int] | None) -> None:
         """Show the picture of a sheet that is ``size`` px large as stored."""
@@ -85,11 +87,9 @@ class SheetScene(QtWidgets.QGraphicsScene):
             self._add_view(own, chosen=own.id in chosen)
         for own in sheet.strokes:
             self._add_stroke(own, chosen=own.id in chosen)
-        for own in sheet.numbers:
-            text = f"{own.value:g}" if own.given else own.text
-            self._add_text("numbers", text, own.box, NUMBER if own.used else OTHER)
-        for own in sheet.notes:
-            self._add_text("numbers", own.text, own.box, NUMBER)
+        self._quiet = {}
+        for own in labels_of(sheet):
+            self._add_label(own)
         for own in sheet.planes:
             self._add_plane(own.label, own.line)
         self._show_layers()
@@ -124,6 +124,11 @@ class SheetScene(QtWidgets.QGraphicsScene):
         self._hidden = self._hidden - {name} if shown else self._hidden | {name}
         self._show_layers()
 
+    def point_at(self, place: Point | None) -> None:
+        """Write what was read at a place, where it is not written anyway; None for no place."""
+        self._pointed = place
+        self._show_quiet()
+
     def show_bare(self, bare: bool) -> None:
         """Show the ink alone, or everything again."""
         self._bare = bare
@@ -150,9 +155,15 @@ class SheetScene(QtWidgets.QGraphicsScene):
         for name, items in self._layers.items():
             for item in items:
                 item.setVisible(not self._bare and name not in self._hidden)
+        self._show_quiet()
         if self._picture is not None:
             self._picture.setVisible(self._bare or "sheet" not in self._hidden)
             self._picture.setOpacity(1.0 if self._bare else PALE)
+
+    def _show_quiet(self) -> None:
+        hidden = self._bare or "numbers" in self._hidden or self._pointed is None
+        for label, item in self._quiet.items():
+            item.setVisible(not hidden and label.holds(self._pointed))
 
     def _add_stroke(self, own: Stroke, chosen: bool) -> None:
         item = self.addPath(_path(own.points()), _stroke_pen(own, chosen=chosen))
@@ -177,14 +188,22 @@ class SheetScene(QtWidgets.QGraphicsScene):
             item.setZValue(-1.0)
             self._layers["views"].append(item)
 
-    def _add_text(self, layer: str, text: str, box: Box, colour: str) -> None:
-        x0, y0, x1, y1 = box
-        frame = self.addRect(x0, y0, x1 - x0, y1 - y0, _pen(colour, 1.0))
-        label = self.addSimpleText(text)
-        label.setBrush(QtGui.QColor(colour))
-        label.setPos(x0, y1)
-        label.setFlag(QtWidgets.QGraphicsItem.GraphicsItemFlag.ItemIgnoresTransformations)
-        self._layers[layer] += [frame, label]
+    def _add_label(self, own: Label) -> None:
+        x0, y0, x1, y1 = own.box
+        frame = self.addRect(x0, y0, x1 - x0, y1 - y0, _pen(own.colour, 1.0))
+        text = self.addSimpleText(own.text)
+        text.setBrush(QtGui.QColor(own.colour))
+        text.setPos(x0, y1)
+        text.setFlag(QtWidgets.QGraphicsItem.GraphicsItemFlag.ItemIgnoresTransformations)
+        text.setZValue(2.5)
+        # What lies under it does not run through its letters.
+        plate = QtWidgets.QGraphicsRectItem(text.boundingRect(), text)
+        plate.setFlag(QtWidgets.QGraphicsItem.GraphicsItemFlag.ItemStacksBehindParent)
+        plate.setPen(QtGui.QPen(QtCore.Qt.PenStyle.NoPen))
+        plate.setBrush(QtGui.QColor("white"))
+        self._layers["numbers"] += [frame, text]
+        if own.quiet:
+            self._quiet[own] = text
 
     def _add_plane(self, label: str, line: Iterable[Point]) -> None:
         points = list(line)

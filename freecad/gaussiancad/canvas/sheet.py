@@ -159,8 +159,8 @@ class Note:
 
 @dataclass(frozen=True)
 class Row:
-    """A problem: how grave, what it is, in the user's words, its code, its place if it has one, and
-    which corrections may help, by their ``op``, and the values in the message."""
+    """A problem: how grave, what it is, in the user's words, its code, its first place if it has
+    one, which corrections may help, by their ``op``, the values in the message, and all places."""
 
     severity: str
     message: str
@@ -168,6 +168,7 @@ class Row:
     box: Box | None = None
     offers: tuple[str, ...] = ()
     args: Mapping[str, object] = field(default_factory=dict)
+    places: tuple[Box, ...] = ()
 
     @property
     def unseen_axis(self) -> str:
@@ -180,6 +181,11 @@ class Row:
     def pinned(self) -> bool:
         """Whether its place is marked on the sheet: whole drawings have frames of their own."""
         return "view" not in self.offers
+
+    @property
+    def of_numbers(self) -> bool:
+        """Whether its places are those of numbers that may be told anew."""
+        return "dimension" in self.offers
 
 
 @dataclass(frozen=True)
@@ -264,6 +270,7 @@ def sheet_of(reading: dict) -> Sheet:
                 next(map(tuple, own.get("at", ())), None),
                 tuple(own.get("offers", ())),
                 dict(own.get("args", {})),
+                tuple(map(tuple, own.get("at", ()))),
             )
             for own in reading.get("problems", ())
         ),
