@@ -199,6 +199,14 @@
 <context>
     <name>GaussianCAD</name>
     <message>
+        <source>in Correct Sheet</source>
+        <translation>mit „Blatt korrigieren“</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>hier</translation>
+    </message>
+    <message>
         <source>A library broke down in one of the ways in which the solid is looked for. That way was left out: check the part. It is a fault of ours: please report it with the drawing.</source>
         <translation>Eine Bibliothek ist bei einer der Arten zusammengebrochen, auf die der Festkörper gesucht wird. Diese Art wurde ausgelassen: Prüfen Sie das Teil. Das ist ein Fehler von uns: Bitte melden Sie ihn mit der Zeichnung.</translation>
     </message>
@@ -1835,12 +1843,12 @@
         <translation>Es wurde kein exakter Festkörper gefunden. Das Modell ist eine Oberfläche, die füllt, was die Umrisse lassen: Nehmen Sie keine Maße davon ab.</translation>
     </message>
     <message>
-        <source>The exact solid that fits best has only {percent} % of the drawing&apos;s lines and was not kept. Check in Correct Sheet whether the lines were read right.</source>
-        <translation>Der exakte Festkörper, der am besten passt, hat nur {percent} % der Linien der Zeichnung und wurde nicht behalten. Prüfen Sie mit „Blatt korrigieren“, ob die Linien richtig gelesen wurden.</translation>
+        <source>The exact solid that fits best has only {percent} % of the drawing&apos;s lines and was not kept. Check {canvas} whether the lines were read right.</source>
+        <translation>Der exakte Festkörper, der am besten passt, hat nur {percent} % der Linien der Zeichnung und wurde nicht behalten. Prüfen Sie {canvas}, ob die Linien richtig gelesen wurden.</translation>
     </message>
     <message>
-        <source>No solid has all lines as they were read. This part is a stack of slabs along {axis} that explains {percent} % of them. Check in Correct Sheet which lines are wrong.</source>
-        <translation>Kein Festkörper hat alle Linien, wie sie gelesen wurden. Dieses Bauteil ist ein Stapel von Platten längs {axis}, der {percent} % von ihnen erklärt. Prüfen Sie mit „Blatt korrigieren“, welche Linien falsch sind.</translation>
+        <source>No solid has all lines as they were read. This part is a stack of slabs along {axis} that explains {percent} % of them. Check {canvas} which lines are wrong.</source>
+        <translation>Kein Festkörper hat alle Linien, wie sie gelesen wurden. Dieses Bauteil ist ein Stapel von Platten längs {axis}, der {percent} % von ihnen erklärt. Prüfen Sie {canvas}, welche Linien falsch sind.</translation>
     </message>
     <message>
         <source>This part, a stack of slabs along {axis}, has all lines of the drawing, but nothing proves that no other part has them. Compare it with the sheet.</source>
@@ -1851,28 +1859,28 @@
         <translation>Das Bauteil besteht aus {count} Körpern: Das Blatt zeigt mehrere, oder eine Linie fehlt, die sie verbindet.</translation>
     </message>
     <message>
-        <source>The lines of the views contradict each other, so that no solid has them all. Check in Correct Sheet whether a line was read wrong.</source>
-        <translation>Die Linien der Ansichten widersprechen sich, sodass kein Festkörper sie alle hat. Prüfen Sie mit „Blatt korrigieren“, ob eine Linie falsch gelesen wurde.</translation>
+        <source>The lines of the views contradict each other, so that no solid has them all. Check {canvas} whether a line was read wrong.</source>
+        <translation>Die Linien der Ansichten widersprechen sich, sodass kein Festkörper sie alle hat. Prüfen Sie {canvas}, ob eine Linie falsch gelesen wurde.</translation>
     </message>
     <message>
-        <source>Lines contradict each other as they were read, and are marked on the sheet: one was read wrong, or another is missing. Correct it in Correct Sheet.</source>
-        <translation>Linien widersprechen einander, wie sie gelesen wurden, und sind auf dem Blatt markiert: eine wurde falsch gelesen, oder eine andere fehlt. Berichtigen Sie es mit „Blatt korrigieren“.</translation>
+        <source>Lines contradict each other as they were read, and are marked on the sheet: one was read wrong, or another is missing. Correct it {canvas}.</source>
+        <translation>Linien widersprechen einander, wie sie gelesen wurden, und sind auf dem Blatt markiert: eine wurde falsch gelesen, oder eine andere fehlt. Berichtigen Sie es {canvas}.</translation>
     </message>
     <message>
-        <source>The lines contradict each other as they were read. They would agree if the view “{view}” had one more {linetype}: draw it in Correct Sheet.</source>
-        <translation>Die Linien widersprechen sich, so wie sie gelesen wurden. Sie würden übereinstimmen, wenn die Ansicht „{view}“ eine weitere {linetype} hätte: Zeichnen Sie sie mit „Blatt korrigieren“.</translation>
+        <source>The lines contradict each other as they were read. They would agree if the view “{view}” had one more {linetype}: draw it {canvas}.</source>
+        <translation>Die Linien widersprechen sich, so wie sie gelesen wurden. Sie würden übereinstimmen, wenn die Ansicht „{view}“ eine weitere {linetype} hätte: Zeichnen Sie sie {canvas}.</translation>
     </message>
     <message>
-        <source>The lines contradict each other as they were read. They would agree without one {linetype} of the view “{view}”: erase it in Correct Sheet if it is wrong.</source>
-        <translation>Die Linien widersprechen sich, so wie sie gelesen wurden. Sie würden ohne eine {linetype} der Ansicht „{view}“ übereinstimmen: Löschen Sie diese mit „Blatt korrigieren“, wenn sie falsch ist.</translation>
+        <source>The lines contradict each other as they were read. They would agree without one {linetype} of the view “{view}”: erase it {canvas} if it is wrong.</source>
+        <translation>Die Linien widersprechen sich, so wie sie gelesen wurden. Sie würden ohne eine {linetype} der Ansicht „{view}“ übereinstimmen: Löschen Sie diese {canvas}, wenn sie falsch ist.</translation>
     </message>
     <message>
-        <source>The lines contradict each other as they were read. They would agree if another line of the view “{view}” were a {linetype}: change it in Correct Sheet if it was read wrong.</source>
-        <translation>Die Linien widersprechen sich, so wie sie gelesen wurden. Sie würden übereinstimmen, wenn eine andere Linie der Ansicht „{view}“ eine {linetype} wäre: Ändern Sie sie mit „Blatt korrigieren“, wenn sie falsch gelesen wurde.</translation>
+        <source>The lines contradict each other as they were read. They would agree if another line of the view “{view}” were a {linetype}: change it {canvas} if it was read wrong.</source>
+        <translation>Die Linien widersprechen sich, so wie sie gelesen wurden. Sie würden übereinstimmen, wenn eine andere Linie der Ansicht „{view}“ eine {linetype} wäre: Ändern Sie sie {canvas}, wenn sie falsch gelesen wurde.</translation>
     </message>
     <message>
-        <source>What fits the lines best does not close up to a solid: lines are missing or wrong. Check them in Correct Sheet.</source>
-        <translation>Was am besten zu den Linien passt, schließt sich nicht zu einem Festkörper: Linien fehlen oder sind falsch. Prüfen Sie sie mit „Blatt korrigieren“.</translation>
+        <source>What fits the lines best does not close up to a solid: lines are missing or wrong. Check them {canvas}.</source>
+        <translation>Was am besten zu den Linien passt, schließt sich nicht zu einem Festkörper: Linien fehlen oder sind falsch. Prüfen Sie sie {canvas}.</translation>
     </message>
     <message>
         <source>The drawing has too many lines for an exact solid. Draw fewer of them on one sheet.</source>
@@ -1951,20 +1959,20 @@
         <translation>Nicht verwendet: {kind}. Was dort vom Teil zu sehen ist, kann fehlen.</translation>
     </message>
     <message>
-        <source>Groups of lines belong to no view and are large enough to be one ({count}). Box them as views in Correct Sheet if they show the part.</source>
-        <translation>Gruppen von Linien gehören zu keiner Ansicht und sind groß genug, eine zu sein ({count}). Umrahmen Sie sie mit „Blatt korrigieren“ als Ansichten, wenn sie das Teil zeigen.</translation>
+        <source>Groups of lines belong to no view and are large enough to be one ({count}). Box them as views {canvas} if they show the part.</source>
+        <translation>Gruppen von Linien gehören zu keiner Ansicht und sind groß genug, eine zu sein ({count}). Umrahmen Sie sie {canvas} als Ansichten, wenn sie das Teil zeigen.</translation>
     </message>
     <message>
-        <source>Lines that cross a view in another line width were not used ({count}). If they are edges of the part, make them visible lines in Correct Sheet.</source>
-        <translation>Linien, die in anderer Strichbreite durch eine Ansicht laufen, wurden nicht verwendet ({count}). Wenn es Kanten des Teils sind, machen Sie sie mit „Blatt korrigieren“ zu sichtbaren Linien.</translation>
+        <source>Lines that cross a view in another line width were not used ({count}). If they are edges of the part, make them visible lines {canvas}.</source>
+        <translation>Linien, die in anderer Strichbreite durch eine Ansicht laufen, wurden nicht verwendet ({count}). Wenn es Kanten des Teils sind, machen Sie sie {canvas} zu sichtbaren Linien.</translation>
     </message>
     <message>
         <source>The lengths of {earlier_mm} mm and {last_mm} mm that you told contradict each other. The last one was taken. Tell one of them again, or take it back.</source>
         <translation>Die Längen von {earlier_mm} mm und {last_mm} mm, die Sie angegeben haben, widersprechen einander. Die letzte wurde genommen. Geben Sie eine davon noch einmal an, oder nehmen Sie sie zurück.</translation>
     </message>
     <message>
-        <source>Corrections that no longer find what they corrected: {count}. Look at them again in Correct Sheet.</source>
-        <translation>Korrekturen, die nicht mehr finden, was sie korrigierten: {count}. Sehen Sie sie mit „Blatt korrigieren“ noch einmal an.</translation>
+        <source>Corrections that no longer find what they corrected: {count}. Look at them again {canvas}.</source>
+        <translation>Korrekturen, die nicht mehr finden, was sie korrigierten: {count}. Sehen Sie sie {canvas} noch einmal an.</translation>
     </message>
     <message>
         <source>No view has a hidden line. It was assumed that nothing lies inside the part that no view shows.</source>
@@ -2071,8 +2079,8 @@
         <translation>Das trainierte Netz, das Kanten von Maßen unterscheidet, fehlt oder ist beschädigt: das Bild wurde nach Regeln gelesen. Reparieren Sie die Engine unter „Engine prüfen“.</translation>
     </message>
     <message>
-        <source>Lines that may be edges of the part or annotation: {count}. Look at them in Correct Sheet.</source>
-        <translation>Linien, die Kanten des Teils oder Beschriftung sein können: {count}. Sehen Sie sie unter „Blatt korrigieren“ an.</translation>
+        <source>Lines that may be edges of the part or annotation: {count}. Look at them {canvas}.</source>
+        <translation>Linien, die Kanten des Teils oder Beschriftung sein können: {count}. Sehen Sie sie {canvas} an.</translation>
     </message>
     <message>
         <source>The dimensions on the sheet were not read, as the engine has no text recognition. Set a length under Scale.</source>
@@ -2171,8 +2179,8 @@
         <translation>Die Datei ist kein DXF oder ist beschädigt. Exportieren Sie die Zeichnung neu oder als PNG.</translation>
     </message>
     <message>
-        <source>What was read of the sheet is damaged, or of another version. Open the drawing in Correct Sheet again.</source>
-        <translation>Was vom Blatt gelesen wurde, ist beschädigt oder von einer anderen Version. Öffnen Sie die Zeichnung noch einmal mit „Blatt korrigieren“.</translation>
+        <source>What was read of the sheet is damaged, or of another version. Open the drawing {canvas} again.</source>
+        <translation>Was vom Blatt gelesen wurde, ist beschädigt oder von einer anderen Version. Öffnen Sie die Zeichnung noch einmal {canvas}.</translation>
     </message>
     <message>
         <source>The corrections in {path} are damaged, or of another version. Remove that file, or mend it.</source>
@@ -2251,36 +2259,36 @@
         <translation>Das sieht nicht wie eine Strichzeichnung aus. Verwenden Sie einen Export oder Scan der Zeichnung, kein Foto.</translation>
     </message>
     <message>
-        <source>No view of a part was found. Box the views in Correct Sheet and say which is which.</source>
-        <translation>Es wurde keine Ansicht eines Teils gefunden. Umrahmen Sie die Ansichten mit „Blatt korrigieren“ und sagen Sie, welche welche ist.</translation>
+        <source>No view of a part was found. Box the views {canvas} and say which is which.</source>
+        <translation>Es wurde keine Ansicht eines Teils gefunden. Umrahmen Sie die Ansichten {canvas} und sagen Sie, welche welche ist.</translation>
     </message>
     <message>
-        <source>Only one view was found. A part follows from two views, or from one with diameters across its axis or with a thickness. Box the views in Correct Sheet if there are more.</source>
-        <translation>Es wurde nur eine Ansicht gefunden. Ein Teil folgt aus zwei Ansichten, oder aus einer mit Durchmessern quer zur Achse oder mit einer Dicke. Umrahmen Sie die Ansichten mit „Blatt korrigieren“, wenn es mehr gibt.</translation>
+        <source>Only one view was found. A part follows from two views, or from one with diameters across its axis or with a thickness. Box the views {canvas} if there are more.</source>
+        <translation>Es wurde nur eine Ansicht gefunden. Ein Teil folgt aus zwei Ansichten, oder aus einer mit Durchmessern quer zur Achse oder mit einer Dicke. Umrahmen Sie die Ansichten {canvas}, wenn es mehr gibt.</translation>
     </message>
     <message>
         <source>The sheet shows the part in a pictorial view alone. Views at right angles are needed, such as front, top and side.</source>
         <translation>Das Blatt zeigt das Teil nur in einer perspektivischen Ansicht. Nötig sind rechtwinklige Ansichten wie Vorder-, Drauf- und Seitenansicht.</translation>
     </message>
     <message>
-        <source>The views do not line up with each other. Box them in Correct Sheet and say which is which.</source>
-        <translation>Die Ansichten liegen nicht in Flucht zueinander. Umrahmen Sie sie mit „Blatt korrigieren“ und sagen Sie, welche welche ist.</translation>
+        <source>The views do not line up with each other. Box them {canvas} and say which is which.</source>
+        <translation>Die Ansichten liegen nicht in Flucht zueinander. Umrahmen Sie sie {canvas} und sagen Sie, welche welche ist.</translation>
     </message>
     <message>
-        <source>The view “{view}” has no visible line. Draw its edges in Correct Sheet, or say that the box is another view.</source>
-        <translation>Die Ansicht „{view}“ hat keine sichtbare Linie. Zeichnen Sie ihre Kanten mit „Blatt korrigieren“, oder sagen Sie, dass der Rahmen eine andere Ansicht ist.</translation>
+        <source>The view “{view}” has no visible line. Draw its edges {canvas}, or say that the box is another view.</source>
+        <translation>Die Ansicht „{view}“ hat keine sichtbare Linie. Zeichnen Sie ihre Kanten {canvas}, oder sagen Sie, dass der Rahmen eine andere Ansicht ist.</translation>
     </message>
     <message>
-        <source>The views show nothing of the {axis} axis. Two views at right angles are needed: box them in Correct Sheet.</source>
-        <translation>Die Ansichten zeigen nichts von der {axis}-Achse. Zwei rechtwinklig zueinander liegende Ansichten werden gebraucht: Umrahmen Sie sie mit „Blatt korrigieren“.</translation>
+        <source>The views show nothing of the {axis} axis. Two views at right angles are needed: box them {canvas}.</source>
+        <translation>Die Ansichten zeigen nichts von der {axis}-Achse. Zwei rechtwinklig zueinander liegende Ansichten werden gebraucht: Umrahmen Sie sie {canvas}.</translation>
     </message>
     <message>
-        <source>The views differ by {percent} % in the part&apos;s extent along {axis} ({views}). Check that they show one part at one scale, or box them in Correct Sheet.</source>
-        <translation>Die Ansichten unterscheiden sich um {percent} % in der Ausdehnung des Teils entlang {axis} ({views}). Prüfen Sie, ob sie ein Teil in einem Maßstab zeigen, oder umrahmen Sie sie mit „Blatt korrigieren“.</translation>
+        <source>The views differ by {percent} % in the part&apos;s extent along {axis} ({views}). Check that they show one part at one scale, or box them {canvas}.</source>
+        <translation>Die Ansichten unterscheiden sich um {percent} % in der Ausdehnung des Teils entlang {axis} ({views}). Prüfen Sie, ob sie ein Teil in einem Maßstab zeigen, oder umrahmen Sie sie {canvas}.</translation>
     </message>
     <message>
-        <source>The outline of the view “{view}” is not closed. Draw what is missing of its visible edges in Correct Sheet.</source>
-        <translation>Der Umriss der Ansicht „{view}“ ist nicht geschlossen. Zeichnen Sie mit „Blatt korrigieren“, was von ihren sichtbaren Kanten fehlt.</translation>
+        <source>The outline of the view “{view}” is not closed. Draw what is missing of its visible edges {canvas}.</source>
+        <translation>Der Umriss der Ansicht „{view}“ ist nicht geschlossen. Zeichnen Sie {canvas}, was von ihren sichtbaren Kanten fehlt.</translation>
     </message>
     <message>
         <source>The edges of the view “{view}” run together to one line. Export the drawing with more pixels.</source>
@@ -2299,12 +2307,12 @@
         <translation>Im Rahmen der Ansicht „{view}“ liegen keine Linien. Ziehen Sie ihn neu auf.</translation>
     </message>
     <message>
-        <source>Two boxes are named “{view}”. Give one of them another name in Correct Sheet.</source>
-        <translation>Zwei Rahmen heißen „{view}“. Geben Sie einem davon mit „Blatt korrigieren“ einen anderen Namen.</translation>
+        <source>Two boxes are named “{view}”. Give one of them another name {canvas}.</source>
+        <translation>Zwei Rahmen heißen „{view}“. Geben Sie einem davon {canvas} einen anderen Namen.</translation>
     </message>
     <message>
-        <source>The drawing has changed since it was read. Open it in Correct Sheet again.</source>
-        <translation>Die Zeichnung hat sich geändert, seit sie gelesen wurde. Öffnen Sie sie noch einmal mit „Blatt korrigieren“.</translation>
+        <source>The drawing has changed since it was read. Open it {canvas} again.</source>
+        <translation>Die Zeichnung hat sich geändert, seit sie gelesen wurde. Öffnen Sie sie noch einmal {canvas}.</translation>
     </message>
     <message>
         <source>The corrections in {path} belong to another drawing, or to an earlier version of it. Remove that file, or correct the drawing again.</source>
@@ -2787,8 +2795,8 @@
         <translation>Wie dick ist das Teil?</translation>
     </message>
     <message>
-        <source>The drawing has one view and a thickness, and nothing tells its scale. Tell a length that the view shows, under Scale or in Correct Sheet.</source>
-        <translation>Die Zeichnung hat eine Ansicht und eine Dicke, und nichts sagt ihren Maßstab. Geben Sie eine Länge an, die die Ansicht zeigt, unter „Maßstab“ oder mit „Blatt korrigieren“.</translation>
+        <source>The drawing has one view and a thickness, and nothing tells its scale. Tell a length that the view shows, under Scale or {canvas}.</source>
+        <translation>Die Zeichnung hat eine Ansicht und eine Dicke, und nichts sagt ihren Maßstab. Geben Sie eine Länge an, die die Ansicht zeigt, unter „Maßstab“ oder {canvas}.</translation>
     </message>
 </context>
 <context>

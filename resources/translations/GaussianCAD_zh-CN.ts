@@ -199,6 +199,14 @@
 <context>
     <name>GaussianCAD</name>
     <message>
+        <source>in Correct Sheet</source>
+        <translation>在“校正图纸”中</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>在此</translation>
+    </message>
+    <message>
         <source>A library broke down in one of the ways in which the solid is looked for. That way was left out: check the part. It is a fault of ours: please report it with the drawing.</source>
         <translation>在寻找实体的一种方法中,某个库发生了崩溃。该方法已被略过:请检查零件。这是我们的错误:请连同图纸一起报告。</translation>
     </message>
@@ -867,12 +875,12 @@
         <translation>未找到精确实体。该模型是填满各轮廓所留空间的表面：请勿在其上量取尺寸。</translation>
     </message>
     <message>
-        <source>The exact solid that fits best has only {percent} % of the drawing&apos;s lines and was not kept. Check in Correct Sheet whether the lines were read right.</source>
-        <translation>最吻合的精确实体只具有图纸上 {percent} % 的线，未予保留。请在“校正图纸”中检查各线是否读对。</translation>
+        <source>The exact solid that fits best has only {percent} % of the drawing&apos;s lines and was not kept. Check {canvas} whether the lines were read right.</source>
+        <translation>最吻合的精确实体只具有图纸上 {percent} % 的线，未予保留。请{canvas}检查各线是否读对。</translation>
     </message>
     <message>
-        <source>No solid has all lines as they were read. This part is a stack of slabs along {axis} that explains {percent} % of them. Check in Correct Sheet which lines are wrong.</source>
-        <translation>没有任何实体具有所读出的全部线条。此零件是沿 {axis} 方向层叠的板，能解释其中 {percent} % 的线。请在“校正图纸”中检查哪些线有误。</translation>
+        <source>No solid has all lines as they were read. This part is a stack of slabs along {axis} that explains {percent} % of them. Check {canvas} which lines are wrong.</source>
+        <translation>没有任何实体具有所读出的全部线条。此零件是沿 {axis} 方向层叠的板，能解释其中 {percent} % 的线。请{canvas}检查哪些线有误。</translation>
     </message>
     <message>
         <source>This part, a stack of slabs along {axis}, has all lines of the drawing, but nothing proves that no other part has them. Compare it with the sheet.</source>
@@ -883,28 +891,28 @@
         <translation>该零件由 {count} 个实体组成：图纸显示了多个实体，或者缺少一条将它们连接起来的线。</translation>
     </message>
     <message>
-        <source>The lines of the views contradict each other, so that no solid has them all. Check in Correct Sheet whether a line was read wrong.</source>
-        <translation>各视图的线互相矛盾，没有实体能同时具有它们。请在“校正图纸”中检查是否有线读错。</translation>
+        <source>The lines of the views contradict each other, so that no solid has them all. Check {canvas} whether a line was read wrong.</source>
+        <translation>各视图的线互相矛盾，没有实体能同时具有它们。请{canvas}检查是否有线读错。</translation>
     </message>
     <message>
-        <source>Lines contradict each other as they were read, and are marked on the sheet: one was read wrong, or another is missing. Correct it in Correct Sheet.</source>
-        <translation>所读到的线条相互矛盾，已在图纸上标出：其中一条读错，或缺少另一条。请在“校正图纸”中校正。</translation>
+        <source>Lines contradict each other as they were read, and are marked on the sheet: one was read wrong, or another is missing. Correct it {canvas}.</source>
+        <translation>所读到的线条相互矛盾，已在图纸上标出：其中一条读错，或缺少另一条。请{canvas}校正。</translation>
     </message>
     <message>
-        <source>The lines contradict each other as they were read. They would agree if the view “{view}” had one more {linetype}: draw it in Correct Sheet.</source>
-        <translation>按读出的结果，各线互相矛盾。如果“{view}”多一条{linetype}，各线就会一致：请在“校正图纸”中画出它。</translation>
+        <source>The lines contradict each other as they were read. They would agree if the view “{view}” had one more {linetype}: draw it {canvas}.</source>
+        <translation>按读出的结果，各线互相矛盾。如果“{view}”多一条{linetype}，各线就会一致：请{canvas}画出它。</translation>
     </message>
     <message>
-        <source>The lines contradict each other as they were read. They would agree without one {linetype} of the view “{view}”: erase it in Correct Sheet if it is wrong.</source>
-        <translation>按读出的结果，各线互相矛盾。如果去掉“{view}”的一条{linetype}，各线就会一致：如果它是错的，请在“校正图纸”中删除。</translation>
+        <source>The lines contradict each other as they were read. They would agree without one {linetype} of the view “{view}”: erase it {canvas} if it is wrong.</source>
+        <translation>按读出的结果，各线互相矛盾。如果去掉“{view}”的一条{linetype}，各线就会一致：如果它是错的，请{canvas}删除。</translation>
     </message>
     <message>
-        <source>The lines contradict each other as they were read. They would agree if another line of the view “{view}” were a {linetype}: change it in Correct Sheet if it was read wrong.</source>
-        <translation>按读出的结果，各线互相矛盾。如果“{view}”的另一条线是{linetype}，各线就会一致：如果它读错了，请在“校正图纸”中更改。</translation>
+        <source>The lines contradict each other as they were read. They would agree if another line of the view “{view}” were a {linetype}: change it {canvas} if it was read wrong.</source>
+        <translation>按读出的结果，各线互相矛盾。如果“{view}”的另一条线是{linetype}，各线就会一致：如果它读错了，请{canvas}更改。</translation>
     </message>
     <message>
-        <source>What fits the lines best does not close up to a solid: lines are missing or wrong. Check them in Correct Sheet.</source>
-        <translation>与各线最吻合的形状不能封闭成实体：有线缺失或错误。请在“校正图纸”中检查。</translation>
+        <source>What fits the lines best does not close up to a solid: lines are missing or wrong. Check them {canvas}.</source>
+        <translation>与各线最吻合的形状不能封闭成实体：有线缺失或错误。请{canvas}检查。</translation>
     </message>
     <message>
         <source>The drawing has too many lines for an exact solid. Draw fewer of them on one sheet.</source>
@@ -983,20 +991,20 @@
         <translation>未使用：{kind}。其中表达的零件内容可能缺失。</translation>
     </message>
     <message>
-        <source>Groups of lines belong to no view and are large enough to be one ({count}). Box them as views in Correct Sheet if they show the part.</source>
-        <translation>有些线组不属于任何视图，但大到可能是视图（{count} 组）。如果它们表达零件，请在“校正图纸”中将其框选为视图。</translation>
+        <source>Groups of lines belong to no view and are large enough to be one ({count}). Box them as views {canvas} if they show the part.</source>
+        <translation>有些线组不属于任何视图，但大到可能是视图（{count} 组）。如果它们表达零件，请{canvas}将其框选为视图。</translation>
     </message>
     <message>
-        <source>Lines that cross a view in another line width were not used ({count}). If they are edges of the part, make them visible lines in Correct Sheet.</source>
-        <translation>有些以另一种线宽穿过视图的线未被使用（{count} 条）。如果它们是零件的棱边，请在“校正图纸”中将其设为可见线。</translation>
+        <source>Lines that cross a view in another line width were not used ({count}). If they are edges of the part, make them visible lines {canvas}.</source>
+        <translation>有些以另一种线宽穿过视图的线未被使用（{count} 条）。如果它们是零件的棱边，请{canvas}将其设为可见线。</translation>
     </message>
     <message>
         <source>The lengths of {earlier_mm} mm and {last_mm} mm that you told contradict each other. The last one was taken. Tell one of them again, or take it back.</source>
         <translation>您指定的长度 {earlier_mm} mm 和 {last_mm} mm 相互矛盾，采用了后一个。请重新指定其中一个，或将其撤销。</translation>
     </message>
     <message>
-        <source>Corrections that no longer find what they corrected: {count}. Look at them again in Correct Sheet.</source>
-        <translation>找不到原更正对象的更正：{count} 处。请在“校正图纸”中再看一下。</translation>
+        <source>Corrections that no longer find what they corrected: {count}. Look at them again {canvas}.</source>
+        <translation>找不到原更正对象的更正：{count} 处。请{canvas}再看一下。</translation>
     </message>
     <message>
         <source>No view has a hidden line. It was assumed that nothing lies inside the part that no view shows.</source>
@@ -1103,8 +1111,8 @@
         <translation>区分轮廓线与尺寸线的训练网络缺失或已损坏：该图片按规则读取。请在“检查引擎”中修复引擎。</translation>
     </message>
     <message>
-        <source>Lines that may be edges of the part or annotation: {count}. Look at them in Correct Sheet.</source>
-        <translation>有 {count} 条线可能是零件的边，也可能是标注。请在“校正图纸”中查看。</translation>
+        <source>Lines that may be edges of the part or annotation: {count}. Look at them {canvas}.</source>
+        <translation>有 {count} 条线可能是零件的边，也可能是标注。请{canvas}查看。</translation>
     </message>
     <message>
         <source>The dimensions on the sheet were not read, as the engine has no text recognition. Set a length under Scale.</source>
@@ -1203,8 +1211,8 @@
         <translation>该文件不是 DXF，或已损坏。请重新导出图纸，或导出为 PNG。</translation>
     </message>
     <message>
-        <source>What was read of the sheet is damaged, or of another version. Open the drawing in Correct Sheet again.</source>
-        <translation>从图纸读出的内容已损坏，或属于其他版本。请在“校正图纸”中重新打开该图纸。</translation>
+        <source>What was read of the sheet is damaged, or of another version. Open the drawing {canvas} again.</source>
+        <translation>从图纸读出的内容已损坏，或属于其他版本。请{canvas}重新打开该图纸。</translation>
     </message>
     <message>
         <source>The corrections in {path} are damaged, or of another version. Remove that file, or mend it.</source>
@@ -1283,36 +1291,36 @@
         <translation>这看起来不像线条图。请使用图纸的导出文件或扫描件，不要用照片。</translation>
     </message>
     <message>
-        <source>No view of a part was found. Box the views in Correct Sheet and say which is which.</source>
-        <translation>未找到零件的视图。请在“校正图纸”中框选各视图，并指明各是哪个视图。</translation>
+        <source>No view of a part was found. Box the views {canvas} and say which is which.</source>
+        <translation>未找到零件的视图。请{canvas}框选各视图，并指明各是哪个视图。</translation>
     </message>
     <message>
-        <source>Only one view was found. A part follows from two views, or from one with diameters across its axis or with a thickness. Box the views in Correct Sheet if there are more.</source>
-        <translation>只找到一个视图。零件由两个视图得出，或由一个标有垂直于轴线的直径或厚度的视图得出。如果还有其他视图，请在“校正图纸”中框选。</translation>
+        <source>Only one view was found. A part follows from two views, or from one with diameters across its axis or with a thickness. Box the views {canvas} if there are more.</source>
+        <translation>只找到一个视图。零件由两个视图得出，或由一个标有垂直于轴线的直径或厚度的视图得出。如果还有其他视图，请{canvas}框选。</translation>
     </message>
     <message>
         <source>The sheet shows the part in a pictorial view alone. Views at right angles are needed, such as front, top and side.</source>
         <translation>图纸仅以立体图表示零件。需要相互垂直的视图，例如主视图、俯视图和侧视图。</translation>
     </message>
     <message>
-        <source>The views do not line up with each other. Box them in Correct Sheet and say which is which.</source>
-        <translation>各视图没有相互对齐。请在“校正图纸”中框选，并指明各是哪个视图。</translation>
+        <source>The views do not line up with each other. Box them {canvas} and say which is which.</source>
+        <translation>各视图没有相互对齐。请{canvas}框选，并指明各是哪个视图。</translation>
     </message>
     <message>
-        <source>The view “{view}” has no visible line. Draw its edges in Correct Sheet, or say that the box is another view.</source>
-        <translation>“{view}”中没有可见线。请在“校正图纸”中画出其棱边，或指明该框是另一个视图。</translation>
+        <source>The view “{view}” has no visible line. Draw its edges {canvas}, or say that the box is another view.</source>
+        <translation>“{view}”中没有可见线。请{canvas}画出其棱边，或指明该框是另一个视图。</translation>
     </message>
     <message>
-        <source>The views show nothing of the {axis} axis. Two views at right angles are needed: box them in Correct Sheet.</source>
-        <translation>各视图没有表达 {axis} 轴方向。需要两个互相垂直的视图：请在“校正图纸”中框选。</translation>
+        <source>The views show nothing of the {axis} axis. Two views at right angles are needed: box them {canvas}.</source>
+        <translation>各视图没有表达 {axis} 轴方向。需要两个互相垂直的视图：请{canvas}框选。</translation>
     </message>
     <message>
-        <source>The views differ by {percent} % in the part&apos;s extent along {axis} ({views}). Check that they show one part at one scale, or box them in Correct Sheet.</source>
-        <translation>各视图中零件沿 {axis} 的长度相差 {percent} %（{views}）。请检查它们是否以同一比例表达同一零件，或在“校正图纸”中框选。</translation>
+        <source>The views differ by {percent} % in the part&apos;s extent along {axis} ({views}). Check that they show one part at one scale, or box them {canvas}.</source>
+        <translation>各视图中零件沿 {axis} 的长度相差 {percent} %（{views}）。请检查它们是否以同一比例表达同一零件，或{canvas}框选。</translation>
     </message>
     <message>
-        <source>The outline of the view “{view}” is not closed. Draw what is missing of its visible edges in Correct Sheet.</source>
-        <translation>“{view}”的轮廓没有封闭。请在“校正图纸”中画出其缺少的可见棱边。</translation>
+        <source>The outline of the view “{view}” is not closed. Draw what is missing of its visible edges {canvas}.</source>
+        <translation>“{view}”的轮廓没有封闭。请{canvas}画出其缺少的可见棱边。</translation>
     </message>
     <message>
         <source>The edges of the view “{view}” run together to one line. Export the drawing with more pixels.</source>
@@ -1331,12 +1339,12 @@
         <translation>“{view}”的框内没有线。请重新框选。</translation>
     </message>
     <message>
-        <source>Two boxes are named “{view}”. Give one of them another name in Correct Sheet.</source>
-        <translation>有两个框都名为“{view}”。请在“校正图纸”中给其中一个改名。</translation>
+        <source>Two boxes are named “{view}”. Give one of them another name {canvas}.</source>
+        <translation>有两个框都名为“{view}”。请{canvas}给其中一个改名。</translation>
     </message>
     <message>
-        <source>The drawing has changed since it was read. Open it in Correct Sheet again.</source>
-        <translation>图纸在读取之后已改变。请在“校正图纸”中重新打开。</translation>
+        <source>The drawing has changed since it was read. Open it {canvas} again.</source>
+        <translation>图纸在读取之后已改变。请{canvas}重新打开。</translation>
     </message>
     <message>
         <source>The corrections in {path} belong to another drawing, or to an earlier version of it. Remove that file, or correct the drawing again.</source>
@@ -2787,8 +2795,8 @@
         <translation>零件有多厚？</translation>
     </message>
     <message>
-        <source>The drawing has one view and a thickness, and nothing tells its scale. Tell a length that the view shows, under Scale or in Correct Sheet.</source>
-        <translation>图纸只有一个视图和一个厚度，没有任何内容说明其比例。请在“比例”下或“校正图纸”中指定视图所示的一个长度。</translation>
+        <source>The drawing has one view and a thickness, and nothing tells its scale. Tell a length that the view shows, under Scale or {canvas}.</source>
+        <translation>图纸只有一个视图和一个厚度，没有任何内容说明其比例。请在“比例”下或{canvas}指定视图所示的一个长度。</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@ import unittest
 
 from freecad.gaussiancad.engine.sentences import ALTERNATIVES, SENTENCES
 from freecad.gaussiancad.engine.wording import (
+    Place,
     alternative,
     drawing_name,
     role_name,
@@ -16,7 +17,7 @@ from freecad.gaussiancad.paths import ADDON_ROOT
 
 ENGINE = ADDON_ROOT / "core" / "gaussiancad_core"
 CODE = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
-PLACE = re.compile(r"{(\w+)}")
+VALUE = re.compile(r"{(\w+)}")
 
 WORDED = (
     "Reasons",
@@ -100,7 +101,7 @@ class Sentences(unittest.TestCase):
         for key, sentence in SENTENCES.items():
             code = key.partition(":")[0]
             with self.subTest(key):
-                self.assertEqual(set(PLACE.findall(sentence)) - sent[code], set())
+                self.assertEqual(set(VALUE.findall(sentence)) - sent[code] - {"canvas"}, set())
 
     def test_they_speak_of_the_window_and_of_no_pixels_on_the_sheet(self) -> None:
         for key, sentence in SENTENCES.items():
@@ -142,6 +143,15 @@ class Wording(unittest.TestCase):
         self.assertEqual(alternative("never-heard", "something else"), "something else")
         self.assertEqual(stage_name("never_heard"), "never heard")
         self.assertEqual((role_name("aslant"), drawing_name("sketch")), ("aslant", "sketch"))
+
+    def test_nobody_is_sent_to_where_they_are(self) -> None:
+        told = worded("no-views", "")
+        self.assertIn("Box the views in Correct Sheet and", told)
+        told = worded("no-views", "", None, Place.CANVAS)
+        self.assertIn("Box the views here and", told)
+        # This one is said where there is no canvas.
+        named = {key for key, own in SENTENCES.items() if "Correct Sheet" in own}
+        self.assertEqual(named, {"window-missing"})
 
     def test_a_value_with_braces_fills_nothing(self) -> None:
         told = worded("file-missing", "no", {"path": "{page}.pdf"})

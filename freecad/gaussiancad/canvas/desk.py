@@ -17,7 +17,7 @@ from freecad.gaussiancad.canvas.correcting import corrected
 from freecad.gaussiancad.canvas.keeping import Keeper, read_again, write_corrections
 from freecad.gaussiancad.canvas.serving import Answer, Engines, Server
 from freecad.gaussiancad.canvas.sheet import Point, Sheet, shape_in, sheet_of
-from freecad.gaussiancad.engine.wording import worded
+from freecad.gaussiancad.engine.wording import Place, worded
 from freecad.gaussiancad.qt import QtCore
 
 _REST_MS = 400
@@ -27,7 +27,7 @@ _REST_MS = 400
 def _worded(answer: Answer) -> str:
     """Why an answer is none."""
     error = answer.get("error", {})
-    return worded(error.get("code", ""), error.get("message", ""), error.get("args"))
+    return worded(error.get("code", ""), error.get("message", ""), error.get("args"), Place.CANVAS)
 
 
 class Desk(QtCore.QObject):

@@ -11,7 +11,7 @@ from itertools import pairwise
 from math import atan2, cos, hypot, pi, sin
 
 from freecad.gaussiancad.canvas.kinds import DOUBT, DRAWN, ROLES
-from freecad.gaussiancad.engine.wording import worded
+from freecad.gaussiancad.engine.wording import Place, worded
 
 Point = tuple[float, float]
 Box = tuple[float, float, float, float]
@@ -265,7 +265,7 @@ def sheet_of(reading: dict) -> Sheet:
         tuple(
             Row(
                 own["severity"],
-                worded(own["code"], own["message"], own.get("args")),
+                worded(own["code"], own["message"], own.get("args"), Place.CANVAS),
                 own["code"],
                 next(map(tuple, own.get("at", ())), None),
                 tuple(own.get("offers", ())),

@@ -11,7 +11,7 @@ from freecad.gaussiancad.canvas.scene import Mark
 from freecad.gaussiancad.canvas.sheet import Box
 from freecad.gaussiancad.engine.report import are_measures_told, is_size_known
 from freecad.gaussiancad.engine.summary import measures_unknown
-from freecad.gaussiancad.engine.wording import alternative, worded
+from freecad.gaussiancad.engine.wording import Place, alternative, worded
 from freecad.gaussiancad.language import translate
 
 SIGNS = {
@@ -85,7 +85,7 @@ def verdict_line(status: str, measures: str = "") -> Line:
 
 
 def _remark(severity: str, own: dict, offers: Mapping[str, Buttons]) -> Line:
-    text = worded(own["code"], own["message"], own.get("args"))
+    text = worded(own["code"], own["message"], own.get("args"), Place.CANVAS)
     box: Box | None = next(map(tuple, own.get("at", ())), None)
     case = f"{own['code']}:{own.get('args', {}).get('case')}"
     buttons = offers.get(case, offers.get(own["code"], ()))
@@ -125,7 +125,7 @@ def _holes_of(own: dict) -> list[Circle]:
 
 
 def _assumed(own: dict, help_with: Help, holes: list[Circle]) -> Line:
-    told = worded(own["code"], own["message"], own.get("args"))
+    told = worded(own["code"], own["message"], own.get("args"), Place.CANVAS)
     text = translate("GaussianCAD", "Assumed: {0}").format(told)
     if own.get("alternative"):
         other = alternative(own["code"], own["alternative"])

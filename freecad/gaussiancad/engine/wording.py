@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Mapping
+from enum import Enum
 
 from freecad.gaussiancad.engine.sentences import ALTERNATIVES, SENTENCES
 from freecad.gaussiancad.language import translate
@@ -9,17 +10,31 @@ from freecad.gaussiancad.language import translate
 _BETWEEN = re.compile(r", | and ")
 
 
-def worded(code: str, message: str, args: Mapping[str, object] | None = None) -> str:
+class Place(Enum):
+    """Where a sentence is said."""
+
+    CANVAS = "canvas"
+    """In *Correct Sheet*: nobody need be sent there."""
+    ELSEWHERE = "elsewhere"
+
+
+def worded(
+    code: str,
+    message: str,
+    args: Mapping[str, object] | None = None,
+    place: Place = Place.ELSEWHERE,
+) -> str:
     """What a message of the engine says to who uses the window.
 
     Args:
         code: of the message.
         message: the engine's own sentence, English; what stays where nothing better is known.
         args: the values in it, as the engine sends them; None where it sent none.
+        place: where it is said.
     """
     values = args if isinstance(args, Mapping) else {}
     for key in (f"{code}:{values.get('case')}", code):
-        sentence = _filled(SENTENCES.get(key, ""), values)
+        sentence = _filled(SENTENCES.get(key, ""), values, place)
         if sentence:
             return sentence
     return message or code
@@ -80,15 +95,23 @@ def drawing_name(kind: str) -> str:
     }.get(kind, kind)
 
 
-def _filled(sentence: str, values: Mapping[str, object]) -> str:
+def _filled(sentence: str, values: Mapping[str, object], place: Place = Place.ELSEWHERE) -> str:
     """A sentence in the user's language with its values; empty where one is missing."""
     if not sentence:
         return ""
     words = {name: _word(name, value) for name, value in values.items()}
+    words["canvas"] = _way_to_canvas(place)
     try:
         return translate("GaussianCAD", sentence).format_map(words)
     except LookupError:
         return ""
+
+
+def _way_to_canvas(place: Place) -> str:
+    """The words for where lines are corrected, as they stand in a sentence."""
+    if place is Place.CANVAS:
+        return translate("GaussianCAD", "here")
+    return translate("GaussianCAD", "in Correct Sheet")
 
 
 def _word(name: str, value: object) -> str:

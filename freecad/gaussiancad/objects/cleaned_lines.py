@@ -125,11 +125,7 @@ def read_cleaned(path: Path) -> CleanedSheet:
             ErrorCode.RESULT_UNREADABLE, text.format(path=path, reason=error)
         ) from error
     if not sheet.views:
-        text = translate(
-            "GaussianCAD",
-            "No view of a part was found. Box the views in Correct Sheet and say which is which.",
-        )
-        raise WorkbenchError(ErrorCode.NO_VIEWS, text)
+        raise WorkbenchError(ErrorCode.NO_VIEWS, worded("no-views", ""))
     return sheet
 
 

@@ -14,12 +14,14 @@ _VALUE = re.compile(r"\{\w*\}")
 
 
 def _sentences() -> set[str]:
-    """Texts of the workbench, with an ellipsis for each value."""
+    """Texts of the workbench as they are said outside of the canvas, with an ellipsis for each
+    value."""
     found = set()
     for path in (ROOT / "freecad" / "gaussiancad").glob("**/*.py"):
         for node in ast.walk(ast.parse(path.read_text("utf-8"))):
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
-                found.add(_VALUE.sub("\u2026", node.value))
+                said = node.value.replace("{canvas}", "in Correct Sheet")
+                found.add(_VALUE.sub("\u2026", said))
     return found
 
 

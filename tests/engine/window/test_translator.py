@@ -10,7 +10,8 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 sys.path.insert(0, str(Path(__file__).resolve().parents[3]))
 
 from freecad.gaussiancad.canvas.translator import load_language
-from freecad.gaussiancad.qt import QtCore
+from freecad.gaussiancad.engine.wording import Place, worded
+from freecad.gaussiancad.qt import QtCore, QtWidgets
 
 
 @pytest.mark.parametrize(
@@ -27,3 +28,23 @@ def test_others_stay_english() -> None:
     assert not load_language(translator, ["fr-Latn-FR", "fr-FR", "fr"])
     assert not load_language(translator, ["en-US", "en", "de-DE", "de"])
     assert load_language(translator, ["fr", "de-DE", "de"])
+
+
+@pytest.mark.parametrize(
+    ("language", "elsewhere", "here"),
+    [
+        ("de", "Umrahmen Sie die Ansichten mit \u201eBlatt", "Umrahmen Sie die Ansichten hier und"),
+        ("zh-CN", "\u8bf7\u5728\u201c\u6821\u6b63", "\u8bf7\u5728\u6b64\u6846\u9009"),
+    ],
+)
+def test_on_the_canvas_nobody_is_sent_to_it(
+    application: QtWidgets.QApplication, language: str, elsewhere: str, here: str
+) -> None:
+    translator = QtCore.QTranslator()
+    assert load_language(translator, [language])
+    application.installTranslator(translator)
+    try:
+        assert elsewhere in worded("no-views", "")
+        assert here in worded("no-views", "", None, Place.CANVAS)
+    finally:
+        application.removeTranslator(translator)

@@ -27,12 +27,12 @@ REASONS = {
     "no-exact-solid:refused": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The exact solid that fits best has only {percent} % of the drawing's lines and was not "
-        "kept. Check in Correct Sheet whether the lines were read right.",
+        "kept. Check {canvas} whether the lines were read right.",
     ),
     "sketched": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "No solid has all lines as they were read. This part is a stack of slabs along {axis} "
-        "that explains {percent} % of them. Check in Correct Sheet which lines are wrong.",
+        "that explains {percent} % of them. Check {canvas} which lines are wrong.",
     ),
     "sketched:all": QT_TRANSLATE_NOOP(
         "GaussianCAD",
@@ -46,33 +46,33 @@ REASONS = {
     ),
     "no-solid-fits": QT_TRANSLATE_NOOP(
         "GaussianCAD",
-        "The lines of the views contradict each other, so that no solid has them all. Check in "
-        "Correct Sheet whether a line was read wrong.",
+        "The lines of the views contradict each other, so that no solid has them all. Check "
+        "{canvas} whether a line was read wrong.",
     ),
     "lines-contradict": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "Lines contradict each other as they were read, and are marked on the sheet: one was read "
-        "wrong, or another is missing. Correct it in Correct Sheet.",
+        "wrong, or another is missing. Correct it {canvas}.",
     ),
     "lines-contradict:missing": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The lines contradict each other as they were read. They would agree if the view "
-        "“{view}” had one more {linetype}: draw it in Correct Sheet.",
+        "“{view}” had one more {linetype}: draw it {canvas}.",
     ),
     "lines-contradict:surplus": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The lines contradict each other as they were read. They would agree without one "
-        "{linetype} of the view “{view}”: erase it in Correct Sheet if it is wrong.",
+        "{linetype} of the view “{view}”: erase it {canvas} if it is wrong.",
     ),
     "lines-contradict:kind": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The lines contradict each other as they were read. They would agree if another line of "
-        "the view “{view}” were a {linetype}: change it in Correct Sheet if it was read wrong.",
+        "the view “{view}” were a {linetype}: change it {canvas} if it was read wrong.",
     ),
     "no-valid-solid": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "What fits the lines best does not close up to a solid: lines are missing or wrong. Check "
-        "them in Correct Sheet.",
+        "them {canvas}.",
     ),
     "part-too-complex": QT_TRANSLATE_NOOP(
         "GaussianCAD",
@@ -161,12 +161,12 @@ REASONS = {
     "unused-view:lines": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "Groups of lines belong to no view and are large enough to be one ({count}). Box them as "
-        "views in Correct Sheet if they show the part.",
+        "views {canvas} if they show the part.",
     ),
     "other-pen-lines": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "Lines that cross a view in another line width were not used ({count}). If they are edges "
-        "of the part, make them visible lines in Correct Sheet.",
+        "of the part, make them visible lines {canvas}.",
     ),
     "told-lengths-disagree": QT_TRANSLATE_NOOP(
         "GaussianCAD",
@@ -175,8 +175,8 @@ REASONS = {
     ),
     "corrections-unmatched": QT_TRANSLATE_NOOP(
         "GaussianCAD",
-        "Corrections that no longer find what they corrected: {count}. Look at them again in "
-        "Correct Sheet.",
+        "Corrections that no longer find what they corrected: {count}. Look at them again "
+        "{canvas}.",
     ),
     "assumed": QT_TRANSLATE_NOOP(
         "GaussianCAD",
@@ -331,8 +331,7 @@ WARNINGS = {
     ),
     "labels-doubtful": QT_TRANSLATE_NOOP(
         "GaussianCAD",
-        "Lines that may be edges of the part or annotation: {count}. "
-        "Look at them in Correct Sheet.",
+        "Lines that may be edges of the part or annotation: {count}. Look at them {canvas}.",
     ),
     "dimensions-not-read": QT_TRANSLATE_NOOP(
         "GaussianCAD",

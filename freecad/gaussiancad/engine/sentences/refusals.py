@@ -33,8 +33,8 @@ FILES = {
     ),
     "reading-not-read": QT_TRANSLATE_NOOP(
         "GaussianCAD",
-        "What was read of the sheet is damaged, or of another version. Open the drawing in "
-        "Correct Sheet again.",
+        "What was read of the sheet is damaged, or of another version. Open the drawing {canvas} "
+        "again.",
     ),
     "corrections-not-read": QT_TRANSLATE_NOOP(
         "GaussianCAD",
@@ -108,17 +108,17 @@ VIEWS = {
     ),
     "no-views": QT_TRANSLATE_NOOP(
         "GaussianCAD",
-        "No view of a part was found. Box the views in Correct Sheet and say which is which.",
+        "No view of a part was found. Box the views {canvas} and say which is which.",
     ),
     "one-view": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "Only one view was found. A part follows from two views, or from one with diameters "
-        "across its axis or with a thickness. Box the views in Correct Sheet if there are more.",
+        "across its axis or with a thickness. Box the views {canvas} if there are more.",
     ),
     "one-view:scale": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The drawing has one view and a thickness, and nothing tells its scale. Tell a length "
-        "that the view shows, under Scale or in Correct Sheet.",
+        "that the view shows, under Scale or {canvas}.",
     ),
     "pictorial-alone": QT_TRANSLATE_NOOP(
         "GaussianCAD",
@@ -127,23 +127,22 @@ VIEWS = {
     ),
     "views-not-aligned": QT_TRANSLATE_NOOP(
         "GaussianCAD",
-        "The views do not line up with each other. Box them in Correct Sheet and say which is "
-        "which.",
+        "The views do not line up with each other. Box them {canvas} and say which is which.",
     ),
     "empty-view": QT_TRANSLATE_NOOP(
         "GaussianCAD",
-        "The view “{view}” has no visible line. Draw its edges in Correct Sheet, or say that the "
+        "The view “{view}” has no visible line. Draw its edges {canvas}, or say that the "
         "box is another view.",
     ),
     "views-parallel": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The views show nothing of the {axis} axis. Two views at right angles are needed: box "
-        "them in Correct Sheet.",
+        "them {canvas}.",
     ),
     "views-contradict": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The views differ by {percent} % in the part's extent along {axis} ({views}). Check that "
-        "they show one part at one scale, or box them in Correct Sheet.",
+        "they show one part at one scale, or box them {canvas}.",
     ),
     "size-out-of-range": QT_TRANSLATE_NOOP(
         "GaussianCAD",
@@ -152,7 +151,7 @@ VIEWS = {
     "open-outline": QT_TRANSLATE_NOOP(
         "GaussianCAD",
         "The outline of the view “{view}” is not closed. Draw what is missing of its visible "
-        "edges in Correct Sheet.",
+        "edges {canvas}.",
     ),
     "open-outline:thin": QT_TRANSLATE_NOOP(
         "GaussianCAD",
@@ -174,11 +173,11 @@ VIEWS = {
     ),
     "role-repeated": QT_TRANSLATE_NOOP(
         "GaussianCAD",
-        "Two boxes are named “{view}”. Give one of them another name in Correct Sheet.",
+        "Two boxes are named “{view}”. Give one of them another name {canvas}.",
     ),
     "reading-of-another-sheet": QT_TRANSLATE_NOOP(
         "GaussianCAD",
-        "The drawing has changed since it was read. Open it in Correct Sheet again.",
+        "The drawing has changed since it was read. Open it {canvas} again.",
     ),
     "corrections-of-another-sheet": QT_TRANSLATE_NOOP(
         "GaussianCAD",
