@@ -199,6 +199,14 @@
 <context>
     <name>GaussianCAD</name>
     <message>
+        <source>in doubt</source>
+        <translation>fraglich</translation>
+    </message>
+    <message>
+        <source>other lines</source>
+        <translation>andere Linien</translation>
+    </message>
+    <message>
         <source>in Correct Sheet</source>
         <translation>mit „Blatt korrigieren“</translation>
     </message>

@@ -199,6 +199,14 @@
 <context>
     <name>GaussianCAD</name>
     <message>
+        <source>in doubt</source>
+        <translation>存疑</translation>
+    </message>
+    <message>
+        <source>other lines</source>
+        <translation>其他线</translation>
+    </message>
+    <message>
         <source>in Correct Sheet</source>
         <translation>在“校正图纸”中</translation>
     </message>

@@ -73,6 +73,11 @@ class ToolBar(QtWidgets.QToolBar):
             action.setCheckable(True)
             action.setChecked(True)
             action.toggled.connect(partial(self._board.set_layer, name))
+        menu.addSeparator()
+        legend = menu.addAction(translate("GaussianCAD", "Legend"))
+        legend.setCheckable(True)
+        legend.setChecked(True)
+        legend.toggled.connect(self._board.legend.set_wanted)
         self._add_menu(translate("GaussianCAD", "Show"), menu)
 
     def _add_menu(self, title: str, menu: QtWidgets.QMenu) -> None:

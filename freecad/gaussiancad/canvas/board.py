@@ -94,6 +94,7 @@ class Board(Pane):
         self._chosen &= {own.id for own in (*sheet.strokes, *sheet.views)}
         self._drawing.show_sheet(sheet, self._chosen)
         self._drawing.show_chosen(sheet, self._chosen)
+        self.legend.show_sheet(sheet)
 
     def zoom_to(self, box: Box) -> None:
         """Show a box of the sheet and a little around it."""

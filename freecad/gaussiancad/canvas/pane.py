@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from freecad.gaussiancad.canvas.legend import Legend
 from freecad.gaussiancad.canvas.scene import Mark, SheetScene
 from freecad.gaussiancad.canvas.sheet import Box, Point, Sheet
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
@@ -30,6 +31,7 @@ class Pane(QtWidgets.QGraphicsView):
         self.setFocusPolicy(QtCore.Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self._panned: QtCore.QPoint | None = None
+        self.legend = Legend(self)
 
     @property
     def zoom(self) -> float:
@@ -118,6 +120,11 @@ class Pane(QtWidgets.QGraphicsView):
         if event.button() == QtCore.Qt.MouseButton.MiddleButton:
             self._panned = pos_of(event)
         event.accept()
+
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
+        """The legend stays in its corner."""
+        super().resizeEvent(event)
+        self.legend.stay()
 
     def leaveEvent(self, event: QtCore.QEvent) -> None:
         """What was written at the mouse goes with it."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from freecad.gaussiancad.canvas.sheet import Box
 from freecad.gaussiancad.language import translate
-from freecad.gaussiancad.qt import QtCore, QtWidgets
+from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
 
 @dataclass(frozen=True)
@@ -122,6 +122,8 @@ class _Sentence(QtWidgets.QLabel):
 
     def __init__(self, text: str, clicked: Callable[[], None]) -> None:
         super().__init__(text)
+        # It stands on the list's colour, not on that of the window.
+        self.setForegroundRole(QtGui.QPalette.ColorRole.Text)
         self.setWordWrap(True)
         self._clicked = clicked
 

@@ -23,6 +23,7 @@ from freecad.gaussiancad.canvas.kinds import (
     name_of,
 )
 from freecad.gaussiancad.canvas.labels import Label, labels_of
+from freecad.gaussiancad.canvas.legible import ink_on
 from freecad.gaussiancad.canvas.sheet import Box, Point, Sheet, Stroke, View
 from freecad.gaussiancad.qt import QtCore, QtGui, QtWidgets
 
@@ -37,6 +38,9 @@ _LABEL = 16.0
 
 _HANDLE = 4.0
 """px of the screen, half a handle."""
+
+_PAPER = "#ffffff"
+"""Under the pale sheet and under words, whatever the colour of the window."""
 
 Mark = tuple[Box, str]
 """A place, and what is said of it."""
@@ -70,10 +74,7 @@ class SheetScene(QtWidgets.QGraphicsScene):
         if size is not None and pixmap.width():
             self._picture.setScale(size[0] / pixmap.width())
         area = self._picture.sceneBoundingRect()
-        # The pale sheet lies on paper, whatever the colour of the window.
-        self._paper = self.addRect(
-            area, QtGui.QPen(QtCore.Qt.PenStyle.NoPen), QtGui.QColor("white")
-        )
+        self._paper = self.addRect(area, QtGui.QPen(QtCore.Qt.PenStyle.NoPen), QtGui.QColor(_PAPER))
         self._paper.setZValue(-3.0)
         self.setSceneRect(area)
         self._show_layers()
@@ -179,11 +180,7 @@ class SheetScene(QtWidgets.QGraphicsScene):
         pen = _pen(colour, 1.0, QtCore.Qt.PenStyle.DotLine)
         frame = self.addRect(x0, y0, x1 - x0, y1 - y0, pen)
         name = name_of(view.role if view.role in ROLES else view.id)
-        label = self.addSimpleText(name)
-        label.setBrush(QtGui.QColor(colour))
-        label.setPos(x0, y0)
-        label.setTransform(QtGui.QTransform.fromTranslate(0.0, -_LABEL))
-        label.setFlag(QtWidgets.QGraphicsItem.GraphicsItemFlag.ItemIgnoresTransformations)
+        label = self._caption(name, colour, (x0, y0), -_LABEL)
         for item in (frame, label):
             item.setZValue(-1.0)
             self._layers["views"].append(item)
@@ -191,16 +188,8 @@ class SheetScene(QtWidgets.QGraphicsScene):
     def _add_label(self, own: Label) -> None:
         x0, y0, x1, y1 = own.box
         frame = self.addRect(x0, y0, x1 - x0, y1 - y0, _pen(own.colour, 1.0))
-        text = self.addSimpleText(own.text)
-        text.setBrush(QtGui.QColor(own.colour))
-        text.setPos(x0, y1)
-        text.setFlag(QtWidgets.QGraphicsItem.GraphicsItemFlag.ItemIgnoresTransformations)
+        text = self._caption(own.text, own.colour, (x0, y1))
         text.setZValue(2.5)
-        # What lies under it does not run through its letters.
-        plate = QtWidgets.QGraphicsRectItem(text.boundingRect(), text)
-        plate.setFlag(QtWidgets.QGraphicsItem.GraphicsItemFlag.ItemStacksBehindParent)
-        plate.setPen(QtGui.QPen(QtCore.Qt.PenStyle.NoPen))
-        plate.setBrush(QtGui.QColor("white"))
         self._layers["numbers"] += [frame, text]
         if own.quiet:
             self._quiet[own] = text
@@ -208,13 +197,29 @@ class SheetScene(QtWidgets.QGraphicsScene):
     def _add_plane(self, label: str, line: Iterable[Point]) -> None:
         points = list(line)
         item = self.addPath(_path(points), _pen(PLANE, 2.0, QtCore.Qt.PenStyle.DashDotLine))
-        text = self.addSimpleText(label)
-        text.setBrush(QtGui.QColor(PLANE))
-        text.setPos(*points[0])
-        text.setFlag(QtWidgets.QGraphicsItem.GraphicsItemFlag.ItemIgnoresTransformations)
+        text = self._caption(label, PLANE, points[0])
         for own in (item, text):
             own.setZValue(1.5)
             self._layers["planes"].append(own)
+
+    def _caption(
+        self, text: str, colour: str, place: Point, above: float = 0.0
+    ) -> QtWidgets.QGraphicsSimpleTextItem:
+        """Words at a place, so many px of the screen above or below it.
+
+        They lie on a piece of paper: what is under them does not run through their letters, be it
+        lines or the colour of the window.
+        """
+        item = self.addSimpleText(text)
+        item.setBrush(QtGui.QColor(ink_on(_PAPER, colour)))
+        item.setPos(*place)
+        item.setTransform(QtGui.QTransform.fromTranslate(0.0, above))
+        item.setFlag(QtWidgets.QGraphicsItem.GraphicsItemFlag.ItemIgnoresTransformations)
+        plate = QtWidgets.QGraphicsRectItem(item.boundingRect(), item)
+        plate.setFlag(QtWidgets.QGraphicsItem.GraphicsItemFlag.ItemStacksBehindParent)
+        plate.setPen(QtGui.QPen(QtCore.Qt.PenStyle.NoPen))
+        plate.setBrush(QtGui.QColor(_PAPER))
+        return item
 
 
 def handle_places(sheet: Sheet, chosen: Set[str]) -> list[Point]:

@@ -23,7 +23,7 @@ SIGNS = {
     "warning": "\u2139",
 }
 
-_COLOURS = {"verified": "#2e7d32", "approximate": "#b26a00", "failed": "#b3261e"}
+_COLOURS = {"verified": "#2e7d32", "approximate": "#a86200", "failed": "#b3261e"}
 
 _AROUND = 20.0
 """px around a place that is shown with it."""
