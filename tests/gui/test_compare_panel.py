@@ -93,6 +93,23 @@ class Panel(WindowCase):
         self.assertTrue(self.document.getObject("Model").Visibility)
         self.assertEqual(len(self.document.Objects), self.count)
 
+    def test_no_number_is_cut_short(self) -> None:
+        self.compare()
+        for name in ("distances", "engineering"):
+            table = widget(QtWidgets.QTableWidget, name)
+            columns = range(table.columnCount())
+            for column in columns:
+                self.assertGreaterEqual(table.columnWidth(column), table.sizeHintForColumn(column))
+            wide = sum(table.columnWidth(column) for column in columns)
+            self.assertLessEqual(wide, table.viewport().width())
+            seen = table.viewport().visibleRegion().boundingRect()
+            self.assertIn(seen.width(), (0, table.viewport().width()))
+        self.picture("compare-numbers")
+        self.assertEqual(
+            widget(QtWidgets.QTableWidget, "distances").item(0, 0).toolTip(),
+            "Chamfer distance: 0.0312",
+        )
+
     def test_millimetres_and_what_to_know_are_told(self) -> None:
         self.compare()
         table = widget(QtWidgets.QTableWidget, "engineering")

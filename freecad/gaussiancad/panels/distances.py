@@ -4,7 +4,8 @@ from typing import Any
 
 from freecad.gaussiancad.engine.report import Comparison
 from freecad.gaussiancad.language import translate
-from freecad.gaussiancad.qt import QtCore, QtWidgets
+from freecad.gaussiancad.panels.number_table import NumberTable
+from freecad.gaussiancad.qt import QtWidgets
 
 _NOTHING = "–"
 
@@ -22,12 +23,12 @@ class DistanceTable(QtWidgets.QWidget):
         super().__init__()
         self.setWindowTitle(translate("GaussianCAD", "Distances"))
         self._rows = _rows()
-        self.table = _table(
+        self.table = NumberTable(
             "distances",
             (translate("GaussianCAD", "Value"), translate("GaussianCAD", "Floor")),
             [(title, tip) for _, title, tip in self._rows],
         )
-        self.engineering = _table(
+        self.engineering = NumberTable(
             "engineering",
             (translate("GaussianCAD", "Result"), translate("GaussianCAD", "Reference")),
             _engineering_titles(),
@@ -59,9 +60,7 @@ class DistanceTable(QtWidgets.QWidget):
             (self.table, distance_rows(comparison)),
             (self.engineering, engineering_rows(comparison.engineering)),
         ):
-            for row, (_, *texts) in enumerate(rows):
-                for column, text in enumerate(texts):
-                    table.setItem(row, column, _cell(text))
+            table.show_numbers([texts for _, *texts in rows])
 
     def millimetre_lines(self, comparison: Comparison) -> list[str]:
         """The distances in millimetres of the reference, a line each."""
@@ -92,34 +91,6 @@ def engineering_rows(block: dict[str, Any]) -> list[tuple[str, ...]]:
     cells = _engineering_cells(block)
     titles = _engineering_titles()
     return [(title, *texts) for (title, _), texts in zip(titles, cells, strict=True)]
-
-
-def _table(
-    name: str, columns: tuple[str, str], rows: list[tuple[str, str]]
-) -> QtWidgets.QTableWidget:
-    """An empty table with headings, rows with an explanation each."""
-    table = QtWidgets.QTableWidget(len(rows), len(columns))
-    table.setObjectName(name)
-    table.setHorizontalHeaderLabels(list(columns))
-    table.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
-    table.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.Stretch)
-    for row, (title, tip) in enumerate(rows):
-        header = QtWidgets.QTableWidgetItem(title)
-        header.setToolTip(tip)
-        table.setVerticalHeaderItem(row, header)
-    table.verticalHeader().setDefaultSectionSize(24)
-    off = QtCore.Qt.ScrollBarPolicy.ScrollBarAlwaysOff
-    table.setHorizontalScrollBarPolicy(off)
-    table.setVerticalScrollBarPolicy(off)
-    head = table.horizontalHeader().sizeHint().height()
-    table.setFixedHeight(24 * len(rows) + head + 2 * table.frameWidth())
-    return table
-
-
-def _cell(text: str) -> QtWidgets.QTableWidgetItem:
-    item = QtWidgets.QTableWidgetItem(text)
-    item.setTextAlignment(QtCore.Qt.AlignmentFlag.AlignRight | QtCore.Qt.AlignmentFlag.AlignVCenter)
-    return item
 
 
 def _engineering_titles() -> list[tuple[str, str]]:
