@@ -2,8 +2,8 @@
 
 ``window_seconds.py`` starts it: FreeCAD imports this file.  GAUSSIANCAD_SHEETS are the paths, one a
 line; GAUSSIANCAD_SECONDS is the file that receives, a line of JSON for each sheet, ``sheet`` and
-the seconds from the press of *Start* to what was ``read``, to the ``solid`` in the document and to
-the ``end`` of the run; null for what did not come.
+the seconds from the press of *Start* to what was ``read`` and to the ``solid`` in the document;
+null for what did not come.  The rest of the run, mesh and Gaussians, is cancelled.
 """
 
 import json
@@ -34,6 +34,9 @@ from freecad.gaussiancad.panels.reconstruct import ReconstructPanel  # noqa: E40
 from freecad.gaussiancad.qt import QtCore, QtWidgets  # noqa: E402
 
 PATIENCE_SECONDS = 240.0
+
+CANCEL_SECONDS = 30.0
+"""s within which a run that is cancelled has to end."""
 
 
 def spin(seconds: float) -> None:
@@ -75,15 +78,17 @@ def timed(sheet: Path) -> dict[str, object]:
     solid_at: float | None = None
     began = time.monotonic()
     button.click()
-    while panel.running and time.monotonic() < began + PATIENCE_SECONDS:
+    while solid_at is None and panel.running and time.monotonic() < began + PATIENCE_SECONDS:
         spin(0.02)
-        if solid_at is None and has_solid(document):
+        if has_solid(document):
             solid_at = time.monotonic()
-    ended = None if panel.running else time.monotonic()
+    panel.cancel()
+    end = time.monotonic() + CANCEL_SECONDS
+    while panel.running and time.monotonic() < end:
+        spin(0.02)
     for box in QtWidgets.QApplication.topLevelWidgets():
         if isinstance(box, QtWidgets.QMessageBox):
             box.close()
-    panel.cancel()
     FreeCADGui.Control.closeDialog()
     spin(0.3)
     FreeCAD.closeDocument(document.Name)
@@ -91,7 +96,7 @@ def timed(sheet: Path) -> dict[str, object]:
         "sheet": str(sheet),
         **{
             name: None if at is None else round(at - began, 2)
-            for name, at in (("read", panel.read_at), ("solid", solid_at), ("end", ended))
+            for name, at in (("read", panel.read_at), ("solid", solid_at))
         },
     }
 

@@ -10,13 +10,15 @@ Without sheets: the samples and those of the tutorial.  Three ways, one sheet af
   the solid in the document; each run has an engine of its own.
 
 ``read`` are the seconds until the sheet is read, ``part`` those from then to the part, ``-`` for
-what does not come: of a sheet whose lines make no part.
+what does not come: of a sheet whose lines make no part.  The last line tells how many processes
+wanted a core, at the beginning and at the end: compare figures only where it is about the same.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import os
 import statistics
 import sys
 import tempfile
@@ -74,6 +76,7 @@ def main() -> None:
     sheets = [own.resolve() for own in options.sheets] or _sheets()
     print(_LINE.format("sheet", "way", "read s", "part s", "total s"))
     every: list[Waited] = []
+    load = os.getloadavg()[0]
     with tempfile.TemporaryDirectory(prefix="gaussiancad-seconds-") as folder:
         for sheet in sheets:
             runs = [
@@ -96,6 +99,7 @@ def main() -> None:
             for name in ("read", "part", "total")
         )
         print(_row("median", way, read, part, total), flush=True)
+    print(f"load {load:.1f}, {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")
 
 
 def on_canvas(sheet: Path, folder: Path) -> list[Waited]:
