@@ -63,7 +63,7 @@ class TimedPanel(ReconstructPanel):
 
 def has_solid(document: FreeCAD.Document) -> bool:
     """Whether a part with a volume is there."""
-    shapes = (own.Shape for own in document.Objects if hasattr(own, "Shape"))
+    shapes = (item.Shape for item in document.Objects if hasattr(item, "Shape"))
     return any(shape.Solids for shape in shapes)
 
 

@@ -73,7 +73,7 @@ def main() -> None:
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--without-freecad", action="store_true")
     options = parser.parse_args()
-    sheets = [own.resolve() for own in options.sheets] or _sheets()
+    sheets = [sheet.resolve() for sheet in options.sheets] or _sheets()
     print(_LINE.format("sheet", "way", "read s", "part s", "total s"))
     every: list[Waited] = []
     load = os.getloadavg()[0]
@@ -92,10 +92,10 @@ def main() -> None:
                 for waited in in_panel(sheets, Path(folder) / f"panel-{number}")
             ]
             every += _print_medians(of_panel)
-    for way in dict.fromkeys(own.way for own in every):
-        of_way = [own for own in every if own.way == way and own.total is not None]
+    for way in dict.fromkeys(run.way for run in every):
+        of_way = [run for run in every if run.way == way and run.total is not None]
         read, part, total = (
-            statistics.median([getattr(own, name) for own in of_way]) if of_way else None
+            statistics.median([getattr(run, name) for run in of_way]) if of_way else None
             for name in ("read", "part", "total")
         )
         print(_row("median", way, read, part, total), flush=True)
@@ -149,9 +149,9 @@ def _opened(player: Player, name: str, way: str) -> Waited:
 def _print_medians(runs: Sequence[Waited]) -> list[Waited]:
     """Print and return the median run of each sheet and way: by the time to the part."""
     found = []
-    for key in dict.fromkeys((own.sheet, own.way) for own in runs):
-        alike = [own for own in runs if (own.sheet, own.way) == key]
-        alike.sort(key=lambda own: (own.total is None, own.total or own.read or 0.0))
+    for key in dict.fromkeys((run.sheet, run.way) for run in runs):
+        alike = [run for run in runs if (run.sheet, run.way) == key]
+        alike.sort(key=lambda run: (run.total is None, run.total or run.read or 0.0))
         median = alike[(len(alike) - 1) // 2]
         found.append(median)
         print(_row(*key, median.read, median.part, median.total), flush=True)
@@ -159,13 +159,15 @@ def _print_medians(runs: Sequence[Waited]) -> list[Waited]:
 
 
 def _row(sheet: str, way: str, *seconds: float | None) -> str:
-    return _LINE.format(sheet, way, *("-" if own is None else f"{own:.1f}" for own in seconds))
+    return _LINE.format(
+        sheet, way, *("-" if value is None else f"{value:.1f}" for value in seconds)
+    )
 
 
 def _sheets() -> list[Path]:
     """The samples, and the sheets of the tutorial."""
     samples = (ROOT / "resources" / "samples").glob("*.png")
-    return [*sorted(samples), *(ROOT / "docs" / "tutorial" / f"{own}.png" for own in TUTORIAL)]
+    return [*sorted(samples), *(ROOT / "docs" / "tutorial" / f"{name}.png" for name in TUTORIAL)]
 
 
 if __name__ == "__main__":

@@ -145,12 +145,12 @@ class Wording(unittest.TestCase):
         self.assertEqual((role_name("aslant"), drawing_name("sketch")), ("aslant", "sketch"))
 
     def test_nobody_is_sent_to_where_they_are(self) -> None:
-        told = worded("no-views", "")
-        self.assertIn("Box the views in Correct Sheet and", told)
-        told = worded("no-views", "", None, Place.CANVAS)
-        self.assertIn("Box the views here and", told)
+        sentence = worded("no-views", "")
+        self.assertIn("Box the views in Correct Sheet and", sentence)
+        sentence = worded("no-views", "", None, Place.CANVAS)
+        self.assertIn("Box the views here and", sentence)
         # This one is said where there is no canvas.
-        named = {key for key, own in SENTENCES.items() if "Correct Sheet" in own}
+        named = {key for key, sentence in SENTENCES.items() if "Correct Sheet" in sentence}
         self.assertEqual(named, {"window-missing"})
 
     def test_a_value_with_braces_fills_nothing(self) -> None:

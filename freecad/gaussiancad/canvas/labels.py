@@ -40,15 +40,17 @@ def labels_of(sheet: Sheet) -> list[Label]:
     """The labels of a sheet's numbers and notes."""
     doubted = [place for row in sheet.problems if row.of_numbers for place in row.places]
     found = []
-    for own in sheet.numbers:
-        quiet = not own.given and not _meets_any(own.box, doubted)
-        text = f"{own.value:g}" if own.given else own.text
-        found.append(Label(text, own.box, NUMBER if own.used else OTHER, quiet))
+    for number in sheet.numbers:
+        quiet = not number.given and not _meets_any(number.box, doubted)
+        text = f"{number.value:g}" if number.given else number.text
+        found.append(Label(text, number.box, NUMBER if number.used else OTHER, quiet))
     # A person says notes of circles, where nothing is printed.
-    found += [Label(own.text, own.box, NUMBER, own.circle is None) for own in sheet.notes]
+    found += [Label(note.text, note.box, NUMBER, note.circle is None) for note in sheet.notes]
     return found
 
 
 def _meets_any(box: Box, places: Iterable[Box]) -> bool:
     x0, y0, x1, y1 = box
-    return any(x0 <= own[2] and own[0] <= x1 and y0 <= own[3] and own[1] <= y1 for own in places)
+    return any(
+        x0 <= place[2] and place[0] <= x1 and y0 <= place[3] and place[1] <= y1 for place in places
+    )

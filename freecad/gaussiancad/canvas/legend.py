@@ -39,13 +39,13 @@ class Entry:
 def entries_of(sheet: Sheet) -> list[Entry]:
     """What a sheet has of lines, in the order of the colours; at the end those in doubt, and all
     that have no colour of their own."""
-    sure = {own.kind for own in sheet.strokes if not own.doubtful}
+    sure = {stroke.kind for stroke in sheet.strokes if not stroke.doubtful}
     found = [
         Entry(name_of(kind), colour, kind == "hidden", kind in DRAWN)
         for kind, colour in COLOURS.items()
         if kind in sure
     ]
-    if any(own.doubtful for own in sheet.strokes):
+    if any(stroke.doubtful for stroke in sheet.strokes):
         found.append(Entry(translate("GaussianCAD", "in doubt"), DOUBTFUL, bold=True))
     if sure - set(COLOURS):
         found.append(Entry(translate("GaussianCAD", "other lines"), OTHER))
@@ -102,19 +102,21 @@ class Legend(QtWidgets.QWidget):
         painter.setBrush(QtGui.QColor(_PAPER))
         painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
         line, styles = self._line_height(), QtCore.Qt.PenStyle
-        for index, own in enumerate(self._entries):
+        for index, entry in enumerate(self._entries):
             middle = _GAP // 2 + index * line + line // 2
-            style = styles.DashLine if own.hidden else styles.SolidLine
-            painter.setPen(QtGui.QPen(QtGui.QColor(own.colour), 2.0 if own.bold else 1.0, style))
+            style = styles.DashLine if entry.hidden else styles.SolidLine
+            painter.setPen(
+                QtGui.QPen(QtGui.QColor(entry.colour), 2.0 if entry.bold else 1.0, style)
+            )
             painter.drawLine(_GAP, middle, _GAP + _SAMPLE, middle)
             painter.setPen(QtGui.QColor(_INK))
             rest = QtCore.QRect(2 * _GAP + _SAMPLE, middle - line // 2, self.width(), line)
-            painter.drawText(rest, QtCore.Qt.AlignmentFlag.AlignVCenter, own.text)
+            painter.drawText(rest, QtCore.Qt.AlignmentFlag.AlignVCenter, entry.text)
         painter.end()
 
     def _settle(self) -> None:
         metrics = self.fontMetrics()
-        widths = [metrics.horizontalAdvance(own.text) for own in self._entries]
+        widths = [metrics.horizontalAdvance(entry.text) for entry in self._entries]
         height = len(self._entries) * self._line_height() + _GAP
         self.resize(3 * _GAP + _SAMPLE + max(widths, default=0), height)
         self.stay()

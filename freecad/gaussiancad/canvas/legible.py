@@ -19,14 +19,16 @@ def contrast(one: str, other: str) -> float:
 def ink_on(paper: str, colour: str) -> str:
     """A colour for words on light paper: that of the lines, darkened until it can be read."""
     while contrast(colour, paper) < LEGIBLE:
-        colour = "#" + "".join(f"{int(_STEP * own):02x}" for own in _channels(colour))
+        colour = "#" + "".join(f"{int(_STEP * channel):02x}" for channel in _channels(colour))
     return colour
 
 
 def _luminance(colour: str) -> float:
-    shares = [own / 255.0 for own in _channels(colour)]
-    linear = [own / 12.92 if own <= 0.04045 else ((own + 0.055) / 1.055) ** 2.4 for own in shares]
-    return sum(weight * own for weight, own in zip(_WEIGHTS, linear, strict=True))
+    shares = [share / 255.0 for share in _channels(colour)]
+    linear = [
+        share / 12.92 if share <= 0.04045 else ((share + 0.055) / 1.055) ** 2.4 for share in shares
+    ]
+    return sum(weight * share for weight, share in zip(_WEIGHTS, linear, strict=True))
 
 
 def _channels(colour: str) -> list[int]:

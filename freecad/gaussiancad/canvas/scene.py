@@ -89,8 +89,8 @@ class SheetScene(QtWidgets.QGraphicsScene):
         for own in sheet.strokes:
             self._add_stroke(own, chosen=own.id in chosen)
         self._quiet = {}
-        for own in labels_of(sheet):
-            self._add_label(own)
+        for label in labels_of(sheet):
+            self._add_label(label)
         for own in sheet.planes:
             self._add_plane(own.label, own.line)
         self._show_layers()
@@ -185,14 +185,14 @@ class SheetScene(QtWidgets.QGraphicsScene):
             item.setZValue(-1.0)
             self._layers["views"].append(item)
 
-    def _add_label(self, own: Label) -> None:
-        x0, y0, x1, y1 = own.box
-        frame = self.addRect(x0, y0, x1 - x0, y1 - y0, _pen(own.colour, 1.0))
-        text = self._caption(own.text, own.colour, (x0, y1))
+    def _add_label(self, label: Label) -> None:
+        x0, y0, x1, y1 = label.box
+        frame = self.addRect(x0, y0, x1 - x0, y1 - y0, _pen(label.colour, 1.0))
+        text = self._caption(label.text, label.colour, (x0, y1))
         text.setZValue(2.5)
         self._layers["numbers"] += [frame, text]
-        if own.quiet:
-            self._quiet[own] = text
+        if label.quiet:
+            self._quiet[label] = text
 
     def _add_plane(self, label: str, line: Iterable[Point]) -> None:
         points = list(line)

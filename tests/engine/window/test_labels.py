@@ -34,8 +34,8 @@ def _written(window: SheetWindow) -> list[str]:
     """Texts that can be seen, but for the names of views."""
     items = window.board.scene().items()
     kind = QtWidgets.QGraphicsSimpleTextItem
-    texts = [own.text() for own in items if isinstance(own, kind) and own.isVisible()]
-    return sorted(own for own in texts if own != "front")
+    texts = [item.text() for item in items if isinstance(item, kind) and item.isVisible()]
+    return sorted(text for text in texts if text != "front")
 
 
 def _move(window: SheetWindow, place: tuple[float, float]) -> None:
@@ -54,7 +54,7 @@ def _move(window: SheetWindow, place: tuple[float, float]) -> None:
 
 
 def test_numbers_in_doubt_are_loud(doubted: Sheet) -> None:
-    quiet = {own.text: own.quiet for own in labels_of(doubted)}
+    quiet = {label.text: label.quiet for label in labels_of(doubted)}
     assert quiet == {"40": True, "41": False, "42": False, "THRU": True}
 
 

@@ -40,16 +40,16 @@ def _pixels(widget: QtWidgets.QWidget) -> QtGui.QImage:
 def test_it_has_the_kinds_of_the_sheet(reading: dict) -> None:
     reading["strokes"][4]["confidence"] = 0.4
     reading["strokes"].append({"id": "s7", "kind": "text", "line": [[1, 1], [9, 9]]})
-    texts = [own.text for own in entries_of(sheet_of(reading))]
+    texts = [entry.text for entry in entries_of(sheet_of(reading))]
     assert texts == ["visible", "hidden", "in doubt", "other lines"]
 
 
 def test_it_follows_what_is_said(window: SheetWindow) -> None:
     legend = window.board.legend
-    assert [own.text for own in legend.entries] == ["visible", "hidden", "centre line"]
+    assert [entry.text for entry in legend.entries] == ["visible", "hidden", "centre line"]
     window.board.select({"s5"})
     window.board.give_kind("hidden")
-    assert [own.text for own in legend.entries] == ["visible", "hidden"]
+    assert [entry.text for entry in legend.entries] == ["visible", "hidden"]
 
 
 @pytest.mark.parametrize(
@@ -60,7 +60,7 @@ def test_it_stays_in_its_corner(window: SheetWindow, projection: str, corner: st
     board.show_sheet(replace(window.sheet, projection=projection))
 
     def away() -> QtCore.QPoint:
-        inner, outer = (own.geometry() for own in (legend, board.viewport()))
+        inner, outer = (part.geometry() for part in (legend, board.viewport()))
         return getattr(inner, corner)() - getattr(outer, corner)()
 
     size, before = legend.size(), away()
@@ -77,7 +77,9 @@ def test_it_stays_in_its_corner(window: SheetWindow, projection: str, corner: st
 
 
 def test_it_can_be_left_out(window: SheetWindow) -> None:
-    action = next(own for own in window.findChildren(QtGui.QAction) if own.text() == "Legend")
+    action = next(
+        action for action in window.findChildren(QtGui.QAction) if action.text() == "Legend"
+    )
     action.trigger()
     assert not window.board.legend.isVisible()
     window.board.show_sheet(window.sheet)
@@ -105,17 +107,17 @@ def test_rows_have_the_text_of_the_list(dark: SheetWindow) -> None:
         for x in range(image.width())
         for y in range(image.height())
     }
-    assert max(contrast(own, _DARK["Base"]) for own in colours) > LEGIBLE
+    assert max(contrast(colour, _DARK["Base"]) for colour in colours) > LEGIBLE
 
 
 def test_words_on_the_sheet_and_verdicts_can_be_read(dark: SheetWindow) -> None:
     kind = QtWidgets.QGraphicsSimpleTextItem
-    words = [own for own in dark.board.scene().items() if isinstance(own, kind)]
+    words = [word for word in dark.board.scene().items() if isinstance(word, kind)]
     assert len(words) == 2
-    for own in words:
-        (plate,) = own.childItems()
-        assert contrast(own.brush().color().name(), plate.brush().color().name()) >= LEGIBLE
-        assert plate.rect() == own.boundingRect()
+    for word in words:
+        (plate,) = word.childItems()
+        assert contrast(word.brush().color().name(), plate.brush().color().name()) >= LEGIBLE
+        assert plate.rect() == word.boundingRect()
         assert plate.flags() & QtWidgets.QGraphicsItem.GraphicsItemFlag.ItemStacksBehindParent
     for status in ("verified", "approximate", "failed"):
         assert contrast(verdict_line(status).colour, "#ffffff") >= LEGIBLE
