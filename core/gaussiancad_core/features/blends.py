@@ -142,7 +142,11 @@ def _ends_flat(around: _Neighbours, number: int) -> bool:
             continue
         other = around.faces[near.number]
         across = float(np.linalg.norm(np.cross(other.direction, face.direction)))
-        if (other.kind is Kind.PLANE and across < _PARALLEL) or (other.kind is Kind.TORUS and across < _PARALLEL and other.minor < face.radius) or (other.kind is Kind.CONE and across < _PARALLEL):
+        if (
+            (other.kind is Kind.PLANE and across < _PARALLEL)
+            or (other.kind is Kind.TORUS and across < _PARALLEL and other.minor < face.radius)
+            or (other.kind is Kind.CONE and across < _PARALLEL)
+        ):
             ends += 1
         else:
             return False
@@ -213,7 +217,7 @@ def _without_sides(found: dict[int, Blend], around: _Neighbours) -> dict[int, Bl
         for number, blend in found.items()
         if blend.is_round
         or not any(
-            near.number in found and _SAME < blend.size - found[near.number].size
+            near.number in found and blend.size - found[near.number].size > _SAME
             for near in around.sharp(number)
         )
     }

@@ -11,9 +11,11 @@ from OCP.BRepBuilderAPI import (
 from OCP.BRepPrimAPI import BRepPrimAPI_MakePrism, BRepPrimAPI_MakeRevol
 from OCP.GC import GC_MakeArcOfCircle
 from OCP.gp import gp_Ax1, gp_Ax2, gp_Circ, gp_Dir, gp_Pnt, gp_Vec
+from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape, TopoDS_Wire
 
-from gaussiancad_core.drawing.booleans import fused, without
+from gaussiancad_core.drawing.booleans import fused, unified, without
+from gaussiancad_core.drawing.brep import subshapes, volume
 from gaussiancad_core.features.frames import Frame
 from gaussiancad_core.features.loops import Edge, Loop
 from gaussiancad_core.features.model import Extrusion, Sketch, Turning
@@ -47,6 +49,32 @@ def combined(features: Sequence[Extrusion | Turning]) -> TopoDS_Shape:
     taken = [body_of(feature) for feature in features if not feature.adds]
     body = fused(added)
     return without(body, taken) if taken else body
+
+
+def in_order_of_making(
+    features: Sequence[Extrusion | Turning],
+) -> tuple[Extrusion | Turning, ...]:
+    """The same features so that each pad touches what is there already: the largest first, pockets
+    last.
+
+    Raises:
+        RuntimeError: the kernel fails.
+    """
+    pads = sorted(
+        ((feature, body_of(feature)) for feature in features if feature.adds),
+        key=lambda entry: -volume(entry[1]),
+    )
+    ordered, made = [pads[0][0]], pads.pop(0)[1]
+    while pads:
+        grown = [(k, fused([made, body])) for k, (_, body) in enumerate(pads)]
+        touching = (
+            (k, shape)
+            for k, shape in grown
+            if len(subshapes(unified(shape), TopAbs_ShapeEnum.TopAbs_SOLID)) == 1
+        )
+        number, made = next(touching, grown[0])
+        ordered.append(pads.pop(number)[0])
+    return (*ordered, *(feature for feature in features if not feature.adds))
 
 
 def face_of(sketch: Sketch) -> TopoDS_Face:

@@ -20,7 +20,6 @@ from gaussiancad_core.features.samples import joined
 from gaussiancad_core.features.solid_faces import Kind, SolidFace, solid_faces
 from gaussiancad_core.features.sweeps import Sweep, SweptPlane
 from gaussiancad_core.features.turned_bodies import in_sketch, turned_planes, turned_sweeps
-from gaussiancad_core.reasoning.planes import UNITS
 
 Points = npt.NDArray[np.float64]
 
@@ -46,11 +45,10 @@ def decomposed(shape: TopoDS_Shape) -> Decomposition | None:
     """Pads and pockets that make up a solid; None where there are none.
 
     Args:
-        shape: one solid, mm.
+        shape: one solid; units.
     """
     faces = solid_faces(shape)
     box = bounding_box(shape)
-    scale = UNITS / float((box[1] - box[0]).max())
     rays = Rays(shape, 4.0 * float(np.abs(box).max() + 1.0))
     edges = edges_of(shape)
     planes: list[SweptPlane] = []
@@ -58,12 +56,12 @@ def decomposed(shape: TopoDS_Shape) -> Decomposition | None:
     samples = []
     for frame in _frames(faces):
         within = _box_in(frame, box)
-        found = prism_plane(edges, faces, frame, within, scale, rays)
+        found = prism_plane(edges, faces, frame, within, rays)
         if found is not None:
             sweeps += prisms_of(found[0], len(planes))
             planes.append(found[0].plane)
             samples.append(found[1])
-    for turned, seen in turned_planes(faces, box, scale, rays):
+    for turned, seen in turned_planes(faces, box, rays):
         sweeps += turned_sweeps(turned, len(planes))
         planes.append(turned.plane)
         samples.append(seen)
@@ -118,10 +116,11 @@ def _ordered(sweeps: Sequence[Sweep]) -> list[Sweep]:
 
 def _feature(sweep: Sweep, planes: Sequence[SweptPlane]) -> Extrusion | Turning:
     plane = planes[sweep.plane]
-    loops = loops_of(plane.cells, sweep.cells, plane.scale)
+    loops = loops_of(plane.cells, sweep.cells)
     if plane.axis is None:
-        low, high = sweep.ends
-        return Extrusion(Sketch(plane.frame, low, loops), high - low, sweep.adds)
+        # A sketch on an origin plane needs no offset.
+        start, end = sorted(sweep.ends, key=abs)
+        return Extrusion(Sketch(plane.frame, start, loops), end - start, sweep.adds)
     x, y, height = plane.frame.project(np.array([plane.axis.point]))[0].tolist()
     way = plane.frame.project(np.array([plane.axis.direction]))[0, :2].tolist()
     sketch = Sketch(plane.frame, height, tuple(in_sketch(loop, plane) for loop in loops))

@@ -4,7 +4,6 @@ they meet."""
 from collections.abc import Iterable, Sequence
 
 import numpy as np
-
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Defeaturing
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS_Shape

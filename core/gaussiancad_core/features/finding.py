@@ -11,7 +11,7 @@ from gaussiancad_core.drawing.booleans import without
 from gaussiancad_core.drawing.brep import bounding_box
 from gaussiancad_core.drawing.kernel_failures import KERNEL_FAILURES
 from gaussiancad_core.features.blends import blends_of
-from gaussiancad_core.features.building import combined
+from gaussiancad_core.features.building import combined, in_order_of_making
 from gaussiancad_core.features.decomposing import decomposed
 from gaussiancad_core.features.difference import difference
 from gaussiancad_core.features.dressing import breaks_of, dressed
@@ -51,24 +51,34 @@ class _Stripped:
 
 
 def features_of(shape: TopoDS_Shape) -> FeatureList:
-    """The features that make up one solid, mm."""
+    """The features that make up one solid, mm.
+
+    What is found is built again and compared with the solid.  Where nothing that is found makes it
+    up, as many holes and edge breaks as possible stand over a base.
+    """
     box = bounding_box(shape)
     factor = UNITS / float((box[1] - box[0]).max())
     solid = scaled_shape(shape, factor)
-    log = []
+    over: _Stripped | None = None
     for stripped in _ways(solid):
+        last = (*stripped.breaks, *stripped.holes)
         found = decomposed(stripped.body)
-        log.append(f"{len(stripped.breaks)} breaks {len(stripped.holes)} holes")
-        if found is None:
-            log.append("nothing")
-            continue
-        made = stripped.finished(combined(found.bodies))
-        apart = difference(solid, made) if made is not None else None
-        log.append(f"{found.difference.share:.2g} {found.difference.faces}" + (f" all {apart.share:.2g} {apart.faces}" if apart else " undressable"))
-        if apart is not None and apart.is_none:
-            everything = (*found.bodies, *stripped.breaks, *stripped.holes)
-            return FeatureList(tuple(scaled(f, 1.0 / factor) for f in everything), True)
-    return FeatureList((), False, "; ".join(log))
+        if found is not None and _is_made(stripped, combined(found.bodies), solid):
+            bodies = in_order_of_making(found.bodies)
+            return FeatureList(tuple(scaled(own, 1.0 / factor) for own in (*bodies, *last)))
+        if over is None and last and _is_made(stripped, stripped.body, solid):
+            over = stripped
+    if over is None:
+        return FeatureList((), shape)
+    last = (*over.breaks, *over.holes)
+    base = scaled_shape(over.body, 1.0 / factor)
+    return FeatureList(tuple(scaled(own, 1.0 / factor) for own in last), base)
+
+
+def _is_made(stripped: _Stripped, body: TopoDS_Shape, solid: TopoDS_Shape) -> bool:
+    """Whether a body becomes the solid with what is put on last."""
+    made = stripped.finished(body)
+    return made is not None and difference(solid, made).is_none
 
 
 def _ways(solid: TopoDS_Shape) -> Iterator[_Stripped]:

@@ -11,7 +11,7 @@ _MEETING = 1e-3
 """Units within which ends meet."""
 
 _ROUNDED = 9
-"""Decimal places of mm."""
+"""Decimal places."""
 
 
 class OpenLoopError(Exception):
@@ -23,8 +23,8 @@ class Edge:
     """An edge of an outline, with the region on its left.
 
     Attributes:
-        start, end: mm in the plane; equal of a circle.
-        centre, radius: mm, of an arc or circle; None of a straight edge.
+        start, end: in the plane; equal of a circle.
+        centre, radius: of an arc or circle; None of a straight edge.
         is_ccw: whether an arc runs counter-clockwise.
     """
 
@@ -79,13 +79,12 @@ class _Directed:
         return atan2(way * tangent[1], way * tangent[0])
 
 
-def loops_of(cells: Cells, region: Collection[int], scale: float) -> tuple[Loop, ...]:
+def loops_of(cells: Cells, region: Collection[int]) -> tuple[Loop, ...]:
     """The outlines of a region: outer ones counter-clockwise, those of holes clockwise.
 
     Args:
         cells: of the plane.
         region: some of them.
-        scale: units per mm.
 
     Raises:
         OpenLoopError: they do not close.
@@ -101,12 +100,12 @@ def loops_of(cells: Cells, region: Collection[int], scale: float) -> tuple[Loop,
                 raise OpenLoopError
             turn = min(following, key=lambda k: -_turn(chain[-1], left[k]))
             chain.append(left.pop(turn))
-        found.append(_loop(chain, scale))
+        found.append(_loop(chain))
     return tuple(sorted(found, key=lambda loop: -abs(area_of(loop))))
 
 
 def area_of(loop: Loop) -> float:
-    """mm2 that an outline encloses; negative where it runs clockwise."""
+    """Area that an outline encloses; negative where it runs clockwise."""
     total = 0.0
     for edge in loop:
         (x0, y0), (x1, y1) = edge.start, edge.end
@@ -137,7 +136,7 @@ def _turn(one: _Directed, other: _Directed) -> float:
     return (angle + pi) % TURN - pi
 
 
-def _loop(chain: Sequence[_Directed], scale: float) -> Loop:
+def _loop(chain: Sequence[_Directed]) -> Loop:
     runs: list[list[_Directed]] = []
     for link in chain:
         if runs and _go_on(runs[-1][-1], link):
@@ -147,8 +146,8 @@ def _loop(chain: Sequence[_Directed], scale: float) -> Loop:
     if len(runs) > 1 and _go_on(runs[-1][-1], runs[0][0]):
         runs[0] = runs.pop() + runs[0]
     if len(runs) == 1 and isinstance(runs[0][0].piece.curve, CircleCurve):
-        return (_circle(runs[0][0], scale),)
-    edges = [_edge(run, scale) for run in runs]
+        return (_circle(runs[0][0]),)
+    edges = [_edge(run) for run in runs]
     # Each ends where the next one starts, to the last digit.
     return tuple(
         replace(edge, end=edges[(k + 1) % len(edges)].start) for k, edge in enumerate(edges)
@@ -159,22 +158,22 @@ def _go_on(one: _Directed, other: _Directed) -> bool:
     return one.piece.support == other.piece.support and one.is_forward == other.is_forward
 
 
-def _edge(run: Sequence[_Directed], scale: float) -> Edge:
-    start, end = _mm(run[0].start, scale), _mm(run[-1].end, scale)
+def _edge(run: Sequence[_Directed]) -> Edge:
+    start, end = _rounded(run[0].start), _rounded(run[-1].end)
     curve = run[0].piece.curve
     if not isinstance(curve, CircleCurve):
         return Edge(start, end)
-    centre, radius = _mm(curve.centre, scale), round(curve.radius / scale, _ROUNDED)
+    centre, radius = _rounded(curve.centre), round(curve.radius, _ROUNDED)
     return Edge(start, end, centre, radius, run[0].is_forward)
 
 
-def _circle(link: _Directed, scale: float) -> Edge:
+def _circle(link: _Directed) -> Edge:
     curve = link.piece.curve
-    centre, radius = _mm(curve.centre, scale), round(curve.radius / scale, _ROUNDED)
+    centre, radius = _rounded(curve.centre), round(curve.radius, _ROUNDED)
     start = (centre[0] + radius, centre[1])
     return Edge(start, start, centre, radius, link.is_forward)
 
 
-def _mm(point: Point, scale: float) -> Point:
-    x, y = (round(value / scale, _ROUNDED) + 0.0 for value in point)
+def _rounded(point: Point) -> Point:
+    x, y = (round(value, _ROUNDED) + 0.0 for value in point)
     return x, y

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from OCP.TopoDS import TopoDS_Shape
+
 from gaussiancad_core.features.frames import Frame, Vector
 from gaussiancad_core.features.loops import Loop
 
@@ -112,17 +114,19 @@ class EdgeBreak:
 Feature = Extrusion | Turning | Holes | EdgeBreak
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FeatureList:
-    """A part by its features.
+    """A solid by its features.
 
     Attributes:
         features: in the order in which they are made.
-        is_whole: whether they make up the part; else they stand over a base: what is left of the
-            part without them.
-        reason: of what no features were found for; empty of a whole one.
+        base: what they stand over where they do not make up the solid alone; mm.
     """
 
     features: tuple[Feature, ...]
-    is_whole: bool
-    reason: str = ""
+    base: TopoDS_Shape | None = None
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether the features make up the solid."""
+        return self.base is None

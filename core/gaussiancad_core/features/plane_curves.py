@@ -57,36 +57,34 @@ class Stretch:
     high: float
 
 
-def stretches_along(edges: Iterable[TopoDS_Edge], frame: Frame, scale: float) -> list[Stretch]:
+def stretches_along(edges: Iterable[TopoDS_Edge], frame: Frame) -> list[Stretch]:
     """What a view along a frame's normal shows of straight and circular edges.
 
     Args:
-        edges: of a solid in mm; those that are neither straight nor circles seen face-on or
-            edge-on show nothing.
+        edges: of a solid; those that are neither straight nor circles seen face-on or edge-on
+            show nothing.
         frame: its plane.
-        scale: units per mm.
     """
     found: list[Stretch] = []
     for edge in edges:
-        found.extend(_stretches(BRepAdaptor_Curve(edge), frame, scale))
+        found.extend(_stretches(BRepAdaptor_Curve(edge), frame))
     return found
 
 
-def stretches_of_walls(faces: Iterable[SolidFace], frame: Frame, scale: float) -> list[Stretch]:
+def stretches_of_walls(faces: Iterable[SolidFace], frame: Frame) -> list[Stretch]:
     """What a view along a frame's normal shows of faces that run along it: planes and cylinders,
     edge-on, whatever their edges are.
 
     Args:
-        faces: of a solid in mm.
+        faces: of a solid.
         frame: the view's plane.
-        scale: units per mm.
     """
     normal = np.array(frame.normal)
     found: list[Stretch] = []
     for face in faces:
         lean = abs(float(face.direction @ normal))
         if face.kind is Kind.PLANE and lean < _ALONG:
-            seen = frame.project(_edge_points(face.face))[:, :2] * scale
+            seen = frame.project(_edge_points(face.face))[:, :2]
             along = seen @ _direction(seen)
             ends = (seen[int(along.argmin())], seen[int(along.argmax())])
             made = segment(*((float(x), float(y)) for x, y in ends))
@@ -95,15 +93,15 @@ def stretches_of_walls(faces: Iterable[SolidFace], frame: Frame, scale: float) -
             low, high = u_range(face)
             surface = BRepAdaptor_Surface(face.face)
             places = [surface.Value(low + share * (high - low), 0.0) for share in (0.0, 0.5, 1.0)]
-            points = frame.project(np.array([[p.X(), p.Y(), p.Z()] for p in places])) * scale
+            points = frame.project(np.array([[p.X(), p.Y(), p.Z()] for p in places]))
             start, middle, end = ((float(x), float(y)) for x, y, _ in points)
-            centre = frame.project(face.point[None])[0, :2] * scale
-            found += arc((float(centre[0]), float(centre[1])), face.radius * scale, (start, end), middle)
+            centre = frame.project(face.point[None])[0, :2]
+            found += arc((float(centre[0]), float(centre[1])), face.radius, (start, end), middle)
     return found
 
 
 def _edge_points(face: TopoDS_Face) -> Points:
-    """(n, 3) points along the edges of a face, mm."""
+    """(n, 3) points along the edges of a face."""
     found = []
     for edge in edges_of(face):
         curve = BRepAdaptor_Curve(edge)
@@ -153,10 +151,10 @@ def arc(centre: Point, radius: float, ends: tuple[Point, Point], middle: Point) 
     return [piece for piece in pieces if _length(piece) > SAME]
 
 
-def _stretches(curve: BRepAdaptor_Curve, frame: Frame, scale: float) -> Iterator[Stretch]:
+def _stretches(curve: BRepAdaptor_Curve, frame: Frame) -> Iterator[Stretch]:
     low, high = curve.FirstParameter(), curve.LastParameter()
     places = [curve.Value(low + share * (high - low)) for share in (0.0, 0.5, 1.0)]
-    points = frame.project(np.array([[p.X(), p.Y(), p.Z()] for p in places])) * scale
+    points = frame.project(np.array([[p.X(), p.Y(), p.Z()] for p in places]))
     start, middle, end = (tuple(point[:2].tolist()) for point in points)
     if curve.GetType() == GeomAbs_CurveType.GeomAbs_Line:
         if (made := segment(start, end)) is not None:
@@ -168,14 +166,14 @@ def _stretches(curve: BRepAdaptor_Curve, frame: Frame, scale: float) -> Iterator
     axis = circle.Axis().Direction()
     lean = abs(float(np.array([axis.X(), axis.Y(), axis.Z()]) @ np.array(frame.normal)))
     at = circle.Location()
-    centre = frame.project(np.array([[at.X(), at.Y(), at.Z()]]))[0, :2] * scale
+    centre = frame.project(np.array([[at.X(), at.Y(), at.Z()]]))[0, :2]
     if lean > 1.0 - _ALONG:
-        yield from arc(tuple(centre.tolist()), circle.Radius() * scale, (start, end), middle)
+        yield from arc(tuple(centre.tolist()), circle.Radius(), (start, end), middle)
     elif lean < _ALONG:
         # Edge-on it is a straight stretch, between the extremes that the arc reaches.
         span = np.linspace(low, high, _ALONG_A_CURVE)
         seen = [curve.Value(float(t)) for t in span]
-        flat = frame.project(np.array([[p.X(), p.Y(), p.Z()] for p in seen]))[:, :2] * scale
+        flat = frame.project(np.array([[p.X(), p.Y(), p.Z()] for p in seen]))[:, :2]
         along = flat @ _direction(flat)
         ends = flat[int(along.argmin())], flat[int(along.argmax())]
         if (made := segment(*(tuple(point.tolist()) for point in ends))) is not None:

@@ -10,7 +10,12 @@ from OCP.TopoDS import TopoDS_Edge
 
 from gaussiancad_core.features.cells import Cells, edge_count
 from gaussiancad_core.features.frames import Frame
-from gaussiancad_core.features.plane_curves import segment, stretches_along, stretches_of_walls, supports_of
+from gaussiancad_core.features.plane_curves import (
+    segment,
+    stretches_along,
+    stretches_of_walls,
+    supports_of,
+)
 from gaussiancad_core.features.rays import Rays
 from gaussiancad_core.features.samples import Samples
 from gaussiancad_core.features.solid_faces import Kind, SolidFace
@@ -38,7 +43,7 @@ class PrismPlane:
 
     Attributes:
         plane: with its cells.
-        levels: mm along the normal, ascending; layers lie between them.
+        levels: units along the normal, ascending; layers lie between them.
         fills: (places, layers) share of each layer that is material, at each place of the cells; NaN
             where that is not known.
     """
@@ -53,7 +58,6 @@ def prism_plane(
     faces: Sequence[SolidFace],
     frame: Frame,
     box: tuple[Points, Points],
-    scale: float,
     rays: Rays,
 ) -> tuple[PrismPlane, Samples] | None:
     """The plane across a direction; None where more is seen in it than can be divided.
@@ -62,17 +66,16 @@ def prism_plane(
         edges: of the solid.
         faces: of the solid.
         frame: the plane.
-        box: (3,) corners of the part, in the frame's coordinates, mm.
-        scale: units per mm.
+        box: (3,) corners of the part, in the frame's coordinates.
         rays: through the solid.
 
     Returns:
         The plane, and the points at which its cells were looked at.
     """
     low, high = box
-    stretches = stretches_along(edges, frame, scale) + stretches_of_walls(faces, frame, scale)
+    stretches = stretches_along(edges, frame) + stretches_of_walls(faces, frame)
     corners = [
-        (float(a) * scale, float(b) * scale)
+        (float(a), float(b))
         for a, b in ((low[0], low[1]), (high[0], low[1]), (high[0], high[1]), (low[0], high[1]))
     ]
     sides = [segment(*ends) for ends in pairwise([*corners, corners[0]])]
@@ -81,8 +84,8 @@ def prism_plane(
         return None
     cells = Cells(Arrangement(supports_of(stretches)))
     ordered = _distinct([float(low[2]), *_levels(faces, frame), float(high[2])])
-    fills, samples = _looked_at(cells, ordered, frame, scale, rays)
-    return PrismPlane(SweptPlane(frame, cells, scale), tuple(ordered), fills), samples
+    fills, samples = _looked_at(cells, ordered, frame, rays)
+    return PrismPlane(SweptPlane(frame, cells), tuple(ordered), fills), samples
 
 
 def prisms_of(own: PrismPlane, number: int) -> Iterator[Sweep]:
@@ -131,10 +134,10 @@ def _goes_on(group: frozenset[int], low: int, high: int, holds: npt.NDArray[np.b
 
 
 def _looked_at(
-    cells: Cells, levels: Sequence[float], frame: Frame, scale: float, rays: Rays
+    cells: Cells, levels: Sequence[float], frame: Frame, rays: Rays
 ) -> tuple[Points, Samples]:
     fills = np.zeros((len(cells.places), len(levels) - 1))
-    bases = frame.lift(cells.places / scale, 0.0)
+    bases = frame.lift(cells.places, 0.0)
     points, is_inside = [], []
     for number, base in enumerate(bases):
         stretches = rays.inside(base, frame.normal)

@@ -227,9 +227,7 @@ def _is_drilled(sections: Sequence[Section], is_blind: bool) -> bool:
 def _is_mouth(sections: Sequence[Section], core: Section) -> bool:
     """Whether sections before the narrowest cylinder are steps, or one countersink."""
     if len(sections) == 1 and not sections[0].is_cylinder:
-        return (
-            sections[0].at_low > core.at_low and abs(sections[0].at_high - core.at_low) < _SAME
-        )
+        return sections[0].at_low > core.at_low and abs(sections[0].at_high - core.at_low) < _SAME
     radii = [*(section.at_low for section in sections), core.at_low]
     narrows = all(after < before for before, after in pairwise(radii))
     return narrows and all(section.is_cylinder for section in sections)

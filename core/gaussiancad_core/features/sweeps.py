@@ -18,7 +18,7 @@ class TurnAxis:
     """What a half plane is turned around.
 
     Attributes:
-        point: mm, on the axis.
+        point: on the axis; units.
         direction: unit vector.
     """
 
@@ -34,24 +34,22 @@ class SweptPlane:
         frame: the plane; of turned bodies one through the axis.
         cells: of it; units.  Of turned bodies the first coordinate runs along the axis, the second
             away from it.
-        scale: units per mm.
         axis: that it turns around; None of one that moves along its normal.
     """
 
     frame: Frame
     cells: Cells
-    scale: float
     axis: TurnAxis | None = None
 
     def located(self, points: Points) -> tuple[npt.NDArray[np.int64], Points]:
-        """Cells and heights of (n, 3) points in mm; turned bodies have no heights (0)."""
+        """Cells and heights of (n, 3) points; turned bodies have no heights (0)."""
         if self.axis is None:
             seen = self.frame.project(points)
-            return self.cells.locate(seen[:, :2] * self.scale), seen[:, 2]
+            return self.cells.locate(seen[:, :2]), seen[:, 2]
         away = points - np.array(self.axis.point)
         along = away @ np.array(self.axis.direction)
         radius = np.linalg.norm(away - along[:, None] * np.array(self.axis.direction), axis=1)
-        flat = np.stack([along, radius], axis=1) * self.scale
+        flat = np.stack([along, radius], axis=1)
         return self.cells.locate(flat), np.zeros(len(points))
 
 
@@ -62,7 +60,7 @@ class Sweep:
     Attributes:
         plane: its number.
         cells: that sweep.
-        ends: mm along the normal; (0, 0) of turned bodies.
+        ends: along the normal; (0, 0) of turned bodies.
         adds: whether it is material, or taken away.
         edges: of its outline.
     """

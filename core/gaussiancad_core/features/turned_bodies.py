@@ -51,14 +51,13 @@ class TurnedPlane:
 
 
 def turned_planes(
-    faces: Sequence[SolidFace], box: Points, scale: float, rays: Rays
+    faces: Sequence[SolidFace], box: Points, rays: Rays
 ) -> Iterator[tuple[TurnedPlane, Samples]]:
     """The half planes at the axes of a solid's round faces, with the points that were looked at.
 
     Args:
         faces: of the solid.
-        box: (2, 3) corners of the part, mm.
-        scale: units per mm.
+        box: (2, 3) corners of the part; units.
         rays: through the solid.
     """
     axes = sorted(_axes(faces), key=lambda axis: -len(axis[2]))
@@ -68,13 +67,13 @@ def turned_planes(
         far = np.linalg.norm(corners - along[:, None] * direction, axis=1)
         limits = float(along.min()), float(along.max()), float(far.max())
         levels = _levels(faces, point, direction)
-        stretches = _stretches(round_faces, levels, point, direction, limits, scale)
+        stretches = _stretches(round_faces, levels, point, direction, limits)
         if len(stretches) > _MOST_STRETCHES:
             continue
         cells = Cells(Arrangement(supports_of(stretches)))
         axis = TurnAxis(tuple(point.tolist()), tuple(direction.tolist()))
         frame = frame_across(tuple(_across(direction).tolist()))
-        found = SweptPlane(frame, cells, scale, axis)
+        found = SweptPlane(frame, cells, axis)
         fills, samples = _looked_at(found, rays)
         yield TurnedPlane(found, fills), samples
 
@@ -89,7 +88,7 @@ def turned_sweeps(own: TurnedPlane, number: int) -> Iterator[Sweep]:
 
 
 def in_sketch(loop: Loop, plane: SweptPlane) -> Loop:
-    """An outline of a half plane in the coordinates of its frame; mm."""
+    """An outline of a half plane in the coordinates of its frame."""
     assert plane.axis is not None
     point, direction = np.array(plane.axis.point), np.array(plane.axis.direction)
     away = np.cross(direction, np.array(plane.frame.normal))
@@ -175,7 +174,6 @@ def _stretches(
     point: Vector,
     direction: Vector,
     limits: tuple[float, float, float],
-    scale: float,
 ) -> list[Stretch]:
     """The half plane's lines: what the round faces leave in it, the levels, and its border."""
     low, high, far = limits
@@ -193,18 +191,18 @@ def _stretches(
             start, end = ((float((place - point) @ direction), radius) for place, radius in ends)
             lines.append((start, end))
         else:
-            found += _circle(face, at, scale)
-    made = (segment((a[0] * scale, a[1] * scale), (b[0] * scale, b[1] * scale)) for a, b in lines)
+            found += _circle(face, at)
+    made = (segment((a[0], a[1]), (b[0], b[1])) for a, b in lines)
     return [*(line for line in made if line is not None), *found]
 
 
-def _circle(face: SolidFace, at: float, scale: float) -> list[Stretch]:
+def _circle(face: SolidFace, at: float) -> list[Stretch]:
     """What a sphere or torus leaves in a half plane."""
     if face.kind is Kind.SPHERE:
-        radius, centre = face.radius * scale, (at * scale, 0.0)
+        radius, centre = face.radius, (at, 0.0)
         ends = (centre[0] + radius, 0.0), (centre[0] - radius, 0.0)
         return arc(centre, radius, ends, (centre[0], radius))
-    radius, centre = face.minor * scale, (at * scale, face.radius * scale)
+    radius, centre = face.minor, (at, face.radius)
     if radius > centre[1]:
         return []
     ends = (centre[0] + radius, centre[1]), (centre[0] + radius, centre[1])
@@ -218,7 +216,7 @@ def _looked_at(plane: SweptPlane, rays: Rays) -> tuple[Points, Samples]:
     right = np.cross(level, direction)
     right /= np.linalg.norm(right)
     up = np.cross(direction, right)
-    places = plane.cells.places / plane.scale
+    places = plane.cells.places
     fills = np.full((len(places), _AROUND), np.nan)
     points, is_inside = [], []
     for number, (at, radius) in enumerate(places):
