@@ -52,6 +52,17 @@ class Edge:
         )
         return (last - first) % TURN if self.is_ccw else (first - last) % TURN
 
+    def heading(self, at_start: bool) -> Point:
+        """Unit vector in which it runs at its start or end."""
+        place = self.start if at_start else self.end
+        if self.centre is None:
+            dx, dy = self.end[0] - self.start[0], self.end[1] - self.start[1]
+        else:
+            way = 1.0 if self.is_ccw else -1.0
+            dx, dy = way * (self.centre[1] - place[1]), way * (place[0] - self.centre[0])
+        length = hypot(dx, dy)
+        return dx / length, dy / length
+
 
 Loop = tuple[Edge, ...]
 
