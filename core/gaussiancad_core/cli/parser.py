@@ -11,6 +11,7 @@ from gaussiancad_core.cli import (
     doctor,
     draw,
     explain,
+    features,
     read,
     reconstruct,
     serve,
@@ -37,6 +38,17 @@ def build_parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"gaussiancad {__version__}")
     parser.set_defaults(events=False, serves=False, verbose=False)
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
-    for module in (reconstruct, read, correct, explain, compare, draw, batch, serve, doctor):
+    for module in (
+        reconstruct,
+        read,
+        correct,
+        explain,
+        features,
+        compare,
+        draw,
+        batch,
+        serve,
+        doctor,
+    ):
         module.add_command(commands)
     return parser

@@ -28,7 +28,7 @@ from gaussiancad_core.messages import on_one_line, told
 from gaussiancad_core.modes import ResultKind, SolidWay
 from gaussiancad_core.processes.watched import Watched, watch
 
-_OF_THE_KERNEL = frozenset({"reconstruct", "compare", "draw"})
+_OF_THE_KERNEL = frozenset({"reconstruct", "compare", "draw", "features"})
 """Commands that use it."""
 
 _BREAKDOWNS = frozenset({"SIGSEGV", "SIGABRT", "SIGBUS", "SIGFPE", "SIGILL"})

@@ -1,15 +1,33 @@
 """Features as plain values: ``features.json``."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
+from gaussiancad_core.features.constraints import Constraint, Kind, Numbers, constraints_of
+from gaussiancad_core.features.frames import MAIN_FRAMES, Frame
 from gaussiancad_core.features.loops import Edge
-from gaussiancad_core.features.model import EdgeBreak, Extrusion, Feature, Holes, Sketch, Turning
+from gaussiancad_core.features.model import (
+    EdgeBreak,
+    Extrusion,
+    Feature,
+    FeatureList,
+    Holes,
+    Sketch,
+    Turning,
+)
 
 SCHEMA = "gaussiancad-features/1"
 
 FEATURES_FILE = "features.json"
 """In the output folder."""
+
+_STEMS = {
+    Kind.DISTANCE_X: "X",
+    Kind.DISTANCE_Y: "Y",
+    Kind.RADIUS: "Radius",
+    Kind.DIAMETER: "Diameter",
+}
+"""Names of dimensions, which are counted."""
 
 
 def named(features: Sequence[Feature]) -> list[tuple[str, Feature]]:
@@ -35,34 +53,64 @@ def kind_of(feature: Feature) -> str:
     return "fillet" if feature.is_round else "chamfer"
 
 
-def feature_values(name: str, feature: Feature) -> dict[str, Any]:
-    """A feature as plain values."""
+def solid_values(found: FeatureList, numbers: Numbers, base: str | None) -> dict[str, Any]:
+    """A solid's features as plain values.
+
+    Args:
+        found: its features.
+        numbers: of the drawing.
+        base: name of the file of the base that they stand over; None of a whole solid.
+    """
+    features = [feature_values(name, each, numbers) for name, each in named(found.features)]
+    return {"whole": found.is_whole, "base": base, "features": features}
+
+
+def feature_values(name: str, feature: Feature, numbers: Numbers) -> dict[str, Any]:
+    """A feature as plain values; each number with where it is from."""
     values: dict[str, Any] = {"kind": kind_of(feature), "name": name}
     if isinstance(feature, EdgeBreak):
-        return {**values, "size": feature.size, "places": [list(p) for p in feature.places]}
+        values |= {"size": feature.size, "places": [list(place) for place in feature.places]}
+        return {**values, "sources": _sources(values, ("size",), numbers)}
     if isinstance(feature, Holes):
-        sink = feature.sink
-        return {
-            **values,
-            "plane": _plane(feature.frame, feature.height),
-            "centres": [list(centre) for centre in feature.centres],
-            "downward": feature.is_downward,
-            "diameter": feature.diameter,
-            "depth": feature.depth,
-            "tip_degrees": feature.tip,
-            "sink": None
-            if sink is None
-            else {"diameter": sink.diameter, "depth": sink.depth, "degrees": sink.angle},
-        }
-    values |= {"sketch": _sketch(feature.sketch)}
+        return _holes(values, feature, numbers)
+    values |= {"sketch": _sketch(feature.sketch, numbers)}
     if isinstance(feature, Extrusion):
-        return {**values, "length": feature.length}
-    return {**values, "axis": {"point": feature.point, "direction": feature.direction}}
+        values |= {"length": feature.length}
+        return {**values, "sources": _sources(values, ("length",), numbers)}
+    axis = {"point": list(feature.point), "direction": list(feature.direction)}
+    return {**values, "axis": axis, "sources": {}}
 
 
-def _plane(frame: Any, height: float) -> dict[str, Any]:
+def _holes(values: dict[str, Any], holes: Holes, numbers: Numbers) -> dict[str, Any]:
+    radius = holes.diameter / 2.0
+    circles = [(Edge((x + radius, y), (x + radius, y), (x, y), radius),) for x, y in holes.centres]
+    sink = holes.sink
+    values |= {
+        "plane": _plane(holes.frame, holes.height),
+        "centres": [list(centre) for centre in holes.centres],
+        "constraints": _constraints(constraints_of(circles, numbers), numbers),
+        "downward": holes.is_downward,
+        "diameter": holes.diameter,
+        "depth": holes.depth,
+        "tip_degrees": holes.tip,
+        "sink": None,
+    }
+    if sink is not None:
+        widening = {"diameter": sink.diameter, "depth": sink.depth, "degrees": sink.angle}
+        sources = _sources(widening, ("diameter", "depth"), numbers)
+        values |= {"sink": {**widening, "sources": sources}}
+    return {**values, "sources": _sources(values, ("diameter", "depth"), numbers)}
+
+
+def _sources(values: dict[str, Any], names: Iterable[str], numbers: Numbers) -> dict[str, str]:
     return {
-        "name": frame.name if frame.name in ("XY", "XZ", "YZ") else None,
+        name: numbers.source_of(values[name]).value for name in names if values[name] is not None
+    }
+
+
+def _plane(frame: Frame, height: float) -> dict[str, Any]:
+    return {
+        "name": frame.name if frame in MAIN_FRAMES else None,
         "right": list(frame.right),
         "up": list(frame.up),
         "normal": list(frame.normal),
@@ -70,11 +118,38 @@ def _plane(frame: Any, height: float) -> dict[str, Any]:
     }
 
 
-def _sketch(sketch: Sketch) -> dict[str, Any]:
+def _sketch(sketch: Sketch, numbers: Numbers) -> dict[str, Any]:
     return {
         "plane": _plane(sketch.frame, sketch.height),
         "geometry": [_edge(edge) for loop in sketch.loops for edge in loop],
+        "constraints": _constraints(constraints_of(sketch.loops, numbers), numbers),
     }
+
+
+def _constraints(found: Sequence[Constraint], numbers: Numbers) -> list[dict[str, Any]]:
+    counts: dict[str, int] = {}
+    values = []
+    for constraint in found:
+        value: dict[str, Any] = {
+            "kind": constraint.kind.value,
+            "of": [
+                [reference.element, None if reference.spot is None else reference.spot.value]
+                for reference in constraint.of
+            ],
+        }
+        if constraint.value is not None:
+            stem = _STEMS[constraint.kind]
+            counts[stem] = counts.get(stem, 0) + 1
+            source = numbers.source_of(constraint.value)
+            if constraint.source is not None:
+                source = constraint.source
+            value |= {
+                "name": f"{stem}{counts[stem]}",
+                "value": constraint.value,
+                "source": source.value,
+            }
+        values.append(value)
+    return values
 
 
 def _edge(edge: Edge) -> dict[str, Any]:

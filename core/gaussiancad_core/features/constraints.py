@@ -1,8 +1,8 @@
 """Geometric constraints of a sketch: what fixes it fully, and no more.
 
 Constraints are offered in the order in which a person would want them: ends that meet, level and
-upright lines, what is concentric, equal or aligned, then dimensions, those of the drawing first.  One
-is taken if its equations are independent of those that were taken before, by the rank of their
+upright lines, what is concentric, equal or aligned, then dimensions, those of the drawing first.
+One is taken if its equations are independent of those that were taken before, by the rank of their
 Jacobian; all degrees of freedom are gone at the end, and nothing is fixed twice.
 """
 
@@ -216,7 +216,7 @@ def _sheet_distances(geometry: Geometry, numbers: Numbers) -> Iterator[Constrain
     for axis, kind in ((0, Kind.DISTANCE_X), (1, Kind.DISTANCE_Y)):
         columns = geometry.columns(axis)
         pairs = sorted(
-            combinations(columns, 2), key=lambda pair: (ORIGIN not in pair[0][1] + pair[1][1])
+            combinations(columns, 2), key=lambda pair: ORIGIN not in pair[0][1] + pair[1][1]
         )
         for (low, one), (high, other) in pairs:
             if numbers.source_of(high - low) is NumberSource.SHEET:

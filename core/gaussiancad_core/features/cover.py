@@ -14,8 +14,9 @@ from ortools.sat.python import cp_model
 from gaussiancad_core.features.samples import Samples
 from gaussiancad_core.features.sweeps import Sweep, SweptPlane
 
-_OF_A_BODY = 3
-"""Edges that one body more weighs as much as."""
+_OF_AN_EDGE, _OF_A_BODY = 1000, 3000
+"""What each edge of an outline weighs, and each body; a unit of its length weighs 1, so that of the
+same plate the thickness is its length."""
 
 _MOST_EFFORT = 4.0
 """Deterministic seconds of the solver."""
@@ -71,7 +72,10 @@ def cheapest_cover(choice: Choice, samples: Samples) -> tuple[Sweep, ...] | None
         else:
             for pad in pads:
                 model.add_bool_or([~pad, *pockets])
-    weights = [_OF_A_BODY + sweep.edges for sweep in choice.sweeps]
+    weights = [
+        _OF_A_BODY + _OF_AN_EDGE * sweep.edges + round(sweep.ends[1] - sweep.ends[0])
+        for sweep in choice.sweeps
+    ]
     model.minimize(sum(w * var for w, var in zip(weights, taken, strict=True)))
     solver = cp_model.CpSolver()
     solver.parameters.max_deterministic_time = _MOST_EFFORT

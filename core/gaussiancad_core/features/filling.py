@@ -1,5 +1,5 @@
-"""A solid without its round holes, or without other faces: the faces beside them are continued until
-they meet."""
+"""A solid without its round holes, or without other faces: what lies beside them is continued until
+it meets."""
 
 from collections.abc import Iterable, Sequence
 

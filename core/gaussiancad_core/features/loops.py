@@ -82,10 +82,7 @@ class _Directed:
         at = self.piece.low if at_start == is_forward else self.piece.high
         (dx, dy) = curve.normal(at)
         # Along a line the normal is its direction turned to the left; of a circle it points out.
-        if isinstance(curve, CircleCurve):
-            tangent = (-dy, dx)
-        else:
-            tangent = (dy, -dx)
+        tangent = (-dy, dx) if isinstance(curve, CircleCurve) else (dy, -dx)
         way = 1.0 if is_forward else -1.0
         return atan2(way * tangent[1], way * tangent[0])
 

@@ -44,8 +44,8 @@ class PrismPlane:
     Attributes:
         plane: with its cells.
         levels: units along the normal, ascending; layers lie between them.
-        fills: (places, layers) share of each layer that is material, at each place of the cells; NaN
-            where that is not known.
+        fills: (places, layers) share of each layer that is material, at each place of the cells;
+            NaN where that is not known.
     """
 
     plane: SweptPlane

@@ -1,4 +1,4 @@
-"""What the faces of a solid are: planes, cylinders, cones, and whether material lies around them."""
+"""What the faces of a solid are: planes, cylinders, cones, and on which side the material is."""
 
 from dataclasses import dataclass
 from enum import Enum
