@@ -28,6 +28,13 @@ _ROUNDS = 4
 with it."""
 
 
+_MOST_OBLIQUE = 12
+"""Planes but the main ones that sketches are looked for on."""
+
+_SAME_DIRECTION = 9
+"""Decimal places within which components of unit vectors are one."""
+
+
 @dataclass(frozen=True)
 class Decomposition:
     """Bodies that make up a solid.
@@ -86,26 +93,23 @@ def decomposed(shape: TopoDS_Shape) -> Decomposition | None:
 
 
 def _frames(faces: Sequence[SolidFace]) -> list[Frame]:
-    """The planes that sketches may lie on: the main ones, and those that plane faces lie on
-    between walls across them."""
-    frames = list(MAIN_FRAMES)
-    names = {frame.name for frame in frames}
+    """The planes that sketches may lie on: the main ones, and those that most plane faces are
+    parallel to."""
+    oblique: dict[Frame, int] = {}
     for face in faces:
         if face.kind is Kind.PLANE:
-            frame = frame_across(tuple(face.direction.tolist()))
-            if (
-                frame.name not in names
-                and frame_across(tuple((-face.direction).tolist())).name not in names
-            ):
-                names.add(frame.name)
-                frames.append(frame)
-    return frames
+            # Of a direction and its opposite one counts.
+            way = np.sign(face.direction[int(np.argmax(np.abs(face.direction)))])
+            x, y, z = np.round(way * face.direction, _SAME_DIRECTION).tolist()
+            frame = frame_across((x, y, z))
+            oblique[frame] = oblique.get(frame, 0) + 1
+    others = [frame for frame in oblique if frame not in MAIN_FRAMES]
+    others.sort(key=lambda frame: -oblique[frame])
+    return [*MAIN_FRAMES, *others[:_MOST_OBLIQUE]]
 
 
 def _box_in(frame: Frame, box: Points) -> tuple[Points, Points]:
-    corners = np.array(
-        [[box[i, 0], box[j, 1], box[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)]
-    )
+    corners = np.array(np.meshgrid(*box.T)).reshape(3, -1).T
     seen = frame.project(corners)
     return seen.min(axis=0), seen.max(axis=0)
 

@@ -188,9 +188,8 @@ def _drilled(
     rays: Rays,
 ) -> Bore | None:
     """A stack as what drills leave; None where none can."""
-    low, high = stack[0].low, stack[-1].high
-    closed_low = _is_material(stack[0].at_low, low, -1.0, point, direction, rays)
-    closed_high = _is_material(stack[-1].at_high, high, 1.0, point, direction, rays)
+    closed_low = _is_closed(stack[0].reversed(), point, -direction, rays)
+    closed_high = _is_closed(stack[-1], point, direction, rays)
     if closed_low and closed_high:
         return None
     # From the wider end where both are open.
@@ -233,18 +232,16 @@ def _is_mouth(sections: Sequence[Section], core: Section) -> bool:
     return narrows and all(section.is_cylinder for section in sections)
 
 
-def _is_material(
-    radius: float, at: float, way: float, point: Vector, direction: Vector, rays: Rays
-) -> bool:
-    """Whether material follows where a bore ends, at most places across it; a tip is closed."""
-    if radius < _SAME:
+def _is_closed(section: Section, point: Vector, direction: Vector, rays: Rays) -> bool:
+    """Whether material follows where a section ends, at most places across it; a tip is closed."""
+    if section.at_high < _SAME:
         return True
     hits = 0
-    for base in _around(point, direction, 0.61 * radius):
+    for base in _around(point, direction, 0.61 * section.at_high):
         stretches = rays.inside(base, direction)
         if stretches is None:
             continue
-        place = at + way * 10.0 * _SAME
+        place = section.high + 10.0 * _SAME
         hits += bool(((stretches[:, 0] < place) & (stretches[:, 1] > place)).any())
     return hits > _ROUND_ABOUT // 2
 
