@@ -131,7 +131,7 @@ def cone_of(face: SolidFace, heights: tuple[float, float]) -> tuple[tuple[Vector
     return tuple(
         (
             face.point + at * np.cos(half) * face.direction,
-            abs(cone.RefRadius() + at * np.sin(half)),
+            float(abs(cone.RefRadius() + at * np.sin(half))),
         )
         for at in heights
     )
