@@ -101,3 +101,26 @@ def is_out_of_memory(error: BaseException) -> bool:
     if isinstance(error, GaussianCadError) or not of_library:
         return False
     return any(words in str(error) for words in _NO_MEMORY)
+
+
+_NO_FILES = frozenset({errno.EMFILE, errno.ENFILE})
+
+_NO_FILES_SAID = "Too many open files"
+"""What the system's loader says where it gets none."""
+
+
+def out_of_files(error: BaseException) -> LimitError | None:
+    """What is told of an error that comes of one by which the system lets no more files be opened;
+    None of any other.
+    """
+    cause: BaseException | None = error
+    while cause is not None:
+        by_loader = isinstance(cause, ImportError) and _NO_FILES_SAID in str(cause)
+        if by_loader or getattr(cause, "errno", None) in _NO_FILES:
+            return LimitError(
+                "too-many-open-files",
+                "the system lets the engine open no more files: raise that limit (`ulimit -n`, "
+                "or that of the whole system), or close other programs, then retry",
+            )
+        cause = cause.__cause__
+    return None

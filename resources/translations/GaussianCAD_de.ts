@@ -2363,6 +2363,10 @@
         <translation>Auf dem Datenträger ist kein Platz mehr. Machen Sie Platz und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
+        <source>The system lets the engine open no more files. Close other programs, then try again.</source>
+        <translation>Das System lässt die Engine keine weiteren Dateien öffnen. Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
         <source>The folder {path} cannot be written to. Choose another one.</source>
         <translation>In den Ordner {path} lässt sich nicht schreiben. Wählen Sie einen anderen.</translation>
     </message>

@@ -1395,6 +1395,10 @@
         <translation>磁盘空间不足。请腾出一些空间后重试。</translation>
     </message>
     <message>
+        <source>The system lets the engine open no more files. Close other programs, then try again.</source>
+        <translation>系统不允许引擎打开更多文件。请关闭其他程序，然后重试。</translation>
+    </message>
+    <message>
         <source>The folder {path} cannot be written to. Choose another one.</source>
         <translation>无法写入文件夹 {path}。请选择其他文件夹。</translation>
     </message>

@@ -8,7 +8,7 @@ import pytest
 import torch
 from onnxruntime.capi.onnxruntime_pybind11_state import RuntimeException
 
-from gaussiancad_core.errors import UnreadableError, is_out_of_memory
+from gaussiancad_core.errors import UnreadableError, is_out_of_memory, out_of_files
 
 
 def _raised(make: object) -> BaseException:
@@ -34,3 +34,16 @@ def test_other_errors_are_others() -> None:
     assert not is_out_of_memory(ValueError("cannot allocate memory"))
     assert not is_out_of_memory(UnreadableError("file-missing", "bad_alloc.png does not exist"))
     assert not is_out_of_memory(ImportError("no module named torch"))
+
+
+def test_an_error_that_comes_of_too_many_open_files_is_told_as_that() -> None:
+    refused = OSError(errno.EMFILE, "Too many open files")
+    made = UnreadableError("file-unreadable", "a.png cannot be opened")
+    made.__cause__ = refused
+    loader = ImportError("libx.so.9: cannot open shared object file: Too many open files")
+    for error in (refused, made, loader, OSError(errno.ENFILE, "Too many open files in system")):
+        found = out_of_files(error)
+        assert found is not None
+        assert (found.code, int(found.exit_code)) == ("too-many-open-files", 5)
+    for error in (OSError(errno.ENOSPC, "No space left"), made.__class__("file-missing", "no")):
+        assert out_of_files(error) is None

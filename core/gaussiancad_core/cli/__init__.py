@@ -22,6 +22,7 @@ from gaussiancad_core.errors import (
     LimitError,
     UsageError,
     is_out_of_memory,
+    out_of_files,
 )
 from gaussiancad_core.events import (
     Both,
@@ -91,8 +92,9 @@ def _meaning(
     error: BaseException, cancellation: Cancellation, arguments: Sequence[str]
 ) -> GaussianCadError:
     """What a person is told of an error that ended a command."""
-    known = error if isinstance(error, GaussianCadError) else None
-    if isinstance(error, SystemError | ImportError):
+    # Whatever was made of the system's refusal says less.
+    known = out_of_files(error) or (error if isinstance(error, GaussianCadError) else None)
+    if known is None and isinstance(error, SystemError | ImportError):
         # A compiled function or a module that is interrupted says only that it failed.
         known = cancellation.raised
     if known is not None:

@@ -9,7 +9,13 @@ from queue import SimpleQueue
 from typing import Any
 
 from gaussiancad_core.cli.reconstruct import greet
-from gaussiancad_core.errors import CancelledError, ExitCode, GaussianCadError, is_out_of_memory
+from gaussiancad_core.errors import (
+    CancelledError,
+    ExitCode,
+    GaussianCadError,
+    is_out_of_memory,
+    out_of_files,
+)
 from gaussiancad_core.events import Listener, stop_main_thread
 from gaussiancad_core.messages import Message, on_one_line, told
 
@@ -64,7 +70,8 @@ def run(_options: argparse.Namespace, listener: Listener) -> ExitCode:
         except CancelledError:
             raise
         except GaussianCadError as error:
-            answer = _refusal(error.code, error.message)
+            known = out_of_files(error) or error
+            answer = _refusal(known.code, known.message)
         except Exception as error:
             answer = _failed(error, Path(request.sheet))
         finally:
@@ -76,6 +83,8 @@ def run(_options: argparse.Namespace, listener: Listener) -> ExitCode:
 
 def _failed(error: Exception, sheet: Path) -> dict[str, Any]:
     """The answer where a request met what nobody foresaw: the next one may go well."""
+    if (no_files := out_of_files(error)) is not None:
+        return _refusal(no_files.code, no_files.message)
     if is_out_of_memory(error):
         return _refusal("out-of-memory", "the memory does not suffice: use a smaller file")
 

@@ -47,6 +47,19 @@ def test_a_reader_that_has_read_enough_is_no_error() -> None:
     assert (ended.returncode, ended.stderr) == (0, b"")
 
 
+@pytest.mark.skipif(os.name != "posix", reason="limits of files are those of POSIX")
+@pytest.mark.parametrize("command", ["reconstruct", "compare", "read"])
+def test_too_few_files_are_told_as_that(command: str, tmp_path: Path) -> None:
+    inputs = [str(_SAMPLE)]
+    if command == "compare":
+        inputs = [str(_SAMPLE.with_suffix(".step"))] * 2
+    limited = ["sh", "-c", 'ulimit -n 6 && exec "$@"', "sh", sys.executable, "-m"]
+    command_line = [*limited, "gaussiancad_core", command, *inputs, "--output", str(tmp_path / "o")]
+    ended = subprocess.run(command_line, capture_output=True, check=False)
+    assert (ended.returncode, ended.stdout) == (5, b"")
+    assert ended.stderr.count(b"\n") == 1 and b"[too-many-open-files]" in ended.stderr
+
+
 @pytest.mark.parametrize("error", [BrokenPipeError("to a child"), FileNotFoundError(2, "no", "x")])
 def test_a_pipe_or_a_file_of_our_own_that_is_gone_is_no_success(
     error: OSError, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

@@ -223,6 +223,10 @@ LIMITS = {
     "disk-full": QT_TRANSLATE_NOOP(
         "GaussianCAD", "There is no space left on the disk. Free some, then try again."
     ),
+    "too-many-open-files": QT_TRANSLATE_NOOP(
+        "GaussianCAD",
+        "The system lets the engine open no more files. Close other programs, then try again.",
+    ),
     "output-not-writable": QT_TRANSLATE_NOOP(
         "GaussianCAD", "The folder {path} cannot be written to. Choose another one."
     ),
