@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
+from gaussiancad_core.errors import NoModelError
 from gaussiancad_core.sheet.clean import CleanSheet, clean_sheet, upright_sheet
 from gaussiancad_core.sheet.deskew import Turn, file_directions, find_turn
 from gaussiancad_core.sheet.graph.heads import Head, arrowheads
@@ -39,15 +40,27 @@ class OpenedSheet:
         """
         return self._by_strokes or self.clean.turn
 
-    @cached_property
+    @property
     def clean(self) -> CleanSheet:
         """The ink of the upright sheet, told from its paper.
 
         Raises:
             NoModelError: there is no ink, or too much of it for a line drawing.
         """
-        ink = clean_sheet(self.image.grey, self.median_kernel)
-        found = upright_sheet(ink, self._by_strokes)
+        found = self._cleaned
+        if isinstance(found, NoModelError):
+            # A new one each time: one that is raised keeps all that its callers hold.
+            raise NoModelError(found.code, found.message)
+        return found
+
+    @cached_property
+    def _cleaned(self) -> CleanSheet | NoModelError:
+        """The ink, or why there is none: that takes as long to find."""
+        try:
+            ink = clean_sheet(self.image.grey, self.median_kernel)
+            found = upright_sheet(ink, self._by_strokes)
+        except NoModelError as error:
+            return NoModelError(error.code, error.message)
         return replace(found, turn=self._scaled(found.turn))
 
     @cached_property
