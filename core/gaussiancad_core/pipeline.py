@@ -12,6 +12,7 @@ from gaussiancad_core.errors import (
     LimitError,
     NoModelError,
     is_out_of_memory,
+    out_of_files,
 )
 from gaussiancad_core.events import Listener, Progress, cancellation_behind
 from gaussiancad_core.finished import finished_report
@@ -110,6 +111,8 @@ def reconstruct(job: Job, listener: Listener, kept: OpenedSheet | None = None) -
 
 def _failure(error: Exception, job: Job) -> GaussianCadError:
     """What is told of an error that no stage foresaw."""
+    if (no_files := out_of_files(error)) is not None:
+        return no_files
     if is_out_of_memory(error):
         return LimitError(
             "out-of-memory", "the memory does not suffice: use --preset draft or a smaller sheet"
@@ -132,9 +135,6 @@ class _Run:
 
     def all_stages(self, kept: OpenedSheet | None) -> Report:
         """Read, reconstruct, check and write."""
-        from gaussiancad_core.check_stage import overlay_picture, preview_picture
-        from gaussiancad_core.registering_stage import registered_lines, tell_symbol
-
         _check_device(self.job.device)
         try:
             read = self._read(kept)
@@ -142,6 +142,10 @@ class _Run:
             read = self._read_instead(error)
         if isinstance(read, Report):
             return read
+        # Loading these takes seconds, which no file that cannot be read is worth.
+        from gaussiancad_core.check_stage import overlay_picture, preview_picture
+        from gaussiancad_core.registering_stage import registered_lines, tell_symbol
+
         sheet, lines = read
         turn = sheet.turn
         self._write_reading(lines, sheet)
@@ -177,9 +181,6 @@ class _Run:
         Raises:
             NoModelError: the page has no views that belong together.
         """
-        from gaussiancad_core.reading_run import sheet_lines
-        from gaussiancad_core.reading_stage import with_unseen
-
         with self.notes.stage("read"):
             if kept is not None:
                 tell_image(kept.image, self.notes)
@@ -188,6 +189,9 @@ class _Run:
                 return earlier
             sheet = kept or OpenedSheet(self._image, self.job.reading.median_kernel)
             self._turn = sheet.turn
+        from gaussiancad_core.reading_run import sheet_lines
+        from gaussiancad_core.reading_stage import with_unseen
+
         return sheet, with_unseen(sheet_lines(self.job, sheet, self.notes), self.notes)
 
     def _read_instead(self, error: NoModelError) -> "tuple[OpenedSheet, SheetLines] | Report":

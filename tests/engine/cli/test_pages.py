@@ -1,5 +1,7 @@
 """``--page all``: each page of a file by itself."""
 
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -51,3 +53,17 @@ def test_a_file_that_speaks_of_one_page_goes_with_one_page(
     command = ["read", str(sheet), "--output", str(tmp_path / "o"), "--page", "all"]
     assert main([*command, "--reading", "reading.json"]) == 2
     assert "[one-page-only]" in capsys.readouterr().err
+
+
+def test_a_page_too_far_is_told_before_what_works_on_pages_is_loaded(tmp_path: Path) -> None:
+    sheet = _pages(tmp_path / "set.tif", _sample("boss-plate.png"))
+    heavy = ("gaussiancad_core.check_stage", "gaussiancad_core.reading_run", "torch", "open3d")
+    code = (
+        "import sys; from gaussiancad_core.cli import main; code = main(sys.argv[1:]); "
+        f"print(code, [name for name in {heavy!r} if name in sys.modules])"
+    )
+    arguments = ["reconstruct", str(sheet), "--page", "999999", "--output", str(tmp_path / "out")]
+    ended = subprocess.run(
+        [sys.executable, "-c", code, *arguments], capture_output=True, text=True, check=True
+    )
+    assert ended.stdout == "3 []\n" and "[page-missing]" in ended.stderr
