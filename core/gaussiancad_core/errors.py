@@ -114,7 +114,10 @@ def out_of_files(error: BaseException) -> LimitError | None:
     None of any other.
     """
     cause: BaseException | None = error
-    while cause is not None:
+    seen: list[BaseException] = []
+    # An error that is raised anew may be its own cause.
+    while cause is not None and not any(cause is one for one in seen):
+        seen.append(cause)
         by_loader = isinstance(cause, ImportError) and _NO_FILES_SAID in str(cause)
         if by_loader or getattr(cause, "errno", None) in _NO_FILES:
             return LimitError(

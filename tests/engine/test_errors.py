@@ -45,5 +45,7 @@ def test_an_error_that_comes_of_too_many_open_files_is_told_as_that() -> None:
         found = out_of_files(error)
         assert found is not None
         assert (found.code, int(found.exit_code)) == ("too-many-open-files", 5)
-    for error in (OSError(errno.ENOSPC, "No space left"), made.__class__("file-missing", "no")):
+    again = UnreadableError("file-missing", "no")
+    again.__cause__ = again
+    for error in (OSError(errno.ENOSPC, "No space left"), again):
         assert out_of_files(error) is None
